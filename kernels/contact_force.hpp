@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+
+#include <pinball/kernels/gather.hpp>
+#include <pinball/kernels/pinball.hpp>
+
+/// Penalty forces on one pinball from all pinballs in its neighbour list, a pack of neighbours at a time.
+///
+/// Every pair stands in both lists: each pinball sums its own force and writes nothing else, so that the loop over
+/// pinballs needs neither atomics nor colours, and its sums have one order. The two forces of a pair are equal and
+/// opposite to the last bit.
+namespace pinball {
+
+/// Pinball records of four scalars each, one record per pinball.
+template <class S>
+struct PinballView {
+  const S* centre;      ///< C, R [length]
+  const S* velocity;    ///< V, element mass [length/time], [mass]
+  const S* outward;     ///< outward normal, B R (bulk modulus times radius) [length^2], [stress length]
+  const S* two_sided;   ///< two-sided normal, unused [length^2]
+};
+
+template <class S>
+struct PenaltyConstants {
+  S beta;      ///< factor of (3.11) [-]
+  S damping;   ///< xi: p1 = 2 xi sqrt(p2 m), m = m1 m2 / (m1 + m2) with element masses [-]
+};
+
+/// Sums over the pairs of one pinball. Energies count half of each pair, because each pair is met twice.
+template <class S>
+struct PinballForce {
+  Vec3<S> force{};            ///< [force]
+  S stiffness{};              ///< sum of p2 over the active pairs [force/length]
+  S stored{};                 ///< sum of p2 g^2 / 4 [energy]
+  S damped{};                 ///< sum of (F - p2 g) gdot / 2 [power]
+  S penetration_ratio{};      ///< largest g / (R1 + R2) [-]
+  std::int32_t pairs{};       ///< active pairs, each met twice
+};
+
+/// neighbour: padded to whole packs with any valid pinball; count: real entries. T: pack of neighbours.
+template <class T>
+PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<ScalarOf<T>>& view,
+                                                         const PenaltyConstants<ScalarOf<T>>& constants,
+                                                         std::int32_t self, const std::int32_t* neighbour,
+                                                         std::int32_t count) {
+  using S = ScalarOf<T>;
+  constexpr int W = width_of<T>;
+  const S* own = view.centre + 4 * static_cast<std::int64_t>(self);
+  const Vec3<T> c1{T(own[0]), T(own[1]), T(own[2])};
+  const T r1(own[3]);
+
+  PinballForce<S> result;
+  for (std::int32_t first = 0; first < count; first += W) {
+    const std::int32_t* index = neighbour + first;
+    Vec3<T> c2;
+    T r2;
+    gather_records(view.centre, index, c2.x, c2.y, c2.z, r2);
+    const Vec3<T> d = c1 - c2;
+    const T reach = r1 + r2;
+    const auto listed = lane_numbers<T>() < T(static_cast<S>(count - first));
+    if (!any_lane(listed && dot(d, d) < reach * reach)) continue;  // most packs end here
+
+    const S* own_velocity = view.velocity + 4 * static_cast<std::int64_t>(self);
+    const S* own_outward = view.outward + 4 * static_cast<std::int64_t>(self);
+    const S* own_two_sided = view.two_sided + 4 * static_cast<std::int64_t>(self);
+    const PinballNormal<T> normal1{{T(own_outward[0]), T(own_outward[1]), T(own_outward[2])},
+                                   {T(own_two_sided[0]), T(own_two_sided[1]), T(own_two_sided[2])}};
+    PinballNormal<T> normal2;
+    Vec3<T> v2;
+    T stiffness2, mass2, spare;
+    gather_records(view.outward, index, normal2.outward.x, normal2.outward.y, normal2.outward.z, stiffness2);
+    gather_records(view.two_sided, index, normal2.two_sided.x, normal2.two_sided.y, normal2.two_sided.z, spare);
+    gather_records(view.velocity, index, v2.x, v2.y, v2.z, mass2);
+
+    const Vec3<T> n1 = unit_normal_towards(normal1, T(-1) * d);
+    const Vec3<T> n2 = unit_normal_towards(normal2, d);
+    const Penetration<T> p = penetration(d, reach, n1, n2);
+    const auto active = p.active && listed;
+
+    const T p2 = T(S(0.5) * constants.beta) * (T(own_outward[3]) + stiffness2);  // (3.11)
+    const T mass1(own_velocity[3]);
+    const T reduced_mass = mass1 * mass2 / (mass1 + mass2);
+    const T p1 = T(2 * constants.damping) * square_root(p2 * reduced_mass);
+    const Vec3<T> v1{T(own_velocity[0]), T(own_velocity[1]), T(own_velocity[2])};
+    const T rate = dot(v2 - v1, p.direction);                                    // (3.10)
+    const T elastic = p2 * p.depth;
+    const T total = maximum(T(0), elastic + p1 * rate);                          // (3.8), no adhesion
+    const T force = select(active, total, T(0));
+
+    result.force.x += lane_sum(force * p.direction.x);
+    result.force.y += lane_sum(force * p.direction.y);
+    result.force.z += lane_sum(force * p.direction.z);
+    result.stiffness += lane_sum(select(active, p2, T(0)));
+    result.stored += lane_sum(select(active, T(S(0.25)) * elastic * p.depth, T(0)));
+    result.damped += lane_sum(select(active, T(S(0.5)) * (total - elastic) * rate, T(0)));
+    const S ratio = lane_maximum(select(active, p.depth / reach, T(0)));
+    result.penetration_ratio = maximum(result.penetration_ratio, ratio);
+    result.pairs += count_lanes(active);
+  }
+  return result;
+}
+
+}  // namespace pinball

@@ -1,0 +1,19 @@
+#pragma once
+
+/// PINBALL_FUNCTION marks every function that a device will have to run: it is inlined into the calling loop, so that a
+/// kernel over packs becomes one straight piece of vector code, and it is compiled for host and device by nvcc.
+#if defined(__CUDACC__)
+#define PINBALL_FUNCTION __host__ __device__ __forceinline__
+#else
+#define PINBALL_FUNCTION [[gnu::always_inline]] inline
+#endif
+
+/// Loops over corners, modes and tensor components have constant bounds and are unrolled completely, so that their
+/// arrays live in registers.
+#if defined(__CUDACC__)
+#define PINBALL_UNROLL _Pragma("unroll")
+#elif defined(__clang__)
+#define PINBALL_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define PINBALL_UNROLL _Pragma("GCC unroll 16")
+#endif

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <pinball/kernels/hexahedron.hpp>
+
+/// A pinball: the sphere embedded in a surface element (report section 3, equations (3.1) to (3.12)).
+///
+///     C = 1/8 sum_I x_I                          centre, the mean of the corners            (3.1)
+///     R = (3 V / 4 pi)^(1/3)                     radius of the sphere of equal volume       (3.2)
+///     |C1 - C2 + g n| = R1 + R2                  penetration g >= 0 along n                 (3.4)
+///     n = (n2 - n1) / 2, made a unit vector      n1, n2 outward element normals             (3.5)
+///     F = (p1 gdot + p2 g) n on pinball 1        penalty force, never adhesive              (3.8)
+///     gdot = (V2 - V1) . n                       rate of penetration                        (3.10)
+///     p2 = beta/2 (B1 R1 + B2 R2)                                                           (3.11)
+///
+/// The report's n is not of unit length, which (3.8) and (3.10) need; here it is normalised first.
+namespace pinball {
+
+/// Normals of a pinball [length^2]. `outward` is the sum of the area vectors of those exposed faces whose opposite face
+/// is not exposed. An element exposed on two opposite sides (a plate one element thick, or what erosion leaves) has no
+/// net normal across them: `two_sided` is the area vector of that pair of faces, whose sign each partner chooses. With
+/// two or more such pairs (a bar one element thick, a single element) both are zero: the line of centres decides.
+template <class T>
+struct PinballNormal {
+  Vec3<T> outward;
+  Vec3<T> two_sided;
+};
+
+/// x: modes of the corners; exposed[f]: 1 where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) is exposed, else 0.
+template <class T>
+PINBALL_FUNCTION PinballNormal<T> pinball_normal(const HexahedronModes<T>& x, const T (&exposed)[6]) {
+  PinballNormal<T> n{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}};
+  T pairs(0);
+  PINBALL_UNROLL
+  for (int i = 0; i < 3; ++i) {
+    Vec3<T> minus, plus;
+    face_areas(x, i, minus, plus);
+    const T both = exposed[2 * i] * exposed[2 * i + 1];
+    n.outward = n.outward + (exposed[2 * i] - both) * minus + (exposed[2 * i + 1] - both) * plus;
+    n.two_sided = n.two_sided + (T(0.5) * both) * (plus - minus);
+    pairs += both;
+  }
+  const T keep = select(pairs > T(1.5), T(0), T(1));  // if (pairs >= 2) two_sided = 0
+  n.two_sided = keep * n.two_sided;
+  return n;
+}
+
+/// Unit normal of a pinball towards a partner in direction `to_partner` (any length); zero where it has none.
+template <class T>
+PINBALL_FUNCTION Vec3<T> unit_normal_towards(const PinballNormal<T>& normal, const Vec3<T>& to_partner) {
+  // if (two_sided points away from the partner) subtract it; else add it
+  const T sign = select(dot(normal.two_sided, to_partner) < T(0), T(-1), T(1));
+  const Vec3<T> n = normal.outward + sign * normal.two_sided;
+  const T length2 = dot(n, n);
+  const auto some = length2 > T(0);
+  const T inverse = select(some, T(1) / square_root(select(some, length2, T(1))), T(0));
+  return inverse * n;
+}
+
+/// Geometry of a penetrating pair.
+template <class T>
+struct Penetration {
+  MaskOf<T> active;   ///< the balls overlap and their normals oppose each other
+  T depth;            ///< g [length]
+  Vec3<T> direction;  ///< n, unit, from pinball 2 to pinball 1
+};
+
+/// d = C1 - C2; reach = R1 + R2; n1, n2: unit normals of both (zero allowed).
+/// The test on c comes before the square root, and g = -c / (b + sqrt(b^2 - c)) avoids the cancellation of (3.6).
+template <class T>
+PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, const Vec3<T>& n1, const Vec3<T>& n2) {
+  using S = ScalarOf<T>;
+  const T d2 = dot(d, d);
+  const T c = d2 - reach * reach;
+  const auto overlaps = c < T(0);
+
+  // Pairs whose normals look the same way belong to one surface, or to opposite faces of a thin body.
+  const auto opposed = !(dot(n1, n2) > T(S(0.3)));
+
+  // n = (n2 - n1)/2; if (|n| < 0.2) n = line of centres
+  const Vec3<T> mean = T(0.5) * (n2 - n1);
+  const T mean2 = dot(mean, mean);
+  const auto use_mean = !(mean2 < T(S(0.04)));
+  const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};
+  const T length2 = select(use_mean, mean2, d2);
+  const auto defined = length2 > T(0);  // false for coincident centres without normals: no direction, no force
+  const T inverse = T(1) / square_root(select(defined, length2, T(1)));
+  const Vec3<T> n = inverse * chosen;
+
+  const T b = dot(n, d);
+  const T root = square_root(maximum(T(0), b * b - c));
+  // if (b > 0) g = -c / (b + root); else g = root - b
+  const auto positive = b > T(0);
+  const T g = select(positive, (T(0) - c) / select(positive, b + root, T(1)), root - b);
+  // A pair whose centres have passed each other by more than half the reach is not pushed through.
+  const auto passed = b < T(S(-0.5)) * reach;
+  return {overlaps && opposed && defined && !passed, g, n};
+}
+
+}  // namespace pinball

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+
+#include <pinball/kernels/gather.hpp>
+#include <pinball/kernels/pinball.hpp>
+
+/// Centres, velocities, normals and (on demand) radii of a pack of pinballs from the corners of their elements
+/// (report figure 3, steps 1 to 3).
+namespace pinball {
+
+/// Surface elements in tiles of W, as in ElementView; records of four scalars per pinball, as in PinballView.
+template <class S>
+struct PinballGeometryView {
+  const std::int32_t* corner;   ///< N = 8: node numbers
+  const S* exposed;             ///< N = 6: 1 where the face is exposed, else 0
+  const S* bulk_modulus;        ///< N = 1 [stress]
+  S* centre;                    ///< C, R
+  S* velocity;                  ///< V, (mass: kept)
+  S* outward;                   ///< outward normal, B R
+  S* two_sided;                 ///< two-sided normal
+};
+
+/// Writes the records of pinballs pack * W ... + W - 1. With update_radius the radius follows the current volume.
+template <class T, bool update_radius>
+PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>& view, const ScalarOf<T>* position,
+                                          const ScalarOf<T>* velocity, std::int64_t pack) {
+  using S = ScalarOf<T>;
+  constexpr int W = width_of<T>;
+  const std::int32_t* corner = view.corner + pack * 8 * W;
+  Vec3<T> value[8];
+  PINBALL_UNROLL
+  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(velocity, corner + i * W);
+  Vec3<T> v = value[0];
+  PINBALL_UNROLL
+  for (int i = 1; i < 8; ++i) v = v + value[i];
+  v = T(0.125) * v;
+  PINBALL_UNROLL
+  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(position, corner + i * W);
+  const HexahedronModes<T> x = to_modes(value);
+  const Vec3<T> centre = T(0.125) * x.constant;  // (3.1)
+  T exposed[6];
+  PINBALL_UNROLL
+  for (int f = 0; f < 6; ++f) exposed[f] = load<T>(view.exposed + (pack * 6 + f) * W);
+  const PinballNormal<T> normal = pinball_normal(x, exposed);
+  T volume(0);
+  if constexpr (update_radius) volume = hexahedron_volume(uniform_gradient(x), x);
+
+  for (int i = 0; i < W; ++i) {
+    const std::int64_t p = 4 * (pack * W + i);
+    view.centre[p] = lane(centre.x, i);
+    view.centre[p + 1] = lane(centre.y, i);
+    view.centre[p + 2] = lane(centre.z, i);
+    if constexpr (update_radius) {
+      const S v_abs = absolute(lane(volume, i));
+      view.centre[p + 3] = S(0.62035049089940009) * static_cast<S>(::cbrt(v_abs));  // (3.2)
+      view.outward[p + 3] = view.bulk_modulus[pack * W + i] * view.centre[p + 3];
+    }
+    view.velocity[p] = lane(v.x, i);
+    view.velocity[p + 1] = lane(v.y, i);
+    view.velocity[p + 2] = lane(v.z, i);
+    view.outward[p] = lane(normal.outward.x, i);
+    view.outward[p + 1] = lane(normal.outward.y, i);
+    view.outward[p + 2] = lane(normal.outward.z, i);
+    view.two_sided[p] = lane(normal.two_sided.x, i);
+    view.two_sided[p + 1] = lane(normal.two_sided.y, i);
+    view.two_sided[p + 2] = lane(normal.two_sided.z, i);
+  }
+}
+
+}  // namespace pinball

@@ -1,0 +1,184 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include <pinball/kernels/macros.hpp>
+
+#if !defined(__CUDACC__)
+#include <experimental/simd>
+#endif
+
+/// Number types of the kernels. A kernel is a template over its number type T: `double`, `float`, or a pack of W lanes
+/// (`Pack<double, W>`), each lane being one element, node or pair. The same source is the scalar reference, the vector
+/// code of the processor, and the code of one thread of a GPU.
+///
+/// Rules: no branch on a lane's value; a mask and `select` take its place, with the replaced `if` in a comment.
+namespace pinball {
+
+/// Traits of a scalar: one lane, masks are bool.
+template <class T>
+struct NumberTraits {
+  using Scalar = T;
+  using Mask = bool;
+  static constexpr int width = 1;
+};
+
+template <class T>
+using ScalarOf = typename NumberTraits<T>::Scalar;
+template <class T>
+using MaskOf = typename NumberTraits<T>::Mask;
+template <class T>
+inline constexpr int width_of = NumberTraits<T>::width;
+
+PINBALL_FUNCTION double select(bool mask, double if_true, double if_false) { return mask ? if_true : if_false; }
+PINBALL_FUNCTION float select(bool mask, float if_true, float if_false) { return mask ? if_true : if_false; }
+PINBALL_FUNCTION double square_root(double a) { return ::sqrt(a); }
+PINBALL_FUNCTION float square_root(float a) { return ::sqrtf(a); }
+/// NaN in either operand may give either: a NaN is found by the checks of the step, not carried by minimum or maximum.
+PINBALL_FUNCTION double minimum(double a, double b) { return b < a ? b : a; }
+PINBALL_FUNCTION float minimum(float a, float b) { return b < a ? b : a; }
+PINBALL_FUNCTION double maximum(double a, double b) { return a < b ? b : a; }
+PINBALL_FUNCTION float maximum(float a, float b) { return a < b ? b : a; }
+PINBALL_FUNCTION double absolute(double a) { return a < 0 ? -a : a; }
+PINBALL_FUNCTION float absolute(float a) { return a < 0 ? -a : a; }
+PINBALL_FUNCTION bool any_lane(bool mask) { return mask; }
+PINBALL_FUNCTION int count_lanes(bool mask) { return mask ? 1 : 0; }
+PINBALL_FUNCTION double lane_sum(double a) { return a; }
+PINBALL_FUNCTION float lane_sum(float a) { return a; }
+PINBALL_FUNCTION double lane_maximum(double a) { return a; }
+PINBALL_FUNCTION float lane_maximum(float a) { return a; }
+PINBALL_FUNCTION double lane(double a, int) { return a; }
+PINBALL_FUNCTION float lane(float a, int) { return a; }
+
+#if defined(__CUDACC__)
+
+/// One thread of a device works on one lane.
+template <class T, int W>
+struct PackType {
+  static_assert(W == 1, "a device has no packs: one thread is one lane");
+  using Type = T;
+};
+template <class T>
+inline constexpr int native_width = 1;
+
+#else
+
+namespace stdx = std::experimental;
+
+template <class T, int W>
+struct PackType {
+  using Type = stdx::simd<T, stdx::simd_abi::deduce_t<T, static_cast<std::size_t>(W)>>;
+};
+template <class T>
+struct PackType<T, 1> {
+  using Type = T;
+};
+
+template <class T, class Abi>
+struct NumberTraits<stdx::simd<T, Abi>> {
+  using Scalar = T;
+  using Mask = stdx::simd_mask<T, Abi>;
+  static constexpr int width = static_cast<int>(stdx::simd<T, Abi>::size());
+};
+
+/// Lanes of the widest register that the compiler may use; 1 in the build without vectorization.
+#if defined(PINBALL_SIMD_WIDTH_BYTES) && PINBALL_SIMD_WIDTH_BYTES == 0
+template <class T>
+inline constexpr int native_width = 1;
+#else
+template <class T>
+inline constexpr int native_width = static_cast<int>(stdx::native_simd<T>::size());
+#endif
+
+template <class T, class Abi>
+PINBALL_FUNCTION stdx::simd<T, Abi> select(const stdx::simd_mask<T, Abi>& mask, const stdx::simd<T, Abi>& if_true,
+                                           const stdx::simd<T, Abi>& if_false) {
+  stdx::simd<T, Abi> result = if_false;
+  stdx::where(mask, result) = if_true;
+  return result;
+}
+template <class T, class Abi>
+PINBALL_FUNCTION stdx::simd<T, Abi> square_root(const stdx::simd<T, Abi>& a) {
+  return stdx::sqrt(a);
+}
+template <class T, class Abi>
+PINBALL_FUNCTION stdx::simd<T, Abi> minimum(const stdx::simd<T, Abi>& a, const stdx::simd<T, Abi>& b) {
+  return select(b < a, b, a);
+}
+template <class T, class Abi>
+PINBALL_FUNCTION stdx::simd<T, Abi> maximum(const stdx::simd<T, Abi>& a, const stdx::simd<T, Abi>& b) {
+  return select(a < b, b, a);
+}
+template <class T, class Abi>
+PINBALL_FUNCTION stdx::simd<T, Abi> absolute(const stdx::simd<T, Abi>& a) {
+  return stdx::abs(a);
+}
+template <class T, class Abi>
+PINBALL_FUNCTION bool any_lane(const stdx::simd_mask<T, Abi>& mask) {
+  return stdx::any_of(mask);
+}
+template <class T, class Abi>
+PINBALL_FUNCTION int count_lanes(const stdx::simd_mask<T, Abi>& mask) {
+  return stdx::popcount(mask);
+}
+/// Sum over the lanes in lane order: the same bits on every instruction set for a given width.
+template <class T, class Abi>
+PINBALL_FUNCTION T lane_sum(const stdx::simd<T, Abi>& a) {
+  T sum = a[0];
+  for (std::size_t i = 1; i < a.size(); ++i) sum += a[i];
+  return sum;
+}
+template <class T, class Abi>
+PINBALL_FUNCTION T lane_maximum(const stdx::simd<T, Abi>& a) {
+  T result = a[0];
+  for (std::size_t i = 1; i < a.size(); ++i) result = a[i] > result ? T(a[i]) : result;
+  return result;
+}
+template <class T, class Abi>
+PINBALL_FUNCTION T lane(const stdx::simd<T, Abi>& a, int i) {
+  return a[static_cast<std::size_t>(i)];
+}
+
+#endif
+
+template <class T, int W>
+using Pack = typename PackType<T, W>::Type;
+
+/// Loads width_of<T> consecutive values; `source` is aligned to the pack.
+template <class T>
+PINBALL_FUNCTION T load(const ScalarOf<T>* source) {
+  if constexpr (width_of<T> == 1) {
+    return *source;
+  } else {
+#if !defined(__CUDACC__)
+    return T(source, stdx::vector_aligned);
+#endif
+  }
+}
+
+/// Stores width_of<T> consecutive values; `target` is aligned to the pack.
+template <class T>
+PINBALL_FUNCTION void store(const T& value, ScalarOf<T>* target) {
+  if constexpr (width_of<T> == 1) {
+    *target = value;
+  } else {
+#if !defined(__CUDACC__)
+    value.copy_to(target, stdx::vector_aligned);
+#endif
+  }
+}
+
+/// The lane numbers 0, 1, ... W-1.
+template <class T>
+PINBALL_FUNCTION T lane_numbers() {
+  if constexpr (width_of<T> == 1) {
+    return T(0);
+  } else {
+#if !defined(__CUDACC__)
+    return T([](auto i) { return static_cast<ScalarOf<T>>(static_cast<int>(i)); });
+#endif
+  }
+}
+
+}  // namespace pinball
