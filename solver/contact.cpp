@@ -1,0 +1,181 @@
+#include <pinball/solver/contact.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <pinball/kernels/exec.hpp>
+
+namespace pinball {
+
+template <class S>
+PinballContact<S>::PinballContact(const Model<S>& model)
+    : surface_(model), reference_centre_(static_cast<std::size_t>(model.elements.slots)) {
+  const ContactSettings& contact = model.scene.contact;
+  penalty_ = {static_cast<S>(contact.beta), static_cast<S>(contact.damping)};
+  // A damped spring is stable for dt <= 2/w (sqrt(1 + xi^2) - xi): as an undamped one of the higher frequency.
+  const double xi = contact.damping;
+  damping_factor_ = 1.0 / std::pow(std::sqrt(1 + xi * xi) - xi, 2);
+  for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
+    Point c{};
+    for (const std::int32_t node : model.mesh.hexahedra[e]) {
+      for (std::size_t k = 0; k < 3; ++k) c[k] += model.mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
+    }
+    reference_centre_[static_cast<std::size_t>(model.slot_of_element[e])] = {
+        static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
+  }
+  collect_pinballs(model);
+}
+
+template <class S>
+void PinballContact<S>::collect_pinballs(const Model<S>& model) {
+  constexpr int W = ElementStore<S>::width;
+  std::int32_t n = 0;
+  for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) n += surface_.exposed(slot) != 0;
+  pinballs_ = PinballStore<S>(n, W);
+  for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
+    const auto t = static_cast<std::size_t>(tile);
+    pinballs_.tile_first.push_back(static_cast<std::int32_t>(pinballs_.slot.size()));
+    const Material& material = model.scene.materials[static_cast<std::size_t>(model.tile_part[t])];
+    for (std::int64_t slot = model.tile_packs[t] * W; slot < model.tile_packs[t + 1] * W; ++slot) {
+      if (surface_.exposed(slot) == 0) continue;
+      const auto p = pinballs_.slot.size();
+      const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(slot)]);
+      pinballs_.slot.push_back(static_cast<std::int32_t>(slot));
+      pinballs_.body.push_back(model.mesh.body[e]);
+      const double volume = model.element_mass[e] / material.density;
+      const double radius = std::cbrt(volume * 3.0 / (4.0 * M_PI));  // (3.2)
+      pinballs_.bulk_modulus[p] = static_cast<S>(material.bulk_modulus);
+      pinballs_.centre[4 * p + 3] = static_cast<S>(radius);
+      pinballs_.velocity[4 * p + 3] = static_cast<S>(model.element_mass[e]);
+      pinballs_.outward[4 * p + 3] = static_cast<S>(material.bulk_modulus * radius);
+    }
+  }
+  pinballs_.tile_first.push_back(n);
+  const std::int32_t padded = (n + W - 1) / W * W;
+  for (std::int32_t p = 0; p < padded; ++p) {
+    const std::int64_t slot = pinballs_.slot[static_cast<std::size_t>(std::min(p, n - 1))];  // padding repeats the last
+    for (int i = 0; i < 8; ++i) {
+      pinballs_.corner[ElementStore<S>::at(p, i, 8)] = model.elements.corner[ElementStore<S>::at(slot, i, 8)];
+    }
+    for (int f = 0; f < 6; ++f) {
+      pinballs_.exposed[ElementStore<S>::at(p, f, 6)] = (surface_.exposed(slot) >> f & 1) != 0 ? S(1) : S(0);
+    }
+  }
+  list_.invalidate();
+}
+
+template <class S>
+void PinballContact<S>::update_pinballs(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
+  using T = Pack<S, native_width<S>>;
+  if (surface_.remove_eroded(model, tiles)) collect_pinballs(model);
+  const PinballGeometryView<S> view = pinballs_.geometry();
+  const S* position = model.nodes.position.data();
+  const S* velocity = model.nodes.velocity.data();
+  const RangePolicy<> packs{0, (pinballs_.count + width_of<T> - 1) / width_of<T>};
+  if (model.scene.contact.radius == ContactRadius::current) {
+    parallel_for("pinballs", packs,
+                 [&](std::int64_t pack) { update_pinball_pack<T, true>(view, position, velocity, pack); });
+  } else {
+    parallel_for("pinballs", packs,
+                 [&](std::int64_t pack) { update_pinball_pack<T, false>(view, position, velocity, pack); });
+  }
+}
+
+template <class S>
+void PinballContact<S>::search(const Model<S>& model) {
+  if (model.scene.skip.contact_search && list_.holds(pinballs_)) {
+    ++searches_skipped_;
+    return;
+  }
+  ++searches_;
+  S largest = 0;
+  for (std::int32_t p = 0; p < pinballs_.count; ++p) {
+    largest = std::max(largest, pinballs_.centre[4 * static_cast<std::size_t>(p) + 3]);
+  }
+  const S skin = model.scene.skip.contact_search ? static_cast<S>(model.scene.contact.skin) * largest : S(0);
+  list_.build(pinballs_, skin, {model.scene.contact.self, &reference_centre_});
+}
+
+template <class S>
+ContactResult PinballContact<S>::forces() {
+  using T = Pack<S, native_width<S>>;
+  const PinballView<S> view = pinballs_.view();
+  S* force = pinballs_.force.data();
+  struct Sums {
+    double stored = 0, damped = 0;
+    S ratio = 0;
+    std::int64_t pairs = 0;
+  } sums;
+  parallel_reduce(
+      "contact forces", RangePolicy<>{0, pinballs_.count}, sums,
+      [&](std::int64_t begin, std::int64_t end, Sums& partial) {
+        for (std::int64_t i = begin; i < end; ++i) {
+          const auto p = static_cast<std::int32_t>(i);
+          const PinballForce<S> f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p));
+          force[4 * i] = f.force.x;
+          force[4 * i + 1] = f.force.y;
+          force[4 * i + 2] = f.force.z;
+          force[4 * i + 3] = f.stiffness;
+          partial.stored += static_cast<double>(f.stored);
+          partial.damped += static_cast<double>(f.damped);
+          partial.ratio = maximum(partial.ratio, f.penetration_ratio);
+          partial.pairs += f.pairs;
+        }
+      },
+      [](Sums& result, const Sums& partial) {
+        result.stored += partial.stored;
+        result.damped += partial.damped;
+        result.ratio = maximum(result.ratio, partial.ratio);
+        result.pairs += partial.pairs;
+      });
+  ContactResult result;
+  result.stored = sums.stored;
+  result.damped_power = sums.damped;
+  result.penetration_ratio = static_cast<double>(sums.ratio);
+  result.pairs = sums.pairs / 2;
+  return result;
+}
+
+template <class S>
+void PinballContact<S>::scatter(Model<S>& model, ContactResult& result) {
+  if (result.pairs == 0) return;
+  const Colouring& colours = model.tile_colours;
+  const S* force = pinballs_.force.data();
+  S* nodal_force = model.nodes.force.data();
+  const auto corner = [this](std::int32_t p, int i) { return pinballs_.corner[ElementStore<S>::at(p, i, 8)]; };
+  parallel_for_coloured("contact scatter", DefaultExecutionSpace{}, colours.colour_offsets.data(),
+                        static_cast<std::int32_t>(colours.colour_offsets.size()) - 1, colours.items.data(),
+                        [&](std::int32_t tile) {
+                          const auto t = static_cast<std::size_t>(tile);
+                          for (std::int32_t p = pinballs_.tile_first[t]; p < pinballs_.tile_first[t + 1]; ++p) {
+                            const S* f = force + 4 * static_cast<std::int64_t>(p);
+                            if (!(f[3] > S(0))) continue;
+                            for (int i = 0; i < 8; ++i) {
+                              S* node = nodal_force + 4 * static_cast<std::int64_t>(corner(p, i));
+                              for (int k = 0; k < 3; ++k) node[k] += S(0.125) * f[k];  // (3.12)
+                              node[3] += S(0.25) * f[3];
+                            }
+                          }
+                        });
+  // Gershgorin: a pair of stiffness p2 enters the row of each of its 16 nodes with p2/8 (8/8 + 8/8) / m_I.
+  S largest = 0;
+  parallel_reduce(
+      "contact frequency", RangePolicy<>{0, pinballs_.count}, largest,
+      [&](std::int64_t begin, std::int64_t end, S& partial) {
+        for (std::int64_t p = begin; p < end; ++p) {
+          if (!(force[4 * p + 3] > S(0))) continue;
+          for (int i = 0; i < 8; ++i) {
+            const auto node = static_cast<std::size_t>(corner(static_cast<std::int32_t>(p), i));
+            const S row = nodal_force[4 * node + 3] * model.nodes.inverse_mass[node];
+            partial = row > partial ? row : partial;
+          }
+        }
+      },
+      [](S& whole, const S& partial) { whole = partial > whole ? partial : whole; });
+  result.frequency2 = damping_factor_ * static_cast<double>(largest);
+}
+
+template class PinballContact<double>;
+template class PinballContact<float>;
+
+}  // namespace pinball

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <pinball/solver/internal_forces.hpp>
+#include <pinball/solver/model.hpp>
+#include <pinball/solver/neighbour_list.hpp>
+#include <pinball/solver/pinball_store.hpp>
+#include <pinball/solver/surface.hpp>
+
+namespace pinball {
+
+/// Result of the contact stage of one step.
+struct ContactResult {
+  double stored = 0;               ///< energy in the penalty springs [energy]
+  double damped_power = 0;         ///< power of the contact damping [power]
+  double penetration_ratio = 0;    ///< largest g / (R1 + R2) [-]
+  std::int64_t pairs = 0;          ///< pairs in contact
+  double frequency2 = 0;           ///< bound on the square of the contact frequency [1/time^2]
+};
+
+/// The pinball algorithm (report section 3 and figure 3); its stages are called one by one by the step.
+template <class S>
+class PinballContact {
+ public:
+  explicit PinballContact(const Model<S>& model);
+
+  /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
+  void update_pinballs(const Model<S>& model, const std::vector<TileResult<S>>& tiles);
+  /// Figure 3, 4: cells and neighbour lists, unless the lists still hold.
+  void search(const Model<S>& model);
+  /// Figure 3, 5-6: penetrating pairs and their penalty forces, one sum per pinball.
+  ContactResult forces();
+  /// Adds an eighth of each pinball's force to the corners of its element, and bounds the contact frequency.
+  void scatter(Model<S>& model, ContactResult& result);
+
+  const PinballStore<S>& pinballs() const { return pinballs_; }
+  std::int64_t searches() const { return searches_; }
+  std::int64_t searches_skipped() const { return searches_skipped_; }
+  std::size_t bytes() const { return pinballs_.bytes() + list_.bytes() + surface_.bytes(); }
+
+ private:
+  void collect_pinballs(const Model<S>& model);
+
+  Surface surface_;
+  PinballStore<S> pinballs_;
+  NeighbourList<S> list_;
+  std::vector<std::array<float, 3>> reference_centre_;   ///< per slot
+  PenaltyConstants<S> penalty_;
+  double damping_factor_ = 1;                            ///< of the squared contact frequency, for its damping
+  std::int64_t searches_ = 0, searches_skipped_ = 0;
+};
+
+}  // namespace pinball

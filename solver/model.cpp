@@ -1,0 +1,262 @@
+#include <pinball/solver/model.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <fmt/core.h>
+
+#include <pinball/solver/error.hpp>
+#include <pinball/solver/ordering.hpp>
+
+namespace pinball {
+
+namespace {
+
+Point centre_of(const ModelMesh& mesh, std::size_t element) {
+  Point c{};
+  for (const std::int32_t node : mesh.hexahedra[element]) {
+    for (std::size_t k = 0; k < 3; ++k) c[k] += mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
+  }
+  return c;
+}
+
+template <class S>
+ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
+  const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus;
+  const double modulus = lambda + 2 * material.shear_modulus;
+  const double infinite = std::numeric_limits<double>::infinity();
+  ElementConstants<S> c{};
+  c.material.lambda = static_cast<S>(lambda);
+  c.material.mu = static_cast<S>(material.shear_modulus);
+  c.material.yield_stress = static_cast<S>(material.yield_stress);
+  c.material.plastic_modulus = static_cast<S>(material.plastic_modulus);
+  c.material.ultimate_stress = static_cast<S>(material.ultimate_stress > 0 ? material.ultimate_stress : infinite);
+  c.material.erosion_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
+  c.material.density = static_cast<S>(material.density);
+  c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
+  const double fallback = scene.element.hourglass == HourglassControl::viscous ? 0.025 : 0.05;
+  c.hourglass_coefficient = static_cast<S>(
+      scene.element.hourglass_coefficient >= 0 ? scene.element.hourglass_coefficient : fallback);
+  c.linear_viscosity = static_cast<S>(scene.element.linear_viscosity);
+  c.quadratic_viscosity = static_cast<S>(scene.element.quadratic_viscosity);
+  const NegativeVolume policy = scene.element.negative_volume.value_or(
+      material.erosion_strain > 0 ? NegativeVolume::erode : NegativeVolume::stop);
+  c.erode_negative_volume = policy == NegativeVolume::erode;
+  return c;
+}
+
+ElementFeatures features_of(const Scene& scene, const Material& material, bool erode_negative_volume) {
+  ElementFeatures f{};
+  f.plastic = material.plastic;
+  f.erosion = erode_negative_volume || (material.plastic && material.erosion_strain > 0);
+  f.bulk_viscosity = scene.element.bulk_viscosity;
+  f.hourglass = scene.element.hourglass == HourglassControl::stiffness ? HourglassKind::stiffness
+                : scene.element.hourglass == HourglassControl::viscous ? HourglassKind::viscous
+                                                                        : HourglassKind::none;
+  return f;
+}
+
+std::size_t material_index(const Scene& scene, const std::string& name) {
+  const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                  [&](const Material& m) { return m.name == name; });
+  if (found == scene.materials.end()) throw InputError(fmt::format("{}: no material named {}", scene.path, name));
+  return static_cast<std::size_t>(found - scene.materials.begin());
+}
+
+/// Elements of a tile: large enough that few of its nodes belong to other tiles, small enough that a small scene has
+/// several tiles per colour and thread. Depends on the mesh alone, so that results do not depend on the threads.
+std::int64_t tile_size(std::int64_t elements) {
+  std::int64_t size = 32;
+  while (size < 256 && size * 64 < elements) size *= 2;
+  return size;
+}
+
+/// Orthonormal constrained directions per node, so that removing one leaves the others removed.
+template <class S>
+void add_constraints(Model<S>& model) {
+  std::vector<std::pair<std::int32_t, Point>> directions;
+  for (const PlaneConstraint& plane : model.scene.constraints) {
+    Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    for (const Point& p : model.mesh.nodes) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
+      }
+    }
+    const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
+      const auto body = static_cast<std::size_t>(model.mesh.body_of_node[n]);
+      if (!plane.body.empty() && model.mesh.body_names[body] != plane.body) continue;
+      double distance = 0;
+      for (std::size_t k = 0; k < 3; ++k) distance += (model.mesh.nodes[n][k] - plane.point[k]) * plane.normal[k];
+      if (std::abs(distance) <= 1e-9 * size) directions.emplace_back(model.node_of_scene_node[n], plane.normal);
+    }
+  }
+  std::stable_sort(directions.begin(), directions.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Point> basis;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (i == 0 || directions[i].first != directions[i - 1].first) basis.clear();
+    Point d = directions[i].second;
+    for (const Point& b : basis) {
+      const double along = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
+      for (std::size_t k = 0; k < 3; ++k) d[k] -= along * b[k];
+    }
+    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    if (length < 1e-6) continue;
+    for (double& v : d) v /= length;
+    basis.push_back(d);
+    model.constraints.push_back(
+        {directions[i].first, {static_cast<S>(d[0]), static_cast<S>(d[1]), static_cast<S>(d[2])}});
+  }
+}
+
+template <class S>
+void set_initial_velocity(Model<S>& model) {
+  const std::size_t bodies = model.scene.bodies.size();
+  std::vector<Point> centroid(bodies, Point{});
+  std::vector<double> mass(bodies, 0.0);
+  for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
+    const auto b = static_cast<std::size_t>(model.mesh.body[e]);
+    const Point c = centre_of(model.mesh, e);
+    for (std::size_t k = 0; k < 3; ++k) centroid[b][k] += model.element_mass[e] * c[k];
+    mass[b] += model.element_mass[e];
+  }
+  for (std::size_t b = 0; b < bodies; ++b) {
+    for (double& c : centroid[b]) c /= mass[b];
+  }
+  std::mt19937_64 random(20240101);  // the same noise in every run
+  const auto noise = [&random] { return 2.0 * (static_cast<double>(random() >> 11) * 0x1.0p-53) - 1.0; };
+  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
+    const auto b = static_cast<std::size_t>(model.mesh.body_of_node[n]);
+    const Body& body = model.scene.bodies[b];
+    Point r{}, v = body.velocity;
+    for (std::size_t k = 0; k < 3; ++k) r[k] = model.mesh.nodes[n][k] - centroid[b][k];
+    const Point& w = body.angular_velocity;
+    const Point spin{w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point& g = body.velocity_gradient[k];
+      v[k] += spin[k] + g[0] * r[0] + g[1] * r[1] + g[2] * r[2];
+      if (body.velocity_noise > 0) v[k] += body.velocity_noise * noise();
+      model.nodes.velocity[4 * static_cast<std::size_t>(model.node_of_scene_node[n]) + k] = static_cast<S>(v[k]);
+    }
+  }
+}
+
+}  // namespace
+
+template <class S>
+std::size_t Model<S>::bytes() const {
+  const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  return nodes.bytes() + elements.bytes() + of(mesh.nodes) + of(mesh.hexahedra) + of(mesh.body) +
+         of(mesh.body_of_node) + of(constraints) + of(element_of_slot) + of(slot_of_element) +
+         of(node_of_scene_node) + of(element_mass) + of(node_mass);
+}
+
+template <class S>
+Model<S> build_model(const Scene& scene) {
+  constexpr int W = ElementStore<S>::width;
+  Model<S> model;
+  model.scene = scene;
+  model.mesh = build_mesh(scene);
+  const std::size_t count = model.mesh.hexahedra.size();
+
+  ElementStoreFeatures store_features;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    const Material& material = scene.materials[m];
+    model.constants.push_back(constants_of<S>(scene, material));
+    const ElementFeatures f = features_of(scene, material, model.constants.back().erode_negative_volume);
+    model.parts.push_back({static_cast<std::int32_t>(m), f});
+    store_features.plastic |= f.plastic;
+    store_features.erosion |= f.erosion;
+    store_features.bulk_viscosity |= f.bulk_viscosity;
+    store_features.hourglass_stiffness |= f.hourglass == HourglassKind::stiffness;
+  }
+
+  // Order: by material, then along the curve.
+  std::vector<std::vector<std::int32_t>> members(scene.materials.size());
+  {
+    std::vector<std::size_t> material_of_body;
+    for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
+    std::vector<Point> centres(count);
+    for (std::size_t e = 0; e < count; ++e) centres[e] = centre_of(model.mesh, e);
+    for (const std::int32_t e : space_filling_order(centres)) {
+      members[material_of_body[static_cast<std::size_t>(model.mesh.body[static_cast<std::size_t>(e)])]].push_back(e);
+    }
+  }
+
+  // Tiles: whole packs of one material.
+  const std::int64_t size = tile_size(static_cast<std::int64_t>(count));
+  std::vector<std::array<std::int32_t, 8>> ordered;
+  std::vector<std::int32_t> tile_elements{0};
+  model.tile_packs.push_back(0);
+  model.slot_of_element.resize(count);
+  for (std::size_t m = 0; m < members.size(); ++m) {
+    const auto n = static_cast<std::int64_t>(members[m].size());
+    for (std::int64_t first = 0; first < n; first += size) {
+      const std::int64_t last = std::min(n, first + size);
+      const std::int64_t pack = model.tile_packs.back();
+      for (std::int64_t i = first; i < last; ++i) {
+        const std::int32_t e = members[m][static_cast<std::size_t>(i)];
+        model.slot_of_element[static_cast<std::size_t>(e)] = pack * W + (i - first);
+        model.element_of_slot.push_back(e);
+        ordered.push_back(model.mesh.hexahedra[static_cast<std::size_t>(e)]);
+      }
+      model.tile_packs.push_back(pack + (last - first + W - 1) / W);
+      model.element_of_slot.resize(static_cast<std::size_t>(model.tile_packs.back() * W), -1);
+      model.tile_part.push_back(static_cast<std::int32_t>(m));
+      tile_elements.push_back(static_cast<std::int32_t>(ordered.size()));
+    }
+  }
+  const auto node_count = static_cast<std::int32_t>(model.mesh.nodes.size());
+  model.tile_colours = colour_tiles(tile_elements, ordered, node_count);
+
+  const std::vector<std::int32_t> touch_order = first_touch_node_order(ordered, node_count);
+  model.node_of_scene_node.resize(model.mesh.nodes.size());
+  for (std::size_t i = 0; i < touch_order.size(); ++i) {
+    model.node_of_scene_node[static_cast<std::size_t>(touch_order[i])] = static_cast<std::int32_t>(i);
+  }
+
+  // Stores
+  model.nodes = NodeStore<S>(node_count);
+  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
+    const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[n]);
+    for (std::size_t k = 0; k < 3; ++k) model.nodes.position[place + k] = static_cast<S>(model.mesh.nodes[n][k]);
+  }
+  model.elements = ElementStore<S>(model.tile_packs.back(), store_features);
+  model.element_mass.resize(count);
+  model.node_mass.assign(model.mesh.nodes.size(), 0.0);
+  std::int64_t real = 0;  // the last real slot: padding repeats its nodes
+  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
+    const std::int32_t element = model.element_of_slot[static_cast<std::size_t>(slot)];
+    if (element >= 0) real = slot;
+    const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(real)]);
+    for (int i = 0; i < 8; ++i) {
+      const std::int32_t node =
+          model.node_of_scene_node[static_cast<std::size_t>(model.mesh.hexahedra[e][static_cast<std::size_t>(i)])];
+      model.elements.corner[ElementStore<S>::at(slot, i, 8)] = node;
+      if (element >= 0 && i == 0) {
+        const Body& body = scene.bodies[static_cast<std::size_t>(model.mesh.body[e])];
+        const Material& material = scene.materials[material_index(scene, body.material)];
+        model.element_mass[e] = material.density * element_volume(model.mesh, e);
+        model.elements.mass[static_cast<std::size_t>(slot)] = static_cast<S>(model.element_mass[e]);
+      }
+      if (element >= 0) model.node_mass[static_cast<std::size_t>(node)] += model.element_mass[e] / 8;
+    }
+  }
+  for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
+    model.nodes.inverse_mass[n] = model.node_mass[n] > 0 ? static_cast<S>(1.0 / model.node_mass[n]) : S(0);
+  }
+  add_constraints(model);
+  set_initial_velocity(model);
+  return model;
+}
+
+template struct Model<double>;
+template struct Model<float>;
+template Model<double> build_model<double>(const Scene&);
+template Model<float> build_model<float>(const Scene&);
+
+}  // namespace pinball

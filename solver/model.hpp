@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <pinball/solver/colouring.hpp>
+#include <pinball/solver/scene.hpp>
+#include <pinball/solver/stores.hpp>
+
+namespace pinball {
+
+/// The meshes of all bodies together, in the order of the scene; cold.
+struct ModelMesh {
+  std::vector<Point> nodes;
+  std::vector<std::array<std::int32_t, 8>> hexahedra;
+  std::vector<std::int32_t> body;           ///< per element
+  std::vector<std::int32_t> body_of_node;   ///< per node
+  std::vector<std::string> body_names;
+};
+
+/// Elements of one material: consecutive tiles, worked by one specialised kernel.
+struct Part {
+  std::int32_t material = 0;
+  ElementFeatures features{};
+};
+
+/// One constrained direction of one node.
+template <class S>
+struct NodeConstraint {
+  std::int32_t node;
+  S normal[3];
+};
+
+/// A scene made ready to run: stores, tiles and colours, and the maps between the order of the scene and that of the
+/// stores. Elements are sorted by material and along a space-filling curve; nodes follow their elements.
+template <class S>
+struct Model {
+  Scene scene;
+  ModelMesh mesh;
+
+  NodeStore<S> nodes;
+  ElementStore<S> elements;
+  std::vector<ElementConstants<S>> constants;      ///< per material
+  std::vector<Part> parts;
+  std::vector<NodeConstraint<S>> constraints;      ///< orthonormal per node
+
+  std::vector<std::int64_t> tile_packs;            ///< first pack of each tile; tiles + 1 entries
+  std::vector<std::int32_t> tile_part;             ///< per tile
+  Colouring tile_colours;
+
+  std::vector<std::int32_t> element_of_slot;       ///< scene number of the element, -1 for padding
+  std::vector<std::int64_t> slot_of_element;       ///< per element of the scene
+  std::vector<std::int32_t> node_of_scene_node;    ///< store number per node of the scene
+  std::vector<double> element_mass;                ///< initial, per element of the scene [mass]
+  std::vector<double> node_mass;                   ///< per node of the store [mass]
+
+  std::int64_t element_count() const { return static_cast<std::int64_t>(mesh.hexahedra.size()); }
+  std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
+  std::size_t bytes() const;                       ///< of all arrays of the size of the mesh
+};
+
+/// Generates and places the meshes of all bodies. Throws InputError for an inverted or flat element, naming it.
+ModelMesh build_mesh(const Scene& scene);
+
+/// Exact volume of an element [length^3].
+double element_volume(const ModelMesh& mesh, std::size_t element);
+
+/// Builds the stores. Throws InputError for what only the mesh shows to be wrong.
+template <class S>
+Model<S> build_model(const Scene& scene);
+
+}  // namespace pinball

@@ -1,0 +1,48 @@
+#include <fmt/core.h>
+
+#include <pinball/kernels/hexahedron.hpp>
+#include <pinball/solver/error.hpp>
+#include <pinball/solver/mesh_generators.hpp>
+#include <pinball/solver/model.hpp>
+
+namespace pinball {
+
+double element_volume(const ModelMesh& mesh, std::size_t element) {
+  Vec3<double> corner[8];
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Point& p = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][i])];
+    corner[i] = {p[0], p[1], p[2]};
+  }
+  const HexahedronModes<double> x = to_modes(corner);
+  return hexahedron_volume(uniform_gradient(x), x);
+}
+
+ModelMesh build_mesh(const Scene& scene) {
+  ModelMesh all;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    Mesh mesh = generate(body.mesh);
+    place(mesh, body);
+    if (all.nodes.size() + mesh.nodes.size() > 2'000'000'000 / 4) {
+      throw InputError(fmt::format("{}: body {}: more than 500 million nodes", scene.path, body.name));
+    }
+    const auto offset = static_cast<std::int32_t>(all.nodes.size());
+    all.nodes.insert(all.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
+    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+      std::array<std::int32_t, 8> hexahedron = mesh.hexahedra[e];
+      for (std::int32_t& node : hexahedron) node += offset;
+      all.hexahedra.push_back(hexahedron);
+      const double volume = element_volume(all, all.hexahedra.size() - 1);
+      if (!(volume > 0.0)) {
+        throw InputError(fmt::format("{}: body {}: element {} is inverted or flat: its volume is {:.6g}, expected > 0",
+                                     scene.path, body.name, e, volume));
+      }
+    }
+    all.body.insert(all.body.end(), mesh.hexahedra.size(), static_cast<std::int32_t>(b));
+    all.body_of_node.insert(all.body_of_node.end(), mesh.nodes.size(), static_cast<std::int32_t>(b));
+    all.body_names.push_back(body.name);
+  }
+  return all;
+}
+
+}  // namespace pinball

@@ -1,0 +1,124 @@
+#include <pinball/solver/neighbour_list.hpp>
+
+#include <algorithm>
+
+#include <pinball/kernels/exec.hpp>
+
+namespace pinball {
+
+template <class S>
+bool NeighbourList<S>::may_touch(const PinballStore<S>& pinballs, std::int32_t i, std::int32_t j,
+                                 const SameBody& same_body) const {
+  constexpr int W = native_width<S>;
+  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+  if (pinballs.body[a] != pinballs.body[b]) return true;
+  if (!same_body.allowed) return false;
+  // Elements that share a node are kept apart by the mesh.
+  const auto corner = [&pinballs](std::int32_t p, int c) {
+    return pinballs.corner[static_cast<std::size_t>((p / W * 8 + c) * W + p % W)];
+  };
+  for (int m = 0; m < 8; ++m) {
+    for (int n = 0; n < 8; ++n) {
+      if (corner(i, m) == corner(j, n)) return false;
+    }
+  }
+  // Balls of flat elements may overlap from the start; such a pair says nothing about contact.
+  const std::array<float, 3>& p = (*same_body.reference_centre)[static_cast<std::size_t>(pinballs.slot[a])];
+  const std::array<float, 3>& q = (*same_body.reference_centre)[static_cast<std::size_t>(pinballs.slot[b])];
+  float d2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) d2 += (p[k] - q[k]) * (p[k] - q[k]);
+  const auto reach = static_cast<float>(pinballs.centre[4 * a + 3] + pinballs.centre[4 * b + 3]);
+  return d2 > 1.0001f * reach * reach;
+}
+
+template <class S>
+void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const SameBody& same_body) {
+  constexpr int W = native_width<S>;
+  const std::int32_t n = pinballs.count;
+  const auto size = static_cast<std::size_t>(n);
+  skin_ = skin;
+  valid_ = true;
+  pairs_ = 0;
+  start_.assign(size + 1, 0);
+  count_.assign(size, 0);
+  built_at_.assign(pinballs.centre.data(), pinballs.centre.data() + 4 * size);
+  neighbour_.clear();
+  if (n == 0) return;
+
+  S largest = 0;
+  for (std::size_t i = 0; i < size; ++i) largest = std::max(largest, pinballs.centre[4 * i + 3]);
+  const double cell_size = static_cast<double>(2 * largest + skin) * 1.000001;
+  int bits = 1;
+  while ((std::int64_t(1) << bits) < 2 * std::int64_t(n) && bits < 30) ++bits;
+  bucket_start_.resize((std::size_t(1) << bits) + 1);
+  entry_cell_.resize(size);
+  entry_point_.resize(size);
+  cell_.resize(size);
+  const S* centre = pinballs.centre.data();
+  const SpatialHashView hash{{{static_cast<double>(centre[0]), static_cast<double>(centre[1]),
+                               static_cast<double>(centre[2])},
+                              1.0 / cell_size},
+                             bits,
+                             bucket_start_.data(),
+                             entry_cell_.data(),
+                             entry_point_.data()};
+  build_spatial_hash(hash, centre, 4, n, cell_.data());
+
+  const auto for_each_candidate = [&](std::int32_t i, const auto& accept) {
+    const S* own = centre + 4 * static_cast<std::int64_t>(i);
+    for_each_near(hash, own, [&](std::int32_t j) {
+      const S* other = centre + 4 * static_cast<std::int64_t>(j);
+      const S x = own[0] - other[0], y = own[1] - other[1], z = own[2] - other[2];
+      const S reach = own[3] + other[3] + skin;
+      if (x * x + y * y + z * z < reach * reach && i != j && may_touch(pinballs, i, j, same_body)) accept(j);
+    });
+  };
+  parallel_for("count neighbours", RangePolicy<>{0, n}, [&](std::int64_t i) {
+    std::int32_t found = 0;
+    for_each_candidate(static_cast<std::int32_t>(i), [&found](std::int32_t) { ++found; });
+    count_[static_cast<std::size_t>(i)] = found;
+  });
+  for (std::size_t i = 0; i < size; ++i) {
+    pairs_ += count_[i];
+    start_[i + 1] = start_[i] + (count_[i] + W - 1) / W * W;
+  }
+  pairs_ /= 2;
+  neighbour_.resize(static_cast<std::size_t>(start_[size]));
+  parallel_for("fill neighbours", RangePolicy<>{0, n}, [&](std::int64_t i) {
+    std::int32_t* place = neighbour_.data() + start_[static_cast<std::size_t>(i)];
+    std::int32_t* const end = neighbour_.data() + start_[static_cast<std::size_t>(i) + 1];
+    for_each_candidate(static_cast<std::int32_t>(i), [&place](std::int32_t j) { *place++ = j; });
+    while (place < end) *place++ = static_cast<std::int32_t>(i);
+  });
+}
+
+template <class S>
+bool NeighbourList<S>::holds(const PinballStore<S>& pinballs) const {
+  if (!valid_) return false;
+  S moved2 = 0;
+  const S* centre = pinballs.centre.data();
+  const S* before = built_at_.data();
+  parallel_reduce(
+      "distance moved", RangePolicy<>{0, pinballs.count}, moved2,
+      [&](std::int64_t begin, std::int64_t end, S& largest) {
+        for (std::int64_t i = begin; i < end; ++i) {
+          S d2 = 0;
+          for (std::int64_t k = 4 * i; k < 4 * i + 3; ++k) d2 += (centre[k] - before[k]) * (centre[k] - before[k]);
+          largest = largest < d2 ? d2 : largest;
+        }
+      },
+      [](S& result, const S& partial) { result = result < partial ? partial : result; });
+  return 4 * moved2 <= skin_ * skin_;
+}
+
+template <class S>
+std::size_t NeighbourList<S>::bytes() const {
+  const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  return of(start_) + of(count_) + of(neighbour_) + of(built_at_) + of(bucket_start_) + of(entry_point_) +
+         of(entry_cell_) + of(cell_);
+}
+
+template class NeighbourList<double>;
+template class NeighbourList<float>;
+
+}  // namespace pinball

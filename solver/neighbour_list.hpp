@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <pinball/kernels/spatial_hash.hpp>
+#include <pinball/solver/pinball_store.hpp>
+
+namespace pinball {
+
+/// For each pinball the pinballs that it may touch before something has moved by half the skin. Every pair stands in both
+/// lists; lists are padded to whole packs with the pinball itself.
+template <class S>
+class NeighbourList {
+ public:
+  /// What decides whether two pinballs of one body may touch.
+  struct SameBody {
+    bool allowed = true;                          ///< contact of a body with itself
+    const std::vector<std::array<float, 3>>* reference_centre = nullptr;  ///< per slot, of the undeformed mesh [length]
+  };
+
+  /// Builds the list from nothing: spatial hash, then count, scan, fill.
+  void build(const PinballStore<S>& pinballs, S skin, const SameBody& same_body);
+
+  /// True while no pinball has moved by more than half the skin since the list was built.
+  bool holds(const PinballStore<S>& pinballs) const;
+
+  void invalidate() { valid_ = false; }
+  const std::int32_t* neighbours(std::int32_t pinball) const {
+    return neighbour_.data() + start_[static_cast<std::size_t>(pinball)];
+  }
+  std::int32_t count(std::int32_t pinball) const { return count_[static_cast<std::size_t>(pinball)]; }
+  std::int64_t pairs() const { return pairs_; }   ///< listed, each counted once
+  std::size_t bytes() const;
+
+ private:
+  bool may_touch(const PinballStore<S>& pinballs, std::int32_t i, std::int32_t j, const SameBody& same_body) const;
+
+  bool valid_ = false;
+  S skin_ = 0;
+  std::int64_t pairs_ = 0;
+  std::vector<std::int64_t> start_;
+  std::vector<std::int32_t> count_;
+  std::vector<std::int32_t> neighbour_;
+  std::vector<S> built_at_;                     ///< centres when the list was built, records of four
+  std::vector<std::int32_t> bucket_start_, entry_point_;
+  std::vector<std::uint64_t> entry_cell_, cell_;
+};
+
+}  // namespace pinball

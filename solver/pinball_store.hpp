@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <pinball/kernels/contact_force.hpp>
+#include <pinball/kernels/pinball_geometry.hpp>
+#include <pinball/solver/aligned_array.hpp>
+
+namespace pinball {
+
+/// Pinballs of the surface elements (PinballGeometryView, PinballView), in the order of their slots, so that the pinballs
+/// of a tile of elements are consecutive. Rebuilt when the surface changes.
+template <class S>
+struct PinballStore {
+  std::int32_t count = 0;
+  AlignedArray<std::int32_t> corner;   ///< in tiles of W
+  AlignedArray<S> exposed;             ///< in tiles of W
+  AlignedArray<S> bulk_modulus;        ///< in tiles of W
+  AlignedArray<S> centre;              ///< records: C, R
+  AlignedArray<S> velocity;            ///< records: V, element mass
+  AlignedArray<S> outward;             ///< records: outward normal, B R
+  AlignedArray<S> two_sided;           ///< records: two-sided normal, unused
+  AlignedArray<S> force;               ///< records: F, sum of p2
+  std::vector<std::int32_t> slot;      ///< of the element
+  std::vector<std::int32_t> body;
+  std::vector<std::int32_t> tile_first;   ///< first pinball of each tile of elements; tiles + 1 entries
+
+  PinballStore() = default;
+  PinballStore(std::int32_t n, int width) : count(n) {
+    const auto padded = static_cast<std::size_t>((n + width - 1) / width * width);
+    corner = AlignedArray<std::int32_t>(8 * padded);
+    exposed = AlignedArray<S>(6 * padded);
+    bulk_modulus = AlignedArray<S>(padded);
+    centre = AlignedArray<S>(4 * padded);
+    velocity = AlignedArray<S>(4 * padded);
+    outward = AlignedArray<S>(4 * padded);
+    two_sided = AlignedArray<S>(4 * padded);
+    force = AlignedArray<S>(4 * padded);
+    slot.reserve(padded);
+    body.reserve(padded);
+  }
+
+  PinballView<S> view() const { return {centre.data(), velocity.data(), outward.data(), two_sided.data()}; }
+  PinballGeometryView<S> geometry() {
+    return {corner.data(),   exposed.data(), bulk_modulus.data(), centre.data(),
+            velocity.data(), outward.data(), two_sided.data()};
+  }
+  std::size_t bytes() const {
+    return corner.bytes() + exposed.bytes() + bulk_modulus.bytes() + centre.bytes() + velocity.bytes() +
+           outward.bytes() + two_sided.bytes() + force.bytes() + (slot.capacity() + body.capacity()) * 4;
+  }
+};
+
+}  // namespace pinball

@@ -1,0 +1,85 @@
+#include <pinball/solver/surface.hpp>
+
+#include <pinball/solver/faces.hpp>
+
+namespace pinball {
+
+template <class S>
+Surface::Surface(const Model<S>& model)
+    : alive_(static_cast<std::size_t>(model.elements.slots), 0),
+      exposed_(alive_.size(), 0),
+      neighbour_(alive_.size(), {-1, -1, -1, -1, -1, -1}) {
+  const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(model.mesh.hexahedra);
+  for (std::size_t e = 0; e < neighbours.size(); ++e) {
+    const auto slot = static_cast<std::size_t>(model.slot_of_element[e]);
+    alive_[slot] = 1;
+    for (std::size_t f = 0; f < 6; ++f) {
+      const std::int32_t other = neighbours[e][f];
+      if (other < 0) {
+        exposed_[slot] |= static_cast<std::uint8_t>(1U << f);
+      } else {
+        neighbour_[slot][f] = static_cast<std::int32_t>(model.slot_of_element[static_cast<std::size_t>(other)]);
+      }
+    }
+  }
+  // A face in a plane of symmetry is no surface: the mirror image of the body continues there.
+  for (const PlaneConstraint& plane : model.scene.constraints) {
+    for (std::size_t e = 0; e < neighbours.size(); ++e) {
+      const auto body = static_cast<std::size_t>(model.mesh.body[e]);
+      if (!plane.body.empty() && plane.body != model.mesh.body_names[body]) continue;
+      const auto slot = static_cast<std::size_t>(model.slot_of_element[e]);
+      for (std::size_t f = 0; f < 6; ++f) {
+        if (neighbours[e][f] >= 0) continue;
+        bool inside = true;
+        for (const int corner : face_nodes[f]) {
+          const auto node = static_cast<std::size_t>(model.mesh.hexahedra[e][static_cast<std::size_t>(corner)]);
+          double distance = 0, size = 0;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double d = model.mesh.nodes[node][k] - plane.point[k];
+            distance += d * plane.normal[k];
+            size += d * d;
+          }
+          inside = inside && distance * distance <= 1e-18 * (size + 1e-300);
+        }
+        if (inside) exposed_[slot] &= static_cast<std::uint8_t>(~(1U << f));
+      }
+    }
+  }
+}
+
+void Surface::erode(std::int64_t slot) {
+  const auto s = static_cast<std::size_t>(slot);
+  alive_[s] = 0;
+  exposed_[s] = 0;
+  for (const std::int32_t other : neighbour_[s]) {
+    if (other < 0 || !alive(other)) continue;
+    for (std::size_t f = 0; f < 6; ++f) {
+      if (neighbour_[static_cast<std::size_t>(other)][f] == slot) {
+        exposed_[static_cast<std::size_t>(other)] |= static_cast<std::uint8_t>(1U << f);
+      }
+    }
+  }
+}
+
+template <class S>
+bool Surface::remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
+  constexpr int W = ElementStore<S>::width;
+  bool changed = false;
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    if (tiles[t].eroded_count == 0) continue;
+    for (std::int64_t slot = model.tile_packs[t] * W; slot < model.tile_packs[t + 1] * W; ++slot) {
+      if (alive(slot) && !(model.elements.mass[static_cast<std::size_t>(slot)] > S(0))) {
+        erode(slot);
+        changed = true;
+      }
+    }
+  }
+  return changed;
+}
+
+template Surface::Surface(const Model<double>&);
+template Surface::Surface(const Model<float>&);
+template bool Surface::remove_eroded(const Model<double>&, const std::vector<TileResult<double>>&);
+template bool Surface::remove_eroded(const Model<float>&, const std::vector<TileResult<float>>&);
+
+}  // namespace pinball

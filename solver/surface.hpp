@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <pinball/solver/internal_forces.hpp>
+#include <pinball/solver/model.hpp>
+
+namespace pinball {
+
+/// Which faces of which elements are exposed: decided by topology, never by a tolerance on a normal. Erosion exposes the
+/// faces of the neighbours of an eroded element. Indexed by slot of the element store.
+class Surface {
+ public:
+  template <class S>
+  explicit Surface(const Model<S>& model);
+
+  /// Takes the elements that eroded in the last step out of the surface and exposes what lay behind them. Returns
+  /// whether anything changed.
+  template <class S>
+  bool remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles);
+
+  bool alive(std::int64_t slot) const { return alive_[static_cast<std::size_t>(slot)] != 0; }
+  /// Bit f is set where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) of a living element is exposed.
+  std::uint8_t exposed(std::int64_t slot) const { return exposed_[static_cast<std::size_t>(slot)]; }
+  std::int32_t neighbour(std::int64_t slot, int face) const {
+    return neighbour_[static_cast<std::size_t>(slot)][static_cast<std::size_t>(face)];
+  }
+  std::int64_t slots() const { return static_cast<std::int64_t>(alive_.size()); }
+  std::size_t bytes() const { return alive_.capacity() * (2 + sizeof(neighbour_[0])); }
+
+ private:
+  void erode(std::int64_t slot);
+
+  std::vector<std::uint8_t> alive_;
+  std::vector<std::uint8_t> exposed_;
+  std::vector<std::array<std::int32_t, 6>> neighbour_;   ///< slot across each face, -1: none
+};
+
+}  // namespace pinball
