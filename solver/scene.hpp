@@ -142,9 +142,9 @@ struct Scene {
 struct SceneOverrides {
   /// "KEY=VALUE", in order; KEY as in "contact.beta", "material.copper.density", "constraint.0.normal"; VALUE as in
   /// TOML, texts also without quotes. "variant=NAME" applies the keys of [variant.NAME], before all others.
-  std::vector<std::string> set;
+  std::vector<std::string> set{};
   int refine = 1;                  ///< multiplies the element counts of every generated mesh in each direction
-  std::optional<Precision> precision;
+  std::optional<Precision> precision{};
 };
 
 /// Reads, overrides and checks a scene. Throws InputError naming file, line, key and what was expected.
