@@ -22,11 +22,13 @@ struct TimeSettings {
   double end = 0.0;               ///< time.end: when the run stops [time], required
   double cfl = 0.9;               ///< time.cfl: fraction of the stable step, 0 < cfl <= 1.2
   std::int64_t steps = -1;        ///< time.steps: stop after so many steps; -1: no limit
+  // time.subcycling: only false, in this version
 };
 
 struct ElementSettings {
   HourglassControl hourglass = HourglassControl::stiffness;  ///< element.hourglass = "none" | "viscous" | "stiffness"
-  double hourglass_coefficient = -1.0;  ///< element.hourglass_coefficient; default 0.05 (stiffness), 0.025 (viscous)
+  /// element.hourglass_coefficient; where it is not set read_scene fills in 0.05 (stiffness) or 0.025 (viscous) [-]
+  double hourglass_coefficient = -1.0;
   bool bulk_viscosity = true;           ///< element.bulk_viscosity = true | false
   double linear_viscosity = 0.06;       ///< element.linear_viscosity: b1 [-]
   double quadratic_viscosity = 1.2;     ///< element.quadratic_viscosity: b2 [-]
@@ -47,18 +49,19 @@ struct ContactSettings {
 
 struct SkipSettings {
   bool contact_search = true;     ///< skip.contact_search: reuse the neighbour list while the skin allows it
+  // skip.resting: only false, in this version
 };
 
 struct GuardSettings {
   double energy_error = 0.5;      ///< guard.energy_error: stop when |energy balance error| exceeds this [-]
 };
 
-/// One [[material]] table. model = "elastic" | "von_mises".
+/// One [[material]] table. model = "elastic" | "von_mises". What concerns plasticity and erosion is 0 if elastic.
 struct Material {
   std::string name;
   bool plastic = false;
   double density = 0.0;           ///< density [mass/length^3]
-  double bulk_modulus = 0.0;      ///< bulk_modulus, or young_modulus + poisson_ratio [stress]
+  double bulk_modulus = 0.0;      ///< bulk_modulus; both moduli also from young_modulus + poisson_ratio [stress]
   double shear_modulus = 0.0;     ///< shear_modulus [stress]
   double yield_stress = 0.0;      ///< yield_stress [stress]
   double plastic_modulus = 0.0;   ///< plastic_modulus: H = d yield / d plastic strain [stress]
@@ -104,7 +107,7 @@ struct Body {
 /// One [[constraint]] table. type = "symmetry": nodes on the plane may not move along its normal.
 struct PlaneConstraint {
   Point point{};
-  Point normal{};
+  Point normal{};                  ///< of unit length
   std::string body;                ///< body: only nodes of this body; default: all
 };
 
@@ -112,7 +115,8 @@ struct OutputSettings {
   double interval = 0.0;           ///< output.interval: between history rows [time]; 0: 200 rows over the run
   double field_interval = 0.0;     ///< output.field_interval: between field outputs [time]; 0: none
   std::vector<double> field_times; ///< output.field_times: field output at these times [time]
-  /// output.fields: which of "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive"; default all
+  /// output.fields: which of "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive";
+  /// read_scene fills in all where it is not set
   std::vector<std::string> fields;
 };
 
@@ -136,16 +140,19 @@ struct Scene {
 
 /// What the command line adds to a scene file.
 struct SceneOverrides {
-  std::vector<std::string> set;    ///< "KEY=VALUE", in order; KEY as in "contact.beta", "material.copper.density"
+  /// "KEY=VALUE", in order; KEY as in "contact.beta", "material.copper.density", "constraint.0.normal"; VALUE as in
+  /// TOML, texts also without quotes. "variant=NAME" applies the keys of [variant.NAME], before all others.
+  std::vector<std::string> set{};
   int refine = 1;                  ///< multiplies the element counts of every generated mesh in each direction
-  std::optional<Precision> precision;
+  std::optional<Precision> precision{};
 };
 
 /// Reads, overrides and checks a scene. Throws InputError naming file, line, key and what was expected.
 Scene read_scene(const std::string& path, const SceneOverrides& overrides = {});
 
-/// A path as given if it exists, else a scene of that name in data/scenes of the source tree, of the installed data
-/// folder or beside the program. Throws InputError that lists the known scenes (and the nearest name).
+/// A path as given if it is a file, else the scene NAME or NAME.toml in the first of these folders that has it:
+/// $PINBALL_DATA/scenes, data/scenes of the source tree, ../share/pinball/data/scenes beside the program.
+/// Throws InputError that lists the known scenes and names the nearest.
 std::string find_scene(const std::string& name_or_path);
 
 }  // namespace pinball

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <pinball/solver/commands.hpp>
+#include <pinball/solver/error.hpp>
+
+/// The command line: parses it and calls the library. Exit status: 0 done, 1 the run failed, 2 bad input.
+namespace {
+
+constexpr int run_failed = 1;
+constexpr int bad_input = 2;
+
+int report(const std::exception& error, int status) {
+  fmt::print(stderr, "pinball: error: {}\n", error.what());
+  return status;
+}
+
+/// What `run` and `info` have in common.
+void add_scene_options(CLI::App& command, pinball::RunOptions& options) {
+  command.add_option("SCENE", options.scene, "TOML file, or name of a scene in data/scenes")->required();
+  command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)");
+  command.add_option("--threads", options.threads, "number of threads; 0: as many as OpenMP takes by default")
+      ->check(CLI::Range(0, 4096));
+  command.add_option("--refine", options.overrides.refine, "multiplies the element counts of generated meshes")
+      ->check(CLI::Range(1, 1000));
+  command
+      .add_option_function<std::string>(
+          "--precision",
+          [&options](const std::string& name) {
+            options.overrides.precision = name == "float" ? pinball::Precision::float32 : pinball::Precision::float64;
+          },
+          "float or double (default: as the scene says)")
+      ->check(CLI::IsMember({"float", "double"}));
+  command.add_flag("--quiet", options.quiet, "no progress");
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Pinball: explicit dynamics of solids in contact and impact", "pinball");
+  app.set_version_flag("--version", "pinball " PINBALL_VERSION);
+  app.require_subcommand(1);
+
+  pinball::RunOptions options;
+  auto* run = app.add_subcommand("run", "run a scene");
+  add_scene_options(*run, options);
+  auto* info = app.add_subcommand("info", "what a scene holds, what will run, what is skipped");
+  add_scene_options(*info, options);
+
+  pinball::VerifyOptions verification;
+  auto* verify = app.add_subcommand("verify", "compare the verification scenes with their references");
+  verify->add_option("SCENE", verification.scenes, "only these scenes");
+  verify->add_option("--json", verification.json, "write the table of results to this file");
+
+  auto* compare = app.add_subcommand("compare", "the same scene with several values of a key (not available)");
+  compare->allow_extras();
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    report(error, bad_input);
+    fmt::print(stderr, "Run with --help for more information.\n");
+    return bad_input;
+  }
+
+  if (*run) return pinball::run_command(options);
+  if (*info) return pinball::info_command(options);
+  if (*verify) return pinball::verify_command(verification);
+  throw pinball::InputError("compare is not available in this version");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const pinball::InputError& error) {
+    return report(error, bad_input);
+  } catch (const std::exception& error) {  // RunError, and what nobody foresaw
+    return report(error, run_failed);
+  }
+}

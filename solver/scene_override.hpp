@@ -1,0 +1,32 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+#include <vector>
+
+/// Changes to the tables of a scene file before they are read: variants and --set. Nothing here knows which keys exist:
+/// a wrong key or value is found when the tables are read, with the location of the change.
+namespace pinball {
+
+/// "--set KEY=VALUE", split. VALUE is a TOML value, or else a number such as ".5", or else a text without quotes.
+struct Override {
+  std::string key;
+  toml::table value;          ///< the value under the key "value", its source path being the --set text
+  std::string where() const;  ///< "--set KEY=VALUE"
+};
+
+/// Throws InputError if there is no KEY or no "=".
+Override parse_override(const std::string& key_value);
+
+/// Sets a key, making the tables on the way to it. Elements of [[material]] and [[body]] are named after their
+/// `name`, those of [[constraint]] are numbered from 0. Throws InputError if there is no such element.
+void apply_override(toml::table& scene, Override change);
+
+/// Applies the keys of [variant.NAME] in the order of the file. `where` is named if there is no such variant.
+void apply_variant(toml::table& scene, const std::string& name, const std::string& where);
+
+/// Names of the variants, in the order of the file. Throws InputError if `variant` holds anything but tables.
+std::vector<std::string> variant_names(const toml::table& scene, const std::string& file);
+
+}  // namespace pinball

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <pinball/solver/scene.hpp>
+#include <pinball/solver/scene_table.hpp>
+
+/// The tables that a scene holds any number of. Each function throws InputError on a missing key or a bad value.
+namespace pinball {
+
+/// One [[material]]. Moduli of either kind become K and G; an elastic material carries no yield or erosion data.
+Material read_material(const SceneTable& table);
+
+/// One [[body]], the element counts of its mesh multiplied by `refine`. Whether its material exists is not checked.
+Body read_body(const SceneTable& table, int refine);
+
+/// One [[constraint]], its normal a unit vector. Whether its body exists is not checked.
+PlaneConstraint read_constraint(const SceneTable& table);
+
+}  // namespace pinball

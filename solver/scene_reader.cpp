@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <pinball/solver/error.hpp>
+#include <pinball/solver/scene.hpp>
+#include <pinball/solver/scene_override.hpp>
+#include <pinball/solver/scene_parts.hpp>
+#include <pinball/solver/scene_table.hpp>
+#include <pinball/solver/text_distance.hpp>
+#include <sstream>
+
+namespace pinball {
+
+namespace {
+
+TimeSettings read_time(const SceneTable& table) {
+  TimeSettings time;
+  time.end = table.number("end", positive);
+  time.cfl = table.number("cfl", {.low = 0.0, .low_open = true, .high = 1.2}, time.cfl);
+  time.steps = table.integer("steps", -1, time.steps);
+  if (time.steps == 0) table.fail("steps", "expected an integer >= 1, or -1 for no limit, got 0");
+  table.only_false("subcycling");
+  return time;
+}
+
+ElementSettings read_element(const SceneTable& table) {
+  ElementSettings element;
+  element.hourglass = table.choice<HourglassControl>("hourglass",
+                                                     {{"none", HourglassControl::none},
+                                                      {"viscous", HourglassControl::viscous},
+                                                      {"stiffness", HourglassControl::stiffness}},
+                                                     element.hourglass);
+  double coefficient = 0.0;
+  if (element.hourglass == HourglassControl::viscous) coefficient = 0.025;
+  if (element.hourglass == HourglassControl::stiffness) coefficient = 0.05;
+  element.hourglass_coefficient = table.number("hourglass_coefficient", not_negative, coefficient);
+  element.bulk_viscosity = table.boolean("bulk_viscosity", element.bulk_viscosity);
+  element.linear_viscosity = table.number("linear_viscosity", not_negative, element.linear_viscosity);
+  element.quadratic_viscosity = table.number("quadratic_viscosity", not_negative, element.quadratic_viscosity);
+  if (table.has("negative_volume")) {
+    element.negative_volume = table.choice<NegativeVolume>(
+        "negative_volume", {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
+  }
+  return element;
+}
+
+ContactSettings read_contact(const SceneTable& table) {
+  ContactSettings contact;
+  contact.method = table.choice<ContactMethod>(
+      "method", {{"none", ContactMethod::none}, {"pinball", ContactMethod::pinball}}, contact.method, {"slideline"});
+  contact.enforcement = table.choice<std::string>("enforcement", {{"penalty", "penalty"}}, contact.enforcement,
+                                                  {"projection", "lagrange"});
+  contact.gap = table.choice<std::string>("gap", {{"pinball", "pinball"}}, contact.gap, {table.text("gap", "")});
+  contact.beta = table.number("beta", not_negative, contact.beta);
+  contact.damping = table.number("damping", not_negative, contact.damping);
+  contact.radius = table.choice<ContactRadius>(
+      "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
+  contact.self = table.boolean("self", contact.self);
+  contact.skin = table.number("skin", not_negative, contact.skin);
+  return contact;
+}
+
+OutputSettings read_output(const SceneTable& table) {
+  OutputSettings output;
+  output.interval = table.number("interval", not_negative, output.interval);
+  output.field_interval = table.number("field_interval", not_negative, output.field_interval);
+  output.field_times = table.numbers("field_times", not_negative);
+  std::sort(output.field_times.begin(), output.field_times.end());
+  const std::vector<std::string> all{"velocity",       "contact_force",  "stress",
+                                     "plastic_strain", "pinball_radius", "alive"};
+  output.fields = table.has("fields") ? table.texts("fields", all) : all;
+  return output;
+}
+
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
+}
+
+/// Throws InputError if the text under a key is none of the names of materials or bodies.
+void check_reference(const SceneTable& table, std::string_view key, const std::string& kind,
+                     const std::vector<std::string>& names) {
+  const std::string name = table.text(key);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const std::string hint = names.empty() ? fmt::format("the scene has no [[{}]]", kind)
+                                         : fmt::format("nearest is \"{}\"", nearest(name, names));
+  table.fail(key, fmt::format("no {} is named \"{}\", {}", kind, name, hint));
+}
+
+template <class Named>
+void check_unique(const SceneTable& table, const std::string& name, const std::vector<Named>& earlier) {
+  const auto names = names_of(earlier);
+  if (std::find(names.begin(), names.end(), name) != names.end()) {
+    table.fail("name", fmt::format("expected a name of its own, got \"{}\" a second time", name));
+  }
+}
+
+Scene read_tables(const toml::table& root, const std::string& path, const SceneOverrides& overrides) {
+  const SceneTable top(root, "", path + ":1:1", "scene");
+  Scene scene;
+  scene.path = path;
+  scene.name = std::filesystem::path(path).stem().string();
+  scene.refine = overrides.refine;
+  scene.title = top.text("title", "");
+  scene.units = top.text("units", "");
+  scene.precision = top.choice<Precision>("precision", {{"double", Precision::float64}, {"float", Precision::float32}},
+                                          scene.precision);
+  if (overrides.precision) scene.precision = *overrides.precision;
+  scene.time = read_time(top.table("time", "time"));
+  scene.element = read_element(top.table("element", "element"));
+  scene.contact = read_contact(top.table("contact", "contact"));
+  const SceneTable skip = top.table("skip", "skip");
+  scene.skip.contact_search = skip.boolean("contact_search", scene.skip.contact_search);
+  skip.only_false("resting");
+  scene.guard.energy_error = top.table("guard", "guard").number("energy_error", positive, scene.guard.energy_error);
+  scene.output = read_output(top.table("output", "output"));
+
+  for (const auto& table : top.tables("material", "material")) {
+    const Material material = read_material(table);
+    check_unique(table, material.name, scene.materials);
+    scene.materials.push_back(material);
+  }
+  const auto bodies = top.tables("body", "body");
+  if (bodies.empty()) top.fail("body", "missing, expected at least one [[body]]");
+  for (const auto& table : bodies) {
+    const Body body = read_body(table, overrides.refine);
+    check_unique(table, body.name, scene.bodies);
+    check_reference(table, "material", "material", names_of(scene.materials));
+    scene.bodies.push_back(body);
+  }
+  for (const auto& table : top.tables("constraint", "constraint")) {
+    scene.constraints.push_back(read_constraint(table));
+    if (table.has("body")) check_reference(table, "body", "body", names_of(scene.bodies));
+  }
+  return scene;
+}
+
+std::string read_text(const std::string& path) {
+  std::error_code problem;
+  if (std::filesystem::is_directory(path, problem)) throw InputError(path + ": expected a scene file, got a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": no such file, or it cannot be read");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+toml::table parse(const std::string& text, const std::string& path) {
+  try {
+    return toml::parse(text, path);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}: not valid TOML: {}", location(error.source(), path), error.description()));
+  }
+}
+
+/// The text with variants and --set keys applied, read and checked.
+Scene read_changed(const std::string& text, const std::string& path, const std::vector<std::string>& variants,
+                   const std::vector<std::string>& set, const SceneOverrides& overrides) {
+  // Parsed anew each time: tables cannot be copied without losing where their values were written.
+  toml::table root = parse(text, path);
+  for (const auto& name : variants) apply_variant(root, name, "--set variant=" + name);
+  for (const auto& key_value : set) apply_override(root, parse_override(key_value));
+  return read_tables(root, path, overrides);
+}
+
+/// A variant must fit the scene even if nobody asks for it now. A file that is complete only with some --set keys is
+/// checked with these.
+void check_variants(const std::string& text, const std::string& path, const std::vector<std::string>& names,
+                    const std::vector<std::string>& set) {
+  std::vector<std::string> needed;
+  try {
+    read_changed(text, path, {}, {}, {});
+  } catch (const InputError&) {
+    needed = set;
+  }
+  for (const auto& name : names) {
+    try {
+      read_changed(text, path, {name}, needed, {});
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{} (in variant {})", error.what(), name));
+    }
+  }
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path, const SceneOverrides& overrides) {
+  if (overrides.refine < 1) {
+    throw InputError(fmt::format("--refine {}: expected an integer >= 1, got {}", overrides.refine, overrides.refine));
+  }
+  const std::string text = read_text(path);
+  std::vector<std::string> variants, set;
+  for (const auto& key_value : overrides.set) {
+    const Override change = parse_override(key_value);
+    if (change.key != "variant") {
+      set.push_back(key_value);
+    } else if (const auto name = change.value["value"].value_exact<std::string>()) {
+      if (std::find(variants.begin(), variants.end(), *name) == variants.end()) variants.push_back(*name);
+    } else {
+      fail(change.where(), "variant", "expected the name of a variant");
+    }
+  }
+  const Scene scene = read_changed(text, path, variants, set, overrides);
+  check_variants(text, path, variant_names(parse(text, path), path), set);
+  return scene;
+}
+
+}  // namespace pinball
