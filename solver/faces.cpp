@@ -10,10 +10,19 @@ namespace {
 
 using Hexahedron = std::array<std::int32_t, 8>;
 
-/// A face without regard to its orientation. `slot` = 6 * element + local face.
+/// A face without regard to its orientation, in the bucket of its lowest node. `slot` = 6 * element + local face.
 struct Face {
-  std::array<std::int32_t, 4> nodes;  // ascending
+  std::uint64_t highest_nodes;  // the highest node times 2^32, plus the second highest
+  std::int32_t low_node;        // the second lowest node
   std::int32_t slot;
+
+  bool same_nodes(const Face& other) const {
+    return highest_nodes == other.highest_nodes && low_node == other.low_node;
+  }
+  bool operator<(const Face& other) const {
+    if (highest_nodes != other.highest_nodes) return highest_nodes < other.highest_nodes;
+    return low_node != other.low_node ? low_node < other.low_node : slot < other.slot;
+  }
 };
 
 std::int32_t lowest_node(const Hexahedron& hexahedron, int face) {
@@ -21,15 +30,12 @@ std::int32_t lowest_node(const Hexahedron& hexahedron, int face) {
   return std::min({hexahedron[local[0]], hexahedron[local[1]], hexahedron[local[2]], hexahedron[local[3]]});
 }
 
-Face sorted_face(const Hexahedron& hexahedron, std::int32_t slot) {
-  Face face{{}, slot};
-  auto& n = face.nodes;
-  for (int i = 0; i < 4; ++i) n[i] = hexahedron[face_nodes[slot % 6][i]];
-  const auto order = [&](int a, int b) {
-    if (n[a] > n[b]) std::swap(n[a], n[b]);
-  };
-  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
-  return face;
+Face keyed_face(const Hexahedron& hexahedron, std::int32_t slot) {
+  const auto& local = face_nodes[slot % 6];
+  const auto [low1, high1] = std::minmax(hexahedron[local[0]], hexahedron[local[1]]);
+  const auto [low2, high2] = std::minmax(hexahedron[local[2]], hexahedron[local[3]]);
+  const auto [second, third] = std::minmax(std::max(low1, low2), std::min(high1, high2));
+  return {static_cast<std::uint64_t>(std::max(high1, high2)) << 32 | static_cast<std::uint64_t>(third), second, slot};
 }
 
 std::int32_t checked_node_count(const std::vector<Hexahedron>& hexahedra) {
@@ -66,15 +72,14 @@ std::vector<std::array<std::int32_t, 6>> face_neighbours(const std::vector<Hexah
   for (std::int32_t node = 0; node < node_count; ++node) {
     bucket.clear();
     for (std::int32_t i = bucket_begin[node]; i < bucket_begin[node + 1]; ++i)
-      bucket.push_back(sorted_face(hexahedra[slots[i] / 6], slots[i]));
-    std::sort(bucket.begin(), bucket.end(),
-              [](const Face& a, const Face& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.slot < b.slot; });
+      bucket.push_back(keyed_face(hexahedra[slots[i] / 6], slots[i]));
+    std::sort(bucket.begin(), bucket.end());
     for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
-      if (bucket[i].nodes != bucket[i + 1].nodes) continue;
+      if (!bucket[i].same_nodes(bucket[i + 1])) continue;
       const std::int32_t first = bucket[i].slot, second = bucket[i + 1].slot;
       if (first / 6 == second / 6)
         throw InputError(fmt::format("mesh: element {} has two faces with the same nodes", first / 6));
-      if (i + 2 < bucket.size() && bucket[i + 2].nodes == bucket[i].nodes)
+      if (i + 2 < bucket.size() && bucket[i].same_nodes(bucket[i + 2]))
         throw InputError(
             fmt::format("mesh: element {} shares a face with elements {} and {}; a face has at most two sides",
                         bucket[i + 2].slot / 6, first / 6, second / 6));
