@@ -10,7 +10,6 @@
 #include <pinball/solver/field_output.hpp>
 #include <pinball/solver/history.hpp>
 #include <pinball/solver/output_file.hpp>
-#include <regex>
 #include <sstream>
 
 #include "output_case.hpp"
@@ -45,6 +44,11 @@ struct Vtu {
   std::string head;
   std::map<std::string, Array> arrays;
 
+  static std::string attribute(const std::string& tag, const std::string& name) {
+    const std::size_t begin = tag.find(" " + name + "=\"") + name.size() + 3;
+    return tag.substr(begin, tag.find('"', begin) - begin);
+  }
+
   explicit Vtu(const std::string& path) {
     const std::string text = read_text(path);
     const std::string mark = "<AppendedData encoding=\"raw\">\n_";
@@ -52,15 +56,17 @@ struct Vtu {
     head = text.substr(0, at);
     const std::size_t data = at + mark.size();
     std::uint64_t end = 0;  // blocks lie one behind the other, in the order of the head
-    const std::regex tag(R"rx(<DataArray [^>]*Name="([^"]+)"[^>]*offset="(\d+)"/>)rx");
-    for (std::sregex_iterator it(head.begin(), head.end(), tag), last; it != last; ++it) {
-      Array array{it->str(), {}, std::stoull((*it)[2])};
-      EXPECT_EQ(array.offset, end) << (*it)[1];
+    for (std::size_t begin = head.find("<DataArray "); begin != std::string::npos;
+         begin = head.find("<DataArray ", begin + 1)) {
+      Array array;
+      array.tag = head.substr(begin, head.find("/>", begin) - begin);
+      array.offset = std::stoull(attribute(array.tag, "offset"));
+      EXPECT_EQ(array.offset, end) << array.tag;
       std::uint64_t bytes = 0;
       std::memcpy(&bytes, text.data() + data + array.offset, sizeof bytes);
       array.bytes = text.substr(data + array.offset + sizeof bytes, bytes);
       end = array.offset + sizeof bytes + bytes;
-      arrays[(*it)[1]] = array;
+      arrays[attribute(array.tag, "Name")] = array;
     }
     EXPECT_EQ(text.substr(data + end), "\n  </AppendedData>\n</VTKFile>\n");
   }
