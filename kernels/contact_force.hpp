@@ -92,8 +92,8 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     result.force.y += lane_sum(force * p.direction.y);
     result.force.z += lane_sum(force * p.direction.z);
     result.stiffness += lane_sum(select(active, p2, T(0)));
-    result.stored += lane_sum(select(active, T(S(0.25)) * elastic * p.depth, T(0)));
-    result.damped += lane_sum(select(active, T(S(0.5)) * (total - elastic) * rate, T(0)));
+    result.stored += lane_sum(select(active, number<T>(0.25) * elastic * p.depth, T(0)));
+    result.damped += lane_sum(select(active, number<T>(0.5) * (total - elastic) * rate, T(0)));
     const S ratio = lane_maximum(select(active, p.depth / reach, T(0)));
     result.penetration_ratio = maximum(result.penetration_ratio, ratio);
     result.pairs += count_lanes(active);

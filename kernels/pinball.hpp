@@ -36,10 +36,10 @@ PINBALL_FUNCTION PinballNormal<T> pinball_normal(const HexahedronModes<T>& x, co
     face_areas(x, i, minus, plus);
     const T both = exposed[2 * i] * exposed[2 * i + 1];
     n.outward = n.outward + (exposed[2 * i] - both) * minus + (exposed[2 * i + 1] - both) * plus;
-    n.two_sided = n.two_sided + (T(0.5) * both) * (plus - minus);
+    n.two_sided = n.two_sided + (number<T>(0.5) * both) * (plus - minus);
     pairs += both;
   }
-  const T keep = select(pairs > T(1.5), T(0), T(1));  // if (pairs >= 2) two_sided = 0
+  const T keep = select(pairs > number<T>(1.5), T(0), T(1));  // if (pairs >= 2) two_sided = 0
   n.two_sided = keep * n.two_sided;
   return n;
 }
@@ -68,18 +68,17 @@ struct Penetration {
 /// The test on c comes before the square root, and g = -c / (b + sqrt(b^2 - c)) avoids the cancellation of (3.6).
 template <class T>
 PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, const Vec3<T>& n1, const Vec3<T>& n2) {
-  using S = ScalarOf<T>;
   const T d2 = dot(d, d);
   const T c = d2 - reach * reach;
   const auto overlaps = c < T(0);
 
   // Pairs whose normals look the same way belong to one surface, or to opposite faces of a thin body.
-  const auto opposed = !(dot(n1, n2) > T(S(0.3)));
+  const auto opposed = !(dot(n1, n2) > number<T>(0.3));
 
   // n = (n2 - n1)/2; if (|n| < 0.2) n = line of centres
-  const Vec3<T> mean = T(0.5) * (n2 - n1);
+  const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
   const T mean2 = dot(mean, mean);
-  const auto use_mean = !(mean2 < T(S(0.04)));
+  const auto use_mean = !(mean2 < number<T>(0.04));
   const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};
   const T length2 = select(use_mean, mean2, d2);
   const auto defined = length2 > T(0);  // false for coincident centres without normals: no direction, no force
@@ -92,7 +91,7 @@ PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, co
   const auto positive = b > T(0);
   const T g = select(positive, (T(0) - c) / select(positive, b + root, T(1)), root - b);
   // A pair whose centres have passed each other by more than half the reach is not pushed through.
-  const auto passed = b < T(S(-0.5)) * reach;
+  const auto passed = b < number<T>(-0.5) * reach;
   return {overlaps && opposed && defined && !passed, g, n};
 }
 

@@ -213,11 +213,7 @@ Model<S> build_model(const Scene& scene) {
   const auto node_count = static_cast<std::int32_t>(model.mesh.nodes.size());
   model.tile_colours = colour_tiles(tile_elements, ordered, node_count);
 
-  const std::vector<std::int32_t> touch_order = first_touch_node_order(ordered, node_count);
-  model.node_of_scene_node.resize(model.mesh.nodes.size());
-  for (std::size_t i = 0; i < touch_order.size(); ++i) {
-    model.node_of_scene_node[static_cast<std::size_t>(touch_order[i])] = static_cast<std::int32_t>(i);
-  }
+  model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
 
   // Stores
   model.nodes = NodeStore<S>(node_count);
