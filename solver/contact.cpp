@@ -67,7 +67,11 @@ void PinballContact<S>::collect_pinballs(const Model<S>& model) {
 template <class S>
 void PinballContact<S>::update_pinballs(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
   using T = Pack<S, native_width<S>>;
-  if (surface_.remove_eroded(model, tiles)) collect_pinballs(model);
+  lost_energy_ = 0;
+  if (surface_.remove_eroded(model, tiles)) {
+    lost_energy_ = list_.stored_in_lost_pairs([this](std::int32_t slot) { return !surface_.alive(slot); });
+    collect_pinballs(model);
+  }
   const PinballGeometryView<S> view = pinballs_.geometry();
   const S* position = model.nodes.position.data();
   const S* velocity = model.nodes.velocity.data();
@@ -97,7 +101,7 @@ void PinballContact<S>::search(const Model<S>& model) {
 }
 
 template <class S>
-ContactResult PinballContact<S>::forces() {
+ContactResult PinballContact<S>::forces(S dt) {
   using T = Pack<S, native_width<S>>;
   const PinballView<S> view = pinballs_.view();
   S* force = pinballs_.force.data();
@@ -111,7 +115,8 @@ ContactResult PinballContact<S>::forces() {
       [&](std::int64_t begin, std::int64_t end, Sums& partial) {
         for (std::int64_t i = begin; i < end; ++i) {
           const auto p = static_cast<std::int32_t>(i);
-          const PinballForce<S> f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p));
+          const PinballForce<S> f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p), list_.offsets(p),
+                                                     list_.stored(p), dt);
           force[4 * i] = f.force.x;
           force[4 * i + 1] = f.force.y;
           force[4 * i + 2] = f.force.z;
@@ -130,6 +135,7 @@ ContactResult PinballContact<S>::forces() {
       });
   ContactResult result;
   result.stored = sums.stored;
+  result.eroded = lost_energy_;
   result.damped_power = sums.damped;
   result.penetration_ratio = static_cast<double>(sums.ratio);
   result.pairs = sums.pairs / 2;

@@ -36,6 +36,12 @@ void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const Same
   constexpr int W = native_width<S>;
   const std::int32_t n = pinballs.count;
   const auto size = static_cast<std::size_t>(n);
+  // The old list, to carry the offsets over: pinball numbers may have changed, slots have not.
+  const std::vector<std::int64_t> old_start = std::move(start_);
+  const std::vector<std::int32_t> old_count = std::move(count_), old_neighbour = std::move(neighbour_);
+  const std::vector<std::int32_t> old_slot = std::move(slot_);
+  const AlignedArray<S> old_offset = std::move(offset_), old_stored = std::move(stored_);
+
   skin_ = skin;
   valid_ = true;
   pairs_ = 0;
@@ -43,6 +49,7 @@ void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const Same
   count_.assign(size, 0);
   built_at_.assign(pinballs.centre.data(), pinballs.centre.data() + 4 * size);
   neighbour_.clear();
+  slot_ = pinballs.slot;
   if (n == 0) return;
 
   S largest = 0;
@@ -90,6 +97,28 @@ void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const Same
     for_each_candidate(static_cast<std::int32_t>(i), [&place](std::int32_t j) { *place++ = j; });
     while (place < end) *place++ = static_cast<std::int32_t>(i);
   });
+
+  offset_ = AlignedArray<S>(neighbour_.size());
+  stored_ = AlignedArray<S>(neighbour_.size());
+  parallel_for("carry offsets", RangePolicy<>{0, n}, [&](std::int64_t i) {
+    const auto p = static_cast<std::size_t>(i);
+    const auto found = std::lower_bound(old_slot.begin(), old_slot.end(), slot_[p]);
+    const bool known = found != old_slot.end() && *found == slot_[p];
+    const auto old = static_cast<std::size_t>(found - old_slot.begin());
+    for (std::int64_t e = start_[p]; e < start_[p + 1]; ++e) {
+      S& offset = offset_[static_cast<std::size_t>(e)];
+      offset = S(-1);
+      if (!known || e >= start_[p] + count_[p]) continue;
+      const std::int32_t slot = slot_[static_cast<std::size_t>(neighbour_[static_cast<std::size_t>(e)])];
+      for (std::int64_t k = old_start[old]; k < old_start[old] + old_count[old]; ++k) {
+        const auto entry = static_cast<std::size_t>(k);
+        if (old_offset[entry] >= S(0) && old_slot[static_cast<std::size_t>(old_neighbour[entry])] == slot) {
+          offset = old_offset[entry];
+          stored_[static_cast<std::size_t>(e)] = old_stored[entry];
+        }
+      }
+    }
+  });
 }
 
 template <class S>
@@ -112,10 +141,26 @@ bool NeighbourList<S>::holds(const PinballStore<S>& pinballs) const {
 }
 
 template <class S>
+double NeighbourList<S>::stored_in_lost_pairs(const std::function<bool(std::int32_t slot)>& gone) const {
+  double sum = 0;
+  for (std::size_t p = 0; p < slot_.size(); ++p) {
+    const bool gone_itself = gone(slot_[p]);
+    for (std::int64_t e = start_[p]; e < start_[p] + count_[p]; ++e) {
+      const auto entry = static_cast<std::size_t>(e);
+      if (!(stored_[entry] > S(0))) continue;
+      if (gone_itself || gone(slot_[static_cast<std::size_t>(neighbour_[entry])])) {
+        sum += static_cast<double>(stored_[entry]);
+      }
+    }
+  }
+  return sum;
+}
+
+template <class S>
 std::size_t NeighbourList<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return of(start_) + of(count_) + of(neighbour_) + of(built_at_) + of(bucket_start_) + of(entry_point_) +
-         of(entry_cell_) + of(cell_);
+         of(entry_cell_) + of(cell_) + of(slot_) + offset_.bytes() + stored_.bytes();
 }
 
 template class NeighbourList<double>;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <pinball/kernels/spatial_hash.hpp>
@@ -31,6 +32,12 @@ class NeighbourList {
     return neighbour_.data() + start_[static_cast<std::size_t>(pinball)];
   }
   std::int32_t count(std::int32_t pinball) const { return count_[static_cast<std::size_t>(pinball)]; }
+  /// Depths at which the pairs of a pinball began (contact_force.hpp); kept when the list is built anew.
+  S* offsets(std::int32_t pinball) { return offset_.data() + start_[static_cast<std::size_t>(pinball)]; }
+  /// Spring energy of the pairs of a pinball, half of each pair [energy].
+  S* stored(std::int32_t pinball) { return stored_.data() + start_[static_cast<std::size_t>(pinball)]; }
+  /// Spring energy of all pairs of which at least one pinball is gone; gone: by slot.
+  double stored_in_lost_pairs(const std::function<bool(std::int32_t slot)>& gone) const;
   std::int64_t pairs() const { return pairs_; }   ///< listed, each counted once
   std::size_t bytes() const;
 
@@ -43,6 +50,8 @@ class NeighbourList {
   std::vector<std::int64_t> start_;
   std::vector<std::int32_t> count_;
   std::vector<std::int32_t> neighbour_;
+  AlignedArray<S> offset_, stored_;             ///< per entry of neighbour_
+  std::vector<std::int32_t> slot_;              ///< of each pinball when the list was built
   std::vector<S> built_at_;                     ///< centres when the list was built, records of four
   std::vector<std::int32_t> bucket_start_, entry_point_;
   std::vector<std::uint64_t> entry_cell_, cell_;

@@ -30,7 +30,7 @@ void Solver<S>::advance(bool last) {
   if (contact_) {
     timers_.measure(Phase::pinballs, [&] { contact_->update_pinballs(model_, internal_forces_.tiles()); });
     timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
-    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(); });
+    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(static_cast<S>(dt_)); });
     timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(model_, contact); });
   }
 
@@ -47,7 +47,7 @@ void Solver<S>::advance(bool last) {
   energies_.internal += internal.internal - internal.eroded;
   energies_.hourglass += internal.hourglass;
   energies_.bulk_viscosity += internal.viscous;
-  energies_.eroded += internal.eroded;
+  energies_.eroded += internal.eroded + contact.eroded;
   energies_.contact_stored = contact.stored;
   energies_.contact_damped += 0.5 * (damped_power_ + contact.damped_power) * dt_before_;
   damped_power_ = contact.damped_power;
