@@ -12,7 +12,8 @@
 /// opposite to the last bit.
 namespace pinball {
 
-/// Pinball records of four scalars each, one record per pinball.
+/// Pinball records of four scalars each, one record per pinball. A pinball whose B R is zero takes no part: its element
+/// has eroded, or is not exposed yet.
 template <class S>
 struct PinballView {
   const S* centre;      ///< C, R [length]
@@ -86,7 +87,7 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const Vec3<T> n1 = unit_normal_towards(normal1, T(-1) * d);
     const Vec3<T> n2 = unit_normal_towards(normal2, d);
     const Penetration<T> p = penetration(d, reach, n1, n2);
-    const auto active = p.active && listed;
+    const auto active = p.active && listed && stiffness2 > T(0);
 
     const T p2 = T(S(0.5) * constants.beta) * (T(own_outward[3]) + stiffness2);  // (3.11)
     const T mass1(own_velocity[3]);

@@ -118,6 +118,7 @@ FieldSnapshot Solver<S>::snapshot() const {
     for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs.count); ++p) {
       const std::int64_t slot = pinballs.slot[p];
       const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
+      if (!(pinballs.outward[4 * p + 3] > S(0))) continue;  // behind the surface, or eroded
       s.pinball_radius[e] = static_cast<double>(pinballs.centre[4 * p + 3]);
       for (const std::int32_t node : model_.mesh.hexahedra[e]) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -175,7 +176,7 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.contact_method = contact_ ? "pinball" : "none";
   summary.contact_enforcement = contact_ ? scene.contact.enforcement : "none";
   if (contact_) {
-    summary.pinballs = contact_->pinballs().count;
+    summary.pinballs = contact_->active_pinballs();
     summary.searches = contact_->searches();
     summary.searches_skipped = contact_->searches_skipped();
   }
