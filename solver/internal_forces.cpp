@@ -14,7 +14,6 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
                  std::int64_t first_pack, std::int64_t last_pack, TileResult<S>& result) {
   using T = Pack<S, native_width<S>>;
   ElementSums<T> sums;
-  sums.time_step = T(std::numeric_limits<S>::infinity());
   for (std::int64_t pack = first_pack; pack < last_pack; ++pack) {
     update_element_pack<T, features>(elements, nodes, constants, dt, pack, static_cast<int>(pack - first_pack), sums);
   }
@@ -24,15 +23,16 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
   result.eroded = static_cast<double>(lane_sum(sums.eroded));
   result.eroded_count = sums.eroded_count;
   result.inverted_count = sums.inverted_count;
-  result.time_step = std::numeric_limits<S>::infinity();
+  S rate = 0;
   result.time_step_slot = -1;
   for (int i = 0; i < width_of<T>; ++i) {
-    if (lane(sums.time_step, i) < result.time_step) {
-      result.time_step = lane(sums.time_step, i);
-      const auto pack = first_pack + static_cast<std::int64_t>(lane(sums.time_step_pack, i));
+    if (lane(sums.stable_rate, i) > rate) {
+      rate = lane(sums.stable_rate, i);
+      const auto pack = first_pack + static_cast<std::int64_t>(lane(sums.stable_rate_pack, i));
       result.time_step_slot = pack * width_of<T> + i;
     }
   }
+  result.time_step = S(2) / rate;  // infinite for a tile without living elements
 }
 
 // One kernel per combination of features; the choice is made once, at the start.
