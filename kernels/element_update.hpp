@@ -148,7 +148,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
                 select(fails, T(0), stress.xy), select(fails, T(0), stress.yz), select(fails, T(0), stress.zx)};
     }
   }
-  sums.inverted_count += count_lanes(inverted);
+  if (any_lane(inverted)) sums.inverted_count += count_lanes(inverted);
   store(stress.xx, stored);
   store(stress.yy, stored + W);
   store(stress.zz, stored + 2 * W);
