@@ -48,9 +48,9 @@ PINBALL_FUNCTION void add_hourglass_forces(const HourglassForce<T>& force, const
                                            Vec3<T> (&hourglass)[4]) {
   // t_ij = -1/V sum_a Q_ai x_Gaj: its product with the modes of B is the part of gamma along B.
   Tensor<T> t;
-#define PINBALL_ROW(c)                                                                          \
-  (T(-1) * inverse_volume) * (force.q[0].c * x.hourglass[0] + force.q[1].c * x.hourglass[1] + \
-                              force.q[2].c * x.hourglass[2] + force.q[3].c * x.hourglass[3])
+#define PINBALL_ROW(c)                                                                         \
+  ((T(-1) * inverse_volume) * (force.q[0].c * x.hourglass[0] + force.q[1].c * x.hourglass[1] + \
+                               force.q[2].c * x.hourglass[2] + force.q[3].c * x.hourglass[3]))
   t.row_x = PINBALL_ROW(x);
   t.row_y = PINBALL_ROW(y);
   t.row_z = PINBALL_ROW(z);
