@@ -122,7 +122,11 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   S* stored = elements.stress + pack * 6 * W;
   const Symmetric<T> stress_old{state(stored),         state(stored + W),     state(stored + 2 * W),
                                 state(stored + 3 * W), state(stored + 4 * W), state(stored + 5 * W)};
-  Symmetric<T> stress = rotate(rotation, stress_old) + elastic_increment(T(material.lambda), T(material.mu), strain);
+  // The increment belongs to the middle of the rotation: half of it turns with the old stress. Added whole after the
+  // rotation it would be turned by half a step, a skew part of the stiffness that feeds the high modes of a spinning body.
+  const Symmetric<T> half_increment =
+      elastic_increment(T(S(0.5) * material.lambda), T(S(0.5) * material.mu), strain);
+  Symmetric<T> stress = rotate(rotation, stress_old + half_increment) + half_increment;
   T plastic_strain(0);
   if constexpr (features.plastic) {
     plastic_strain = state(elements.plastic_strain + pack * W);
@@ -194,14 +198,15 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   HourglassForce<T> hourglass{};
   if constexpr (features.hourglass == HourglassKind::stiffness) {
     const T modulus(constants.hourglass_coefficient * (material.lambda + 2 * material.mu));
-    const T stiffness = T(dt) * hourglass_stiffness(modulus, trace_b_b, inverse_volume);
+    const T half_stiffness = T(S(0.5) * dt) * hourglass_stiffness(modulus, trace_b_b, inverse_volume);
     T power(0);
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) {
       S* p = elements.hourglass_force + (pack * 12 + 3 * a) * W;
       const Vec3<T> old{state(p), state(p + W), state(p + 2 * W)};
       const Vec3<T> rate = hourglass_rate(gradient, x_mid, v, a);
-      Vec3<T> now = rotate(rotation, old) + stiffness * rate;
+      const Vec3<T> half = half_stiffness * rate;  // turns as half of the stress increment
+      Vec3<T> now = rotate(rotation, old + half) + half;
       if constexpr (features.erosion) {
       if (any_fails) now = {select(fails, T(0), now.x), select(fails, T(0), now.y), select(fails, T(0), now.z)};
     }
