@@ -148,8 +148,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
       inverted = inverted && !fails;
       sums.eroded_count += count_lanes(fails);
       store(select(fails, T(0), mass), elements.mass + pack * W);
-      stress = {select(fails, T(0), stress.xx), select(fails, T(0), stress.yy), select(fails, T(0), stress.zz),
-                select(fails, T(0), stress.xy), select(fails, T(0), stress.yz), select(fails, T(0), stress.zx)};
+      stress = select(fails, Symmetric<T>{T(0), T(0), T(0), T(0), T(0), T(0)}, stress);
     }
   }
   if (any_lane(inverted)) sums.inverted_count += count_lanes(inverted);
@@ -208,8 +207,8 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
       const Vec3<T> half = half_stiffness * rate;  // turns as half of the stress increment
       Vec3<T> now = rotate(rotation, old + half) + half;
       if constexpr (features.erosion) {
-      if (any_fails) now = {select(fails, T(0), now.x), select(fails, T(0), now.y), select(fails, T(0), now.z)};
-    }
+        if (any_fails) now = select(fails, Vec3<T>{T(0), T(0), T(0)}, now);
+      }
       store(now.x, p);
       store(now.y, p + W);
       store(now.z, p + 2 * W);

@@ -60,6 +60,17 @@ PINBALL_FUNCTION Vec3<T> operator*(const Symmetric<T>& a, const Vec3<T>& v) {
           a.zx * v.x + a.yz * v.y + a.zz * v.z};
 }
 
+/// if (mask) a; else b, lane by lane.
+template <class T>
+PINBALL_FUNCTION Vec3<T> select(const MaskOf<T>& mask, const Vec3<T>& a, const Vec3<T>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+template <class T>
+PINBALL_FUNCTION Symmetric<T> select(const MaskOf<T>& mask, const Symmetric<T>& a, const Symmetric<T>& b) {
+  return {select(mask, a.xx, b.xx), select(mask, a.yy, b.yy), select(mask, a.zz, b.zz),
+          select(mask, a.xy, b.xy), select(mask, a.yz, b.yz), select(mask, a.zx, b.zx)};
+}
+
 /// General tensor by rows: L_ij = row i, component j.
 template <class T>
 struct Tensor {
