@@ -152,7 +152,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   // Work of the stresses, V/2 (sigma_old + sigma_new) : strain; for an element that erodes in this step sigma_new = 0,
   // as its forces are. Padding has strain 0 because its inverse volume is 0; an eroding element of no volume adds none.
   const T usable_volume = select(alive && has_volume, volume_mid, T(0));
-  const T work = T(0.5) * usable_volume * contract(stress_old + stress, strain);
+  const T work = number<T>(0.5) * usable_volume * contract(stress_old + stress, strain);
   sums.internal += select(alive && has_volume, work, T(0));
   if constexpr (features.erosion) {
     const T energy = load<T>(elements.internal_energy + pack * W) + select(alive && has_volume, work, T(0));
@@ -164,7 +164,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   T viscosity(0);
   const T density = mass * inverse_volume_now;
   if constexpr (features.bulk_viscosity) {
-    const T length = volume / square_root(T(2.0 / 3.0) * gradient_norm_squared(b));
+    const T length = volume / square_root(number<T>(2.0 / 3.0) * gradient_norm_squared(b));
     const T volumetric = trace(rate);
     viscosity = bulk_viscosity(T(constants.linear_viscosity), T(constants.quadratic_viscosity), density,
                                T(material.sound_speed), length, volumetric);

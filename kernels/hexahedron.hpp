@@ -102,7 +102,8 @@ struct UniformGradient {
 template <class T>
 PINBALL_FUNCTION UniformGradient<T> uniform_gradient(const HexahedronModes<T>& x) {
   UniformGradient<T> b;
-  const T whole(1.0 / 64.0), third(1.0 / 192.0);  // the factors 1/8 of two coordinate modes; and 1/3 of them
+  const T whole = number<T>(1.0 / 64.0);   // the factors 1/8 of two coordinate modes
+  const T third = number<T>(1.0 / 192.0);  // and 1/3 of them
   PINBALL_UNROLL
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -118,7 +119,7 @@ PINBALL_FUNCTION T hexahedron_volume(const UniformGradient<T>& b, const Hexahedr
   T sum = dot(b.linear[0], x.linear[0]) + dot(b.hourglass[0], x.hourglass[0]);
   sum += dot(b.linear[1], x.linear[1]) + dot(b.hourglass[1], x.hourglass[1]);
   sum += dot(b.linear[2], x.linear[2]) + dot(b.hourglass[2], x.hourglass[2]);
-  return T(1.0 / 3.0) * sum;
+  return number<T>(1.0 / 3.0) * sum;
 }
 
 /// L_ij = 1/V sum_I v_iI B_jI [1/time]; v: modes of the corner velocities.
@@ -154,9 +155,9 @@ PINBALL_FUNCTION void expand(const UniformGradient<T>& b, Vec3<T> (&corner)[8]) 
 template <class T>
 PINBALL_FUNCTION void face_areas(const HexahedronModes<T>& x, int i, Vec3<T>& minus, Vec3<T>& plus) {
   const int j = (i + 1) % 3, k = (i + 2) % 3;
-  const T sixteenth(1.0 / 16.0);
+  const T sixteenth = number<T>(1.0 / 16.0);
   plus = sixteenth * cross(x.linear[j] + x.hourglass[k], x.linear[k] + x.hourglass[j]);
-  minus = T(-1.0 / 16.0) * cross(x.linear[j] - x.hourglass[k], x.linear[k] - x.hourglass[j]);
+  minus = number<T>(-1.0 / 16.0) * cross(x.linear[j] - x.hourglass[k], x.linear[k] - x.hourglass[j]);
 }
 
 }  // namespace pinball

@@ -32,13 +32,13 @@ PINBALL_FUNCTION Vec3<T> hourglass_rate(const Tensor<T>& L, const HexahedronMode
 /// Factor of the stiffness form, d Q_a / d (integral of qdot_a) [force/length]; modulus = kappa (lambda + 2 mu).
 template <class T>
 PINBALL_FUNCTION T hourglass_stiffness(const T& modulus, const UniformGradient<T>& b, const T& inverse_volume) {
-  return modulus * T(1.0 / 24.0) * gradient_norm_squared(b) * inverse_volume;
+  return modulus * number<T>(1.0 / 24.0) * gradient_norm_squared(b) * inverse_volume;
 }
 
 /// Factor of the viscous form, Q_a / qdot_a [force time/length]; impedance = k rho c.
 template <class T>
 PINBALL_FUNCTION T hourglass_viscosity(const T& impedance, const UniformGradient<T>& b) {
-  return impedance * square_root(T(2.0 / 3.0) * gradient_norm_squared(b));
+  return impedance * square_root(number<T>(2.0 / 3.0) * gradient_norm_squared(b));
 }
 
 /// Adds the hourglass forces to the modal forces (linear, hourglass) of an element: f_I = sum_a Q_a gamma_aI.

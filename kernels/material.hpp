@@ -43,11 +43,11 @@ PINBALL_FUNCTION T yield_stress_at(const MaterialConstants<ScalarOf<T>>& m, cons
 /// switch at the ultimate stress needs no case distinction.
 template <class T>
 PINBALL_FUNCTION void radial_return(const MaterialConstants<ScalarOf<T>>& m, Symmetric<T>& stress, T& plastic_strain) {
-  const T pressure = T(1.0 / 3.0) * trace(stress);  // mean stress, tension positive
+  const T pressure = number<T>(1.0 / 3.0) * trace(stress);  // mean stress, tension positive
   const T sxx = stress.xx - pressure, syy = stress.yy - pressure, szz = stress.zz - pressure;
   const T ss = sxx * sxx + syy * syy + szz * szz +
                T(2) * (stress.xy * stress.xy + stress.yz * stress.yz + stress.zx * stress.zx);
-  const T q = square_root(T(1.5) * ss);
+  const T q = square_root(number<T>(1.5) * ss);
   const ScalarOf<T> three_mu = 3 * m.mu;
   const T hardening = (q - T(m.yield_stress) - T(m.plastic_modulus) * plastic_strain) *
                       T(ScalarOf<T>(1) / (three_mu + m.plastic_modulus));

@@ -36,10 +36,10 @@ PINBALL_FUNCTION PinballNormal<T> pinball_normal(const HexahedronModes<T>& x, co
     face_areas(x, i, minus, plus);
     const T both = exposed[2 * i] * exposed[2 * i + 1];
     n.outward = n.outward + (exposed[2 * i] - both) * minus + (exposed[2 * i + 1] - both) * plus;
-    n.two_sided = n.two_sided + (T(0.5) * both) * (plus - minus);
+    n.two_sided = n.two_sided + (number<T>(0.5) * both) * (plus - minus);
     pairs += both;
   }
-  const T keep = select(pairs > T(1.5), T(0), T(1));  // if (pairs >= 2) two_sided = 0
+  const T keep = select(pairs > number<T>(1.5), T(0), T(1));  // if (pairs >= 2) two_sided = 0
   n.two_sided = keep * n.two_sided;
   return n;
 }
@@ -77,7 +77,7 @@ PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, co
   const auto opposed = !(dot(n1, n2) > T(S(0.3)));
 
   // n = (n2 - n1)/2; if (|n| < 0.2) n = line of centres
-  const Vec3<T> mean = T(0.5) * (n2 - n1);
+  const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
   const T mean2 = dot(mean, mean);
   const auto use_mean = !(mean2 < T(S(0.04)));
   const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};

@@ -20,7 +20,7 @@ struct Rotation {
 /// spin: axial vector of W dt (rotation vector of the step to first order) [rad].
 template <class T>
 PINBALL_FUNCTION Rotation<T> hughes_winget_rotation(const Vec3<T>& spin) {
-  const Vec3<T> h = T(0.5) * spin;
+  const Vec3<T> h = number<T>(0.5) * spin;
   const T s = T(2) / (T(1) + dot(h, h));
   const Vec3<T> sh = s * h;
   const T sxx = sh.x * h.x, syy = sh.y * h.y, szz = sh.z * h.z;

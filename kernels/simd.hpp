@@ -145,6 +145,12 @@ PINBALL_FUNCTION T lane(const stdx::simd<T, Abi>& a, int i) {
 template <class T, int W>
 using Pack = typename PackType<T, W>::Type;
 
+/// A constant in every lane, rounded to the precision of T. (A pack of floats takes no double.)
+template <class T>
+PINBALL_FUNCTION T number(double value) {
+  return T(static_cast<ScalarOf<T>>(value));
+}
+
 /// Loads width_of<T> consecutive values; `source` is aligned to the pack.
 template <class T>
 PINBALL_FUNCTION T load(const ScalarOf<T>* source) {

@@ -22,13 +22,13 @@ namespace pinball {
 /// bound. Three steps leave less than 1 % except near a double largest root, where the bound stays within 6 %.
 template <class T>
 PINBALL_FUNCTION T largest_principal_value(const Symmetric<T>& s) {
-  const T mean = T(1.0 / 3.0) * trace(s);
+  const T mean = number<T>(1.0 / 3.0) * trace(s);
   const T xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
-  const T j2 = T(0.5) * (xx * xx + yy * yy + zz * zz) + s.xy * s.xy + s.yz * s.yz + s.zx * s.zx;
+  const T j2 = number<T>(0.5) * (xx * xx + yy * yy + zz * zz) + s.xy * s.xy + s.yz * s.yz + s.zx * s.zx;
   const T j3 = xx * (yy * zz - s.yz * s.yz) - s.xy * (s.xy * zz - s.yz * s.zx) + s.zx * (s.xy * s.yz - yy * s.zx);
   // r^3 - j2 r - j3 = 0 for r = s_max - mean; the largest root lies in [sqrt(j2/3), 2 sqrt(j2/3)].
-  const T floor = T(1e-6) * mean * mean;  // keeps the divisions finite for a cube, where j2 = 0
-  const T low2 = T(1.0 / 3.0) * j2 + floor;
+  const T floor = number<T>(1e-6) * mean * mean;  // keeps the divisions finite for a cube, where j2 = 0
+  const T low2 = number<T>(1.0 / 3.0) * j2 + floor;
   T r = T(2) * square_root(low2);
   PINBALL_UNROLL
   for (int i = 0; i < 3; ++i) {
@@ -63,7 +63,7 @@ PINBALL_FUNCTION T element_stable_time_step(const UniformGradient<T>& b, const T
   const T factor = T(8) * volume_per_mass * scale;
   const T tr = trace(s);
   const T omega2 = factor * (T(2) * mu * largest_principal_value(s) + lambda * tr);
-  const T half_damping = T(0.5) * factor * viscosity * tr;
+  const T half_damping = number<T>(0.5) * factor * viscosity * tr;
   return T(2) / (half_damping + square_root(half_damping * half_damping + omega2));
 }
 

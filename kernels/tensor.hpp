@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/macros.hpp>
+#include <pinball/kernels/simd.hpp>
 
 /// Vectors and tensors of the kernels, over any number type (scalar or pack).
 namespace pinball {
@@ -73,7 +73,7 @@ PINBALL_FUNCTION Vec3<T> operator*(const Tensor<T>& a, const Vec3<T>& v) {
 /// sym(L) = (L + L^T) / 2
 template <class T>
 PINBALL_FUNCTION Symmetric<T> symmetric_part(const Tensor<T>& a) {
-  const T half(0.5);
+  const T half = number<T>(0.5);
   return {a.row_x.x,
           a.row_y.y,
           a.row_z.z,
@@ -84,7 +84,7 @@ PINBALL_FUNCTION Symmetric<T> symmetric_part(const Tensor<T>& a) {
 /// Axial vector w of the skew part W = (L - L^T) / 2, so that W v = w x v.
 template <class T>
 PINBALL_FUNCTION Vec3<T> axial_vector(const Tensor<T>& a) {
-  const T half(0.5);
+  const T half = number<T>(0.5);
   return {half * (a.row_z.y - a.row_y.z), half * (a.row_x.z - a.row_z.x), half * (a.row_y.x - a.row_x.y)};
 }
 
