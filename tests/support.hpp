@@ -109,6 +109,10 @@ double norm(const Symmetric<S>& s) {
     EXPECT_NEAR((a).zx, (b).zx, (tolerance));  \
   } while (false)
 
+#define ASSERT_SYMMETRIC_EQ(a, b)                                                                                 \
+  ASSERT_TRUE((a).xx == (b).xx && (a).yy == (b).yy && (a).zz == (b).zz && (a).xy == (b).xy && (a).yz == (b).yz && \
+              (a).zx == (b).zx)
+
 // ---- Memory -------------------------------------------------------------------------------------------------------
 
 template <class T>
