@@ -59,8 +59,9 @@ PINBALL_FUNCTION T element_stable_time_step(const UniformGradient<T>& b, const T
     add(b.linear[m]);
     add(b.hourglass[m]);
   }
-  const T scale = T(8) * inverse_volume * inverse_volume;  // modes have norm^2 8
-  const T factor = T(8) * volume_per_mass * scale;
+  // S [1/length^2] before its invariants are formed: their powers of B alone leave the range of float below 0.1 mm in SI.
+  s = (T(8) * inverse_volume * inverse_volume) * s;  // modes have norm^2 8
+  const T factor = T(8) * volume_per_mass;
   const T tr = trace(s);
   const T omega2 = factor * (T(2) * mu * largest_principal_value(s) + lambda * tr);
   const T half_damping = number<T>(0.5) * factor * viscosity * tr;
