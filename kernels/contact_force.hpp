@@ -12,7 +12,8 @@
 /// opposite to the last bit.
 namespace pinball {
 
-/// Pinball records of four scalars each, one record per pinball.
+/// Pinball records of four scalars each, one record per pinball. A pinball whose B R is zero takes no part: its element
+/// has eroded, or is not exposed yet.
 template <class S>
 struct PinballView {
   const S* centre;      ///< C, R [length]
@@ -39,11 +40,19 @@ struct PinballForce {
 };
 
 /// neighbour: padded to whole packs with any valid pinball; count: real entries. T: pack of neighbours.
+///
+/// offset: one number per entry of the list, kept from step to step: the depth at which the pair began, or negative
+/// while it is not in contact. A pair that comes into contact by approaching begins at depth 0. One that is found deep
+/// inside another, because erosion exposed it or a normal turned, begins where it is found: the depth that it did not
+/// reach by approach stores no energy and gives no force. The offset never exceeds the depth, and so vanishes as the
+/// pair separates. stored: likewise, the half of the pair's spring energy that this entry stands for. dt: the step just
+/// made.
 template <class T>
 PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<ScalarOf<T>>& view,
                                                          const PenaltyConstants<ScalarOf<T>>& constants,
                                                          std::int32_t self, const std::int32_t* neighbour,
-                                                         std::int32_t count) {
+                                                         std::int32_t count, ScalarOf<T>* offset, ScalarOf<T>* stored,
+                                                         ScalarOf<T> dt) {
   using S = ScalarOf<T>;
   constexpr int W = width_of<T>;
   const S* own = view.centre + 4 * static_cast<std::int64_t>(self);
@@ -59,7 +68,9 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const Vec3<T> d = c1 - c2;
     const T reach = r1 + r2;
     const auto listed = lane_numbers<T>() < T(static_cast<S>(count - first));
-    if (!any_lane(listed && dot(d, d) < reach * reach)) continue;  // most packs end here
+    const T offset_before = load<T>(offset + first);
+    const auto continues = !(offset_before < T(0));
+    if (!any_lane((listed && dot(d, d) < reach * reach) || continues)) continue;  // most packs end here
 
     const S* own_velocity = view.velocity + 4 * static_cast<std::int64_t>(self);
     const S* own_outward = view.outward + 4 * static_cast<std::int64_t>(self);
@@ -76,7 +87,7 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const Vec3<T> n1 = unit_normal_towards(normal1, T(-1) * d);
     const Vec3<T> n2 = unit_normal_towards(normal2, d);
     const Penetration<T> p = penetration(d, reach, n1, n2);
-    const auto active = p.active && listed;
+    const auto active = p.active && listed && stiffness2 > T(0);
 
     const T p2 = T(S(0.5) * constants.beta) * (T(own_outward[3]) + stiffness2);  // (3.11)
     const T mass1(own_velocity[3]);
@@ -84,7 +95,12 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const T p1 = T(2 * constants.damping) * square_root(p2 * reduced_mass);
     const Vec3<T> v1{T(own_velocity[0]), T(own_velocity[1]), T(own_velocity[2])};
     const T rate = dot(v2 - v1, p.direction);                                    // (3.10)
-    const T elastic = p2 * p.depth;
+    // if (!continues) offset = depth not explained by the approach of the last step; else offset = min(offset, depth)
+    const T approach = maximum(T(0), rate) * T(dt);
+    const T offset_now = select(continues, minimum(offset_before, p.depth), maximum(T(0), p.depth - approach));
+    store(select(active, offset_now, T(-1)), offset + first);
+    const T depth = p.depth - offset_now;
+    const T elastic = p2 * depth;
     const T total = maximum(T(0), elastic + p1 * rate);                          // (3.8), no adhesion
     const T force = select(active, total, T(0));
 
@@ -92,8 +108,10 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     result.force.y += lane_sum(force * p.direction.y);
     result.force.z += lane_sum(force * p.direction.z);
     result.stiffness += lane_sum(select(active, p2, T(0)));
-    result.stored += lane_sum(select(active, T(S(0.25)) * elastic * p.depth, T(0)));
-    result.damped += lane_sum(select(active, T(S(0.5)) * (total - elastic) * rate, T(0)));
+    const T energy = select(active, number<T>(0.25) * elastic * depth, T(0));
+    store(energy, stored + first);
+    result.stored += lane_sum(energy);
+    result.damped += lane_sum(select(active, number<T>(0.5) * (total - elastic) * rate, T(0)));
     const S ratio = lane_maximum(select(active, p.depth / reach, T(0)));
     result.penetration_ratio = maximum(result.penetration_ratio, ratio);
     result.pairs += count_lanes(active);

@@ -103,7 +103,7 @@ template <class T>
 PINBALL_FUNCTION UniformGradient<T> uniform_gradient(const HexahedronModes<T>& x) {
   UniformGradient<T> b;
   const T whole = number<T>(1.0 / 64.0);   // the factors 1/8 of two coordinate modes
-  const T third = number<T>(1.0 / 192.0);  // and 1/3 of them
+  const T third = number<T>(1.0 / 192.0);  // a third of them
   PINBALL_UNROLL
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -23,19 +23,22 @@ PINBALL_FUNCTION void constrain_node(S* force, S* velocity, const S* normal) {
   }
 }
 
-/// Integrates one node record and clears its force for the next step; velocity_step is (dt_(n-1/2) + dt_(n+1/2))/2.
-/// Returns v_(n-1/2) . v_(n+1/2): with it the kinetic energy m/2 v_(n-1/2) . v_(n+1/2) belongs to time n, and its sum with
-/// the trapezoidal work of the forces is constant to round-off at a constant step.
+/// Integrates one node record and clears its force for the next step.
+/// velocity_step: (dt_(n-1/2) + dt_(n+1/2))/2; position_step: dt_(n+1/2); energy_step: dt_(n-1/2) [time].
+///
+/// Returns v_(n-1/2) . (v_(n-1/2) + dt_(n-1/2) a_n): half of it times the mass is the kinetic energy at time n whose sum
+/// with the trapezoidal work of the forces is constant to round-off at a constant step.
 template <class S>
-PINBALL_FUNCTION S integrate_node(S* position, S* velocity, S* force, S inverse_mass, S velocity_step, S position_step) {
-  const S factor = velocity_step * inverse_mass;
+PINBALL_FUNCTION S integrate_node(S* position, S* velocity, S* force, S inverse_mass, S velocity_step, S position_step,
+                                  S energy_step) {
+  const S factor = velocity_step * inverse_mass, energy_factor = energy_step * inverse_mass;
   S product[3];
   for (int c = 0; c < 3; ++c) {
     const S old = velocity[c];
     const S updated = old + factor * force[c];
     velocity[c] = updated;
     position[c] += position_step * updated;
-    product[c] = old * updated;
+    product[c] = old * (old + energy_factor * force[c]);
   }
   for (int c = 0; c < 4; ++c) force[c] = S(0);
   return product[0] + product[1] + product[2];

@@ -65,35 +65,38 @@ struct Penetration {
 };
 
 /// d = C1 - C2; reach = R1 + R2; n1, n2: unit normals of both (zero allowed).
-/// The test on c comes before the square root, and g = -c / (b + sqrt(b^2 - c)) avoids the cancellation of (3.6).
+///
+/// With b = n.d and c = d.d - reach^2 the depth is g = -b + sqrt(b^2 - c), (3.6), here as -c / (b + sqrt(b^2 - c)) without
+/// its cancellation; the test on c comes before the square root.
+///
+/// The normals decide the direction where they agree with the line of centres within 37 degrees; elsewhere, and where
+/// |n| < 0.2, the line of centres does. Aslant to it, g changes much with a sideways motion that a force along n does not
+/// feel, so that the pair creates or swallows energy (rod_plate: 1.3 % of the initial energy with the normals alone,
+/// 0.3 % with this rule); a force along the line of centres conserves energy and angular momentum.
 template <class T>
 PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, const Vec3<T>& n1, const Vec3<T>& n2) {
-  using S = ScalarOf<T>;
   const T d2 = dot(d, d);
   const T c = d2 - reach * reach;
   const auto overlaps = c < T(0);
 
   // Pairs whose normals look the same way belong to one surface, or to opposite faces of a thin body.
-  const auto opposed = !(dot(n1, n2) > T(S(0.3)));
+  const auto opposed = !(dot(n1, n2) > number<T>(0.3));
 
-  // n = (n2 - n1)/2; if (|n| < 0.2) n = line of centres
+  // if (|n| >= 0.2 and n.d >= 0.8 |n| |d|) direction = n = (n2 - n1)/2; else direction = d
   const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
-  const T mean2 = dot(mean, mean);
-  const auto use_mean = !(mean2 < T(S(0.04)));
+  const T mean2 = dot(mean, mean), along = dot(mean, d);
+  const auto use_mean =
+      mean2 >= number<T>(0.04) && along >= T(0) && along * along >= number<T>(0.64) * mean2 * d2;
   const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};
   const T length2 = select(use_mean, mean2, d2);
   const auto defined = length2 > T(0);  // false for coincident centres without normals: no direction, no force
   const T inverse = T(1) / square_root(select(defined, length2, T(1)));
   const Vec3<T> n = inverse * chosen;
 
-  const T b = dot(n, d);
+  const T b = dot(n, d);  // never negative
   const T root = square_root(maximum(T(0), b * b - c));
-  // if (b > 0) g = -c / (b + root); else g = root - b
-  const auto positive = b > T(0);
-  const T g = select(positive, (T(0) - c) / select(positive, b + root, T(1)), root - b);
-  // A pair whose centres have passed each other by more than half the reach is not pushed through.
-  const auto passed = b < T(S(-0.5)) * reach;
-  return {overlaps && opposed && defined && !passed, g, n};
+  const T g = (T(0) - c) / select(overlaps, b + root, T(1));
+  return {overlaps && opposed && defined, g, n};
 }
 
 }  // namespace pinball

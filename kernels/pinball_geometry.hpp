@@ -54,7 +54,8 @@ PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>
     if constexpr (update_radius) {
       const S v_abs = absolute(lane(volume, i));
       view.centre[p + 3] = S(0.62035049089940009) * static_cast<S>(::cbrt(v_abs));  // (3.2)
-      view.outward[p + 3] = view.bulk_modulus[pack * W + i] * view.centre[p + 3];
+      const S takes_part = view.outward[p + 3] > S(0) ? S(1) : S(0);
+      view.outward[p + 3] = takes_part * view.bulk_modulus[pack * W + i] * view.centre[p + 3];
     }
     view.velocity[p] = lane(v.x, i);
     view.velocity[p + 1] = lane(v.y, i);

@@ -146,7 +146,7 @@ PINBALL_FUNCTION T lane(const stdx::simd<T, Abi>& a, int i) {
 template <class T, int W>
 using Pack = typename PackType<T, W>::Type;
 
-/// A constant in every lane, rounded to the precision of T. (A pack of floats takes no double.)
+/// A constant in all lanes, rounded to the precision of T. (A pack of floats cannot be built from a double.)
 template <class T>
 PINBALL_FUNCTION T number(double value) {
   return T(static_cast<ScalarOf<T>>(value));

@@ -42,39 +42,41 @@ PINBALL_FUNCTION std::uint32_t hash_cell(std::uint64_t cell, int bits) {
 }
 
 /// Memory of the hash; arrays belong to the caller.
+template <class S>
 struct SpatialHashView {
   CellGrid grid;
   int bits;                     ///< 2^bits buckets
   std::int32_t* bucket_start;   ///< 2^bits + 1 entries
   std::uint64_t* entry_cell;    ///< per entry: packed cell
   std::int32_t* entry_point;    ///< per entry: number of the point
+  S* entry_record;              ///< per entry: the point's record of four, so that a bucket is read in one stream
 };
 
-/// Fills the hash with `count` points; coordinates of point i at point[stride * i + 0..2]; cells: scratch of `count`.
+/// Fills the hash with `count` points, whose records of four begin with their coordinates; cells: scratch of `count`.
 template <class S>
-void build_spatial_hash(const SpatialHashView& hash, const S* point, std::int64_t stride, std::int32_t count,
-                        std::uint64_t* cells) {
+void build_spatial_hash(const SpatialHashView<S>& hash, const S* records, std::int32_t count, std::uint64_t* cells) {
   const std::int64_t buckets = std::int64_t(1) << hash.bits;
   for (std::int64_t b = 0; b <= buckets; ++b) hash.bucket_start[b] = 0;
   for (std::int32_t i = 0; i < count; ++i) {  // count
-    const S* p = point + stride * i;
+    const S* p = records + 4 * static_cast<std::int64_t>(i);
     cells[i] = pack_cell(hash.grid.coordinate(p[0], 0), hash.grid.coordinate(p[1], 1), hash.grid.coordinate(p[2], 2));
     ++hash.bucket_start[hash_cell(cells[i], hash.bits) + 1];
   }
   for (std::int64_t b = 0; b < buckets; ++b) hash.bucket_start[b + 1] += hash.bucket_start[b];  // scan
   for (std::int32_t i = 0; i < count; ++i) {  // fill; moves each start to the end of its bucket
-    const std::int32_t place = hash.bucket_start[hash_cell(cells[i], hash.bits)]++;
+    const std::int64_t place = hash.bucket_start[hash_cell(cells[i], hash.bits)]++;
     hash.entry_cell[place] = cells[i];
     hash.entry_point[place] = i;
+    for (int k = 0; k < 4; ++k) hash.entry_record[4 * place + k] = records[4 * static_cast<std::int64_t>(i) + k];
   }
   for (std::int64_t b = buckets; b > 0; --b) hash.bucket_start[b] = hash.bucket_start[b - 1];  // starts again
   hash.bucket_start[0] = 0;
 }
 
-/// Calls visit(j) for every point j in the 27 cells around a position, each once; these hold all points within one cell
-/// size of it.
+/// Calls visit(j, record of j) for every point j in the 27 cells around a position, each once; these hold all points
+/// within one cell size of it.
 template <class S, class Visit>
-PINBALL_FUNCTION void for_each_near(const SpatialHashView& hash, const S* position, const Visit& visit) {
+PINBALL_FUNCTION void for_each_near(const SpatialHashView<S>& hash, const S* position, const Visit& visit) {
   const std::int32_t ci = hash.grid.coordinate(position[0], 0), cj = hash.grid.coordinate(position[1], 1),
                      ck = hash.grid.coordinate(position[2], 2);
   for (std::int32_t i = ci - 1; i <= ci + 1; ++i) {
@@ -82,8 +84,9 @@ PINBALL_FUNCTION void for_each_near(const SpatialHashView& hash, const S* positi
       for (std::int32_t k = ck - 1; k <= ck + 1; ++k) {
         const std::uint64_t cell = pack_cell(i, j, k);
         const std::uint32_t bucket = hash_cell(cell, hash.bits);
-        for (std::int32_t e = hash.bucket_start[bucket]; e < hash.bucket_start[bucket + 1]; ++e) {
-          if (hash.entry_cell[e] == cell) visit(hash.entry_point[e]);
+        const std::int64_t end = hash.bucket_start[bucket + 1];
+        for (std::int64_t e = hash.bucket_start[bucket]; e < end; ++e) {
+          if (hash.entry_cell[e] == cell) visit(hash.entry_point[e], hash.entry_record + 4 * e);
         }
       }
     }

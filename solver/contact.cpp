@@ -23,51 +23,93 @@ PinballContact<S>::PinballContact(const Model<S>& model)
     reference_centre_[static_cast<std::size_t>(model.slot_of_element[e])] = {
         static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
   }
+  for (const Part& part : model.parts) may_erode_ = may_erode_ || part.features.erosion;
   collect_pinballs(model);
 }
 
 template <class S>
 void PinballContact<S>::collect_pinballs(const Model<S>& model) {
   constexpr int W = ElementStore<S>::width;
+  is_pinball_.assign(static_cast<std::size_t>(surface_.slots()), 0);
   std::int32_t n = 0;
-  for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) n += surface_.exposed(slot) != 0;
+  const auto choose = [&](std::int64_t slot) {
+    std::uint8_t& chosen = is_pinball_[static_cast<std::size_t>(slot)];
+    n += chosen == 0;
+    chosen = 1;
+  };
+  for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
+    if (surface_.exposed(slot) == 0) continue;
+    choose(slot);
+    if (!may_erode_) continue;
+    for (int f = 0; f < 6; ++f) {
+      const std::int32_t behind = surface_.neighbour(slot, f);
+      if (behind >= 0 && surface_.alive(behind)) choose(behind);
+    }
+  }
   pinballs_ = PinballStore<S>(n, W);
   for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
     const auto t = static_cast<std::size_t>(tile);
     pinballs_.tile_first.push_back(static_cast<std::int32_t>(pinballs_.slot.size()));
     const Material& material = model.scene.materials[static_cast<std::size_t>(model.tile_part[t])];
     for (std::int64_t slot = model.tile_packs[t] * W; slot < model.tile_packs[t + 1] * W; ++slot) {
-      if (surface_.exposed(slot) == 0) continue;
+      if (is_pinball_[static_cast<std::size_t>(slot)] == 0) continue;
       const auto p = pinballs_.slot.size();
       const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(slot)]);
       pinballs_.slot.push_back(static_cast<std::int32_t>(slot));
       pinballs_.body.push_back(model.mesh.body[e]);
       const double volume = model.element_mass[e] / material.density;
-      const double radius = std::cbrt(volume * 3.0 / (4.0 * M_PI));  // (3.2)
       pinballs_.bulk_modulus[p] = static_cast<S>(material.bulk_modulus);
-      pinballs_.centre[4 * p + 3] = static_cast<S>(radius);
+      pinballs_.centre[4 * p + 3] = static_cast<S>(std::cbrt(volume * 3.0 / (4.0 * M_PI)));  // (3.2)
       pinballs_.velocity[4 * p + 3] = static_cast<S>(model.element_mass[e]);
-      pinballs_.outward[4 * p + 3] = static_cast<S>(material.bulk_modulus * radius);
+      for (int i = 0; i < 8; ++i) {
+        pinballs_.corners[p][static_cast<std::size_t>(i)] = model.elements.corner[ElementStore<S>::at(slot, i, 8)];
+      }
     }
   }
   pinballs_.tile_first.push_back(n);
   const std::int32_t padded = (n + W - 1) / W * W;
-  for (std::int32_t p = 0; p < padded; ++p) {
-    const std::int64_t slot = pinballs_.slot[static_cast<std::size_t>(std::min(p, n - 1))];  // padding repeats the last
-    for (int i = 0; i < 8; ++i) {
-      pinballs_.corner[ElementStore<S>::at(p, i, 8)] = model.elements.corner[ElementStore<S>::at(slot, i, 8)];
-    }
-    for (int f = 0; f < 6; ++f) {
-      pinballs_.exposed[ElementStore<S>::at(p, f, 6)] = (surface_.exposed(slot) >> f & 1) != 0 ? S(1) : S(0);
-    }
+  for (std::int32_t p = 0; p < padded; ++p) {  // padding repeats the corners of the last pinball
+    const std::array<std::int32_t, 8>& corners = pinballs_.corners[static_cast<std::size_t>(std::min(p, n - 1))];
+    for (int i = 0; i < 8; ++i) pinballs_.corner[ElementStore<S>::at(p, i, 8)] = corners[static_cast<std::size_t>(i)];
   }
+  update_exposure();
+  surface_changed_ = false;
   list_.invalidate();
 }
 
 template <class S>
+void PinballContact<S>::update_exposure() {
+  active_ = 0;
+  for (std::int32_t p = 0; p < pinballs_.count; ++p) {
+    const auto i = static_cast<std::size_t>(p);
+    const std::uint8_t exposed = surface_.exposed(pinballs_.slot[i]);
+    for (int f = 0; f < 6; ++f) {
+      pinballs_.exposed[ElementStore<S>::at(p, f, 6)] = (exposed >> f & 1) != 0 ? S(1) : S(0);
+    }
+    pinballs_.outward[4 * i + 3] = exposed != 0 ? pinballs_.bulk_modulus[i] * pinballs_.centre[4 * i + 3] : S(0);
+    active_ += exposed != 0;
+  }
+}
+
+template <class S>
 void PinballContact<S>::update_pinballs(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
+  lost_energy_ = 0;
+  if (surface_.remove_eroded(model, tiles)) {
+    update_exposure();
+    lost_energy_ = list_.end_pairs_of_inactive(pinballs_);
+    bool missing = false;
+    for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
+      missing = missing || (surface_.exposed(slot) != 0 && is_pinball_[static_cast<std::size_t>(slot)] == 0);
+    }
+    surface_changed_ = true;
+    if (missing) collect_pinballs(model);
+  }
+  update_geometry(model);
+}
+
+template <class S>
+void PinballContact<S>::update_geometry(const Model<S>& model) {
   using T = Pack<S, native_width<S>>;
-  if (surface_.remove_eroded(model, tiles)) collect_pinballs(model);
   const PinballGeometryView<S> view = pinballs_.geometry();
   const S* position = model.nodes.position.data();
   const S* velocity = model.nodes.velocity.data();
@@ -88,6 +130,10 @@ void PinballContact<S>::search(const Model<S>& model) {
     return;
   }
   ++searches_;
+  if (surface_changed_) {  // a good moment to take in the elements behind the new surface
+    collect_pinballs(model);
+    update_geometry(model);
+  }
   S largest = 0;
   for (std::int32_t p = 0; p < pinballs_.count; ++p) {
     largest = std::max(largest, pinballs_.centre[4 * static_cast<std::size_t>(p) + 3]);
@@ -97,7 +143,7 @@ void PinballContact<S>::search(const Model<S>& model) {
 }
 
 template <class S>
-ContactResult PinballContact<S>::forces() {
+ContactResult PinballContact<S>::forces(S dt) {
   using T = Pack<S, native_width<S>>;
   const PinballView<S> view = pinballs_.view();
   S* force = pinballs_.force.data();
@@ -111,7 +157,9 @@ ContactResult PinballContact<S>::forces() {
       [&](std::int64_t begin, std::int64_t end, Sums& partial) {
         for (std::int64_t i = begin; i < end; ++i) {
           const auto p = static_cast<std::int32_t>(i);
-          const PinballForce<S> f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p));
+          PinballForce<S> f;
+          if (view.outward[4 * i + 3] > S(0)) f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p), list_.offsets(p),
+                                                     list_.stored(p), dt);
           force[4 * i] = f.force.x;
           force[4 * i + 1] = f.force.y;
           force[4 * i + 2] = f.force.z;
@@ -130,6 +178,7 @@ ContactResult PinballContact<S>::forces() {
       });
   ContactResult result;
   result.stored = sums.stored;
+  result.eroded = lost_energy_;
   result.damped_power = sums.damped;
   result.penetration_ratio = static_cast<double>(sums.ratio);
   result.pairs = sums.pairs / 2;

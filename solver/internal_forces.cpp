@@ -63,7 +63,6 @@ template <class S>
 Kernel<S> choose_kernel(const ElementFeatures& f) {
   if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
   if (f.plastic) return choose_viscosity<S, true, false>(f);
-  if (f.erosion) return choose_viscosity<S, false, true>(f);
   return choose_viscosity<S, false, false>(f);
 }
 

@@ -30,7 +30,7 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   ElementConstants<S> c{};
   c.material.lambda = static_cast<S>(lambda);
   c.material.mu = static_cast<S>(material.shear_modulus);
-  c.material.yield_stress = static_cast<S>(material.yield_stress);
+  c.material.yield_stress = static_cast<S>(material.plastic ? material.yield_stress : infinite);
   c.material.plastic_modulus = static_cast<S>(material.plastic_modulus);
   c.material.ultimate_stress = static_cast<S>(material.ultimate_stress > 0 ? material.ultimate_stress : infinite);
   c.material.erosion_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
@@ -49,8 +49,8 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
 
 ElementFeatures features_of(const Scene& scene, const Material& material, bool erode_negative_volume) {
   ElementFeatures f{};
-  f.plastic = material.plastic;
   f.erosion = erode_negative_volume || (material.plastic && material.erosion_strain > 0);
+  f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
   f.bulk_viscosity = scene.element.bulk_viscosity;
   f.hourglass = scene.element.hourglass == HourglassControl::stiffness ? HourglassKind::stiffness
                 : scene.element.hourglass == HourglassControl::viscous ? HourglassKind::viscous
@@ -213,11 +213,7 @@ Model<S> build_model(const Scene& scene) {
   const auto node_count = static_cast<std::int32_t>(model.mesh.nodes.size());
   model.tile_colours = colour_tiles(tile_elements, ordered, node_count);
 
-  const std::vector<std::int32_t> touch_order = first_touch_node_order(ordered, node_count);
-  model.node_of_scene_node.resize(model.mesh.nodes.size());
-  for (std::size_t i = 0; i < touch_order.size(); ++i) {
-    model.node_of_scene_node[static_cast<std::size_t>(touch_order[i])] = static_cast<std::int32_t>(i);
-  }
+  model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
 
   // Stores
   model.nodes = NodeStore<S>(node_count);

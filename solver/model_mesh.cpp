@@ -1,20 +1,18 @@
 #include <fmt/core.h>
 
-#include <pinball/kernels/hexahedron.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/mesh_generators.hpp>
+#include <pinball/solver/mesh_quality.hpp>
 #include <pinball/solver/model.hpp>
 
 namespace pinball {
 
 double element_volume(const ModelMesh& mesh, std::size_t element) {
-  Vec3<double> corner[8];
+  std::array<Point, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) {
-    const Point& p = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][i])];
-    corner[i] = {p[0], p[1], p[2]};
+    corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][i])];
   }
-  const HexahedronModes<double> x = to_modes(corner);
-  return hexahedron_volume(uniform_gradient(x), x);
+  return hexahedron_volume(corners);
 }
 
 ModelMesh build_mesh(const Scene& scene) {

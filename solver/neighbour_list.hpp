@@ -10,7 +10,8 @@
 namespace pinball {
 
 /// For each pinball the pinballs that it may touch before something has moved by half the skin. Every pair stands in both
-/// lists; lists are padded to whole packs with the pinball itself.
+/// lists; lists are padded to whole packs with the pinball itself. Per entry it keeps what a pair in contact remembers
+/// (contact_force.hpp); this survives a rebuild.
 template <class S>
 class NeighbourList {
  public:
@@ -20,7 +21,7 @@ class NeighbourList {
     const std::vector<std::array<float, 3>>* reference_centre = nullptr;  ///< per slot, of the undeformed mesh [length]
   };
 
-  /// Builds the list from nothing: spatial hash, then count, scan, fill.
+  /// Builds the list from nothing: spatial hash, then candidates in fixed pieces, then one list in order.
   void build(const PinballStore<S>& pinballs, S skin, const SameBody& same_body);
 
   /// True while no pinball has moved by more than half the skin since the list was built.
@@ -31,11 +32,23 @@ class NeighbourList {
     return neighbour_.data() + start_[static_cast<std::size_t>(pinball)];
   }
   std::int32_t count(std::int32_t pinball) const { return count_[static_cast<std::size_t>(pinball)]; }
+  /// Depths at which the pairs of a pinball began, negative for pairs that are not in contact.
+  S* offsets(std::int32_t pinball) { return offset_.data() + start_[static_cast<std::size_t>(pinball)]; }
+  /// Spring energy of the pairs of a pinball, half of each pair [energy].
+  S* stored(std::int32_t pinball) { return stored_.data() + start_[static_cast<std::size_t>(pinball)]; }
+  /// Ends all pairs of which a pinball takes no part any more (B R = 0); returns their spring energy [energy].
+  double end_pairs_of_inactive(const PinballStore<S>& pinballs);
   std::int64_t pairs() const { return pairs_; }   ///< listed, each counted once
   std::size_t bytes() const;
 
  private:
-  bool may_touch(const PinballStore<S>& pinballs, std::int32_t i, std::int32_t j, const SameBody& same_body) const;
+  /// A pair in contact, by the slots of its elements: what a rebuild carries over.
+  struct Memory {
+    std::int32_t slot, other;
+    S offset, stored;
+  };
+  std::vector<Memory> remember() const;
+  void recall(const std::vector<Memory>& memory);
 
   bool valid_ = false;
   S skin_ = 0;
@@ -43,9 +56,12 @@ class NeighbourList {
   std::vector<std::int64_t> start_;
   std::vector<std::int32_t> count_;
   std::vector<std::int32_t> neighbour_;
+  AlignedArray<S> offset_, stored_;             ///< per entry of neighbour_
+  std::vector<std::int32_t> slot_;              ///< of each pinball when the list was built
   std::vector<S> built_at_;                     ///< centres when the list was built, records of four
   std::vector<std::int32_t> bucket_start_, entry_point_;
   std::vector<std::uint64_t> entry_cell_, cell_;
+  std::vector<S> entry_record_;
 };
 
 }  // namespace pinball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,8 +10,9 @@
 
 namespace pinball {
 
-/// Pinballs of the surface elements (PinballGeometryView, PinballView), in the order of their slots, so that the pinballs
-/// of a tile of elements are consecutive. Rebuilt when the surface changes.
+/// Pinballs of the surface elements and of the layer behind them (PinballGeometryView, PinballView), in the order of
+/// their slots, so that the pinballs of a tile of elements are consecutive. Those behind the surface wait with B R = 0
+/// until erosion exposes them, so that lists and numbers last over many erosions.
 template <class S>
 struct PinballStore {
   std::int32_t count = 0;
@@ -22,6 +24,7 @@ struct PinballStore {
   AlignedArray<S> outward;             ///< records: outward normal, B R
   AlignedArray<S> two_sided;           ///< records: two-sided normal, unused
   AlignedArray<S> force;               ///< records: F, sum of p2
+  std::vector<std::array<std::int32_t, 8>> corners;   ///< node numbers, per pinball, for the search
   std::vector<std::int32_t> slot;      ///< of the element
   std::vector<std::int32_t> body;
   std::vector<std::int32_t> tile_first;   ///< first pinball of each tile of elements; tiles + 1 entries
@@ -39,6 +42,7 @@ struct PinballStore {
     force = AlignedArray<S>(4 * padded);
     slot.reserve(padded);
     body.reserve(padded);
+    corners.resize(static_cast<std::size_t>(n));
   }
 
   PinballView<S> view() const { return {centre.data(), velocity.data(), outward.data(), two_sided.data()}; }
@@ -48,7 +52,7 @@ struct PinballStore {
   }
   std::size_t bytes() const {
     return corner.bytes() + exposed.bytes() + bulk_modulus.bytes() + centre.bytes() + velocity.bytes() +
-           outward.bytes() + two_sided.bytes() + force.bytes() + (slot.capacity() + body.capacity()) * 4;
+           outward.bytes() + two_sided.bytes() + force.bytes() + (slot.capacity() + body.capacity() + 8 * corners.capacity()) * 4;
   }
 };
 

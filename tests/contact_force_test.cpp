@@ -42,40 +42,49 @@ std::vector<Ball> random_balls(Random& random, int count) {
     if (i % 4 == 3) b.outward = random_direction(random), b.two_sided = random_direction(random);
     b.radius = uniform(random, 0.3, 0.8);
     b.mass = uniform(random, 1, 3);
-    b.stiffness = uniform(random, 5, 20);
+    b.stiffness = i % 7 == 6 ? 0 : uniform(random, 5, 20);  // some take no part
     balls.push_back(b);
   }
   return balls;
 }
 
-/// Independent scalar implementation of equations (3.4) to (3.11), with branches and the quadratic formula.
+/// Independent scalar implementation of equations (3.4) to (3.11), with branches, angles and the quadratic formula.
 struct Expected {
   V force{0, 0, 0};
   double stiffness = 0, stored = 0, damped = 0, ratio = 0;
   int pairs = 0;
 
-  void add(const Ball& a, const Ball& b, double beta, double damping) {
+  /// offset: of this entry of the list, before and (returned) after. energy: what the entry stores.
+  double add(const Ball& a, const Ball& b, double beta, double damping, double dt, double offset, double& energy) {
+    energy = 0;
     const V d = a.centre - b.centre;
     const double reach = a.radius + b.radius;
-    if (dot(d, d) >= reach * reach) return;
+    if (norm(d) >= reach || b.stiffness == 0) return -1;
     const V n1 = normal(a, -1.0 * d), n2 = normal(b, d);
-    if (dot(n1, n2) > 0.3) return;
+    if (dot(n1, n2) > 0.3) return -1;
     V n = 0.5 * (n2 - n1);
-    if (norm(n) < 0.2) n = d;
+    if (norm(n) < 0.2 || dot(n, d) < 0.8 * norm(n) * norm(d)) n = d;
     n = (1 / norm(n)) * n;
-    if (dot(n, d) < -0.5 * reach) return;
-    const double g = -dot(n, d) + std::sqrt(dot(n, d) * dot(n, d) + reach * reach - dot(d, d));
+    const double full = -dot(n, d) + std::sqrt(dot(n, d) * dot(n, d) + reach * reach - dot(d, d));
     const double p2 = beta / 2 * (a.stiffness + b.stiffness);
     const double p1 = 2 * damping * std::sqrt(p2 / (1 / a.mass + 1 / b.mass));
     const double rate = dot(b.velocity - a.velocity, n);
+    if (offset >= 0) {
+      offset = std::min(offset, full);
+    } else {
+      offset = rate > 0 ? std::max(0.0, full - rate * dt) : full;
+    }
+    const double g = full - offset;
     double f = p2 * g + p1 * rate;
     if (f < 0) f = 0;
     force = force + f * n;
     stiffness += p2;
-    stored += p2 * g * g / 4;
+    energy = p2 * g * g / 4;
+    stored += energy;
     damped += (f - p2 * g) * rate / 2;
-    ratio = std::max(ratio, g / reach);
+    ratio = std::max(ratio, full / reach);
     ++pairs;
+    return offset;
   }
   static V normal(const Ball& b, const V& towards) {
     const V n = b.outward + (dot(b.two_sided, towards) < 0 ? -1.0 : 1.0) * b.two_sided;
@@ -94,24 +103,35 @@ TYPED_TEST(ContactForce, EqualsTheFormulasForAnyCountWithGarbageInThePadding) {
   Random random(101);
   const std::vector<Ball> balls = random_balls(random, 120);
   const Records<S> records(balls);
-  const double beta = 0.8, damping = 0.2;
+  const double beta = 0.8, damping = 0.2, dt = 0.3;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   int pairs = 0;
   for (std::int32_t self = 0; self < 40; ++self) {
     for (const int count : {0, 1, W - 1, W, W + 1, 3 * W, 3 * W + 1}) {
       std::vector<std::int32_t> neighbour;
+      AlignedVector<S> offset, stored;
+      std::vector<double> expected_offset, expected_energy;
       Expected expected;
       while (int(neighbour.size()) < count) {
         const auto other = static_cast<std::int32_t>(random() % balls.size());
         if (other == self) continue;
         neighbour.push_back(other);
-        expected.add(balls[std::size_t(self)], balls[std::size_t(other)], beta, damping);
+        const std::size_t kind = random() % 3;  // new, in contact from the start, begun deep inside
+        const bool was_active = kind != 0;
+        offset.push_back(S(kind == 0 ? -1 : kind == 1 ? 0 : uniform(random, 0, 0.5)));
+        stored.push_back(was_active ? S(1) : S(0));
+        double energy = 0;
+        expected_offset.push_back(expected.add(balls[std::size_t(self)], balls[std::size_t(other)], beta, damping, dt,
+                                               double(offset.back()), energy));
+        expected_energy.push_back(energy);
       }
       // Padding: itself and others that overlap it.
       while (neighbour.size() % W != 0 || neighbour.empty()) {
         neighbour.push_back(neighbour.size() % 2 == 0 ? self : std::int32_t(random() % balls.size()));
+        offset.push_back(S(nan)), stored.push_back(S(nan));
       }
-      const PinballForce<S> found =
-          pinball_force<T>(records.view(), {S(beta), S(damping)}, self, neighbour.data(), count);
+      const PinballForce<S> found = pinball_force<T>(records.view(), {S(beta), S(damping)}, self, neighbour.data(),
+                                                     count, offset.data(), stored.data(), S(dt));
       const double scale = 10 * epsilon<S> * (10 + 20 * expected.pairs) * 4;
       EXPECT_EQ(found.pairs, expected.pairs);
       EXPECT_VECTOR_NEAR(found.force, expected.force, scale);
@@ -119,6 +139,10 @@ TYPED_TEST(ContactForce, EqualsTheFormulasForAnyCountWithGarbageInThePadding) {
       EXPECT_NEAR(found.stored, expected.stored, scale);
       EXPECT_NEAR(found.damped, expected.damped, scale);
       EXPECT_NEAR(found.penetration_ratio, expected.ratio, 16 * epsilon<S>);
+      for (std::size_t i = 0; i < std::size_t(count); ++i) {
+        EXPECT_NEAR(offset[i], expected_offset[i], 32 * epsilon<S>);
+        EXPECT_NEAR(stored[i], expected_energy[i], scale);
+      }
       pairs += expected.pairs;
     }
   }
@@ -132,13 +156,18 @@ TYPED_TEST(ContactForce, OfAPairIsEqualAndOppositeToTheBit) {
   int active = 0;
   for (int trial = 0; trial < 500; ++trial) {
     std::vector<Ball> balls = random_balls(random, 2 + trial % 4);
-    balls[1].centre = balls[0].centre + random_vector(random, 0.6);
+    balls.back().centre = balls[0].centre + random_vector(random, 0.6);
     const Records<S> records(balls);
     const auto second = static_cast<std::int32_t>(balls.size() - 1);
     const std::vector<std::int32_t> to_second(width_of<T>, second), to_first(width_of<T>, 0);
     const PenaltyConstants<S> constants{S(1), S(0.3)};
-    const PinballForce<S> a = pinball_force<T>(records.view(), constants, 0, to_second.data(), 1);
-    const PinballForce<S> b = pinball_force<T>(records.view(), constants, second, to_first.data(), 1);
+    AlignedVector<S> offset_a(width_of<T>, S(-1)), offset_b = offset_a, stored_a = offset_a, stored_b = offset_a;
+    const PinballForce<S> a =
+        pinball_force<T>(records.view(), constants, 0, to_second.data(), 1, offset_a.data(), stored_a.data(), S(0.5));
+    const PinballForce<S> b = pinball_force<T>(records.view(), constants, second, to_first.data(), 1, offset_b.data(),
+                                               stored_b.data(), S(0.5));
+    ASSERT_EQ(offset_a[0], offset_b[0]);
+    ASSERT_EQ(stored_a[0], stored_b[0]);
     ASSERT_EQ(a.force.x, -b.force.x);
     ASSERT_EQ(a.force.y, -b.force.y);
     ASSERT_EQ(a.force.z, -b.force.z);
@@ -158,10 +187,16 @@ Ball ball(double z, double velocity) {
   b.radius = 0.6, b.mass = 2, b.stiffness = 10;
   return b;
 }
-PinballForce<double> upper_force(double gap_velocity, double damping) {
-  const Records<double> records({ball(0, 0), ball(1, gap_velocity)});
+/// offset: 0 for a pair in contact from the beginning, -1 for a new one; returned changed.
+PinballForce<double> upper_force(double velocity, double damping, double& offset, double dt = 0.1) {
+  const Records<double> records({ball(0, 0), ball(1, velocity)});
   const std::int32_t neighbour[1] = {0};
-  return pinball_force<double>(records.view(), {1, damping}, 1, neighbour, 1);
+  double stored = 0;
+  return pinball_force<double>(records.view(), {1, damping}, 1, neighbour, 1, &offset, &stored, dt);
+}
+PinballForce<double> upper_force(double velocity, double damping) {
+  double offset = 0;
+  return upper_force(velocity, damping, offset);
 }
 
 TEST(ContactForceOfTwo, IsPenaltyTimesPenetration) {
@@ -182,6 +217,31 @@ TEST(ContactForceOfTwo, IsDampedOnTheWayInAndNeverAdheres) {
   EXPECT_EQ(fast.force.z, 0);                   // would pull
   EXPECT_NEAR(2 * fast.damped, 2 * 10, 1e-13);  // gives up only the elastic force
   EXPECT_GT(fast.damped, 0);
+}
+
+TEST(ContactForceOfTwo, BeginsWhereThePairIsFound) {
+  double offset = -1;  // found at depth 0.2 at rest: no force
+  EXPECT_NEAR(norm(upper_force(0, 0, offset).force), 0, 1e-14);
+  EXPECT_NEAR(offset, 0.2, 1e-15);
+  offset = -1;  // approached by 0.05 in the last step: that much counts
+  EXPECT_NEAR(upper_force(-0.5, 0, offset).force.z, 10 * 0.05, 1e-14);
+  EXPECT_NEAR(offset, 0.15, 1e-15);
+  offset = -1;  // approached by more than the depth: all of it counts
+  EXPECT_NEAR(upper_force(-5, 0, offset).force.z, 10 * 0.2, 1e-14);
+  EXPECT_EQ(offset, 0);
+  offset = 0.5;  // separated since: the offset follows the depth
+  EXPECT_NEAR(norm(upper_force(0, 0, offset).force), 0, 1e-14);
+  EXPECT_NEAR(offset, 0.2, 1e-15);
+}
+
+TEST(ContactForceOfTwo, ForgetsAPairThatParts) {
+  const Records<double> apart({ball(0, 0), ball(1.3, 0)});
+  const std::int32_t neighbour[1] = {0};
+  double offset = 0.1, stored = 3;
+  const PinballForce<double> f = pinball_force<double>(apart.view(), {1, 0}, 1, neighbour, 1, &offset, &stored, 0.1);
+  EXPECT_EQ(f.pairs, 0);
+  EXPECT_LT(offset, 0);
+  EXPECT_EQ(stored, 0);
 }
 
 }  // namespace

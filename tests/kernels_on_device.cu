@@ -23,26 +23,27 @@ __global__ void update_pinballs(PinballGeometryView<S> view, const S* position, 
 
 template <class S>
 __global__ void contact_forces(PinballView<S> view, PenaltyConstants<S> constants, const std::int32_t* neighbour,
-                               std::int32_t count, PinballForce<S>* force) {
+                               std::int32_t count, S* offset, S* stored, S dt, PinballForce<S>* force) {
   const std::int32_t self = blockIdx.x * blockDim.x + threadIdx.x;
-  force[self] = pinball_force<S>(view, constants, self, neighbour, count);
+  force[self] = pinball_force<S>(view, constants, self, neighbour, count, offset, stored, dt);
 }
 
 template <class S>
 __global__ void integrate_nodes(S* position, S* velocity, S* force, const S* inverse_mass, const S* normal, S dt) {
   const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   constrain_node(force + 4 * node, velocity + 4 * node, normal);
-  integrate_node(position + 4 * node, velocity + 4 * node, force + 4 * node, inverse_mass[node], dt, dt);
+  integrate_node(position + 4 * node, velocity + 4 * node, force + 4 * node, inverse_mass[node], dt, dt, dt);
 }
 
+template <class S>
 struct CountVisits {
   std::int32_t* visits;
-  PINBALL_FUNCTION void operator()(std::int32_t) const { ++*visits; }
+  PINBALL_FUNCTION void operator()(std::int32_t, const S*) const { ++*visits; }
 };
 template <class S>
-__global__ void count_neighbours(SpatialHashView hash, const S* position, std::int32_t* visits) {
+__global__ void count_neighbours(SpatialHashView<S> hash, const S* position, std::int32_t* visits) {
   const std::int64_t point = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  for_each_near(hash, position + 4 * point, CountVisits{visits + point});
+  for_each_near(hash, position + 4 * point, CountVisits<S>{visits + point});
 }
 
 template <class S>
@@ -50,7 +51,7 @@ void instantiate() {
   update_elements<S, true><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_elements<S, false><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
-  contact_forces<S><<<1, 32>>>({}, {}, nullptr, 0, nullptr);
+  contact_forces<S><<<1, 32>>>({}, {}, nullptr, 0, nullptr, nullptr, S(0), nullptr);
   integrate_nodes<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, S(0));
   count_neighbours<S><<<1, 32>>>({}, nullptr, nullptr);
 }

@@ -11,24 +11,27 @@ namespace {
 using namespace support;
 
 /// A hash with its memory.
+template <class S>
 struct Hash {
   std::vector<std::int32_t> bucket_start, entry_point;
   std::vector<std::uint64_t> entry_cell, cells;
-  SpatialHashView view;
+  std::vector<S> entry_record;
+  SpatialHashView<S> view;
 
-  template <class S>
-  Hash(const std::vector<S>& points, std::int64_t stride, double size, int bits, const double (&origin)[3]) {
-    const std::size_t count = points.size() / std::size_t(stride);
+  Hash(const std::vector<S>& records, double size, int bits, const double (&origin)[3]) {
+    const std::size_t count = records.size() / 4;
     bucket_start.assign((std::size_t(1) << bits) + 1, -1);
     entry_point.assign(count, -1);
     entry_cell.assign(count, 0);
     cells.assign(count, 0);
+    entry_record.assign(4 * count, S(0));
     view = {{{origin[0], origin[1], origin[2]}, 1 / size},
             bits,
             bucket_start.data(),
             entry_cell.data(),
-            entry_point.data()};
-    build_spatial_hash(view, points.data(), stride, std::int32_t(count), cells.data());
+            entry_point.data(),
+            entry_record.data()};
+    build_spatial_hash(view, records.data(), std::int32_t(count), cells.data());
   }
 };
 
@@ -85,13 +88,16 @@ TEST_P(SpatialHash, FindsEveryNeighbourOnce) {
     constexpr int count = 200, stride = 4;
     for (int i = 0; i < count; ++i) {
       const Vec3<double> p = configuration.point(random, i);
-      points.insert(points.end(), {p.x, p.y, p.z, 1e30});
+      points.insert(points.end(), {p.x, p.y, p.z, double(i)});
     }
     const double size = 1.0;
-    const Hash hash(points, stride, size, bits, origin);
+    const Hash<double> hash(points, size, bits, origin);
     for (int i = 0; i < count; ++i) {
       std::vector<int> visits(count, 0);
-      for_each_near(hash.view, points.data() + stride * i, [&](std::int32_t j) { ++visits[std::size_t(j)]; });
+      for_each_near(hash.view, points.data() + stride * i, [&](std::int32_t j, const double* record) {
+        ++visits[std::size_t(j)];
+        for (int c = 0; c < 4; ++c) ASSERT_EQ(record[c], points[std::size_t(stride * j + c)]);
+      });
       for (int j = 0; j < count; ++j) {
         const double* p = points.data() + stride * i;
         const double* q = points.data() + stride * j;
@@ -112,10 +118,10 @@ TEST_P(SpatialHash, FindsEveryNeighbourOnce) {
 TEST_P(SpatialHash, HoldsEveryPointOnceInBucketsInTheOrderOfThePoints) {
   const int bits = GetParam();
   Random random(72);
-  std::vector<float> points;  // single precision, stride 3
-  for (int i = 0; i < 3 * 500; ++i) points.push_back(float(uniform(random, -3, 3)));
+  std::vector<float> points;  // single precision
+  for (int i = 0; i < 4 * 500; ++i) points.push_back(float(uniform(random, -3, 3)));
   const double origin[3] = {0, 0, 0};
-  const Hash hash(points, 3, 0.7, bits, origin);
+  const Hash<float> hash(points, 0.7, bits, origin);
   const std::size_t buckets = std::size_t(1) << bits;
   EXPECT_EQ(hash.bucket_start[0], 0);
   EXPECT_EQ(hash.bucket_start[buckets], 500);

@@ -1,0 +1,85 @@
+"""Reads the field output of Pinball: NAME.pvd and its .vtu files (appended raw data, UInt64 headers, hexahedra).
+
+Not a general VTU reader: it takes what solver/field_output.cpp writes.
+"""
+
+import os
+import re
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+class BadInput(Exception):
+    """A file or folder that cannot be used as it is; the message is one line for the user."""
+
+
+TYPES = {"Float32": "<f4", "Float64": "<f8", "UInt8": "u1", "Int32": "<i4", "Int64": "<i8"}
+
+
+@dataclass
+class Mesh:
+    """One output time. n nodes, m elements."""
+
+    points: np.ndarray  # (n, 3) [length]
+    hexahedra: np.ndarray  # (m, 8) node indices
+    point_data: dict = field(default_factory=dict)  # name: (n,) or (n, components)
+    cell_data: dict = field(default_factory=dict)  # name: (m,) or (m, components)
+    components: dict = field(default_factory=dict)  # name: names of its components, where the file gives them
+    units: dict = field(default_factory=dict)  # quantity ("length", "stress", ...): unit
+
+
+def read_units(text):
+    """{quantity: unit} from a line "units: in-lbf-s; time [s]; length [in]; ..." somewhere in text."""
+    line = re.search(r"units: [^\n]*", text)
+    return dict(re.findall(r"; (\w+) \[([^\]]*)\]", line.group())) if line else {}
+
+
+def read_pvd(path):
+    """[(time, path of the .vtu file), ...] in the order of the list. Raises BadInput."""
+    try:
+        root = ElementTree.parse(path).getroot()
+    except (OSError, ElementTree.ParseError) as error:
+        raise BadInput(f"{path}: cannot be read: {error}")
+    folder = os.path.dirname(path)
+    return [(float(entry.get("timestep")), os.path.join(folder, entry.get("file"))) for entry in root.iter("DataSet")]
+
+
+def read_vtu(path):
+    """The Mesh in one .vtu file. Raises BadInput where the file is missing, cut short or of another kind."""
+    try:
+        with open(path, "rb") as file:
+            content = file.read()
+    except OSError as error:
+        raise BadInput(f"{path}: cannot be read: {error.strerror}")
+    mark = b'<AppendedData encoding="raw">'
+    at = content.find(mark)
+    start = content.find(b"_", at + len(mark)) + 1
+    if at < 0 or start == 0:
+        raise BadInput(f"{path}: not a .vtu file with appended raw data")
+    try:
+        head = content[:at].decode()
+        piece = ElementTree.fromstring(head + "</VTKFile>").find("UnstructuredGrid/Piece")
+        mesh = Mesh(None, None, units=read_units(head))
+
+        def read_array(tag):
+            begin = start + int(tag.get("offset"))
+            length = int(np.frombuffer(content, "<u8", 1, begin)[0])
+            dtype = np.dtype(TYPES[tag.get("type")])
+            values = np.frombuffer(content, dtype, length // dtype.itemsize, begin + 8)
+            components = int(tag.get("NumberOfComponents", 1))
+            return values.reshape(-1, components) if components > 1 else values
+
+        for kind, data in (("PointData", mesh.point_data), ("CellData", mesh.cell_data)):
+            for tag in piece.find(kind):
+                name = tag.get("Name")
+                data[name] = read_array(tag)
+                count = int(tag.get("NumberOfComponents", 1))
+                mesh.components[name] = [tag.get(f"ComponentName{c}", "xyz"[c : c + 1]) for c in range(count)]
+        mesh.points = read_array(piece.find("Points/DataArray"))
+        cells = {tag.get("Name"): tag for tag in piece.find("Cells")}
+        mesh.hexahedra = read_array(cells["connectivity"]).reshape(-1, 8)
+    except (AttributeError, KeyError, TypeError, ValueError, ElementTree.ParseError) as error:
+        raise BadInput(f"{path}: not a file of Pinball's field output, or cut short ({error})")
+    return mesh

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace pinball {
+
+/// Tiles by colour: those of colour c are items[colour_offsets[c]] ... items[colour_offsets[c + 1] - 1], ascending.
+struct Colouring {
+  std::vector<std::int32_t> colour_offsets;  ///< [colours + 1], first 0, last the number of tiles
+  std::vector<std::int32_t> items;           ///< [tiles]
+};
+
+/// Colours tiles of consecutive elements so that no two tiles of one colour share a node; such tiles may add to their
+/// nodes at the same time.
+///
+/// tile_offsets_in_elements: [tiles + 1], ascending from 0 to the number of elements; tile t has the elements
+/// tile_offsets_in_elements[t] ... tile_offsets_in_elements[t + 1] - 1. Greedy: the first colour free at all nodes of
+/// the tile, in the order of the tiles; then tiles leave crowded colours for emptier ones. The same input gives the
+/// same colours. Time is linear in elements (times colours / 64), memory 8 bytes per node for each 64 colours.
+/// Throws InputError if the offsets do not fit the elements or an element names a node outside 0 ... node_count - 1.
+Colouring colour_tiles(const std::vector<std::int32_t>& tile_offsets_in_elements,
+                       const std::vector<std::array<std::int32_t, 8>>& hexahedra, std::int32_t node_count);
+
+}  // namespace pinball

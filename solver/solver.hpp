@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include <pinball/solver/contact.hpp>
+#include <pinball/solver/internal_forces.hpp>
+#include <pinball/solver/model.hpp>
+#include <pinball/solver/results.hpp>
+#include <pinball/solver/timers.hpp>
+
+namespace pinball {
+
+/// Central-difference solution of one scene (report figure 4). Owns the model; no global state, no files.
+///
+/// After step() number n the forces, stresses and energies belong to time t_n, the positions to t_(n+1), the velocities
+/// to the middle between them. finish() ends with a step of no length, after which everything belongs to one time.
+template <class S>
+class Solver {
+ public:
+  explicit Solver(const Scene& scene);
+
+  /// One step, at most to the end of the scene's time. Throws RunError for a state that cannot be continued.
+  void step() { advance(false); }
+  /// Forces and energies at the present positions, velocities brought to the same time.
+  void finish() { advance(true); }
+
+  const Model<S>& model() const { return model_; }
+  Model<S>& model() { return model_; }
+  const PinballContact<S>* contact() const { return contact_.get(); }
+
+  double time() const { return time_; }             ///< of the positions
+  double force_time() const { return force_time_; } ///< of the forces, stresses and energies
+  double dt() const { return dt_; }                 ///< the last step
+  std::int64_t steps() const { return steps_; }
+  const Energies& energies() const { return energies_; }
+  double balance_error() const;                     ///< at force_time(), relative to the initial total energy
+  double initial_energy() const { return initial_energy_; }
+  Point momentum() const;
+  std::int64_t eroded_elements() const { return eroded_elements_; }
+
+  HistoryRow history_row() const;
+  FieldSnapshot snapshot() const;
+  std::uint64_t state_hash() const;
+  /// Fills everything that the solver knows of a summary.
+  void fill_summary(RunSummary& summary) const;
+  Timers& timers() { return timers_; }
+
+ private:
+  void advance(bool last);
+  void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
+  double integrate(double dt_new);
+  void check_state(const InternalForceResult<S>& internal, double kinetic) const;
+  std::vector<BodyResult> body_results() const;
+  std::string element_name(std::int64_t slot) const;
+
+  Model<S> model_;
+  InternalForces<S> internal_forces_;
+  std::unique_ptr<PinballContact<S>> contact_;   ///< only in a scene with contact
+  Timers timers_;
+
+  double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;
+  std::int64_t steps_ = 0;
+  Energies energies_;
+  double damped_power_ = 0;
+  double initial_energy_ = 0;
+  Point initial_momentum_{};
+  std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0;
+  double balance_error_max_ = 0, penetration_ratio_max_ = 0;
+  std::int64_t pairs_max_ = 0;
+  double dt_min_ = 0, dt_max_ = 0;
+  std::string dt_limited_by_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <pinball/solver/solver.hpp>
+#include <pinball/solver/state_hash.hpp>
+
+namespace pinball {
+
+template <class S>
+double Solver<S>::balance_error() const {
+  const double difference = energies_.total() - initial_energy_;
+  return initial_energy_ > 0 ? difference / initial_energy_ : difference == 0 ? 0.0 : std::copysign(1.0, difference);
+}
+
+template <class S>
+Point Solver<S>::momentum() const {
+  Point sum{};
+  for (std::size_t n = 0; n < model_.node_mass.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += model_.node_mass[n] * static_cast<double>(model_.nodes.velocity[4 * n + k]);
+    }
+  }
+  return sum;
+}
+
+template <class S>
+std::string Solver<S>::element_name(std::int64_t slot) const {
+  const std::int32_t element = slot < 0 ? -1 : model_.element_of_slot[static_cast<std::size_t>(slot)];
+  if (element < 0) return "no element";
+  const auto body = static_cast<std::size_t>(model_.mesh.body[static_cast<std::size_t>(element)]);
+  return fmt::format("element {} of body {}", element, model_.mesh.body_names[body]);
+}
+
+template <class S>
+std::vector<BodyResult> Solver<S>::body_results() const {
+  std::vector<BodyResult> results(model_.mesh.body_names.size());
+  for (std::size_t b = 0; b < results.size(); ++b) results[b].name = model_.mesh.body_names[b];
+  for (std::size_t e = 0; e < model_.mesh.hexahedra.size(); ++e) {
+    BodyResult& r = results[static_cast<std::size_t>(model_.mesh.body[e])];
+    const auto slot = static_cast<std::size_t>(model_.slot_of_element[e]);
+    ++r.elements;
+    r.mass_initial += model_.element_mass[e];
+    if (!(model_.elements.mass[slot] > S(0))) {
+      ++r.eroded_elements;
+      continue;
+    }
+    r.mass_remaining += model_.element_mass[e];
+    for (const std::int32_t node : model_.mesh.hexahedra[e]) {
+      const auto n = 4 * static_cast<std::size_t>(model_.node_of_scene_node[static_cast<std::size_t>(node)]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        r.velocity[k] += model_.element_mass[e] / 8 * static_cast<double>(model_.nodes.velocity[n + k]);
+      }
+    }
+    if (!model_.elements.plastic_strain.empty()) {
+      r.max_plastic_strain =
+          std::max(r.max_plastic_strain, static_cast<double>(model_.elements.plastic_strain[slot]));
+    }
+  }
+  for (BodyResult& r : results) {
+    for (double& v : r.velocity) v = r.mass_remaining > 0 ? v / r.mass_remaining : 0.0;
+  }
+  return results;
+}
+
+template <class S>
+HistoryRow Solver<S>::history_row() const {
+  HistoryRow row;
+  row.step = steps_;
+  row.time = force_time_;
+  row.dt = dt_ > 0 ? dt_ : dt_before_;
+  row.energy = energies_;
+  row.balance_error = balance_error();
+  row.momentum = momentum();
+  row.bodies = body_results();
+  return row;
+}
+
+template <class S>
+FieldSnapshot Solver<S>::snapshot() const {
+  FieldSnapshot s;
+  s.step = steps_;
+  s.time = force_time_;
+  s.hexahedra = model_.mesh.hexahedra;
+  s.body = model_.mesh.body;
+  const std::size_t nodes = model_.mesh.nodes.size(), elements = s.hexahedra.size();
+  s.position.resize(nodes);
+  s.velocity.resize(nodes);
+  s.contact_force.assign(nodes, Point{});
+  std::vector<std::int32_t> scene_node(nodes);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const auto store_node = static_cast<std::size_t>(model_.node_of_scene_node[n]);
+    scene_node[store_node] = static_cast<std::int32_t>(n);
+    for (std::size_t k = 0; k < 3; ++k) {
+      s.velocity[n][k] = static_cast<double>(model_.nodes.velocity[4 * store_node + k]);
+      // Positions are one step ahead of the stresses: back to their time.
+      s.position[n][k] = static_cast<double>(model_.nodes.position[4 * store_node + k]) - dt_ * s.velocity[n][k];
+    }
+  }
+  s.stress.resize(elements);
+  s.plastic_strain.assign(elements, 0.0);
+  s.pinball_radius.assign(elements, 0.0);
+  s.alive.resize(elements);
+  for (std::size_t e = 0; e < elements; ++e) {
+    const std::int64_t slot = model_.slot_of_element[e];
+    for (int c = 0; c < 6; ++c) {
+      s.stress[e][static_cast<std::size_t>(c)] =
+          static_cast<double>(model_.elements.stress[ElementStore<S>::at(slot, c, 6)]);
+    }
+    if (!model_.elements.plastic_strain.empty()) {
+      s.plastic_strain[e] = static_cast<double>(model_.elements.plastic_strain[static_cast<std::size_t>(slot)]);
+    }
+    s.alive[e] = model_.elements.mass[static_cast<std::size_t>(slot)] > S(0) ? 1 : 0;
+  }
+  if (contact_) {
+    const PinballStore<S>& pinballs = contact_->pinballs();
+    for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs.count); ++p) {
+      const std::int64_t slot = pinballs.slot[p];
+      const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
+      if (!(pinballs.outward[4 * p + 3] > S(0))) continue;  // behind the surface, or eroded
+      s.pinball_radius[e] = static_cast<double>(pinballs.centre[4 * p + 3]);
+      for (const std::int32_t node : model_.mesh.hexahedra[e]) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          s.contact_force[static_cast<std::size_t>(node)][k] += static_cast<double>(pinballs.force[4 * p + k]) / 8;
+        }
+      }
+    }
+  }
+  return s;
+}
+
+template <class S>
+std::uint64_t Solver<S>::state_hash() const {
+  // In the order of the scene, so that the hash does not depend on how the stores are laid out.
+  StateHash hash;
+  for (const std::int32_t n : model_.node_of_scene_node) {
+    hash.add(std::span<const S>(&model_.nodes.position[4 * static_cast<std::size_t>(n)], 3));
+    hash.add(std::span<const S>(&model_.nodes.velocity[4 * static_cast<std::size_t>(n)], 3));
+  }
+  for (const std::int64_t slot : model_.slot_of_element) {
+    S stress[6];
+    for (int c = 0; c < 6; ++c) stress[c] = model_.elements.stress[ElementStore<S>::at(slot, c, 6)];
+    hash.add(std::span<const S>(stress, 6));
+  }
+  return hash.value();
+}
+
+template <class S>
+void Solver<S>::fill_summary(RunSummary& summary) const {
+  const Scene& scene = model_.scene;
+  summary.scene = scene.name;
+  summary.title = scene.title;
+  summary.units = scene.units;
+  summary.precision = sizeof(S) == sizeof(double) ? "double" : "float";
+  summary.simd_width = ElementStore<S>::width;
+  summary.elements = model_.element_count();
+  summary.nodes = static_cast<std::int64_t>(model_.mesh.nodes.size());
+  summary.steps = steps_;
+  summary.end_time = force_time_;
+  summary.dt_min = dt_min_;
+  summary.dt_max = dt_max_;
+  summary.dt_limited_by = dt_limited_by_;
+  for (std::size_t p = 0; p < phase_names.size(); ++p) {
+    summary.phases.push_back({phase_names[p], timers_.seconds(static_cast<Phase>(p))});
+  }
+  summary.element_steps = model_.element_count() * steps_ - eroded_element_steps_;
+  summary.element_steps_skipped = eroded_element_steps_;
+  summary.energy = energies_;
+  summary.initial_total = initial_energy_;
+  summary.final_total = energies_.total();
+  summary.balance_error_max = balance_error_max_;
+  summary.momentum_initial = initial_momentum_;
+  summary.momentum_final = momentum();
+  summary.bodies = body_results();
+  summary.contact_method = contact_ ? "pinball" : "none";
+  summary.contact_enforcement = contact_ ? scene.contact.enforcement : "none";
+  if (contact_) {
+    summary.pinballs = contact_->active_pinballs();
+    summary.searches = contact_->searches();
+    summary.searches_skipped = contact_->searches_skipped();
+  }
+  summary.pairs_max = pairs_max_;
+  summary.max_penetration_ratio = penetration_ratio_max_;
+  summary.state_hash = state_hash();
+  const std::size_t bytes = model_.bytes() + (contact_ ? contact_->bytes() : 0);
+  summary.bytes_per_element = static_cast<std::int64_t>(bytes) / std::max<std::int64_t>(1, summary.elements);
+}
+
+template class Solver<double>;
+template class Solver<float>;
+
+}  // namespace pinball

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include <pinball/kernels/exec.hpp>
+#include <pinball/kernels/node_update.hpp>
+#include <pinball/solver/error.hpp>
+#include <pinball/solver/solver.hpp>
+
+namespace pinball {
+
+template <class S>
+Solver<S>::Solver(const Scene& scene) : model_(build_model<S>(scene)), internal_forces_(model_) {
+  if (scene.contact.method == ContactMethod::pinball) contact_ = std::make_unique<PinballContact<S>>(model_);
+  initial_momentum_ = momentum();
+}
+
+/// The explicit step of the report's figure 4, with its figure 3 for contact: the program's table of contents.
+template <class S>
+void Solver<S>::advance(bool last) {
+  // Figure 4, 1-2: this version has no external loads; node forces are zero between steps.
+
+  // 3. Element stresses, internal forces and their assembly
+  const InternalForceResult<S> internal = timers_.measure(
+      Phase::internal_forces, [&] { return internal_forces_.compute(model_, static_cast<S>(dt_)); });
+
+  // 4. Contact forces
+  ContactResult contact;
+  if (contact_) {
+    timers_.measure(Phase::pinballs, [&] { contact_->update_pinballs(model_, internal_forces_.tiles()); });
+    timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
+    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(static_cast<S>(dt_)); });
+    timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(model_, contact); });
+  }
+
+  // The largest step that elements and contact allow
+  timers_.measure(Phase::time_step, [&] { choose_time_step(internal, contact, last); });
+
+  // 5-6. Accelerations, velocities, displacements
+  const double kinetic = timers_.measure(Phase::integration, [&] { return integrate(dt_); });
+
+  // Energies at the time of the forces
+  force_time_ = time_;
+  time_ = last ? time_ : time_ + dt_;
+  energies_.kinetic = kinetic;
+  energies_.internal += internal.internal - internal.eroded;
+  energies_.hourglass += internal.hourglass;
+  energies_.bulk_viscosity += internal.viscous;
+  energies_.eroded += internal.eroded + contact.eroded;
+  energies_.contact_stored = contact.stored;
+  energies_.contact_damped += 0.5 * (damped_power_ + contact.damped_power) * dt_before_;
+  damped_power_ = contact.damped_power;
+  if (steps_ == 0) initial_energy_ = energies_.total();
+  eroded_element_steps_ += eroded_elements_;
+  eroded_elements_ += internal.eroded_count;
+  balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
+  penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);
+  pairs_max_ = std::max(pairs_max_, contact.pairs);
+  check_state(internal, kinetic);
+  if (!last) ++steps_;
+}
+
+/// Sets dt_ for the coming step; the one before it goes to dt_before_.
+template <class S>
+void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last) {
+  dt_before_ = dt_;
+  if (last) {
+    dt_ = 0;
+    return;
+  }
+  // Frequencies of elements and of contact add in squares: w^2 <= w_elements^2 + w_contact^2.
+  const auto element_step = static_cast<double>(internal.time_step);
+  const double element_frequency2 = 4.0 / (element_step * element_step);
+  const double stable = 2.0 / std::sqrt(element_frequency2 + contact.frequency2);
+  const double chosen = model_.scene.time.cfl * stable;
+  const double remaining = model_.scene.time.end - time_;
+  dt_ = std::min(chosen, remaining);
+  dt_max_ = std::max(dt_max_, dt_);
+  // The last step may be cut by the end of the run; that says nothing about stability.
+  if (dt_min_ == 0 || chosen < dt_min_) {
+    dt_min_ = chosen;
+    dt_limited_by_ = contact.frequency2 > element_frequency2 ? "contact" : element_name(internal.time_step_slot);
+  }
+}
+
+/// Constraints, accelerations, velocities and positions; returns the kinetic energy at the time of the forces.
+template <class S>
+double Solver<S>::integrate(double dt_new) {
+  NodeStore<S>& nodes = model_.nodes;
+  S* position = nodes.position.data();
+  S* velocity = nodes.velocity.data();
+  S* force = nodes.force.data();
+  for (const NodeConstraint<S>& c : model_.constraints) {
+    const auto place = 4 * static_cast<std::int64_t>(c.node);
+    constrain_node(force + place, velocity + place, c.normal);
+  }
+  const auto velocity_step = static_cast<S>(0.5 * (dt_before_ + dt_new));
+  const auto position_step = static_cast<S>(dt_new), energy_step = static_cast<S>(dt_before_);
+  double twice_kinetic = 0;
+  parallel_reduce(
+      "integration", RangePolicy<>{0, nodes.count}, twice_kinetic,
+      [&](std::int64_t begin, std::int64_t end, double& partial) {
+        for (std::int64_t n = begin; n < end; ++n) {
+          const auto i = static_cast<std::size_t>(n);
+          const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, nodes.inverse_mass[i],
+                                      velocity_step, position_step, energy_step);
+          partial += model_.node_mass[i] * static_cast<double>(v2);
+        }
+      },
+      [](double& whole, double partial) { whole += partial; });
+  return 0.5 * twice_kinetic;
+}
+
+/// Stops a run that has gone wrong, saying what, where and when.
+template <class S>
+void Solver<S>::check_state(const InternalForceResult<S>& internal, double kinetic) const {
+  const auto when = [this] { return fmt::format("in step {} at time {:.6g}", steps_, force_time_); };
+  if (internal.inverted_count > 0) {
+    for (std::size_t t = 0; t < internal_forces_.tiles().size(); ++t) {
+      if (internal_forces_.tiles()[t].inverted_count == 0) continue;
+      const std::int64_t first = model_.tile_packs[t] * ElementStore<S>::width;
+      throw RunError(fmt::format(
+          "{} of {} elements near {} have no volume left {}: try a smaller time.cfl, element.negative_volume=\"erode\", "
+          "or an erosion_strain for the material",
+          internal.inverted_count, model_.element_count(), element_name(first), when()));
+    }
+  }
+  if (!std::isfinite(kinetic) || !std::isfinite(energies_.total())) {
+    for (std::size_t n = 0; n < model_.node_mass.size(); ++n) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (std::isfinite(model_.nodes.velocity[4 * n + k])) continue;
+        const auto& map = model_.node_of_scene_node;
+        const auto scene_node = std::find(map.begin(), map.end(), static_cast<std::int32_t>(n)) - map.begin();
+        throw RunError(fmt::format("the velocity of node {} of body {} is not finite {}: try a smaller time.cfl",
+                                   scene_node,
+                                   model_.mesh.body_names[static_cast<std::size_t>(
+                                       model_.mesh.body_of_node[static_cast<std::size_t>(scene_node)])],
+                                   when()));
+      }
+    }
+    throw RunError(fmt::format("the energy is not finite {}: try a smaller time.cfl", when()));
+  }
+  if (std::abs(balance_error()) > model_.scene.guard.energy_error) {
+    throw RunError(fmt::format(
+        "the energy balance is off by {:.3g} % {}, more than guard.energy_error = {:.3g} %: try a smaller time.cfl",
+        100 * balance_error(), when(), 100 * model_.scene.guard.energy_error));
+  }
+  const double smallest = 1e-6 * dt_max_;
+  if (dt_ > 0 && dt_ < smallest && model_.scene.time.end - time_ > dt_) {
+    throw RunError(fmt::format("the stable step has collapsed to {:.3g} {}, a millionth of its largest; it is set by {}",
+                               dt_, when(), dt_limited_by_));
+  }
+}
+
+template class Solver<double>;
+template class Solver<float>;
+
+}  // namespace pinball

@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <pinball/solver/output_file.hpp>
+#include <pinball/solver/summary.hpp>
+
+namespace pinball {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys stay in the order in which a reader looks for them
+
+Json energy_json(const RunSummary& s) {
+  const Energies& e = s.energy;
+  return {{"kinetic", e.kinetic},
+          {"internal", e.internal},
+          {"hourglass", e.hourglass},
+          {"bulk_viscosity", e.bulk_viscosity},
+          {"contact", e.contact()},
+          {"contact_stored", e.contact_stored},
+          {"contact_damped", e.contact_damped},
+          {"eroded", e.eroded},
+          {"external", e.external},
+          {"initial_total", s.initial_total},
+          {"final_total", s.final_total},
+          {"balance_error_max", s.balance_error_max}};
+}
+
+Json body_json(const BodyResult& body) {
+  return {{"name", body.name},
+          {"elements", body.elements},
+          {"eroded_elements", body.eroded_elements},
+          {"mass_initial", body.mass_initial},
+          {"mass_remaining", body.mass_remaining},
+          {"velocity", body.velocity},
+          {"max_plastic_strain", body.max_plastic_strain}};
+}
+
+}  // namespace
+
+std::string summary_json(const RunSummary& s) {
+  Json phases = Json::object();
+  for (const PhaseSeconds& phase : s.phases) phases[phase.name] = phases.value(phase.name, 0.0) + phase.seconds;
+  Json bodies = Json::array();
+  for (const BodyResult& body : s.bodies) bodies.push_back(body_json(body));
+  const double element_steps = static_cast<double>(s.elements) * static_cast<double>(s.steps);
+
+  const Json json = {
+      {"scene", s.scene},
+      {"title", s.title},
+      {"units", s.units},
+      {"version", s.version},
+      {"precision", s.precision},
+      {"threads", s.threads},
+      {"simd_width", s.simd_width},
+      {"elements", s.elements},
+      {"nodes", s.nodes},
+      {"steps", s.steps},
+      {"end_time", s.end_time},
+      {"dt", {{"min", s.dt_min}, {"max", s.dt_max}, {"limited_by", s.dt_limited_by}}},
+      {"wall_seconds", s.wall_seconds},
+      {"phase_seconds", phases},
+      {"element_steps", s.element_steps},
+      {"element_steps_skipped", s.element_steps_skipped},
+      {"element_steps_per_second", element_steps / s.wall_seconds},  // no wall time: null
+      {"energy", energy_json(s)},
+      {"momentum", {{"initial", s.momentum_initial}, {"final", s.momentum_final}}},
+      {"bodies", bodies},
+      {"contact",
+       {{"method", s.contact_method},
+        {"enforcement", s.contact_enforcement},
+        {"pinballs", s.pinballs},
+        {"pairs_max", s.pairs_max},
+        {"searches", s.searches},
+        {"searches_skipped", s.searches_skipped},
+        {"max_penetration_ratio", s.max_penetration_ratio}}},
+      {"state_hash", fmt::format("{:016x}", s.state_hash)},
+      {"bytes_per_element", s.bytes_per_element},
+      {"probes", Json::array()},
+  };
+  // dump() turns NaN and infinity into null; bytes that are no UTF-8 (a title) are replaced, not thrown over.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_summary(const std::string& folder, const RunSummary& summary) {
+  make_folder(folder);
+  OutputFile file((std::filesystem::path(folder) / "summary.json").string());
+  file.write(summary_json(summary));
+  file.commit();
+}
+
+}  // namespace pinball

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <pinball/solver/results.hpp>
+#include <string>
+
+namespace pinball {
+
+/// The text of summary.json, indented, with a line break at its end. A number that is NaN or infinite becomes null;
+/// state_hash is a string of 16 hexadecimal digits; element_steps_per_second = elements * steps / wall_seconds.
+std::string summary_json(const RunSummary& summary);
+
+/// Writes FOLDER/summary.json; it appears complete or not at all. Throws RunError that names the file.
+void write_summary(const std::string& folder, const RunSummary& summary);
+
+}  // namespace pinball

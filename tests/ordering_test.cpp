@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <pinball/solver/error.hpp>
+#include <pinball/solver/mesh_generators.hpp>
+#include <pinball/solver/ordering.hpp>
+#include <random>
+
+namespace pinball {
+namespace {
+
+std::vector<Point> lattice(int nx, int ny, int nz) {
+  std::vector<Point> points;
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) points.push_back({i + 0.5, j + 0.5, k + 0.5});
+  return points;
+}
+
+bool is_permutation_of_indices(std::vector<std::int32_t> order) {
+  std::sort(order.begin(), order.end());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (order[i] != static_cast<std::int32_t>(i)) return false;
+  return true;
+}
+
+double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+/// Largest extent of a run of consecutive points, averaged over the runs: the size of a tile.
+double mean_run_extent(const std::vector<Point>& points, const std::vector<std::int32_t>& order, std::size_t run) {
+  double sum = 0.0;
+  std::size_t runs = 0;
+  for (std::size_t begin = 0; begin + run <= order.size(); begin += run, ++runs) {
+    double extent = 0.0;
+    for (std::size_t i = begin; i < begin + run; ++i)
+      extent = std::max(extent, distance(points[order[begin]], points[order[i]]));
+    sum += extent;
+  }
+  return sum / static_cast<double>(runs);
+}
+
+TEST(SpaceFillingOrder, WalksALatticeOfPowersOfTwoByUnitSteps) {
+  // The defining property of the Hilbert curve: consecutive cells share a face.
+  const std::vector<Point> points = lattice(8, 8, 8);
+  const auto order = space_filling_order(points);
+  EXPECT_TRUE(is_permutation_of_indices(order));
+  for (std::size_t i = 1; i < order.size(); ++i) EXPECT_EQ(distance(points[order[i - 1]], points[order[i]]), 1.0);
+}
+
+TEST(SpaceFillingOrder, KeepsRunsCompact) {
+  const std::vector<Point> points = lattice(42, 17, 10);
+  const auto order = space_filling_order(points);
+  EXPECT_TRUE(is_permutation_of_indices(order));
+  std::vector<std::int32_t> lexicographic(points.size());
+  std::iota(lexicographic.begin(), lexicographic.end(), 0);
+  EXPECT_LT(mean_run_extent(points, order, 64), 0.3 * mean_run_extent(points, lexicographic, 64));
+
+  double jump = 0.0, lexicographic_jump = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    jump += distance(points[order[i - 1]], points[order[i]]);
+    lexicographic_jump += distance(points[i - 1], points[i]);
+  }
+  EXPECT_LT(jump, lexicographic_jump);
+}
+
+TEST(SpaceFillingOrder, DependsOnPositionsAlone) {
+  std::vector<Point> points = lattice(7, 5, 3);
+  const auto order = space_filling_order(points);
+  std::vector<Point> shuffled = points;
+  std::mt19937 random(7);
+  std::shuffle(shuffled.begin(), shuffled.end(), random);
+  const auto shuffled_order = space_filling_order(shuffled);
+  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(points[order[i]], shuffled[shuffled_order[i]]);
+}
+
+TEST(SpaceFillingOrder, BreaksTiesByIndex) {
+  EXPECT_TRUE(space_filling_order({}).empty());
+  const std::vector<Point> same(5, Point{1, 2, 3});
+  EXPECT_EQ(space_filling_order(same), (std::vector<std::int32_t>{0, 1, 2, 3, 4}));
+}
+
+TEST(FirstTouchNodeOrder, FollowsTheElementsAndPutsUnusedNodesLast) {
+  const std::vector<std::array<std::int32_t, 8>> hexahedra{{9, 8, 7, 6, 5, 4, 3, 2}, {9, 8, 11, 12, 5, 4, 1, 13}};
+  const auto order = first_touch_node_order(hexahedra, 14);
+  EXPECT_EQ(order, (std::vector<std::int32_t>{9, 8, 7, 6, 5, 4, 3, 2, 11, 12, 1, 13, 0, 10}));
+  const auto number = inverse_permutation(order);
+  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(number[order[i]], static_cast<std::int32_t>(i));
+  EXPECT_THROW(first_touch_node_order(hexahedra, 13), InputError);
+}
+
+TEST(FirstTouchNodeOrder, IsAPermutation) {
+  const Mesh mesh = generate_round_nosed_rod({6, 1, true, {2, 2}, 1, 20});
+  const auto order = first_touch_node_order(mesh.hexahedra, static_cast<std::int32_t>(mesh.nodes.size()));
+  EXPECT_EQ(order.size(), mesh.nodes.size());
+  EXPECT_TRUE(is_permutation_of_indices(order));
+}
+
+}  // namespace
+}  // namespace pinball
