@@ -53,15 +53,15 @@ PINBALL_FUNCTION void radial_return(const MaterialConstants<ScalarOf<T>>& m, Sym
                       T(ScalarOf<T>(1) / (three_mu + m.plastic_modulus));
   const T perfect = (q - T(m.ultimate_stress)) * T(ScalarOf<T>(1) / three_mu);
   const T dl = maximum(T(0), maximum(hardening, perfect));
-  // if (dl > 0) scale = 1 - 3 mu dl / q; else scale = 1 (q may be zero then)
+  // if (dl > 0) reduction = 3 mu dl / q; else reduction = 0 (q may be zero then): elastic stress stays to the bit
   const auto yields = dl > T(0);
-  const T scale = select(yields, T(1) - T(three_mu) * dl / select(yields, q, T(1)), T(1));
-  stress.xx = scale * sxx + pressure;
-  stress.yy = scale * syy + pressure;
-  stress.zz = scale * szz + pressure;
-  stress.xy = scale * stress.xy;
-  stress.yz = scale * stress.yz;
-  stress.zx = scale * stress.zx;
+  const T reduction = select(yields, T(three_mu) * dl / select(yields, q, T(1)), T(0));
+  stress.xx -= reduction * sxx;
+  stress.yy -= reduction * syy;
+  stress.zz -= reduction * szz;
+  stress.xy -= reduction * stress.xy;
+  stress.yz -= reduction * stress.yz;
+  stress.zx -= reduction * stress.zx;
   plastic_strain += dl;
 }
 

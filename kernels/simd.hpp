@@ -118,9 +118,10 @@ template <class T, class Abi>
 PINBALL_FUNCTION bool any_lane(const stdx::simd_mask<T, Abi>& mask) {
   return stdx::any_of(mask);
 }
+/// Not stdx::popcount: GCC 12 stores a mask of 8 lanes in one byte and may count the bits of four.
 template <class T, class Abi>
 PINBALL_FUNCTION int count_lanes(const stdx::simd_mask<T, Abi>& mask) {
-  return stdx::popcount(mask);
+  return static_cast<int>(stdx::reduce(select(mask, stdx::simd<T, Abi>(T(1)), stdx::simd<T, Abi>(T(0)))));
 }
 /// Sum over the lanes in lane order: the same bits on every instruction set for a given width.
 template <class T, class Abi>
@@ -145,7 +146,7 @@ PINBALL_FUNCTION T lane(const stdx::simd<T, Abi>& a, int i) {
 template <class T, int W>
 using Pack = typename PackType<T, W>::Type;
 
-/// A constant in all lanes, rounded to the precision of T.
+/// A constant in all lanes, rounded to the precision of T. (A pack of floats cannot be built from a double.)
 template <class T>
 PINBALL_FUNCTION T number(double value) {
   return T(static_cast<ScalarOf<T>>(value));

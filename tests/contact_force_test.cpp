@@ -1,0 +1,248 @@
+#include <pinball/kernels/contact_force.hpp>
+
+#include "support.hpp"
+
+namespace pinball {
+namespace {
+
+using namespace support;
+using V = Vec3<double>;
+
+struct Ball {
+  V centre, velocity, outward, two_sided;
+  double radius, mass, stiffness;  // stiffness: B R
+};
+
+/// The records of pinballs in precision S.
+template <class S>
+struct Records {
+  AlignedVector<S> centre, velocity, outward, two_sided;
+  explicit Records(const std::vector<Ball>& balls) {
+    const auto add = [](AlignedVector<S>& to, const V& v, double fourth) {
+      for (const double value : {v.x, v.y, v.z, fourth}) to.push_back(static_cast<S>(value));
+    };
+    for (const Ball& b : balls) {
+      add(centre, b.centre, b.radius);
+      add(velocity, b.velocity, b.mass);
+      add(outward, b.outward, b.stiffness);
+      add(two_sided, b.two_sided, std::numeric_limits<double>::quiet_NaN());  // unused
+    }
+  }
+  PinballView<S> view() const { return {centre.data(), velocity.data(), outward.data(), two_sided.data()}; }
+};
+
+std::vector<Ball> random_balls(Random& random, int count) {
+  std::vector<Ball> balls;
+  for (int i = 0; i < count; ++i) {
+    Ball b{};
+    b.centre = random_vector(random, 1.5);
+    b.velocity = random_vector(random);
+    if (i % 4 == 1) b.outward = uniform(random, 0.1, 2) * random_direction(random);
+    if (i % 4 == 2) b.two_sided = uniform(random, 0.1, 2) * random_direction(random);
+    if (i % 4 == 3) b.outward = random_direction(random), b.two_sided = random_direction(random);
+    b.radius = uniform(random, 0.3, 0.8);
+    b.mass = uniform(random, 1, 3);
+    b.stiffness = i % 7 == 6 ? 0 : uniform(random, 5, 20);  // some take no part
+    balls.push_back(b);
+  }
+  return balls;
+}
+
+/// Independent scalar implementation of equations (3.4) to (3.11), with branches, angles and the quadratic formula.
+struct Expected {
+  V force{0, 0, 0};
+  double stiffness = 0, stored = 0, damped = 0, ratio = 0;
+  int pairs = 0;
+
+  /// offset: of this entry of the list, before and (returned) after. energy: what the entry stores.
+  double add(const Ball& a, const Ball& b, double beta, double damping, double dt, double offset, double& energy) {
+    energy = 0;
+    const V d = a.centre - b.centre;
+    const double reach = a.radius + b.radius;
+    if (norm(d) >= reach || b.stiffness == 0) return -1;
+    const V n1 = normal(a, -1.0 * d), n2 = normal(b, d);
+    if (dot(n1, n2) > 0.3) return -1;
+    V n = 0.5 * (n2 - n1);
+    if (norm(n) < 0.2 || dot(n, d) < 0.8 * norm(n) * norm(d)) n = d;
+    n = (1 / norm(n)) * n;
+    const double full = -dot(n, d) + std::sqrt(dot(n, d) * dot(n, d) + reach * reach - dot(d, d));
+    const double p2 = beta / 2 * (a.stiffness + b.stiffness);
+    const double p1 = 2 * damping * std::sqrt(p2 / (1 / a.mass + 1 / b.mass));
+    const double rate = dot(b.velocity - a.velocity, n);
+    if (offset >= 0) {
+      offset = std::min(offset, full);
+    } else {
+      offset = rate > 0 ? std::max(0.0, full - rate * dt) : full;
+    }
+    const double g = full - offset;
+    double f = p2 * g + p1 * rate;
+    if (f < 0) f = 0;
+    force = force + f * n;
+    stiffness += p2;
+    energy = p2 * g * g / 4;
+    stored += energy;
+    damped += (f - p2 * g) * rate / 2;
+    ratio = std::max(ratio, full / reach);
+    ++pairs;
+    return offset;
+  }
+  static V normal(const Ball& b, const V& towards) {
+    const V n = b.outward + (dot(b.two_sided, towards) < 0 ? -1.0 : 1.0) * b.two_sided;
+    return norm(n) > 0 ? (1 / norm(n)) * n : n;
+  }
+};
+
+template <class T>
+class ContactForce : public ::testing::Test {};
+TYPED_TEST_SUITE(ContactForce, NumberTypes);
+
+TYPED_TEST(ContactForce, EqualsTheFormulasForAnyCountWithGarbageInThePadding) {
+  using T = TypeParam;
+  using S = ScalarOf<T>;
+  constexpr int W = width_of<T>;
+  Random random(101);
+  const std::vector<Ball> balls = random_balls(random, 120);
+  const Records<S> records(balls);
+  const double beta = 0.8, damping = 0.2, dt = 0.3;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  int pairs = 0;
+  for (std::int32_t self = 0; self < 40; ++self) {
+    for (const int count : {0, 1, W - 1, W, W + 1, 3 * W, 3 * W + 1}) {
+      std::vector<std::int32_t> neighbour;
+      AlignedVector<S> offset, stored;
+      std::vector<double> expected_offset, expected_energy;
+      Expected expected;
+      while (int(neighbour.size()) < count) {
+        const auto other = static_cast<std::int32_t>(random() % balls.size());
+        if (other == self) continue;
+        neighbour.push_back(other);
+        const std::size_t kind = random() % 3;  // new, in contact from the start, begun deep inside
+        const bool was_active = kind != 0;
+        offset.push_back(S(kind == 0 ? -1 : kind == 1 ? 0 : uniform(random, 0, 0.5)));
+        stored.push_back(was_active ? S(1) : S(0));
+        double energy = 0;
+        expected_offset.push_back(expected.add(balls[std::size_t(self)], balls[std::size_t(other)], beta, damping, dt,
+                                               double(offset.back()), energy));
+        expected_energy.push_back(energy);
+      }
+      // Padding: itself and others that overlap it.
+      while (neighbour.size() % W != 0 || neighbour.empty()) {
+        neighbour.push_back(neighbour.size() % 2 == 0 ? self : std::int32_t(random() % balls.size()));
+        offset.push_back(S(nan)), stored.push_back(S(nan));
+      }
+      const PinballForce<S> found = pinball_force<T>(records.view(), {S(beta), S(damping)}, self, neighbour.data(),
+                                                     count, offset.data(), stored.data(), S(dt));
+      const double scale = 10 * epsilon<S> * (10 + 20 * expected.pairs) * 4;
+      EXPECT_EQ(found.pairs, expected.pairs);
+      EXPECT_VECTOR_NEAR(found.force, expected.force, scale);
+      EXPECT_NEAR(found.stiffness, expected.stiffness, scale);
+      EXPECT_NEAR(found.stored, expected.stored, scale);
+      EXPECT_NEAR(found.damped, expected.damped, scale);
+      EXPECT_NEAR(found.penetration_ratio, expected.ratio, 16 * epsilon<S>);
+      for (std::size_t i = 0; i < std::size_t(count); ++i) {
+        EXPECT_NEAR(offset[i], expected_offset[i], 32 * epsilon<S>);
+        EXPECT_NEAR(stored[i], expected_energy[i], scale);
+      }
+      pairs += expected.pairs;
+    }
+  }
+  EXPECT_GT(pairs, 20);
+}
+
+TYPED_TEST(ContactForce, OfAPairIsEqualAndOppositeToTheBit) {
+  using T = TypeParam;
+  using S = ScalarOf<T>;
+  Random random(102);
+  int active = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    std::vector<Ball> balls = random_balls(random, 2 + trial % 4);
+    balls.back().centre = balls[0].centre + random_vector(random, 0.6);
+    const Records<S> records(balls);
+    const auto second = static_cast<std::int32_t>(balls.size() - 1);
+    const std::vector<std::int32_t> to_second(width_of<T>, second), to_first(width_of<T>, 0);
+    const PenaltyConstants<S> constants{S(1), S(0.3)};
+    AlignedVector<S> offset_a(width_of<T>, S(-1)), offset_b = offset_a, stored_a = offset_a, stored_b = offset_a;
+    const PinballForce<S> a =
+        pinball_force<T>(records.view(), constants, 0, to_second.data(), 1, offset_a.data(), stored_a.data(), S(0.5));
+    const PinballForce<S> b = pinball_force<T>(records.view(), constants, second, to_first.data(), 1, offset_b.data(),
+                                               stored_b.data(), S(0.5));
+    ASSERT_EQ(offset_a[0], offset_b[0]);
+    ASSERT_EQ(stored_a[0], stored_b[0]);
+    ASSERT_EQ(a.force.x, -b.force.x);
+    ASSERT_EQ(a.force.y, -b.force.y);
+    ASSERT_EQ(a.force.z, -b.force.z);
+    ASSERT_EQ(a.stored, b.stored);
+    ASSERT_EQ(a.damped, b.damped);
+    ASSERT_EQ(a.stiffness, b.stiffness);
+    active += a.pairs;
+  }
+  EXPECT_GT(active, 50);
+}
+
+Ball ball(double z, double velocity) {
+  Ball b{};
+  b.centre = {0, 0, z};
+  b.velocity = {0, 0, velocity};
+  b.outward = {0, 0, z > 0.5 ? -1.0 : 1.0};
+  b.radius = 0.6, b.mass = 2, b.stiffness = 10;
+  return b;
+}
+/// offset: 0 for a pair in contact from the beginning, -1 for a new one; returned changed.
+PinballForce<double> upper_force(double velocity, double damping, double& offset, double dt = 0.1) {
+  const Records<double> records({ball(0, 0), ball(1, velocity)});
+  const std::int32_t neighbour[1] = {0};
+  double stored = 0;
+  return pinball_force<double>(records.view(), {1, damping}, 1, neighbour, 1, &offset, &stored, dt);
+}
+PinballForce<double> upper_force(double velocity, double damping) {
+  double offset = 0;
+  return upper_force(velocity, damping, offset);
+}
+
+TEST(ContactForceOfTwo, IsPenaltyTimesPenetration) {
+  const PinballForce<double> f = upper_force(0, 0);
+  EXPECT_VECTOR_NEAR(f.force, (V{0, 0, 10 * 0.2}), 1e-14);
+  EXPECT_NEAR(2 * f.stored, 0.5 * 10 * 0.2 * 0.2, 1e-14);  // p2 g^2 / 2 over both lists
+  EXPECT_EQ(f.damped, 0);
+  EXPECT_EQ(f.pairs, 1);
+}
+
+TEST(ContactForceOfTwo, IsDampedOnTheWayInAndNeverAdheres) {
+  const double p1 = 2 * 0.3 * std::sqrt(10.0 * 1.0);
+  const PinballForce<double> in = upper_force(-0.5, 0.3), out = upper_force(0.5, 0.3), fast = upper_force(10, 0.3);
+  EXPECT_NEAR(in.force.z, 2 + p1 * 0.5, 1e-14);
+  EXPECT_NEAR(out.force.z, 2 - p1 * 0.5, 1e-14);
+  EXPECT_NEAR(2 * in.damped, p1 * 0.25, 1e-14);
+  EXPECT_NEAR(2 * out.damped, p1 * 0.25, 1e-14);
+  EXPECT_EQ(fast.force.z, 0);                   // would pull
+  EXPECT_NEAR(2 * fast.damped, 2 * 10, 1e-13);  // gives up only the elastic force
+  EXPECT_GT(fast.damped, 0);
+}
+
+TEST(ContactForceOfTwo, BeginsWhereThePairIsFound) {
+  double offset = -1;  // found at depth 0.2 at rest: no force
+  EXPECT_NEAR(norm(upper_force(0, 0, offset).force), 0, 1e-14);
+  EXPECT_NEAR(offset, 0.2, 1e-15);
+  offset = -1;  // approached by 0.05 in the last step: that much counts
+  EXPECT_NEAR(upper_force(-0.5, 0, offset).force.z, 10 * 0.05, 1e-14);
+  EXPECT_NEAR(offset, 0.15, 1e-15);
+  offset = -1;  // approached by more than the depth: all of it counts
+  EXPECT_NEAR(upper_force(-5, 0, offset).force.z, 10 * 0.2, 1e-14);
+  EXPECT_EQ(offset, 0);
+  offset = 0.5;  // separated since: the offset follows the depth
+  EXPECT_NEAR(norm(upper_force(0, 0, offset).force), 0, 1e-14);
+  EXPECT_NEAR(offset, 0.2, 1e-15);
+}
+
+TEST(ContactForceOfTwo, ForgetsAPairThatParts) {
+  const Records<double> apart({ball(0, 0), ball(1.3, 0)});
+  const std::int32_t neighbour[1] = {0};
+  double offset = 0.1, stored = 3;
+  const PinballForce<double> f = pinball_force<double>(apart.view(), {1, 0}, 1, neighbour, 1, &offset, &stored, 0.1);
+  EXPECT_EQ(f.pairs, 0);
+  EXPECT_LT(offset, 0);
+  EXPECT_EQ(stored, 0);
+}
+
+}  // namespace
+}  // namespace pinball

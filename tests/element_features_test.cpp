@@ -1,0 +1,57 @@
+#include "element_fixture.hpp"
+
+/// Every combination of the compile-time features of the element kernel.
+namespace pinball {
+namespace {
+
+using namespace support;
+
+/// A feature that is compiled out gives what the full scalar kernel gives with its constants at zero (or infinity).
+template <bool plastic, bool erosion, bool viscosity, HourglassKind hourglass>
+void compare_features() {
+  SCOPED_TRACE(::testing::Message() << plastic << erosion << viscosity << int(hourglass));
+  constexpr ElementFeatures features{plastic, erosion, viscosity, hourglass};
+  constexpr ElementFeatures full{true, true, true,
+                                 hourglass == HourglassKind::none ? HourglassKind::stiffness : hourglass};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ElementScene scene = random_element_scene();
+  if (!plastic) {
+    scene.constants.material.yield_stress = scene.constants.material.ultimate_stress = infinity;
+    scene.constants.material.erosion_strain = infinity;  // strain stays zero
+    for (ElementState& s : scene.element) s.plastic_strain = 0;
+  }
+  if (!erosion) {
+    scene.constants.material.erosion_strain = infinity;
+    scene.constants.erode_negative_volume = false;
+  }
+  if (!viscosity) {
+    scene.constants.linear_viscosity = scene.constants.quadratic_viscosity = 0;
+    for (ElementState& s : scene.element) s.viscous_stress = 0;
+  }
+  if (hourglass == HourglassKind::none) {
+    scene.constants.hourglass_coefficient = 0;
+    for (ElementState& s : scene.element) s.hourglass_force = {};
+  }
+  ElementOutcome expected = advance<double, full>(scene);
+  if (!erosion) expected.eroded = 0;
+  expect_equal(advance<double, features>(scene), expected, features, 64 * epsilon<double>);
+}
+template <bool plastic, bool erosion, bool viscosity>
+void compare_hourglass_kinds() {
+  compare_features<plastic, erosion, viscosity, HourglassKind::none>();
+  compare_features<plastic, erosion, viscosity, HourglassKind::viscous>();
+  compare_features<plastic, erosion, viscosity, HourglassKind::stiffness>();
+}
+TEST(ElementFeatures, CompiledOutEqualSwitchedOff) {
+  compare_hourglass_kinds<false, false, false>();
+  compare_hourglass_kinds<false, false, true>();
+  compare_hourglass_kinds<false, true, false>();
+  compare_hourglass_kinds<false, true, true>();
+  compare_hourglass_kinds<true, false, false>();
+  compare_hourglass_kinds<true, false, true>();
+  compare_hourglass_kinds<true, true, false>();
+  compare_hourglass_kinds<true, true, true>();
+}
+
+}  // namespace
+}  // namespace pinball

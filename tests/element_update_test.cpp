@@ -1,0 +1,318 @@
+#include <functional>
+
+#include "element_fixture.hpp"
+
+/// The element kernel against exact solutions, one element at a time in double precision.
+namespace pinball {
+namespace {
+
+using namespace support;
+
+constexpr ElementFeatures elastic{false, false, false, HourglassKind::none};
+constexpr ElementFeatures eroding{true, true, true, HourglassKind::stiffness};
+constexpr Vec3<double> zero{0, 0, 0};
+
+ElementScene one_element(const Corners& x) {
+  ElementScene scene;
+  Corners still;
+  still.fill(zero);
+  ElementState state;
+  state.mass = 3 * quadrature_gradient(x).volume;
+  scene.add(x, still, state);
+  scene.constants = element_constants();
+  return scene;
+}
+
+/// Moves the nodes to `next`, as the integrator does before the element update: velocities of the step just made.
+void move_to(ElementScene& scene, const Corners& next) {
+  for (std::size_t i = 0; i < 8; ++i) {
+    scene.velocity[i] = (1 / scene.dt) * (next[i] - scene.position[i]);
+    scene.position[i] = next[i];
+  }
+}
+
+TEST(ElementUpdate, TurnsStressWithARigidRotationOfAnySize) {
+  Random random(131);
+  for (const double angle : {0.01, 0.3, 1.0, 2.5}) {
+    const Corners x0 = random_hexahedron(random);
+    const Vec3<double> axis = random_direction(random), shift = random_vector(random, 0.1);
+    ElementScene scene = one_element(x0);
+    scene.constants.hourglass_coefficient = 0.05;
+    const Symmetric<double> stress0 = random_symmetric(random, 100);
+    std::array<Vec3<double>, 4> q0;
+    for (Vec3<double>& q : q0) q = random_vector(random, 10);
+    scene.element[0].stress = stress0;
+    scene.element[0].hourglass_force = q0;
+    ElementOutcome out;
+    double internal = 0, hourglass = 0;
+    constexpr int steps = 200;
+    for (int n = 1; n <= steps; ++n) {
+      const Tensor<double> r = rotation_matrix(axis, n * angle);
+      Corners x;
+      for (std::size_t i = 0; i < 8; ++i) x[i] = r * x0[i] + double(n) * shift;
+      move_to(scene, x);
+      out = advance<double, ElementFeatures{false, false, true, HourglassKind::stiffness}>(scene);
+      scene.element = out.element;
+      internal += std::abs(out.internal), hourglass += std::abs(out.hourglass);
+    }
+    const Tensor<double> r = rotation_matrix(axis, steps * angle);
+    // The strain is zero up to the round-off of positions (about 20 long), over cos(angle/2) of the mid-step geometry.
+    const double tolerance = 310 * 1e-13 * 200 / std::cos(0.5 * angle);
+    EXPECT_SYMMETRIC_NEAR(out.element[0].stress, rotated(r, stress0), tolerance);
+    for (std::size_t a = 0; a < 4; ++a) {
+      EXPECT_VECTOR_NEAR(out.element[0].hourglass_force[a], r * q0[a], tolerance);
+    }
+    EXPECT_LT(internal, tolerance);
+    EXPECT_LT(hourglass, tolerance);
+  }
+}
+
+TEST(ElementUpdate, CreatesNoStressInASpinningElement) {
+  Random random(132);
+  const Corners x0 = random_hexahedron(random);
+  ElementScene scene = one_element(x0);
+  ElementOutcome out;
+  for (int n = 1; n <= 1000; ++n) {
+    move_to(scene, mapped(rotation_matrix({0, 0.6, 0.8}, 0.7 * n), x0));
+    out = advance<double, elastic>(scene);
+    scene.element = out.element;
+  }
+  EXPECT_LT(norm(out.element[0].stress), 1e-12 * 310);
+}
+
+TEST(ElementUpdate, ForcesAreThoseOfTheStress) {
+  Random random(133);
+  const Corners x = random_hexahedron(random);
+  ElementScene scene = one_element(x);
+  const Symmetric<double> stress = random_symmetric(random, 10);
+  scene.element[0].stress = stress;
+  const ElementOutcome out = advance<double, elastic>(scene);  // at rest
+  const QuadratureGradient exact = quadrature_gradient(x);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_VECTOR_NEAR(out.force[i], -1.0 * (stress * exact.b[i]), 1e-14);
+  EXPECT_SYMMETRIC_NEAR(out.element[0].stress, stress, 0);
+}
+
+/// Stretches a unit cube along x to the logarithmic strain `end`; returns the sums over the path.
+struct Path {
+  ElementOutcome last;
+  double internal = 0, hourglass = 0, viscous = 0, external = 0;
+};
+template <ElementFeatures features>
+Path stretch(ElementScene& scene, double end, int steps) {
+  Path path;
+  scene.dt = 1.0 / steps;
+  std::vector<Vec3<double>> force(8, zero);
+  for (int n = 1; n <= steps; ++n) {
+    move_to(scene, box(std::exp(end * n / steps), 1, 1));
+    path.last = advance<double, features>(scene);
+    scene.element = path.last.element;
+    path.internal += path.last.internal, path.hourglass += path.last.hourglass, path.viscous += path.last.viscous;
+    for (std::size_t i = 0; i < 8; ++i) {  // work of the nodal forces, trapezoidal
+      path.external -= 0.5 * scene.dt * dot(force[i] + path.last.force[i], scene.velocity[i]);
+    }
+    force = path.last.force;
+  }
+  return path;
+}
+
+// Hypoelastic uniaxial strain e = ln(l/l0): stress M e, energy per initial volume M ((e - 1) exp(e) + 1).
+TEST(ElementUpdate, StoresTheElasticEnergyOfUniaxialStrain) {
+  const double modulus = 310;
+  for (const double end : {0.2, -0.2}) {
+    double error[2], external_error[2];
+    for (const int k : {0, 1}) {
+      ElementScene scene = one_element(box(1, 1, 1));
+      const Path path = stretch<elastic>(scene, end, 100 << k);
+      const double energy = modulus * ((end - 1) * std::exp(end) + 1);
+      error[k] = std::abs(path.internal - energy) / energy;
+      external_error[k] = std::abs(path.external - energy) / energy;
+      EXPECT_NEAR(path.last.element[0].stress.xx, modulus * end, 1e-4);
+      EXPECT_NEAR(path.last.element[0].stress.yy, 150 * end, 1e-4);
+      EXPECT_NEAR(path.last.force[1].x, -modulus * end / 4, 1e-4);  // -1/4 of stress times area 1
+      EXPECT_NEAR(path.last.time_step, 0, 1);
+    }
+    EXPECT_LT(error[0], 2e-5);
+    EXPECT_NEAR(error[0] / error[1], 4, 0.2);  // second order
+    EXPECT_LT(external_error[0], 1e-4);
+    EXPECT_NEAR(external_error[0] / external_error[1], 4, 0.2);
+  }
+}
+
+TEST(ElementUpdate, DissipatesTheViscousAndPlasticWork) {
+  ElementScene scene = one_element(box(1, 1, 1));
+  scene.constants.material.yield_stress = 10;
+  scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
+  const Path path = stretch<ElementFeatures{true, false, true, HourglassKind::stiffness}>(scene, -0.2, 2000);
+  EXPECT_NEAR(path.external, path.internal + path.viscous,
+              2e-3 * path.external);  // first order: viscosity starts at once
+  EXPECT_GT(path.viscous, 0.01 * path.external);
+  // dl of uniaxial strain, q = 2 mu e at trial
+  const double dl = (2 * 80 * 0.2 - 10) / (3 * 80 + 10);
+  EXPECT_NEAR(path.last.element[0].plastic_strain, dl, 1e-6);
+  EXPECT_EQ(path.hourglass, 0);
+}
+
+TEST(ElementUpdate, BalancesWorkOnARandomPath) {  // all parts, second order in the step
+  double error[2];
+  for (const int k : {0, 1}) {
+    Random random(134);
+    const Corners x0 = random_hexahedron(random);
+    Corners amplitude;
+    for (Vec3<double>& a : amplitude) a = random_vector(random, 0.05);
+    ElementScene scene = one_element(x0);
+    scene.constants.hourglass_coefficient = 0.1;
+    const int steps = 200 << k;
+    scene.dt = 1.0 / steps;
+    double external = 0, sums = 0;
+    std::vector<Vec3<double>> force(8, zero);
+    for (int n = 1; n <= steps; ++n) {
+      const double t = double(n) / steps;
+      Corners x;
+      const Tensor<double> r = rotation_matrix({0.6, 0, 0.8}, 1.5 * t);  // while it turns
+      for (std::size_t i = 0; i < 8; ++i) x[i] = r * (x0[i] + t * t * amplitude[i]);
+      move_to(scene, x);
+      const ElementOutcome out = advance<double, ElementFeatures{false, false, false, HourglassKind::stiffness}>(scene);
+      scene.element = out.element;
+      sums += out.internal + out.hourglass;
+      for (std::size_t i = 0; i < 8; ++i) {
+        external -= 0.5 * scene.dt * dot(force[i] + out.force[i], scene.velocity[i]);
+      }
+      force = out.force;
+    }
+    error[k] = std::abs(external - sums) / external;
+  }
+  EXPECT_LT(error[0], 1e-3);
+  EXPECT_NEAR(error[0] / error[1], 4, 0.5);
+}
+
+TEST(ElementUpdate, KeepsLinearAndAngularMomentum) {
+  Random random(135);
+  for (int trial = 0; trial < 50; ++trial) {
+    ElementScene scene = one_element(random_hexahedron(random));
+    for (Vec3<double>& v : scene.velocity) v = random_vector(random);
+    scene.element[0].stress = random_symmetric(random, 10);
+    scene.constants.hourglass_coefficient = 0.1;
+    scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
+    for (const ElementOutcome& out :
+         {advance<double, eroding>(scene),
+          advance<double, ElementFeatures{true, true, true, HourglassKind::viscous}>(scene)}) {
+      Vec3<double> force = zero, torque = zero;
+      for (std::size_t i = 0; i < 8; ++i) {
+        force = force + out.force[i];
+        torque = torque + cross(scene.position[i], out.force[i]);
+      }
+      EXPECT_VECTOR_NEAR(force, zero, 5e-13);
+      EXPECT_VECTOR_NEAR(torque, zero, 5e-13);
+    }
+  }
+}
+
+TEST(ElementErosion, ReleasesTheElementAndItsEnergy) {
+  Random random(136);
+  ElementScene scene = one_element(random_hexahedron(random));
+  scene.constants.material.erosion_strain = 0.5;
+  scene.constants.hourglass_coefficient = 0.1;
+  scene.element[0].stress = random_symmetric(random, 10);
+  scene.element[0].hourglass_force.fill({1, 2, 3});
+  scene.element[0].internal_energy = 7;
+  scene.element[0].plastic_strain = 0.5;  // not above: stays
+  ElementOutcome out = advance<double, eroding>(scene);
+  EXPECT_EQ(out.eroded_count, 0);
+  EXPECT_EQ(out.eroded, 0);
+  EXPECT_GT(out.element[0].mass, 0);
+  scene.element[0].plastic_strain = 0.5001;
+  out = advance<double, eroding>(scene);  // at rest: no work in the step
+  EXPECT_EQ(out.eroded_count, 1);
+  EXPECT_EQ(out.inverted_count, 0);
+  EXPECT_DOUBLE_EQ(out.eroded, 7);
+  EXPECT_EQ(out.element[0].mass, 0);
+  EXPECT_EQ(norm(out.element[0].stress), 0);
+  for (const Vec3<double>& q : out.element[0].hourglass_force) EXPECT_EQ(norm(q), 0);
+  for (const Vec3<double>& f : out.force) EXPECT_EQ(norm(f), 0);
+  EXPECT_GT(out.time_step, 1e300);  // does not limit the step
+
+  // And does nothing from then on.
+  scene.element = out.element;
+  for (Vec3<double>& v : scene.velocity) v = random_vector(random, 100);
+  out = advance<double, eroding>(scene);
+  EXPECT_EQ(out.eroded_count, 0);
+  EXPECT_EQ(out.eroded, 0);
+  EXPECT_EQ(out.internal, 0);
+  EXPECT_EQ(out.hourglass, 0);
+  for (const Vec3<double>& f : out.force) EXPECT_EQ(norm(f), 0);
+}
+
+TEST(ElementErosion, CountsTheWorkOfItsLastStep) {
+  ElementScene scene = one_element(box(1, 1, 1));
+  scene.constants.material.erosion_strain = 0.1;
+  scene.element[0].plastic_strain = 0.2;
+  scene.element[0].internal_energy = 7;
+  scene.element[0].stress = {10, 0, 0, 0, 0, 0};
+  move_to(scene, box(1.01, 1, 1));
+  const ElementOutcome out = advance<double, eroding>(scene);
+  const double work = 1.005 * 0.5 * 10 * (0.01 / 1.005);  // mid-step volume, half the old stress, strain
+  EXPECT_NEAR(out.internal, work, 1e-15);
+  EXPECT_NEAR(out.eroded, 7 + work, 1e-14);
+}
+
+TEST(ElementInversion, IsErodedOrCountedAsTheSceneSays) {
+  Corners x = box(1, 1, 1);
+  for (std::size_t i = 0; i < 4; ++i) std::swap(x[i], x[i + 4]);
+  ElementScene scene = one_element(x);
+  scene.element[0].mass = 3;
+  scene.constants.erode_negative_volume = true;
+  ElementOutcome out = advance<double, eroding>(scene);
+  EXPECT_EQ(out.eroded_count, 1);
+  EXPECT_EQ(out.inverted_count, 0);
+  EXPECT_EQ(out.element[0].mass, 0);
+  scene.constants.erode_negative_volume = false;
+  out = advance<double, eroding>(scene);
+  EXPECT_EQ(out.eroded_count, 0);
+  EXPECT_EQ(out.inverted_count, 1);
+  EXPECT_EQ(out.element[0].mass, 3);
+  scene.constants.erode_negative_volume = true;  // without erosion compiled in: counted
+  EXPECT_EQ((advance<double, elastic>(scene).inverted_count), 1);
+}
+
+TEST(ElementInversion, OfNoVolumeOrNaNLeavesNothingBad) {
+  for (const bool nan : {false, true}) {
+    Corners x = box(1, 1, 0);
+    if (nan) x[3].y = std::numeric_limits<double>::quiet_NaN();
+    ElementScene scene = one_element(box(1, 1, 1));
+    scene.constants.hourglass_coefficient = 0.1;
+    scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
+    scene.constants.erode_negative_volume = true;
+    scene.element[0].stress = {1, 2, 3, 4, 5, 6};
+    scene.element[0].plastic_strain = 0.25;
+    scene.element[0].internal_energy = 7;
+    move_to(scene, x);
+    const ElementOutcome out = advance<double, eroding>(scene);
+    EXPECT_EQ(out.eroded_count, 1);
+    EXPECT_EQ(norm(out.element[0].stress), 0);
+    EXPECT_EQ(out.internal, 0);
+    EXPECT_EQ(out.hourglass, 0);
+    EXPECT_EQ(out.viscous, 0);
+    EXPECT_EQ(out.eroded, 7);
+    EXPECT_TRUE(std::isfinite(out.element[0].plastic_strain));
+    if (nan) continue;  // forces of a NaN node are its own matter
+    for (const Vec3<double>& f : out.force) EXPECT_EQ(norm(f), 0);
+  }
+}
+
+TEST(ElementUpdate, FindsTheElementWithTheSmallestStep) {
+  ElementScene scene = one_element(box(1, 1, 1));
+  Corners still;
+  still.fill(zero);
+  ElementState state;
+  for (const double h : {0.9, 0.5, 0.7}) {
+    state.mass = 3 * h * h * h;
+    scene.add(box(h, h, h), still, state);
+  }
+  const ElementOutcome out = advance<double, elastic>(scene);
+  EXPECT_EQ(out.smallest_element, 2);
+  const double nu = 150.0 / (2 * (150 + 80)), c = scene.constants.material.sound_speed;
+  EXPECT_NEAR(out.time_step, 0.5 / c * std::sqrt((1 - nu) / (1 + nu)), 1e-4 * 0.5 / c);
+}
+
+}  // namespace
+}  // namespace pinball

@@ -1,0 +1,64 @@
+// Every kernel that a device will run, instantiated for one lane per thread. It is compiled, not run.
+#include "kernel_headers.hpp"
+
+namespace {
+
+using namespace pinball;
+
+// Parameters of class type confuse the compiler in a __global__ template, so that plain ones choose the features.
+template <class S, bool everything>
+__global__ void update_elements(ElementView<S> elements, NodeView<S> nodes, ElementConstants<S> constants, S dt,
+                                ElementSums<S>* sums) {
+  constexpr ElementFeatures features{everything, everything, everything,
+                                     everything ? HourglassKind::stiffness : HourglassKind::viscous};
+  const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  update_element_pack<S, features>(elements, nodes, constants, dt, element, 0, sums[element]);
+}
+
+template <class S>
+__global__ void update_pinballs(PinballGeometryView<S> view, const S* position, const S* velocity) {
+  const std::int64_t pinball = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  update_pinball_pack<S, true>(view, position, velocity, pinball);
+}
+
+template <class S>
+__global__ void contact_forces(PinballView<S> view, PenaltyConstants<S> constants, const std::int32_t* neighbour,
+                               std::int32_t count, S* offset, S* stored, S dt, PinballForce<S>* force) {
+  const std::int32_t self = blockIdx.x * blockDim.x + threadIdx.x;
+  force[self] = pinball_force<S>(view, constants, self, neighbour, count, offset, stored, dt);
+}
+
+template <class S>
+__global__ void integrate_nodes(S* position, S* velocity, S* force, const S* inverse_mass, const S* normal, S dt) {
+  const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  constrain_node(force + 4 * node, velocity + 4 * node, normal);
+  integrate_node(position + 4 * node, velocity + 4 * node, force + 4 * node, inverse_mass[node], dt, dt, dt);
+}
+
+template <class S>
+struct CountVisits {
+  std::int32_t* visits;
+  PINBALL_FUNCTION void operator()(std::int32_t, const S*) const { ++*visits; }
+};
+template <class S>
+__global__ void count_neighbours(SpatialHashView<S> hash, const S* position, std::int32_t* visits) {
+  const std::int64_t point = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  for_each_near(hash, position + 4 * point, CountVisits<S>{visits + point});
+}
+
+template <class S>
+void instantiate() {
+  update_elements<S, true><<<1, 32>>>({}, {}, {}, S(0), nullptr);
+  update_elements<S, false><<<1, 32>>>({}, {}, {}, S(0), nullptr);
+  update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
+  contact_forces<S><<<1, 32>>>({}, {}, nullptr, 0, nullptr, nullptr, S(0), nullptr);
+  integrate_nodes<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, S(0));
+  count_neighbours<S><<<1, 32>>>({}, nullptr, nullptr);
+}
+
+}  // namespace
+
+void instantiate_kernels() {
+  instantiate<double>();
+  instantiate<float>();
+}
