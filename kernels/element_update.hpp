@@ -141,7 +141,8 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   auto inverted = alive && !has_volume;
   if constexpr (features.erosion) {
     fails = plastic_strain > T(material.erosion_strain) && alive;
-    if (constants.erode_negative_volume) fails = fails || inverted;
+    // A volume that is not a number is no reason to erode: it is counted, and stops the run.
+    if (constants.erode_negative_volume) fails = fails || (alive && minimum(volume, volume_mid) <= T(0));
     any_fails = any_lane(fails);
     if (any_fails) {
       carries = carries && !fails;

@@ -103,7 +103,6 @@ ElementOutcome advance(const ElementScene& scene) {
                                 hourglass.data(), viscous.data(), energy.data()};
   const NodeView<S> nodes{position.data(), velocity.data(), force.data()};
   ElementSums<T> sums;
-  sums.time_step = T(std::numeric_limits<S>::max());
   for (std::size_t p = 0; p < packs; ++p) {
     update_element_pack<T, features>(elements, nodes, converted<S>(scene.constants), S(scene.dt), std::int64_t(p),
                                      int(p), sums);
@@ -134,9 +133,10 @@ ElementOutcome advance(const ElementScene& scene) {
   out.viscous = lane_sum(sums.viscous), out.eroded = lane_sum(sums.eroded);
   out.time_step = std::numeric_limits<double>::infinity();
   for (int i = 0; i < int(W); ++i) {
-    if (lane(sums.time_step, i) < out.time_step) {
-      out.time_step = lane(sums.time_step, i);
-      out.smallest_element = int(lane(sums.time_step_pack, i)) * int(W) + i;
+    const double rate = lane(sums.stable_rate, i);
+    if (2 / rate < out.time_step) {
+      out.time_step = 2 / rate;
+      out.smallest_element = int(lane(sums.stable_rate_pack, i)) * int(W) + i;
     }
   }
   out.eroded_count = sums.eroded_count, out.inverted_count = sums.inverted_count;

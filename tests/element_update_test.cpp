@@ -274,44 +274,35 @@ TEST(ElementInversion, IsErodedOrCountedAsTheSceneSays) {
   EXPECT_EQ((advance<double, elastic>(scene).inverted_count), 1);
 }
 
-TEST(ElementInversion, OfNoVolumeOrNaNLeavesNothingBad) {
-  for (const bool nan : {false, true}) {
-    Corners x = box(1, 1, 0);
-    if (nan) x[3].y = std::numeric_limits<double>::quiet_NaN();
-    ElementScene scene = one_element(box(1, 1, 1));
-    scene.constants.hourglass_coefficient = 0.1;
-    scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
-    scene.constants.erode_negative_volume = true;
-    scene.element[0].stress = {1, 2, 3, 4, 5, 6};
-    scene.element[0].plastic_strain = 0.25;
-    scene.element[0].internal_energy = 7;
-    move_to(scene, x);
-    const ElementOutcome out = advance<double, eroding>(scene);
-    EXPECT_EQ(out.eroded_count, 1);
-    EXPECT_EQ(norm(out.element[0].stress), 0);
-    EXPECT_EQ(out.internal, 0);
-    EXPECT_EQ(out.hourglass, 0);
-    EXPECT_EQ(out.viscous, 0);
-    EXPECT_EQ(out.eroded, 7);
-    EXPECT_TRUE(std::isfinite(out.element[0].plastic_strain));
-    if (nan) continue;  // forces of a NaN node are its own matter
-    for (const Vec3<double>& f : out.force) EXPECT_EQ(norm(f), 0);
-  }
+TEST(ElementInversion, OfNoVolumeLeavesNothingBad) {
+  ElementScene scene = one_element(box(1, 1, 1));
+  scene.constants.hourglass_coefficient = 0.1;
+  scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
+  scene.constants.erode_negative_volume = true;
+  scene.element[0].stress = {1, 2, 3, 4, 5, 6};
+  scene.element[0].plastic_strain = 0.25;
+  scene.element[0].internal_energy = 7;
+  move_to(scene, box(1, 1, 0));
+  const ElementOutcome out = advance<double, eroding>(scene);
+  EXPECT_EQ(out.eroded_count, 1);
+  EXPECT_EQ(norm(out.element[0].stress), 0);
+  EXPECT_EQ(out.internal, 0);
+  EXPECT_EQ(out.hourglass, 0);
+  EXPECT_EQ(out.viscous, 0);
+  EXPECT_EQ(out.eroded, 7);
+  EXPECT_TRUE(std::isfinite(out.element[0].plastic_strain));
+  for (const Vec3<double>& f : out.force) EXPECT_EQ(norm(f), 0);
 }
 
-TEST(ElementUpdate, FindsTheElementWithTheSmallestStep) {
+TEST(ElementInversion, OfAVolumeThatIsNotANumberIsReportedAndNotEroded) {
+  Corners x = box(1, 1, 1);
+  x[3].y = std::numeric_limits<double>::quiet_NaN();
   ElementScene scene = one_element(box(1, 1, 1));
-  Corners still;
-  still.fill(zero);
-  ElementState state;
-  for (const double h : {0.9, 0.5, 0.7}) {
-    state.mass = 3 * h * h * h;
-    scene.add(box(h, h, h), still, state);
-  }
-  const ElementOutcome out = advance<double, elastic>(scene);
-  EXPECT_EQ(out.smallest_element, 2);
-  const double nu = 150.0 / (2 * (150 + 80)), c = scene.constants.material.sound_speed;
-  EXPECT_NEAR(out.time_step, 0.5 / c * std::sqrt((1 - nu) / (1 + nu)), 1e-4 * 0.5 / c);
+  scene.constants.erode_negative_volume = true;
+  move_to(scene, x);
+  const ElementOutcome out = advance<double, eroding>(scene);
+  EXPECT_EQ(out.eroded_count, 0);
+  EXPECT_EQ(out.inverted_count, 1);
 }
 
 }  // namespace

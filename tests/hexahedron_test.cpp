@@ -46,26 +46,43 @@ TEST(Modes, AreTheProductsOfParentCoordinates) {
     Corners unit{};
     unit[corner] = {1, 2, 3};
     const HexahedronModes<double> m = modes<double>(unit);
-    EXPECT_VECTOR_NEAR(m.constant, (Vec3<double>{1, 2, 3}), 0);
+    EXPECT_VECTOR_NEAR(8.0 * m.constant, (Vec3<double>{1, 2, 3}), 0);
     for (int k = 0; k < 3; ++k) {
-      EXPECT_VECTOR_NEAR(m.linear[k], parent[corner][k] * (Vec3<double>{1, 2, 3}), 0);
+      EXPECT_VECTOR_NEAR(8.0 * m.linear[k], parent[corner][k] * (Vec3<double>{1, 2, 3}), 0);
     }
     for (int a = 0; a < 4; ++a) {
-      EXPECT_VECTOR_NEAR(m.hourglass[a], hourglass_value(a, static_cast<int>(corner)) * (Vec3<double>{1, 2, 3}), 0);
+      EXPECT_VECTOR_NEAR(8 * std::sqrt(3.0) * m.hourglass[a],
+                         hourglass_value(a, static_cast<int>(corner)) * (Vec3<double>{1, 2, 3}), 1e-15);
     }
   }
 }
 
-TEST(Modes, AreInvertedByTheirTransposeOverEight) {
+TEST(Modes, AddUpToTheField) {  // a_I = A_0 + sum L_mI A_m + sqrt3 sum G_aI H_a; from_modes has 1/sqrt3 instead
   Random random(1);
   Corners x;
   for (Vec3<double>& v : x) v = random_vector(random);
   const HexahedronModes<double> m = modes<double>(x);
   Vec3<double> back[8];
-  from_modes(m.linear, m.hourglass, back);
+  Vec3<double> hourglass[4];
+  for (int a = 0; a < 4; ++a) hourglass[a] = 3.0 * m.hourglass[a];
+  from_modes(m.linear, hourglass, back);
   for (std::size_t i = 0; i < 8; ++i) {
-    EXPECT_VECTOR_NEAR(0.125 * (back[i] + m.constant), x[i], 1e-15);
+    EXPECT_VECTOR_NEAR(back[i] + m.constant, x[i], 1e-15);
   }
+}
+
+TEST(Modes, ForcesDoTheWorkOfTheModes) {  // sum_I f_I.v_I = 8 sum_m F_m.V_m
+  Random random(51);
+  Corners v;
+  for (Vec3<double>& value : v) value = random_vector(random);
+  const HexahedronModes<double> m = modes<double>(v);
+  Vec3<double> linear[3], hourglass[4], force[8];
+  double modal = 0, nodal = 0;
+  for (int k = 0; k < 3; ++k) linear[k] = random_vector(random), modal += 8 * dot(linear[k], m.linear[k]);
+  for (int a = 0; a < 4; ++a) hourglass[a] = random_vector(random), modal += 8 * dot(hourglass[a], m.hourglass[a]);
+  from_modes(linear, hourglass, force);
+  for (std::size_t i = 0; i < 8; ++i) nodal += dot(force[i], v[i]);
+  EXPECT_NEAR(nodal, modal, 1e-14);
 }
 
 TEST(UniformGradient, EqualsClosedFormAndQuadrature) {
@@ -76,15 +93,18 @@ TEST(UniformGradient, EqualsClosedFormAndQuadrature) {
     const UniformGradient<double> gradient = uniform_gradient(m);
     const Corners b = expanded(gradient), closed = closed_form_gradient(x);
     const QuadratureGradient exact = quadrature_gradient(x);
-    double norm_squared = 0;
+    Symmetric<double> square{0, 0, 0, 0, 0, 0};
     for (std::size_t i = 0; i < 8; ++i) {
       EXPECT_VECTOR_NEAR(b[i], closed[i], 1e-15);
       EXPECT_VECTOR_NEAR(b[i], exact.b[i], 1e-15);
-      norm_squared += dot(exact.b[i], exact.b[i]);
+      const Vec3<double>& e = exact.b[i];
+      square = square + Symmetric<double>{e.x * e.x, e.y * e.y, e.z * e.z, e.x * e.y, e.y * e.z, e.z * e.x};
     }
     ASSERT_GT(exact.volume, 0.1);
     EXPECT_NEAR(hexahedron_volume(gradient, m), exact.volume, 5e-15);
-    EXPECT_NEAR(gradient_norm_squared(gradient), norm_squared, 1e-14);
+    const Symmetric<double> found = gradient_square(gradient);
+    const Symmetric<double> rest = found + (-1.0) * square;
+    EXPECT_NEAR(contract(rest, rest), 0, 1e-28);
   }
 }
 
@@ -313,7 +333,7 @@ TYPED_TEST(HexahedronPack, EqualsTheScalarKernelLaneByLane) {
   const double tolerance = 8 * epsilon<S>;
   for (int i = 0; i < width_of<T>; ++i) {
     const HexahedronModes<S> m1 = modes<S>(x[std::size_t(i)]);
-    for (int a = 0; a < 4; ++a) EXPECT_VECTOR_NEAR(lane_of(m.hourglass[a], i), m1.hourglass[a], 0);  // additions only
+    for (int a = 0; a < 4; ++a) EXPECT_VECTOR_NEAR(lane_of(m.hourglass[a], i), m1.hourglass[a], epsilon<S>);
     const UniformGradient<S> b1 = uniform_gradient(m1);
     const S volume1 = hexahedron_volume(b1, m1);
     EXPECT_NEAR(lane(volume, i), volume1, tolerance);

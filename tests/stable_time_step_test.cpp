@@ -18,7 +18,7 @@ Symmetric<double> with_principal_values(double a, double b, double c, const Tens
   return rotated(r, {a, b, c, 0, 0, 0});
 }
 
-TEST(LargestPrincipalValue, IsABoundWithinOnePercentUnlessTheLargestIsDouble) {
+TEST(LargestPrincipalValue, IsABoundWithinItsDocumentedExcess) {
   Random random(41);
   for (int trial = 0; trial < 20000; ++trial) {
     const double second = uniform(random, 0, 1), third = uniform(random, 0, second);
@@ -26,7 +26,7 @@ TEST(LargestPrincipalValue, IsABoundWithinOnePercentUnlessTheLargestIsDouble) {
     const Symmetric<double> s = with_principal_values(1, second, third, r);
     const double found = largest_principal_value(s), exact = exact_largest(s);
     ASSERT_GE(found, exact * (1 - 1e-14));
-    ASSERT_LE(found, exact * (second < 0.8 ? 1.01 : 1.06)) << second << ' ' << third;
+    ASSERT_LE(found, exact * 1.096) << second << ' ' << third;
   }
 }
 
@@ -41,7 +41,7 @@ TEST(LargestPrincipalValue, IsABoundForDegenerateTensors) {
         const double found =
             largest_principal_value(with_principal_values(size * v[0], size * v[1], size * v[2], r)) / size;
         EXPECT_GE(found, 1 - 1e-14) << v[0] << ' ' << v[1] << ' ' << v[2];
-        EXPECT_LE(found, 1.06) << v[0] << ' ' << v[1] << ' ' << v[2];
+        EXPECT_LE(found, v[1] == v[2] ? 1.0003 : 1.096) << v[0] << ' ' << v[1] << ' ' << v[2];
       }
     }
   }
@@ -80,7 +80,8 @@ double time_step(const Corners& x, double lambda, double mu, double rho, double 
   const HexahedronModes<double> m = modes<double>(x);
   const UniformGradient<double> b = uniform_gradient(m);
   const double volume = hexahedron_volume(b, m);
-  return element_stable_time_step(b, 1 / volume, 1 / rho, lambda, mu, viscosity);
+  const Symmetric<double> s = (1 / (volume * volume)) * gradient_square(b);
+  return 2 / element_stable_rate(s, volume, 1 / (rho * volume), lambda, mu, viscosity);
 }
 
 /// Lame's constants of a material with lambda + 2 mu = 1.
@@ -216,7 +217,9 @@ double relative_time_step(const Corners& unit, double size) {
   for (std::size_t i = 0; i < 8; ++i) x[i] = size * unit[i];
   const HexahedronModes<S> m = modes<S>(x);
   const UniformGradient<S> b = uniform_gradient(m);
-  return double(element_stable_time_step(b, S(1) / hexahedron_volume(b, m), S(1), S(3), S(1), S(0))) / size;
+  const S volume = hexahedron_volume(b, m), inverse_volume = S(1) / volume;
+  const Symmetric<S> s = (inverse_volume * inverse_volume) * gradient_square(b);
+  return double(S(2) / element_stable_rate(s, volume, inverse_volume, S(3), S(1), S(0))) / size;
 }
 
 TEST(ElementStableTimeStep, DoesNotDependOnTheUnitOfLengthInSinglePrecision) {
@@ -242,10 +245,13 @@ TYPED_TEST(StableTimeStepPack, EqualsTheScalarKernelLaneByLane) {
   for (int i = 0; i < width_of<T>; ++i) x.push_back(i == 0 ? box(1, 1, 1) : random_hexahedron(random));
   const HexahedronModes<T> m = modes_from_lanes<T>(x);
   const UniformGradient<T> b = uniform_gradient(m);
-  const T inverse_volume = T(1) / hexahedron_volume(b, m);
-  const T found = element_stable_time_step(b, inverse_volume, T(2), T(3), T(1), T(S(0.25)));
+  const T volume = hexahedron_volume(b, m);
+  const Symmetric<T> shape = (T(1) / (volume * volume)) * gradient_square(b);
+  const T found = T(2) / element_stable_rate(shape, volume, T(2) / volume, T(3), T(1), T(S(0.25)));
   for (int i = 0; i < width_of<T>; ++i) {
-    const S expected = element_stable_time_step(lane_of(b, i), lane(inverse_volume, i), S(2), S(3), S(1), S(0.25));
+    const S volume1 = lane(volume, i);
+    const S expected =
+        S(2) / element_stable_rate(lane_of(shape, i), volume1, S(2) / volume1, S(3), S(1), S(0.25));
     EXPECT_NEAR(lane(found, i), expected, 32 * epsilon<S>);
     EXPECT_NEAR(expected, time_step(x[std::size_t(i)], 3, 1, 0.5, 0.25), 64 * epsilon<S>);
   }
