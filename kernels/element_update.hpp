@@ -140,8 +140,10 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   }
   sums.inverted_count += count_lanes(carries && !has_volume);
   const T inverse_volume_now = select(carries, inverse_volume, T(0));
-  stress = {select(carries, stress.xx, T(0)), select(carries, stress.yy, T(0)), select(carries, stress.zz, T(0)),
-            select(carries, stress.xy, T(0)), select(carries, stress.yz, T(0)), select(carries, stress.zx, T(0))};
+  const Symmetric<T> carried{select(carries, stress.xx, T(0)), select(carries, stress.yy, T(0)),
+                             select(carries, stress.zz, T(0)), select(carries, stress.xy, T(0)),
+                             select(carries, stress.yz, T(0)), select(carries, stress.zx, T(0))};
+  stress = carried;  // a copy: where packs live in memory, GCC 12 builds "stress = {select(.., stress.xx, ..)}" in place
   store(stress.xx, stored);
   store(stress.yy, stored + W);
   store(stress.zz, stored + 2 * W);
