@@ -28,7 +28,8 @@ struct ElementFeatures {
 };
 
 /// Element arrays in tiles of W = pack width: entry c of element e is at [(e / W) * N + c] * W + e % W for an array of N
-/// components. All aligned to the pack. Padding elements repeat the nodes of a real one and have mass 0.
+/// components. All aligned to the pack. Padding elements repeat the nodes of a real one and have
+/// mass 0; their other state is never used.
 template <class S>
 struct ElementView {
   const std::int32_t* corner;   ///< N = 8: node numbers
@@ -64,8 +65,8 @@ struct ElementSums {
   T hourglass = T(0);           ///< increment of the hourglass energy [energy]
   T viscous = T(0);             ///< increment of the bulk viscosity energy [energy]
   T eroded = T(0);              ///< internal energy of elements eroded in this step [energy]
-  T time_step;                  ///< smallest stable step [time]
-  T time_step_pack = T(0);      ///< pack in which it was found, counted in the tile
+  T stable_rate = T(0);         ///< largest 2/dt of a stable step dt [1/time]
+  T stable_rate_pack = T(0);    ///< pack in which it was found, counted in the tile
   int eroded_count = 0;
   int inverted_count = 0;       ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
 };
@@ -82,6 +83,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const T mass = load<T>(elements.mass + pack * W);
   const auto alive = mass > T(0);
   if (!any_lane(alive)) return;
+  const auto state = [&alive](const S* array) { return select(alive, load<T>(array), T(0)); };
 
   // Gather
   const std::int32_t* corner = elements.corner + pack * 8 * W;
@@ -93,7 +95,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(nodes.position, corner + i * W);
   const HexahedronModes<T> x = to_modes(value);
 
-  // Strain increment and spin of the mid-step geometry
+  // Geometry in the middle and at the end of the step
   HexahedronModes<T> x_mid;
   const T minus_half_dt(S(-0.5) * dt);
   PINBALL_UNROLL
@@ -102,48 +104,54 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   for (int m = 0; m < 4; ++m) x_mid.hourglass[m] = x.hourglass[m] + minus_half_dt * v.hourglass[m];
   const UniformGradient<T> b_mid = uniform_gradient(x_mid);
   const T volume_mid = hexahedron_volume(b_mid, x_mid);
-  const T inverse_volume_mid = select(alive, T(1) / volume_mid, T(0));
-  const Tensor<T> gradient = velocity_gradient(b_mid, v, inverse_volume_mid);
-  const Symmetric<T> rate = symmetric_part(gradient);
-  const Symmetric<T> strain = T(dt) * rate;
-  const Rotation<T> rotation = hughes_winget_rotation(T(dt) * axial_vector(gradient));
-
-  // Geometry at the end of the step
   const UniformGradient<T> b = uniform_gradient(x);
   const T volume = hexahedron_volume(b, x);
-  const auto has_volume = volume > T(0) && volume_mid > T(0);  // false for NaN
-  const T inverse_volume = select(alive, T(1) / volume, T(0));
+  const auto has_volume = minimum(volume, volume_mid) > T(0);
+  // Both inverses from one division. An element that is not there, or has lost its volume, has no rates and no forces.
+  const auto whole = alive && has_volume;
+  const T inverse_both = select(whole, T(1) / (volume * volume_mid), T(0));
+  const T inverse_volume = inverse_both * volume_mid, inverse_volume_mid = inverse_both * volume;
+
+  // Strain increment and spin
+  const Tensor<T> gradient = velocity_gradient(b_mid, v, inverse_volume_mid);
+  const Symmetric<T> strain = T(dt) * symmetric_part(gradient);
+  const T volumetric = trace(strain);
+  const Rotation<T> rotation = hughes_winget_rotation(T(dt) * axial_vector(gradient));
 
   // Stress
   S* stored = elements.stress + pack * 6 * W;
-  const Symmetric<T> stress_old{load<T>(stored),         load<T>(stored + W),     load<T>(stored + 2 * W),
-                                load<T>(stored + 3 * W), load<T>(stored + 4 * W), load<T>(stored + 5 * W)};
-  Symmetric<T> stress = rotate(rotation, stress_old) + elastic_increment(T(material.lambda), T(material.mu), strain);
+  const Symmetric<T> stress_old{state(stored),         state(stored + W),     state(stored + 2 * W),
+                                state(stored + 3 * W), state(stored + 4 * W), state(stored + 5 * W)};
+  // The increment belongs to the middle of the rotation: half of it turns with the old stress. Added whole after the
+  // rotation it would be turned by half a step, a skew part of the stiffness that feeds the high modes of a spinning body.
+  const Symmetric<T> half_increment =
+      elastic_increment(T(S(0.5) * material.lambda), T(S(0.5) * material.mu), strain);
+  Symmetric<T> stress = rotate(rotation, stress_old + half_increment) + half_increment;
   T plastic_strain(0);
   if constexpr (features.plastic) {
-    plastic_strain = load<T>(elements.plastic_strain + pack * W);
+    plastic_strain = state(elements.plastic_strain + pack * W);
     radial_return(material, stress, plastic_strain);
     store(plastic_strain, elements.plastic_strain + pack * W);
   }
 
   // Erosion: the element keeps its nodes and their mass, and carries no stress from now on.
-  auto carries = alive;
+  [[maybe_unused]] MaskOf<T> fails(false);
+  [[maybe_unused]] bool any_fails = false;
+  auto carries = whole;
+  auto inverted = alive && !has_volume;
   if constexpr (features.erosion) {
-    auto fails = plastic_strain > T(material.erosion_strain);
-    if (constants.erode_negative_volume) fails = fails || !has_volume;
-    fails = fails && alive;
-    carries = alive && !fails;
-    if (any_lane(fails)) {
+    fails = plastic_strain > T(material.erosion_strain) && alive;
+    if (constants.erode_negative_volume) fails = fails || inverted;
+    any_fails = any_lane(fails);
+    if (any_fails) {
+      carries = carries && !fails;
+      inverted = inverted && !fails;
       sums.eroded_count += count_lanes(fails);
       store(select(fails, T(0), mass), elements.mass + pack * W);
+      stress = select(fails, Symmetric<T>{T(0), T(0), T(0), T(0), T(0), T(0)}, stress);
     }
   }
-  sums.inverted_count += count_lanes(carries && !has_volume);
-  const T inverse_volume_now = select(carries, inverse_volume, T(0));
-  const Symmetric<T> carried{select(carries, stress.xx, T(0)), select(carries, stress.yy, T(0)),
-                             select(carries, stress.zz, T(0)), select(carries, stress.xy, T(0)),
-                             select(carries, stress.yz, T(0)), select(carries, stress.zx, T(0))};
-  stress = carried;  // a copy: where packs live in memory, GCC 12 builds "stress = {select(.., stress.xx, ..)}" in place
+  if (any_lane(inverted)) sums.inverted_count += count_lanes(inverted);
   store(stress.xx, stored);
   store(stress.yy, stored + W);
   store(stress.zz, stored + 2 * W);
@@ -151,94 +159,103 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   store(stress.yz, stored + 4 * W);
   store(stress.zx, stored + 5 * W);
 
-  // Work of the stresses, V/2 (sigma_old + sigma_new) : strain; for an element that erodes in this step sigma_new = 0,
-  // as its forces are. Padding has strain 0 because its inverse volume is 0; an eroding element of no volume adds none.
-  const T usable_volume = select(alive && has_volume, volume_mid, T(0));
-  const T work = number<T>(0.5) * usable_volume * contract(stress_old + stress, strain);
-  sums.internal += select(alive && has_volume, work, T(0));
+  // Work of the stresses, V/2 (sigma_old + sigma_new) : strain; an element that erodes in this step has sigma_new = 0, as
+  // its forces are. Strains of padding and of elements without volume are zero.
+  const T work = number<T>(0.5) * volume_mid * contract(stress_old + stress, strain);
+  sums.internal += work;
   if constexpr (features.erosion) {
-    const T energy = load<T>(elements.internal_energy + pack * W) + select(alive && has_volume, work, T(0));
-    sums.eroded += select(alive && !carries, energy, T(0));
+    const T energy = state(elements.internal_energy + pack * W) + work;
     store(energy, elements.internal_energy + pack * W);
+    if (any_fails) sums.eroded += select(fails, energy, T(0));
   }
+
+  const Symmetric<T> b_b = gradient_square(b);
+  const T trace_b_b = trace(b_b);
 
   // Bulk viscosity
   T viscosity(0);
-  const T density = mass * inverse_volume_now;
+  const T density = mass * inverse_volume;
   if constexpr (features.bulk_viscosity) {
-    const T length = volume / square_root(number<T>(2.0 / 3.0) * gradient_norm_squared(b));
-    const T volumetric = trace(rate);
+    const T length = volume / square_root(number<T>(2.0 / 3.0) * trace_b_b);
+    const T rate = gradient.row_x.x + gradient.row_y.y + gradient.row_z.z;
     viscosity = bulk_viscosity(T(constants.linear_viscosity), T(constants.quadratic_viscosity), density,
-                               T(material.sound_speed), length, volumetric);
-    const T q_old = load<T>(elements.viscous_stress + pack * W);
-    const T q = select(carries, viscosity * volumetric, T(0));
+                               T(material.sound_speed), length, rate);
+    const T q_old = state(elements.viscous_stress + pack * W);
+    T q = viscosity * rate;
+    if constexpr (features.erosion) {
+      if (any_fails) q = select(fails, T(0), q);
+    }
     store(q, elements.viscous_stress + pack * W);
-    sums.viscous += select(alive && has_volume, T(S(0.5) * dt) * usable_volume * (q_old + q) * volumetric, T(0));
+    sums.viscous += number<T>(0.5) * volume_mid * (q_old + q) * volumetric;
     stress.xx += q;
     stress.yy += q;
     stress.zz += q;
   }
 
-  // Forces in modes
-  Vec3<T> force_linear[3], force_hourglass[4];
-  PINBALL_UNROLL
-  for (int m = 0; m < 3; ++m) {
-    force_linear[m] = stress * b.linear[m];
-    force_hourglass[m] = stress * b.hourglass[m];
-  }
-  force_hourglass[3] = {T(0), T(0), T(0)};
-
-  // Hourglass control
+  // Hourglass control: forces of the hourglass modes, and a tensor that acts with the stress
+  Tensor<T> acting;
+  HourglassForce<T> hourglass{};
   if constexpr (features.hourglass == HourglassKind::stiffness) {
     const T modulus(constants.hourglass_coefficient * (material.lambda + 2 * material.mu));
-    const T stiffness = select(carries && has_volume,
-                               T(dt) * hourglass_stiffness(modulus, b_mid, inverse_volume_mid), T(0));
-    HourglassForce<T> hourglass;
+    const T half_stiffness = T(S(0.5) * dt) * hourglass_stiffness(modulus, trace_b_b, inverse_volume);
     T power(0);
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) {
-      S* q = elements.hourglass_force + (pack * 12 + 3 * a) * W;
-      const Vec3<T> old{load<T>(q), load<T>(q + W), load<T>(q + 2 * W)};
-      const Vec3<T> hourglass_velocity = hourglass_rate(gradient, x_mid, v, a);
-      const Vec3<T> turned = rotate(rotation, old) + stiffness * hourglass_velocity;
-      hourglass.q[a] = {select(carries, turned.x, T(0)), select(carries, turned.y, T(0)),
-                        select(carries, turned.z, T(0))};
-      store(hourglass.q[a].x, q);
-      store(hourglass.q[a].y, q + W);
-      store(hourglass.q[a].z, q + 2 * W);
-      power += dot(old + hourglass.q[a], hourglass_velocity);
+      S* p = elements.hourglass_force + (pack * 12 + 3 * a) * W;
+      const Vec3<T> old{state(p), state(p + W), state(p + 2 * W)};
+      const Vec3<T> rate = hourglass_rate(gradient, x_mid, v, a);
+      const Vec3<T> half = half_stiffness * rate;  // turns as half of the stress increment
+      Vec3<T> now = rotate(rotation, old + half) + half;
+      if constexpr (features.erosion) {
+        if (any_fails) now = select(fails, Vec3<T>{T(0), T(0), T(0)}, now);
+      }
+      store(now.x, p);
+      store(now.y, p + W);
+      store(now.z, p + 2 * W);
+      hourglass.p[a] = now;
+      power += dot(old + now, rate);
     }
-    sums.hourglass += select(alive && has_volume, T(S(0.5) * dt) * power, T(0));
-    add_hourglass_forces(hourglass, x, b, inverse_volume_now, force_linear, force_hourglass);
+    sums.hourglass += T(S(4) * dt) * power;  // 8 sum_a P_a.h_a, mean of old and new
+    acting = hourglass_stress(hourglass, x, inverse_volume) + stress;
   } else if constexpr (features.hourglass == HourglassKind::viscous) {
     const T impedance = T(constants.hourglass_coefficient * material.sound_speed) * density;
-    const T factor = select(carries && has_volume, hourglass_viscosity(impedance, b), T(0));
-    HourglassForce<T> hourglass;
+    T factor = hourglass_viscosity(impedance, trace_b_b);
+    if constexpr (features.erosion) {
+      if (any_fails) factor = select(fails, T(0), factor);
+    }
     T power(0);
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) {
-      const Vec3<T> hourglass_velocity = hourglass_rate(gradient, x_mid, v, a);
-      hourglass.q[a] = factor * hourglass_velocity;
-      power += dot(hourglass.q[a], hourglass_velocity);
+      const Vec3<T> rate = hourglass_rate(gradient, x_mid, v, a);
+      hourglass.p[a] = factor * rate;
+      power += dot(hourglass.p[a], rate);
     }
-    sums.hourglass += select(carries && has_volume, T(dt) * power, T(0));
-    add_hourglass_forces(hourglass, x, b, inverse_volume_now, force_linear, force_hourglass);
+    sums.hourglass += T(S(8) * dt) * power;
+    acting = hourglass_stress(hourglass, x, inverse_volume) + stress;
+  } else {
+    acting = to_tensor(stress);
   }
 
   // Stable step of the next step
-  const T volume_per_mass = volume / select(carries, mass, T(1));
-  const T step = element_stable_time_step(b, inverse_volume_now, volume_per_mass, T(material.lambda), T(material.mu),
-                                          viscosity);
-  const auto smaller = carries && step < sums.time_step;
-  sums.time_step = select(smaller, step, sums.time_step);
-  sums.time_step_pack = select(smaller, T(static_cast<S>(pack_in_tile)), sums.time_step_pack);
+  const T inverse_mass = T(1) / select(alive, mass, T(1));
+  const T rate = element_stable_rate((inverse_volume * inverse_volume) * b_b, volume, inverse_mass, T(material.lambda),
+                                     T(material.mu), viscosity);
+  const auto larger = carries && rate > sums.stable_rate;
+  sums.stable_rate = select(larger, rate, sums.stable_rate);
+  sums.stable_rate_pack = select(larger, T(static_cast<S>(pack_in_tile)), sums.stable_rate_pack);
 
-  // Scatter: nodal forces are minus the internal forces.
+  // Forces: minus the internal ones, first of the modes, then of the corners
+  acting = T(-1) * acting;
+  Vec3<T> force_linear[3], force_hourglass[4];
   PINBALL_UNROLL
-  for (int m = 0; m < 3; ++m) force_linear[m] = T(-1) * force_linear[m];
-  PINBALL_UNROLL
-  for (int m = 0; m < 4; ++m) force_hourglass[m] = T(-1) * force_hourglass[m];
+  for (int m = 0; m < 3; ++m) {
+    force_linear[m] = acting * b.linear[m];
+    force_hourglass[m] = acting * b.hourglass[m] - hourglass.p[m];
+  }
+  force_hourglass[3] = T(-1) * hourglass.p[3];
   from_modes(force_linear, force_hourglass, value);
+
+  // Scatter
   PINBALL_UNROLL
   for (int i = 0; i < 8; ++i) {
     add_to_records(nodes.force, corner + i * W, value[i].x, value[i].y, value[i].z, T(0));

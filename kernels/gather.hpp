@@ -13,6 +13,10 @@
 /// way, lane after lane, so that lanes that share a node add up correctly and in a fixed order.
 ///
 /// Contract: base is aligned to four scalars; index holds width_of<T> valid record numbers, which may repeat.
+#if defined(__AVX512F__) && !defined(__CUDACC__)
+#include <immintrin.h>
+#endif
+
 namespace pinball {
 
 namespace detail {
@@ -169,8 +173,9 @@ struct WideType<float, 16> {
 // Eight records of four doubles. Loading records (0,2) (1,3) (4,6) (5,7) as pairs makes the transposed lanes come out
 // in natural order after one unpack and one shuffle.
 PINBALL_FUNCTION Double8 load_pair(const double* base, std::int32_t low, std::int32_t high) {
-  return __builtin_shufflevector(load_record<Double4>(base, low), load_record<Double4>(base, high), 0, 1, 2, 3, 4, 5, 6,
-                                 7);
+  // vinsertf64x4 with its second operand in memory; from a shuffle GCC makes a load and a shuffle.
+  const __m512d first = _mm512_castpd256_pd512(_mm256_load_pd(base + 4 * static_cast<std::int64_t>(low)));
+  return Double8(_mm512_insertf64x4(first, _mm256_load_pd(base + 4 * static_cast<std::int64_t>(high)), 1));
 }
 PINBALL_FUNCTION void gather_wide(const double* base, const std::int32_t* index, Double8& a, Double8& b, Double8& c,
                                   Double8& d) {

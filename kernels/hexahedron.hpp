@@ -6,40 +6,40 @@
 /// The uniform-strain hexahedron of Flanagan and Belytschko (Internat. J. Numer. Meths. Engrg. 17, 679-706, 1981) in its
 /// modal form.
 ///
-/// A trilinear field on the parent cube (xi, eta, zeta) in [-1,1]^3 with corner values a_I, I = 0..7, is
+/// A trilinear field on the parent cube (xi, eta, zeta) in [-1,1]^3 is a sum over eight modes,
 ///
-///     a = 1/8 sum_m M_m(xi,eta,zeta) A_m ,   A_m = sum_I M_mI a_I ,
+///     a = A_0 + A_1 xi + A_2 eta + A_3 zeta + sqrt3 (A_4 eta zeta + A_5 zeta xi + A_6 xi eta + A_7 xi eta zeta) ,
 ///
-/// with the eight modes M: constant 1; linear xi, eta, zeta; hourglass eta*zeta, zeta*xi, xi*eta, xi*eta*zeta. Their
-/// corner values M_mI are +1 or -1 and orthogonal, so that the change between corner values and modes takes 24
-/// additions per component. The mean gradient
+/// one constant, three linear, four hourglass modes. Their corner values are +1 or -1 (times sqrt3) and orthogonal, so
+/// that the coefficients A_m follow from the eight corner values a_I with 24 additions per component. The sqrt3 gives the
+/// modes 1 to 6 the same mean square on the cube, and with it the mean gradient
 ///
 ///     B_iI = integral over the element of dN_I/dx_i dV
 ///
-/// is exactly a combination of six of these modes,
+/// has no factors: with X_m, H_m = X_(m+3) the coefficients of the coordinates,
 ///
-///     B_I = sum_{m=xi,eta,zeta} M_mI C_m + sum_{a=1,2,3} G_aI D_a ,
+///     B_I = sum_m L_mI C_m + 1/sqrt3 sum_m G_mI D_m ,     m = 1, 2, 3 ,
+///     C_1 = X_2 x X_3 + H_3 x H_2 ,   D_1 = X_3 x H_2 + H_3 x X_2 ,   and cyclic,
 ///
-///     C_1 = X_2 x X_3 + 1/3 H_3 x H_2 ,  D_1 = 1/3 (X_3 x H_2 + H_3 x X_2) , and cyclic in 1, 2, 3,
+/// where L_m and G_m are the corner values (+-1) of the linear and hourglass modes. (Integrate the cofactor columns of the
+/// Jacobian times the derivatives of the modes over the cube: all odd powers vanish, and what X_7 contributes cancels.)
+/// For a field v with coefficients V_m the sum over corners becomes sum_I v_iI B_jI = 8 sum_(m=1..6) V_m,i (C, D)_m,j.
 ///
-/// with X_m = (coordinate modes) / 8, H_a likewise for the hourglass modes, G_a the hourglass corner values. (Integrate
-/// the cofactor columns of the Jacobian times dM/dxi over the cube: all products of odd powers vanish, and the
-/// contributions of H_4 cancel.) This equals the closed form of the paper to round-off; it costs
-/// twelve cross products instead of 24 sums of eighteen products, and neither velocity gradient nor forces ever need the
-/// 24 values B_iI themselves.
+/// This equals the closed form of the paper to round-off; it costs twelve cross products instead of 24 sums of eighteen
+/// products, and neither velocity gradient nor forces ever need the 24 values B_iI themselves.
 ///
 /// Corner order: see pinball/solver/mesh.hpp; (-,-,-) (+,-,-) (+,+,-) (-,+,-) (-,-,+) (+,-,+) (+,+,+) (-,+,+).
 namespace pinball {
 
-/// Modal coefficients A_m = sum_I M_mI a_I of a vector field (not divided by 8).
+/// Modal coefficients of a vector field.
 template <class T>
 struct HexahedronModes {
-  Vec3<T> constant;
+  Vec3<T> constant;      ///< the mean of the corners
   Vec3<T> linear[3];     ///< xi, eta, zeta
-  Vec3<T> hourglass[4];  ///< eta*zeta, zeta*xi, xi*eta, xi*eta*zeta: the vectors Gamma_1..4 of the paper
+  Vec3<T> hourglass[4];  ///< sqrt3 times eta zeta, zeta xi, xi eta, xi eta zeta (the paper's Gamma_1..4)
 };
 
-/// The eight modes of one scalar component, from its eight corner values. 24 additions.
+/// The sums of one scalar component over the corners with the signs of each mode. 24 additions.
 template <class T>
 PINBALL_FUNCTION void walsh_transform(const T& a0, const T& a1, const T& a2, const T& a3, const T& a4, const T& a5,
                                       const T& a6, const T& a7, T& constant, T& xi, T& eta, T& zeta, T& eta_zeta,
@@ -69,46 +69,61 @@ PINBALL_FUNCTION HexahedronModes<T> to_modes(const Vec3<T> (&corner)[8]) {
   PINBALL_COMPONENT(y);
   PINBALL_COMPONENT(z);
 #undef PINBALL_COMPONENT
+  const T eighth = number<T>(0.125), hourglass = number<T>(0.072168783648703220564);  // 1/8, 1/(8 sqrt3)
+  m.constant = eighth * m.constant;
+  PINBALL_UNROLL
+  for (int i = 0; i < 3; ++i) m.linear[i] = eighth * m.linear[i];
+  PINBALL_UNROLL
+  for (int i = 0; i < 4; ++i) m.hourglass[i] = hourglass * m.hourglass[i];
   return m;
 }
 
-/// Corner values sum_m M_mI A_m of modal coefficients without a constant part: the transpose of to_modes.
+/// Corner values f_I = sum_m L_mI linear[m] + 1/sqrt3 sum_a G_aI hourglass[a]: nodal forces from modal ones, so that
+/// sum_I f_I.v_I = 8 (sum_m linear[m].V_m + sum_a hourglass[a].V_(a+4)) for every velocity field.
 template <class T>
 PINBALL_FUNCTION void from_modes(const Vec3<T> (&linear)[3], const Vec3<T> (&hourglass)[4], Vec3<T> (&corner)[8]) {
-  const Vec3<T> low_xi = linear[0] - hourglass[2], high_xi = linear[0] + hourglass[2];  // xi slope at eta = -1, +1
-  const Vec3<T> s0 = T(-1) * (linear[1] + low_xi), s1 = low_xi - linear[1];
+  const T scale = number<T>(0.57735026918962576451);  // 1/sqrt3
+  const Vec3<T> eta_zeta = scale * hourglass[0], zeta_xi = scale * hourglass[1], xi_eta = scale * hourglass[2],
+                xi_eta_zeta = scale * hourglass[3];
+  const Vec3<T> low_xi = linear[0] - xi_eta, high_xi = linear[0] + xi_eta;  // xi slope at eta = -1, +1
+  const Vec3<T> s0 = linear[1] + low_xi, s1 = low_xi - linear[1];           // s0 with its sign turned
   const Vec3<T> s2 = linear[1] + high_xi, s3 = linear[1] - high_xi;
-  const Vec3<T> low = linear[2] - hourglass[0], high = linear[2] + hourglass[0];  // zeta slope at eta = -1, +1
-  const Vec3<T> low_d = hourglass[1] - hourglass[3], high_d = hourglass[1] + hourglass[3];
+  const Vec3<T> low = linear[2] - eta_zeta, high = linear[2] + eta_zeta;  // zeta slope at eta = -1, +1
+  const Vec3<T> low_d = zeta_xi - xi_eta_zeta, high_d = zeta_xi + xi_eta_zeta;
   const Vec3<T> d0 = low - low_d, d1 = low + low_d, d2 = high + high_d, d3 = high - high_d;
-  corner[0] = s0 - d0;
+  corner[0] = T(-1) * (s0 + d0);
   corner[1] = s1 - d1;
   corner[2] = s2 - d2;
   corner[3] = s3 - d3;
-  corner[4] = s0 + d0;
+  corner[4] = d0 - s0;
   corner[5] = s1 + d1;
   corner[6] = s2 + d2;
   corner[7] = s3 + d3;
 }
 
-/// The mean gradient operator as its six modal vectors [length^2]: B_I = sum M_mI linear[m] + sum G_aI hourglass[a].
+/// The mean gradient operator as its six modal vectors C_1..3 and D_1..3 [length^2].
 template <class T>
 struct UniformGradient {
   Vec3<T> linear[3];
   Vec3<T> hourglass[3];
 };
 
+/// a x b + c x d
+template <class T>
+PINBALL_FUNCTION Vec3<T> sum_of_cross_products(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& c, const Vec3<T>& d) {
+  return {a.y * b.z - a.z * b.y + c.y * d.z - c.z * d.y, a.z * b.x - a.x * b.z + c.z * d.x - c.x * d.z,
+          a.x * b.y - a.y * b.x + c.x * d.y - c.y * d.x};
+}
+
 /// x: modes of the corner coordinates.
 template <class T>
 PINBALL_FUNCTION UniformGradient<T> uniform_gradient(const HexahedronModes<T>& x) {
   UniformGradient<T> b;
-  const T whole = number<T>(1.0 / 64.0);   // the factors 1/8 of two coordinate modes
-  const T third = number<T>(1.0 / 192.0);  // a third of them
   PINBALL_UNROLL
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    b.linear[i] = whole * cross(x.linear[j], x.linear[k]) + third * cross(x.hourglass[k], x.hourglass[j]);
-    b.hourglass[i] = third * (cross(x.linear[k], x.hourglass[j]) + cross(x.hourglass[k], x.linear[j]));
+    b.linear[i] = sum_of_cross_products(x.linear[j], x.linear[k], x.hourglass[k], x.hourglass[j]);
+    b.hourglass[i] = sum_of_cross_products(x.linear[k], x.hourglass[j], x.hourglass[k], x.linear[j]);
   }
   return b;
 }
@@ -119,28 +134,39 @@ PINBALL_FUNCTION T hexahedron_volume(const UniformGradient<T>& b, const Hexahedr
   T sum = dot(b.linear[0], x.linear[0]) + dot(b.hourglass[0], x.hourglass[0]);
   sum += dot(b.linear[1], x.linear[1]) + dot(b.hourglass[1], x.hourglass[1]);
   sum += dot(b.linear[2], x.linear[2]) + dot(b.hourglass[2], x.hourglass[2]);
-  return number<T>(1.0 / 3.0) * sum;
+  return number<T>(8.0 / 3.0) * sum;
 }
 
 /// L_ij = 1/V sum_I v_iI B_jI [1/time]; v: modes of the corner velocities.
 template <class T>
 PINBALL_FUNCTION Tensor<T> velocity_gradient(const UniformGradient<T>& b, const HexahedronModes<T>& v,
                                              const T& inverse_volume) {
-#define PINBALL_ROW(c)                                                                                      \
-  (inverse_volume * (v.linear[0].c * b.linear[0] + v.linear[1].c * b.linear[1] + v.linear[2].c * b.linear[2] + \
-                     v.hourglass[0].c * b.hourglass[0] + v.hourglass[1].c * b.hourglass[1] +                 \
-                     v.hourglass[2].c * b.hourglass[2]))
+  const T scale = T(8) * inverse_volume;
+#define PINBALL_ROW(c)                                                                                     \
+  (scale * (v.linear[0].c * b.linear[0] + v.linear[1].c * b.linear[1] + v.linear[2].c * b.linear[2] +     \
+            v.hourglass[0].c * b.hourglass[0] + v.hourglass[1].c * b.hourglass[1] + v.hourglass[2].c * b.hourglass[2]))
   return {PINBALL_ROW(x), PINBALL_ROW(y), PINBALL_ROW(z)};
 #undef PINBALL_ROW
 }
 
-/// B_iI B_iI summed over components and corners [length^4]; the modes are orthogonal with norm^2 8.
+/// sum_I B_iI B_jI [length^4]; L_m and G_m have norm^2 8.
 template <class T>
-PINBALL_FUNCTION T gradient_norm_squared(const UniformGradient<T>& b) {
-  T sum = dot(b.linear[0], b.linear[0]) + dot(b.hourglass[0], b.hourglass[0]);
-  sum += dot(b.linear[1], b.linear[1]) + dot(b.hourglass[1], b.hourglass[1]);
-  sum += dot(b.linear[2], b.linear[2]) + dot(b.hourglass[2], b.hourglass[2]);
-  return T(8) * sum;
+PINBALL_FUNCTION Symmetric<T> gradient_square(const UniformGradient<T>& b) {
+  const auto add = [](Symmetric<T>& s, const Vec3<T>& c) {
+    s.xx += c.x * c.x;
+    s.yy += c.y * c.y;
+    s.zz += c.z * c.z;
+    s.xy += c.x * c.y;
+    s.yz += c.y * c.z;
+    s.zx += c.z * c.x;
+  };
+  Symmetric<T> linear{T(0), T(0), T(0), T(0), T(0), T(0)}, hourglass = linear;
+  PINBALL_UNROLL
+  for (int m = 0; m < 3; ++m) {
+    add(linear, b.linear[m]);
+    add(hourglass, b.hourglass[m]);
+  }
+  return T(8) * linear + number<T>(8.0 / 3.0) * hourglass;
 }
 
 /// The 24 values B_iI themselves, for what needs them per corner (tests, other elements).
@@ -151,13 +177,14 @@ PINBALL_FUNCTION void expand(const UniformGradient<T>& b, Vec3<T> (&corner)[8]) 
 }
 
 /// Outward area vectors of the two faces across parent axis i (0 xi, 1 eta, 2 zeta) [length^2], exact for bilinear faces:
-/// A = +-1/16 (x_j +- h_k) x (x_k +- h_j), j, k the cyclic successors of i.
+/// A = +-4 (X_j +- sqrt3 H_k) x (X_k +- sqrt3 H_j), j, k the cyclic successors of i.
 template <class T>
 PINBALL_FUNCTION void face_areas(const HexahedronModes<T>& x, int i, Vec3<T>& minus, Vec3<T>& plus) {
   const int j = (i + 1) % 3, k = (i + 2) % 3;
-  const T sixteenth = number<T>(1.0 / 16.0);
-  plus = sixteenth * cross(x.linear[j] + x.hourglass[k], x.linear[k] + x.hourglass[j]);
-  minus = number<T>(-1.0 / 16.0) * cross(x.linear[j] - x.hourglass[k], x.linear[k] - x.hourglass[j]);
+  const T sqrt3 = number<T>(1.7320508075688772935);
+  const Vec3<T> hj = sqrt3 * x.hourglass[j], hk = sqrt3 * x.hourglass[k];
+  plus = T(4) * cross(x.linear[j] + hk, x.linear[k] + hj);
+  minus = T(-4) * cross(x.linear[j] - hk, x.linear[k] - hj);
 }
 
 }  // namespace pinball

@@ -12,55 +12,50 @@
 /// puts the hourglass frequency of a cube at its highest material frequency. Viscous form:
 /// Q_a = k rho c A qdot_a with A = sqrt(2/3 B_jJ B_jJ), the face area of a cube (no cube root as in V^(2/3)).
 ///
-/// In modes (hexahedron.hpp) neither gamma nor the corner sums are formed: qdot_a = v_Ga - L x_Ga, and the forces are
-/// the modes Q_a themselves plus a stress-like tensor -1/V Q_a (x) x_Ga that acts through B.
+/// In modes (hexahedron.hpp) neither gamma nor the corner sums are formed. With V_a, H_a the coefficients of hourglass
+/// mode a of velocities and coordinates,
+///
+///     qdot_a = 8 sqrt3 h_a ,  h_a = V_a - L H_a ,
+///
+/// and with the force P_a = sqrt3 Q_a that is conjugate to it (f.v = 8 sum_a P_a.h_a) the nodal forces are the modal
+/// forces P_a together with a stress-like tensor -8/V sum_a P_a (x) H_a that acts through B. Then
+/// Pdot_a = kappa (lambda + 2 mu) (B:B)/V h_a (stiffness) and P_a = 24 k rho c A h_a (viscous).
 namespace pinball {
 
 template <class T>
 struct HourglassForce {
-  Vec3<T> q[4];  ///< Q_a [force]
+  Vec3<T> p[4];  ///< P_a [force]
 };
 
-/// Hourglass rate of mode a. x, v: hourglass modes [a] of coordinates and velocities; L: velocity gradient of the same
-/// geometry.
+/// h_a [length/time]. x, v: modes of coordinates and velocities; L: velocity gradient of the same geometry.
 template <class T>
 PINBALL_FUNCTION Vec3<T> hourglass_rate(const Tensor<T>& L, const HexahedronModes<T>& x, const HexahedronModes<T>& v,
                                         int a) {
   return v.hourglass[a] - L * x.hourglass[a];
 }
 
-/// Factor of the stiffness form, d Q_a / d (integral of qdot_a) [force/length]; modulus = kappa (lambda + 2 mu).
+/// Stiffness form: Pdot_a / h_a [force/length]; modulus = kappa (lambda + 2 mu); b_b = B_jJ B_jJ [length^4].
 template <class T>
-PINBALL_FUNCTION T hourglass_stiffness(const T& modulus, const UniformGradient<T>& b, const T& inverse_volume) {
-  return modulus * number<T>(1.0 / 24.0) * gradient_norm_squared(b) * inverse_volume;
+PINBALL_FUNCTION T hourglass_stiffness(const T& modulus, const T& b_b, const T& inverse_volume) {
+  return modulus * b_b * inverse_volume;
 }
 
-/// Factor of the viscous form, Q_a / qdot_a [force time/length]; impedance = k rho c.
+/// Viscous form: P_a / h_a [force time/length]; impedance = k rho c; b_b = B_jJ B_jJ [length^4].
 template <class T>
-PINBALL_FUNCTION T hourglass_viscosity(const T& impedance, const UniformGradient<T>& b) {
-  return impedance * square_root(number<T>(2.0 / 3.0) * gradient_norm_squared(b));
+PINBALL_FUNCTION T hourglass_viscosity(const T& impedance, const T& b_b) {
+  return T(24) * impedance * square_root(number<T>(2.0 / 3.0) * b_b);
 }
 
-/// Adds the hourglass forces to the modal forces (linear, hourglass) of an element: f_I = sum_a Q_a gamma_aI.
+/// The tensor -8/V sum_a P_a (x) H_a, to be added to the stress where it acts through B.
 template <class T>
-PINBALL_FUNCTION void add_hourglass_forces(const HourglassForce<T>& force, const HexahedronModes<T>& x,
-                                           const UniformGradient<T>& b, const T& inverse_volume, Vec3<T> (&linear)[3],
-                                           Vec3<T> (&hourglass)[4]) {
-  // t_ij = -1/V sum_a Q_ai x_Gaj: its product with the modes of B is the part of gamma along B.
-  Tensor<T> t;
-#define PINBALL_ROW(c)                                                                          \
-  (T(-1) * inverse_volume) * (force.q[0].c * x.hourglass[0] + force.q[1].c * x.hourglass[1] + \
-                              force.q[2].c * x.hourglass[2] + force.q[3].c * x.hourglass[3])
-  t.row_x = PINBALL_ROW(x);
-  t.row_y = PINBALL_ROW(y);
-  t.row_z = PINBALL_ROW(z);
+PINBALL_FUNCTION Tensor<T> hourglass_stress(const HourglassForce<T>& force, const HexahedronModes<T>& x,
+                                            const T& inverse_volume) {
+  const T scale = T(-8) * inverse_volume;
+#define PINBALL_ROW(c)                                                              \
+  (scale * (force.p[0].c * x.hourglass[0] + force.p[1].c * x.hourglass[1] +         \
+            force.p[2].c * x.hourglass[2] + force.p[3].c * x.hourglass[3]))
+  return {PINBALL_ROW(x), PINBALL_ROW(y), PINBALL_ROW(z)};
 #undef PINBALL_ROW
-  PINBALL_UNROLL
-  for (int m = 0; m < 3; ++m) {
-    linear[m] = linear[m] + t * b.linear[m];
-    hourglass[m] = hourglass[m] + t * b.hourglass[m] + force.q[m];
-  }
-  hourglass[3] = hourglass[3] + force.q[3];
 }
 
 }  // namespace pinball

@@ -38,7 +38,7 @@ PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>
   PINBALL_UNROLL
   for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(position, corner + i * W);
   const HexahedronModes<T> x = to_modes(value);
-  const Vec3<T> centre = number<T>(0.125) * x.constant;  // (3.1)
+  const Vec3<T> centre = x.constant;  // (3.1)
   T exposed[6];
   PINBALL_UNROLL
   for (int f = 0; f < 6; ++f) exposed[f] = load<T>(view.exposed + (pack * 6 + f) * W);

@@ -60,6 +60,17 @@ PINBALL_FUNCTION Vec3<T> operator*(const Symmetric<T>& a, const Vec3<T>& v) {
           a.zx * v.x + a.yz * v.y + a.zz * v.z};
 }
 
+/// if (mask) a; else b, lane by lane.
+template <class T>
+PINBALL_FUNCTION Vec3<T> select(const MaskOf<T>& mask, const Vec3<T>& a, const Vec3<T>& b) {
+  return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
+}
+template <class T>
+PINBALL_FUNCTION Symmetric<T> select(const MaskOf<T>& mask, const Symmetric<T>& a, const Symmetric<T>& b) {
+  return {select(mask, a.xx, b.xx), select(mask, a.yy, b.yy), select(mask, a.zz, b.zz),
+          select(mask, a.xy, b.xy), select(mask, a.yz, b.yz), select(mask, a.zx, b.zx)};
+}
+
 /// General tensor by rows: L_ij = row i, component j.
 template <class T>
 struct Tensor {
@@ -69,6 +80,21 @@ struct Tensor {
 template <class T>
 PINBALL_FUNCTION Vec3<T> operator*(const Tensor<T>& a, const Vec3<T>& v) {
   return {dot(a.row_x, v), dot(a.row_y, v), dot(a.row_z, v)};
+}
+/// Tensor plus symmetric tensor.
+template <class T>
+PINBALL_FUNCTION Tensor<T> operator+(const Tensor<T>& a, const Symmetric<T>& s) {
+  return {{a.row_x.x + s.xx, a.row_x.y + s.xy, a.row_x.z + s.zx},
+          {a.row_y.x + s.xy, a.row_y.y + s.yy, a.row_y.z + s.yz},
+          {a.row_z.x + s.zx, a.row_z.y + s.yz, a.row_z.z + s.zz}};
+}
+template <class T>
+PINBALL_FUNCTION Tensor<T> to_tensor(const Symmetric<T>& s) {
+  return {{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
+}
+template <class T>
+PINBALL_FUNCTION Tensor<T> operator*(const T& s, const Tensor<T>& a) {
+  return {s * a.row_x, s * a.row_y, s * a.row_z};
 }
 /// sym(L) = (L + L^T) / 2
 template <class T>

@@ -1,6 +1,254 @@
 #include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <pinball/kernels/exec.hpp>
 #include <pinball/solver/commands.hpp>
+#include <pinball/solver/mesh_generators.hpp>
+#include <pinball/solver/mesh_quality.hpp>
+#include <pinball/solver/progress.hpp>
+#include <pinball/solver/solver.hpp>
+#include <pinball/solver/units.hpp>
+
 namespace pinball {
-int info_command(const RunOptions&) { return 0; }
-int verify_command(const VerifyOptions&) { return 0; }
+
+namespace {
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
 }
+
+/// Of a mass that is itself a force times time squared over length: its "/in" becomes "/in^4".
+std::string density_unit(const Units& units) {
+  if (units.mass.empty()) return "";
+  return units.mass.ends_with("/" + units.length) ? units.mass + "^4" : units.mass + "/" + units.length + "^3";
+}
+
+std::string readable_bytes(double bytes) {
+  if (bytes < 1e6) return fmt::format("{:.3g} kB", bytes / 1e3);
+  if (bytes < 1e9) return fmt::format("{:.3g} MB", bytes / 1e6);
+  return fmt::format("{:.3g} GB", bytes / 1e9);
+}
+
+template <class S>
+void print_bodies(const Model<S>& model, const Units& units) {
+  fmt::print("bodies\n");
+  for (std::size_t b = 0; b < model.scene.bodies.size(); ++b) {
+    const Body& body = model.scene.bodies[b];
+    const auto number = static_cast<std::int32_t>(b);
+    double mass = 0;
+    for (std::size_t e = 0; e < model.mesh.body.size(); ++e)
+      mass += model.mesh.body[e] == number ? model.element_mass[e] : 0;
+    fmt::print("  {}: {} elements, {} nodes, mass {}, of {}\n", body.name,
+               std::count(model.mesh.body.begin(), model.mesh.body.end(), number),
+               std::count(model.mesh.body_of_node.begin(), model.mesh.body_of_node.end(), number),
+               with_unit(mass, units.mass), body.material);
+    const MeshQuality q = measure_quality(generate(body.mesh));
+    fmt::print(
+        "    mesh: edges {:.4g} to {}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on "
+        "average\n",
+        q.min_edge, with_unit(q.max_edge, units.length), q.max_aspect_ratio, q.min_scaled_jacobian,
+        q.mean_scaled_jacobian);
+    fmt::print("    velocity ({:.6g}, {:.6g}, {:.6g}){}\n", body.velocity[0], body.velocity[1], body.velocity[2],
+               units.velocity.empty() ? "" : " " + units.velocity);
+  }
+}
+
+void print_materials(const Scene& scene, const Units& units) {
+  fmt::print("materials\n");
+  for (const Material& m : scene.materials) {
+    const double wave_modulus = m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
+    fmt::print("  {} ({}): density {}, bulk modulus {}, shear modulus {}\n", m.name,
+               m.plastic ? "von Mises" : "elastic", with_unit(m.density, density_unit(units)),
+               with_unit(m.bulk_modulus, units.stress), with_unit(m.shear_modulus, units.stress));
+    fmt::print("    velocity of longitudinal waves {}\n",
+               with_unit(std::sqrt(wave_modulus / m.density), units.velocity));
+    if (!m.plastic) continue;
+    fmt::print("    yield stress {}, plastic modulus {}", with_unit(m.yield_stress, units.stress),
+               with_unit(m.plastic_modulus, units.stress));
+    if (m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress))
+      fmt::print(", ultimate stress {}", with_unit(m.ultimate_stress, units.stress));
+    fmt::print("\n");
+  }
+}
+
+std::string hourglass_text(const Scene& scene, HourglassKind kind) {
+  const double coefficient = scene.element.hourglass_coefficient;
+  const char* form = kind == HourglassKind::stiffness ? "stiffness" : "viscous";
+  return coefficient >= 0 ? fmt::format("hourglass control, {} form, coefficient {:.4g}", form, coefficient)
+                          : fmt::format("hourglass control, {} form", form);
+}
+
+std::string output_text(const Scene& scene, const Units& units) {
+  const OutputSettings& o = scene.output;
+  const double interval = o.interval > 0 ? o.interval : scene.time.end / 200;
+  std::string text = fmt::format("summary, history every {}", with_unit(interval, units.time));
+  std::string when;
+  if (o.field_interval > 0) when = fmt::format("every {}", with_unit(o.field_interval, units.time));
+  if (!o.field_times.empty()) {
+    when += fmt::format("{}at {} given time{}", when.empty() ? "" : " and ", o.field_times.size(),
+                        o.field_times.size() == 1 ? "" : "s");
+  }
+  if (when.empty()) return text;
+  std::string fields;
+  for (const std::string& field : o.fields) fields += (fields.empty() ? "" : ", ") + field;
+  return text + fmt::format(", fields {} ({})", when, fields);
+}
+
+template <class S>
+void print_what_runs(const Solver<S>& solver, const Units& units) {
+  const Model<S>& model = solver.model();
+  const Scene& scene = model.scene;
+  fmt::print("what will run\n");
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    const ElementFeatures& f = model.parts[p].features;
+    const Material& material = scene.materials[p];
+    fmt::print("  elements of {}: {}", material.name, material.plastic ? "plasticity" : "elasticity");
+    if (material.plastic && material.erosion_strain > 0) {
+      fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
+    }
+    if (model.constants[p].erode_negative_volume) fmt::print(", erosion of inverted elements");
+    if (f.hourglass != HourglassKind::none) fmt::print(", {}", hourglass_text(scene, f.hourglass));
+    if (f.bulk_viscosity) {
+      fmt::print(", bulk viscosity (linear {:.4g}, quadratic {:.4g})", scene.element.linear_viscosity,
+                 scene.element.quadratic_viscosity);
+    }
+    fmt::print("\n");
+  }
+  if (solver.contact() != nullptr) {
+    const ContactSettings& c = scene.contact;
+    fmt::print(
+        "  contact: pinballs on {} of {} elements, {} enforcement, beta {:.4g}, damping {:.4g} of critical, {} "
+        "radius{}\n",
+        solver.contact()->active_pinballs(), model.element_count(), c.enforcement, c.beta, c.damping,
+        c.radius == ContactRadius::initial ? "initial" : "current", c.self ? ", bodies may touch themselves" : "");
+    if (scene.skip.contact_search) {
+      fmt::print("  contact search: when something has moved by half the skin of {:.4g} radii\n", c.skin);
+    } else {
+      fmt::print("  contact search: at every step\n");
+    }
+  }
+  if (!model.constraints.empty()) {
+    fmt::print("  constraints: {} direction{} of nodes on {} plane{} of symmetry\n", model.constraints.size(),
+               model.constraints.size() == 1 ? "" : "s", scene.constraints.size(),
+               scene.constraints.size() == 1 ? "" : "s");
+  }
+  fmt::print("  output: {}\n", output_text(scene, units));
+}
+
+/// One line per thing that this scene does not pay for, with the reason.
+template <class S>
+void print_what_is_skipped(const Solver<S>& solver) {
+  const Model<S>& model = solver.model();
+  const Scene& scene = model.scene;
+  fmt::print("what is skipped\n");
+  const auto skip = [](const std::string& what, const std::string& why) { fmt::print("  {}: {}\n", what, why); };
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    const Material& material = scene.materials[p];
+    const ElementFeatures& f = model.parts[p].features;
+    if (!material.plastic) skip(fmt::format("plasticity of {}", material.name), "its model is elastic");
+    if (!f.erosion) {
+      skip(fmt::format("erosion of {}", material.name),
+           material.plastic ? "it has no erosion_strain and an inverted element stops the run"
+                            : "its model is elastic and an inverted element stops the run");
+    }
+  }
+  const ElementStore<S>& store = model.elements;
+  if (store.plastic_strain.empty()) skip("plastic strain array", "no material is plastic, none is eroded");
+  if (store.internal_energy.empty()) skip("energy per element", "no material is eroded");
+  if (!scene.element.bulk_viscosity) skip("bulk viscosity", "off in the scene (element.bulk_viscosity)");
+  if (scene.element.hourglass == HourglassControl::none)
+    skip("hourglass control", "off in the scene (element.hourglass)");
+  if (store.hourglass_force.empty()) skip("hourglass force array", "no stiffness form of hourglass control");
+  if (solver.contact() == nullptr) {
+    skip("contact", "off in the scene (contact.method = none)");
+  } else {
+    const std::int64_t inner = model.element_count() - solver.contact()->active_pinballs();
+    if (inner > 0) skip(fmt::format("contact of {} elements", inner), "none of their faces is exposed");
+    if (!scene.contact.self) skip("contact of a body with itself", "off in the scene (contact.self)");
+    if (scene.contact.radius == ContactRadius::initial) skip("update of the pinball radii", "contact.radius = initial");
+    if (scene.contact.damping == 0) skip("contact damping", "contact.damping = 0");
+  }
+  if (scene.constraints.empty()) {
+    skip("constraints", "the scene has none");
+  } else if (model.constraints.empty()) {
+    skip("constraints", "no node lies on a plane of the scene");
+  }
+  if (scene.output.field_interval <= 0 && scene.output.field_times.empty()) {
+    skip("field output", "no output.field_interval and no output.field_times");
+  }
+}
+
+/// Takes a few steps, for at most half a second, and extrapolates.
+template <class S>
+void print_estimates(Solver<S>& solver, const Units& units) {
+  using Clock = std::chrono::steady_clock;
+  const Scene& scene = solver.model().scene;
+  const Model<S>& model = solver.model();
+  fmt::print("cost\n");
+  fmt::print("  {} tiles of elements in {} colours, {} elements per pack (SIMD), {} thread{}\n", model.tile_count(),
+             model.tile_colours.colour_offsets.size() - 1, ElementStore<S>::width, DefaultExecutionSpace::concurrency(),
+             DefaultExecutionSpace::concurrency() == 1 ? "" : "s");
+  solver.step();
+  const double first = solver.dt();
+  const auto contact_bytes = solver.contact() != nullptr ? solver.contact()->bytes() : 0;
+  const auto bytes = static_cast<double>(model.bytes() + contact_bytes);
+  fmt::print("  memory of the stores: {}, {:.0f} bytes per element\n", readable_bytes(bytes),
+             bytes / static_cast<double>(model.element_count()));
+  double steps = std::max(1.0, std::ceil(scene.time.end / first));
+  const bool limited = scene.time.steps >= 0 && static_cast<double>(scene.time.steps) < steps;
+  if (limited) steps = static_cast<double>(scene.time.steps);
+  fmt::print("  first step {} (time.cfl {:.3g}), {:.0f} steps {}\n", with_unit(first, units.time), scene.time.cfl,
+             steps,
+             limited ? "(time.steps)"
+                     : fmt::format("to {} if the step stays so; it shrinks with squeezed elements",
+                                   with_unit(scene.time.end, units.time)));
+  const auto start = Clock::now();
+  const auto elapsed = [&start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  int timed = 0;
+  while (elapsed() < 0.5 && timed < 20 && solver.time() < scene.time.end) {
+    solver.step();
+    ++timed;
+  }
+  if (timed > 0) {
+    const double per_step = elapsed() / timed, run_time = per_step * steps;
+    fmt::print("  run time about {} ({:.3g} ms per step, {:.3g} million element steps per second, without output)\n",
+               run_time < 60 ? fmt::format("{:.2g} s", run_time) : readable_duration(run_time), 1e3 * per_step,
+               1e-6 * static_cast<double>(model.element_count()) / per_step);
+  }
+}
+
+template <class S>
+void print_info(const Scene& scene) {
+  const Units units = parse_units(scene.units);
+  Solver<S> solver(scene);
+  fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
+  fmt::print("  {}; {} precision", units_line(scene.units), sizeof(S) == sizeof(double) ? "double" : "float");
+  if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
+  fmt::print("\n  {} elements, {} nodes, {} bod{}, end at {}\n", solver.model().element_count(),
+             solver.model().mesh.nodes.size(), scene.bodies.size(), scene.bodies.size() == 1 ? "y" : "ies",
+             with_unit(scene.time.end, units.time));
+  print_bodies(solver.model(), units);
+  print_materials(scene, units);
+  print_what_runs(solver, units);
+  print_what_is_skipped(solver);
+  print_estimates(solver, units);
+}
+
+}  // namespace
+
+int info_command(const RunOptions& options) {
+#if defined(_OPENMP)
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+#endif
+  const Scene scene = read_scene(find_scene(options.scene), options.overrides);
+  if (scene.precision == Precision::float32) {
+    print_info<float>(scene);
+  } else {
+    print_info<double>(scene);
+  }
+  return 0;
+}
+
+}  // namespace pinball

@@ -4,18 +4,9 @@
 #include <vector>
 
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/tile_kernels.hpp>
 
 namespace pinball {
-
-/// What one tile of elements reports; combined in the order of the tiles.
-template <class S>
-struct TileResult {
-  double internal = 0, hourglass = 0, viscous = 0, eroded = 0;   ///< energy increments of the step
-  S time_step = 0;                                               ///< smallest stable step [time]
-  std::int64_t time_step_slot = -1;                              ///< slot of the element that sets it
-  std::int32_t eroded_count = 0;
-  std::int32_t inverted_count = 0;
-};
 
 /// Work of the whole mesh in one step.
 template <class S>
@@ -41,9 +32,7 @@ class InternalForces {
   const std::vector<TileResult<S>>& tiles() const { return results_; }
 
  private:
-  using TileKernel = void (*)(const ElementView<S>&, const NodeView<S>&, const ElementConstants<S>&, S dt,
-                              std::int64_t first_pack, std::int64_t last_pack, TileResult<S>&);
-  std::vector<TileKernel> kernel_of_part_;
+  std::vector<TileKernel<S>> kernel_of_part_;
   std::vector<TileResult<S>> results_;
 };
 

@@ -204,7 +204,7 @@ Scene read_scene(const std::string& path, const SceneOverrides& overrides) {
       fail(change.where(), "variant", "expected the name of a variant");
     }
   }
-  const Scene scene = read_changed(text, path, variants, set, overrides);
+  Scene scene = read_changed(text, path, variants, set, overrides);
   check_variants(text, path, variant_names(parse(text, path), path), set);
   return scene;
 }

@@ -18,6 +18,8 @@ namespace pinball {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// The next of a sequence of output times: every interval, or a list.
 class Schedule {
  public:
@@ -66,7 +68,7 @@ class Recorder {
     if (history_ && (last || history_times_.due(time))) {
       history_->write(solver.history_row());
       history_times_.passed(time);
-      last_good_ = solver.snapshot();
+      keep_state(solver);
     }
     if (fields_ && field_times_.due(time)) {
       fields_->write(solver.snapshot());
@@ -74,7 +76,15 @@ class Recorder {
     }
   }
 
-  /// Saves the state of the last row of the history; returns the name of the file.
+  /// Keeps a copy of the state as the last good one, as often as costs little: at most 5 % of the run's time.
+  void keep_state(const Solver<S>& solver) {
+    const auto start = Clock::now();
+    if (start < next_copy_) return;
+    last_good_ = solver.snapshot();
+    next_copy_ = Clock::now() + 20 * (Clock::now() - start);
+  }
+
+  /// Saves the state that was kept; returns the name of the file.
   std::string save_last_good() const {
     return history_ && !last_good_.position.empty() ? write_last_good_state(folder_, last_good_, units_) : "";
   }
@@ -86,11 +96,11 @@ class Recorder {
   std::unique_ptr<HistoryWriter> history_;
   std::unique_ptr<FieldWriter> fields_;
   FieldSnapshot last_good_;
+  Clock::time_point next_copy_{};
 };
 
 template <class S>
 RunSummary run_to_end(const Scene& scene, const SimulationOptions& options) {
-  using Clock = std::chrono::steady_clock;
   Solver<S> solver(scene);
   Recorder<S> recorder(scene, solver, options.out);
   Progress progress({scene.time.end, scene.time.steps, scene.units, options.quiet});

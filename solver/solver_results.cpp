@@ -37,25 +37,26 @@ template <class S>
 std::vector<BodyResult> Solver<S>::body_results() const {
   std::vector<BodyResult> results(model_.mesh.body_names.size());
   for (std::size_t b = 0; b < results.size(); ++b) results[b].name = model_.mesh.body_names[b];
-  for (std::size_t e = 0; e < model_.mesh.hexahedra.size(); ++e) {
+  for (std::int64_t slot = 0; slot < model_.elements.slots; ++slot) {  // in the order of memory
+    const auto i = static_cast<std::size_t>(slot);
+    if (model_.element_of_slot[i] < 0) continue;
+    const auto e = static_cast<std::size_t>(model_.element_of_slot[i]);
     BodyResult& r = results[static_cast<std::size_t>(model_.mesh.body[e])];
-    const auto slot = static_cast<std::size_t>(model_.slot_of_element[e]);
     ++r.elements;
     r.mass_initial += model_.element_mass[e];
-    if (!(model_.elements.mass[slot] > S(0))) {
+    if (!(model_.elements.mass[i] > S(0))) {
       ++r.eroded_elements;
       continue;
     }
     r.mass_remaining += model_.element_mass[e];
-    for (const std::int32_t node : model_.mesh.hexahedra[e]) {
-      const auto n = 4 * static_cast<std::size_t>(model_.node_of_scene_node[static_cast<std::size_t>(node)]);
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto n = 4 * static_cast<std::size_t>(model_.elements.corner[ElementStore<S>::at(slot, corner, 8)]);
       for (std::size_t k = 0; k < 3; ++k) {
         r.velocity[k] += model_.element_mass[e] / 8 * static_cast<double>(model_.nodes.velocity[n + k]);
       }
     }
     if (!model_.elements.plastic_strain.empty()) {
-      r.max_plastic_strain =
-          std::max(r.max_plastic_strain, static_cast<double>(model_.elements.plastic_strain[slot]));
+      r.max_plastic_strain = std::max(r.max_plastic_strain, static_cast<double>(model_.elements.plastic_strain[i]));
     }
   }
   for (BodyResult& r : results) {

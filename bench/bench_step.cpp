@@ -1,0 +1,93 @@
+// Whole steps of data/scenes/block.toml: element steps per second, and what part that is of the bound that the memory
+// bandwidth measured in the same run sets. Arguments: elements per side, threads.
+
+#include <benchmark/benchmark.h>
+#include <omp.h>
+
+#include <map>
+#include <string>
+
+#include <fmt/core.h>
+
+#include <pinball/solver/solver.hpp>
+
+#include "ceilings.hpp"
+
+namespace pinball::bench {
+
+namespace {
+
+double bandwidth(int threads) {
+  static std::map<int, double> measured;
+  if (measured.count(threads) == 0) measured[threads] = memory_bandwidth(threads);
+  return measured[threads];
+}
+
+/// Bytes that a step has to move at least when nothing stays in a cache: every array that it reads, and twice those that
+/// it also writes; node arrays are swept by the elements and again by the integration.
+template <class S>
+double bytes_per_step(const Model<S>& model) {
+  const ElementStore<S>& e = model.elements;
+  const NodeStore<S>& n = model.nodes;
+  const double once = static_cast<double>(e.corner.bytes() + e.mass.bytes());
+  const double state = static_cast<double>(e.stress.bytes() + e.plastic_strain.bytes() + e.hourglass_force.bytes() +
+                                           e.viscous_stress.bytes() + e.internal_energy.bytes());
+  const double nodes_by_elements =
+      static_cast<double>(n.position.bytes() + n.velocity.bytes() + 2 * n.force.bytes());
+  const double nodes_by_integration =
+      static_cast<double>(2 * (n.position.bytes() + n.velocity.bytes() + n.force.bytes()) + n.inverse_mass.bytes()) +
+      static_cast<double>(model.node_mass.size() * sizeof(double));
+  return once + 2 * state + nodes_by_elements + nodes_by_integration;
+}
+
+Scene block(int per_side) {
+  SceneOverrides overrides;
+  overrides.set = {fmt::format("body.block.mesh.elements=[{0},{0},{0}]", per_side)};
+  return read_scene(find_scene("block"), overrides);
+}
+
+template <class S>
+void whole_steps(benchmark::State& state) {
+  const auto per_side = static_cast<int>(state.range(0));
+  const auto threads = static_cast<int>(state.range(1));
+  omp_set_num_threads(threads);
+  Solver<S> solver(block(per_side));
+  for (int i = 0; i < 3; ++i) solver.step();
+  for (auto _ : state) solver.step();
+  const auto elements = static_cast<double>(solver.model().element_count());
+  const double bytes = bytes_per_step(solver.model());
+  using benchmark::Counter;
+  state.counters["element_steps"] = Counter(elements, Counter::kIsIterationInvariantRate);
+  state.counters["bytes"] = Counter(bytes, Counter::kIsIterationInvariantRate);
+  state.counters["bytes_per_element"] = Counter(bytes / elements);
+  // Fraction of the bandwidth bound: bytes moved per second over what the triad of this run moves.
+  state.counters["of_bandwidth"] = Counter(bytes / bandwidth(threads), Counter::kIsIterationInvariantRate);
+}
+
+void sizes(benchmark::internal::Benchmark* b) {
+  b->ArgNames({"per_side", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const int per_side : {30, 60}) {
+    for (const int threads : {1, 2}) b->Args({per_side, threads});
+  }
+}
+
+BENCHMARK(whole_steps<double>)->Apply(sizes);
+BENCHMARK(whole_steps<float>)->Apply(sizes);
+
+}  // namespace
+
+}  // namespace pinball::bench
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  for (const int threads : {1, 2}) {
+    benchmark::AddCustomContext(fmt::format("triad_GB_per_s_{}_threads", threads),
+                                fmt::format("{:.1f}", pinball::bench::memory_bandwidth(threads) * 1e-9));
+    benchmark::AddCustomContext(fmt::format("peak_GFLOP_per_s_{}_threads", threads),
+                                fmt::format("{:.1f}", pinball::bench::arithmetic_peak(threads) * 1e-9));
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

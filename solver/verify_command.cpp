@@ -1,0 +1,94 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <pinball/solver/commands.hpp>
+#include <pinball/solver/error.hpp>
+#include <pinball/solver/output_file.hpp>
+#include <pinball/solver/text_distance.hpp>
+#include <pinball/solver/verification.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// The cases asked for, in the order in which they were; all of them if none was.
+std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& scenes) {
+  const std::vector<VerificationCase>& all = verification_cases();
+  if (scenes.empty()) return all;
+  std::vector<VerificationCase> chosen;
+  for (const std::string& scene : scenes) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const VerificationCase& c) { return c.scene == scene; });
+    if (found == all.end()) {
+      std::vector<std::string> names;
+      std::string list;
+      for (const VerificationCase& c : all) {
+        names.push_back(c.scene);
+        list += (list.empty() ? "" : ", ") + c.scene;
+      }
+      throw InputError(fmt::format("{}: no such verification scene, nearest is {}; known scenes: {}", scene,
+                                   nearest(scene, names), list));
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+/// Columns as wide as their widest entry; the source comes last, so that long ones spoil nothing.
+void print_table(const std::vector<VerificationRow>& rows) {
+  std::vector<std::vector<std::string>> table{
+      {"scene", "quantity", "value", "reference", "error", "tolerance", "", "source"}};
+  for (const VerificationRow& r : rows) {
+    table.push_back({r.scene, r.quantity, fmt::format("{:.8g}", r.value), fmt::format("{:.8g}", r.reference),
+                     fmt::format("{:.2e}", r.error), fmt::format("{:.0e}", r.tolerance), r.pass ? "pass" : "FAIL",
+                     r.source});
+  }
+  std::vector<std::size_t> width(table[0].size(), 0);
+  for (const auto& line : table) {
+    for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
+  }
+  for (const auto& line : table) {
+    std::string text;
+    for (std::size_t c = 0; c + 1 < line.size(); ++c) {
+      const bool number = c >= 2 && c <= 5;
+      text += number ? fmt::format("{:>{}}  ", line[c], width[c]) : fmt::format("{:<{}}  ", line[c], width[c]);
+    }
+    fmt::print("{}{}\n", text, line.back());
+  }
+}
+
+void write_json(const std::string& path, const std::vector<VerificationRow>& rows, bool pass) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const VerificationRow& r : rows) {
+    list.push_back({{"scene", r.scene},
+                    {"quantity", r.quantity},
+                    {"value", r.value},
+                    {"reference", r.reference},
+                    {"source", r.source},
+                    {"error", r.error},
+                    {"tolerance", r.tolerance},
+                    {"pass", r.pass}});
+  }
+  const nlohmann::ordered_json json{{"version", PINBALL_VERSION}, {"pass", pass}, {"rows", list}};
+  OutputFile file(path);
+  file.write(json.dump(2) + '\n');
+  file.commit();
+}
+
+}  // namespace
+
+int verify_command(const VerifyOptions& options) {
+  std::vector<VerificationRow> rows;
+  for (const VerificationCase& verification : chosen_cases(options.scenes)) {
+    const std::vector<VerificationRow> more = verify_scene(verification);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const VerificationRow& r) { return !r.pass; });
+  print_table(rows);
+  fmt::print("{} of {} pass\n", static_cast<std::ptrdiff_t>(rows.size()) - failed, rows.size());
+  if (!options.json.empty()) write_json(options.json, rows, failed == 0);
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace pinball
