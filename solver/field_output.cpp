@@ -137,7 +137,7 @@ Arrays list_arrays(const FieldSnapshot& s, const std::vector<std::string>& field
 }
 
 /// Text that may stand in an XML comment.
-std::string comment(std::string text) {
+std::string comment(const std::string& text) {
   std::string safe;
   for (const char c : text) {
     if (c == '-' && !safe.empty() && safe.back() == '-') safe += ' ';  // "--" would end it

@@ -45,7 +45,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
 
   double fraction(const ProgressState& state) const;
-  void show(const ProgressState& state, double fraction);
+  void show(const ProgressState& state, double done);
 
   ProgressSettings settings_;
   std::string time_unit_;

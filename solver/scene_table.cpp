@@ -179,7 +179,7 @@ std::string SceneTable::text(std::string_view key) const {
 }
 
 std::string SceneTable::name(std::string_view key) const {
-  const std::string name = text(key);
+  std::string name = text(key);
   const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
