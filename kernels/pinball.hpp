@@ -79,8 +79,12 @@ PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, co
   const T c = d2 - reach * reach;
   const auto overlaps = c < T(0);
 
-  // Pairs whose normals look the same way belong to one surface, or to opposite faces of a thin body.
-  const auto opposed = !(dot(n1, n2) > number<T>(0.3));
+  // Pairs whose normals look the same way belong to one surface, or to opposite faces of a thin body; unless each looks
+  // at the other by more than 12 degrees: aslant, as where two edges (n1.n2 = 0) or corners (1/3) meet face to face.
+  const T least = number<T>(0.04) * d2, towards1 = T(0) - dot(n1, d), towards2 = dot(n2, d);
+  const auto face_each_other =
+      minimum(towards1, towards2) > T(0) && towards1 * towards1 > least && towards2 * towards2 > least;
+  const auto opposed = !(dot(n1, n2) > number<T>(0.3)) || face_each_other;
 
   // if (|n| >= 0.2 and n.d >= 0.8 |n| |d|) direction = n = (n2 - n1)/2; else direction = d
   const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
