@@ -20,7 +20,7 @@ struct CellGrid {
   PINBALL_FUNCTION std::int32_t coordinate(double x, int axis) const {
     const double c = (x - origin[axis]) * inverse_size;
     const double limit = 1048575.0;
-    const double clamped = c < -limit ? -limit : (c > limit ? limit : c);
+    const double clamped = c > -limit ? (c < limit ? c : limit) : -limit;  // also for NaN: the run stops elsewhere
     const std::int32_t truncated = static_cast<std::int32_t>(clamped);
     return truncated - (clamped < truncated ? 1 : 0);  // floor
   }

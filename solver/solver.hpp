@@ -5,6 +5,7 @@
 #include <string>
 
 #include <pinball/solver/contact.hpp>
+#include <pinball/solver/free_points.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/results.hpp>
@@ -57,6 +58,7 @@ class Solver {
 
   Model<S> model_;
   InternalForces<S> internal_forces_;
+  FreePoints<S> free_points_;
   std::unique_ptr<PinballContact<S>> contact_;   ///< only in a scene with contact
   Timers timers_;
 
