@@ -2,11 +2,20 @@
 
 #include <array>
 #include <cmath>
+#include <pinball/kernels/exec.hpp>
 #include <pinball/solver/solver.hpp>
 #include <string>
 
 /// Scenes of a few blocks, made in code, for the tests of the solver.
 namespace pinball::test {
+
+/// These scenes are too small for threads: waiting for each other would take most of the time.
+inline const bool one_thread = [] {
+#if defined(_OPENMP)
+  omp_set_num_threads(1);
+#endif
+  return true;
+}();
 
 /// Steel-like, in units of m, kg and s.
 inline Material elastic_material(const std::string& name = "steel", double poisson_ratio = 0.3) {
