@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <pinball/kernels/exec.hpp>
 #include <pinball/solver/commands.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/output_file.hpp>
@@ -79,6 +80,9 @@ void write_json(const std::string& path, const std::vector<VerificationRow>& row
 }  // namespace
 
 int verify_command(const VerifyOptions& options) {
+#if defined(_OPENMP)
+  omp_set_num_threads(1);  // small scenes of many steps: threads would wait for each other most of the time
+#endif
   std::vector<VerificationRow> rows;
   for (const VerificationCase& verification : chosen_cases(options.scenes)) {
     const std::vector<VerificationRow> more = verify_scene(verification);

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <pinball/kernels/exec.hpp>
+#include <pinball/solver/solver.hpp>
+#include <string>
+
+/// Scenes of a few blocks, made in code, for the tests of the solver.
+namespace pinball::test {
+
+/// These scenes are too small for threads: waiting for each other would take most of the time.
+inline const bool one_thread = [] {
+#if defined(_OPENMP)
+  omp_set_num_threads(1);
+#endif
+  return true;
+}();
+
+/// Steel-like, in units of m, kg and s.
+inline Material elastic_material(const std::string& name = "steel", double poisson_ratio = 0.3) {
+  Material m;
+  m.name = name;
+  m.density = 7850;
+  const double young = 2.1e11;
+  m.bulk_modulus = young / (3 * (1 - 2 * poisson_ratio));
+  m.shear_modulus = young / (2 * (1 + poisson_ratio));
+  return m;
+}
+
+inline Material plastic_material(const std::string& name, double yield_stress, double erosion_strain) {
+  Material m = elastic_material(name);
+  m.plastic = true;
+  m.yield_stress = yield_stress;
+  m.plastic_modulus = 1e9;
+  m.erosion_strain = erosion_strain;
+  return m;
+}
+
+/// A block of cubic elements of size h.
+inline Body block(const std::string& name, const std::array<int, 3>& elements, double h, const Point& corner,
+                  const Point& velocity = {}, const std::string& material = "steel") {
+  Body body;
+  body.name = name;
+  body.material = material;
+  body.mesh = BlockMesh{{elements[0] * h, elements[1] * h, elements[2] * h}, elements};
+  body.position = corner;
+  body.velocity = velocity;
+  return body;
+}
+
+/// Everything else at its default, but for the bulk viscosity, which is off.
+inline Scene scene_of(const std::vector<Body>& bodies, double end, bool contact = true) {
+  Scene scene;
+  scene.name = "test";
+  scene.units = "kg-m-s";
+  scene.time.end = end;
+  scene.element.bulk_viscosity = false;
+  scene.contact.method = contact ? ContactMethod::pinball : ContactMethod::none;
+  scene.materials = {elastic_material()};
+  scene.bodies = bodies;
+  return scene;
+}
+
+/// How far the ball of a cubic element of size 1 reaches out of its face, twice: the gap at which two faces touch.
+inline const double touching_gap = 2 * std::cbrt(3 / (4 * M_PI)) - 1;
+
+template <class S>
+void run(Solver<S>& solver) {
+  const TimeSettings& time = solver.model().scene.time;
+  while (solver.time() < time.end * (1 - 1e-12) && (time.steps < 0 || solver.steps() < time.steps)) solver.step();
+  solver.finish();
+}
+
+/// Has elements of the scene eroded in the coming step, as if they had been strained too far.
+template <class S>
+void strain_to_failure(Solver<S>& solver, const std::vector<std::size_t>& elements) {
+  for (const std::size_t e : elements) {
+    solver.model().elements.plastic_strain[static_cast<std::size_t>(solver.model().slot_of_element[e])] = S(1e3);
+  }
+}
+
+template <class S>
+double kinetic_energy(const Solver<S>& solver) {
+  double twice = 0;
+  for (std::size_t n = 0; n < solver.model().node_mass.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<double>(solver.model().nodes.velocity[4 * n + k]);
+      twice += solver.model().node_mass[n] * v * v;
+    }
+  }
+  return 0.5 * twice;
+}
+
+}  // namespace pinball::test
