@@ -61,7 +61,8 @@ struct Expected {
     const double reach = a.radius + b.radius;
     if (norm(d) >= reach || b.stiffness == 0) return -1;
     const V n1 = normal(a, -1.0 * d), n2 = normal(b, d);
-    if (dot(n1, n2) > 0.3) return -1;
+    const bool face_each_other = dot(n1, d) < -0.2 * norm(d) && dot(n2, d) > 0.2 * norm(d);
+    if (dot(n1, n2) > 0.3 && !face_each_other) return -1;
     V n = 0.5 * (n2 - n1);
     if (norm(n) < 0.2 || dot(n, d) < 0.8 * norm(n) * norm(d)) n = d;
     n = (1 / norm(n)) * n;

@@ -19,6 +19,12 @@ V expected_direction(const V& d, const V& n1, const V& n2) {
   return dot(unit(mean), unit(d)) >= 0.8 ? unit(mean) : unit(d);
 }
 
+/// Whether the normals let the pair touch: they do not look the same way, or each looks at the other.
+bool opposed(const V& d, const V& n1, const V& n2) {
+  if (dot(n1, n2) <= 0.3) return true;
+  return dot(n1, unit(-1.0 * d)) > 0.2 && dot(n2, unit(d)) > 0.2;
+}
+
 TEST(Penetration, MovesTheBallsApartToTheirReach) {  // |d + g n| = R1 + R2
   Random random(91);
   int active = 0, along_normals = 0;
@@ -28,7 +34,7 @@ TEST(Penetration, MovesTheBallsApartToTheirReach) {  // |d + g n| = R1 + R2
     const Penetration<double> p = penetration(d, reach, n1, n2);
     ASSERT_TRUE(std::isfinite(p.depth));
     ASSERT_NEAR(norm(p.direction), 1, 1e-15);
-    ASSERT_EQ(p.active, norm(d) < reach && dot(n1, n2) <= 0.3);
+    ASSERT_EQ(p.active, norm(d) < reach && opposed(d, n1, n2));
     if (!p.active) continue;
     ++active;
     ASSERT_GT(p.depth, 0);
@@ -101,6 +107,17 @@ TEST(Penetration, IgnoresNormalsThatLookTheSameWay) {
   EXPECT_FALSE(penetration(V{0.1, 0, 0.5}, 1.0, at(0.31), up).active);
   EXPECT_TRUE(penetration(V{0.1, 0, 0.5}, 1.0, at(0.29), up).active);
   EXPECT_TRUE(penetration(V{0.1, 0, 0.5}, 1.0, down, up).active);
+}
+
+TEST(Penetration, TakesCornersThatMeetFaceToFace) {
+  // The outermost elements of two equal blocks, one on the other: edges with n1.n2 = 0, corners with 1/3, and those of
+  // elements twice as tall as wide, whose normals are area-weighted, with 7/9.
+  const V d{0, 0, 0.9};
+  for (const double height : {1.0, 2.0}) {
+    const V lower = unit(V{height, height, 1}), upper = unit(V{height, height, -1});
+    EXPECT_TRUE(penetration(d, 1.0, upper, lower).active);
+    EXPECT_FALSE(penetration(-1.0 * d, 1.0, upper, lower).active);  // back to back
+  }
 }
 
 TEST(Penetration, WithoutNormalsIsAlongTheLineOfCentres) {
