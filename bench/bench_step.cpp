@@ -2,14 +2,12 @@
 // bandwidth measured in the same run sets. Arguments: elements per side, threads.
 
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
 #include <omp.h>
 
 #include <map>
-#include <string>
-
-#include <fmt/core.h>
-
 #include <pinball/solver/solver.hpp>
+#include <string>
 
 #include "ceilings.hpp"
 
@@ -23,8 +21,8 @@ double bandwidth(int threads) {
   return measured[threads];
 }
 
-/// Bytes that a step has to move at least when nothing stays in a cache: every array that it reads, and twice those that
-/// it also writes; node arrays are swept by the elements and again by the integration.
+/// Bytes that a step has to move at least when nothing stays in a cache: every array that it reads, and twice those
+/// that it also writes; node arrays are swept by the elements and again by the integration.
 template <class S>
 double bytes_per_step(const Model<S>& model) {
   const ElementStore<S>& e = model.elements;
@@ -32,8 +30,7 @@ double bytes_per_step(const Model<S>& model) {
   const double once = static_cast<double>(e.corner.bytes() + e.mass.bytes());
   const double state = static_cast<double>(e.stress.bytes() + e.plastic_strain.bytes() + e.hourglass_force.bytes() +
                                            e.viscous_stress.bytes() + e.internal_energy.bytes());
-  const double nodes_by_elements =
-      static_cast<double>(n.position.bytes() + n.velocity.bytes() + 2 * n.force.bytes());
+  const double nodes_by_elements = static_cast<double>(n.position.bytes() + n.velocity.bytes() + 2 * n.force.bytes());
   const double nodes_by_integration =
       static_cast<double>(2 * (n.position.bytes() + n.velocity.bytes() + n.force.bytes()) + n.inverse_mass.bytes()) +
       static_cast<double>(model.node_mass.size() * sizeof(double));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-
 #include <pinball/kernels/simd.hpp>
 #include <pinball/solver/aligned_array.hpp>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/pinball.hpp>
 
@@ -16,27 +15,27 @@ namespace pinball {
 /// has eroded, or is not exposed yet.
 template <class S>
 struct PinballView {
-  const S* centre;      ///< C, R [length]
-  const S* velocity;    ///< V, element mass [length/time], [mass]
-  const S* outward;     ///< outward normal, B R (bulk modulus times radius) [length^2], [stress length]
-  const S* two_sided;   ///< two-sided normal, unused [length^2]
+  const S* centre;     ///< C, R [length]
+  const S* velocity;   ///< V, element mass [length/time], [mass]
+  const S* outward;    ///< outward normal, B R (bulk modulus times radius) [length^2], [stress length]
+  const S* two_sided;  ///< two-sided normal, unused [length^2]
 };
 
 template <class S>
 struct PenaltyConstants {
-  S beta;      ///< factor of (3.11) [-]
-  S damping;   ///< xi: p1 = 2 xi sqrt(p2 m), m = m1 m2 / (m1 + m2) with element masses [-]
+  S beta;     ///< factor of (3.11) [-]
+  S damping;  ///< xi: p1 = 2 xi sqrt(p2 m), m = m1 m2 / (m1 + m2) with element masses [-]
 };
 
 /// Sums over the pairs of one pinball. Energies count half of each pair, because each pair is met twice.
 template <class S>
 struct PinballForce {
-  Vec3<S> force{};            ///< [force]
-  S stiffness{};              ///< sum of p2 over the active pairs [force/length]
-  S stored{};                 ///< sum of p2 g^2 / 4 [energy]
-  S damped{};                 ///< sum of (F - p2 g) gdot / 2 [power]
-  S penetration_ratio{};      ///< largest g / (R1 + R2) [-]
-  std::int32_t pairs{};       ///< active pairs, each met twice
+  Vec3<S> force{};        ///< [force]
+  S stiffness{};          ///< sum of p2 over the active pairs [force/length]
+  S stored{};             ///< sum of p2 g^2 / 4 [energy]
+  S damped{};             ///< sum of (F - p2 g) gdot / 2 [power]
+  S penetration_ratio{};  ///< largest g / (R1 + R2) [-]
+  std::int32_t pairs{};   ///< active pairs, each met twice
 };
 
 /// neighbour: padded to whole packs with any valid pinball; count: real entries. T: pack of neighbours.
@@ -94,14 +93,14 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const T reduced_mass = mass1 * mass2 / (mass1 + mass2);
     const T p1 = T(2 * constants.damping) * square_root(p2 * reduced_mass);
     const Vec3<T> v1{T(own_velocity[0]), T(own_velocity[1]), T(own_velocity[2])};
-    const T rate = dot(v2 - v1, p.direction);                                    // (3.10)
+    const T rate = dot(v2 - v1, p.direction);  // (3.10)
     // if (!continues) offset = depth not explained by the approach of the last step; else offset = min(offset, depth)
     const T approach = maximum(T(0), rate) * T(dt);
     const T offset_now = select(continues, minimum(offset_before, p.depth), maximum(T(0), p.depth - approach));
     store(select(active, offset_now, T(-1)), offset + first);
     const T depth = p.depth - offset_now;
     const T elastic = p2 * depth;
-    const T total = maximum(T(0), elastic + p1 * rate);                          // (3.8), no adhesion
+    const T total = maximum(T(0), elastic + p1 * rate);  // (3.8), no adhesion
     const T force = select(active, total, T(0));
 
     result.force.x += lane_sum(force * p.direction.x);

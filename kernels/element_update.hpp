@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/bulk_viscosity.hpp>
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/hexahedron.hpp>
@@ -21,24 +20,24 @@ namespace pinball {
 enum class HourglassKind { none, viscous, stiffness };
 
 struct ElementFeatures {
-  bool plastic;             ///< von Mises plasticity; else elastic, without plastic strain
-  bool erosion;             ///< elements may be eroded; keeps an internal energy per element
+  bool plastic;  ///< von Mises plasticity; else elastic, without plastic strain
+  bool erosion;  ///< elements may be eroded; keeps an internal energy per element
   bool bulk_viscosity;
   HourglassKind hourglass;
 };
 
-/// Element arrays in tiles of W = pack width: entry c of element e is at [(e / W) * N + c] * W + e % W for an array of N
-/// components. All aligned to the pack. Padding elements repeat the nodes of a real one and have
-/// mass 0; their other state is never used.
+/// Element arrays in tiles of W = pack width: entry c of element e is at [(e / W) * N + c] * W + e % W for an array of
+/// N components. All aligned to the pack. Padding elements repeat the nodes of a real one and have mass 0; their other
+/// state is never used.
 template <class S>
 struct ElementView {
-  const std::int32_t* corner;   ///< N = 8: node numbers
-  S* mass;                      ///< N = 1: element mass [mass]; 0 marks padding and eroded elements
-  S* stress;                    ///< N = 6: xx yy zz xy yz zx [stress]
-  S* plastic_strain;            ///< N = 1, plastic only [-]
-  S* hourglass_force;           ///< N = 12: Q_1..Q_4, stiffness form only [force]
-  S* viscous_stress;            ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
-  S* internal_energy;           ///< N = 1, erosion only [energy]
+  const std::int32_t* corner;  ///< N = 8: node numbers
+  S* mass;                     ///< N = 1: element mass [mass]; 0 marks padding and eroded elements
+  S* stress;                   ///< N = 6: xx yy zz xy yz zx [stress]
+  S* plastic_strain;           ///< N = 1, plastic only [-]
+  S* hourglass_force;          ///< N = 12: Q_1..Q_4, stiffness form only [force]
+  S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
+  S* internal_energy;          ///< N = 1, erosion only [energy]
 };
 
 /// Node records of four scalars (gather.hpp).
@@ -52,23 +51,23 @@ struct NodeView {
 template <class S>
 struct ElementConstants {
   MaterialConstants<S> material;
-  S hourglass_coefficient;      ///< kappa of the stiffness form, k of the viscous form [-]
-  S linear_viscosity;           ///< b1 [-]
-  S quadratic_viscosity;        ///< b2 [-]
-  bool erode_negative_volume;   ///< an element whose volume is not positive is eroded; else it is counted as inverted
+  S hourglass_coefficient;     ///< kappa of the stiffness form, k of the viscous form [-]
+  S linear_viscosity;          ///< b1 [-]
+  S quadratic_viscosity;       ///< b2 [-]
+  bool erode_negative_volume;  ///< an element whose volume is not positive is eroded; else it is counted as inverted
 };
 
 /// What a tile of elements reports, per lane until the end of the tile.
 template <class T>
 struct ElementSums {
-  T internal = T(0);            ///< increment of the internal energy [energy]
-  T hourglass = T(0);           ///< increment of the hourglass energy [energy]
-  T viscous = T(0);             ///< increment of the bulk viscosity energy [energy]
-  T eroded = T(0);              ///< internal energy of elements eroded in this step [energy]
-  T stable_rate = T(0);         ///< largest 2/dt of a stable step dt [1/time]
-  T stable_rate_pack = T(0);    ///< pack in which it was found, counted in the tile
+  T internal = T(0);          ///< increment of the internal energy [energy]
+  T hourglass = T(0);         ///< increment of the hourglass energy [energy]
+  T viscous = T(0);           ///< increment of the bulk viscosity energy [energy]
+  T eroded = T(0);            ///< internal energy of elements eroded in this step [energy]
+  T stable_rate = T(0);       ///< largest 2/dt of a stable step dt [1/time]
+  T stable_rate_pack = T(0);  ///< pack in which it was found, counted in the tile
   int eroded_count = 0;
-  int inverted_count = 0;       ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
+  int inverted_count = 0;  ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
 };
 
 /// dt: the step just made [time]. pack: number of the pack; pack_in_tile: the same counted from the start of its tile.
@@ -123,9 +122,9 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const Symmetric<T> stress_old{state(stored),         state(stored + W),     state(stored + 2 * W),
                                 state(stored + 3 * W), state(stored + 4 * W), state(stored + 5 * W)};
   // The increment belongs to the middle of the rotation: half of it turns with the old stress. Added whole after the
-  // rotation it would be turned by half a step, a skew part of the stiffness that feeds the high modes of a spinning body.
-  const Symmetric<T> half_increment =
-      elastic_increment(T(S(0.5) * material.lambda), T(S(0.5) * material.mu), strain);
+  // rotation it would be turned by half a step, a skew part of the stiffness that feeds the high modes of a spinning
+  // body.
+  const Symmetric<T> half_increment = elastic_increment(T(S(0.5) * material.lambda), T(S(0.5) * material.mu), strain);
   Symmetric<T> stress = rotate(rotation, stress_old + half_increment) + half_increment;
   T plastic_strain(0);
   if constexpr (features.plastic) {
@@ -160,8 +159,8 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   store(stress.yz, stored + 4 * W);
   store(stress.zx, stored + 5 * W);
 
-  // Work of the stresses, V/2 (sigma_old + sigma_new) : strain; an element that erodes in this step has sigma_new = 0, as
-  // its forces are. Strains of padding and of elements without volume are zero.
+  // Work of the stresses, V/2 (sigma_old + sigma_new) : strain; an element that erodes in this step has sigma_new = 0,
+  // as its forces are. Strains of padding and of elements without volume are zero.
   const T work = number<T>(0.5) * volume_mid * contract(stress_old + stress, strain);
   sums.internal += work;
   if constexpr (features.erosion) {

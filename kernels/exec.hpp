@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/macros.hpp>
 
 #if defined(_OPENMP)

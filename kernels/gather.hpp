@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/simd.hpp>
 #include <pinball/kernels/tensor.hpp>
 
@@ -137,8 +136,8 @@ PINBALL_FUNCTION void add_wide(float* base, const std::int32_t* index, Float8 a,
   add_record(base, index[7], high_half(d));
 }
 template <class T>
-inline constexpr bool has_wide_records =
-    width_of<T> * sizeof(ScalarOf<T>) == 32 || (has_512_bits && width_of<T> * sizeof(ScalarOf<T>) == 64);
+inline constexpr bool has_wide_records = width_of<T> * sizeof(ScalarOf<T>) == 32 ||
+                                         (has_512_bits && width_of<T> * sizeof(ScalarOf<T>) == 64);
 template <class S, int W>
 struct WideType;
 template <>

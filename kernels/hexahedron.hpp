@@ -3,16 +3,16 @@
 #include <pinball/kernels/simd.hpp>
 #include <pinball/kernels/tensor.hpp>
 
-/// The uniform-strain hexahedron of Flanagan and Belytschko (Internat. J. Numer. Meths. Engrg. 17, 679-706, 1981) in its
-/// modal form.
+/// The uniform-strain hexahedron of Flanagan and Belytschko (Internat. J. Numer. Meths. Engrg. 17, 679-706, 1981) in
+/// its modal form.
 ///
 /// A trilinear field on the parent cube (xi, eta, zeta) in [-1,1]^3 is a sum over eight modes,
 ///
 ///     a = A_0 + A_1 xi + A_2 eta + A_3 zeta + sqrt3 (A_4 eta zeta + A_5 zeta xi + A_6 xi eta + A_7 xi eta zeta) ,
 ///
 /// one constant, three linear, four hourglass modes. Their corner values are +1 or -1 (times sqrt3) and orthogonal, so
-/// that the coefficients A_m follow from the eight corner values a_I with 24 additions per component. The sqrt3 gives the
-/// modes 1 to 6 the same mean square on the cube, and with it the mean gradient
+/// that the coefficients A_m follow from the eight corner values a_I with 24 additions per component. The sqrt3 gives
+/// the modes 1 to 6 the same mean square on the cube, and with it the mean gradient
 ///
 ///     B_iI = integral over the element of dN_I/dx_i dV
 ///
@@ -21,9 +21,10 @@
 ///     B_I = sum_m L_mI C_m + 1/sqrt3 sum_m G_mI D_m ,     m = 1, 2, 3 ,
 ///     C_1 = X_2 x X_3 + H_3 x H_2 ,   D_1 = X_3 x H_2 + H_3 x X_2 ,   and cyclic,
 ///
-/// where L_m and G_m are the corner values (+-1) of the linear and hourglass modes. (Integrate the cofactor columns of the
-/// Jacobian times the derivatives of the modes over the cube: all odd powers vanish, and what X_7 contributes cancels.)
-/// For a field v with coefficients V_m the sum over corners becomes sum_I v_iI B_jI = 8 sum_(m=1..6) V_m,i (C, D)_m,j.
+/// where L_m and G_m are the corner values (+-1) of the linear and hourglass modes. (Integrate the cofactor columns of
+/// the Jacobian times the derivatives of the modes over the cube: all odd powers vanish, and what X_7 contributes
+/// cancels.) For a field v with coefficients V_m the sum over corners becomes sum_I v_iI B_jI = 8 sum_(m=1..6) V_m,i
+/// (C, D)_m,j.
 ///
 /// This equals the closed form of the paper to round-off; it costs twelve cross products instead of 24 sums of eighteen
 /// products, and neither velocity gradient nor forces ever need the 24 values B_iI themselves.
@@ -61,9 +62,9 @@ PINBALL_FUNCTION void walsh_transform(const T& a0, const T& a1, const T& a2, con
 template <class T>
 PINBALL_FUNCTION HexahedronModes<T> to_modes(const Vec3<T> (&corner)[8]) {
   HexahedronModes<T> m;
-#define PINBALL_COMPONENT(c)                                                                                       \
-  walsh_transform(corner[0].c, corner[1].c, corner[2].c, corner[3].c, corner[4].c, corner[5].c, corner[6].c,       \
-                  corner[7].c, m.constant.c, m.linear[0].c, m.linear[1].c, m.linear[2].c, m.hourglass[0].c,         \
+#define PINBALL_COMPONENT(c)                                                                                 \
+  walsh_transform(corner[0].c, corner[1].c, corner[2].c, corner[3].c, corner[4].c, corner[5].c, corner[6].c, \
+                  corner[7].c, m.constant.c, m.linear[0].c, m.linear[1].c, m.linear[2].c, m.hourglass[0].c,  \
                   m.hourglass[1].c, m.hourglass[2].c, m.hourglass[3].c)
   PINBALL_COMPONENT(x);
   PINBALL_COMPONENT(y);
@@ -142,9 +143,10 @@ template <class T>
 PINBALL_FUNCTION Tensor<T> velocity_gradient(const UniformGradient<T>& b, const HexahedronModes<T>& v,
                                              const T& inverse_volume) {
   const T scale = T(8) * inverse_volume;
-#define PINBALL_ROW(c)                                                                                     \
-  (scale * (v.linear[0].c * b.linear[0] + v.linear[1].c * b.linear[1] + v.linear[2].c * b.linear[2] +     \
-            v.hourglass[0].c * b.hourglass[0] + v.hourglass[1].c * b.hourglass[1] + v.hourglass[2].c * b.hourglass[2]))
+#define PINBALL_ROW(c)                                                                        \
+  (scale *                                                                                    \
+   (v.linear[0].c * b.linear[0] + v.linear[1].c * b.linear[1] + v.linear[2].c * b.linear[2] + \
+    v.hourglass[0].c * b.hourglass[0] + v.hourglass[1].c * b.hourglass[1] + v.hourglass[2].c * b.hourglass[2]))
   return {PINBALL_ROW(x), PINBALL_ROW(y), PINBALL_ROW(z)};
 #undef PINBALL_ROW
 }
@@ -176,8 +178,8 @@ PINBALL_FUNCTION void expand(const UniformGradient<T>& b, Vec3<T> (&corner)[8]) 
   from_modes(b.linear, hourglass, corner);
 }
 
-/// Outward area vectors of the two faces across parent axis i (0 xi, 1 eta, 2 zeta) [length^2], exact for bilinear faces:
-/// A = +-4 (X_j +- sqrt3 H_k) x (X_k +- sqrt3 H_j), j, k the cyclic successors of i.
+/// Outward area vectors of the two faces across parent axis i (0 xi, 1 eta, 2 zeta) [length^2], exact for bilinear
+/// faces: A = +-4 (X_j +- sqrt3 H_k) x (X_k +- sqrt3 H_j), j, k the cyclic successors of i.
 template <class T>
 PINBALL_FUNCTION void face_areas(const HexahedronModes<T>& x, int i, Vec3<T>& minus, Vec3<T>& plus) {
   const int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -51,9 +51,9 @@ template <class T>
 PINBALL_FUNCTION Tensor<T> hourglass_stress(const HourglassForce<T>& force, const HexahedronModes<T>& x,
                                             const T& inverse_volume) {
   const T scale = T(-8) * inverse_volume;
-#define PINBALL_ROW(c)                                                              \
-  (scale * (force.p[0].c * x.hourglass[0] + force.p[1].c * x.hourglass[1] +         \
-            force.p[2].c * x.hourglass[2] + force.p[3].c * x.hourglass[3]))
+#define PINBALL_ROW(c)                                                                                      \
+  (scale * (force.p[0].c * x.hourglass[0] + force.p[1].c * x.hourglass[1] + force.p[2].c * x.hourglass[2] + \
+            force.p[3].c * x.hourglass[3]))
   return {PINBALL_ROW(x), PINBALL_ROW(y), PINBALL_ROW(z)};
 #undef PINBALL_ROW
 }

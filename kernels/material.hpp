@@ -3,29 +3,33 @@
 #include <pinball/kernels/simd.hpp>
 #include <pinball/kernels/tensor.hpp>
 
-/// Isotropic hypoelasticity and von Mises plasticity with isotropic, piecewise-linear hardening up to the ultimate stress
-/// (report section 4: linear hardening, then perfectly plastic).
+/// Isotropic hypoelasticity and von Mises plasticity with isotropic, piecewise-linear hardening up to the ultimate
+/// stress (report section 4: linear hardening, then perfectly plastic).
 namespace pinball {
 
 /// Constants of one material. For an elastic material the plastic constants are not read.
 template <class S>
 struct MaterialConstants {
-  S lambda;             ///< Lame's first constant, K - 2/3 mu [stress]
-  S mu;                 ///< shear modulus [stress]
-  S yield_stress;       ///< at zero plastic strain [stress]
-  S plastic_modulus;    ///< H = d(yield stress)/d(plastic strain) [stress]
-  S ultimate_stress;    ///< largest yield stress; infinity: hardening without end [stress]
-  S erosion_strain;     ///< plastic strain at which the element is eroded; infinity: never [-]
-  S density;            ///< of the undeformed material [mass/length^3]
-  S sound_speed;        ///< dilatational, sqrt((lambda + 2 mu)/density) [length/time]
+  S lambda;           ///< Lame's first constant, K - 2/3 mu [stress]
+  S mu;               ///< shear modulus [stress]
+  S yield_stress;     ///< at zero plastic strain [stress]
+  S plastic_modulus;  ///< H = d(yield stress)/d(plastic strain) [stress]
+  S ultimate_stress;  ///< largest yield stress; infinity: hardening without end [stress]
+  S erosion_strain;   ///< plastic strain at which the element is eroded; infinity: never [-]
+  S density;          ///< of the undeformed material [mass/length^3]
+  S sound_speed;      ///< dilatational, sqrt((lambda + 2 mu)/density) [length/time]
 };
 
 /// Stress increment C : de. strain: tensor components (not engineering shears).
 template <class T>
 PINBALL_FUNCTION Symmetric<T> elastic_increment(const T& lambda, const T& mu, const Symmetric<T>& strain) {
   const T volumetric = lambda * trace(strain), two_mu = mu + mu;
-  return {volumetric + two_mu * strain.xx, volumetric + two_mu * strain.yy, volumetric + two_mu * strain.zz,
-          two_mu * strain.xy,              two_mu * strain.yz,              two_mu * strain.zx};
+  return {volumetric + two_mu * strain.xx,
+          volumetric + two_mu * strain.yy,
+          volumetric + two_mu * strain.zz,
+          two_mu * strain.xy,
+          two_mu * strain.yz,
+          two_mu * strain.zx};
 }
 
 /// Yield stress at plastic strain e: min(yield + H e, ultimate).
@@ -39,8 +43,8 @@ PINBALL_FUNCTION T yield_stress_at(const MaterialConstants<ScalarOf<T>>& m, cons
 ///
 ///     3 mu dl = q - min(yield + H (e + dl), ultimate) = max(q - yield - H e - H dl, q - ultimate) .
 ///
-/// The left side grows, the right side falls with dl: dl is the larger of the solutions of the two branches, so that the
-/// switch at the ultimate stress needs no case distinction.
+/// The left side grows, the right side falls with dl: dl is the larger of the solutions of the two branches, so that
+/// the switch at the ultimate stress needs no case distinction.
 template <class T>
 PINBALL_FUNCTION void radial_return(const MaterialConstants<ScalarOf<T>>& m, Symmetric<T>& stress, T& plastic_strain) {
   const T pressure = number<T>(1.0 / 3.0) * trace(stress);  // mean stress, tension positive

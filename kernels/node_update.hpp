@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/macros.hpp>
 
 /// Accelerations and central-difference integration of one node (report figure 4, 5 and 6):
@@ -12,7 +11,8 @@
 /// at rest and does no work.
 namespace pinball {
 
-/// Removes the components of force and velocity along a unit normal (a plane of symmetry, a single-direction constraint).
+/// Removes the components of force and velocity along a unit normal (a plane of symmetry, a single-direction
+/// constraint).
 template <class S>
 PINBALL_FUNCTION void constrain_node(S* force, S* velocity, const S* normal) {
   const S f = force[0] * normal[0] + force[1] * normal[1] + force[2] * normal[2];
@@ -26,8 +26,8 @@ PINBALL_FUNCTION void constrain_node(S* force, S* velocity, const S* normal) {
 /// Integrates one node record and clears its force for the next step.
 /// velocity_step: (dt_(n-1/2) + dt_(n+1/2))/2; position_step: dt_(n+1/2); energy_step: dt_(n-1/2) [time].
 ///
-/// Returns v_(n-1/2) . (v_(n-1/2) + dt_(n-1/2) a_n): half of it times the mass is the kinetic energy at time n whose sum
-/// with the trapezoidal work of the forces is constant to round-off at a constant step.
+/// Returns v_(n-1/2) . (v_(n-1/2) + dt_(n-1/2) a_n): half of it times the mass is the kinetic energy at time n whose
+/// sum with the trapezoidal work of the forces is constant to round-off at a constant step.
 template <class S>
 PINBALL_FUNCTION S integrate_node(S* position, S* velocity, S* force, S inverse_mass, S velocity_step, S position_step,
                                   S energy_step) {

@@ -66,13 +66,13 @@ struct Penetration {
 
 /// d = C1 - C2; reach = R1 + R2; n1, n2: unit normals of both (zero allowed).
 ///
-/// With b = n.d and c = d.d - reach^2 the depth is g = -b + sqrt(b^2 - c), (3.6), here as -c / (b + sqrt(b^2 - c)) without
-/// its cancellation; the test on c comes before the square root.
+/// With b = n.d and c = d.d - reach^2 the depth is g = -b + sqrt(b^2 - c), (3.6), here as -c / (b + sqrt(b^2 - c))
+/// without its cancellation; the test on c comes before the square root.
 ///
 /// The normals decide the direction where they agree with the line of centres within 37 degrees; elsewhere, and where
-/// |n| < 0.2, the line of centres does. Aslant to it, g changes much with a sideways motion that a force along n does not
-/// feel, so that the pair creates or swallows energy (rod_plate: 1.3 % of the initial energy with the normals alone,
-/// 0.3 % with this rule); a force along the line of centres conserves energy and angular momentum.
+/// |n| < 0.2, the line of centres does. Aslant to it, g changes much with a sideways motion that a force along n does
+/// not feel, so that the pair creates or swallows energy (rod_plate: 1.3 % of the initial energy with the normals
+/// alone, 0.3 % with this rule); a force along the line of centres conserves energy and angular momentum.
 template <class T>
 PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, const Vec3<T>& n1, const Vec3<T>& n2) {
   const T d2 = dot(d, d);
@@ -89,8 +89,7 @@ PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, co
   // if (|n| >= 0.2 and n.d >= 0.8 |n| |d|) direction = n = (n2 - n1)/2; else direction = d
   const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
   const T mean2 = dot(mean, mean), along = dot(mean, d);
-  const auto use_mean =
-      mean2 >= number<T>(0.04) && along >= T(0) && along * along >= number<T>(0.64) * mean2 * d2;
+  const auto use_mean = mean2 >= number<T>(0.04) && along >= T(0) && along * along >= number<T>(0.64) * mean2 * d2;
   const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};
   const T length2 = select(use_mean, mean2, d2);
   const auto defined = length2 > T(0);  // false for coincident centres without normals: no direction, no force

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/pinball.hpp>
 
@@ -12,13 +11,13 @@ namespace pinball {
 /// Surface elements in tiles of W, as in ElementView; records of four scalars per pinball, as in PinballView.
 template <class S>
 struct PinballGeometryView {
-  const std::int32_t* corner;   ///< N = 8: node numbers
-  const S* exposed;             ///< N = 6: 1 where the face is exposed, else 0
-  const S* bulk_modulus;        ///< N = 1 [stress]
-  S* centre;                    ///< C, R
-  S* velocity;                  ///< V, (mass: kept)
-  S* outward;                   ///< outward normal, B R
-  S* two_sided;                 ///< two-sided normal
+  const std::int32_t* corner;  ///< N = 8: node numbers
+  const S* exposed;            ///< N = 6: 1 where the face is exposed, else 0
+  const S* bulk_modulus;       ///< N = 1 [stress]
+  S* centre;                   ///< C, R
+  S* velocity;                 ///< V, (mass: kept)
+  S* outward;                  ///< outward normal, B R
+  S* two_sided;                ///< two-sided normal
 };
 
 /// Writes the records of pinballs pack * W ... + W - 1. With update_radius the radius follows the current volume.

@@ -7,8 +7,8 @@
 ///
 ///     Q = (I - W dt/2)^-1 (I + W dt/2),
 ///
-/// orthogonal to round-off for any step, and exact in direction; a rigid turn by theta seen through the mid-step geometry
-/// has W dt = 2 tan(theta/2), so that Q is the exact rotation. Closed form with the axial vector h of W dt/2:
+/// orthogonal to round-off for any step, and exact in direction; a rigid turn by theta seen through the mid-step
+/// geometry has W dt = 2 tan(theta/2), so that Q is the exact rotation. Closed form with the axial vector h of W dt/2:
 /// Q = I + 2/(1 + h.h) (H + H^2), H v = h x v.
 namespace pinball {
 

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-
 #include <pinball/kernels/macros.hpp>
 
 #if !defined(__CUDACC__)

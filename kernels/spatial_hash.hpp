@@ -1,12 +1,11 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/macros.hpp>
 
 /// Spatial hash: points are put into the cells of a grid without bounds, cells into buckets by a hash of their three
-/// integer coordinates (report figure 3, steps 4 and 5). Entries of one bucket lie together, in the order of the points,
-/// and carry their cell, so that cells that share a bucket are told apart.
+/// integer coordinates (report figure 3, steps 4 and 5). Entries of one bucket lie together, in the order of the
+/// points, and carry their cell, so that cells that share a bucket are told apart.
 ///
 /// Built by counting, scanning and filling: the order of the result never depends on timing.
 namespace pinball {
@@ -45,11 +44,11 @@ PINBALL_FUNCTION std::uint32_t hash_cell(std::uint64_t cell, int bits) {
 template <class S>
 struct SpatialHashView {
   CellGrid grid;
-  int bits;                     ///< 2^bits buckets
-  std::int32_t* bucket_start;   ///< 2^bits + 1 entries
-  std::uint64_t* entry_cell;    ///< per entry: packed cell
-  std::int32_t* entry_point;    ///< per entry: number of the point
-  S* entry_record;              ///< per entry: the point's record of four, so that a bucket is read in one stream
+  int bits;                    ///< 2^bits buckets
+  std::int32_t* bucket_start;  ///< 2^bits + 1 entries
+  std::uint64_t* entry_cell;   ///< per entry: packed cell
+  std::int32_t* entry_point;   ///< per entry: number of the point
+  S* entry_record;             ///< per entry: the point's record of four, so that a bucket is read in one stream
 };
 
 /// Fills the hash with `count` points, whose records of four begin with their coordinates; cells: scratch of `count`.

@@ -3,9 +3,9 @@
 #include <pinball/kernels/hexahedron.hpp>
 
 /// Stable step of central differences from a bound on the element's own highest eigenvalue: by Fried's theorem no
-/// eigenvalue of the assembled model is larger than the largest of any element, so that also a single eroded fragment in
-/// flight is safe (the usual L/c with L = V / largest face area is not: it overestimates the step of a free cube by 36 %
-/// at a Poisson ratio of 0.3).
+/// eigenvalue of the assembled model is larger than the largest of any element, so that also a single eroded fragment
+/// in flight is safe (the usual L/c with L = V / largest face area is not: it overestimates the step of a free cube by
+/// 36 % at a Poisson ratio of 0.3).
 ///
 /// With lumped mass m/8 per corner and S_ij = sum_I B_iI B_jI / V^2 [1/length^2] of principal values s_1..3, the
 /// stiffness C = lambda 1 (x) 1 + 2 mu I has exactly the eigenvalues of
@@ -21,8 +21,8 @@ namespace pinball {
 ///
 /// With q^2 = J2/3 and rho = J3/(2 q^3) of the deviator it is mean + 2 q cos(acos(rho)/3). The cosine is a concave
 /// function of rho, so that each of its tangents bounds it; the two at rho = 1 and rho = -1/2 are used. Exact where the
-/// two smaller values are equal (cube, rod) or rho = -1/2; the largest excess, 9.5 % of the value, is where the two larger
-/// ones are equal and the third vanishes (a flat element has one large value, and is exact).
+/// two smaller values are equal (cube, rod) or rho = -1/2; the largest excess, 9.5 % of the value, is where the two
+/// larger ones are equal and the third vanishes (a flat element has one large value, and is exact).
 template <class T>
 PINBALL_FUNCTION T largest_principal_value(const Symmetric<T>& s) {
   const T mean = number<T>(1.0 / 3.0) * trace(s);

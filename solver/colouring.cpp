@@ -20,7 +20,7 @@ class NodeColours {
   /// Finds the colours that the tile's nodes carry; `taken` asks about the result.
   void gather(std::int32_t tile) {
     used_.assign(words_, 0);
-    visit(tile, [&](std::uint64_t* mask) {
+    visit(tile, [&](const std::uint64_t* mask) {
       for (std::size_t word = 0; word < words_; ++word) used_[word] |= mask[word];
     });
   }

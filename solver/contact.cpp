@@ -1,9 +1,7 @@
-#include <pinball/solver/contact.hpp>
-
 #include <algorithm>
 #include <cmath>
-
 #include <pinball/kernels/exec.hpp>
+#include <pinball/solver/contact.hpp>
 
 namespace pinball {
 
@@ -158,8 +156,9 @@ ContactResult PinballContact<S>::forces(S dt) {
         for (std::int64_t i = begin; i < end; ++i) {
           const auto p = static_cast<std::int32_t>(i);
           PinballForce<S> f;
-          if (view.outward[4 * i + 3] > S(0)) f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p), list_.offsets(p),
-                                                     list_.stored(p), dt);
+          if (view.outward[4 * i + 3] > S(0))
+            f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p), list_.offsets(p),
+                                 list_.stored(p), dt);
           force[4 * i] = f.force.x;
           force[4 * i + 1] = f.force.y;
           force[4 * i + 2] = f.force.z;

@@ -1,24 +1,23 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/neighbour_list.hpp>
 #include <pinball/solver/pinball_store.hpp>
 #include <pinball/solver/surface.hpp>
+#include <vector>
 
 namespace pinball {
 
 /// Result of the contact stage of one step.
 struct ContactResult {
-  double stored = 0;               ///< energy in the penalty springs [energy]
-  double eroded = 0;               ///< energy of the springs that went with eroded elements [energy]
-  double damped_power = 0;         ///< power of the contact damping [power]
-  double penetration_ratio = 0;    ///< largest g / (R1 + R2) [-]
-  std::int64_t pairs = 0;          ///< pairs in contact
-  double frequency2 = 0;           ///< bound on the square of the contact frequency [1/time^2]
+  double stored = 0;             ///< energy in the penalty springs [energy]
+  double eroded = 0;             ///< energy of the springs that went with eroded elements [energy]
+  double damped_power = 0;       ///< power of the contact damping [power]
+  double penetration_ratio = 0;  ///< largest g / (R1 + R2) [-]
+  std::int64_t pairs = 0;        ///< pairs in contact
+  double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
 };
 
 /// The pinball algorithm (report section 3 and figure 3); its stages are called one by one by the step.
@@ -53,14 +52,14 @@ class PinballContact {
   Surface surface_;
   PinballStore<S> pinballs_;
   NeighbourList<S> list_;
-  std::vector<std::array<float, 3>> reference_centre_;   ///< per slot
-  std::vector<std::uint8_t> is_pinball_;                 ///< per slot
+  std::vector<std::array<float, 3>> reference_centre_;  ///< per slot
+  std::vector<std::uint8_t> is_pinball_;                ///< per slot
   PenaltyConstants<S> penalty_;
-  double damping_factor_ = 1;                            ///< of the squared contact frequency, for its damping
+  double damping_factor_ = 1;  ///< of the squared contact frequency, for its damping
   bool may_erode_ = false;
-  bool surface_changed_ = false;                         ///< since the pinballs were chosen
-  std::int32_t active_ = 0;                              ///< pinballs that take part
-  double lost_energy_ = 0;                               ///< of springs whose pinball eroded in this step
+  bool surface_changed_ = false;  ///< since the pinballs were chosen
+  std::int32_t active_ = 0;       ///< pinballs that take part
+  double lost_energy_ = 0;        ///< of springs whose pinball eroded in this step
   std::int64_t searches_ = 0, searches_skipped_ = 0;
 };
 

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
+#include <vector>
 
 namespace pinball {
 
@@ -26,14 +25,14 @@ class FreePoints {
 
  private:
   struct Plane {
-    Point point, inward;              ///< inward: unit normal towards the bodies
-    std::vector<std::uint8_t> body;   ///< per body: the plane applies to it
+    Point point, inward;             ///< inward: unit normal towards the bodies
+    std::vector<std::uint8_t> body;  ///< per body: the plane applies to it
   };
   std::vector<Plane> planes_;
-  std::vector<std::uint8_t> alive_;             ///< per slot
-  std::vector<std::uint8_t> living_elements_;   ///< per node of the store
-  std::vector<std::int32_t> points_;            ///< free nodes of the store, of bodies that have a plane
-  std::vector<std::int32_t> body_;              ///< of each
+  std::vector<std::uint8_t> alive_;            ///< per slot
+  std::vector<std::uint8_t> living_elements_;  ///< per node of the store
+  std::vector<std::int32_t> points_;           ///< free nodes of the store, of bodies that have a plane
+  std::vector<std::int32_t> body_;             ///< of each
 };
 
 }  // namespace pinball

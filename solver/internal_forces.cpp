@@ -1,8 +1,6 @@
-#include <pinball/solver/internal_forces.hpp>
-
 #include <limits>
-
 #include <pinball/kernels/exec.hpp>
+#include <pinball/solver/internal_forces.hpp>
 
 namespace pinball {
 

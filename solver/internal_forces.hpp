@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/tile_kernels.hpp>
+#include <vector>
 
 namespace pinball {
 
@@ -18,8 +17,8 @@ struct InternalForceResult {
   std::int64_t inverted_count = 0;
 };
 
-/// Element stresses and internal forces (report figure 4, steps 3a-c in one sweep): tiles of one colour side by side, the
-/// colours one after the other, so that the forces are added without atomics and always in one order.
+/// Element stresses and internal forces (report figure 4, steps 3a-c in one sweep): tiles of one colour side by side,
+/// the colours one after the other, so that the forces are added without atomics and always in one order.
 template <class S>
 class InternalForces {
  public:

@@ -11,10 +11,11 @@ using Point = std::array<double, 3>;
 /// What a generator or a reader produces: points and hexahedra, nothing else.
 ///
 /// Node order of a hexahedron: 0-3 counterclockwise around the bottom seen from the top, 4-7 above them, so that the
-/// parent coordinates (xi, eta, zeta) of nodes 0..7 are (-,-,-) (+,-,-) (+,+,-) (-,+,-) (-,-,+) (+,-,+) (+,+,+) (-,+,+).
+/// parent coordinates (xi, eta, zeta) of nodes 0..7 are (-,-,-) (+,-,-) (+,+,-) (-,+,-) (-,-,+) (+,-,+) (+,+,+)
+/// (-,+,+).
 struct Mesh {
-  std::vector<Point> nodes;                              ///< coordinates, length unit of the scene
-  std::vector<std::array<std::int32_t, 8>> hexahedra;    ///< node indices into `nodes`
+  std::vector<Point> nodes;                            ///< coordinates, length unit of the scene
+  std::vector<std::array<std::int32_t, 8>> hexahedra;  ///< node indices into `nodes`
 };
 
 }  // namespace pinball

@@ -1,14 +1,12 @@
-#include <pinball/solver/model.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
-
-#include <fmt/core.h>
-
 #include <pinball/solver/error.hpp>
+#include <pinball/solver/model.hpp>
 #include <pinball/solver/ordering.hpp>
+#include <random>
 
 namespace pinball {
 
@@ -37,8 +35,8 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   c.material.density = static_cast<S>(material.density);
   c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
   const double fallback = scene.element.hourglass == HourglassControl::viscous ? 0.025 : 0.05;
-  c.hourglass_coefficient = static_cast<S>(
-      scene.element.hourglass_coefficient >= 0 ? scene.element.hourglass_coefficient : fallback);
+  c.hourglass_coefficient =
+      static_cast<S>(scene.element.hourglass_coefficient >= 0 ? scene.element.hourglass_coefficient : fallback);
   c.linear_viscosity = static_cast<S>(scene.element.linear_viscosity);
   c.quadratic_viscosity = static_cast<S>(scene.element.quadratic_viscosity);
   const NegativeVolume policy = scene.element.negative_volume.value_or(
@@ -54,13 +52,13 @@ ElementFeatures features_of(const Scene& scene, const Material& material, bool e
   f.bulk_viscosity = scene.element.bulk_viscosity;
   f.hourglass = scene.element.hourglass == HourglassControl::stiffness ? HourglassKind::stiffness
                 : scene.element.hourglass == HourglassControl::viscous ? HourglassKind::viscous
-                                                                        : HourglassKind::none;
+                                                                       : HourglassKind::none;
   return f;
 }
 
 std::size_t material_index(const Scene& scene, const std::string& name) {
-  const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
-                                  [&](const Material& m) { return m.name == name; });
+  const auto found =
+      std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
   if (found == scene.materials.end()) throw InputError(fmt::format("{}: no material named {}", scene.path, name));
   return static_cast<std::size_t>(found - scene.materials.begin());
 }
@@ -151,8 +149,8 @@ template <class S>
 std::size_t Model<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes.bytes() + elements.bytes() + of(mesh.nodes) + of(mesh.hexahedra) + of(mesh.body) +
-         of(mesh.body_of_node) + of(constraints) + of(element_of_slot) + of(slot_of_element) +
-         of(node_of_scene_node) + of(element_mass) + of(node_mass);
+         of(mesh.body_of_node) + of(constraints) + of(element_of_slot) + of(slot_of_element) + of(node_of_scene_node) +
+         of(element_mass) + of(node_mass);
 }
 
 template <class S>

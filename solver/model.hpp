@@ -2,12 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
-#include <vector>
-
 #include <pinball/solver/colouring.hpp>
 #include <pinball/solver/scene.hpp>
 #include <pinball/solver/stores.hpp>
+#include <string>
+#include <vector>
 
 namespace pinball {
 
@@ -15,8 +14,8 @@ namespace pinball {
 struct ModelMesh {
   std::vector<Point> nodes;
   std::vector<std::array<std::int32_t, 8>> hexahedra;
-  std::vector<std::int32_t> body;           ///< per element
-  std::vector<std::int32_t> body_of_node;   ///< per node
+  std::vector<std::int32_t> body;          ///< per element
+  std::vector<std::int32_t> body_of_node;  ///< per node
   std::vector<std::string> body_names;
 };
 
@@ -42,23 +41,23 @@ struct Model {
 
   NodeStore<S> nodes;
   ElementStore<S> elements;
-  std::vector<ElementConstants<S>> constants;      ///< per material
+  std::vector<ElementConstants<S>> constants;  ///< per material
   std::vector<Part> parts;
-  std::vector<NodeConstraint<S>> constraints;      ///< orthonormal per node
+  std::vector<NodeConstraint<S>> constraints;  ///< orthonormal per node
 
-  std::vector<std::int64_t> tile_packs;            ///< first pack of each tile; tiles + 1 entries
-  std::vector<std::int32_t> tile_part;             ///< per tile
+  std::vector<std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
+  std::vector<std::int32_t> tile_part;   ///< per tile
   Colouring tile_colours;
 
-  std::vector<std::int32_t> element_of_slot;       ///< scene number of the element, -1 for padding
-  std::vector<std::int64_t> slot_of_element;       ///< per element of the scene
-  std::vector<std::int32_t> node_of_scene_node;    ///< store number per node of the scene
-  std::vector<double> element_mass;                ///< initial, per element of the scene [mass]
-  std::vector<double> node_mass;                   ///< per node of the store [mass]
+  std::vector<std::int32_t> element_of_slot;     ///< scene number of the element, -1 for padding
+  std::vector<std::int64_t> slot_of_element;     ///< per element of the scene
+  std::vector<std::int32_t> node_of_scene_node;  ///< store number per node of the scene
+  std::vector<double> element_mass;              ///< initial, per element of the scene [mass]
+  std::vector<double> node_mass;                 ///< per node of the store [mass]
 
   std::int64_t element_count() const { return static_cast<std::int64_t>(mesh.hexahedra.size()); }
   std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
-  std::size_t bytes() const;                       ///< of all arrays of the size of the mesh
+  std::size_t bytes() const;  ///< of all arrays of the size of the mesh
 };
 
 /// Generates and places the meshes of all bodies. Throws InputError for an inverted or flat element, naming it.

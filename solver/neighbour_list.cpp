@@ -1,8 +1,6 @@
-#include <pinball/solver/neighbour_list.hpp>
-
 #include <algorithm>
-
 #include <pinball/kernels/exec.hpp>
+#include <pinball/solver/neighbour_list.hpp>
 
 namespace pinball {
 
@@ -46,14 +44,14 @@ void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const Same
   entry_point_.resize(size);
   entry_record_.resize(4 * size);
   cell_.resize(size);
-  const SpatialHashView<S> hash{{{static_cast<double>(centre[0]), static_cast<double>(centre[1]),
-                                  static_cast<double>(centre[2])},
-                                 1.0 / cell_size},
-                                bits,
-                                bucket_start_.data(),
-                                entry_cell_.data(),
-                                entry_point_.data(),
-                                entry_record_.data()};
+  const SpatialHashView<S> hash{
+      {{static_cast<double>(centre[0]), static_cast<double>(centre[1]), static_cast<double>(centre[2])},
+       1.0 / cell_size},
+      bits,
+      bucket_start_.data(),
+      entry_cell_.data(),
+      entry_point_.data(),
+      entry_record_.data()};
   build_spatial_hash(hash, centre, n, cell_.data());
 
   const auto may_touch = [&](std::int32_t i, std::int32_t j) {

@@ -2,22 +2,21 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
-
 #include <pinball/kernels/spatial_hash.hpp>
 #include <pinball/solver/pinball_store.hpp>
+#include <vector>
 
 namespace pinball {
 
-/// For each pinball the pinballs that it may touch before something has moved by half the skin. Every pair stands in both
-/// lists; lists are padded to whole packs with the pinball itself. Per entry it keeps what a pair in contact remembers
-/// (contact_force.hpp); this survives a rebuild.
+/// For each pinball the pinballs that it may touch before something has moved by half the skin. Every pair stands in
+/// both lists; lists are padded to whole packs with the pinball itself. Per entry it keeps what a pair in contact
+/// remembers (contact_force.hpp); this survives a rebuild.
 template <class S>
 class NeighbourList {
  public:
   /// What decides whether two pinballs of one body may touch.
   struct SameBody {
-    bool allowed = true;                          ///< contact of a body with itself
+    bool allowed = true;                                                  ///< contact of a body with itself
     const std::vector<std::array<float, 3>>* reference_centre = nullptr;  ///< per slot, of the undeformed mesh [length]
   };
 
@@ -38,7 +37,7 @@ class NeighbourList {
   S* stored(std::int32_t pinball) { return stored_.data() + start_[static_cast<std::size_t>(pinball)]; }
   /// Ends all pairs of which a pinball takes no part any more (B R = 0); returns their spring energy [energy].
   double end_pairs_of_inactive(const PinballStore<S>& pinballs);
-  std::int64_t pairs() const { return pairs_; }   ///< listed, each counted once
+  std::int64_t pairs() const { return pairs_; }  ///< listed, each counted once
   std::size_t bytes() const;
 
  private:
@@ -56,9 +55,9 @@ class NeighbourList {
   std::vector<std::int64_t> start_;
   std::vector<std::int32_t> count_;
   std::vector<std::int32_t> neighbour_;
-  AlignedArray<S> offset_, stored_;             ///< per entry of neighbour_
-  std::vector<std::int32_t> slot_;              ///< of each pinball when the list was built
-  std::vector<S> built_at_;                     ///< centres when the list was built, records of four
+  AlignedArray<S> offset_, stored_;  ///< per entry of neighbour_
+  std::vector<std::int32_t> slot_;   ///< of each pinball when the list was built
+  std::vector<S> built_at_;          ///< centres when the list was built, records of four
   std::vector<std::int32_t> bucket_start_, entry_point_;
   std::vector<std::uint64_t> entry_cell_, cell_;
   std::vector<S> entry_record_;

@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
-
 #include <pinball/kernels/contact_force.hpp>
 #include <pinball/kernels/pinball_geometry.hpp>
 #include <pinball/solver/aligned_array.hpp>
+#include <vector>
 
 namespace pinball {
 
@@ -16,18 +15,18 @@ namespace pinball {
 template <class S>
 struct PinballStore {
   std::int32_t count = 0;
-  AlignedArray<std::int32_t> corner;   ///< in tiles of W
-  AlignedArray<S> exposed;             ///< in tiles of W
-  AlignedArray<S> bulk_modulus;        ///< in tiles of W
-  AlignedArray<S> centre;              ///< records: C, R
-  AlignedArray<S> velocity;            ///< records: V, element mass
-  AlignedArray<S> outward;             ///< records: outward normal, B R
-  AlignedArray<S> two_sided;           ///< records: two-sided normal, unused
-  AlignedArray<S> force;               ///< records: F, sum of p2
-  std::vector<std::array<std::int32_t, 8>> corners;   ///< node numbers, per pinball, for the search
-  std::vector<std::int32_t> slot;      ///< of the element
+  AlignedArray<std::int32_t> corner;                 ///< in tiles of W
+  AlignedArray<S> exposed;                           ///< in tiles of W
+  AlignedArray<S> bulk_modulus;                      ///< in tiles of W
+  AlignedArray<S> centre;                            ///< records: C, R
+  AlignedArray<S> velocity;                          ///< records: V, element mass
+  AlignedArray<S> outward;                           ///< records: outward normal, B R
+  AlignedArray<S> two_sided;                         ///< records: two-sided normal, unused
+  AlignedArray<S> force;                             ///< records: F, sum of p2
+  std::vector<std::array<std::int32_t, 8>> corners;  ///< node numbers, per pinball, for the search
+  std::vector<std::int32_t> slot;                    ///< of the element
   std::vector<std::int32_t> body;
-  std::vector<std::int32_t> tile_first;   ///< first pinball of each tile of elements; tiles + 1 entries
+  std::vector<std::int32_t> tile_first;  ///< first pinball of each tile of elements; tiles + 1 entries
 
   PinballStore() = default;
   PinballStore(std::int32_t n, int width) : count(n) {
@@ -52,7 +51,8 @@ struct PinballStore {
   }
   std::size_t bytes() const {
     return corner.bytes() + exposed.bytes() + bulk_modulus.bytes() + centre.bytes() + velocity.bytes() +
-           outward.bytes() + two_sided.bytes() + force.bytes() + (slot.capacity() + body.capacity() + 8 * corners.capacity()) * 4;
+           outward.bytes() + two_sided.bytes() + force.bytes() +
+           (slot.capacity() + body.capacity() + 8 * corners.capacity()) * 4;
   }
 };
 

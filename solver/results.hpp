@@ -2,10 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <pinball/solver/mesh.hpp>
 #include <string>
 #include <vector>
-
-#include <pinball/solver/mesh.hpp>
 
 /// What a run reports: plain data in double, in the order of the scene (not of the solver's internal numbering).
 namespace pinball {
@@ -13,18 +12,16 @@ namespace pinball {
 /// Energies of the whole model [energy]; the total is kept constant up to `external` work.
 struct Energies {
   double kinetic = 0.0;
-  double internal = 0.0;            ///< work of the stresses, of elements that still carry stress
-  double hourglass = 0.0;           ///< work of the hourglass forces
-  double bulk_viscosity = 0.0;      ///< work of the bulk viscosity
-  double contact_stored = 0.0;      ///< elastic energy in the penalty springs
-  double contact_damped = 0.0;      ///< dissipated by the contact damping
-  double eroded = 0.0;              ///< internal energy that eroded elements took with them
-  double external = 0.0;            ///< work done on the model from outside
+  double internal = 0.0;        ///< work of the stresses, of elements that still carry stress
+  double hourglass = 0.0;       ///< work of the hourglass forces
+  double bulk_viscosity = 0.0;  ///< work of the bulk viscosity
+  double contact_stored = 0.0;  ///< elastic energy in the penalty springs
+  double contact_damped = 0.0;  ///< dissipated by the contact damping
+  double eroded = 0.0;          ///< internal energy that eroded elements took with them
+  double external = 0.0;        ///< work done on the model from outside
 
   double contact() const { return contact_stored + contact_damped; }
-  double total() const {
-    return kinetic + internal + hourglass + bulk_viscosity + contact() + eroded - external;
-  }
+  double total() const { return kinetic + internal + hourglass + bulk_viscosity + contact() + eroded - external; }
 };
 
 struct BodyResult {
@@ -43,8 +40,8 @@ struct HistoryRow {
   double time = 0.0;
   double dt = 0.0;
   Energies energy;
-  double balance_error = 0.0;       ///< (total - initial total) / initial total
-  Point momentum{};                 ///< [mass length/time]
+  double balance_error = 0.0;  ///< (total - initial total) / initial total
+  Point momentum{};            ///< [mass length/time]
   std::vector<BodyResult> bodies;
 };
 
@@ -52,15 +49,15 @@ struct HistoryRow {
 struct FieldSnapshot {
   std::int64_t step = 0;
   double time = 0.0;
-  std::vector<Point> position;                          ///< per node [length]
-  std::vector<Point> velocity;                          ///< per node [length/time]
-  std::vector<Point> contact_force;                     ///< per node [force]
-  std::vector<std::array<std::int32_t, 8>> hexahedra;   ///< per element
-  std::vector<std::array<double, 6>> stress;            ///< per element: xx yy zz xy yz zx [stress]
-  std::vector<double> plastic_strain;                   ///< per element [-]
-  std::vector<double> pinball_radius;                   ///< per element, 0 where it is no pinball [length]
-  std::vector<std::uint8_t> alive;                      ///< per element: 0 once eroded
-  std::vector<std::int32_t> body;                       ///< per element: index of its body
+  std::vector<Point> position;                         ///< per node [length]
+  std::vector<Point> velocity;                         ///< per node [length/time]
+  std::vector<Point> contact_force;                    ///< per node [force]
+  std::vector<std::array<std::int32_t, 8>> hexahedra;  ///< per element
+  std::vector<std::array<double, 6>> stress;           ///< per element: xx yy zz xy yz zx [stress]
+  std::vector<double> plastic_strain;                  ///< per element [-]
+  std::vector<double> pinball_radius;                  ///< per element, 0 where it is no pinball [length]
+  std::vector<std::uint8_t> alive;                     ///< per element: 0 once eroded
+  std::vector<std::int32_t> body;                      ///< per element: index of its body
 };
 
 struct PhaseSeconds {
@@ -72,26 +69,26 @@ struct PhaseSeconds {
 struct RunSummary {
   std::string scene, title, units, version, precision;
   int threads = 1;
-  int simd_width = 1;                 ///< lanes of a pack in the element kernels
+  int simd_width = 1;  ///< lanes of a pack in the element kernels
   std::int64_t elements = 0, nodes = 0, steps = 0;
   double end_time = 0.0;
   double dt_min = 0.0, dt_max = 0.0;
-  std::string dt_limited_by;          ///< "element 17 of body rod" or "contact", at the smallest step
+  std::string dt_limited_by;  ///< "element 17 of body rod" or "contact", at the smallest step
   double wall_seconds = 0.0;
   std::vector<PhaseSeconds> phases;
   std::int64_t element_steps = 0;          ///< worked
   std::int64_t element_steps_skipped = 0;  ///< eroded or skipped
-  Energies energy;                    ///< at the end
+  Energies energy;                         ///< at the end
   double initial_total = 0.0, final_total = 0.0, balance_error_max = 0.0;
   Point momentum_initial{}, momentum_final{};
   std::vector<BodyResult> bodies;
   std::string contact_method, contact_enforcement;
-  std::int64_t pinballs = 0;          ///< at the end
-  std::int64_t pairs_max = 0;         ///< most pairs in contact at one step
+  std::int64_t pinballs = 0;   ///< at the end
+  std::int64_t pairs_max = 0;  ///< most pairs in contact at one step
   std::int64_t searches = 0, searches_skipped = 0;
-  double max_penetration_ratio = 0.0; ///< deepest penetration over the sum of the two radii
+  double max_penetration_ratio = 0.0;  ///< deepest penetration over the sum of the two radii
   std::uint64_t state_hash = 0;
-  std::int64_t bytes_per_element = 0; ///< memory of the stores over the number of elements
+  std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements
 };
 
 }  // namespace pinball

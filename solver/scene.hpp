@@ -2,11 +2,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <pinball/solver/mesh.hpp>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include <pinball/solver/mesh.hpp>
 
 /// A scene as the user wrote it: plain data with defaults, no arrays of the size of the mesh.
 /// Every field carries the TOML key that sets it. Units are the scene's own consistent set.
@@ -19,9 +18,9 @@ enum class ContactRadius { initial, current };
 enum class NegativeVolume { stop, erode };
 
 struct TimeSettings {
-  double end = 0.0;               ///< time.end: when the run stops [time], required
-  double cfl = 0.9;               ///< time.cfl: fraction of the stable step, 0 < cfl <= 1.2
-  std::int64_t steps = -1;        ///< time.steps: stop after so many steps; -1: no limit
+  double end = 0.0;         ///< time.end: when the run stops [time], required
+  double cfl = 0.9;         ///< time.cfl: fraction of the stable step, 0 < cfl <= 1.2
+  std::int64_t steps = -1;  ///< time.steps: stop after so many steps; -1: no limit
   // time.subcycling: only false, in this version
 };
 
@@ -29,44 +28,44 @@ struct ElementSettings {
   HourglassControl hourglass = HourglassControl::stiffness;  ///< element.hourglass = "none" | "viscous" | "stiffness"
   /// element.hourglass_coefficient; where it is not set read_scene fills in 0.05 (stiffness) or 0.025 (viscous) [-]
   double hourglass_coefficient = -1.0;
-  bool bulk_viscosity = true;           ///< element.bulk_viscosity = true | false
-  double linear_viscosity = 0.06;       ///< element.linear_viscosity: b1 [-]
-  double quadratic_viscosity = 1.2;     ///< element.quadratic_viscosity: b2 [-]
+  bool bulk_viscosity = true;        ///< element.bulk_viscosity = true | false
+  double linear_viscosity = 0.06;    ///< element.linear_viscosity: b1 [-]
+  double quadratic_viscosity = 1.2;  ///< element.quadratic_viscosity: b2 [-]
   /// element.negative_volume = "stop" | "erode"; default: erode where a material erodes, stop elsewhere
   std::optional<NegativeVolume> negative_volume;
 };
 
 struct ContactSettings {
-  ContactMethod method = ContactMethod::none;   ///< contact.method = "none" | "pinball"
-  std::string enforcement = "penalty";          ///< contact.enforcement = "penalty"
-  std::string gap = "pinball";                  ///< contact.gap = "pinball"
-  double beta = 1.0;                            ///< contact.beta: penalty factor of report eq. (3.11) [-]
-  double damping = 0.1;                         ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
+  ContactMethod method = ContactMethod::none;  ///< contact.method = "none" | "pinball"
+  std::string enforcement = "penalty";         ///< contact.enforcement = "penalty"
+  std::string gap = "pinball";                 ///< contact.gap = "pinball"
+  double beta = 1.0;                           ///< contact.beta: penalty factor of report eq. (3.11) [-]
+  double damping = 0.1;  ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
   ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
-  bool self = true;                             ///< contact.self: a body may touch itself
-  double skin = 0.5;                            ///< contact.skin: of the neighbour list, over the largest pinball radius [-]
+  bool self = true;                               ///< contact.self: a body may touch itself
+  double skin = 0.5;  ///< contact.skin: of the neighbour list, over the largest pinball radius [-]
 };
 
 struct SkipSettings {
-  bool contact_search = true;     ///< skip.contact_search: reuse the neighbour list while the skin allows it
+  bool contact_search = true;  ///< skip.contact_search: reuse the neighbour list while the skin allows it
   // skip.resting: only false, in this version
 };
 
 struct GuardSettings {
-  double energy_error = 0.5;      ///< guard.energy_error: stop when |energy balance error| exceeds this [-]
+  double energy_error = 0.5;  ///< guard.energy_error: stop when |energy balance error| exceeds this [-]
 };
 
 /// One [[material]] table. model = "elastic" | "von_mises". What concerns plasticity and erosion is 0 if elastic.
 struct Material {
   std::string name;
   bool plastic = false;
-  double density = 0.0;           ///< density [mass/length^3]
-  double bulk_modulus = 0.0;      ///< bulk_modulus; both moduli also from young_modulus + poisson_ratio [stress]
-  double shear_modulus = 0.0;     ///< shear_modulus [stress]
-  double yield_stress = 0.0;      ///< yield_stress [stress]
-  double plastic_modulus = 0.0;   ///< plastic_modulus: H = d yield / d plastic strain [stress]
-  double ultimate_stress = 0.0;   ///< ultimate_stress: hardening ends here; default: infinite [stress]
-  double erosion_strain = 0.0;    ///< erosion_strain: effective plastic strain at which the element is eroded; 0: never
+  double density = 0.0;          ///< density [mass/length^3]
+  double bulk_modulus = 0.0;     ///< bulk_modulus; both moduli also from young_modulus + poisson_ratio [stress]
+  double shear_modulus = 0.0;    ///< shear_modulus [stress]
+  double yield_stress = 0.0;     ///< yield_stress [stress]
+  double plastic_modulus = 0.0;  ///< plastic_modulus: H = d yield / d plastic strain [stress]
+  double ultimate_stress = 0.0;  ///< ultimate_stress: hardening ends here; default: infinite [stress]
+  double erosion_strain = 0.0;   ///< erosion_strain: effective plastic strain at which the element is eroded; 0: never
 };
 
 /// mesh = { type = "block", size = [lx, ly, lz], elements = [nx, ny, nz] }: corner at the origin of the body's frame.
@@ -82,9 +81,9 @@ struct RoundNosedRodMesh {
   double length = 0.0;
   double radius = 0.0;
   bool half = true;
-  std::array<int, 2> core{2, 2};   ///< elements of the core block along x and along y (of the half section)
-  int ring = 1;                    ///< layers of elements between the core and the lateral surface and nose
-  int layers = 1;                  ///< layers of elements along the axis
+  std::array<int, 2> core{2, 2};  ///< elements of the core block along x and along y (of the half section)
+  int ring = 1;                   ///< layers of elements between the core and the lateral surface and nose
+  int layers = 1;                 ///< layers of elements along the axis
 };
 
 using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh>;
@@ -92,41 +91,42 @@ using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh>;
 /// One [[body]] table.
 struct Body {
   std::string name;
-  std::string material;            ///< material: name of a [[material]]
-  MeshSettings mesh;               ///< mesh: inline table or [body.mesh]
-  Point position{};                ///< position: translation of the mesh, after the rotation [length]
+  std::string material;  ///< material: name of a [[material]]
+  MeshSettings mesh;     ///< mesh: inline table or [body.mesh]
+  Point position{};      ///< position: translation of the mesh, after the rotation [length]
   /// axis: unit vector onto which the body's z axis is turned (shortest rotation); default: no rotation
   std::optional<Point> axis;
-  Point velocity{};                ///< velocity: initial, uniform [length/time]
-  Point angular_velocity{};        ///< angular_velocity: initial rigid spin about the body's centroid [1/time]
+  Point velocity{};          ///< velocity: initial, uniform [length/time]
+  Point angular_velocity{};  ///< angular_velocity: initial rigid spin about the body's centroid [1/time]
   /// velocity_gradient: 3 x 3, rows; adds G (x - centroid) to the initial velocity [1/time]
   std::array<Point, 3> velocity_gradient{};
-  double velocity_noise = 0.0;     ///< velocity_noise: adds a deterministic pseudo-random velocity of this amplitude [length/time]
+  double velocity_noise =
+      0.0;  ///< velocity_noise: adds a deterministic pseudo-random velocity of this amplitude [length/time]
 };
 
 /// One [[constraint]] table. type = "symmetry": nodes on the plane may not move along its normal.
 struct PlaneConstraint {
   Point point{};
-  Point normal{};                  ///< of unit length
-  std::string body;                ///< body: only nodes of this body; default: all
+  Point normal{};    ///< of unit length
+  std::string body;  ///< body: only nodes of this body; default: all
 };
 
 struct OutputSettings {
-  double interval = 0.0;           ///< output.interval: between history rows [time]; 0: 200 rows over the run
-  double field_interval = 0.0;     ///< output.field_interval: between field outputs [time]; 0: none
-  std::vector<double> field_times; ///< output.field_times: field output at these times [time]
+  double interval = 0.0;            ///< output.interval: between history rows [time]; 0: 200 rows over the run
+  double field_interval = 0.0;      ///< output.field_interval: between field outputs [time]; 0: none
+  std::vector<double> field_times;  ///< output.field_times: field output at these times [time]
   /// output.fields: which of "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive";
   /// read_scene fills in all where it is not set
   std::vector<std::string> fields;
 };
 
 struct Scene {
-  std::string name;                ///< file name without folder and ending
-  std::string path;                ///< the file it was read from
-  std::string title;               ///< title
-  std::string units;               ///< units = "in-lbf-s": named, never converted
+  std::string name;                          ///< file name without folder and ending
+  std::string path;                          ///< the file it was read from
+  std::string title;                         ///< title
+  std::string units;                         ///< units = "in-lbf-s": named, never converted
   Precision precision = Precision::float64;  ///< precision = "double" | "float"
-  int refine = 1;                  ///< --refine: already multiplied into the element counts of the meshes
+  int refine = 1;                            ///< --refine: already multiplied into the element counts of the meshes
   TimeSettings time;
   ElementSettings element;
   ContactSettings contact;
@@ -143,7 +143,7 @@ struct SceneOverrides {
   /// "KEY=VALUE", in order; KEY as in "contact.beta", "material.copper.density", "constraint.0.normal"; VALUE as in
   /// TOML, texts also without quotes. "variant=NAME" applies the keys of [variant.NAME], before all others.
   std::vector<std::string> set{};
-  int refine = 1;                  ///< multiplies the element counts of every generated mesh in each direction
+  int refine = 1;  ///< multiplies the element counts of every generated mesh in each direction
   std::optional<Precision> precision{};
 };
 

@@ -1,16 +1,14 @@
-#include <pinball/solver/simulation.hpp>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <filesystem>
 #include <memory>
-
-#include <fmt/core.h>
-
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/field_output.hpp>
 #include <pinball/solver/history.hpp>
 #include <pinball/solver/progress.hpp>
+#include <pinball/solver/simulation.hpp>
 #include <pinball/solver/solver.hpp>
 #include <pinball/solver/summary.hpp>
 

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cstdio>
-#include <string>
-
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/scene.hpp>
+#include <string>
 
 namespace pinball {
 
 struct SimulationOptions {
-  std::string out;              ///< folder for the results; empty: nothing is written
-  bool quiet = false;           ///< no progress
+  std::string out;     ///< folder for the results; empty: nothing is written
+  bool quiet = false;  ///< no progress
 };
 
 /// Runs a scene to its end and writes history, fields and summary into the folder.

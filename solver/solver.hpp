@@ -2,14 +2,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
-
 #include <pinball/solver/contact.hpp>
 #include <pinball/solver/free_points.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/timers.hpp>
+#include <string>
 
 namespace pinball {
 
@@ -31,12 +30,12 @@ class Solver {
   Model<S>& model() { return model_; }
   const PinballContact<S>* contact() const { return contact_.get(); }
 
-  double time() const { return time_; }             ///< of the positions
-  double force_time() const { return force_time_; } ///< of the forces, stresses and energies
-  double dt() const { return dt_; }                 ///< the last step
+  double time() const { return time_; }              ///< of the positions
+  double force_time() const { return force_time_; }  ///< of the forces, stresses and energies
+  double dt() const { return dt_; }                  ///< the last step
   std::int64_t steps() const { return steps_; }
   const Energies& energies() const { return energies_; }
-  double balance_error() const;                     ///< at force_time(), relative to the initial total energy
+  double balance_error() const;  ///< at force_time(), relative to the initial total energy
   double initial_energy() const { return initial_energy_; }
   Point momentum() const;
   std::int64_t eroded_elements() const { return eroded_elements_; }
@@ -59,7 +58,7 @@ class Solver {
   Model<S> model_;
   InternalForces<S> internal_forces_;
   FreePoints<S> free_points_;
-  std::unique_ptr<PinballContact<S>> contact_;   ///< only in a scene with contact
+  std::unique_ptr<PinballContact<S>> contact_;  ///< only in a scene with contact
   Timers timers_;
 
   double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;

@@ -1,8 +1,7 @@
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <pinball/solver/solver.hpp>
 #include <pinball/solver/state_hash.hpp>
 

@@ -1,8 +1,7 @@
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/node_update.hpp>
 #include <pinball/solver/error.hpp>
@@ -24,8 +23,8 @@ void Solver<S>::advance(bool last) {
   free_points_.reflect(model_);  // mass points that crossed a plane of symmetry in the last step
 
   // 3. Element stresses, internal forces and their assembly
-  const InternalForceResult<S> internal = timers_.measure(
-      Phase::internal_forces, [&] { return internal_forces_.compute(model_, static_cast<S>(dt_)); });
+  const InternalForceResult<S> internal =
+      timers_.measure(Phase::internal_forces, [&] { return internal_forces_.compute(model_, static_cast<S>(dt_)); });
 
   if (internal.eroded_count > 0) free_points_.update(model_, internal_forces_.tiles());
 
@@ -78,8 +77,8 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
   const double element_frequency2 = 4.0 / (element_step * element_step);
   const double stable = 2.0 / std::sqrt(element_frequency2 + contact.frequency2);
   const double chosen = model_.scene.time.cfl * stable;
-  // What remains is divided into equal steps, so that the last ones are not cut: a sudden change of the step changes the
-  // energy of the fast modes that central differences keep, by the square of (dt x frequency).
+  // What remains is divided into equal steps, so that the last ones are not cut: a sudden change of the step changes
+  // the energy of the fast modes that central differences keep, by the square of (dt x frequency).
   const double remaining = model_.scene.time.end - time_;
   dt_ = remaining / std::max(1.0, std::ceil(remaining / chosen - 1e-9));
   dt_max_ = std::max(dt_max_, dt_);
@@ -126,10 +125,11 @@ void Solver<S>::check_state(const InternalForceResult<S>& internal, double kinet
     for (std::size_t t = 0; t < internal_forces_.tiles().size(); ++t) {
       if (internal_forces_.tiles()[t].inverted_count == 0) continue;
       const std::int64_t first = model_.tile_packs[t] * ElementStore<S>::width;
-      throw RunError(fmt::format(
-          "{} of {} elements near {} have no volume left {}: try a smaller time.cfl, element.negative_volume=\"erode\", "
-          "or an erosion_strain for the material",
-          internal.inverted_count, model_.element_count(), element_name(first), when()));
+      throw RunError(
+          fmt::format("{} of {} elements near {} have no volume left {}: try a smaller time.cfl, "
+                      "element.negative_volume=\"erode\", "
+                      "or an erosion_strain for the material",
+                      internal.inverted_count, model_.element_count(), element_name(first), when()));
     }
   }
   if (!std::isfinite(kinetic) || !std::isfinite(energies_.total())) {
@@ -138,11 +138,11 @@ void Solver<S>::check_state(const InternalForceResult<S>& internal, double kinet
         if (std::isfinite(model_.nodes.velocity[4 * n + k])) continue;
         const auto& map = model_.node_of_scene_node;
         const auto scene_node = std::find(map.begin(), map.end(), static_cast<std::int32_t>(n)) - map.begin();
-        throw RunError(fmt::format("the velocity of node {} of body {} is not finite {}: try a smaller time.cfl",
-                                   scene_node,
-                                   model_.mesh.body_names[static_cast<std::size_t>(
-                                       model_.mesh.body_of_node[static_cast<std::size_t>(scene_node)])],
-                                   when()));
+        throw RunError(fmt::format(
+            "the velocity of node {} of body {} is not finite {}: try a smaller time.cfl", scene_node,
+            model_.mesh
+                .body_names[static_cast<std::size_t>(model_.mesh.body_of_node[static_cast<std::size_t>(scene_node)])],
+            when()));
       }
     }
     throw RunError(fmt::format("the energy is not finite {}: try a smaller time.cfl", when()));
@@ -154,8 +154,9 @@ void Solver<S>::check_state(const InternalForceResult<S>& internal, double kinet
   }
   const double smallest = 1e-6 * dt_max_;
   if (dt_ > 0 && dt_ < smallest && model_.scene.time.end - time_ > dt_) {
-    throw RunError(fmt::format("the stable step has collapsed to {:.3g} {}, a millionth of its largest; it is set by {}",
-                               dt_, when(), dt_limited_by_));
+    throw RunError(
+        fmt::format("the stable step has collapsed to {:.3g} {}, a millionth of its largest; it is set by {}", dt_,
+                    when(), dt_limited_by_));
   }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/element_update.hpp>
 #include <pinball/solver/aligned_array.hpp>
 
@@ -12,10 +11,10 @@ namespace pinball {
 template <class S>
 struct NodeStore {
   std::int32_t count = 0;
-  AlignedArray<S> position;       ///< x, y, z, unused [length]
-  AlignedArray<S> velocity;       ///< at the middle of the last step, unused [length/time]
-  AlignedArray<S> force;          ///< force, contact stiffness [force], [force/length]; zero between steps
-  AlignedArray<S> inverse_mass;   ///< one per node; 0 for a node of no element [1/mass]
+  AlignedArray<S> position;      ///< x, y, z, unused [length]
+  AlignedArray<S> velocity;      ///< at the middle of the last step, unused [length/time]
+  AlignedArray<S> force;         ///< force, contact stiffness [force], [force/length]; zero between steps
+  AlignedArray<S> inverse_mass;  ///< one per node; 0 for a node of no element [1/mass]
 
   explicit NodeStore(std::int32_t n = 0)
       : count(n),

@@ -1,6 +1,5 @@
-#include <pinball/solver/surface.hpp>
-
 #include <pinball/solver/faces.hpp>
+#include <pinball/solver/surface.hpp>
 
 namespace pinball {
 

@@ -2,15 +2,14 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
-
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
+#include <vector>
 
 namespace pinball {
 
-/// Which faces of which elements are exposed: decided by topology, never by a tolerance on a normal. Erosion exposes the
-/// faces of the neighbours of an eroded element. Indexed by slot of the element store.
+/// Which faces of which elements are exposed: decided by topology, never by a tolerance on a normal. Erosion exposes
+/// the faces of the neighbours of an eroded element. Indexed by slot of the element store.
 class Surface {
  public:
   template <class S>
@@ -35,7 +34,7 @@ class Surface {
 
   std::vector<std::uint8_t> alive_;
   std::vector<std::uint8_t> exposed_;
-  std::vector<std::array<std::int32_t, 6>> neighbour_;   ///< slot across each face, -1: none
+  std::vector<std::array<std::int32_t, 6>> neighbour_;  ///< slot across each face, -1: none
 };
 
 }  // namespace pinball

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <pinball/kernels/element_update.hpp>
 
 namespace pinball {
@@ -9,9 +8,9 @@ namespace pinball {
 /// What one tile of elements reports; combined in the order of the tiles.
 template <class S>
 struct TileResult {
-  double internal = 0, hourglass = 0, viscous = 0, eroded = 0;   ///< energy increments of the step
-  S time_step = 0;                                               ///< smallest stable step [time]
-  std::int64_t time_step_slot = -1;                              ///< slot of the element that sets it
+  double internal = 0, hourglass = 0, viscous = 0, eroded = 0;  ///< energy increments of the step
+  S time_step = 0;                                              ///< smallest stable step [time]
+  std::int64_t time_step_slot = -1;                             ///< slot of the element that sets it
   std::int32_t eroded_count = 0;
   std::int32_t inverted_count = 0;
 };

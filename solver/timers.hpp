@@ -7,10 +7,21 @@
 namespace pinball {
 
 /// The timed stages of a step, in the order in which they run.
-enum class Phase { internal_forces, pinballs, contact_search, contact_forces, contact_scatter, time_step, integration, output, count };
+enum class Phase {
+  internal_forces,
+  pinballs,
+  contact_search,
+  contact_forces,
+  contact_scatter,
+  time_step,
+  integration,
+  output,
+  count
+};
 
 inline constexpr std::array<const char*, static_cast<std::size_t>(Phase::count)> phase_names = {
-    "internal_forces", "pinballs", "contact_search", "contact_forces", "contact_scatter", "time_step", "integration", "output"};
+    "internal_forces", "pinballs",  "contact_search", "contact_forces",
+    "contact_scatter", "time_step", "integration",    "output"};
 
 /// Seconds spent in each phase.
 class Timers {
@@ -30,8 +41,7 @@ class Timers {
     Phase phase;
     Clock::time_point start;
     ~Stop() {
-      timers.seconds_[static_cast<std::size_t>(phase)] +=
-          std::chrono::duration<double>(Clock::now() - start).count();
+      timers.seconds_[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(Clock::now() - start).count();
     }
   };
   std::array<double, static_cast<std::size_t>(Phase::count)> seconds_{};

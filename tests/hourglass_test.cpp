@@ -24,7 +24,8 @@ struct Gamma {
 
 using Forces = std::array<Vec3<double>, 4>;  ///< Q_1..4
 
-/// The kernel seen from outside: rates qdot_a = 8 sqrt3 h_a of a velocity field, nodal forces of given Q_a = P_a / sqrt3.
+/// The kernel seen from outside: rates qdot_a = 8 sqrt3 h_a of a velocity field, nodal forces of given Q_a = P_a /
+/// sqrt3.
 struct Element {
   HexahedronModes<double> x;
   UniformGradient<double> b;

@@ -250,8 +250,7 @@ TYPED_TEST(StableTimeStepPack, EqualsTheScalarKernelLaneByLane) {
   const T found = T(2) / element_stable_rate(shape, volume, T(2) / volume, T(3), T(1), T(S(0.25)));
   for (int i = 0; i < width_of<T>; ++i) {
     const S volume1 = lane(volume, i);
-    const S expected =
-        S(2) / element_stable_rate(lane_of(shape, i), volume1, S(2) / volume1, S(3), S(1), S(0.25));
+    const S expected = S(2) / element_stable_rate(lane_of(shape, i), volume1, S(2) / volume1, S(3), S(1), S(0.25));
     EXPECT_NEAR(lane(found, i), expected, 32 * epsilon<S>);
     EXPECT_NEAR(expected, time_step(x[std::size_t(i)], 3, 1, 0.5, 0.25), 64 * epsilon<S>);
   }
