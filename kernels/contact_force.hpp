@@ -93,7 +93,7 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const T reduced_mass = mass1 * mass2 / (mass1 + mass2);
     const T p1 = T(2 * constants.damping) * square_root(p2 * reduced_mass);
     const Vec3<T> v1{T(own_velocity[0]), T(own_velocity[1]), T(own_velocity[2])};
-    const T rate = dot(v2 - v1, p.direction);  // (3.10)
+    const T rate = dot(v2 - v1, p.gradient);  // (3.10)
     // if (!continues) offset = depth not explained by the approach of the last step; else offset = min(offset, depth)
     const T approach = maximum(T(0), rate) * T(dt);
     const T offset_now = select(continues, minimum(offset_before, p.depth), maximum(T(0), p.depth - approach));
@@ -103,9 +103,9 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const T total = maximum(T(0), elastic + p1 * rate);  // (3.8), no adhesion
     const T force = select(active, total, T(0));
 
-    result.force.x += lane_sum(force * p.direction.x);
-    result.force.y += lane_sum(force * p.direction.y);
-    result.force.z += lane_sum(force * p.direction.z);
+    result.force.x += lane_sum(force * p.gradient.x);
+    result.force.y += lane_sum(force * p.gradient.y);
+    result.force.z += lane_sum(force * p.gradient.z);
     result.stiffness += lane_sum(select(active, p2, T(0)));
     const T energy = select(active, number<T>(0.25) * elastic * depth, T(0));
     store(energy, stored + first);

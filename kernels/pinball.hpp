@@ -9,7 +9,7 @@
 ///     |C1 - C2 + g n| = R1 + R2                  penetration g >= 0 along n                 (3.4)
 ///     n = (n2 - n1) / 2, made a unit vector      n1, n2 outward element normals             (3.5)
 ///     F = (p1 gdot + p2 g) n on pinball 1        penalty force, never adhesive              (3.8)
-///     gdot = (V2 - V1) . n                       rate of penetration                        (3.10)
+///     gdot = (V2 - V1) . n                       rate of penetration                        (3.10)  (see penetration)
 ///     p2 = beta/2 (B1 R1 + B2 R2)                                                           (3.11)
 ///
 /// The report's n is not of unit length, which (3.8) and (3.10) need; here it is normalised first.
@@ -62,6 +62,7 @@ struct Penetration {
   MaskOf<T> active;   ///< the balls overlap and their normals oppose each other
   T depth;            ///< g [length]
   Vec3<T> direction;  ///< n, unit, from pinball 2 to pinball 1
+  Vec3<T> gradient;   ///< e/(e.n), e = (d + g n)/reach: gdot = gradient.(V2 - V1), and p2 g gradient is the force on 1
 };
 
 /// d = C1 - C2; reach = R1 + R2; n1, n2: unit normals of both (zero allowed).
@@ -69,10 +70,12 @@ struct Penetration {
 /// With b = n.d and c = d.d - reach^2 the depth is g = -b + sqrt(b^2 - c), (3.6), here as -c / (b + sqrt(b^2 - c))
 /// without its cancellation; the test on c comes before the square root.
 ///
-/// The normals decide the direction where they agree with the line of centres within 37 degrees; elsewhere, and where
-/// |n| < 0.2, the line of centres does. Aslant to it, g changes much with a sideways motion that a force along n does
-/// not feel, so that the pair creates or swallows energy (rod_plate: 1.3 % of the initial energy with the normals
-/// alone, 0.3 % with this rule); a force along the line of centres conserves energy and angular momentum.
+/// With n held fixed the depth changes by gdot = e.(V2 - V1)/(e.n), not by n.(V2 - V1) as in (3.10), and the force that
+/// does the work of the energy p2 g^2/2 is p2 g e/(e.n), not p2 g n as in (3.8). The report's forms agree with these
+/// where n is along the line of centres; aslant to it they create energy: with normals up to 37 degrees off, a tenth of
+/// 300 random oblique impacts of two elastic blocks gained more than 22 % of their energy, the worst 128 %; with the
+/// conjugate force and normals up to 18 degrees off, all stay within 3 %. Beyond that, and where |n| < 0.2, the line of
+/// centres takes the place of n.
 template <class T>
 PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, const Vec3<T>& n1, const Vec3<T>& n2) {
   const T d2 = dot(d, d);
@@ -86,10 +89,10 @@ PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, co
       minimum(towards1, towards2) > T(0) && towards1 * towards1 > least && towards2 * towards2 > least;
   const auto opposed = !(dot(n1, n2) > number<T>(0.3)) || face_each_other;
 
-  // if (|n| >= 0.2 and n.d >= 0.8 |n| |d|) direction = n = (n2 - n1)/2; else direction = d
+  // if (|n| >= 0.2 and n.d >= cos(18 degrees) |n| |d|) direction = n = (n2 - n1)/2; else direction = d
   const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
   const T mean2 = dot(mean, mean), along = dot(mean, d);
-  const auto use_mean = mean2 >= number<T>(0.04) && along >= T(0) && along * along >= number<T>(0.64) * mean2 * d2;
+  const auto use_mean = mean2 >= number<T>(0.04) && along >= T(0) && along * along >= number<T>(0.9045) * mean2 * d2;
   const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};
   const T length2 = select(use_mean, mean2, d2);
   const auto defined = length2 > T(0);  // false for coincident centres without normals: no direction, no force
@@ -99,7 +102,8 @@ PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, co
   const T b = dot(n, d);  // never negative
   const T root = square_root(maximum(T(0), b * b - c));
   const T g = (T(0) - c) / select(overlaps, b + root, T(1));
-  return {overlaps && opposed && defined, g, n};
+  const Vec3<T> gradient = (T(1) / select(overlaps, root, T(1))) * (d + g * n);  // root = (d + g n).n
+  return {overlaps && opposed && defined, g, n, gradient};
 }
 
 }  // namespace pinball

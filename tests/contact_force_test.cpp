@@ -64,12 +64,13 @@ struct Expected {
     const bool face_each_other = dot(n1, d) < -0.2 * norm(d) && dot(n2, d) > 0.2 * norm(d);
     if (dot(n1, n2) > 0.3 && !face_each_other) return -1;
     V n = 0.5 * (n2 - n1);
-    if (norm(n) < 0.2 || dot(n, d) < 0.8 * norm(n) * norm(d)) n = d;
+    if (norm(n) < 0.2 || dot(n, d) < std::sqrt(0.9045) * norm(n) * norm(d)) n = d;
     n = (1 / norm(n)) * n;
     const double full = -dot(n, d) + std::sqrt(dot(n, d) * dot(n, d) + reach * reach - dot(d, d));
+    const V apart = d + full * n, gradient = (1 / dot(apart, n)) * apart;
     const double p2 = beta / 2 * (a.stiffness + b.stiffness);
     const double p1 = 2 * damping * std::sqrt(p2 / (1 / a.mass + 1 / b.mass));
-    const double rate = dot(b.velocity - a.velocity, n);
+    const double rate = dot(b.velocity - a.velocity, gradient);
     if (offset >= 0) {
       offset = std::min(offset, full);
     } else {
@@ -78,7 +79,7 @@ struct Expected {
     const double g = full - offset;
     double f = p2 * g + p1 * rate;
     if (f < 0) f = 0;
-    force = force + f * n;
+    force = force + f * gradient;
     stiffness += p2;
     energy = p2 * g * g / 4;
     stored += energy;
