@@ -45,8 +45,9 @@ PINBALL_FUNCTION T yield_stress_at(const MaterialConstants<ScalarOf<T>>& m, cons
 ///
 /// The left side grows, the right side falls with dl: dl is the larger of the solutions of the two branches, so that
 /// the switch at the ultimate stress needs no case distinction.
+/// Returns the part of the deviator that is left, 1 while elastic.
 template <class T>
-PINBALL_FUNCTION void radial_return(const MaterialConstants<ScalarOf<T>>& m, Symmetric<T>& stress, T& plastic_strain) {
+PINBALL_FUNCTION T radial_return(const MaterialConstants<ScalarOf<T>>& m, Symmetric<T>& stress, T& plastic_strain) {
   const T pressure = number<T>(1.0 / 3.0) * trace(stress);  // mean stress, tension positive
   const T sxx = stress.xx - pressure, syy = stress.yy - pressure, szz = stress.zz - pressure;
   const T ss = sxx * sxx + syy * syy + szz * szz +
@@ -67,6 +68,7 @@ PINBALL_FUNCTION void radial_return(const MaterialConstants<ScalarOf<T>>& m, Sym
   stress.yz -= reduction * stress.yz;
   stress.zx -= reduction * stress.zx;
   plastic_strain += dl;
+  return T(1) - reduction;
 }
 
 }  // namespace pinball

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <pinball/solver/contact.hpp>
-#include <pinball/solver/free_points.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/results.hpp>
+#include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
 #include <string>
 
@@ -57,7 +57,7 @@ class Solver {
 
   Model<S> model_;
   InternalForces<S> internal_forces_;
-  FreePoints<S> free_points_;
+  SymmetryWalls<S> symmetry_walls_;
   std::unique_ptr<PinballContact<S>> contact_;  ///< only in a scene with contact
   Timers timers_;
 

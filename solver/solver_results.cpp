@@ -183,7 +183,7 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.pairs_max = pairs_max_;
   summary.max_penetration_ratio = penetration_ratio_max_;
   summary.state_hash = state_hash();
-  const std::size_t bytes = model_.bytes() + (contact_ ? contact_->bytes() : 0) + free_points_.bytes();
+  const std::size_t bytes = model_.bytes() + (contact_ ? contact_->bytes() : 0) + symmetry_walls_.bytes();
   summary.bytes_per_element = static_cast<std::int64_t>(bytes) / std::max<std::int64_t>(1, summary.elements);
 }
 

@@ -10,7 +10,8 @@
 namespace pinball {
 
 template <class S>
-Solver<S>::Solver(const Scene& scene) : model_(build_model<S>(scene)), internal_forces_(model_), free_points_(model_) {
+Solver<S>::Solver(const Scene& scene)
+    : model_(build_model<S>(scene)), internal_forces_(model_), symmetry_walls_(model_) {
   if (scene.contact.method == ContactMethod::pinball) contact_ = std::make_unique<PinballContact<S>>(model_);
   initial_momentum_ = momentum();
 }
@@ -20,13 +21,9 @@ template <class S>
 void Solver<S>::advance(bool last) {
   // Figure 4, 1-2: this version has no external loads; node forces are zero between steps.
 
-  free_points_.reflect(model_);  // mass points that crossed a plane of symmetry in the last step
-
   // 3. Element stresses, internal forces and their assembly
   const InternalForceResult<S> internal =
       timers_.measure(Phase::internal_forces, [&] { return internal_forces_.compute(model_, static_cast<S>(dt_)); });
-
-  if (internal.eroded_count > 0) free_points_.update(model_, internal_forces_.tiles());
 
   // 4. Contact forces
   ContactResult contact;
@@ -114,6 +111,7 @@ double Solver<S>::integrate(double dt_new) {
         }
       },
       [](double& whole, double partial) { whole += partial; });
+  if (eroded_elements_ > 0) symmetry_walls_.reflect(model_, position_step);  // what erosion has set free
   return 0.5 * twice_kinetic;
 }
 

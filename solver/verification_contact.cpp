@@ -128,15 +128,9 @@ std::vector<VerificationRow> verify_rod_plate(const Scene& scene) {
   const ModelMesh& mesh = solver.model().mesh;
   double deepest = 0;
   std::int64_t not_finite = 0;
-  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const auto slot = static_cast<std::size_t>(solver.model().slot_of_element[e]);
-    if (!(solver.model().elements.mass[slot] > 0)) continue;
-    for (const std::int32_t n : mesh.hexahedra[e]) {
-      deepest = std::max(deepest, -position_of(solver, static_cast<std::size_t>(n))[1]);
-    }
-  }
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const Point x = position_of(solver, n), v = velocity_of(solver, n);
+    deepest = std::max(deepest, -x[1]);
     for (std::size_t k = 0; k < 3; ++k) not_finite += !std::isfinite(x[k]) || !std::isfinite(v[k]);
   }
   return {
@@ -149,8 +143,7 @@ std::vector<VerificationRow> verify_rod_plate(const Scene& scene) {
       compare("momentum along x at the end [lbf s]", after[0], before[0], 1e-10, "conservation"),
       compare("momentum along z at the end [lbf s]", after[2], before[2], 1e-10, "conservation"),
       compare_with_zero("largest error of the energy balance", worst, 1e-2, "conservation"),
-      compare_with_zero("deepest node of a living element beyond the plane of symmetry [in]", deepest, 1e-9,
-                        "symmetry"),
+      compare_with_zero("deepest node beyond the plane of symmetry [in]", deepest, 1e-9, "symmetry"),
       compare_with_zero("coordinates that are not finite", static_cast<double>(not_finite), 0, "stability"),
   };
 }
