@@ -67,7 +67,7 @@ std::size_t material_index(const Scene& scene, const std::string& name) {
 /// several tiles per colour and thread. Depends on the mesh alone, so that results do not depend on the threads.
 std::int64_t tile_size(std::int64_t elements) {
   std::int64_t size = 32;
-  while (size < 256 && size * 64 < elements) size *= 2;
+  while (size < 512 && size * 64 < elements) size *= 2;
   return size;
 }
 
