@@ -7,6 +7,9 @@
 #if !defined(__CUDACC__)
 #include <experimental/simd>
 #endif
+#if defined(__clang__) && defined(__AVX512VL__)
+#include <immintrin.h>
+#endif
 
 /// Number types of the kernels. A kernel is a template over its number type T: `double`, `float`, or a pack of W lanes
 /// (`Pack<double, W>`), each lane being one element, node or pair. The same source is the scalar reference, the vector
@@ -90,9 +93,37 @@ template <class T>
 inline constexpr int native_width = static_cast<int>(stdx::native_simd<T>::size());
 #endif
 
+#if defined(__clang__) && defined(__AVX512VL__)
+namespace detail {
+template <class P>
+PINBALL_FUNCTION P blend(unsigned long long bits, const P& a, const P& b) {
+  constexpr bool is_double = sizeof(typename P::value_type) == 8;
+  if constexpr (sizeof(P) == 64 && is_double) {
+    return P(_mm512_mask_blend_pd(static_cast<__mmask8>(bits), static_cast<__m512d>(a), static_cast<__m512d>(b)));
+  } else if constexpr (sizeof(P) == 64) {
+    return P(_mm512_mask_blend_ps(static_cast<__mmask16>(bits), static_cast<__m512>(a), static_cast<__m512>(b)));
+  } else if constexpr (sizeof(P) == 32 && is_double) {
+    return P(_mm256_mask_blend_pd(static_cast<__mmask8>(bits), static_cast<__m256d>(a), static_cast<__m256d>(b)));
+  } else if constexpr (sizeof(P) == 32) {
+    return P(_mm256_mask_blend_ps(static_cast<__mmask8>(bits), static_cast<__m256>(a), static_cast<__m256>(b)));
+  } else if constexpr (is_double) {
+    return P(_mm_mask_blend_pd(static_cast<__mmask8>(bits), static_cast<__m128d>(a), static_cast<__m128d>(b)));
+  } else {
+    return P(_mm_mask_blend_ps(static_cast<__mmask8>(bits), static_cast<__m128>(a), static_cast<__m128>(b)));
+  }
+}
+}  // namespace detail
+#endif
+
 template <class T, class Abi>
 PINBALL_FUNCTION stdx::simd<T, Abi> select(const stdx::simd_mask<T, Abi>& mask, const stdx::simd<T, Abi>& if_true,
                                            const stdx::simd<T, Abi>& if_false) {
+#if defined(__clang__) && defined(__AVX512VL__)
+  // Clang 14 makes nothing of libstdc++'s masked assignment with AVX-512 mask registers: a blend by hand.
+  if constexpr (sizeof(if_true) == 64 || sizeof(if_true) == 32 || sizeof(if_true) == 16) {
+    return detail::blend<stdx::simd<T, Abi>>(mask.__to_bitset().to_ullong(), if_false, if_true);
+  }
+#endif
   stdx::simd<T, Abi> result = if_false;
   stdx::where(mask, result) = if_true;
   return result;
