@@ -56,6 +56,36 @@ PINBALL_FUNCTION Vec3<T> unit_normal_towards(const PinballNormal<T>& normal, con
   return inverse * n;
 }
 
+/// Which way a pair is pushed apart.
+template <class T>
+struct PairDirection {
+  MaskOf<T> opposed;  ///< the two surfaces can touch
+  Vec3<T> direction;  ///< n, unit, from pinball 2 to pinball 1
+};
+
+/// d = C1 - C2; n1, n2: unit normals of both (zero allowed). The direction is that of the mean normal (3.5), or the
+/// line of centres where there is none, or where it is more than 18 degrees off (see penetration).
+template <class T>
+PINBALL_FUNCTION PairDirection<T> pair_direction(const Vec3<T>& d, const Vec3<T>& n1, const Vec3<T>& n2) {
+  const T d2 = dot(d, d);
+  // Pairs whose normals look the same way belong to one surface, or to opposite faces of a thin body; unless each looks
+  // at the other by more than 12 degrees: aslant, as where two edges (n1.n2 = 0) or corners (1/3) meet face to face.
+  const T least = number<T>(0.04) * d2, towards1 = T(0) - dot(n1, d), towards2 = dot(n2, d);
+  const auto face_each_other =
+      minimum(towards1, towards2) > T(0) && towards1 * towards1 > least && towards2 * towards2 > least;
+  const auto opposed = !(dot(n1, n2) > number<T>(0.3)) || face_each_other;
+
+  // if (|n| >= 0.2 and n.d >= cos(18 degrees) |n| |d|) direction = n = (n2 - n1)/2; else direction = d
+  const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
+  const T mean2 = dot(mean, mean), along = dot(mean, d);
+  const auto use_mean = mean2 >= number<T>(0.04) && along >= T(0) && along * along >= number<T>(0.9045) * mean2 * d2;
+  const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};
+  const T length2 = select(use_mean, mean2, d2);
+  const auto defined = length2 > T(0);  // false for coincident centres without normals: no direction, no force
+  const T inverse = T(1) / square_root(select(defined, length2, T(1)));
+  return {opposed && defined, inverse * chosen};
+}
+
 /// Geometry of a penetrating pair.
 template <class T>
 struct Penetration {
@@ -78,32 +108,16 @@ struct Penetration {
 /// centres takes the place of n.
 template <class T>
 PINBALL_FUNCTION Penetration<T> penetration(const Vec3<T>& d, const T& reach, const Vec3<T>& n1, const Vec3<T>& n2) {
-  const T d2 = dot(d, d);
-  const T c = d2 - reach * reach;
+  const T c = dot(d, d) - reach * reach;
   const auto overlaps = c < T(0);
-
-  // Pairs whose normals look the same way belong to one surface, or to opposite faces of a thin body; unless each looks
-  // at the other by more than 12 degrees: aslant, as where two edges (n1.n2 = 0) or corners (1/3) meet face to face.
-  const T least = number<T>(0.04) * d2, towards1 = T(0) - dot(n1, d), towards2 = dot(n2, d);
-  const auto face_each_other =
-      minimum(towards1, towards2) > T(0) && towards1 * towards1 > least && towards2 * towards2 > least;
-  const auto opposed = !(dot(n1, n2) > number<T>(0.3)) || face_each_other;
-
-  // if (|n| >= 0.2 and n.d >= cos(18 degrees) |n| |d|) direction = n = (n2 - n1)/2; else direction = d
-  const Vec3<T> mean = number<T>(0.5) * (n2 - n1);
-  const T mean2 = dot(mean, mean), along = dot(mean, d);
-  const auto use_mean = mean2 >= number<T>(0.04) && along >= T(0) && along * along >= number<T>(0.9045) * mean2 * d2;
-  const Vec3<T> chosen{select(use_mean, mean.x, d.x), select(use_mean, mean.y, d.y), select(use_mean, mean.z, d.z)};
-  const T length2 = select(use_mean, mean2, d2);
-  const auto defined = length2 > T(0);  // false for coincident centres without normals: no direction, no force
-  const T inverse = T(1) / square_root(select(defined, length2, T(1)));
-  const Vec3<T> n = inverse * chosen;
+  const PairDirection<T> pair = pair_direction(d, n1, n2);
+  const Vec3<T>& n = pair.direction;
 
   const T b = dot(n, d);  // never negative
   const T root = square_root(maximum(T(0), b * b - c));
   const T g = (T(0) - c) / select(overlaps, b + root, T(1));
   const Vec3<T> gradient = (T(1) / select(overlaps, root, T(1))) * (d + g * n);  // root = (d + g n).n
-  return {overlaps && opposed && defined, g, n, gradient};
+  return {overlaps && pair.opposed, g, n, gradient};
 }
 
 }  // namespace pinball

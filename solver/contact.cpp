@@ -22,6 +22,7 @@ PinballContact<S>::PinballContact(const Model<S>& model)
         static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
   }
   for (const Part& part : model.parts) may_erode_ = may_erode_ || part.features.erosion;
+  if (contact.enforcement != Enforcement::penalty) impulses_ = std::make_unique<ContactImpulses<S>>(model);
   collect_pinballs(model);
 }
 
@@ -57,7 +58,8 @@ void PinballContact<S>::collect_pinballs(const Model<S>& model) {
       pinballs_.body.push_back(model.mesh.body[e]);
       const double volume = model.element_mass[e] / material.density;
       pinballs_.bulk_modulus[p] = static_cast<S>(material.bulk_modulus);
-      pinballs_.centre[4 * p + 3] = static_cast<S>(std::cbrt(volume * 3.0 / (4.0 * M_PI)));  // (3.2)
+      pinballs_.centre[4 * p + 3] =
+          static_cast<S>(model.scene.contact.radius_factor * std::cbrt(volume * 3.0 / (4.0 * M_PI)));  // (3.2)
       pinballs_.velocity[4 * p + 3] = static_cast<S>(model.element_mass[e]);
       for (int i = 0; i < 8; ++i) {
         pinballs_.corners[p][static_cast<std::size_t>(i)] = model.elements.corner[ElementStore<S>::at(slot, i, 8)];
@@ -138,6 +140,21 @@ void PinballContact<S>::search(const Model<S>& model) {
   }
   const S skin = model.scene.skip.contact_search ? static_cast<S>(model.scene.contact.skin) * largest : S(0);
   list_.build(pinballs_, skin, {model.scene.contact.self, &reference_centre_});
+}
+
+template <class S>
+void PinballContact<S>::prepare_impulses(const Model<S>& model, double dt) {
+  impulses_->collect(model, pinballs_, list_, surface_, dt);
+}
+
+template <class S>
+ContactResult PinballContact<S>::impulses(Model<S>& model, double dt_before, double dt) {
+  const ImpulseResult solved = impulses_->solve(model, pinballs_, dt_before, dt);
+  ContactResult result;
+  result.dissipated = solved.dissipated;
+  result.penetration_ratio = solved.penetration_ratio;
+  result.pairs = solved.pairs;
+  return result;
 }
 
 template <class S>

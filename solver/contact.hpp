@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <pinball/solver/contact_impulses.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/neighbour_list.hpp>
@@ -15,6 +17,7 @@ struct ContactResult {
   double stored = 0;             ///< energy in the penalty springs [energy]
   double eroded = 0;             ///< energy of the springs that went with eroded elements [energy]
   double damped_power = 0;       ///< power of the contact damping [power]
+  double dissipated = 0;         ///< energy taken out by impulses since the step before [energy]
   double penetration_ratio = 0;  ///< largest g / (R1 + R2) [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
@@ -35,11 +38,20 @@ class PinballContact {
   /// Adds an eighth of each pinball's force to the corners of its element, and bounds the contact frequency.
   void scatter(Model<S>& model, ContactResult& result);
 
+  /// Whether contact acts through springs, with forces() and scatter(), or through impulses.
+  bool by_impulses() const { return impulses_ != nullptr; }
+  /// The constraints of the coming step, in the place of forces() and scatter(); dt: the step just made.
+  void prepare_impulses(const Model<S>& model, double dt);
+  /// Forces on the nodes that keep gaps from closing in the coming step; after all other forces and the constraints.
+  ContactResult impulses(Model<S>& model, double dt_before, double dt);
+
   const PinballStore<S>& pinballs() const { return pinballs_; }
   std::int32_t active_pinballs() const { return active_; }
   std::int64_t searches() const { return searches_; }
   std::int64_t searches_skipped() const { return searches_skipped_; }
-  std::size_t bytes() const { return pinballs_.bytes() + list_.bytes() + surface_.bytes(); }
+  std::size_t bytes() const {
+    return pinballs_.bytes() + list_.bytes() + surface_.bytes() + (impulses_ ? impulses_->bytes() : 0);
+  }
 
  private:
   /// Chooses the pinballs anew: exposed elements, and those across a face of one.
@@ -52,6 +64,7 @@ class PinballContact {
   Surface surface_;
   PinballStore<S> pinballs_;
   NeighbourList<S> list_;
+  std::unique_ptr<ContactImpulses<S>> impulses_;        ///< only with enforcement by impulses
   std::vector<std::array<float, 3>> reference_centre_;  ///< per slot
   std::vector<std::uint8_t> is_pinball_;                ///< per slot
   PenaltyConstants<S> penalty_;

@@ -2,14 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <pinball/kernels/hexahedron.hpp>
 #include <vector>
 
 namespace pinball {
-
-/// Local nodes of the six faces in the order xi-, xi+, eta-, eta+, zeta-, zeta+; each counterclockwise seen from
-/// outside, so that the area vector (x2 - x0) x (x3 - x1) / 2 points outward.
-inline constexpr int face_nodes[6][4] = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4},
-                                         {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
 /// For each element and face (in the order of face_nodes) the element on the other side, or -1 on the surface.
 ///

@@ -119,9 +119,12 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   if (solver.contact() != nullptr) {
     const ContactSettings& c = scene.contact;
     fmt::print(
-        "  contact: pinballs on {} of {} elements, {} enforcement, beta {:.4g}, damping {:.4g} of critical, {} "
+        "  contact: pinballs on {} of {} elements, {} enforcement, {}{} "
         "radius{}\n",
-        solver.contact()->active_pinballs(), model.element_count(), c.enforcement, c.beta, c.damping,
+        solver.contact()->active_pinballs(), model.element_count(), enforcement_name(c.enforcement),
+        c.enforcement == Enforcement::penalty
+            ? fmt::format("beta {:.4g}, damping {:.4g} of critical, ", c.beta, c.damping)
+            : fmt::format("gap between {}, ", c.gap == ContactGap::face ? "faces" : "pinballs"),
         c.radius == ContactRadius::initial ? "initial" : "current", c.self ? ", bodies may touch themselves" : "");
     if (scene.skip.contact_search) {
       fmt::print("  contact search: when something has moved by half the skin of {:.4g} radii\n", c.skin);

@@ -14,8 +14,17 @@ namespace pinball {
 enum class Precision { float32, float64 };
 enum class HourglassControl { none, viscous, stiffness };
 enum class ContactMethod { none, pinball };
+enum class Enforcement { penalty, projection, lagrange };
+enum class ContactGap { pinball, face };
 enum class ContactRadius { initial, current };
 enum class NegativeVolume { stop, erode };
+
+/// As in the scene and in summary.json.
+inline const char* enforcement_name(Enforcement enforcement) {
+  return enforcement == Enforcement::penalty      ? "penalty"
+         : enforcement == Enforcement::projection ? "projection"
+                                                  : "lagrange";
+}
 
 struct TimeSettings {
   double end = 0.0;         ///< time.end: when the run stops [time], required
@@ -36,12 +45,14 @@ struct ElementSettings {
 };
 
 struct ContactSettings {
-  ContactMethod method = ContactMethod::none;  ///< contact.method = "none" | "pinball"
-  std::string enforcement = "penalty";         ///< contact.enforcement = "penalty"
-  std::string gap = "pinball";                 ///< contact.gap = "pinball"
-  double beta = 1.0;                           ///< contact.beta: penalty factor of report eq. (3.11) [-]
+  ContactMethod method = ContactMethod::none;      ///< contact.method = "none" | "pinball"
+  Enforcement enforcement = Enforcement::penalty;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
+  /// contact.gap = "pinball" | "face"; where it is not set read_scene fills in pinball (penalty) or face
+  ContactGap gap = ContactGap::pinball;
+  double beta = 1.0;     ///< contact.beta: penalty factor of report eq. (3.11) [-]
   double damping = 0.1;  ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
   ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
+  double radius_factor = 1.0;                     ///< contact.radius_factor: on the radius of (3.2) [-]
   bool self = true;                               ///< contact.self: a body may touch itself
   double skin = 0.5;  ///< contact.skin: of the neighbour list, over the largest pinball radius [-]
 };

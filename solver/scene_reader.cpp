@@ -50,13 +50,21 @@ ContactSettings read_contact(const SceneTable& table) {
   ContactSettings contact;
   contact.method = table.choice<ContactMethod>(
       "method", {{"none", ContactMethod::none}, {"pinball", ContactMethod::pinball}}, contact.method, {"slideline"});
-  contact.enforcement = table.choice<std::string>("enforcement", {{"penalty", "penalty"}}, contact.enforcement,
-                                                  {"projection", "lagrange"});
-  contact.gap = table.choice<std::string>("gap", {{"pinball", "pinball"}}, contact.gap, {table.text("gap", "")});
+  contact.enforcement = table.choice<Enforcement>(
+      "enforcement",
+      {{"penalty", Enforcement::penalty}, {"projection", Enforcement::projection}, {"lagrange", Enforcement::lagrange}},
+      contact.enforcement);
+  const bool penalty = contact.enforcement == Enforcement::penalty;
+  contact.gap = table.choice<ContactGap>("gap", {{"pinball", ContactGap::pinball}, {"face", ContactGap::face}},
+                                         penalty ? ContactGap::pinball : ContactGap::face);
+  if (penalty && contact.gap == ContactGap::face) {
+    table.fail("gap", "\"face\" needs enforcement = \"projection\" or \"lagrange\" in this version");
+  }
   contact.beta = table.number("beta", not_negative, contact.beta);
   contact.damping = table.number("damping", not_negative, contact.damping);
   contact.radius = table.choice<ContactRadius>(
       "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
+  contact.radius_factor = table.number("radius_factor", positive, contact.radius_factor);
   contact.self = table.boolean("self", contact.self);
   contact.skin = table.number("skin", not_negative, contact.skin);
   return contact;

@@ -50,6 +50,7 @@ class Solver {
  private:
   void advance(bool last);
   void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
+  void apply_constraints();
   double integrate(double dt_new);
   void check_state(const InternalForceResult<S>& internal, double kinetic) const;
   std::vector<BodyResult> body_results() const;

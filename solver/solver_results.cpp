@@ -174,7 +174,7 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.momentum_final = momentum();
   summary.bodies = body_results();
   summary.contact_method = contact_ ? "pinball" : "none";
-  summary.contact_enforcement = contact_ ? scene.contact.enforcement : "none";
+  summary.contact_enforcement = contact_ ? enforcement_name(scene.contact.enforcement) : "none";
   if (contact_) {
     summary.pinballs = contact_->active_pinballs();
     summary.searches = contact_->searches();

@@ -30,12 +30,22 @@ void Solver<S>::advance(bool last) {
   if (contact_) {
     timers_.measure(Phase::pinballs, [&] { contact_->update_pinballs(model_, internal_forces_.tiles()); });
     timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
-    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(static_cast<S>(dt_)); });
-    timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(model_, contact); });
+    if (contact_->by_impulses()) {
+      timers_.measure(Phase::contact_forces, [&] { contact_->prepare_impulses(model_, dt_); });
+    } else {
+      contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(static_cast<S>(dt_)); });
+      timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(model_, contact); });
+    }
   }
 
   // The largest step that elements and contact allow
   timers_.measure(Phase::time_step, [&] { choose_time_step(internal, contact, last); });
+
+  // Constraints, and contact that acts on what they leave
+  timers_.measure(Phase::integration, [&] { apply_constraints(); });
+  if (contact_ && contact_->by_impulses()) {
+    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, dt_before_, dt_); });
+  }
 
   // 5-6. Accelerations, velocities, displacements
   const double kinetic = timers_.measure(Phase::integration, [&] { return integrate(dt_); });
@@ -49,7 +59,7 @@ void Solver<S>::advance(bool last) {
   energies_.bulk_viscosity += internal.viscous;
   energies_.eroded += internal.eroded + contact.eroded;
   energies_.contact_stored = contact.stored;
-  energies_.contact_damped += 0.5 * (damped_power_ + contact.damped_power) * dt_before_;
+  energies_.contact_damped += 0.5 * (damped_power_ + contact.damped_power) * dt_before_ + contact.dissipated;
   damped_power_ = contact.damped_power;
   if (steps_ == 0) initial_energy_ = energies_.total();
   eroded_element_steps_ += eroded_elements_;
@@ -86,17 +96,21 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
   }
 }
 
-/// Constraints, accelerations, velocities and positions; returns the kinetic energy at the time of the forces.
+template <class S>
+void Solver<S>::apply_constraints() {
+  for (const NodeConstraint<S>& c : model_.constraints) {
+    const auto place = 4 * static_cast<std::size_t>(c.node);
+    constrain_node(model_.nodes.force.data() + place, model_.nodes.velocity.data() + place, c.normal);
+  }
+}
+
+/// Accelerations, velocities and positions; returns the kinetic energy at the time of the forces.
 template <class S>
 double Solver<S>::integrate(double dt_new) {
   NodeStore<S>& nodes = model_.nodes;
   S* position = nodes.position.data();
   S* velocity = nodes.velocity.data();
   S* force = nodes.force.data();
-  for (const NodeConstraint<S>& c : model_.constraints) {
-    const auto place = 4 * static_cast<std::int64_t>(c.node);
-    constrain_node(force + place, velocity + place, c.normal);
-  }
   const auto velocity_step = static_cast<S>(0.5 * (dt_before_ + dt_new));
   const auto position_step = static_cast<S>(dt_new), energy_step = static_cast<S>(dt_before_);
   double twice_kinetic = 0;

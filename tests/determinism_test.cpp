@@ -66,6 +66,16 @@ TEST(Determinism, RodPlateInDouble) {
 }
 TEST(Determinism, RodPlateInFloat) { expect_same_bits<float>(rod_plate()); }
 
+TEST(Determinism, RodPlateByImpulses) {
+  Scene scene = rod_plate();
+  scene.contact.gap = ContactGap::face;
+  for (const Enforcement enforcement : {Enforcement::projection, Enforcement::lagrange}) {
+    scene.contact.enforcement = enforcement;
+    expect_same_bits<double>(scene);
+    expect_same_bits<float>(scene);
+  }
+}
+
 // A search at every step finds the same pairs in another order: the cells of the hash have another size, and pairs that
 // do not touch are left out of the packs. Sums of forces differ in their last bits, so that the state is not the same
 // bit for bit where a pinball has several partners; nothing else may differ.

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <pinball/solver/verification.hpp>
+
+#include "solver_case.hpp"
+
+/// Contact by impulses (projection, Lagrange multiplier) of whole bodies, through the solver.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+struct Variant {
+  Enforcement enforcement;
+  ContactGap gap;
+};
+
+class ContactByImpulses : public testing::TestWithParam<Variant> {
+ protected:
+  Scene impulses(Scene scene) const {
+    scene.contact.enforcement = GetParam().enforcement;
+    scene.contact.gap = GetParam().gap;
+    return scene;
+  }
+  /// A little more than the distance of two flat faces, over the size of their elements, at which contact begins.
+  double just_apart() const { return GetParam().gap == ContactGap::face ? 0.01 : 1.01 * touching_gap; }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, ContactByImpulses,
+                         testing::Values(Variant{Enforcement::projection, ContactGap::face},
+                                         Variant{Enforcement::projection, ContactGap::pinball},
+                                         Variant{Enforcement::lagrange, ContactGap::face},
+                                         Variant{Enforcement::lagrange, ContactGap::pinball}),
+                         [](const auto& test) {
+                           return std::string(enforcement_name(test.param.enforcement)) +
+                                  (test.param.gap == ContactGap::face ? "_face" : "_pinball");
+                         });
+
+/// Sum of m x cross v about the origin.
+Point angular_momentum(const Solver<double>& solver) {
+  Point sum{};
+  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+    const double m = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
+    const Point x = position_of(solver, n), v = velocity_of(solver, n);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[k] += m * (x[(k + 1) % 3] * v[(k + 2) % 3] - x[(k + 2) % 3] * v[(k + 1) % 3]);
+  }
+  return sum;
+}
+
+TEST_P(ContactByImpulses, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
+  const double h = 0.1;
+  const Scene scene = impulses(scene_of({block("a", {3, 3, 3}, h, {0, 0, 0}, {0, 0, 10}),
+                                         block("b", {3, 3, 3}, h, {0, 0, (3 + just_apart()) * h}, {0, 0, -10})},
+                                        6e-4));
+  Solver<double> solver(scene);
+  double worst = 0;
+  run_to_end(solver, [&] {
+    worst = std::max(worst, std::abs(solver.balance_error()));
+    for (const double p : solver.momentum()) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
+  });
+  // What the impulses take out is counted exactly; what remains is that of the elements.
+  EXPECT_LT(worst, 2e-3);
+  EXPECT_GT(solver.energies().contact_damped, 0);
+  const std::vector<BodyResult> bodies = solver.history_row().bodies;
+  // Not above the speed of approach; what so few elements keep of it is theirs: the impulses of balls move whole ones.
+  EXPECT_LT(bodies[0].velocity[2], -4);
+  EXPECT_GT(bodies[0].velocity[2], -10);
+  EXPECT_NEAR(bodies[0].velocity[2], -bodies[1].velocity[2], 1e-9);
+}
+
+TEST_P(ContactByImpulses, ObliqueImpactsKeepMomentumAndEnergy) {
+  const double h = 0.1;
+  for (const Point& axis : {Point{1, 0.9, 1.1}, Point{0, 1, 1.2}, Point{0.1, 0.05, 1}}) {
+    Scene scene = impulses(scene_of({block("a", {4, 4, 3}, h, {-0.2, -0.2, 0}, {0, 0, 10}),
+                                     block("b", {3, 3, 3}, h, {0.05, 0.02, 0.65}, {10, -5, -70})},
+                                    8e-3));
+    scene.bodies[1].axis = axis;
+    scene.bodies[1].angular_velocity = {30, 10, -20};
+    Solver<double> solver(scene);
+    const Point before = angular_momentum(solver), momentum = solver.momentum();
+    const double scale = 7850 * 0.027 * 70;
+    run_to_end(solver);
+    EXPECT_GT(solver.energies().contact_damped, 0) << "they are to touch";
+    EXPECT_LT(std::abs(solver.balance_error()), 0.01);
+    const Point after = angular_momentum(solver);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(solver.momentum()[k], momentum[k], 1e-11 * scale);
+      EXPECT_NEAR(after[k], before[k], 0.01 * scale * 0.3);
+    }
+  }
+}
+
+TEST_P(ContactByImpulses, BodiesAtRestStayAtRest) {
+  const double h = 0.1;
+  Solver<double> solver(
+      impulses(scene_of({block("a", {2, 2, 2}, h, {0, 0, 0}), block("b", {3, 3, 1}, 0.07, {0.01, 0.02, 0.2})}, 1e-4)));
+  run_to_end(solver);
+  EXPECT_EQ(kinetic_energy(solver), 0);
+}
+
+TEST_P(ContactByImpulses, StaysWithinAPlaneOfSymmetry) {
+  // An impact beside the plane y = 0, whose nodes have no mobility along y.
+  const double h = 0.1;
+  Scene scene = impulses(scene_of(
+      {block("a", {4, 2, 2}, h, {0, 0, 0}), block("b", {2, 2, 2}, h, {0.05, 0, (2 + just_apart()) * h}, {0, 5, -50})},
+      3e-4));
+  scene.constraints.push_back({{0, 0, 0}, {0, 1, 0}, ""});
+  Solver<double> solver(scene);
+  run_to_end(solver);
+  EXPECT_GT(solver.energies().contact_damped, 0);
+  EXPECT_LT(std::abs(solver.balance_error()), 0.01);
+  const ModelMesh& mesh = solver.model().mesh;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    if (mesh.nodes[n][1] == 0) {
+      EXPECT_EQ(position_of(solver, n)[1], 0);
+    }
+  }
+}
+
+TEST(ContactImpulses, FacesStayApartByTheirOwnGap) {
+  // A block thrown flat onto a wider one of another mesh, between planes of symmetry all around: the faces touch, and
+  // not the balls that stick out of them.
+  const double h = 0.1;
+  Scene scene =
+      scene_of({block("a", {4, 4, 4}, h, {0, 0, 0}), block("b", {3, 3, 3}, 0.4 / 3, {0, 0, 0.402}, {0, 0, -20})}, 3e-4);
+  scene.contact.gap = ContactGap::face;
+  for (const Enforcement enforcement : {Enforcement::projection, Enforcement::lagrange}) {
+    scene.contact.enforcement = enforcement;
+    Solver<double> solver(scene);
+    double least = 1, when_pressed = 1;
+    run_to_end(solver, [&] {
+      double top = 0, bottom = 0;
+      int tops = 0, bottoms = 0;
+      const ModelMesh& mesh = solver.model().mesh;
+      for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        const double z = position_of(solver, n)[2];
+        if (mesh.body_of_node[n] == 0 && mesh.nodes[n][2] > 0.399) top += z, ++tops;
+        if (mesh.body_of_node[n] == 1 && mesh.nodes[n][2] < 0.403) bottom += z, ++bottoms;
+      }
+      least = std::min(least, bottom / bottoms - top / tops);
+      if (solver.energies().contact_damped > 0) when_pressed = std::min(when_pressed, bottom / bottoms - top / tops);
+    });
+    EXPECT_GT(least, -0.01 * h);
+    EXPECT_LT(when_pressed, 0.01 * h);
+  }
+}
+
+}  // namespace
+}  // namespace pinball
