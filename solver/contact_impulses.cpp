@@ -115,7 +115,7 @@ void ContactImpulses<S>::collect(const Model<S>& model, PinballStore<S>& pinball
     for (const Found& f : some) add_row(pinballs, f.pinball1, f.pinball2, f.row);
   }
   for (const std::int32_t n : node_) node_place_[static_cast<std::size_t>(n)] = -1;
-  for (std::size_t i = 0; i < rows_.size(); ++i) subtract_offset(model, i, dt);
+  for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(model, i, dt);
 }
 
 template <class S>
@@ -140,16 +140,17 @@ void ContactImpulses<S>::add_row(const PinballStore<S>& pinballs, std::int32_t p
   row.direction[0] = contact.direction.x;
   row.direction[1] = contact.direction.y;
   row.direction[2] = contact.direction.z;
-  Pair pair{p, q, contact.depth, 0, 0, {pinballs.slot[i], pinballs.slot[j], -1, 0, 0}};
+  Pair pair{p, q, contact.depth, 0, 0, {pinballs.slot[i], pinballs.slot[j], 0, 0, 0}};
   const auto before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, Memory::earlier);
   if (before != memory_.end() && !Memory::earlier(pair.memory, *before)) pair.memory = *before;
   rows_.push_back(row);
   pairs_.push_back(pair);
 }
 
-/// if (the pair was in contact) offset = min(offset, depth); else offset = the depth that no approach explains
+/// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element
+/// turns another face to its partner: such depths are not pushed out.
 template <class S>
-void ContactImpulses<S>::subtract_offset(const Model<S>& model, std::size_t i, double dt) {
+void ContactImpulses<S>::limit_depth(const Model<S>& model, std::size_t i, double dt) {
   const ImpulseRow& row = rows_[i];
   double approach = 0;
   for (int k = 0; k < row.nodes; ++k) {
@@ -160,10 +161,8 @@ void ContactImpulses<S>::subtract_offset(const Model<S>& model, std::size_t i, d
   }
   Pair& pair = pairs_[i];
   pair.rate_before = approach;
-  const double deep = std::max(0.0, pair.depth);
-  double& offset = pair.memory.offset;
-  offset = offset >= 0 ? std::min(offset, deep) : std::max(0.0, deep - std::max(0.0, approach) * dt);
-  pair.depth -= offset;
+  if (pair.depth > 0) pair.depth = std::min(pair.depth, pair.memory.depth + std::max(0.0, approach) * dt);
+  pair.memory.depth = std::max(0.0, pair.depth);
 }
 
 /// Velocities v* and what constraints leave of the inverse masses.
@@ -199,7 +198,7 @@ void ContactImpulses<S>::drop_rows_apart() {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Pair& pair = pairs_[i];
-    const bool known = pair.memory.force > 0 || pair.depth + pair.memory.offset > 0;
+    const bool known = pair.memory.force > 0 || pair.depth > 0;
     const bool near = known || pair.rate_free + rows_[i].position_rate > -std::abs(pair.rate_free);
     if (!near || !(rows_[i].inverse_mass > 0)) continue;
     rows_[kept] = rows_[i];
@@ -254,13 +253,16 @@ ImpulseResult ContactImpulses<S>::solve(Model<S>& model, PinballStore<S>& pinbal
     const double reach = static_cast<double>(pinballs.centre[4 * static_cast<std::size_t>(pair.pinball1) + 3] +
                                              pinballs.centre[4 * static_cast<std::size_t>(pair.pinball2) + 3]);
     result.penetration_ratio = std::max(result.penetration_ratio, pair.depth / reach);
-    if (dt > 0) {
-      row.position_rate = (pair.depth > 0 ? push_out : 1.0) * pair.depth / dt;
+    row.inverse_mass = row_inverse_mass(row, nodes_.data());
+    if (dt > 0 && pair.depth > 0) {  // with no more energy than the pair has taken out
+      const double energy_limit = std::sqrt(2 * std::max(0.0, pair.memory.lost) * row.inverse_mass);
+      row.position_rate = std::min(push_out * pair.depth / dt, energy_limit);
+    } else if (dt > 0) {
+      row.position_rate = pair.depth / dt;
     } else {  // nothing moves any more: an open gap asks for nothing
       row.position_rate = pair.depth < -1e-9 * reach ? -std::numeric_limits<double>::infinity() : 0.0;
     }
     pair.rate_free = closing_rate(row, nodes_.data());
-    row.inverse_mass = row_inverse_mass(row, nodes_.data());
     row.impulse = std::max(0.0, pair.memory.force) * velocity_step;
   }
   drop_rows_apart();
@@ -314,7 +316,7 @@ template <class S>
 void ContactImpulses<S>::remember() {
   memory_.clear();
   for (const Pair& pair : pairs_) {
-    if (pair.memory.force > 0 || pair.depth + pair.memory.offset > 0) memory_.push_back(pair.memory);
+    if (pair.memory.force > 0 || pair.memory.depth > 0) memory_.push_back(pair.memory);
   }
   std::sort(memory_.begin(), memory_.end(), Memory::earlier);
 }

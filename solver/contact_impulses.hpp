@@ -54,9 +54,9 @@ class ContactImpulses {
   /// What outlives a step, by the slots of the two elements.
   struct Memory {
     std::int32_t slot1, slot2;
-    double offset;  ///< depth at which the pair was found: what approach has not closed is not pushed out [length]
-    double force;   ///< of the last step [force]
-    double lost;    ///< energy that the pair has taken out [energy]
+    double depth;  ///< as far as approach has closed it, see limit_depth [length]
+    double force;  ///< of the last step [force]
+    double lost;   ///< energy that the pair has taken out [energy]
     static bool earlier(const Memory& a, const Memory& b) {
       return a.slot1 != b.slot1 ? a.slot1 < b.slot1 : a.slot2 < b.slot2;
     }
@@ -64,14 +64,14 @@ class ContactImpulses {
   /// What a row of rows_ is besides.
   struct Pair {
     std::int32_t pinball1, pinball2;
-    double depth;        ///< less the offset [length]
+    double depth;        ///< penetration, or negative gap; see limit_depth [length]
     double rate_before;  ///< G v in the middle of the step before [length/time]
     double rate_free;    ///< G v* [length/time]
     Memory memory;
   };
 
   void add_row(const PinballStore<S>& pinballs, std::int32_t p, std::int32_t q, const ContactRow& row);
-  void subtract_offset(const Model<S>& model, std::size_t row, double dt);
+  void limit_depth(const Model<S>& model, std::size_t row, double dt);
   void load_nodes(const Model<S>& model, double velocity_step);
   void drop_rows_apart();
   void solve_coupled();
