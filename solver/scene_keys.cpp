@@ -25,9 +25,16 @@ const std::vector<TableKeys>& scene_keys() {
        "body.NAME",
        {"name", "material", "mesh", "position", "axis", "velocity", "angular_velocity", "velocity_gradient",
         "velocity_noise"}},
-      {"mesh", "body.NAME.mesh", {"type", "size", "elements", "length", "radius", "half", "core", "ring", "layers"}},
+      {"mesh",
+       "body.NAME.mesh",
+       {"type", "size", "elements", "length", "radius", "half", "section", "angle", "core", "ring", "radial", "layers",
+        "grading"}},
       {"block", "body.NAME.mesh", {"type", "size", "elements"}},
       {"round_nosed_rod", "body.NAME.mesh", {"type", "length", "radius", "half", "core", "ring", "layers"}},
+      {"cylinder",
+       "body.NAME.mesh",
+       {"type", "radius", "length", "section", "angle", "core", "ring", "radial", "layers"}},
+      {"sphere", "body.NAME.mesh", {"type", "radius", "section", "angle", "core", "ring", "grading"}},
       {"constraint", "constraint.NUMBER", {"type", "point", "normal", "body"}},
   };
   return keys;
