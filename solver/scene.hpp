@@ -87,7 +87,37 @@ struct RoundNosedRodMesh {
   int layers = 1;                 ///< layers of elements along the axis
 };
 
-using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh>;
+/// Part of a body of revolution about z: all of it, y >= 0, x >= 0 and y >= 0, or from y = 0 turned by an angle.
+enum class Section { full, half, quarter, wedge };
+
+/// A wedge has one element around its angle; beyond this [degree] its elements are too blunt.
+inline constexpr double largest_wedge_angle = 60.0;
+
+/// mesh = { type = "cylinder", radius, length, section = "full", core = c, ring = b, layers = n }; with
+/// section = "wedge": angle, radial and layers. The axis is the body's z, from 0 to length.
+struct CylinderMesh {
+  double radius = 0.0;
+  double length = 0.0;
+  Section section = Section::full;
+  double angle = 0.0;  ///< of the wedge [degree]
+  int core = 1;        ///< elements along each side of the full core
+  int ring = 1;        ///< layers of elements between the core and the surface
+  int radial = 1;      ///< elements of the wedge along the radius
+  int layers = 1;      ///< layers of elements along the axis
+};
+
+/// mesh = { type = "sphere", radius, section = "full", core = c, ring = b, grading = 1 }; with section = "wedge":
+/// core = [p, q] and angle. The centre is the origin, wedges are about the body's z axis.
+struct SphereMesh {
+  double radius = 0.0;
+  Section section = Section::full;
+  double angle = 0.0;             ///< of the wedge [degree]
+  std::array<int, 2> core{1, 1};  ///< elements along each side of the full core; of the wedge's along radius and axis
+  int ring = 1;                   ///< layers of elements between the core and the surface
+  double grading = 1.0;           ///< elements at the pole z = -radius are smaller by this factor [-]
+};
+
+using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh>;
 
 /// One [[body]] table.
 struct Body {

@@ -15,6 +15,9 @@ Material read_material(const SceneTable& table);
 /// One [[body]], the element counts of its mesh multiplied by `refine`. Whether its material exists is not checked.
 Body read_body(const SceneTable& table, int refine);
 
+/// The mesh of a body, its element counts multiplied by `refine`.
+MeshSettings read_mesh(const SceneTable& body, int refine);
+
 /// One [[constraint]] of type "symmetry", its normal a unit vector. Whether its body exists is not checked.
 PlaneConstraint read_constraint(const SceneTable& table);
 

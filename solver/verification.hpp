@@ -81,6 +81,7 @@ std::vector<VerificationRow> verify_patch_test(const Scene& scene);
 std::vector<VerificationRow> verify_plate_impact(const Scene& scene);
 std::vector<VerificationRow> verify_rod_plate(const Scene& scene);
 std::vector<VerificationRow> verify_spinning_block(const Scene& scene);
+std::vector<VerificationRow> verify_taylor_bar(const Scene& scene);
 std::vector<VerificationRow> verify_two_blocks(const Scene& scene);
 std::vector<VerificationRow> verify_uniaxial_strain(const Scene& scene);
 
