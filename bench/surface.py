@@ -18,13 +18,19 @@ VIEWS = {
 def exposed_quads(hexahedra):
     """Faces that belong to one element only.
 
-    hexahedra: (m, 8) node indices. Returns quads (q, 4) with outward normals and the element of each (q,).
+    hexahedra: (m, 8) node indices; where some are collapsed, their triangles are quads with a node twice, and faces of
+    fewer than three nodes are none. Returns quads (q, 4) with outward normals and the element of each (q,).
     """
     quads = hexahedra[:, FACES].reshape(-1, 4)
     owners = np.repeat(np.arange(len(hexahedra)), len(FACES))
     if len(quads) == 0:
         return quads, owners
     nodes = np.sort(quads, axis=1)
+    with_area = (np.diff(nodes, axis=1) != 0).sum(axis=1) >= 2
+    quads, owners, nodes = quads[with_area], owners[with_area], nodes[with_area]
+    # The sorted nodes of a triangle are aabc, abbc or abcc; all become abcc.
+    nodes[:, 1] = np.where(nodes[:, 1] == nodes[:, 0], nodes[:, 2], nodes[:, 1])
+    nodes[:, 2] = np.where(nodes[:, 2] == nodes[:, 1], nodes[:, 3], nodes[:, 2])
     order = np.lexsort(nodes.T)
     same = (nodes[order][1:] == nodes[order][:-1]).all(axis=1)  # as the face before
     single = np.ones(len(quads), dtype=bool)

@@ -148,8 +148,8 @@ void PinballContact<S>::prepare_impulses(const Model<S>& model, double dt) {
 }
 
 template <class S>
-ContactResult PinballContact<S>::impulses(Model<S>& model, double dt_before, double dt) {
-  const ImpulseResult solved = impulses_->solve(model, pinballs_, dt_before, dt);
+ContactResult PinballContact<S>::impulses(Model<S>& model, const StepLengths& step) {
+  const ImpulseResult solved = impulses_->solve(model, pinballs_, step);
   ContactResult result;
   result.dissipated = solved.dissipated;
   result.penetration_ratio = solved.penetration_ratio;

@@ -43,7 +43,7 @@ class PinballContact {
   /// The constraints of the coming step, in the place of forces() and scatter(); dt: the step just made.
   void prepare_impulses(const Model<S>& model, double dt);
   /// Forces on the nodes that keep gaps from closing in the coming step; after all other forces and the constraints.
-  ContactResult impulses(Model<S>& model, double dt_before, double dt);
+  ContactResult impulses(Model<S>& model, const StepLengths& step);
 
   const PinballStore<S>& pinballs() const { return pinballs_; }
   std::int32_t active_pinballs() const { return active_; }

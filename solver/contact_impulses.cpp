@@ -53,9 +53,18 @@ ContactImpulses<S>::ContactImpulses(const Model<S>& model)
     : lagrange_(model.scene.contact.enforcement == Enforcement::lagrange),
       face_gap_(model.scene.contact.gap == ContactGap::face),
       node_place_(model.node_mass.size(), -1),
-      constraint_first_(model.node_mass.size() + 1, 0) {
-  for (const NodeConstraint<S>& c : model.constraints) ++constraint_first_[static_cast<std::size_t>(c.node) + 1];
-  for (std::size_t n = 0; n < model.node_mass.size(); ++n) constraint_first_[n + 1] += constraint_first_[n];
+      held_first_(model.node_mass.size() + 1, 0) {
+  std::vector<std::vector<std::array<double, 3>>> of_node(model.node_mass.size());
+  const auto hold = [&of_node](std::int32_t node, const S* n) {
+    of_node[static_cast<std::size_t>(node)].push_back(
+        {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])});
+  };
+  for (const NodeConstraint<S>& c : model.constraints) hold(c.node, c.normal);
+  for (const NodePrescription<S>& p : model.prescribed) hold(p.node, p.normal);
+  for (std::size_t n = 0; n < of_node.size(); ++n) {
+    held_.insert(held_.end(), of_node[n].begin(), of_node[n].end());
+    held_first_[n + 1] = static_cast<std::int32_t>(held_.size());
+  }
 }
 
 template <class S>
@@ -165,7 +174,7 @@ void ContactImpulses<S>::limit_depth(const Model<S>& model, std::size_t i, doubl
   pair.memory.depth = std::max(0.0, pair.depth);
 }
 
-/// Velocities v* and what constraints leave of the inverse masses.
+/// Velocities v* and what held directions leave of the inverse masses.
 template <class S>
 void ContactImpulses<S>::load_nodes(const Model<S>& model, double velocity_step) {
   nodes_.assign(node_.size(), {});
@@ -174,10 +183,8 @@ void ContactImpulses<S>::load_nodes(const Model<S>& model, double velocity_step)
     const auto m = static_cast<double>(model.nodes.inverse_mass[n]);
     double* a = nodes_[i].inverse_mass;
     a[0] = a[1] = a[2] = m;
-    for (std::int32_t c = constraint_first_[n]; c < constraint_first_[n + 1]; ++c) {
-      const S* normal = model.constraints[static_cast<std::size_t>(c)].normal;
-      const auto x = static_cast<double>(normal[0]), y = static_cast<double>(normal[1]),
-                 z = static_cast<double>(normal[2]);
+    for (std::int32_t h = held_first_[n]; h < held_first_[n + 1]; ++h) {
+      const auto [x, y, z] = held_[static_cast<std::size_t>(h)];
       a[0] -= m * x * x;
       a[1] -= m * y * y;
       a[2] -= m * z * z;
@@ -239,12 +246,12 @@ void ContactImpulses<S>::release(double velocity_step) {
 }
 
 template <class S>
-ImpulseResult ContactImpulses<S>::solve(Model<S>& model, PinballStore<S>& pinballs, double dt_before, double dt) {
+ImpulseResult ContactImpulses<S>::solve(Model<S>& model, PinballStore<S>& pinballs, const StepLengths& step) {
   ImpulseResult result;
   result.dissipated = pending_;
   pending_ = 0;
   std::fill(pinballs.force.data(), pinballs.force.data() + pinballs.force.size(), S(0));
-  const double velocity_step = 0.5 * (dt_before + dt);
+  const double velocity_step = step.velocity(), dt = step.after;
   if (velocity_step == 0) rows_.clear();
   load_nodes(model, velocity_step);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -276,7 +283,8 @@ ImpulseResult ContactImpulses<S>::solve(Model<S>& model, PinballStore<S>& pinbal
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Pair& pair = pairs_[i];
     const double force = rows_[i].impulse / velocity_step, after = closing_rate(rows_[i], nodes_.data());
-    const double in_step_before = 0.5 * force * dt_before * pair.rate_before, in_step_after = 0.5 * force * dt * after;
+    const double in_step_before = 0.5 * force * step.before * pair.rate_before,
+                 in_step_after = 0.5 * force * dt * after;
     result.dissipated += in_step_before;
     pending_ += in_step_after;
     result.pairs += force > 0;
@@ -288,7 +296,7 @@ ImpulseResult ContactImpulses<S>::solve(Model<S>& model, PinballStore<S>& pinbal
   return result;
 }
 
-/// Forces that give the impulses within the step: what changes the velocities of the nodes, less what constraints take.
+/// Forces that give the impulses within the step.
 template <class S>
 void ContactImpulses<S>::add_forces(Model<S>& model, PinballStore<S>& pinballs, double velocity_step) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -302,12 +310,10 @@ void ContactImpulses<S>::add_forces(Model<S>& model, PinballStore<S>& pinballs, 
       force2[c] -= static_cast<S>(force * row.direction[c]);
     }
     for (int k = 0; k < row.nodes; ++k) {
-      const auto place = static_cast<std::size_t>(row.node[k]);
-      const auto n = static_cast<std::size_t>(node_[place]);
-      double change[3];
-      mobility(nodes_[place], row.direction, change);
-      const double factor = -force * row.weight[k] * model.node_mass[n];
-      for (std::size_t c = 0; c < 3; ++c) model.nodes.force[4 * n + c] += static_cast<S>(factor * change[c]);
+      const auto n = static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        model.nodes.force[4 * n + c] -= static_cast<S>(force * row.weight[k] * row.direction[c]);
+      }
     }
   }
 }
@@ -324,7 +330,7 @@ void ContactImpulses<S>::remember() {
 template <class S>
 std::size_t ContactImpulses<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(rows_) + of(pairs_) + of(nodes_) + of(node_) + of(memory_) + of(node_place_) + of(constraint_first_);
+  return of(rows_) + of(pairs_) + of(nodes_) + of(node_) + of(memory_) + of(node_place_) + of(held_) + of(held_first_);
 }
 
 template class ContactImpulses<double>;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <pinball/kernels/contact_impulse.hpp>
 #include <pinball/kernels/contact_row.hpp>
+#include <pinball/solver/external_work.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/neighbour_list.hpp>
 #include <pinball/solver/pinball_store.hpp>
@@ -44,9 +46,9 @@ class ContactImpulses {
                double dt);
 
   /// Solves for the impulses of the coming step and adds the forces that give them to the nodes and the pinballs.
-  /// Constraints must already be in the node forces and velocities. dt_before, dt: steps before and after; dt = 0 ends
-  /// a run.
-  ImpulseResult solve(Model<S>& model, PinballStore<S>& pinballs, double dt_before, double dt);
+  /// Loads, constraints and prescribed velocities must already be in the node forces and velocities; what the forces of
+  /// the contact have in held directions is for them to take up again.
+  ImpulseResult solve(Model<S>& model, PinballStore<S>& pinballs, const StepLengths& step);
 
   std::size_t bytes() const;
 
@@ -83,11 +85,13 @@ class ContactImpulses {
   std::vector<ImpulseRow> rows_;
   std::vector<Pair> pairs_;  ///< one per row
   std::vector<ImpulseNode> nodes_;
-  std::vector<std::int32_t> node_;              ///< of the store, per entry of nodes_
-  std::vector<Memory> memory_;                  ///< of the last step, sorted by the slots
-  std::vector<std::int32_t> node_place_;        ///< per node of the store: place in nodes_ or -1
-  std::vector<std::int32_t> constraint_first_;  ///< per node of the store and one more: into the model's constraints
-  double pending_ = 0;                          ///< energy dissipated by the last impulses in the step after them
+  std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
+  std::vector<Memory> memory_;            ///< of the last step, sorted by the slots
+  std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
+  /// Directions in which constraints and prescribed velocities leave a node no mobility; orthonormal per node.
+  std::vector<std::array<double, 3>> held_;
+  std::vector<std::int32_t> held_first_;  ///< per node of the store and one more: into held_
+  double pending_ = 0;                    ///< energy dissipated by the last impulses in the step after them
 };
 
 }  // namespace pinball

@@ -4,6 +4,7 @@
 #include <limits>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/faces.hpp>
+#include <utility>
 
 namespace pinball {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 using Hexahedron = std::array<std::int32_t, 8>;
 
 /// A face without regard to its orientation, in the bucket of its lowest node. `slot` = 6 * element + local face.
+/// A triangle has its highest node twice, wherever the face it was collapsed from repeats one.
 struct Face {
   std::uint64_t highest_nodes;  // the highest node times 2^32, plus the second highest
   std::int32_t low_node;        // the second lowest node
@@ -25,6 +27,29 @@ struct Face {
   }
 };
 
+/// Distinct nodes of a face: 4 of a quadrilateral, 3 of a triangle, fewer where nothing of its area is left.
+int distinct_nodes(const Hexahedron& hexahedron, int face) {
+  const auto& local = face_nodes[face];
+  int count = 0;
+  for (int i = 0; i < 4; ++i) {
+    bool is_new = true;
+    for (int j = 0; j < i; ++j) is_new = is_new && hexahedron[local[i]] != hexahedron[local[j]];
+    count += is_new;
+  }
+  return count;
+}
+
+/// Throws InputError where a face with area has the same node at both ends of a diagonal: it is folded.
+void check_diagonals(const Hexahedron& hexahedron, std::size_t element) {
+  for (int face = 0; face < 6; ++face) {
+    const auto& local = face_nodes[face];
+    for (int i = 0; i < 2; ++i)
+      if (hexahedron[local[i]] == hexahedron[local[i + 2]] && distinct_nodes(hexahedron, face) == 3)
+        throw InputError(fmt::format("mesh: element {}: node {} is at two opposite corners of a face", element,
+                                     hexahedron[local[i]]));
+  }
+}
+
 std::int32_t lowest_node(const Hexahedron& hexahedron, int face) {
   const auto& local = face_nodes[face];
   return std::min({hexahedron[local[0]], hexahedron[local[1]], hexahedron[local[2]], hexahedron[local[3]]});
@@ -34,8 +59,13 @@ Face keyed_face(const Hexahedron& hexahedron, std::int32_t slot) {
   const auto& local = face_nodes[slot % 6];
   const auto [low1, high1] = std::minmax(hexahedron[local[0]], hexahedron[local[1]]);
   const auto [low2, high2] = std::minmax(hexahedron[local[2]], hexahedron[local[3]]);
-  const auto [second, third] = std::minmax(std::max(low1, low2), std::min(high1, high2));
-  return {static_cast<std::uint64_t>(std::max(high1, high2)) << 32 | static_cast<std::uint64_t>(third), second, slot};
+  std::int32_t second = std::max(low1, low2), third = std::min(high1, high2);
+  if (third < second) std::swap(second, third);
+  const std::int32_t lowest = std::min(low1, low2), highest = std::max(high1, high2);
+  // The sorted nodes of a triangle are aabc, abbc or abcc; all become abcc.
+  if (second == lowest) second = third;
+  if (second == third) third = highest;
+  return {static_cast<std::uint64_t>(highest) << 32 | static_cast<std::uint64_t>(third), second, slot};
 }
 
 std::int32_t checked_node_count(const std::vector<Hexahedron>& hexahedra) {
@@ -46,6 +76,7 @@ std::int32_t checked_node_count(const std::vector<Hexahedron>& hexahedra) {
         throw InputError(fmt::format("mesh: element {}: node index {} is out of range", element, node));
       highest = std::max(highest, node);
     }
+  for (std::size_t element = 0; element < hexahedra.size(); ++element) check_diagonals(hexahedra[element], element);
   return highest + 1;
 }
 
@@ -71,8 +102,14 @@ std::vector<std::array<std::int32_t, 6>> face_neighbours(const std::vector<Hexah
   std::vector<Face> bucket;
   for (std::int32_t node = 0; node < node_count; ++node) {
     bucket.clear();
-    for (std::int32_t i = bucket_begin[node]; i < bucket_begin[node + 1]; ++i)
-      bucket.push_back(keyed_face(hexahedra[slots[i] / 6], slots[i]));
+    for (std::int32_t i = bucket_begin[node]; i < bucket_begin[node + 1]; ++i) {
+      const std::int32_t element = slots[i] / 6, face = slots[i] % 6;
+      if (distinct_nodes(hexahedra[element], face) < 3) {
+        neighbours[element][face] = collapsed_face;
+      } else {
+        bucket.push_back(keyed_face(hexahedra[element], slots[i]));
+      }
+    }
     std::sort(bucket.begin(), bucket.end());
     for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
       if (!bucket[i].same_nodes(bucket[i + 1])) continue;

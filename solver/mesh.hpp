@@ -13,6 +13,9 @@ using Point = std::array<double, 3>;
 /// Node order of a hexahedron: 0-3 counterclockwise around the bottom seen from the top, 4-7 above them, so that the
 /// parent coordinates (xi, eta, zeta) of nodes 0..7 are (-,-,-) (+,-,-) (+,+,-) (-,+,-) (-,-,+) (+,-,+) (+,+,+)
 /// (-,+,+).
+///
+/// A hexahedron may be collapsed: a node that stands at two ends of an edge makes a wedge, {0, 1, 2, 2, 4, 5, 6, 6},
+/// and so on. All formulas hold for it; such a node has the mass of all its corners.
 struct Mesh {
   std::vector<Point> nodes;                            ///< coordinates, length unit of the scene
   std::vector<std::array<std::int32_t, 8>> hexahedra;  ///< node indices into `nodes`

@@ -37,6 +37,8 @@ Mesh generate(const MeshSettings& settings) {
   struct Generator {
     Mesh operator()(const BlockMesh& block) const { return generate_block(block); }
     Mesh operator()(const RoundNosedRodMesh& rod) const { return generate_round_nosed_rod(rod); }
+    Mesh operator()(const CylinderMesh& cylinder) const { return generate_cylinder(cylinder); }
+    Mesh operator()(const SphereMesh& sphere) const { return generate_sphere(sphere); }
   };
   return std::visit(Generator{}, settings);
 }

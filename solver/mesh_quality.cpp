@@ -25,15 +25,39 @@ constexpr int corner_neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2,
 constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                               {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
-/// Smallest scaled Jacobian over the corners; -1 if an edge has no length.
-double worst_corner(const std::array<Point, 8>& x) {
+using Hexahedron = std::array<std::int32_t, 8>;
+
+/// det(e1, e2, e3) / (|e1| |e2| |e3|) of the edges from a corner to three others; -1 if an edge has no length.
+double scaled_jacobian(const std::array<Point, 8>& x, int corner, const std::array<int, 3>& ends) {
+  const Point a = subtract(x[ends[0]], x[corner]), b = subtract(x[ends[1]], x[corner]),
+              c = subtract(x[ends[2]], x[corner]);
+  const double lengths = norm(a) * norm(b) * norm(c);
+  return lengths > 0.0 ? determinant(a, b, c) / lengths : -1.0;
+}
+
+/// Smallest scaled Jacobian over the corners; -1 if an edge between different nodes has no length.
+///
+/// Where an edge is collapsed to one node, the edges that go on from its other end take its place: at the edge of a
+/// wedge that gives the sine of its angle. A corner where two or three edges are collapsed has no Jacobian.
+double worst_corner(const Hexahedron& nodes, const std::array<Point, 8>& x) {
   double worst = 1.0;
   for (int corner = 0; corner < 8; ++corner) {
-    const Point a = subtract(x[corner_neighbours[corner][0]], x[corner]);
-    const Point b = subtract(x[corner_neighbours[corner][1]], x[corner]);
-    const Point c = subtract(x[corner_neighbours[corner][2]], x[corner]);
-    const double lengths = norm(a) * norm(b) * norm(c);
-    worst = std::min(worst, lengths > 0.0 ? determinant(a, b, c) / lengths : -1.0);
+    const auto& ends = corner_neighbours[corner];
+    int collapsed = -1, count = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (nodes[ends[i]] != nodes[corner]) continue;
+      collapsed = i;
+      ++count;
+    }
+    if (count == 0) worst = std::min(worst, scaled_jacobian(x, corner, {ends[0], ends[1], ends[2]}));
+    if (count != 1) continue;
+    for (const int next : corner_neighbours[ends[collapsed]]) {
+      std::array<int, 3> others{ends[0], ends[1], ends[2]};
+      others[collapsed] = next;
+      bool distinct = nodes[next] != nodes[corner];
+      for (int i = 0; i < 3; ++i) distinct = distinct && (i == collapsed || nodes[ends[i]] != nodes[next]);
+      if (distinct) worst = std::min(worst, scaled_jacobian(x, corner, others));
+    }
   }
   return worst;
 }
@@ -70,6 +94,7 @@ MeshQuality measure_quality(const Mesh& mesh) {
 
     double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
     for (const auto& edge : edges) {
+      if (hexahedron[edge[0]] == hexahedron[edge[1]]) continue;
       const double length = norm(subtract(x[edge[0]], x[edge[1]]));
       shortest = std::min(shortest, length);
       longest = std::max(longest, length);
@@ -78,7 +103,7 @@ MeshQuality measure_quality(const Mesh& mesh) {
     quality.max_edge = std::max(quality.max_edge, longest);
     quality.max_aspect_ratio = std::max(quality.max_aspect_ratio, longest / shortest);
 
-    const double worst = worst_corner(x);
+    const double worst = worst_corner(hexahedron, x);
     quality.min_scaled_jacobian = std::min(quality.min_scaled_jacobian, worst);
     quality.mean_scaled_jacobian += worst;
     if (!(worst > 0.0)) ++quality.inverted;

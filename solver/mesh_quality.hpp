@@ -5,7 +5,8 @@
 
 namespace pinball {
 
-/// Geometry of a mesh at a glance. Lengths and volume in the mesh's length unit.
+/// Geometry of a mesh at a glance. Lengths and volume in the mesh's length unit. Edges that are collapsed to one node
+/// do not count; at the edge of a wedge the Jacobian is the sine of its angle.
 struct MeshQuality {
   double min_scaled_jacobian = 0.0;   ///< smallest over all corners of det(e1, e2, e3) / (|e1| |e2| |e3|); 1 is a box
   double mean_scaled_jacobian = 0.0;  ///< mean over the elements of their worst corner

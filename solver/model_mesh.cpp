@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <pinball/solver/mesh_quality.hpp>
@@ -14,6 +16,21 @@ double element_volume(const ModelMesh& mesh, std::size_t element) {
   }
   return hexahedron_volume(corners);
 }
+
+namespace {
+
+/// Largest distance of a corner from the first one: 0 only if all are the same point.
+double diameter(const ModelMesh& mesh, const std::array<std::int32_t, 8>& hexahedron) {
+  double largest = 0;
+  const Point& a = mesh.nodes[static_cast<std::size_t>(hexahedron[0])];
+  for (const std::int32_t node : hexahedron) {
+    const Point& b = mesh.nodes[static_cast<std::size_t>(node)];
+    largest = std::max(largest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
+  }
+  return largest;
+}
+
+}  // namespace
 
 ModelMesh build_mesh(const Scene& scene) {
   ModelMesh all;
@@ -31,7 +48,8 @@ ModelMesh build_mesh(const Scene& scene) {
       for (std::int32_t& node : hexahedron) node += offset;
       all.hexahedra.push_back(hexahedron);
       const double volume = element_volume(all, all.hexahedra.size() - 1);
-      if (!(volume > 0.0)) {
+      // A flat element has a volume of round-off, of either sign.
+      if (!(volume > 1e-12 * std::pow(diameter(all, hexahedron), 3))) {
         throw InputError(fmt::format("{}: body {}: element {} is inverted or flat: its volume is {:.6g}, expected > 0",
                                      scene.path, body.name, e, volume));
       }

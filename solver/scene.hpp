@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <pinball/solver/mesh.hpp>
+#include <pinball/solver/scene_boundary.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -97,7 +98,37 @@ struct RoundNosedRodMesh {
   int layers = 1;                 ///< layers of elements along the axis
 };
 
-using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh>;
+/// Part of a body of revolution about z: all of it, y >= 0, x >= 0 and y >= 0, or from y = 0 turned by an angle.
+enum class Section { full, half, quarter, wedge };
+
+/// A wedge has one element around its angle; beyond this [degree] its elements are too blunt.
+inline constexpr double largest_wedge_angle = 60.0;
+
+/// mesh = { type = "cylinder", radius, length, section = "full", core = c, ring = b, layers = n }; with
+/// section = "wedge": angle, radial and layers. The axis is the body's z, from 0 to length.
+struct CylinderMesh {
+  double radius = 0.0;
+  double length = 0.0;
+  Section section = Section::full;
+  double angle = 0.0;  ///< of the wedge [degree]
+  int core = 1;        ///< elements along each side of the full core
+  int ring = 1;        ///< layers of elements between the core and the surface
+  int radial = 1;      ///< elements of the wedge along the radius
+  int layers = 1;      ///< layers of elements along the axis
+};
+
+/// mesh = { type = "sphere", radius, section = "full", core = c, ring = b, grading = 1 }; with section = "wedge":
+/// core = [p, q] and angle. The centre is the origin, wedges are about the body's z axis.
+struct SphereMesh {
+  double radius = 0.0;
+  Section section = Section::full;
+  double angle = 0.0;             ///< of the wedge [degree]
+  std::array<int, 2> core{1, 1};  ///< elements along each side of the full core; of the wedge's along radius and axis
+  int ring = 1;                   ///< layers of elements between the core and the surface
+  double grading = 1.0;           ///< elements at the pole z = -radius are smaller by this factor [-]
+};
+
+using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh>;
 
 /// One [[body]] table.
 struct Body {
@@ -122,8 +153,13 @@ struct PlaneConstraint {
   std::string body;  ///< body: only nodes of this body; default: all
 };
 
+struct DampingSettings {
+  double mass = 0.0;  ///< damping.mass: a in the force -a m v on every node [1/time]
+};
+
 struct OutputSettings {
   double interval = 0.0;            ///< output.interval: between history rows [time]; 0: 200 rows over the run
+  bool every_step = false;          ///< output.interval = "step": a history row per step
   double field_interval = 0.0;      ///< output.field_interval: between field outputs [time]; 0: none
   std::vector<double> field_times;  ///< output.field_times: field output at these times [time]
   /// output.fields: which of "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive";
@@ -145,7 +181,14 @@ struct Scene {
   GuardSettings guard;
   std::vector<Material> materials;
   std::vector<Body> bodies;
-  std::vector<PlaneConstraint> constraints;
+  DampingSettings damping;
+  std::vector<PlaneConstraint> constraints;        ///< [[constraint]] type = "symmetry"
+  std::vector<FixedConstraint> fixed_constraints;  ///< [[constraint]] type = "fixed"
+  std::vector<RigidWall> rigid_walls;
+  std::vector<PrescribedVelocity> prescribed_velocities;
+  std::vector<NodalLoad> loads;
+  std::vector<InitialVelocity> initial_velocities;
+  std::vector<Probe> probes;
   OutputSettings output;
 };
 

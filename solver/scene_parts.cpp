@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <pinball/solver/scene_parts.hpp>
@@ -29,65 +28,9 @@ void read_moduli(const SceneTable& table, Material& material) {
   material.shear_modulus = E / (2.0 * (1.0 + nu));
 }
 
-/// Counts times `refine`, as int. Throws InputError if that overflows.
-std::vector<int> refined(const SceneTable& table, std::string_view key, const std::vector<std::int64_t>& counts,
-                         int refine) {
-  std::vector<int> result;
-  for (const auto count : counts) {
-    if (count > std::numeric_limits<int>::max() / refine) {
-      table.fail(key, fmt::format("{} elements in one direction are more than a mesh can hold",
-                                  static_cast<double>(count) * refine));
-    }
-    result.push_back(static_cast<int>(count) * refine);
-  }
-  return result;
-}
+}  // namespace
 
-/// Nodes are numbered with 32 bits. `elements` is a product that may not fit an integer.
-void check_count(const SceneTable& table, std::string_view key, double elements) {
-  if (elements > 2e9) table.fail(key, fmt::format("{:.3g} elements are more than a mesh can hold", elements));
-}
-
-MeshSettings read_block(const SceneTable& table, int refine) {
-  BlockMesh mesh;
-  mesh.size = table.point("size", positive);
-  const auto counts = refined(table, "elements", table.integers("elements", 3, 1), refine);
-  check_count(table, "elements", static_cast<double>(counts[0]) * counts[1] * counts[2]);
-  std::copy_n(counts.begin(), 3, mesh.elements.begin());
-  return mesh;
-}
-
-MeshSettings read_rod(const SceneTable& table, int refine) {
-  RoundNosedRodMesh mesh;
-  mesh.radius = table.number("radius", positive);
-  mesh.length = table.number("length", positive);
-  if (mesh.length <= mesh.radius) {
-    table.fail("length",
-               fmt::format("expected a number > radius = {}, the depth of the nose, got {}", mesh.radius, mesh.length));
-  }
-  mesh.half = table.boolean("half", mesh.half);
-  std::vector<std::int64_t> core(mesh.core.begin(), mesh.core.end());
-  if (table.has("core")) core = table.integers("core", 2, 1);
-  const auto core_counts = refined(table, "core", core, refine);
-  std::copy_n(core_counts.begin(), 2, mesh.core.begin());
-  mesh.ring = refined(table, "ring", {table.integer("ring", 1, mesh.ring)}, refine)[0];
-  mesh.layers = refined(table, "layers", {table.integer("layers", 1)}, refine)[0];
-  const double across = (static_cast<double>(mesh.core[0]) + 2.0 * mesh.ring) * (mesh.core[1] + 2.0 * mesh.ring);
-  check_count(table, "layers", across * (static_cast<double>(mesh.layers) + mesh.ring));
-  return mesh;
-}
-
-MeshSettings read_mesh(const SceneTable& body, int refine) {
-  if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
-  const SceneTable any = body.table("mesh", "mesh");
-  const auto kind = any.choice<std::string>("type", {{"block", "block"}, {"round_nosed_rod", "round_nosed_rod"}});
-  // Read again as that kind, so that the keys of the other one are unknown.
-  const SceneTable table = body.table("mesh", kind);
-  return kind == "block" ? read_block(table, refine) : read_rod(table, refine);
-}
-
-/// The unit vector along the one under a key. Throws InputError if that is zero.
-Point direction(const SceneTable& table, std::string_view key) {
+Point read_direction(const SceneTable& table, std::string_view key) {
   Point vector = table.point(key, any_number);
   const double length = std::hypot(vector[0], vector[1], vector[2]);
   if (!(length > 0.0) || !std::isfinite(length)) {
@@ -97,8 +40,6 @@ Point direction(const SceneTable& table, std::string_view key) {
   for (double& component : vector) component /= length;
   return vector;
 }
-
-}  // namespace
 
 Material read_material(const SceneTable& table) {
   Material material;
@@ -133,7 +74,7 @@ Body read_body(const SceneTable& table, int refine) {
   body.material = table.text("material");
   body.mesh = read_mesh(table, refine);
   body.position = table.point("position", any_number, body.position);
-  if (table.has("axis")) body.axis = direction(table, "axis");
+  if (table.has("axis")) body.axis = read_direction(table, "axis");
   body.velocity = table.point("velocity", any_number, body.velocity);
   body.angular_velocity = table.point("angular_velocity", any_number, body.angular_velocity);
   body.velocity_gradient = table.matrix("velocity_gradient");
@@ -145,7 +86,7 @@ PlaneConstraint read_constraint(const SceneTable& table) {
   PlaneConstraint constraint;
   table.choice<int>("type", {{"symmetry", 0}});
   constraint.point = table.point("point", any_number, constraint.point);
-  constraint.normal = direction(table, "normal");
+  constraint.normal = read_direction(table, "normal");
   constraint.body = table.text("body", "");
   return constraint;
 }

@@ -11,7 +11,11 @@ namespace pinball {
 
 template <class S>
 Solver<S>::Solver(const Scene& scene)
-    : model_(build_model<S>(scene)), internal_forces_(model_), symmetry_walls_(model_) {
+    : model_(build_model<S>(scene)),
+      internal_forces_(model_),
+      symmetry_walls_(model_),
+      boundary_(model_),
+      probes_(model_) {
   if (scene.contact.method == ContactMethod::pinball) contact_ = std::make_unique<PinballContact<S>>(model_);
   initial_momentum_ = momentum();
 }
@@ -19,7 +23,7 @@ Solver<S>::Solver(const Scene& scene)
 /// The explicit step of the report's figure 4, with its figure 3 for contact: the program's table of contents.
 template <class S>
 void Solver<S>::advance(bool last) {
-  // Figure 4, 1-2: this version has no external loads; node forces are zero between steps.
+  // Figure 4, 1-2: external loads come with the other boundary conditions; node forces are zero between steps.
 
   // 3. Element stresses, internal forces and their assembly
   const InternalForceResult<S> internal =
@@ -41,10 +45,17 @@ void Solver<S>::advance(bool last) {
   // The largest step that elements and contact allow
   timers_.measure(Phase::time_step, [&] { choose_time_step(internal, contact, last); });
 
-  // Constraints, and contact that acts on what they leave
-  timers_.measure(Phase::integration, [&] { apply_constraints(); });
-  if (contact_ && contact_->by_impulses()) {
-    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, dt_before_, dt_); });
+  // Loads, constraints and prescribed velocities, then contact that acts on what they leave, then rigid walls
+  const StepLengths step{dt_before_, dt_};
+  const bool impulses = contact_ && contact_->by_impulses();
+  if (boundary_.any()) {
+    timers_.measure(Phase::boundary_conditions, [&] { boundary_.apply(model_, time_, step); });
+  }
+  if (impulses) {
+    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, step); });
+  }
+  if (boundary_.any()) {
+    timers_.measure(Phase::boundary_conditions, [&] { boundary_.complete(model_, time_, step, impulses); });
   }
 
   // 5-6. Accelerations, velocities, displacements
@@ -61,6 +72,8 @@ void Solver<S>::advance(bool last) {
   energies_.contact_stored = contact.stored;
   energies_.contact_damped += 0.5 * (damped_power_ + contact.damped_power) * dt_before_ + contact.dissipated;
   damped_power_ = contact.damped_power;
+  energies_.external = boundary_.work();
+  external_max_ = std::max(external_max_, std::abs(energies_.external));
   if (steps_ == 0) initial_energy_ = energies_.total();
   eroded_element_steps_ += eroded_elements_;
   eroded_elements_ += internal.eroded_count;
@@ -93,14 +106,6 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
   if (dt_min_ == 0 || chosen < dt_min_) {
     dt_min_ = chosen;
     dt_limited_by_ = contact.frequency2 > element_frequency2 ? "contact" : element_name(internal.time_step_slot);
-  }
-}
-
-template <class S>
-void Solver<S>::apply_constraints() {
-  for (const NodeConstraint<S>& c : model_.constraints) {
-    const auto place = 4 * static_cast<std::size_t>(c.node);
-    constrain_node(model_.nodes.force.data() + place, model_.nodes.velocity.data() + place, c.normal);
   }
 }
 

@@ -14,9 +14,9 @@ Surface::Surface(const Model<S>& model)
     alive_[slot] = 1;
     for (std::size_t f = 0; f < 6; ++f) {
       const std::int32_t other = neighbours[e][f];
-      if (other < 0) {
+      if (other == -1) {
         exposed_[slot] |= static_cast<std::uint8_t>(1U << f);
-      } else {
+      } else if (other != collapsed_face) {
         neighbour_[slot][f] = static_cast<std::int32_t>(model.slot_of_element[static_cast<std::size_t>(other)]);
       }
     }

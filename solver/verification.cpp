@@ -19,9 +19,15 @@ VerificationRow compare_with_zero(const std::string& quantity, double value, dou
 
 const std::vector<VerificationCase>& verification_cases() {
   static const std::vector<VerificationCase> cases{
-      {"patch_test", verify_patch_test},         {"uniaxial_strain", verify_uniaxial_strain},
-      {"spinning_block", verify_spinning_block}, {"block", verify_block},
-      {"two_blocks", verify_two_blocks},         {"two_bars", verify_two_bars},
+      {"patch_test", verify_patch_test},
+      {"uniaxial_strain", verify_uniaxial_strain},
+      {"spinning_block", verify_spinning_block},
+      {"block", verify_block},
+      {"plate_impact", verify_plate_impact},
+      {"cantilever", verify_cantilever},
+      {"two_blocks", verify_two_blocks},
+      {"taylor_bar", verify_taylor_bar},
+      {"two_bars", verify_two_bars},
       {"rod_plate", verify_rod_plate},
   };
   return cases;

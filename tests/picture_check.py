@@ -48,6 +48,8 @@ assert len(order) == 4 + 2 and np.allclose(brightness, 1.0)  # nothing but the c
 order, outlines, brightness = project(corners, "iso")
 assert outlines.shape == (len(order), 4, 2) and (brightness >= 0.0).all() and (brightness <= 1.0).all()
 assert len(exposed_quads(mesh.hexahedra[:0])[0]) == 0
+prisms = np.array([[0, 1, 2, 2, 3, 4, 5, 5], [3, 3, 4, 5, 6, 6, 7, 8]])  # one upon the other, collapsed in two ways
+assert len(exposed_quads(prisms)[0]) == 2 * 4, "no lines, and no triangle between the two"
 
 columns, units = read_history(os.path.join(folder, "history.csv"))
 assert columns["time"][-1] == 2.5e-5 and units["energy"] == "lbf in"

@@ -205,7 +205,49 @@ TEST_F(SceneTest, MeshesOfNoSize) {
   EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [2000, 2000, 2000] }")),
             "14:55: body.bar.mesh.elements: 8e+09 elements are more than a mesh can hold");
   EXPECT_EQ(error(with(14, "mesh = { type = \"ball\" }")),
-            "14:17: body.bar.mesh.type: expected \"block\" or \"round_nosed_rod\", got \"ball\"");
+            "14:17: body.bar.mesh.type: expected \"block\", \"round_nosed_rod\", \"cylinder\" or \"sphere\", "
+            "got \"ball\"");
+}
+
+TEST_F(SceneTest, CylindersAndSpheres) {
+  const auto mesh = [this](const std::string& text, int refine = 1) {
+    return read(with(14, "mesh = { " + text + " }"), {.refine = refine}).bodies[0].mesh;
+  };
+  const auto full =
+      std::get<CylinderMesh>(mesh("type = \"cylinder\", radius = 2, length = 5, core = 3, layers = 7", 2));
+  EXPECT_EQ(full.section, Section::full);
+  EXPECT_EQ(full.radius, 2);
+  EXPECT_EQ(full.length, 5);
+  EXPECT_EQ(full.core, 6);
+  EXPECT_EQ(full.ring, 2);
+  EXPECT_EQ(full.layers, 14);
+  const auto wedge = std::get<CylinderMesh>(
+      mesh("type = \"cylinder\", section = \"wedge\", angle = 10, radius = 2, length = 5, radial = 4, layers = 7", 3));
+  EXPECT_EQ(wedge.section, Section::wedge);
+  EXPECT_EQ(wedge.angle, 10);
+  EXPECT_EQ(wedge.radial, 12);
+  const auto half =
+      std::get<SphereMesh>(mesh("type = \"sphere\", section = \"half\", radius = 2, core = 4, ring = 3", 2));
+  EXPECT_EQ(half.section, Section::half);
+  EXPECT_EQ(half.core, (std::array{8, 8}));
+  EXPECT_EQ(half.ring, 6);
+  EXPECT_EQ(half.grading, 1);
+  const auto slice = std::get<SphereMesh>(
+      mesh("type = \"sphere\", section = \"wedge\", angle = 10, radius = 5, core = [11, 17], ring = 8, grading = 0.2"));
+  EXPECT_EQ(slice.core, (std::array{11, 17}));
+  EXPECT_EQ(slice.grading, 0.2);
+
+  const auto bad = [this](const std::string& text) { return error(with(14, "mesh = { " + text + " }")); };
+  EXPECT_EQ(bad("type = \"sphere\", radius = 1, core = 3, section = \"quarter\""),
+            "14:46: body.bar.mesh.core: expected an even integer, since the section is cut through it, got 3");
+  EXPECT_EQ(bad("type = \"sphere\", radius = 1, core = 4, angle = 10"),
+            "14:57: body.bar.mesh.angle: not used where section is not \"wedge\"");
+  EXPECT_EQ(bad("type = \"sphere\", radius = 1, core = [4, 4], section = \"wedge\", angle = 90"),
+            "14:81: body.bar.mesh.angle: expected a number > 0 and <= 60, got 90");
+  EXPECT_EQ(bad("type = \"cylinder\", radius = 1, length = 1, core = 4, section = \"wedge\", angle = 9, layers = 2"),
+            "14:60: body.bar.mesh.core: not used where section = \"wedge\", which has radial");
+  EXPECT_EQ(bad("type = \"sphere\", radius = 1, core = 4, layers = 2").substr(0, 33),
+            "14:49: body.bar.mesh.layers: unkn");
 }
 
 TEST_F(SceneTest, Materials) {
