@@ -28,13 +28,14 @@ const std::vector<TableKeys>& scene_keys() {
       {"mesh",
        "body.NAME.mesh",
        {"type", "size", "elements", "length", "radius", "half", "section", "angle", "core", "ring", "radial", "layers",
-        "grading"}},
+        "grading", "file", "physical", "scale"}},
       {"block", "body.NAME.mesh", {"type", "size", "elements"}},
       {"round_nosed_rod", "body.NAME.mesh", {"type", "length", "radius", "half", "core", "ring", "layers"}},
       {"cylinder",
        "body.NAME.mesh",
        {"type", "radius", "length", "section", "angle", "core", "ring", "radial", "layers"}},
       {"sphere", "body.NAME.mesh", {"type", "radius", "section", "angle", "core", "ring", "grading"}},
+      {"gmsh", "body.NAME.mesh", {"type", "file", "physical", "scale"}},
       {"constraint", "constraint.NUMBER", {"type", "point", "normal", "body"}},
   };
   return keys;
