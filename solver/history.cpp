@@ -31,8 +31,8 @@ void add_number(std::string& line, double value) {
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies,
-                             const std::string& units)
-    : path_((std::filesystem::path(folder) / "history.csv").string()), bodies_(bodies.size()) {
+                             const std::string& units, const std::vector<std::string>& more)
+    : path_((std::filesystem::path(folder) / "history.csv").string()), bodies_(bodies.size()), more_(more.size()) {
   make_folder(folder);
   std::string head = fmt::format("# {}\n", units_line(units));
   head +=
@@ -44,6 +44,7 @@ HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::s
       head += ',' + cell(fmt::format("{}_{}", body, quantity));
     }
   }
+  for (const std::string& column : more) head += ',' + cell(column);
   file_ = std::fopen(path_.c_str(), "wb");
   if (file_ == nullptr) throw_write_error(path_, errno);
   try {
@@ -57,9 +58,9 @@ HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::s
 HistoryWriter::~HistoryWriter() { std::fclose(file_); }
 
 void HistoryWriter::write(const HistoryRow& row) {
-  if (row.bodies.size() != bodies_) {
-    throw RunError(
-        fmt::format("cannot write {}: the row has {} bodies, the columns {}", path_, row.bodies.size(), bodies_));
+  if (row.bodies.size() != bodies_ || row.more.size() != more_) {
+    throw RunError(fmt::format("cannot write {}: the row has {} bodies and {} further values, the columns {} and {}",
+                               path_, row.bodies.size(), row.more.size(), bodies_, more_));
   }
   std::string line = fmt::format("{}", row.step);
   const Energies& e = row.energy;
@@ -74,6 +75,7 @@ void HistoryWriter::write(const HistoryRow& row) {
     line += fmt::format(",{}", body.eroded_elements);
     add_number(line, body.max_plastic_strain);
   }
+  for (const double value : row.more) add_number(line, value);
   append(line + '\n');
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/commands.hpp>
+#include <pinball/solver/info_boundary.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <pinball/solver/mesh_quality.hpp>
 #include <pinball/solver/progress.hpp>
@@ -83,7 +84,11 @@ std::string hourglass_text(const Scene& scene, HourglassKind kind) {
 std::string output_text(const Scene& scene, const Units& units) {
   const OutputSettings& o = scene.output;
   const double interval = o.interval > 0 ? o.interval : scene.time.end / 200;
-  std::string text = fmt::format("summary, history every {}", with_unit(interval, units.time));
+  std::string text = o.every_step ? "summary, history of every step"
+                                  : fmt::format("summary, history every {}", with_unit(interval, units.time));
+  if (!scene.probes.empty()) {
+    text += fmt::format(" with {} probe{}", scene.probes.size(), scene.probes.size() == 1 ? "" : "s");
+  }
   std::string when;
   if (o.field_interval > 0) when = fmt::format("every {}", with_unit(o.field_interval, units.time));
   if (!o.field_times.empty()) {
@@ -129,11 +134,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
       fmt::print("  contact search: at every step\n");
     }
   }
-  if (!model.constraints.empty()) {
-    fmt::print("  constraints: {} direction{} of nodes on {} plane{} of symmetry\n", model.constraints.size(),
-               model.constraints.size() == 1 ? "" : "s", scene.constraints.size(),
-               scene.constraints.size() == 1 ? "" : "s");
-  }
+  print_boundary_conditions(model, units);
   fmt::print("  output: {}\n", output_text(scene, units));
 }
 
@@ -170,11 +171,12 @@ void print_what_is_skipped(const Solver<S>& solver) {
     if (scene.contact.radius == ContactRadius::initial) skip("update of the pinball radii", "contact.radius = initial");
     if (scene.contact.damping == 0) skip("contact damping", "contact.damping = 0");
   }
-  if (scene.constraints.empty()) {
+  if (scene.constraints.empty() && scene.fixed_constraints.empty()) {
     skip("constraints", "the scene has none");
   } else if (model.constraints.empty()) {
     skip("constraints", "no node lies on a plane of the scene");
   }
+  if (!solver.boundary().any()) skip("boundary conditions", "no constraints, loads, damping or rigid walls");
   if (scene.output.field_interval <= 0 && scene.output.field_times.empty()) {
     skip("field output", "no output.field_interval and no output.field_times");
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/ordering.hpp>
 #include <random>
 
@@ -71,46 +72,6 @@ std::int64_t tile_size(std::int64_t elements) {
   return size;
 }
 
-/// Orthonormal constrained directions per node, so that removing one leaves the others removed.
-template <class S>
-void add_constraints(Model<S>& model) {
-  std::vector<std::pair<std::int32_t, Point>> directions;
-  for (const PlaneConstraint& plane : model.scene.constraints) {
-    Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    for (const Point& p : model.mesh.nodes) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
-    }
-    const double size = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
-    for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-      const auto body = static_cast<std::size_t>(model.mesh.body_of_node[n]);
-      if (!plane.body.empty() && model.mesh.body_names[body] != plane.body) continue;
-      double distance = 0;
-      for (std::size_t k = 0; k < 3; ++k) distance += (model.mesh.nodes[n][k] - plane.point[k]) * plane.normal[k];
-      if (std::abs(distance) <= 1e-9 * size) directions.emplace_back(model.node_of_scene_node[n], plane.normal);
-    }
-  }
-  std::stable_sort(directions.begin(), directions.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Point> basis;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    if (i == 0 || directions[i].first != directions[i - 1].first) basis.clear();
-    Point d = directions[i].second;
-    for (const Point& b : basis) {
-      const double along = d[0] * b[0] + d[1] * b[1] + d[2] * b[2];
-      for (std::size_t k = 0; k < 3; ++k) d[k] -= along * b[k];
-    }
-    const double length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    if (length < 1e-6) continue;
-    for (double& v : d) v /= length;
-    basis.push_back(d);
-    model.constraints.push_back(
-        {directions[i].first, {static_cast<S>(d[0]), static_cast<S>(d[1]), static_cast<S>(d[2])}});
-  }
-}
-
 template <class S>
 void set_initial_velocity(Model<S>& model) {
   const std::size_t bodies = model.scene.bodies.size();
@@ -141,6 +102,12 @@ void set_initial_velocity(Model<S>& model) {
       model.nodes.velocity[4 * static_cast<std::size_t>(model.node_of_scene_node[n]) + k] = static_cast<S>(v[k]);
     }
   }
+  for (const InitialVelocity& given : model.scene.initial_velocities) {
+    for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
+      const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[static_cast<std::size_t>(n)]);
+      for (std::size_t k = 0; k < 3; ++k) model.nodes.velocity[place + k] = static_cast<S>(given.velocity[k]);
+    }
+  }
 }
 
 }  // namespace
@@ -149,8 +116,8 @@ template <class S>
 std::size_t Model<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes.bytes() + elements.bytes() + of(mesh.nodes) + of(mesh.hexahedra) + of(mesh.body) +
-         of(mesh.body_of_node) + of(constraints) + of(element_of_slot) + of(slot_of_element) + of(node_of_scene_node) +
-         of(element_mass) + of(node_mass);
+         of(mesh.body_of_node) + of(constraints) + of(prescribed) + of(element_of_slot) + of(slot_of_element) +
+         of(node_of_scene_node) + of(element_mass) + of(node_mass);
 }
 
 template <class S>

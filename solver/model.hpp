@@ -32,6 +32,15 @@ struct NodeConstraint {
   S normal[3];
 };
 
+/// One direction of one node, along which its velocity is given.
+template <class S>
+struct NodePrescription {
+  std::int32_t node;
+  S normal[3];
+  S speed;             ///< along the normal, where the factor is 1 [length/time]
+  std::int32_t table;  ///< number of the [[prescribed_velocity]], whose times and factors it follows
+};
+
 /// A scene made ready to run: stores, tiles and colours, and the maps between the order of the scene and that of the
 /// stores. Elements are sorted by material and along a space-filling curve; nodes follow their elements.
 template <class S>
@@ -43,7 +52,8 @@ struct Model {
   ElementStore<S> elements;
   std::vector<ElementConstants<S>> constants;  ///< per material
   std::vector<Part> parts;
-  std::vector<NodeConstraint<S>> constraints;  ///< orthonormal per node
+  std::vector<NodeConstraint<S>> constraints;   ///< orthonormal per node
+  std::vector<NodePrescription<S>> prescribed;  ///< orthonormal per node, with the constraints
 
   std::vector<std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
   std::vector<std::int32_t> tile_part;   ///< per tile
@@ -65,6 +75,10 @@ ModelMesh build_mesh(const Scene& scene);
 
 /// Exact volume of an element [length^3].
 double element_volume(const ModelMesh& mesh, std::size_t element);
+
+/// Fills in constraints and prescribed velocities. Throws InputError for a selection without nodes.
+template <class S>
+void add_constraints(Model<S>& model);
 
 /// Builds the stores. Throws InputError for what only the mesh shows to be wrong.
 template <class S>

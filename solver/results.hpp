@@ -34,6 +34,29 @@ struct BodyResult {
   double max_plastic_strain = 0.0;  ///< among the remaining elements [-]
 };
 
+/// What a rigid wall has felt.
+struct WallResult {
+  std::string name;
+  double force = 0.0;      ///< along its normal, at present [force]
+  double force_max = 0.0;  ///< largest of one step [force]
+  double impulse = 0.0;    ///< given to the bodies [mass length/time]
+};
+
+/// What one quantity of a probe is at the end.
+struct ProbeValue {
+  std::string quantity;  ///< column of history.csv without the name of the probe: "velocity_x"
+  double value = 0.0;
+};
+
+struct ProbeResult {
+  std::string name;
+  std::string body;
+  std::int64_t number = 0;  ///< of the node or element, in the order of the scene
+  bool element = false;
+  Point point{};  ///< where the node or the centre of the element was at the start [length]
+  std::vector<ProbeValue> values;
+};
+
 /// One row of history.csv.
 struct HistoryRow {
   std::int64_t step = 0;
@@ -43,6 +66,7 @@ struct HistoryRow {
   double balance_error = 0.0;  ///< (total - initial total) / initial total
   Point momentum{};            ///< [mass length/time]
   std::vector<BodyResult> bodies;
+  std::vector<double> more;  ///< of walls and probes, one per further column
 };
 
 /// A copy of the fields at one time, for output and as the last good state.
@@ -82,6 +106,8 @@ struct RunSummary {
   double initial_total = 0.0, final_total = 0.0, balance_error_max = 0.0;
   Point momentum_initial{}, momentum_final{};
   std::vector<BodyResult> bodies;
+  std::vector<WallResult> walls;
+  std::vector<ProbeResult> probes;
   std::string contact_method, contact_enforcement;
   std::int64_t pinballs = 0;   ///< at the end
   std::int64_t pairs_max = 0;  ///< most pairs in contact at one step

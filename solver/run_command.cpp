@@ -19,6 +19,10 @@ void print_result(const RunSummary& s, const std::string& out) {
       "  energy: kinetic {:.4g}, internal {:.4g}, hourglass {:.3g}, bulk viscosity {:.3g}, contact {:.3g}, "
       "eroded {:.3g}; largest balance error {:.3g} %\n",
       e.kinetic, e.internal, e.hourglass, e.bulk_viscosity, e.contact(), e.eroded, 100 * s.balance_error_max);
+  if (e.external != 0) fmt::print("  work done from outside: {:.4g}\n", e.external);
+  for (const WallResult& w : s.walls) {
+    fmt::print("  rigid wall {}: impulse {:.6g}, largest force {:.4g}\n", w.name, w.impulse, w.force_max);
+  }
   for (const BodyResult& b : s.bodies) {
     fmt::print(
         "  {}: mass {:.4g} of {:.4g}, {} of {} elements eroded, velocity ({:.6g}, {:.6g}, {:.6g}), largest "

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <pinball/solver/mesh.hpp>
+#include <pinball/solver/scene_boundary.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -148,8 +149,13 @@ struct PlaneConstraint {
   std::string body;  ///< body: only nodes of this body; default: all
 };
 
+struct DampingSettings {
+  double mass = 0.0;  ///< damping.mass: a in the force -a m v on every node [1/time]
+};
+
 struct OutputSettings {
   double interval = 0.0;            ///< output.interval: between history rows [time]; 0: 200 rows over the run
+  bool every_step = false;          ///< output.interval = "step": a history row per step
   double field_interval = 0.0;      ///< output.field_interval: between field outputs [time]; 0: none
   std::vector<double> field_times;  ///< output.field_times: field output at these times [time]
   /// output.fields: which of "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive";
@@ -171,7 +177,14 @@ struct Scene {
   GuardSettings guard;
   std::vector<Material> materials;
   std::vector<Body> bodies;
-  std::vector<PlaneConstraint> constraints;
+  DampingSettings damping;
+  std::vector<PlaneConstraint> constraints;        ///< [[constraint]] type = "symmetry"
+  std::vector<FixedConstraint> fixed_constraints;  ///< [[constraint]] type = "fixed"
+  std::vector<RigidWall> rigid_walls;
+  std::vector<PrescribedVelocity> prescribed_velocities;
+  std::vector<NodalLoad> loads;
+  std::vector<InitialVelocity> initial_velocities;
+  std::vector<Probe> probes;
   OutputSettings output;
 };
 

@@ -42,11 +42,18 @@ std::vector<std::string> split_key(const std::string& key, const std::string& wh
   }
 }
 
+/// Whether a key of the top level stands for any number of tables.
+bool is_list(const std::string& key) {
+  static const std::vector<std::string> lists{
+      "material", "body", "constraint", "rigid_wall", "prescribed_velocity", "load", "initial_velocity", "probe"};
+  return std::find(lists.begin(), lists.end(), key) != lists.end();
+}
+
 /// The element of an array of tables that the second part of a key selects.
 toml::table& element(toml::node& node, const std::vector<std::string>& parts, const std::string& key,
                      const std::string& where) {
   const std::string& kind = parts[0];
-  const bool numbered = kind == "constraint";
+  const bool numbered = kind != "material" && kind != "body" && kind != "probe";
   auto* array = node.as_array();
   if (!array) fail(location(node.source(), where), kind, fmt::format("expected tables [[{}]]", kind));
   if (parts.size() < 3) {
@@ -72,7 +79,7 @@ void assign(toml::table& scene, const std::string& key, toml::node& value, const
   const auto parts = split_key(key, where);
   toml::table* table = &scene;
   std::size_t next = 0;
-  if (parts.size() > 1 && (parts[0] == "material" || parts[0] == "body" || parts[0] == "constraint")) {
+  if (parts.size() > 1 && is_list(parts[0])) {
     toml::node* elements = scene.get(parts[0]);
     if (!elements) fail(where, key, fmt::format("the scene has no [[{}]]", parts[0]));
     table = &element(*elements, parts, key, where);

@@ -28,8 +28,9 @@ void read_moduli(const SceneTable& table, Material& material) {
   material.shear_modulus = E / (2.0 * (1.0 + nu));
 }
 
-/// The unit vector along the one under a key. Throws InputError if that is zero.
-Point direction(const SceneTable& table, std::string_view key) {
+}  // namespace
+
+Point read_direction(const SceneTable& table, std::string_view key) {
   Point vector = table.point(key, any_number);
   const double length = std::hypot(vector[0], vector[1], vector[2]);
   if (!(length > 0.0) || !std::isfinite(length)) {
@@ -39,8 +40,6 @@ Point direction(const SceneTable& table, std::string_view key) {
   for (double& component : vector) component /= length;
   return vector;
 }
-
-}  // namespace
 
 Material read_material(const SceneTable& table) {
   Material material;
@@ -75,7 +74,7 @@ Body read_body(const SceneTable& table, int refine) {
   body.material = table.text("material");
   body.mesh = read_mesh(table, refine);
   body.position = table.point("position", any_number, body.position);
-  if (table.has("axis")) body.axis = direction(table, "axis");
+  if (table.has("axis")) body.axis = read_direction(table, "axis");
   body.velocity = table.point("velocity", any_number, body.velocity);
   body.angular_velocity = table.point("angular_velocity", any_number, body.angular_velocity);
   body.velocity_gradient = table.matrix("velocity_gradient");
@@ -87,7 +86,7 @@ PlaneConstraint read_constraint(const SceneTable& table) {
   PlaneConstraint constraint;
   table.choice<int>("type", {{"symmetry", 0}});
   constraint.point = table.point("point", any_number, constraint.point);
-  constraint.normal = direction(table, "normal");
+  constraint.normal = read_direction(table, "normal");
   constraint.body = table.text("body", "");
   return constraint;
 }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/scene.hpp>
+#include <pinball/solver/scene_boundary_parts.hpp>
 #include <pinball/solver/scene_override.hpp>
 #include <pinball/solver/scene_parts.hpp>
 #include <pinball/solver/scene_table.hpp>
@@ -64,7 +65,11 @@ ContactSettings read_contact(const SceneTable& table) {
 
 OutputSettings read_output(const SceneTable& table) {
   OutputSettings output;
-  output.interval = table.number("interval", not_negative, output.interval);
+  if (table.is_text("interval")) {
+    output.every_step = table.choice<bool>("interval", {{"step", true}});
+  } else {
+    output.interval = table.number("interval", not_negative, output.interval);
+  }
   output.field_interval = table.number("field_interval", not_negative, output.field_interval);
   output.field_times = table.numbers("field_times", not_negative);
   std::sort(output.field_times.begin(), output.field_times.end());
@@ -108,6 +113,44 @@ void find_mesh_file(const SceneTable& body, GmshMesh& mesh, const std::string& s
   mesh.file = path.string();
 }
 
+/// What acts from outside, and probes; bodies are known by now.
+void read_boundary(const SceneTable& top, Scene& scene) {
+  const auto tables = [&](std::string_view key) {
+    auto all = top.tables(key, key);
+    for (const SceneTable& table : all) {
+      if (table.has("body")) check_reference(table, "body", "body", names_of(scene.bodies));
+    }
+    return all;
+  };
+  for (const auto& any : tables("constraint")) {
+    const auto type = any.choice<std::string>("type", {{"symmetry", "symmetry"}, {"fixed", "fixed"}});
+    const SceneTable table = any.as(type);
+    if (type == "symmetry") {
+      scene.constraints.push_back(read_constraint(table));
+    } else {
+      scene.fixed_constraints.push_back(read_fixed_constraint(table));
+    }
+  }
+  for (const auto& table : tables("rigid_wall")) {
+    const RigidWall wall = read_rigid_wall(table, scene.rigid_walls.size());
+    check_unique(table, wall.name, scene.rigid_walls);
+    scene.rigid_walls.push_back(wall);
+  }
+  for (const auto& table : tables("prescribed_velocity")) {
+    scene.prescribed_velocities.push_back(read_prescribed_velocity(table));
+  }
+  for (const auto& table : tables("load")) scene.loads.push_back(read_load(table));
+  for (const auto& table : tables("initial_velocity")) {
+    scene.initial_velocities.push_back(read_initial_velocity(table));
+  }
+  for (const auto& table : tables("probe")) {
+    const Probe probe = read_probe(table);
+    check_unique(table, probe.name, scene.probes);
+    check_unique(table, probe.name, scene.bodies);  // their columns in history.csv
+    scene.probes.push_back(probe);
+  }
+}
+
 Scene read_tables(const toml::table& root, const std::string& path, const SceneOverrides& overrides) {
   const SceneTable top(root, "", path + ":1:1", "scene");
   Scene scene;
@@ -142,10 +185,8 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
     check_reference(table, "material", "material", names_of(scene.materials));
     scene.bodies.push_back(body);
   }
-  for (const auto& table : top.tables("constraint", "constraint")) {
-    scene.constraints.push_back(read_constraint(table));
-    if (table.has("body")) check_reference(table, "body", "body", names_of(scene.bodies));
-  }
+  scene.damping.mass = top.table("damping", "damping").number("mass", not_negative, scene.damping.mass);
+  read_boundary(top, scene);
   return scene;
 }
 

@@ -63,6 +63,7 @@ class SceneTable {
   const std::string& path() const { return path_; }
   const std::string& where() const { return where_; }
   bool has(std::string_view key) const { return table_->contains(key); }
+  bool is_text(std::string_view key) const { return has(key) && find(key)->is_string(); }
   std::string key_path(std::string_view key) const;
 
   /// Location of the value of a key; of the table if the key is missing.
@@ -85,6 +86,9 @@ class SceneTable {
   std::array<Point, 3> matrix(std::string_view key) const;      ///< 3 x 3, rows; default zero
   std::vector<double> numbers(std::string_view key, const Bound& bound) const;
   std::vector<std::string> texts(std::string_view key, const std::vector<std::string>& allowed) const;
+  /// Unit vectors, each given as one of the three names or by its components: ["x", [0, 1, 1]]; "all" stands for the
+  /// three of the names. Required, at least one.
+  std::vector<Point> directions(std::string_view key, const std::array<const char*, 3>& names) const;
   /// `count` integers >= low; required.
   std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t low) const;
 
@@ -111,6 +115,8 @@ class SceneTable {
   /// A switch of the format that this version cannot turn on: accepts false alone.
   void only_false(std::string_view key) const;
 
+  /// This table, checked once more as one of a narrower kind.
+  SceneTable as(std::string_view kind) const { return SceneTable(*table_, path_, where_, kind); }
   /// Table under a key; an empty one with this table's location if the key is missing.
   SceneTable table(std::string_view key, std::string_view kind) const;
   /// Elements of an array of tables, each with the path KEY.NAME, or KEY.NUMBER where it has no name.

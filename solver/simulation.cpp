@@ -49,12 +49,13 @@ class Recorder {
   Recorder(const Scene& scene, const Solver<S>& solver, const std::string& folder)
       : folder_(folder),
         history_times_(scene.output.interval > 0 ? scene.output.interval : scene.time.end / 200, {}),
+        every_step_(scene.output.every_step),
         field_times_(scene.output.field_interval, scene.output.field_times),
         units_(scene.units) {
     if (folder.empty()) return;
     std::filesystem::create_directories(folder);
     std::filesystem::remove(std::filesystem::path(folder) / "last_good.vtu");
-    history_ = std::make_unique<HistoryWriter>(folder, solver.model().mesh.body_names, units_);
+    history_ = std::make_unique<HistoryWriter>(folder, solver.model().mesh.body_names, units_, solver.more_columns());
     if (scene.output.field_interval > 0 || !scene.output.field_times.empty()) {
       fields_ = std::make_unique<FieldWriter>(folder, "fields", scene.output.fields, units_);
     }
@@ -63,7 +64,7 @@ class Recorder {
   /// Called after each step; last: also writes what is not due.
   void record(const Solver<S>& solver, bool last) {
     const double time = solver.force_time();
-    if (history_ && (last || history_times_.due(time))) {
+    if (history_ && (last || every_step_ || history_times_.due(time))) {
       history_->write(solver.history_row());
       history_times_.passed(time);
       keep_state(solver);
@@ -89,7 +90,9 @@ class Recorder {
 
  private:
   std::string folder_;
-  Schedule history_times_, field_times_;
+  Schedule history_times_;
+  bool every_step_;
+  Schedule field_times_;
   std::string units_;
   std::unique_ptr<HistoryWriter> history_;
   std::unique_ptr<FieldWriter> fields_;

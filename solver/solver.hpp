@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <pinball/solver/boundary_conditions.hpp>
 #include <pinball/solver/contact.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/probes.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
@@ -29,18 +31,21 @@ class Solver {
   const Model<S>& model() const { return model_; }
   Model<S>& model() { return model_; }
   const PinballContact<S>* contact() const { return contact_.get(); }
+  const BoundaryConditions<S>& boundary() const { return boundary_; }
 
   double time() const { return time_; }              ///< of the positions
   double force_time() const { return force_time_; }  ///< of the forces, stresses and energies
   double dt() const { return dt_; }                  ///< the last step
   std::int64_t steps() const { return steps_; }
   const Energies& energies() const { return energies_; }
-  double balance_error() const;  ///< at force_time(), relative to the initial total energy
+  /// At force_time(), relative to the initial total energy or the largest work from outside, whichever is larger.
+  double balance_error() const;
   double initial_energy() const { return initial_energy_; }
   Point momentum() const;
   std::int64_t eroded_elements() const { return eroded_elements_; }
 
   HistoryRow history_row() const;
+  std::vector<std::string> more_columns() const;  ///< names of HistoryRow::more
   FieldSnapshot snapshot() const;
   std::uint64_t state_hash() const;
   /// Fills everything that the solver knows of a summary.
@@ -58,6 +63,8 @@ class Solver {
   Model<S> model_;
   InternalForces<S> internal_forces_;
   SymmetryWalls<S> symmetry_walls_;
+  BoundaryConditions<S> boundary_;
+  Probes<S> probes_;
   std::unique_ptr<PinballContact<S>> contact_;  ///< only in a scene with contact
   Timers timers_;
 
@@ -65,7 +72,7 @@ class Solver {
   std::int64_t steps_ = 0;
   Energies energies_;
   double damped_power_ = 0;
-  double initial_energy_ = 0;
+  double initial_energy_ = 0, external_max_ = 0;
   Point initial_momentum_{};
   std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0;
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;

@@ -10,7 +10,8 @@ namespace pinball {
 template <class S>
 double Solver<S>::balance_error() const {
   const double difference = energies_.total() - initial_energy_;
-  return initial_energy_ > 0 ? difference / initial_energy_ : difference == 0 ? 0.0 : std::copysign(1.0, difference);
+  const double scale = std::max(initial_energy_, external_max_);
+  return scale > 0 ? difference / scale : difference == 0 ? 0.0 : std::copysign(1.0, difference);
 }
 
 template <class S>
@@ -65,6 +66,17 @@ std::vector<BodyResult> Solver<S>::body_results() const {
 }
 
 template <class S>
+std::vector<std::string> Solver<S>::more_columns() const {
+  std::vector<std::string> columns;
+  for (const WallResult& wall : boundary_.walls()) {
+    for (const char* quantity : {"force", "impulse"}) columns.push_back(fmt::format("{}_{}", wall.name, quantity));
+  }
+  const std::vector<std::string> of_probes = probes_.columns();
+  columns.insert(columns.end(), of_probes.begin(), of_probes.end());
+  return columns;
+}
+
+template <class S>
 HistoryRow Solver<S>::history_row() const {
   HistoryRow row;
   row.step = steps_;
@@ -74,6 +86,12 @@ HistoryRow Solver<S>::history_row() const {
   row.balance_error = balance_error();
   row.momentum = momentum();
   row.bodies = body_results();
+  for (const WallResult& wall : boundary_.walls()) {
+    row.more.push_back(wall.force);
+    row.more.push_back(wall.impulse);
+  }
+  const std::vector<double> of_probes = probes_.values(model_, dt_);
+  row.more.insert(row.more.end(), of_probes.begin(), of_probes.end());
   return row;
 }
 
@@ -173,6 +191,8 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.momentum_initial = initial_momentum_;
   summary.momentum_final = momentum();
   summary.bodies = body_results();
+  summary.walls = boundary_.walls();
+  summary.probes = probes_.results(model_, dt_);
   summary.contact_method = contact_ ? "pinball" : "none";
   summary.contact_enforcement = contact_ ? scene.contact.enforcement : "none";
   if (contact_) {
@@ -183,7 +203,8 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.pairs_max = pairs_max_;
   summary.max_penetration_ratio = penetration_ratio_max_;
   summary.state_hash = state_hash();
-  const std::size_t bytes = model_.bytes() + (contact_ ? contact_->bytes() : 0) + symmetry_walls_.bytes();
+  const std::size_t bytes =
+      model_.bytes() + (contact_ ? contact_->bytes() : 0) + symmetry_walls_.bytes() + boundary_.bytes();
   summary.bytes_per_element = static_cast<std::int64_t>(bytes) / std::max<std::int64_t>(1, summary.elements);
 }
 

@@ -11,7 +11,11 @@ namespace pinball {
 
 template <class S>
 Solver<S>::Solver(const Scene& scene)
-    : model_(build_model<S>(scene)), internal_forces_(model_), symmetry_walls_(model_) {
+    : model_(build_model<S>(scene)),
+      internal_forces_(model_),
+      symmetry_walls_(model_),
+      boundary_(model_),
+      probes_(model_) {
   if (scene.contact.method == ContactMethod::pinball) contact_ = std::make_unique<PinballContact<S>>(model_);
   initial_momentum_ = momentum();
 }
@@ -19,7 +23,7 @@ Solver<S>::Solver(const Scene& scene)
 /// The explicit step of the report's figure 4, with its figure 3 for contact: the program's table of contents.
 template <class S>
 void Solver<S>::advance(bool last) {
-  // Figure 4, 1-2: this version has no external loads; node forces are zero between steps.
+  // Figure 4, 1-2: external loads come with the other boundary conditions; node forces are zero between steps.
 
   // 3. Element stresses, internal forces and their assembly
   const InternalForceResult<S> internal =
@@ -37,6 +41,11 @@ void Solver<S>::advance(bool last) {
   // The largest step that elements and contact allow
   timers_.measure(Phase::time_step, [&] { choose_time_step(internal, contact, last); });
 
+  // Loads, constraints, prescribed velocities and rigid walls
+  if (boundary_.any()) {
+    timers_.measure(Phase::boundary_conditions, [&] { boundary_.apply(model_, time_, {dt_before_, dt_}); });
+  }
+
   // 5-6. Accelerations, velocities, displacements
   const double kinetic = timers_.measure(Phase::integration, [&] { return integrate(dt_); });
 
@@ -51,6 +60,8 @@ void Solver<S>::advance(bool last) {
   energies_.contact_stored = contact.stored;
   energies_.contact_damped += 0.5 * (damped_power_ + contact.damped_power) * dt_before_;
   damped_power_ = contact.damped_power;
+  energies_.external = boundary_.work();
+  external_max_ = std::max(external_max_, std::abs(energies_.external));
   if (steps_ == 0) initial_energy_ = energies_.total();
   eroded_element_steps_ += eroded_elements_;
   eroded_elements_ += internal.eroded_count;
@@ -86,17 +97,13 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
   }
 }
 
-/// Constraints, accelerations, velocities and positions; returns the kinetic energy at the time of the forces.
+/// Accelerations, velocities and positions; returns the kinetic energy at the time of the forces.
 template <class S>
 double Solver<S>::integrate(double dt_new) {
   NodeStore<S>& nodes = model_.nodes;
   S* position = nodes.position.data();
   S* velocity = nodes.velocity.data();
   S* force = nodes.force.data();
-  for (const NodeConstraint<S>& c : model_.constraints) {
-    const auto place = 4 * static_cast<std::int64_t>(c.node);
-    constrain_node(force + place, velocity + place, c.normal);
-  }
   const auto velocity_step = static_cast<S>(0.5 * (dt_before_ + dt_new));
   const auto position_step = static_cast<S>(dt_new), energy_step = static_cast<S>(dt_before_);
   double twice_kinetic = 0;

@@ -36,6 +36,18 @@ Json body_json(const BodyResult& body) {
           {"max_plastic_strain", body.max_plastic_strain}};
 }
 
+Json wall_json(const WallResult& wall) {
+  return {{"name", wall.name}, {"impulse", wall.impulse}, {"force_max", wall.force_max}};
+}
+
+Json probe_json(const ProbeResult& probe) {
+  Json values = Json::object();
+  for (const ProbeValue& v : probe.values) values[v.quantity] = v.value;
+  return {{"name", probe.name},   {"kind", probe.element ? "element" : "node"},
+          {"body", probe.body},   {"number", probe.number},
+          {"point", probe.point}, {"values", values}};
+}
+
 }  // namespace
 
 std::string summary_json(const RunSummary& s) {
@@ -43,6 +55,9 @@ std::string summary_json(const RunSummary& s) {
   for (const PhaseSeconds& phase : s.phases) phases[phase.name] = phases.value(phase.name, 0.0) + phase.seconds;
   Json bodies = Json::array();
   for (const BodyResult& body : s.bodies) bodies.push_back(body_json(body));
+  Json walls = Json::array(), probes = Json::array();
+  for (const WallResult& wall : s.walls) walls.push_back(wall_json(wall));
+  for (const ProbeResult& probe : s.probes) probes.push_back(probe_json(probe));
   const double element_steps = static_cast<double>(s.elements) * static_cast<double>(s.steps);
 
   const Json json = {
@@ -66,6 +81,7 @@ std::string summary_json(const RunSummary& s) {
       {"energy", energy_json(s)},
       {"momentum", {{"initial", s.momentum_initial}, {"final", s.momentum_final}}},
       {"bodies", bodies},
+      {"rigid_walls", walls},
       {"contact",
        {{"method", s.contact_method},
         {"enforcement", s.contact_enforcement},
@@ -76,7 +92,7 @@ std::string summary_json(const RunSummary& s) {
         {"max_penetration_ratio", s.max_penetration_ratio}}},
       {"state_hash", fmt::format("{:016x}", s.state_hash)},
       {"bytes_per_element", s.bytes_per_element},
-      {"probes", Json::array()},
+      {"probes", probes},
   };
   // dump() turns NaN and infinity into null; bytes that are no UTF-8 (a title) are replaced, not thrown over.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

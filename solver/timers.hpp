@@ -14,14 +14,15 @@ enum class Phase {
   contact_forces,
   contact_scatter,
   time_step,
+  boundary_conditions,
   integration,
   output,
   count
 };
 
 inline constexpr std::array<const char*, static_cast<std::size_t>(Phase::count)> phase_names = {
-    "internal_forces", "pinballs",  "contact_search", "contact_forces",
-    "contact_scatter", "time_step", "integration",    "output"};
+    "internal_forces",     "pinballs",    "contact_search", "contact_forces", "contact_scatter", "time_step",
+    "boundary_conditions", "integration", "output"};
 
 /// Seconds spent in each phase.
 class Timers {

@@ -21,6 +21,7 @@ const std::vector<VerificationCase>& verification_cases() {
   static const std::vector<VerificationCase> cases{
       {"patch_test", verify_patch_test},         {"uniaxial_strain", verify_uniaxial_strain},
       {"spinning_block", verify_spinning_block}, {"block", verify_block},
+      {"plate_impact", verify_plate_impact},     {"cantilever", verify_cantilever},
       {"two_blocks", verify_two_blocks},         {"rod_plate", verify_rod_plate},
   };
   return cases;

@@ -76,7 +76,9 @@ Point velocity_of(const Solver<double>& solver, std::size_t node);
 
 // The cases, one function per scene.
 std::vector<VerificationRow> verify_block(const Scene& scene);
+std::vector<VerificationRow> verify_cantilever(const Scene& scene);
 std::vector<VerificationRow> verify_patch_test(const Scene& scene);
+std::vector<VerificationRow> verify_plate_impact(const Scene& scene);
 std::vector<VerificationRow> verify_rod_plate(const Scene& scene);
 std::vector<VerificationRow> verify_spinning_block(const Scene& scene);
 std::vector<VerificationRow> verify_two_blocks(const Scene& scene);

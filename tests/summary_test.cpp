@@ -36,6 +36,8 @@ RunSummary example() {
   s.contact_method = "pinball";
   s.contact_enforcement = "penalty";
   s.state_hash = 0xabc;
+  s.walls = {{"wall", 1.0, 2.0, 3.0}};
+  s.probes = {{"tip", "rod", 7, false, {1, 2, 3}, {{"velocity_x", 4.0}, {"velocity_y", 5.0}}}};
   s.bytes_per_element = 900;
   return s;
 }
@@ -49,10 +51,11 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(keys(json), ElementsAre("scene", "title", "units", "version", "precision", "threads", "simd_width",
-                                      "elements", "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds",
-                                      "element_steps", "element_steps_skipped", "element_steps_per_second", "energy",
-                                      "momentum", "bodies", "contact", "state_hash", "bytes_per_element", "probes"));
+  EXPECT_THAT(keys(json),
+              ElementsAre("scene", "title", "units", "version", "precision", "threads", "simd_width", "elements",
+                          "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds", "element_steps",
+                          "element_steps_skipped", "element_steps_per_second", "energy", "momentum", "bodies",
+                          "rigid_walls", "contact", "state_hash", "bytes_per_element", "probes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(keys(json["energy"]),
               ElementsAre("kinetic", "internal", "hourglass", "bulk_viscosity", "contact", "contact_stored",
@@ -76,7 +79,9 @@ TEST(Summary, HoldsTheValues) {
   EXPECT_EQ(json["bodies"][1]["name"], "plate");
   EXPECT_EQ(json["bodies"][1]["velocity"], (Json{10.0, 0.0, -10.0}));
   EXPECT_EQ(json["state_hash"], "0000000000000abc");
-  EXPECT_EQ(json["probes"], Json::array());
+  EXPECT_EQ(json["rigid_walls"], Json::parse(R"([{"name": "wall", "impulse": 3.0, "force_max": 2.0}])"));
+  EXPECT_EQ(json["probes"], Json::parse(R"([{"name": "tip", "kind": "node", "body": "rod", "number": 7,
+      "point": [1.0, 2.0, 3.0], "values": {"velocity_x": 4.0, "velocity_y": 5.0}}])"));
 }
 
 TEST(Summary, EmptyListsKeepTheirType) {

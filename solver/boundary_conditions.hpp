@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <pinball/solver/external_work.hpp>
+#include <pinball/solver/model.hpp>
+#include <pinball/solver/results.hpp>
+#include <pinball/solver/rigid_walls.hpp>
+#include <vector>
+
+namespace pinball {
+
+/// What acts on the nodes from outside: loads, damping, constraints, prescribed velocities and rigid walls, in this
+/// order, each of them with the last word over those before. All of them act through the force of a node, so that
+/// integration and energies need not know of them.
+template <class S>
+class BoundaryConditions {
+ public:
+  /// Throws InputError for a selection without nodes and for a node behind a wall.
+  explicit BoundaryConditions(const Model<S>& model);
+
+  /// Whether the scene has any of it.
+  bool any() const { return any_; }
+
+  /// Changes the forces (and, in constrained directions, the velocities) of the nodes, after all other forces are known
+  /// and before the integration. time: of the forces.
+  void apply(Model<S>& model, double time, const StepLengths& step);
+
+  double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
+  const std::vector<WallResult>& walls() const { return walls_.results(); }
+  std::size_t bytes() const;
+
+ private:
+  struct Load {
+    Point force{};
+    TimeTable table;
+    std::vector<std::int32_t> nodes;
+    std::vector<S> share;        ///< of the force, per node [-]
+    std::array<S, 3> present{};  ///< total, at the time of the forces [force]
+  };
+  void add_loads(Model<S>& model, double time);
+  void add_damping(Model<S>& model);
+  void constrain(Model<S>& model) const;
+  void prescribe(Model<S>& model, double time, const StepLengths& step);
+  ExternalWork work_of_step(const Model<S>& model, const StepLengths& step) const;
+
+  bool any_ = false, acts_ = false;  ///< acts_: does work
+  std::vector<Load> loads_;
+  double damping_ = 0;  ///< [1/time]
+  std::vector<TimeTable> velocity_tables_;
+  std::vector<S> reaction_;  ///< per NodePrescription of the model [force]
+  RigidWalls<S> walls_;
+  double done_ = 0;  ///< work of all steps before the last
+  ExternalWork last_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <pinball/solver/model.hpp>
+#include <pinball/solver/scene_boundary.hpp>
+#include <string>
+#include <vector>
+
+namespace pinball {
+
+/// Numbers in the mesh of the nodes of a selection, ascending. Places count as equal within 1e-9 of the size of the
+/// mesh. Throws InputError that names the selection if there is none.
+std::vector<std::int32_t> select_nodes(const ModelMesh& mesh, const NodeSelection& selection);
+
+/// Largest extent of the mesh along x, y or z [length].
+double mesh_size(const ModelMesh& mesh);
+
+/// The selection in words: "on the plane through (0, 0, 0) with normal (1, 0, 0), of body bar".
+std::string describe(const NodeSelection& selection);
+
+}  // namespace pinball
