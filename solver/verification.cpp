@@ -23,6 +23,8 @@ const std::vector<VerificationCase>& verification_cases() {
       {"spinning_block", verify_spinning_block}, {"block", verify_block},
       {"plate_impact", verify_plate_impact},     {"cantilever", verify_cantilever},
       {"two_blocks", verify_two_blocks},         {"rod_plate", verify_rod_plate},
+      {"sphere_wall", verify_sphere_wall},       {"sphere_wall_full", verify_sphere_wall_full},
+      {"sphere_sphere", verify_sphere_sphere},
   };
   return cases;
 }
