@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <pinball/solver/error.hpp>
+#include <pinball/solver/gmsh_reader.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 
 namespace pinball {
@@ -39,6 +40,12 @@ Mesh generate(const MeshSettings& settings) {
     Mesh operator()(const RoundNosedRodMesh& rod) const { return generate_round_nosed_rod(rod); }
     Mesh operator()(const CylinderMesh& cylinder) const { return generate_cylinder(cylinder); }
     Mesh operator()(const SphereMesh& sphere) const { return generate_sphere(sphere); }
+    Mesh operator()(const GmshMesh& gmsh) const {
+      Mesh mesh = read_gmsh(gmsh.file, gmsh.physical);
+      for (Point& node : mesh.nodes)
+        for (double& coordinate : node) coordinate *= gmsh.scale;
+      return mesh;
+    }
   };
   return std::visit(Generator{}, settings);
 }

@@ -128,7 +128,14 @@ struct SphereMesh {
   double grading = 1.0;           ///< elements at the pole z = -radius are smaller by this factor [-]
 };
 
-using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh>;
+/// mesh = { type = "gmsh", file = "part.msh", physical = "name", scale = 1 }.
+struct GmshMesh {
+  std::string file;      ///< as it can be opened; in the scene relative to the folder of the scene file
+  std::string physical;  ///< name of the physical volume; default: all volumes
+  double scale = 1.0;    ///< multiplies the coordinates
+};
+
+using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh, GmshMesh>;
 
 /// One [[body]] table.
 struct Body {

@@ -112,6 +112,15 @@ void check_unique(const SceneTable& table, const std::string& name, const std::v
   }
 }
 
+/// A mesh file is named relative to the folder of the scene. Throws InputError if there is none.
+void find_mesh_file(const SceneTable& body, GmshMesh& mesh, const std::string& scene_path) {
+  const auto path = std::filesystem::path(scene_path).parent_path() / mesh.file;
+  if (!std::filesystem::is_regular_file(path)) {
+    body.table("mesh", "gmsh").fail("file", fmt::format("expected a Gmsh file, there is no {}", path.string()));
+  }
+  mesh.file = path.string();
+}
+
 /// What acts from outside, and probes; bodies are known by now.
 void read_boundary(const SceneTable& top, Scene& scene) {
   const auto tables = [&](std::string_view key) {
@@ -178,7 +187,8 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   const auto bodies = top.tables("body", "body");
   if (bodies.empty()) top.fail("body", "missing, expected at least one [[body]]");
   for (const auto& table : bodies) {
-    const Body body = read_body(table, overrides.refine);
+    Body body = read_body(table, overrides.refine);
+    if (auto* gmsh = std::get_if<GmshMesh>(&body.mesh)) find_mesh_file(table, *gmsh, path);
     check_unique(table, body.name, scene.bodies);
     check_reference(table, "material", "material", names_of(scene.materials));
     scene.bodies.push_back(body);

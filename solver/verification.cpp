@@ -28,6 +28,9 @@ const std::vector<VerificationCase>& verification_cases() {
       {"two_blocks", verify_two_blocks},
       {"taylor_bar", verify_taylor_bar},
       {"two_bars", verify_two_bars},
+      {"sphere_wall", verify_sphere_wall},
+      {"sphere_wall_full", verify_sphere_wall_full},
+      {"sphere_sphere", verify_sphere_sphere},
       {"rod_plate", verify_rod_plate},
   };
   return cases;

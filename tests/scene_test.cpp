@@ -205,8 +205,8 @@ TEST_F(SceneTest, MeshesOfNoSize) {
   EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [2000, 2000, 2000] }")),
             "14:55: body.bar.mesh.elements: 8e+09 elements are more than a mesh can hold");
   EXPECT_EQ(error(with(14, "mesh = { type = \"ball\" }")),
-            "14:17: body.bar.mesh.type: expected \"block\", \"round_nosed_rod\", \"cylinder\" or \"sphere\", "
-            "got \"ball\"");
+            "14:17: body.bar.mesh.type: expected \"block\", \"round_nosed_rod\", \"cylinder\", \"sphere\" or "
+            "\"gmsh\", got \"ball\"");
 }
 
 TEST_F(SceneTest, CylindersAndSpheres) {
