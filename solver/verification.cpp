@@ -32,6 +32,7 @@ const std::vector<VerificationCase>& verification_cases() {
       {"sphere_wall_full", verify_sphere_wall_full},
       {"sphere_sphere", verify_sphere_sphere},
       {"rod_plate", verify_rod_plate},
+      {"rod_oblique", verify_rod_oblique},
   };
   return cases;
 }
