@@ -22,9 +22,9 @@ const std::vector<VerificationCase>& verification_cases() {
       {"patch_test", verify_patch_test},         {"uniaxial_strain", verify_uniaxial_strain},
       {"spinning_block", verify_spinning_block}, {"block", verify_block},
       {"plate_impact", verify_plate_impact},     {"cantilever", verify_cantilever},
-      {"two_blocks", verify_two_blocks},         {"rod_plate", verify_rod_plate},
+      {"two_blocks", verify_two_blocks},         {"taylor_bar", verify_taylor_bar},
       {"sphere_wall", verify_sphere_wall},       {"sphere_wall_full", verify_sphere_wall_full},
-      {"sphere_sphere", verify_sphere_sphere},
+      {"sphere_sphere", verify_sphere_sphere},   {"rod_plate", verify_rod_plate},
   };
   return cases;
 }
