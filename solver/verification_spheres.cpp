@@ -65,7 +65,7 @@ class ImpactRun {
     parts_ = spheres_per_body(std::get<SphereMesh>(scene.bodies[0].mesh));
     for (std::size_t n = 0; n < mesh.nodes.size() && mesh.body_of_node[n] == 0; ++n) {
       const auto place = static_cast<std::size_t>(model.node_of_scene_node[n]);
-      nodes_.push_back({4 * place, model.node_mass[place]});
+      nodes_.emplace_back(4 * place, model.node_mass[place]);
       mass_ += model.node_mass[place];
       if (mesh.nodes[n][0] == 0 && mesh.nodes[n][1] == 0) axis_.push_back(n);
     }
