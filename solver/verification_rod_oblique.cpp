@@ -7,16 +7,16 @@ namespace pinball {
 
 namespace {
 
-struct Penetration {
+struct Outcome {
   double balance_error = 0;   ///< largest
   double momentum_drift = 0;  ///< along the plane of symmetry, relative
   double mass_left = 0;       ///< of the rod, relative
 };
 
-Penetration run_rod(const Scene& scene) {
+Outcome run_rod(const Scene& scene) {
   Solver<double> solver(scene);
   const Point before = solver.momentum();
-  Penetration result;
+  Outcome result;
   run_to_end(solver, [&] { result.balance_error = std::max(result.balance_error, std::abs(solver.balance_error())); });
   const Point after = solver.momentum();
   const double scale = std::hypot(before[0], before[2]);
@@ -29,11 +29,11 @@ Penetration run_rod(const Scene& scene) {
 }  // namespace
 
 std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
-  const Penetration penalty = run_rod(scene);
+  const Outcome penalty = run_rod(scene);
   SceneOverrides finer;
   finer.set = {"contact.enforcement=lagrange"};
   finer.refine = 2;
-  const Penetration lagrange = run_rod(read_scene(scene.path, finer));
+  const Outcome lagrange = run_rod(read_scene(scene.path, finer));
   return {
       compare_with_zero("penalty: drift of momentum", penalty.momentum_drift, 1e-10, "conservation"),
       compare_with_zero("penalty: largest error of the energy balance", penalty.balance_error, 1e-2, "conservation"),
