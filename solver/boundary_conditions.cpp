@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/node_update.hpp>
 #include <pinball/solver/boundary_conditions.hpp>
@@ -30,7 +31,9 @@ void BoundaryConditions<S>::apply(Model<S>& model, double time, const StepLength
   if (!loads_.empty()) add_loads(model, time);
   if (damping_ > 0) add_damping(model);
   constrain(model);
-  if (!model.prescribed.empty()) prescribe(model, time, step);
+  if (model.prescribed.empty()) return;
+  std::fill(reaction_.begin(), reaction_.end(), S(0));
+  prescribe(model, time, step);
 }
 
 template <class S>
@@ -75,8 +78,8 @@ void BoundaryConditions<S>::constrain(Model<S>& model) const {
   }
 }
 
-/// The reaction that gives a node the mean of the prescribed velocity over the coming step, so that its place is that
-/// of the integral of the table.
+/// Adds to the reactions what gives a node the mean of the prescribed velocity over the coming step, so that its place
+/// is that of the integral of the table.
 template <class S>
 void BoundaryConditions<S>::prescribe(Model<S>& model, double time, const StepLengths& step) {
   std::vector<double> factor;
@@ -96,8 +99,10 @@ void BoundaryConditions<S>::prescribe(Model<S>& model, double time, const StepLe
       force += f[k] * p.normal[k];
     }
     const S mobility = static_cast<S>(step.velocity()) * model.nodes.inverse_mass[node];
-    reaction_[i] = mobility > S(0) ? (wanted - velocity) / mobility - force : S(0);
-    for (int k = 0; k < 3; ++k) f[k] += reaction_[i] * p.normal[k];
+    if (!(mobility > S(0))) continue;
+    const S reaction = (wanted - velocity) / mobility - force;
+    reaction_[i] += reaction;  // contact by impulses comes between two parts of it
+    for (int k = 0; k < 3; ++k) f[k] += reaction * p.normal[k];
   }
 }
 

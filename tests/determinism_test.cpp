@@ -79,6 +79,11 @@ Scene pressed_blocks() {
 }
 
 TEST(Determinism, BoundaryConditionsInDouble) { expect_same_bits<double>(pressed_blocks()); }
+TEST(Determinism, BoundaryConditionsWithImpulses) {
+  Scene scene = pressed_blocks();
+  scene.contact.enforcement = Enforcement::lagrange;
+  expect_same_bits<double>(scene);
+}
 TEST(Determinism, BoundaryConditionsInFloat) { expect_same_bits<float>(pressed_blocks()); }
 TEST(Determinism, TwoBlocksInDouble) { expect_same_bits<double>(read_scene(find_scene("two_blocks"))); }
 TEST(Determinism, TwoBlocksInFloat) { expect_same_bits<float>(read_scene(find_scene("two_blocks"))); }
