@@ -77,11 +77,15 @@ Eigen::VectorXd direct_solution(const System& s) {
     for (int i = 0; i < rows; ++i) {
       if ((active >> i & 1) != 0) chosen.push_back(i);
     }
-    const Eigen::MatrixXd some = G(chosen, Eigen::all);
-    const Eigen::VectorXd p = (some * mobility * some.transpose())
-                                  .completeOrthogonalDecomposition()
-                                  .solve(some * v + Eigen::VectorXd(r(chosen)));
-    const Eigen::VectorXd after = v - mobility * some.transpose() * p;
+    Eigen::VectorXd p = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chosen.size()));
+    Eigen::VectorXd after = v;
+    if (!chosen.empty()) {
+      const Eigen::MatrixXd some = G(chosen, Eigen::all);
+      const Eigen::MatrixXd delassus = some * mobility * some.transpose();
+      const Eigen::VectorXd closing = some * v + Eigen::VectorXd(r(chosen));
+      p = delassus.completeOrthogonalDecomposition().solve(closing);
+      after = v - mobility * some.transpose() * p;
+    }
     if ((p.size() == 0 || p.minCoeff() > -1e-10) && (G * after + r).maxCoeff() < 1e-10) return after;
   }
   ADD_FAILURE() << "no set of active rows solves the system";
