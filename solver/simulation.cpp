@@ -67,10 +67,11 @@ class Recorder {
     if (history_ && (last || every_step_ || history_times_.due(time))) {
       history_->write(solver.history_row());
       history_times_.passed(time);
-      keep_state(solver);
+      if (!fields_ || !field_times_.due(time)) keep_state(solver);
     }
     if (fields_ && field_times_.due(time)) {
-      fields_->write(solver.snapshot());
+      take_snapshot(solver);
+      fields_->write(last_good_);
       field_times_.passed(time);
     }
   }
@@ -79,8 +80,14 @@ class Recorder {
   void keep_state(const Solver<S>& solver) {
     const auto start = Clock::now();
     if (start < next_copy_) return;
-    last_good_ = solver.snapshot();
+    take_snapshot(solver);
     next_copy_ = Clock::now() + 20 * (Clock::now() - start);
+  }
+
+  /// Never holds two copies: one has the size of a third of the stores.
+  void take_snapshot(const Solver<S>& solver) {
+    last_good_ = FieldSnapshot{};
+    last_good_ = solver.snapshot();
   }
 
   /// Saves the state that was kept; returns the name of the file.
