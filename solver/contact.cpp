@@ -45,6 +45,7 @@ void PinballContact<S>::collect_pinballs(const Model<S>& model) {
       if (behind >= 0 && surface_.alive(behind)) choose(behind);
     }
   }
+  pinballs_ = PinballStore<S>();  // not both at a time
   pinballs_ = PinballStore<S>(n, W);
   for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
     const auto t = static_cast<std::size_t>(tile);

@@ -70,7 +70,7 @@ class Recorder {
       if (!fields_ || !field_times_.due(time)) keep_state(solver);
     }
     if (fields_ && field_times_.due(time)) {
-      take_snapshot(solver);
+      solver.snapshot(last_good_);  // never two copies: one is a third of the stores
       fields_->write(last_good_);
       field_times_.passed(time);
     }
@@ -80,14 +80,8 @@ class Recorder {
   void keep_state(const Solver<S>& solver) {
     const auto start = Clock::now();
     if (start < next_copy_) return;
-    take_snapshot(solver);
+    solver.snapshot(last_good_);
     next_copy_ = Clock::now() + 20 * (Clock::now() - start);
-  }
-
-  /// Never holds two copies: one has the size of a third of the stores.
-  void take_snapshot(const Solver<S>& solver) {
-    last_good_ = FieldSnapshot{};
-    last_good_ = solver.snapshot();
   }
 
   /// Saves the state that was kept; returns the name of the file.

@@ -46,7 +46,12 @@ class Solver {
 
   HistoryRow history_row() const;
   std::vector<std::string> more_columns() const;  ///< names of HistoryRow::more
-  FieldSnapshot snapshot() const;
+  FieldSnapshot snapshot() const {
+    FieldSnapshot s;
+    snapshot(s);
+    return s;
+  }
+  void snapshot(FieldSnapshot& s) const;  ///< into the memory of an earlier one
   std::uint64_t state_hash() const;
   /// Fills everything that the solver knows of a summary.
   void fill_summary(RunSummary& summary) const;

@@ -96,8 +96,7 @@ HistoryRow Solver<S>::history_row() const {
 }
 
 template <class S>
-FieldSnapshot Solver<S>::snapshot() const {
-  FieldSnapshot s;
+void Solver<S>::snapshot(FieldSnapshot& s) const {
   s.step = steps_;
   s.time = force_time_;
   s.hexahedra = model_.mesh.hexahedra;
@@ -106,10 +105,8 @@ FieldSnapshot Solver<S>::snapshot() const {
   s.position.resize(nodes);
   s.velocity.resize(nodes);
   s.contact_force.assign(nodes, Point{});
-  std::vector<std::int32_t> scene_node(nodes);
   for (std::size_t n = 0; n < nodes; ++n) {
     const auto store_node = static_cast<std::size_t>(model_.node_of_scene_node[n]);
-    scene_node[store_node] = static_cast<std::int32_t>(n);
     for (std::size_t k = 0; k < 3; ++k) {
       s.velocity[n][k] = static_cast<double>(model_.nodes.velocity[4 * store_node + k]);
       // Positions are one step ahead of the stresses: back to their time.
@@ -145,7 +142,6 @@ FieldSnapshot Solver<S>::snapshot() const {
       }
     }
   }
-  return s;
 }
 
 template <class S>
