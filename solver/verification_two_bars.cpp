@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <pinball/solver/error.hpp>
@@ -124,7 +126,8 @@ std::vector<VerificationRow> verify_two_bars(const Scene& scene) {
     // its stiffness begins and ends the contact late. How the impact falls between two steps moves all by +-0.005.
     const bool penalty = enforcement == Enforcement::penalty;
     const auto error = [&](const std::string& what, double value, double aim) {
-      rows.push_back(compare_with_zero(name + ": mean error of the velocity at the " + what, value, aim, exact));
+      const std::string quantity = fmt::format("{}: mean error of the velocity at the {}", name, what);
+      rows.push_back(compare_with_zero(quantity, value, aim, exact));
     };
     error("middles / v0, 10 elements", coarse.middle, penalty ? 0.045 : 0.04);
     error("middles / v0, 40 elements", fine.middle, 0.02);
