@@ -38,18 +38,6 @@ INSTANTIATE_TEST_SUITE_P(All, ContactByImpulses,
                                   (test.param.gap == ContactGap::face ? "_face" : "_pinball");
                          });
 
-/// Sum of m x cross v about the origin.
-Point angular_momentum(const Solver<double>& solver) {
-  Point sum{};
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const double m = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
-    const Point x = position_of(solver, n), v = velocity_of(solver, n);
-    for (std::size_t k = 0; k < 3; ++k)
-      sum[k] += m * (x[(k + 1) % 3] * v[(k + 2) % 3] - x[(k + 2) % 3] * v[(k + 1) % 3]);
-  }
-  return sum;
-}
-
 TEST_P(ContactByImpulses, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
   const double h = 0.1;
   const Scene scene = impulses(scene_of({block("a", {3, 3, 3}, h, {0, 0, 0}, {0, 0, 10}),
@@ -65,8 +53,9 @@ TEST_P(ContactByImpulses, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
   EXPECT_LT(worst, 2e-3);
   EXPECT_GT(solver.energies().contact_damped, 0);
   const std::vector<BodyResult> bodies = solver.history_row().bodies;
-  // Not above the speed of approach; what so few elements keep of it is theirs: the impulses of balls move whole ones.
-  EXPECT_LT(bodies[0].velocity[2], -4);
+  // Not above the speed of approach. The impulses of balls move whole elements at once: so few elements keep less of
+  // it.
+  EXPECT_LT(bodies[0].velocity[2], GetParam().gap == ContactGap::face ? -7 : -4);
   EXPECT_GT(bodies[0].velocity[2], -10);
   EXPECT_NEAR(bodies[0].velocity[2], -bodies[1].velocity[2], 1e-9);
 }

@@ -68,18 +68,6 @@ TEST(Contact, OffsetObliqueImpactConservesMomentum) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-12 * scale);
 }
 
-/// Sum of m x cross v about the origin.
-Point angular_momentum(const Solver<double>& solver) {
-  Point sum{};
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const double m = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
-    const Point x = position_of(solver, n), v = velocity_of(solver, n);
-    for (std::size_t k = 0; k < 3; ++k)
-      sum[k] += m * (x[(k + 1) % 3] * v[(k + 2) % 3] - x[(k + 2) % 3] * v[(k + 1) % 3]);
-  }
-  return sum;
-}
-
 TEST(Contact, ObliqueImpactsKeepEnergyAndAngularMomentum) {
   // A corner, an edge and a face of a block meet another block off its centre. The forces of a pair act along the line
   // of centres, or up to 18 degrees off it where the normals decide: only then they have a small torque.

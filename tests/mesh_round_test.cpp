@@ -8,9 +8,13 @@
 #include <pinball/solver/mesh_quality.hpp>
 #include <set>
 
+#include "mesh_counts.hpp"
+
 /// Cylinders and spheres.
 namespace pinball {
 namespace {
+
+using namespace test;
 
 constexpr double pi = std::numbers::pi;
 
@@ -28,19 +32,6 @@ SphereMesh sphere(Section section, int core = 4, int ring = 2, double grading = 
 
 SphereMesh sphere_wedge(double angle, std::array<int, 2> core, int ring, double grading = 1) {
   return {.radius = 5, .section = Section::wedge, .angle = angle, .core = core, .ring = ring, .grading = grading};
-}
-
-std::size_t count_used_nodes(const Mesh& mesh) {
-  std::set<std::int32_t> used;
-  for (const auto& hexahedron : mesh.hexahedra) used.insert(hexahedron.begin(), hexahedron.end());
-  return used.size();
-}
-
-std::size_t count_distinct_points(const std::vector<Point>& nodes) {
-  std::set<std::array<std::int64_t, 3>> cells;
-  for (const Point& x : nodes)
-    cells.insert({std::llround(x[0] * 1e6), std::llround(x[1] * 1e6), std::llround(x[2] * 1e6)});
-  return cells.size();
 }
 
 /// Every node is used, none is there twice, and the surface of the mesh is one closed sheet around the volume.

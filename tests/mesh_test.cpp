@@ -7,8 +7,12 @@
 #include <pinball/solver/mesh_quality.hpp>
 #include <set>
 
+#include "mesh_counts.hpp"
+
 namespace pinball {
 namespace {
+
+using namespace test;
 
 constexpr double pi = std::numbers::pi;
 
@@ -19,20 +23,6 @@ RoundNosedRodMesh rod(double length, double radius, std::array<int, 2> core, int
 
 double half_rod_volume(double length, double radius) {
   return 0.5 * pi * radius * radius * (length - radius) + pi * radius * radius * radius / 3.0;
-}
-
-std::size_t count_used_nodes(const Mesh& mesh) {
-  std::set<std::int32_t> used;
-  for (const auto& hexahedron : mesh.hexahedra) used.insert(hexahedron.begin(), hexahedron.end());
-  return used.size();
-}
-
-/// Number of distinct points when coordinates are rounded to 1e-6.
-std::size_t count_distinct_points(const std::vector<Point>& nodes) {
-  std::set<std::array<std::int64_t, 3>> cells;
-  for (const Point& x : nodes)
-    cells.insert({std::llround(x[0] * 1e6), std::llround(x[1] * 1e6), std::llround(x[2] * 1e6)});
-  return cells.size();
 }
 
 TEST(Block, HasTheAskedCountsAndTheExactVolume) {

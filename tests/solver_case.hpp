@@ -3,7 +3,8 @@
 #include <array>
 #include <cmath>
 #include <pinball/kernels/exec.hpp>
-#include <pinball/solver/solver.hpp>
+#include <pinball/solver/error.hpp>
+#include <pinball/solver/verification.hpp>
 #include <string>
 
 /// Scenes of a few blocks, made in code, for the tests of the solver.
@@ -90,6 +91,28 @@ double kinetic_energy(const Solver<S>& solver) {
     }
   }
   return 0.5 * twice;
+}
+
+/// Sum of m x cross v about the origin.
+inline Point angular_momentum(const Solver<double>& solver) {
+  Point sum{};
+  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+    const double m = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
+    const Point x = position_of(solver, n), v = velocity_of(solver, n);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[k] += m * (x[(k + 1) % 3] * v[(k + 2) % 3] - x[(k + 2) % 3] * v[(k + 1) % 3]);
+  }
+  return sum;
+}
+
+/// What building the solver of a scene is refused with; "" if it is not.
+inline std::string refusal(const Scene& scene) {
+  try {
+    const Solver<double> solver(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 }  // namespace pinball::test
