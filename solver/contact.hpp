@@ -3,11 +3,9 @@
 #include <cstdint>
 #include <memory>
 #include <pinball/solver/contact_impulses.hpp>
+#include <pinball/solver/external_work.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
-#include <pinball/solver/neighbour_list.hpp>
-#include <pinball/solver/pinball_store.hpp>
-#include <pinball/solver/surface.hpp>
 #include <vector>
 
 namespace pinball {
@@ -18,62 +16,54 @@ struct ContactResult {
   double eroded = 0;             ///< energy of the springs that went with eroded elements [energy]
   double damped_power = 0;       ///< power of the contact damping [power]
   double dissipated = 0;         ///< energy taken out by impulses since the step before [energy]
-  double penetration_ratio = 0;  ///< largest g / (R1 + R2) [-]
+  double penetration_ratio = 0;  ///< largest penetration over the size of the pair, R1 + R2 [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
 };
 
-/// The pinball algorithm (report section 3 and figure 3); its stages are called one by one by the step.
+/// An algorithm of contact. Its stages are called one by one by the step, in this order; a scene enforces its contact
+/// either through springs, with forces() and scatter(), or through impulses, with prepare_impulses() and impulses().
 template <class S>
-class PinballContact {
+class Contact {
  public:
-  explicit PinballContact(const Model<S>& model);
+  explicit Contact(const Model<S>& model);
+  virtual ~Contact() = default;
+  Contact(const Contact&) = delete;
+  Contact& operator=(const Contact&) = delete;
 
-  /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
-  void update_pinballs(const Model<S>& model, const std::vector<TileResult<S>>& tiles);
-  /// Figure 3, 4: cells and neighbour lists, unless the lists still hold.
-  void search(const Model<S>& model);
-  /// Figure 3, 5-6: penetrating pairs and their penalty forces, one sum per pinball; dt: the step just made.
-  ContactResult forces(S dt);
-  /// Adds an eighth of each pinball's force to the corners of its element, and bounds the contact frequency.
-  void scatter(Model<S>& model, ContactResult& result);
+  /// Takes eroded elements out and brings up to date what the other stages read of the surface.
+  virtual void update_surface(const Model<S>& model, const std::vector<TileResult<S>>& tiles) = 0;
+  /// Lists of what may touch, unless the lists still hold.
+  virtual void search(const Model<S>& model) = 0;
 
-  /// Whether contact acts through springs, with forces() and scatter(), or through impulses.
+  /// Penalty forces of what has penetrated; dt: the step just made.
+  virtual ContactResult forces(const Model<S>& model, S dt) = 0;
+  /// Adds the forces to the nodes, and bounds the contact frequency.
+  virtual void scatter(Model<S>& model, ContactResult& result) = 0;
+
   bool by_impulses() const { return impulses_ != nullptr; }
-  /// The constraints of the coming step, in the place of forces() and scatter(); dt: the step just made.
-  void prepare_impulses(const Model<S>& model, double dt);
+  /// The constraints of the coming step; dt: the step just made.
+  virtual void prepare_impulses(const Model<S>& model, double dt) = 0;
   /// Forces on the nodes that keep gaps from closing in the coming step; after all other forces and the constraints.
   ContactResult impulses(Model<S>& model, const StepLengths& step);
 
-  const PinballStore<S>& pinballs() const { return pinballs_; }
-  std::int32_t active_pinballs() const { return active_; }
+  virtual const char* name() const = 0;
+  /// Adds the contact force of the last step on each node of the store [force]; radius of the pinball of each slot
+  /// [length], where there is one. For output.
+  virtual void report(const Model<S>& model, std::vector<Point>& node_force,
+                      std::vector<double>& slot_radius) const = 0;
+  virtual std::int32_t surface_elements() const = 0;  ///< that take part
+  virtual std::size_t bytes() const = 0;
   std::int64_t searches() const { return searches_; }
   std::int64_t searches_skipped() const { return searches_skipped_; }
-  std::size_t bytes() const {
-    return pinballs_.bytes() + list_.bytes() + surface_.bytes() + (impulses_ ? impulses_->bytes() : 0);
-  }
 
- private:
-  /// Chooses the pinballs anew: exposed elements, and those across a face of one.
-  void collect_pinballs(const Model<S>& model);
-  /// Exposed faces of the chosen pinballs, and which of them take part.
-  void update_exposure();
-  /// Centres, velocities, normals and (on demand) radii.
-  void update_geometry(const Model<S>& model);
-
-  Surface surface_;
-  PinballStore<S> pinballs_;
-  NeighbourList<S> list_;
-  std::unique_ptr<ContactImpulses<S>> impulses_;        ///< only with enforcement by impulses
-  std::vector<std::array<float, 3>> reference_centre_;  ///< per slot
-  std::vector<std::uint8_t> is_pinball_;                ///< per slot
-  PenaltyConstants<S> penalty_;
-  double damping_factor_ = 1;  ///< of the squared contact frequency, for its damping
-  bool may_erode_ = false;
-  bool surface_changed_ = false;  ///< since the pinballs were chosen
-  std::int32_t active_ = 0;       ///< pinballs that take part
-  double lost_energy_ = 0;        ///< of springs whose pinball eroded in this step
+ protected:
+  std::unique_ptr<ContactImpulses<S>> impulses_;  ///< only with enforcement by impulses
   std::int64_t searches_ = 0, searches_skipped_ = 0;
 };
+
+/// The algorithm that the scene names; nothing for a scene without contact.
+template <class S>
+std::unique_ptr<Contact<S>> make_contact(const Model<S>& model);
 
 }  // namespace pinball

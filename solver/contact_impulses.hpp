@@ -3,12 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <pinball/kernels/contact_impulse.hpp>
-#include <pinball/kernels/contact_row.hpp>
 #include <pinball/solver/external_work.hpp>
+#include <pinball/solver/held_directions.hpp>
 #include <pinball/solver/model.hpp>
-#include <pinball/solver/neighbour_list.hpp>
-#include <pinball/solver/pinball_store.hpp>
-#include <pinball/solver/surface.hpp>
 #include <vector>
 
 namespace pinball {
@@ -16,8 +13,19 @@ namespace pinball {
 /// Result of one solution of the contact impulses.
 struct ImpulseResult {
   double dissipated = 0;         ///< energy taken out since the solution before, see ContactImpulses [energy]
-  double penetration_ratio = 0;  ///< largest penetration over R1 + R2 [-]
+  double penetration_ratio = 0;  ///< largest penetration over the size of its pair [-]
   std::int64_t pairs = 0;        ///< pairs that push
+};
+
+/// Two things that may touch within the coming step: a row of the contact matrix (kernels/contact_row.hpp).
+struct ContactPair {
+  std::int32_t first, second;  ///< names that the pair keeps from step to step
+  std::int32_t node[16];       ///< of the node store
+  double weight[16];           ///< negative for the nodes of body 1, positive for those of body 2; each side sums to 1
+  int nodes = 0;
+  Vec3<double> direction;  ///< from body 2 to body 1
+  double depth;            ///< penetration, or negative gap [length]
+  double size;             ///< what the depth is compared with, R1 + R2 [length]
 };
 
 /// Contact by impulses instead of springs: after accelerations are known and before positions move, impulses take out
@@ -32,8 +40,7 @@ struct ImpulseResult {
 /// gives. When a pair separates, its nodes get the other half; without it they ring for ever. It may not return more
 /// energy than the pair has taken out.
 ///
-/// Energy: an impulse p works over half the step before it and half the step after it, -p (u_before dt_before + u_after
-/// dt_after)/(dt_before + dt_after), which is the trapezoid that all forces of the step are counted with.
+/// Energy: what the impulses take out is the work of their forces, counted as all work is (external_work.hpp).
 ///
 /// The rows are solved in double and in one order, so that results do not depend on the number of threads.
 template <class S>
@@ -41,57 +48,59 @@ class ContactImpulses {
  public:
   explicit ContactImpulses(const Model<S>& model);
 
-  /// Rows of all pairs that may touch within the coming step, at the present positions. dt: the step just made.
-  void collect(const Model<S>& model, PinballStore<S>& pinballs, const NeighbourList<S>& list, const Surface& surface,
-               double dt);
+  /// Takes all pairs that may touch within the coming step, at the present positions, each once.
+  /// dt: the step just made.
+  void collect(const Model<S>& model, const std::vector<ContactPair>& pairs, double dt);
 
-  /// Solves for the impulses of the coming step and adds the forces that give them to the nodes and the pinballs.
+  /// Solves for the impulses of the coming step and adds the forces that give them to the nodes.
   /// Loads, constraints and prescribed velocities must already be in the node forces and velocities; what the forces of
   /// the contact have in held directions is for them to take up again.
-  ImpulseResult solve(Model<S>& model, PinballStore<S>& pinballs, const StepLengths& step);
+  ImpulseResult solve(Model<S>& model, const StepLengths& step);
+
+  /// Adds the contact forces of the last solution, per node of the store [force].
+  void add_node_forces(std::vector<Point>& node_force) const;
 
   std::size_t bytes() const;
 
  private:
-  /// What outlives a step, by the slots of the two elements.
+  /// What outlives a step, by the names of the pair.
   struct Memory {
-    std::int32_t slot1, slot2;
+    std::int32_t first, second;
     double depth;  ///< as far as approach has closed it, see limit_depth [length]
     double force;  ///< of the last step [force]
     double lost;   ///< energy that the pair has taken out [energy]
     static bool earlier(const Memory& a, const Memory& b) {
-      return a.slot1 != b.slot1 ? a.slot1 < b.slot1 : a.slot2 < b.slot2;
+      return a.first != b.first ? a.first < b.first : a.second < b.second;
     }
   };
   /// What a row of rows_ is besides.
   struct Pair {
-    std::int32_t pinball1, pinball2;
     double depth;        ///< penetration, or negative gap; see limit_depth [length]
+    double size;         ///< [length]
     double rate_before;  ///< G v in the middle of the step before [length/time]
     double rate_free;    ///< G v* [length/time]
+    double force;        ///< of this step [force]
     Memory memory;
   };
 
-  void add_row(const PinballStore<S>& pinballs, std::int32_t p, std::int32_t q, const ContactRow& row);
+  void add_row(const ContactPair& contact);
   void limit_depth(const Model<S>& model, std::size_t row, double dt);
   void load_nodes(const Model<S>& model, double velocity_step);
+  void set_rates(double velocity_step, double dt);
   void drop_rows_apart();
   void solve_coupled();
   void release(double velocity_step);
-  void add_forces(Model<S>& model, PinballStore<S>& pinballs, double velocity_step);
   void remember();
 
-  bool lagrange_ = false, face_gap_ = false;
+  bool lagrange_ = false;
   std::vector<ImpulseRow> rows_;
   std::vector<Pair> pairs_;  ///< one per row
   std::vector<ImpulseNode> nodes_;
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
-  std::vector<Memory> memory_;            ///< of the last step, sorted by the slots
+  std::vector<Memory> memory_;            ///< of the last step, sorted by the names
   std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
-  /// Directions in which constraints and prescribed velocities leave a node no mobility; orthonormal per node.
-  std::vector<std::array<double, 3>> held_;
-  std::vector<std::int32_t> held_first_;  ///< per node of the store and one more: into held_
-  double pending_ = 0;                    ///< energy dissipated by the last impulses in the step after them
+  HeldDirections held_;
+  double pending_ = 0;  ///< energy dissipated by the last impulses in the step after them
 };
 
 }  // namespace pinball

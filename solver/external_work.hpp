@@ -30,18 +30,23 @@ struct StepLengths {
   double velocity() const { return 0.5 * (before + after); }  ///< over which forces change velocities [time]
 };
 
+/// Work of a force along which its point moves with rate_before = rate of v_(n-1/2) and rate_after = rate of v_(n+1/2).
+inline ExternalWork work_of(double force, double rate_before, double rate_after, const StepLengths& step) {
+  const double now = 0.5 * step.before * force * rate_before;
+  return {now, 0.5 * step.velocity() * force * (rate_before + rate_after) - now};
+}
+
 /// Work of a force on one node.
 /// force: the part whose work is asked for; velocity: v_(n-1/2); acceleration: of all forces together.
 template <class S>
 ExternalWork work_of(const S* force, const S* velocity, const S* acceleration, const StepLengths& step) {
-  double before = 0, after = 0;
+  ExternalWork work;
   for (int k = 0; k < 3; ++k) {
-    const auto f = static_cast<double>(force[k]), v = static_cast<double>(velocity[k]);
-    before += f * v;
-    after += f * (v + step.velocity() * static_cast<double>(acceleration[k]));
+    const auto v = static_cast<double>(velocity[k]);
+    work.add(
+        work_of(static_cast<double>(force[k]), v, v + step.velocity() * static_cast<double>(acceleration[k]), step));
   }
-  const double now = 0.5 * step.before * before;
-  return {now, 0.5 * step.velocity() * (before + after) - now};
+  return work;
 }
 
 }  // namespace pinball

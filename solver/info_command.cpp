@@ -126,7 +126,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     fmt::print(
         "  contact: pinballs on {} of {} elements, {} enforcement, {}{} "
         "radius{}\n",
-        solver.contact()->active_pinballs(), model.element_count(), enforcement_name(c.enforcement),
+        solver.contact()->surface_elements(), model.element_count(), enforcement_name(c.enforcement),
         c.enforcement == Enforcement::penalty
             ? fmt::format("beta {:.4g}, damping {:.4g} of critical, ", c.beta, c.damping)
             : fmt::format("gap between {}, ", c.gap == ContactGap::face ? "faces" : "pinballs"),
@@ -168,7 +168,7 @@ void print_what_is_skipped(const Solver<S>& solver) {
   if (solver.contact() == nullptr) {
     skip("contact", "off in the scene (contact.method = none)");
   } else {
-    const std::int64_t inner = model.element_count() - solver.contact()->active_pinballs();
+    const std::int64_t inner = model.element_count() - solver.contact()->surface_elements();
     if (inner > 0) skip(fmt::format("contact of {} elements", inner), "none of their faces is exposed");
     if (!scene.contact.self) skip("contact of a body with itself", "off in the scene (contact.self)");
     if (scene.contact.radius == ContactRadius::initial) skip("update of the pinball radii", "contact.radius = initial");

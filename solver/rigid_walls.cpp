@@ -4,29 +4,16 @@
 #include <cmath>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/error.hpp>
+#include <pinball/solver/held_directions.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/rigid_walls.hpp>
 
 namespace pinball {
 
-namespace {
-
-/// Directions in which a node is held, by constraints or by a prescribed velocity; sorted by node.
-template <class S>
-std::vector<std::pair<std::int32_t, Point>> held_directions(const Model<S>& model) {
-  std::vector<std::pair<std::int32_t, Point>> held;
-  for (const auto& c : model.constraints) held.push_back({c.node, {c.normal[0], c.normal[1], c.normal[2]}});
-  for (const auto& p : model.prescribed) held.push_back({p.node, {p.normal[0], p.normal[1], p.normal[2]}});
-  std::stable_sort(held.begin(), held.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  return held;
-}
-
-}  // namespace
-
 template <class S>
 RigidWalls<S>::RigidWalls(const Model<S>& model) {
   if (model.scene.rigid_walls.empty()) return;
-  const auto held = held_directions(model);
+  const HeldDirections held(model);
   const double tolerance = 1e-9 * mesh_size(model.mesh);
   for (const RigidWall& given : model.scene.rigid_walls) {
     Wall wall{};
@@ -49,12 +36,10 @@ RigidWalls<S>::RigidWalls(const Model<S>& model) {
       }
       const std::int32_t node = model.node_of_scene_node[n];
       Point free = given.plane.normal;
-      const auto first = std::lower_bound(held.begin(), held.end(), node,
-                                          [](const auto& h, std::int32_t value) { return h.first < value; });
-      for (auto h = first; h != held.end() && h->first == node; ++h) {
+      for (const Point& h : held.of(node)) {
         double along = 0;
-        for (std::size_t k = 0; k < 3; ++k) along += free[k] * h->second[k];
-        for (std::size_t k = 0; k < 3; ++k) free[k] -= along * h->second[k];
+        for (std::size_t k = 0; k < 3; ++k) along += free[k] * h[k];
+        for (std::size_t k = 0; k < 3; ++k) free[k] -= along * h[k];
       }
       const double part = std::hypot(free[0], free[1], free[2]);
       if (part > 1 - 1e-12) {

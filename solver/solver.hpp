@@ -30,7 +30,7 @@ class Solver {
 
   const Model<S>& model() const { return model_; }
   Model<S>& model() { return model_; }
-  const PinballContact<S>* contact() const { return contact_.get(); }
+  const Contact<S>* contact() const { return contact_.get(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
 
   double time() const { return time_; }              ///< of the positions
@@ -70,7 +70,7 @@ class Solver {
   SymmetryWalls<S> symmetry_walls_;
   BoundaryConditions<S> boundary_;
   Probes<S> probes_;
-  std::unique_ptr<PinballContact<S>> contact_;  ///< only in a scene with contact
+  std::unique_ptr<Contact<S>> contact_;  ///< only in a scene with contact
   Timers timers_;
 
   double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;

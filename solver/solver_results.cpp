@@ -129,17 +129,14 @@ void Solver<S>::snapshot(FieldSnapshot& s) const {
     s.alive[e] = model_.elements.mass[static_cast<std::size_t>(slot)] > S(0) ? 1 : 0;
   }
   if (contact_) {
-    const PinballStore<S>& pinballs = contact_->pinballs();
-    for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs.count); ++p) {
-      const std::int64_t slot = pinballs.slot[p];
-      const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
-      if (!(pinballs.outward[4 * p + 3] > S(0))) continue;  // behind the surface, or eroded
-      s.pinball_radius[e] = static_cast<double>(pinballs.centre[4 * p + 3]);
-      for (const std::int32_t node : model_.mesh.hexahedra[e]) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          s.contact_force[static_cast<std::size_t>(node)][k] += static_cast<double>(pinballs.force[4 * p + k]) / 8;
-        }
-      }
+    std::vector<Point> force(nodes, Point{});
+    std::vector<double> radius(static_cast<std::size_t>(model_.elements.slots), 0.0);
+    contact_->report(model_, force, radius);
+    for (std::size_t n = 0; n < nodes; ++n) {
+      s.contact_force[n] = force[static_cast<std::size_t>(model_.node_of_scene_node[n])];
+    }
+    for (std::size_t e = 0; e < elements; ++e) {
+      s.pinball_radius[e] = radius[static_cast<std::size_t>(model_.slot_of_element[e])];
     }
   }
 }
@@ -189,10 +186,10 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.bodies = body_results();
   summary.walls = boundary_.walls();
   summary.probes = probes_.results(model_, dt_);
-  summary.contact_method = contact_ ? "pinball" : "none";
+  summary.contact_method = contact_ ? contact_->name() : "none";
   summary.contact_enforcement = contact_ ? enforcement_name(scene.contact.enforcement) : "none";
   if (contact_) {
-    summary.pinballs = contact_->active_pinballs();
+    summary.pinballs = contact_->surface_elements();
     summary.searches = contact_->searches();
     summary.searches_skipped = contact_->searches_skipped();
   }

@@ -15,8 +15,8 @@ Solver<S>::Solver(const Scene& scene)
       internal_forces_(model_),
       symmetry_walls_(model_),
       boundary_(model_),
-      probes_(model_) {
-  if (scene.contact.method == ContactMethod::pinball) contact_ = std::make_unique<PinballContact<S>>(model_);
+      probes_(model_),
+      contact_(make_contact(model_)) {
   initial_momentum_ = momentum();
 }
 
@@ -32,12 +32,12 @@ void Solver<S>::advance(bool last) {
   // 4. Contact forces
   ContactResult contact;
   if (contact_) {
-    timers_.measure(Phase::pinballs, [&] { contact_->update_pinballs(model_, internal_forces_.tiles()); });
+    timers_.measure(Phase::pinballs, [&] { contact_->update_surface(model_, internal_forces_.tiles()); });
     timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
     if (contact_->by_impulses()) {
       timers_.measure(Phase::contact_forces, [&] { contact_->prepare_impulses(model_, dt_); });
     } else {
-      contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(static_cast<S>(dt_)); });
+      contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(model_, static_cast<S>(dt_)); });
       timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(model_, contact); });
     }
   }

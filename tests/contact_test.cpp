@@ -121,7 +121,7 @@ TEST(Contact, APlateOneElementThickIsHitFromBothSides) {
                             block("block", {2, 2, 2}, h, {-0.1, -0.1, corner}, {0, 0, -sign * 20})},
                            1e-3);
     Solver<double> solver(scene);
-    EXPECT_EQ(solver.contact()->active_pinballs(), 36 + 8);
+    EXPECT_EQ(solver.contact()->surface_elements(), 36 + 8);
     const double side_before = height(solver, 36) - height(solver, 14);
     run(solver);
     const double side_after = height(solver, 36) - height(solver, 14);
@@ -151,11 +151,11 @@ TEST(Contact, ErosionExposesTheElementBehind) {
   scene.materials = {plastic_material("steel", 1e9, 1.0)};
   Solver<double> solver(scene);
   solver.step();
-  EXPECT_EQ(solver.contact()->active_pinballs(), 26 + 1);
+  EXPECT_EQ(solver.contact()->surface_elements(), 26 + 1);
   strain_to_failure(solver, {22});  // in the middle of the upper face; the one behind it is the centre of the block
   solver.step();
   EXPECT_EQ(solver.eroded_elements(), 1);
-  EXPECT_EQ(solver.contact()->active_pinballs(), 25 + 1 + 1);
+  EXPECT_EQ(solver.contact()->surface_elements(), 25 + 1 + 1);
   const auto radius = solver.snapshot().pinball_radius;
   EXPECT_EQ(radius[22], 0);
   EXPECT_GT(radius[13], 0);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <pinball/solver/contact_impulses.hpp>
+#include <pinball/solver/neighbour_list.hpp>
+#include <pinball/solver/pinball_store.hpp>
+#include <pinball/solver/surface.hpp>
+#include <vector>
+
+namespace pinball {
+
+/// Pairs of listed pinballs that may touch within the coming step, for enforcement by impulses: each pair once, named
+/// by the slots of its elements, with the gap that the scene chooses (kernels/contact_row.hpp).
+template <class S>
+std::vector<ContactPair> pinball_pairs(const Model<S>& model, const PinballStore<S>& pinballs,
+                                       const NeighbourList<S>& list, const Surface& surface);
+
+}  // namespace pinball
