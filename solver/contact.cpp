@@ -1,10 +1,15 @@
+#include <cmath>
 #include <pinball/solver/contact.hpp>
 #include <pinball/solver/pinball_contact.hpp>
+#include <pinball/solver/slideline_contact.hpp>
 
 namespace pinball {
 
 template <class S>
 Contact<S>::Contact(const Model<S>& model) {
+  // A damped spring is stable for dt <= 2/w (sqrt(1 + xi^2) - xi): as an undamped one of the higher frequency.
+  const double xi = model.scene.contact.damping;
+  damping_factor_ = 1.0 / std::pow(std::sqrt(1 + xi * xi) - xi, 2);
   if (model.scene.contact.enforcement != Enforcement::penalty) impulses_ = std::make_unique<ContactImpulses<S>>(model);
 }
 
@@ -25,6 +30,8 @@ std::unique_ptr<Contact<S>> make_contact(const Model<S>& model) {
       return nullptr;
     case ContactMethod::pinball:
       return std::make_unique<PinballContact<S>>(model);
+    case ContactMethod::slideline:
+      return std::make_unique<SlidelineContact<S>>(model);
   }
   return nullptr;
 }

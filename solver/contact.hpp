@@ -12,10 +12,11 @@ namespace pinball {
 
 /// Result of the contact stage of one step.
 struct ContactResult {
-  double stored = 0;             ///< energy in the penalty springs [energy]
-  double eroded = 0;             ///< energy of the springs that went with eroded elements [energy]
-  double damped_power = 0;       ///< power of the contact damping [power]
-  double dissipated = 0;         ///< energy taken out by impulses since the step before [energy]
+  double stored = 0;        ///< energy in the penalty springs [energy]
+  double eroded = 0;        ///< energy of the springs that went with eroded elements [energy]
+  double damped_power = 0;  ///< power of the contact damping [power]
+  double dissipated =
+      0;  ///< energy taken out by impulses, or by springs that ended or jumped, since the step before [energy]
   double penetration_ratio = 0;  ///< largest penetration over the size of the pair, R1 + R2 [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
@@ -59,6 +60,7 @@ class Contact {
 
  protected:
   std::unique_ptr<ContactImpulses<S>> impulses_;  ///< only with enforcement by impulses
+  double damping_factor_ = 1;                     ///< of the squared frequency of the springs, for their damping
   std::int64_t searches_ = 0, searches_skipped_ = 0;
 };
 

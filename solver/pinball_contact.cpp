@@ -11,9 +11,6 @@ PinballContact<S>::PinballContact(const Model<S>& model)
     : Contact<S>(model), surface_(model), reference_centre_(static_cast<std::size_t>(model.elements.slots)) {
   const ContactSettings& contact = model.scene.contact;
   penalty_ = {static_cast<S>(contact.beta), static_cast<S>(contact.damping)};
-  // A damped spring is stable for dt <= 2/w (sqrt(1 + xi^2) - xi): as an undamped one of the higher frequency.
-  const double xi = contact.damping;
-  damping_factor_ = 1.0 / std::pow(std::sqrt(1 + xi * xi) - xi, 2);
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     Point c{};
     for (const std::int32_t node : model.mesh.hexahedra[e]) {
@@ -228,7 +225,7 @@ void PinballContact<S>::scatter(Model<S>& model, ContactResult& result) {
         }
       },
       [](S& whole, const S& partial) { whole = partial > whole ? partial : whole; });
-  result.frequency2 = damping_factor_ * static_cast<double>(largest);
+  result.frequency2 = this->damping_factor_ * static_cast<double>(largest);
 }
 
 template <class S>

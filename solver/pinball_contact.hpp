@@ -45,7 +45,6 @@ class PinballContact final : public Contact<S> {
   std::vector<std::array<float, 3>> reference_centre_;  ///< per slot
   std::vector<std::uint8_t> is_pinball_;                ///< per slot
   PenaltyConstants<S> penalty_;
-  double damping_factor_ = 1;  ///< of the squared contact frequency, for its damping
   bool may_erode_ = false;
   bool surface_changed_ = false;  ///< since the pinballs were chosen
   std::int32_t active_ = 0;       ///< pinballs that take part

@@ -14,7 +14,7 @@ namespace pinball {
 
 enum class Precision { float32, float64 };
 enum class HourglassControl { none, viscous, stiffness };
-enum class ContactMethod { none, pinball };
+enum class ContactMethod { none, pinball, slideline };
 enum class Enforcement { penalty, projection, lagrange };
 enum class ContactGap { pinball, face };
 enum class ContactRadius { initial, current };
@@ -46,7 +46,7 @@ struct ElementSettings {
 };
 
 struct ContactSettings {
-  ContactMethod method = ContactMethod::none;      ///< contact.method = "none" | "pinball"
+  ContactMethod method = ContactMethod::none;      ///< contact.method = "none" | "pinball" | "slideline"
   Enforcement enforcement = Enforcement::penalty;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
   /// contact.gap = "pinball" | "face"; where it is not set read_scene fills in pinball (penalty) or face
   ContactGap gap = ContactGap::pinball;

@@ -50,7 +50,9 @@ ElementSettings read_element(const SceneTable& table) {
 ContactSettings read_contact(const SceneTable& table) {
   ContactSettings contact;
   contact.method = table.choice<ContactMethod>(
-      "method", {{"none", ContactMethod::none}, {"pinball", ContactMethod::pinball}}, contact.method, {"slideline"});
+      "method",
+      {{"none", ContactMethod::none}, {"pinball", ContactMethod::pinball}, {"slideline", ContactMethod::slideline}},
+      contact.method);
   contact.enforcement = table.choice<Enforcement>(
       "enforcement",
       {{"penalty", Enforcement::penalty}, {"projection", Enforcement::projection}, {"lagrange", Enforcement::lagrange}},
@@ -58,7 +60,7 @@ ContactSettings read_contact(const SceneTable& table) {
   const bool penalty = contact.enforcement == Enforcement::penalty;
   contact.gap = table.choice<ContactGap>("gap", {{"pinball", ContactGap::pinball}, {"face", ContactGap::face}},
                                          penalty ? ContactGap::pinball : ContactGap::face);
-  if (penalty && contact.gap == ContactGap::face) {
+  if (contact.method != ContactMethod::slideline && penalty && contact.gap == ContactGap::face) {
     table.fail("gap", "\"face\" needs enforcement = \"projection\" or \"lagrange\" in this version");
   }
   contact.beta = table.number("beta", not_negative, contact.beta);

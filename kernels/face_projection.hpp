@@ -1,0 +1,89 @@
+#pragma once
+
+#include <limits>
+#include <pinball/kernels/macros.hpp>
+#include <pinball/kernels/simd.hpp>
+#include <pinball/kernels/tensor.hpp>
+
+/// Projection of a slave node onto a master segment: the narrow phase of a slideline (Belytschko and Lin, Comp. Meths.
+/// Appl. Mech. Engrg. 1987; Hallquist, Goudreau and Benson, ibid. 51, 107-137, 1985).
+///
+/// The segment is the bilinear face x(xi, eta) = sum_I N_I x_I of four nodes in the order of face_nodes; the foot of
+/// the node x is where x - x(xi, eta) is normal to it, found by Newton iteration:
+///
+///     r_a = (x - x(xi, eta)) . t_a = 0 ,     t_1 = dx/dxi , t_2 = dx/deta .
+namespace pinball {
+
+template <class S>
+struct FaceProjection {
+  S xi{}, eta{};     ///< of the foot, beyond +-1 where it lies outside
+  S weight[4]{};     ///< N_I at the foot, moved to the edge if it lies outside [-]
+  Vec3<S> normal{};  ///< unit outward normal there [-]
+  S gap{};           ///< (x - foot) . normal, negative if x has penetrated [length]
+  S outside{};       ///< how far the foot lies beyond the edges, 0 inside; infinity if there is none [length]
+};
+
+template <class S>
+PINBALL_FUNCTION Vec3<S> face_tangent(const Vec3<S> (&x)[4], int along, S other) {
+  const S low = S(0.25) * (S(1) - other), high = S(0.25) * (S(1) + other);
+  return along == 0 ? low * (x[1] - x[0]) + high * (x[2] - x[3]) : low * (x[3] - x[0]) + high * (x[2] - x[1]);
+}
+
+template <class S>
+PINBALL_FUNCTION void face_weights_at(S xi, S eta, S (&weight)[4]) {
+  weight[0] = S(0.25) * (S(1) - xi) * (S(1) - eta);
+  weight[1] = S(0.25) * (S(1) + xi) * (S(1) - eta);
+  weight[2] = S(0.25) * (S(1) + xi) * (S(1) + eta);
+  weight[3] = S(0.25) * (S(1) - xi) * (S(1) + eta);
+}
+
+/// x: corners of the face; node: the point to project; xi, eta: where the iteration begins.
+template <class S>
+PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], const Vec3<S>& node, S xi, S eta) {
+  constexpr int most_iterations = 12;
+  constexpr S tolerance = S(64) * std::numeric_limits<S>::epsilon();
+  constexpr S far = S(3);  // a foot out there is of no use: it keeps the iteration from running away
+  const Vec3<S> twist = S(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));  // d2x/dxi deta
+  FaceProjection<S> result;
+  result.outside = std::numeric_limits<S>::infinity();
+  bool found = false;
+  for (int i = 0; i < most_iterations && !found; ++i) {
+    const Vec3<S> t1 = face_tangent(x, 0, eta), t2 = face_tangent(x, 1, xi);
+    face_weights_at(xi, eta, result.weight);
+    const Vec3<S> d =
+        node - (result.weight[0] * x[0] + result.weight[1] * x[1] + result.weight[2] * x[2] + result.weight[3] * x[3]);
+    const S a11 = dot(t1, t1), a22 = dot(t2, t2), gauss_newton = dot(t1, t2);
+    S a12 = gauss_newton - dot(d, twist);
+    S determinant = a11 * a22 - a12 * a12;
+    if (!(determinant > S(0.01) * a11 * a22)) {  // far from the face the second derivative misleads
+      a12 = gauss_newton;
+      determinant = a11 * a22 - a12 * a12;
+    }
+    if (!(determinant > S(0))) return result;
+    const S r1 = dot(d, t1), r2 = dot(d, t2);
+    const S change_xi = (a22 * r1 - a12 * r2) / determinant, change_eta = (a11 * r2 - a12 * r1) / determinant;
+    const S next_xi = maximum(-far, minimum(far, xi + change_xi));
+    const S next_eta = maximum(-far, minimum(far, eta + change_eta));
+    found = absolute(next_xi - xi) + absolute(next_eta - eta) < tolerance;
+    xi = next_xi;
+    eta = next_eta;
+  }
+  if (!found) return result;
+  result.xi = xi;
+  result.eta = eta;
+  const S inner_xi = maximum(S(-1), minimum(S(1), xi)), inner_eta = maximum(S(-1), minimum(S(1), eta));
+  const Vec3<S> t1 = face_tangent(x, 0, inner_eta), t2 = face_tangent(x, 1, inner_xi);
+  const Vec3<S> area = cross(t1, t2);
+  const S size = square_root(dot(area, area));
+  if (!(size > S(0))) return result;
+  result.normal = (S(1) / size) * area;
+  face_weights_at(inner_xi, inner_eta, result.weight);
+  const Vec3<S> foot =
+      result.weight[0] * x[0] + result.weight[1] * x[1] + result.weight[2] * x[2] + result.weight[3] * x[3];
+  result.gap = dot(node - foot, result.normal);
+  const Vec3<S> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
+  result.outside = square_root(dot(beyond, beyond));
+  return result;
+}
+
+}  // namespace pinball

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <pinball/kernels/face_projection.hpp>
+#include <pinball/solver/contact.hpp>
+#include <pinball/solver/slideline_search.hpp>
+#include <pinball/solver/slideline_surface.hpp>
+#include <vector>
+
+namespace pinball {
+
+/// The algorithm that pinballs replaced (Belytschko and Lin, Comp. Meths. Appl. Mech. Engrg. 1987): slave nodes against
+/// master segments, in both directions. Each slave node is projected onto the segments near it and keeps to the one
+/// that it is nearest to; gap, normal and weights there give
+///
+///   penalty               a spring on the gap, of which each of the two passes has half;
+///   projection, lagrange  a row of the contact matrix, solved as for pinballs (ContactImpulses): projection is the
+///                         momentum-conserving correction of velocities of the 1987 method.
+///
+/// The spring of a node has k = beta/4 (sum over its segments of B R / 4 + share x B R of the master): with both passes
+/// equal meshes resist as stiffly as their pinballs, report eq. (3.11), and a flat contact under even pressure gives
+/// each node its part. As for pinballs, a penetration that approach does not explain (erosion has exposed a face deep
+/// inside another body) gives no force.
+template <class S>
+class SlidelineContact final : public Contact<S> {
+ public:
+  explicit SlidelineContact(const Model<S>& model);
+
+  void update_surface(const Model<S>& model, const std::vector<TileResult<S>>& tiles) override;
+  void search(const Model<S>& model) override;
+  ContactResult forces(const Model<S>& model, S dt) override;
+  void scatter(Model<S>& model, ContactResult& result) override;
+  void prepare_impulses(const Model<S>& model, double dt) override;
+
+  const char* name() const override { return "slideline"; }
+  void report(const Model<S>& model, std::vector<Point>& node_force, std::vector<double>& slot_radius) const override;
+  std::int32_t surface_elements() const override { return surface_.surface_elements(); }
+  std::size_t bytes() const override;
+
+ private:
+  /// What a slave node keeps from step to step.
+  struct State {
+    std::int32_t slot = -1, face = -1;  ///< of the segment that it touches; -1: none
+    S xi{}, eta{};                      ///< of its foot
+    Vec3<S> normal{};
+    S offset{};   ///< part of the depth that stores no energy [length]
+    S elastic{};  ///< depth less offset [length]
+    S stored{};   ///< spring energy [energy]
+  };
+  /// A slave node and its segment in this step.
+  struct Touch {
+    std::size_t slave;
+    std::int32_t segment;
+    FaceProjection<S> at;
+    S force = 0;      ///< on the slave, along the normal [force]
+    S stiffness = 0;  ///< [force/length]
+  };
+  struct Sums {
+    double stored = 0, damped = 0, lost = 0;
+    S ratio = 0;
+  };
+
+  /// The segment that a slave touches or, up to an open gap over the radius of the segment, may touch soon.
+  bool find_segment(const Model<S>& model, std::size_t slave, S open_gap, Touch& touch) const;
+  /// All touches, in the order of the slaves; work(touch, sums) is called for each, in parallel.
+  template <class Work>
+  Sums find_touches(const Model<S>& model, S open_gap, const Work& work);
+  void penalty_force(const Model<S>& model, Touch& touch, S dt, Sums& sums);
+  /// Carries states over to the slaves of the surface as it is now; returns the energy of the springs that went.
+  double carry_states(const std::vector<typename SlidelineSurface<S>::Slave>& before);
+
+  SlidelineSurface<S> surface_;
+  SlidelineSearch<S> search_;
+  std::vector<State> state_;  ///< per slave
+  std::vector<Touch> touches_;
+  S beta_, damping_;
+  double lost_energy_ = 0;  ///< of springs that went with eroded elements in this step
+};
+
+}  // namespace pinball

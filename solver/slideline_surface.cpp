@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <pinball/kernels/exec.hpp>
+#include <pinball/kernels/gather.hpp>
+#include <pinball/kernels/hexahedron.hpp>
+#include <pinball/solver/slideline_surface.hpp>
+
+namespace pinball {
+
+template <class S>
+bool SlidelineSurface<S>::remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles,
+                                        std::vector<Slave>& before) {
+  if (!topology_.remove_eroded(model, tiles)) return false;
+  before.swap(slaves_);
+  collect(model);
+  return true;
+}
+
+template <class S>
+void SlidelineSurface<S>::collect(const Model<S>& model) {
+  segments_.clear();
+  slaves_.clear();
+  surface_elements_ = 0;
+  for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
+    const unsigned exposed = topology_.exposed(slot);
+    if (exposed == 0) continue;
+    ++surface_elements_;
+    const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(slot)]);
+    const auto body = static_cast<std::size_t>(model.mesh.body[e]);
+    const std::int64_t pack = slot / ElementStore<S>::width;
+    const auto tile = std::upper_bound(model.tile_packs.begin(), model.tile_packs.end(), pack) - 1;
+    const auto part = model.tile_part[static_cast<std::size_t>(tile - model.tile_packs.begin())];
+    const Material& material = model.scene.materials[static_cast<std::size_t>(part)];
+    const double radius = std::cbrt(model.element_mass[e] / material.density * 3.0 / (4.0 * M_PI));
+    for (int f = 0; f < 6; ++f) {
+      if ((exposed >> f & 1U) == 0) continue;
+      Segment segment{};
+      for (int i = 0; i < 4; ++i)
+        segment.node[i] = model.elements.corner[ElementStore<S>::at(slot, face_nodes[f][i], 8)];
+      segment.slot = static_cast<std::int32_t>(slot);
+      segment.face = f;
+      segment.body = static_cast<std::int32_t>(body);
+      segment.radius = static_cast<S>(radius);
+      segment.stiffness = static_cast<S>(material.bulk_modulus * radius);
+      segments_.push_back(segment);
+      for (const std::int32_t node : segment.node) {
+        slaves_.push_back({node, segment.body, S(0.25), segment.radius, S(0.25) * segment.stiffness});
+      }
+    }
+  }
+  // One slave per node: what its segments give is added up in their order.
+  std::stable_sort(slaves_.begin(), slaves_.end(), [](const Slave& a, const Slave& b) { return a.node < b.node; });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < slaves_.size();) {
+    Slave sum = slaves_[i];
+    const std::size_t first = i++;
+    for (; i < slaves_.size() && slaves_[i].node == sum.node; ++i) {
+      sum.share += slaves_[i].share;
+      sum.radius += slaves_[i].radius;
+      sum.stiffness += slaves_[i].stiffness;
+    }
+    sum.radius /= static_cast<S>(i - first);
+    slaves_[kept++] = sum;
+  }
+  slaves_.resize(kept);
+
+  constexpr std::size_t W = native_width<S>;
+  const std::size_t packs = (segments_.size() + W - 1) / W;
+  corner_ = AlignedArray<std::int32_t>(4 * packs * W);
+  sphere_ = AlignedArray<S>(4 * packs * W);
+  plane_ = AlignedArray<S>(4 * packs * W);
+  for (std::size_t s = 0; s < packs * W; ++s) {  // padding repeats the last segment
+    const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
+    for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
+  }
+  update(model);
+}
+
+template <class S>
+void SlidelineSurface<S>::update(const Model<S>& model) {
+  using T = Pack<S, native_width<S>>;
+  constexpr int W = width_of<T>;
+  const auto count = static_cast<std::int64_t>(segments_.size());
+  parallel_for("segments", RangePolicy<>{0, (count + W - 1) / W}, [&](std::int64_t pack) {
+    Vec3<T> x[4];
+    for (int i = 0; i < 4; ++i) {
+      x[i] = gather_vectors<T>(model.nodes.position.data(), corner_.data() + (pack * 4 + i) * W);
+    }
+    const Vec3<T> centre = number<T>(0.25) * (x[0] + x[1] + x[2] + x[3]);
+    T farthest2(0);
+    for (const Vec3<T>& corner : x) farthest2 = maximum(farthest2, dot(corner - centre, corner - centre));
+    const T farthest = square_root(farthest2);
+    const Vec3<T> area = cross(x[2] - x[0], x[3] - x[1]);
+    const T size2 = dot(area, area);
+    const Vec3<T> normal = select(size2 > T(0), T(1) / square_root(size2), T(0)) * area;
+    const T warp = absolute(dot(x[0] - centre, normal));  // the same at all corners, but for its sign
+    for (int i = 0; i < W; ++i) {
+      const std::int64_t s = std::min(pack * W + i, count - 1);
+      S* flat = plane_.data() + 4 * (pack * W + i);
+      flat[0] = lane(normal.x, i);
+      flat[1] = lane(normal.y, i);
+      flat[2] = lane(normal.z, i);
+      flat[3] = lane(warp, i);
+      S* record = sphere_.data() + 4 * (pack * W + i);
+      record[0] = lane(centre.x, i);
+      record[1] = lane(centre.y, i);
+      record[2] = lane(centre.z, i);
+      record[3] = lane(farthest, i) + deepest * segments_[static_cast<std::size_t>(s)].radius;
+    }
+  });
+}
+
+template <class S>
+std::size_t SlidelineSurface<S>::bytes() const {
+  return topology_.bytes() + segments_.capacity() * sizeof(Segment) + slaves_.capacity() * sizeof(Slave) +
+         corner_.bytes() + sphere_.bytes() + plane_.bytes();
+}
+
+template class SlidelineSurface<double>;
+template class SlidelineSurface<float>;
+
+}  // namespace pinball
