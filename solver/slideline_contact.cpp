@@ -96,9 +96,10 @@ bool SlidelineContact<S>::find_segment(const Model<S>& model, std::size_t slave,
     if (!(dot(d, d) < record[3] * record[3])) continue;
     const auto& segment = surface_.segments()[static_cast<std::size_t>(candidate[c])];
     const S* flat = plane + 4 * static_cast<std::int64_t>(candidate[c]);
-    const S height = dot(d, Vec3<S>{flat[0], flat[1], flat[2]});  // over the mean plane: most are well outside
+    const Vec3<S> normal{flat[0], flat[1], flat[2]};
+    const S height = dot(d, normal);  // over the mean plane: most are well outside
     if (height > open_gap * segment.radius + flat[3] ||
-        height < S(0) - SlidelineSurface<S>::deepest * segment.radius - flat[3]) {
+        height < S(0) - SlidelineSurface<S>::deepest * segment.radius - flat[3] || !surface_.faces(slave, normal)) {
       continue;
     }
     Vec3<S> corner[4];
@@ -140,8 +141,7 @@ typename SlidelineContact<S>::Sums SlidelineContact<S>::find_touches(const Model
       State& state = state_[i];
       Touch touch{};
       if (find_segment(model, i, open_gap, touch)) {
-        work(touch, sums[p]);
-        found[p].push_back(touch);
+        if (work(touch, sums[p])) found[p].push_back(touch);
         const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
         if (touch.at.gap <= S(0)) {
           state.slot = segment.slot;
@@ -164,18 +164,19 @@ typename SlidelineContact<S>::Sums SlidelineContact<S>::find_touches(const Model
     whole.stored += sums[p].stored;
     whole.damped += sums[p].damped;
     whole.lost += sums[p].lost;
+    whole.pairs += sums[p].pairs;
     whole.ratio = maximum(whole.ratio, sums[p].ratio);
   }
   return whole;
 }
 
 template <class S>
-void SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S dt, Sums& sums) {
+bool SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S dt, Sums& sums) {
   const auto& slave = surface_.slaves()[touch.slave];
   const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
   State& state = state_[touch.slave];
   const S depth = S(0) - touch.at.gap;
-  if (!(depth > S(0))) return;
+  if (!(depth > S(0))) return false;
   const S rate = closing_rate(model.nodes.velocity, slave.node, segment.node, touch.at);
   const S approach = maximum(S(0), rate) * dt;
   const S stiffness = S(0.25) * beta_ * (slave.stiffness + slave.share * segment.stiffness);
@@ -201,20 +202,22 @@ void SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S d
   touch.stiffness = stiffness;
   sums.stored += static_cast<double>(state.stored);
   sums.damped += static_cast<double>((touch.force - stiffness * elastic) * rate);
+  ++sums.pairs;
   sums.ratio = maximum(sums.ratio, depth / (slave.radius + segment.radius));
+  return true;
 }
 
 template <class S>
 ContactResult SlidelineContact<S>::forces(const Model<S>& model, S dt) {
-  const Sums sums =
-      find_touches(model, S(0), [&](Touch& touch, Sums& partial) { penalty_force(model, touch, dt, partial); });
+  const Sums sums = find_touches(model, S(0.25),
+                                 [&](Touch& touch, Sums& partial) { return penalty_force(model, touch, dt, partial); });
   ContactResult result;
   result.stored = sums.stored;
   result.eroded = lost_energy_;
   result.damped_power = sums.damped;
   result.dissipated = sums.lost;
   result.penetration_ratio = static_cast<double>(sums.ratio);
-  result.pairs = static_cast<std::int64_t>(touches_.size());
+  result.pairs = sums.pairs;
   return result;
 }
 
@@ -247,7 +250,7 @@ void SlidelineContact<S>::scatter(Model<S>& model, ContactResult& result) {
 
 template <class S>
 void SlidelineContact<S>::prepare_impulses(const Model<S>& model, double dt) {
-  find_touches(model, S(0.5), [](Touch&, Sums&) {});
+  find_touches(model, S(0.5), [](Touch&, Sums&) { return true; });
   std::vector<ContactPair> pairs;
   pairs.reserve(touches_.size());
   for (const Touch& touch : touches_) {

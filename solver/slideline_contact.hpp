@@ -17,10 +17,10 @@ namespace pinball {
 ///   projection, lagrange  a row of the contact matrix, solved as for pinballs (ContactImpulses): projection is the
 ///                         momentum-conserving correction of velocities of the 1987 method.
 ///
-/// The spring of a node has k = beta/4 (sum over its segments of B R / 4 + share x B R of the master): with both passes
-/// equal meshes resist as stiffly as their pinballs, report eq. (3.11), and a flat contact under even pressure gives
-/// each node its part. As for pinballs, a penetration that approach does not explain (erosion has exposed a face deep
-/// inside another body) gives no force.
+/// The spring of a node has k = beta/4 (sum over its segments of K A^2/V / 4 + share x K A^2/V of the master): both
+/// passes together resist with the mean stiffness of the elements that meet, and a flat contact under even pressure
+/// gives each node its part. As for pinballs, a penetration that approach does not explain (erosion has exposed a face
+/// deep inside another body) gives no force.
 template <class S>
 class SlidelineContact final : public Contact<S> {
  public:
@@ -58,14 +58,15 @@ class SlidelineContact final : public Contact<S> {
   struct Sums {
     double stored = 0, damped = 0, lost = 0;
     S ratio = 0;
+    std::int64_t pairs = 0;
   };
 
   /// The segment that a slave touches or, up to an open gap over the radius of the segment, may touch soon.
   bool find_segment(const Model<S>& model, std::size_t slave, S open_gap, Touch& touch) const;
-  /// All touches, in the order of the slaves; work(touch, sums) is called for each, in parallel.
+  /// Touches in the order of the slaves: those for which work(touch, sums), called in parallel, returns true.
   template <class Work>
   Sums find_touches(const Model<S>& model, S open_gap, const Work& work);
-  void penalty_force(const Model<S>& model, Touch& touch, S dt, Sums& sums);
+  bool penalty_force(const Model<S>& model, Touch& touch, S dt, Sums& sums);
   /// Carries states over to the slaves of the surface as it is now; returns the energy of the springs that went.
   double carry_states(const std::vector<typename SlidelineSurface<S>::Slave>& before);
 

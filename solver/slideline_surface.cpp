@@ -1,11 +1,28 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/hexahedron.hpp>
 #include <pinball/solver/slideline_surface.hpp>
 
 namespace pinball {
+
+namespace {
+
+/// Square of the area of a face of an undeformed element [length^4].
+double squared_area(const ModelMesh& mesh, std::size_t element, int face) {
+  Vec3<double> x[4];
+  for (int i = 0; i < 4; ++i) {
+    const auto corner = static_cast<std::size_t>(face_nodes[face][i]);
+    const Point& p = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][corner])];
+    x[i] = {p[0], p[1], p[2]};
+  }
+  const Vec3<double> area = 0.5 * cross(x[2] - x[0], x[3] - x[1]);
+  return dot(area, area);
+}
+
+}  // namespace
 
 template <class S>
 bool SlidelineSurface<S>::remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles,
@@ -20,6 +37,7 @@ template <class S>
 void SlidelineSurface<S>::collect(const Model<S>& model) {
   segments_.clear();
   slaves_.clear();
+  around_.clear();
   surface_elements_ = 0;
   for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
     const unsigned exposed = topology_.exposed(slot);
@@ -31,7 +49,8 @@ void SlidelineSurface<S>::collect(const Model<S>& model) {
     const auto tile = std::upper_bound(model.tile_packs.begin(), model.tile_packs.end(), pack) - 1;
     const auto part = model.tile_part[static_cast<std::size_t>(tile - model.tile_packs.begin())];
     const Material& material = model.scene.materials[static_cast<std::size_t>(part)];
-    const double radius = std::cbrt(model.element_mass[e] / material.density * 3.0 / (4.0 * M_PI));
+    const double volume = model.element_mass[e] / material.density;
+    const auto radius = static_cast<S>(std::cbrt(volume * 3.0 / (4.0 * M_PI)));
     for (int f = 0; f < 6; ++f) {
       if ((exposed >> f & 1U) == 0) continue;
       Segment segment{};
@@ -40,29 +59,16 @@ void SlidelineSurface<S>::collect(const Model<S>& model) {
       segment.slot = static_cast<std::int32_t>(slot);
       segment.face = f;
       segment.body = static_cast<std::int32_t>(body);
-      segment.radius = static_cast<S>(radius);
-      segment.stiffness = static_cast<S>(material.bulk_modulus * radius);
+      segment.radius = radius;
+      segment.stiffness = static_cast<S>(material.bulk_modulus * squared_area(model.mesh, e, f) / volume);
       segments_.push_back(segment);
       for (const std::int32_t node : segment.node) {
         slaves_.push_back({node, segment.body, S(0.25), segment.radius, S(0.25) * segment.stiffness});
+        around_.push_back(static_cast<std::int32_t>(segments_.size() - 1));
       }
     }
   }
-  // One slave per node: what its segments give is added up in their order.
-  std::stable_sort(slaves_.begin(), slaves_.end(), [](const Slave& a, const Slave& b) { return a.node < b.node; });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < slaves_.size();) {
-    Slave sum = slaves_[i];
-    const std::size_t first = i++;
-    for (; i < slaves_.size() && slaves_[i].node == sum.node; ++i) {
-      sum.share += slaves_[i].share;
-      sum.radius += slaves_[i].radius;
-      sum.stiffness += slaves_[i].stiffness;
-    }
-    sum.radius /= static_cast<S>(i - first);
-    slaves_[kept++] = sum;
-  }
-  slaves_.resize(kept);
+  gather_slaves();
 
   constexpr std::size_t W = native_width<S>;
   const std::size_t packs = (segments_.size() + W - 1) / W;
@@ -74,6 +80,47 @@ void SlidelineSurface<S>::collect(const Model<S>& model) {
     for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
   }
   update(model);
+}
+
+/// One slave per node, sorted by node: what its segments give is added up in their order.
+template <class S>
+void SlidelineSurface<S>::gather_slaves() {
+  std::vector<std::int32_t> order(slaves_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto node_of = [this](std::int32_t i) { return slaves_[static_cast<std::size_t>(i)].node; };
+  std::sort(order.begin(), order.end(), [&node_of](std::int32_t a, std::int32_t b) {
+    return node_of(a) != node_of(b) ? node_of(a) < node_of(b) : a < b;
+  });
+  std::vector<Slave> gathered;
+  std::vector<std::int32_t> around;
+  around.reserve(order.size());
+  around_first_.assign(1, 0);
+  for (std::size_t i = 0; i < order.size();) {
+    Slave sum = slaves_[static_cast<std::size_t>(order[i])];
+    const std::size_t first = i;
+    around.push_back(around_[static_cast<std::size_t>(order[i++])]);
+    for (; i < order.size() && node_of(order[i]) == sum.node; ++i) {
+      const Slave& more = slaves_[static_cast<std::size_t>(order[i])];
+      around.push_back(around_[static_cast<std::size_t>(order[i])]);
+      sum.share += more.share;
+      sum.radius += more.radius;
+      sum.stiffness += more.stiffness;
+    }
+    sum.radius /= static_cast<S>(i - first);
+    gathered.push_back(sum);
+    around_first_.push_back(static_cast<std::int32_t>(around.size()));
+  }
+  slaves_.swap(gathered);
+  around_.swap(around);
+}
+
+template <class S>
+bool SlidelineSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const {
+  for (std::int32_t a = around_first_[slave]; a < around_first_[slave + 1]; ++a) {
+    const S* own = plane_.data() + 4 * static_cast<std::int64_t>(around_[static_cast<std::size_t>(a)]);
+    if (own[0] * normal.x + own[1] * normal.y + own[2] * normal.z < S(-0.5)) return true;
+  }
+  return false;
 }
 
 template <class S>
@@ -113,7 +160,7 @@ void SlidelineSurface<S>::update(const Model<S>& model) {
 template <class S>
 std::size_t SlidelineSurface<S>::bytes() const {
   return topology_.bytes() + segments_.capacity() * sizeof(Segment) + slaves_.capacity() * sizeof(Slave) +
-         corner_.bytes() + sphere_.bytes() + plane_.bytes();
+         (around_.capacity() + around_first_.capacity()) * 4 + corner_.bytes() + sphere_.bytes() + plane_.bytes();
 }
 
 template class SlidelineSurface<double>;

@@ -19,7 +19,7 @@ class SlidelineSurface {
     std::int32_t face;     ///< in the order of face_nodes
     std::int32_t body;
     S radius;     ///< of the ball of the element's volume, report eq. (3.2): its size [length]
-    S stiffness;  ///< bulk modulus times radius [force/length]
+    S stiffness;  ///< K A^2 / V, of the undeformed element (Hallquist, Goudreau and Benson 1985) [force/length]
   };
   struct Slave {
     std::int32_t node;  ///< of the node store
@@ -41,6 +41,9 @@ class SlidelineSurface {
   /// Spheres and planes of all segments.
   void update(const Model<S>& model);
 
+  /// Whether a segment that the slave belongs to looks at a normal within 60 degrees. A node of a flat surface does not
+  /// touch a face that moves along this surface.
+  bool faces(std::size_t slave, const Vec3<S>& normal) const;
   bool exposed(std::int32_t slot, std::int32_t face) const { return (topology_.exposed(slot) >> face & 1) != 0; }
   std::int32_t surface_elements() const { return surface_elements_; }
   const std::vector<Segment>& segments() const { return segments_; }
@@ -54,11 +57,14 @@ class SlidelineSurface {
 
  private:
   void collect(const Model<S>& model);
+  void gather_slaves();
 
   Surface topology_;
   std::vector<Segment> segments_;  ///< sorted by slot and face
   std::vector<Slave> slaves_;
-  AlignedArray<std::int32_t> corner_;  ///< of the segments, in tiles of W
+  std::vector<std::int32_t> around_;        ///< segments around each slave, one after the other
+  std::vector<std::int32_t> around_first_;  ///< per slave and one more: into around_
+  AlignedArray<std::int32_t> corner_;       ///< of the segments, in tiles of W
   AlignedArray<S> sphere_, plane_;
   std::int32_t surface_elements_ = 0;
 };

@@ -42,6 +42,7 @@ class Solver {
   double balance_error() const;
   double initial_energy() const { return initial_energy_; }
   Point momentum() const;
+  std::int64_t contact_pairs() const { return pairs_; }  ///< in contact at force_time()
   std::int64_t eroded_elements() const { return eroded_elements_; }
 
   HistoryRow history_row() const;
@@ -81,7 +82,7 @@ class Solver {
   Point initial_momentum_{};
   std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0;
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;
-  std::int64_t pairs_max_ = 0;
+  std::int64_t pairs_ = 0, pairs_max_ = 0;
   double dt_min_ = 0, dt_max_ = 0;
   std::string dt_limited_by_;
 };

@@ -79,7 +79,8 @@ void Solver<S>::advance(bool last) {
   eroded_elements_ += internal.eroded_count;
   balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
   penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);
-  pairs_max_ = std::max(pairs_max_, contact.pairs);
+  pairs_ = contact.pairs;
+  pairs_max_ = std::max(pairs_max_, pairs_);
   check_state(internal, kinetic);
   if (!last) ++steps_;
 }

@@ -116,9 +116,10 @@ std::vector<VerificationRow> verify_two_blocks(const Scene& scene) {
   };
 }
 
-std::vector<VerificationRow> verify_rod_plate(const Scene& scene) {
-  Solver<double> solver(scene);
-  const HistoryRow start = solver.history_row();
+namespace {
+
+/// What has to hold whatever the contact; name: put before each quantity.
+std::vector<VerificationRow> compare_invariants(Solver<double>& solver, const std::string& name) {
   const Point before = solver.momentum();
   double worst = 0;
   run_to_end(solver, [&] { worst = std::max(worst, std::abs(solver.balance_error())); });
@@ -134,18 +135,39 @@ std::vector<VerificationRow> verify_rod_plate(const Scene& scene) {
     for (std::size_t k = 0; k < 3; ++k) not_finite += !std::isfinite(x[k]) || !std::isfinite(v[k]);
   }
   return {
+      compare(name + "momentum along x at the end [lbf s]", after[0], before[0], 1e-10, "conservation"),
+      compare(name + "momentum along z at the end [lbf s]", after[2], before[2], 1e-10, "conservation"),
+      compare_with_zero(name + "largest error of the energy balance", worst, 1e-2, "conservation"),
+      compare_with_zero(name + "deepest node beyond the plane of symmetry [in]", deepest, 1e-9, "symmetry"),
+      compare_with_zero(name + "coordinates that are not finite", static_cast<double>(not_finite), 0, "stability"),
+  };
+}
+
+}  // namespace
+
+std::vector<VerificationRow> verify_rod_plate(const Scene& scene) {
+  Solver<double> solver(scene);
+  const HistoryRow start = solver.history_row();
+  std::vector<VerificationRow> rows{
       compare("elements of the rod", static_cast<double>(start.bodies[0].elements), 414, 0, "report, figure 9"),
       compare("elements of the plate", static_cast<double>(start.bodies[1].elements), 1428, 0, "report, figure 9"),
       compare("mass of the rod [lbf s^2/in]", start.bodies[0].mass_initial,
               mesh_mass(solver, 0, scene.materials[0].density), 1e-12, "Gauss quadrature of the mesh"),
       compare("mass of the plate [lbf s^2/in]", start.bodies[1].mass_initial,
               scene.materials[1].density * 7.9 * 3.95 * 0.375, 1e-12, "length x width x thickness"),
-      compare("momentum along x at the end [lbf s]", after[0], before[0], 1e-10, "conservation"),
-      compare("momentum along z at the end [lbf s]", after[2], before[2], 1e-10, "conservation"),
-      compare_with_zero("largest error of the energy balance", worst, 1e-2, "conservation"),
-      compare_with_zero("deepest node beyond the plane of symmetry [in]", deepest, 1e-9, "symmetry"),
-      compare_with_zero("coordinates that are not finite", static_cast<double>(not_finite), 0, "stability"),
   };
+  const auto add = [&rows](const std::vector<VerificationRow>& more) {
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
+  add(compare_invariants(solver, ""));
+  for (const Enforcement enforcement : {Enforcement::penalty, Enforcement::projection, Enforcement::lagrange}) {
+    Scene slideline = scene;
+    slideline.contact.method = ContactMethod::slideline;
+    slideline.contact.enforcement = enforcement;
+    Solver<double> old(slideline);
+    add(compare_invariants(old, std::string("slideline, ") + enforcement_name(enforcement) + ": "));
+  }
+  return rows;
 }
 
 }  // namespace pinball

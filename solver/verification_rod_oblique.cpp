@@ -30,6 +30,10 @@ Outcome run_rod(const Scene& scene) {
 
 std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
   const Outcome penalty = run_rod(scene);
+  Scene old = scene;
+  old.contact.method = ContactMethod::slideline;
+  old.contact.enforcement = Enforcement::projection;
+  const Outcome slideline = run_rod(old);
   SceneOverrides finer;
   finer.set = {"contact.enforcement=lagrange"};
   finer.refine = 2;
@@ -37,6 +41,9 @@ std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
   return {
       compare_with_zero("penalty: drift of momentum", penalty.momentum_drift, 1e-10, "conservation"),
       compare_with_zero("penalty: largest error of the energy balance", penalty.balance_error, 1e-2, "conservation"),
+      compare_with_zero("slideline, projection: drift of momentum", slideline.momentum_drift, 1e-10, "conservation"),
+      compare_with_zero("slideline, projection: largest error of the energy balance", slideline.balance_error, 1e-3,
+                        "conservation"),
       compare_with_zero("lagrange, --refine 2: drift of momentum", lagrange.momentum_drift, 1e-10, "conservation"),
       compare_with_zero("lagrange, --refine 2: largest error of the energy balance", lagrange.balance_error, 1e-3,
                         "conservation"),

@@ -122,7 +122,7 @@ class ImpactRun {
   bool in_contact() const {
     for (const WallResult& wall : solver_.boundary().walls())
       if (wall.force > 0) return true;
-    return solver_.energies().contact_stored > 0;
+    return solver_.contact_pairs() > 0;
   }
 
   void measure_contact_radius(double time, double radius) {
@@ -215,7 +215,21 @@ std::vector<VerificationRow> verify_sphere_wall_full(const Scene& scene) {
 
 std::vector<VerificationRow> verify_sphere_sphere(const Scene& scene) {
   const ReferenceTable reference(scene.path, "sphere_wall_converged.csv");
-  return compare_impact(ImpactRun(scene).run(), reference);
+  std::vector<VerificationRow> rows = compare_impact(ImpactRun(scene).run(), reference);
+  for (const Enforcement enforcement : {Enforcement::penalty, Enforcement::projection, Enforcement::lagrange}) {
+    Scene slideline = scene;
+    slideline.contact.method = ContactMethod::slideline;
+    slideline.contact.enforcement = enforcement;
+    // At beta = 1 the springs let the spheres approach by 3.5 % more, in a contact that lasts 2.4 % longer.
+    slideline.contact.beta = 5;
+    for (VerificationRow& row : compare_impact(ImpactRun(slideline).run(), reference)) {
+      const bool penalty = enforcement == Enforcement::penalty;
+      row.quantity =
+          fmt::format("slideline, {}{}: {}", enforcement_name(enforcement), penalty ? ", beta 5" : "", row.quantity);
+      rows.push_back(row);
+    }
+  }
+  return rows;
 }
 
 }  // namespace pinball
