@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limits>
+#include <cmath>
 #include <pinball/kernels/macros.hpp>
 #include <pinball/kernels/simd.hpp>
 #include <pinball/kernels/tensor.hpp>
@@ -41,11 +41,11 @@ PINBALL_FUNCTION void face_weights_at(S xi, S eta, S (&weight)[4]) {
 template <class S>
 PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], const Vec3<S>& node, S xi, S eta) {
   constexpr int most_iterations = 12;
-  constexpr S tolerance = S(64) * std::numeric_limits<S>::epsilon();
+  constexpr S tolerance = sizeof(S) == 8 ? S(1e-14) : S(1e-5);
   constexpr S far = S(3);  // a foot out there is of no use: it keeps the iteration from running away
   const Vec3<S> twist = S(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));  // d2x/dxi deta
   FaceProjection<S> result;
-  result.outside = std::numeric_limits<S>::infinity();
+  result.outside = static_cast<S>(INFINITY);
   bool found = false;
   for (int i = 0; i < most_iterations && !found; ++i) {
     const Vec3<S> t1 = face_tangent(x, 0, eta), t2 = face_tangent(x, 1, xi);

@@ -102,6 +102,22 @@ std::string output_text(const Scene& scene, const Units& units) {
 }
 
 template <class S>
+void print_contact(const Contact<S>& contact, const ContactSettings& c, std::int64_t elements) {
+  const bool pinball = c.method == ContactMethod::pinball;
+  std::string how;
+  if (c.enforcement == Enforcement::penalty) {
+    how = fmt::format(", beta {:.4g}, damping {:.4g} of critical", c.beta, c.damping);
+  } else if (pinball) {
+    how = fmt::format(", gap between {}", c.gap == ContactGap::face ? "faces" : "pinballs");
+  }
+  if (pinball) how += c.radius == ContactRadius::initial ? ", initial radius" : ", current radius";
+  if (c.self) how += ", bodies may touch themselves";
+  fmt::print("  contact: {} on {} of {} elements, {} enforcement{}\n",
+             pinball ? "pinballs" : "slideline: nodes against faces", contact.surface_elements(), elements,
+             enforcement_name(c.enforcement), how);
+}
+
+template <class S>
 void print_what_runs(const Solver<S>& solver, const Units& units) {
   const Model<S>& model = solver.model();
   const Scene& scene = model.scene;
@@ -122,17 +138,9 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     fmt::print("\n");
   }
   if (solver.contact() != nullptr) {
-    const ContactSettings& c = scene.contact;
-    fmt::print(
-        "  contact: pinballs on {} of {} elements, {} enforcement, {}{} "
-        "radius{}\n",
-        solver.contact()->surface_elements(), model.element_count(), enforcement_name(c.enforcement),
-        c.enforcement == Enforcement::penalty
-            ? fmt::format("beta {:.4g}, damping {:.4g} of critical, ", c.beta, c.damping)
-            : fmt::format("gap between {}, ", c.gap == ContactGap::face ? "faces" : "pinballs"),
-        c.radius == ContactRadius::initial ? "initial" : "current", c.self ? ", bodies may touch themselves" : "");
+    print_contact(*solver.contact(), scene.contact, model.element_count());
     if (scene.skip.contact_search) {
-      fmt::print("  contact search: when something has moved by half the skin of {:.4g} radii\n", c.skin);
+      fmt::print("  contact search: when something has moved by half the skin of {:.4g} radii\n", scene.contact.skin);
     } else {
       fmt::print("  contact search: at every step\n");
     }
@@ -171,7 +179,8 @@ void print_what_is_skipped(const Solver<S>& solver) {
     const std::int64_t inner = model.element_count() - solver.contact()->surface_elements();
     if (inner > 0) skip(fmt::format("contact of {} elements", inner), "none of their faces is exposed");
     if (!scene.contact.self) skip("contact of a body with itself", "off in the scene (contact.self)");
-    if (scene.contact.radius == ContactRadius::initial) skip("update of the pinball radii", "contact.radius = initial");
+    if (scene.contact.method == ContactMethod::pinball && scene.contact.radius == ContactRadius::initial)
+      skip("update of the pinball radii", "contact.radius = initial");
     if (scene.contact.damping == 0) skip("contact damping", "contact.damping = 0");
   }
   if (scene.constraints.empty() && scene.fixed_constraints.empty()) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/slideline_contact.hpp>
 
@@ -175,7 +176,9 @@ bool SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S d
   const auto& slave = surface_.slaves()[touch.slave];
   const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
   State& state = state_[touch.slave];
-  const S depth = S(0) - touch.at.gap;
+  // Faces that rest on each other have gaps of round-off, which differ with the segment that a node finds.
+  const S round_off = S(4096) * std::numeric_limits<S>::epsilon() * segment.radius;
+  const S depth = S(0) - touch.at.gap - round_off;
   if (!(depth > S(0))) return false;
   const S rate = closing_rate(model.nodes.velocity, slave.node, segment.node, touch.at);
   const S approach = maximum(S(0), rate) * dt;

@@ -281,9 +281,12 @@ TEST_F(SceneTest, ChoicesListWhatIsAllowed) {
             "\"pinball_radius\" or \"alive\", got \"stres\"");
 }
 
+TEST_F(SceneTest, AMisspeltContactIsRefused) {
+  EXPECT_EQ(error(with({"[contact]", "method = \"sideline\""})),
+            "16:10: contact.method: expected \"none\", \"pinball\" or \"slideline\", got \"sideline\"");
+}
+
 TEST_F(SceneTest, WhatThisVersionLacksIsSaid) {
-  EXPECT_EQ(error(with({"[contact]", "method = \"slideline\""})),
-            "16:10: contact.method: \"slideline\" is not available in this version, expected \"none\" or \"pinball\"");
   EXPECT_EQ(set_error("contact.gap=face"),
             "--set contact.gap=face: \"face\" needs enforcement = \"projection\" or \"lagrange\" in this "
             "version");

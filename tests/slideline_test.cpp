@@ -1,0 +1,249 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <pinball/solver/slideline_search.hpp>
+#include <pinball/solver/slideline_surface.hpp>
+#include <pinball/solver/verification.hpp>
+#include <random>
+
+#include "solver_case.hpp"
+
+/// Contact of slave nodes with master segments, through the solver and piece by piece.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+class Slideline : public testing::TestWithParam<Enforcement> {
+ protected:
+  Scene slideline(Scene scene) const {
+    scene.contact.method = ContactMethod::slideline;
+    scene.contact.enforcement = GetParam();
+    return scene;
+  }
+  bool penalty() const { return GetParam() == Enforcement::penalty; }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Slideline,
+                         testing::Values(Enforcement::penalty, Enforcement::projection, Enforcement::lagrange),
+                         [](const auto& test) { return std::string(enforcement_name(test.param)); });
+
+double body_velocity(const Solver<double>& solver, std::size_t body, std::size_t axis) {
+  return solver.history_row().bodies[body].velocity[axis];
+}
+
+TEST_P(Slideline, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
+  const double h = 0.1;
+  const Scene scene = slideline(scene_of(
+      {block("a", {3, 3, 3}, h, {0, 0, 0}, {0, 0, 10}), block("b", {3, 3, 3}, h, {0, 0, 3.01 * h}, {0, 0, -10})},
+      6e-4));
+  Solver<double> solver(scene);
+  EXPECT_STREQ(solver.contact()->name(), "slideline");
+  double worst = 0;
+  run_to_end(solver, [&] {
+    worst = std::max(worst, std::abs(solver.balance_error()));
+    for (const double p : solver.momentum()) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
+  });
+  if (penalty()) {
+    // The first and the last force of a spring work over whole steps, of which it touches for a part.
+    Scene fine = scene;
+    fine.time.cfl = 0.1;
+    Solver<double> fine_solver(fine);
+    double fine_worst = 0;
+    run_to_end(fine_solver, [&] { fine_worst = std::max(fine_worst, std::abs(fine_solver.balance_error())); });
+    EXPECT_LT(fine_worst, 1e-2);  // the damping begins at once: first order
+    EXPECT_LT(fine_worst, 0.2 * worst);
+  } else {
+    EXPECT_LT(worst, 2e-3);
+  }
+  EXPECT_LT(body_velocity(solver, 0, 2), -7);
+  EXPECT_GT(body_velocity(solver, 0, 2), -10);
+  EXPECT_NEAR(body_velocity(solver, 0, 2), -body_velocity(solver, 1, 2), 1e-9);
+}
+
+TEST_P(Slideline, ObliqueImpactsKeepMomentumAndEnergy) {
+  const double h = 0.1;
+  for (const Point& axis : {Point{1, 0.9, 1.1}, Point{0, 1, 1.2}, Point{0.1, 0.05, 1}}) {
+    Scene scene = slideline(scene_of({block("a", {4, 4, 3}, h, {-0.2, -0.2, 0}, {0, 0, 10}),
+                                      block("b", {3, 3, 3}, h, {0.05, 0.02, 0.65}, {10, -5, -70})},
+                                     8e-3));
+    scene.bodies[1].axis = axis;
+    scene.bodies[1].angular_velocity = {30, 10, -20};
+    Solver<double> solver(scene);
+    const Point before = angular_momentum(solver), momentum = solver.momentum();
+    const double scale = 7850 * 0.027 * 70, energy = kinetic_energy(solver);
+    run_to_end(solver);
+    EXPECT_GT(std::abs(solver.energies().contact_damped), 1e-6 * energy) << "they are to touch";
+    EXPECT_LT(std::abs(solver.balance_error()), 0.01);
+    const Point after = angular_momentum(solver);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(solver.momentum()[k], momentum[k], 1e-11 * scale);
+      EXPECT_NEAR(after[k], before[k], 0.01 * scale * 0.3);
+    }
+    EXPECT_EQ(solver.contact_pairs(), 0) << "they separate";
+  }
+}
+
+TEST_P(Slideline, BodiesThatTouchAtRestStayAtRest) {
+  Scene scene =
+      slideline(scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}), block("b", {2, 2, 2}, 0.15, {0, 0, 0.3})}, 1e-3));
+  Solver<double> solver(scene);
+  run_to_end(solver);
+  EXPECT_EQ(kinetic_energy(solver), 0);
+}
+
+TEST_P(Slideline, APlateOneElementThickIsHitFromBothSides) {
+  const double h = 0.1;
+  const auto plate_velocity = [&](double sign) {
+    const double corner = sign > 0 ? 1.01 * h : -2.01 * h;
+    Scene scene = slideline(scene_of({block("plate", {6, 6, 1}, h, {-0.3, -0.3, 0}),
+                                      block("block", {2, 2, 2}, h, {-0.1, -0.1, corner}, {0, 0, -sign * 20})},
+                                     1e-3));
+    Solver<double> solver(scene);
+    run_to_end(solver);
+    EXPECT_LT(std::abs(solver.balance_error()), 0.03);
+    EXPECT_GT(sign * (body_velocity(solver, 1, 2) - body_velocity(solver, 0, 2)), 0) << "they separate";
+    return body_velocity(solver, 0, 2);
+  };
+  const double from_above = plate_velocity(1), from_below = plate_velocity(-1);
+  EXPECT_LT(from_above, -1);
+  // Nodes on the common edge of two segments belong to one of them, which round-off decides.
+  EXPECT_NEAR(from_below, -from_above, 0.01 * from_below);
+}
+
+TEST_P(Slideline, ABodyStopsAtTheSurfaceThatErosionHasExposed) {
+  const double h = 0.1;
+  Scene scene = slideline(scene_of(
+      {block("target", {4, 4, 4}, h, {0, 0, 0}), block("block", {2, 2, 2}, h, {0.1, 0.1, 4.5 * h}, {0, 0, -50})},
+      6e-3));
+  scene.materials = {plastic_material("steel", 1e10, 1.0)};
+  Solver<double> solver(scene);
+  solver.step();
+  EXPECT_EQ(solver.contact()->surface_elements(), 64 - 8 + 8);
+  std::vector<std::size_t> top;
+  for (std::size_t e = 48; e < 64; ++e) top.push_back(e);
+  strain_to_failure(solver, top);
+  const Point before = solver.momentum();
+  solver.step();
+  EXPECT_EQ(solver.eroded_elements(), 16);
+  EXPECT_EQ(solver.contact()->surface_elements(), 48 - 4 + 8);
+  double lowest = 1;
+  run_to_end(solver, [&] {
+    for (std::size_t n = 125; n < 125 + 9; ++n) lowest = std::min(lowest, position_of(solver, n)[2]);
+  });
+  EXPECT_GT(lowest, 2.8 * h) << "stopped by the layer below";
+  EXPECT_LT(lowest, 3.2 * h) << "not by the nodes of what has eroded";
+  EXPECT_GT(body_velocity(solver, 1, 2), body_velocity(solver, 0, 2));
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-9 * std::abs(before[2]));
+}
+
+/// A block is pressed on a held one of another mesh and slides over it for three of its elements. Returns how much its
+/// height varies, over the size of an element.
+double bumps(Scene scene) {
+  const double h = 0.1;
+  scene.bodies = {block("floor", {16, 6, 1}, h, {-0.3, -0.3, -h}),
+                  block("slider", {3, 3, 2}, 0.8 * h, {-0.12, -0.12, 0}, {100, 0, 0})};
+  FixedConstraint floor;
+  floor.nodes.body = "floor";
+  floor.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.fixed_constraints = {floor};
+  NodalLoad load;
+  load.nodes.body = "slider";
+  load.force = {0, 0, -2e5};
+  scene.loads = {load};
+  scene.damping.mass = 500;
+  scene.time.end = 5e-3;
+  Solver<double> solver(scene);
+  double low = 1, high = -1;
+  run_to_end(solver, [&] {
+    if (solver.time() < 2e-3) return;  // it has come to rest in height
+    double sum = 0;
+    int count = 0;
+    const ModelMesh& mesh = solver.model().mesh;
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      if (mesh.body_of_node[n] == 1) sum += position_of(solver, n)[2], ++count;
+    }
+    low = std::min(low, sum / count);
+    high = std::max(high, sum / count);
+  });
+  return (high - low) / h;
+}
+
+TEST_P(Slideline, SlidesSmoothlyOverAFlatSurface) {
+  // What balls cannot do: the report says that their surface is bumpy.
+  const double slideline_bumps = bumps(slideline(scene_of({}, 1)));
+  EXPECT_LT(slideline_bumps, 2e-3);
+  if (penalty()) {
+    EXPECT_GT(bumps(scene_of({}, 1)), 10 * slideline_bumps);
+  }
+}
+
+TEST_P(Slideline, ANodeThatSlidesOverAnEdgeIsFree) {
+  // A block moves along the top of another until it hangs over its edge: nothing may hold it back.
+  const double h = 0.1;
+  Scene scene = slideline(
+      scene_of({block("a", {3, 3, 3}, h, {0, 0, 0}), block("b", {2, 2, 2}, h, {0.05, 0.05, 0.3}, {150, 0, -2})}, 3e-3));
+  Solver<double> solver(scene);
+  const double before = body_velocity(solver, 1, 0);
+  run_to_end(solver);
+  EXPECT_GT(position_of(solver, 64)[0], 0.4) << "it is to have left";
+  EXPECT_NEAR(body_velocity(solver, 1, 0), before, 0.01 * before);
+}
+
+TEST(SlidelineSurface, CountsSegmentsAndSharesOfSlaves) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1);
+  const Model<double> model = build_model<double>(scene);
+  const SlidelineSurface<double> surface(model);
+  EXPECT_EQ(surface.segments().size(), 24);
+  EXPECT_EQ(surface.slaves().size(), 26);
+  double share = 0, stiffness = 0;
+  for (const auto& slave : surface.slaves()) {
+    share += slave.share;
+    stiffness += slave.stiffness;
+    EXPECT_NEAR(slave.radius, 0.1 * std::cbrt(3 / (4 * M_PI)), 1e-15);
+  }
+  EXPECT_NEAR(share, 24, 1e-13);
+  EXPECT_NEAR(stiffness, 24 * model.scene.materials[0].bulk_modulus * 0.1, 1e-3);  // K A^2 / V = K h
+}
+
+TEST(SlidelineSearch, ListsEveryNodeThatIsNearASegment) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int round = 0; round < 4; ++round) {
+    Scene scene = scene_of({block("a", {4, 3, 2}, 0.1, {0, 0, 0}), block("b", {3, 3, 3}, 0.07, {0.05, 0.1, 0.21}),
+                            block("c", {1, 1, 1}, 0.3, {-0.31, 0, 0})},
+                           1);
+    Model<double> model = build_model<double>(scene);
+    for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += 0.02 * uniform(generator);
+    SlidelineSurface<double> surface(model);
+    SlidelineSearch<double> search(model);
+    const double skin = 0.02;
+    search.build(model, surface, skin);
+    // Everything moves by less than half of the skin, less what segments grow by.
+    const double step = round == 0 ? 0 : 0.001;
+    for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += step * uniform(generator);
+    surface.update(model);
+    ASSERT_TRUE(search.holds(model, surface));
+    std::int64_t near = 0;
+    for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
+      const auto& slave = surface.slaves()[i];
+      const double* x = model.nodes.position.data() + 4 * static_cast<std::int64_t>(slave.node);
+      const std::int32_t* first = search.candidates(i);
+      for (std::size_t s = 0; s < surface.segments().size(); ++s) {
+        if (surface.segments()[s].body == slave.body) continue;
+        const double* sphere = surface.sphere().data() + 4 * s;
+        if (std::hypot(x[0] - sphere[0], x[1] - sphere[1], x[2] - sphere[2]) >= sphere[3]) continue;
+        ++near;
+        EXPECT_EQ(std::count(first, first + search.count(i), static_cast<std::int32_t>(s)), 1);
+      }
+    }
+    EXPECT_GT(near, 100);
+    model.nodes.position[4] += skin;
+    surface.update(model);
+    EXPECT_FALSE(search.holds(model, surface));
+  }
+}
+
+}  // namespace
+}  // namespace pinball
