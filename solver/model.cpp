@@ -13,14 +13,6 @@ namespace pinball {
 
 namespace {
 
-Point centre_of(const ModelMesh& mesh, std::size_t element) {
-  Point c{};
-  for (const std::int32_t node : mesh.hexahedra[element]) {
-    for (std::size_t k = 0; k < 3; ++k) c[k] += mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
-  }
-  return c;
-}
-
 template <class S>
 ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus;
@@ -79,7 +71,7 @@ void set_initial_velocity(Model<S>& model) {
   std::vector<double> mass(bodies, 0.0);
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     const auto b = static_cast<std::size_t>(model.mesh.body[e]);
-    const Point c = centre_of(model.mesh, e);
+    const Point c = element_centre(model.mesh, e);
     for (std::size_t k = 0; k < 3; ++k) centroid[b][k] += model.element_mass[e] * c[k];
     mass[b] += model.element_mass[e];
   }
@@ -146,7 +138,7 @@ Model<S> build_model(const Scene& scene) {
     std::vector<std::size_t> material_of_body;
     for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
     std::vector<Point> centres(count);
-    for (std::size_t e = 0; e < count; ++e) centres[e] = centre_of(model.mesh, e);
+    for (std::size_t e = 0; e < count; ++e) centres[e] = element_centre(model.mesh, e);
     for (const std::int32_t e : space_filling_order(centres)) {
       members[material_of_body[static_cast<std::size_t>(model.mesh.body[static_cast<std::size_t>(e)])]].push_back(e);
     }
