@@ -7,6 +7,7 @@
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/ordering.hpp>
+#include <pinball/solver/point.hpp>
 #include <random>
 
 namespace pinball {
@@ -83,10 +84,9 @@ void set_initial_velocity(Model<S>& model) {
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
     const auto b = static_cast<std::size_t>(model.mesh.body_of_node[n]);
     const Body& body = model.scene.bodies[b];
-    Point r{}, v = body.velocity;
-    for (std::size_t k = 0; k < 3; ++k) r[k] = model.mesh.nodes[n][k] - centroid[b][k];
-    const Point& w = body.angular_velocity;
-    const Point spin{w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]};
+    Point v = body.velocity;
+    const Point r = minus(model.mesh.nodes[n], centroid[b]);
+    const Point spin = cross(body.angular_velocity, r);
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& g = body.velocity_gradient[k];
       v[k] += spin[k] + g[0] * r[0] + g[1] * r[1] + g[2] * r[2];

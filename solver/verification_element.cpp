@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <pinball/solver/point.hpp>
 #include <pinball/solver/verification.hpp>
 #include <random>
 
@@ -16,10 +17,6 @@ double largest_of(const Stress& s) {
   double largest = 0;
   for (const double c : s) largest = std::max(largest, std::abs(c));
   return largest;
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// About the origin; exact after finish(), when positions and velocities belong to one time.
