@@ -80,9 +80,8 @@ void write_json(const std::string& path, const std::vector<VerificationRow>& row
 }  // namespace
 
 int verify_command(const VerifyOptions& options) {
-#if defined(_OPENMP)
-  omp_set_num_threads(1);  // small scenes of many steps: threads would wait for each other most of the time
-#endif
+  // Small scenes of many steps: threads would wait for each other most of the time.
+  DefaultExecutionSpace::set_concurrency(1);
   std::vector<VerificationRow> rows;
   for (const VerificationCase& verification : chosen_cases(options.scenes)) {
     const std::vector<VerificationRow> more = verify_scene(verification);
