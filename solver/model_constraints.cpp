@@ -16,17 +16,6 @@ struct Held {
   std::int32_t table = -1;  ///< of the prescribed velocity; -1: a constraint
 };
 
-/// Subtracts the parts along an orthonormal basis; returns the length of what is left, which becomes a unit vector.
-double make_orthogonal(Point& d, const std::vector<Point>& basis) {
-  for (const Point& b : basis) {
-    const double along = dot(d, b);
-    for (std::size_t k = 0; k < 3; ++k) d[k] -= along * b[k];
-  }
-  const double length = std::sqrt(dot(d, d));
-  for (double& v : d) v /= length > 0 ? length : 1;
-  return length;
-}
-
 /// The directions of a fixed constraint at a place, in global components. On the axis of a cylindrical frame nothing
 /// tells radial from circumferential: a direction that is not purely axial holds the node across the axis altogether.
 std::vector<Point> directions_at(const FixedConstraint& fixed, const Point& place, double tolerance) {
