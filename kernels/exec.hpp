@@ -17,11 +17,13 @@ namespace pinball {
 
 struct Serial {
   static int concurrency() { return 1; }
+  static void set_concurrency(int /*threads*/) {}
 };
 
 #if defined(_OPENMP)
 struct OpenMP {
   static int concurrency() { return omp_get_max_threads(); }
+  static void set_concurrency(int threads) { omp_set_num_threads(threads); }
 };
 using DefaultExecutionSpace = OpenMP;
 #else

@@ -30,18 +30,18 @@ template <class S>
 void BoundaryConditions<S>::apply(Model<S>& model, double time, const StepLengths& step) {
   if (!loads_.empty()) add_loads(model, time);
   if (damping_ > 0) add_damping(model);
-  constrain(model);
-  if (model.prescribed.empty()) return;
   std::fill(reaction_.begin(), reaction_.end(), S(0));
-  prescribe(model, time, step);
+  hold(model, time, step);
 }
 
 template <class S>
-void BoundaryConditions<S>::complete(Model<S>& model, double time, const StepLengths& step, bool changed) {
-  if (changed) {
-    constrain(model);
-    if (!model.prescribed.empty()) prescribe(model, time, step);
-  }
+void BoundaryConditions<S>::hold(Model<S>& model, double time, const StepLengths& step) {
+  constrain(model);
+  if (!model.prescribed.empty()) prescribe(model, time, step);
+}
+
+template <class S>
+void BoundaryConditions<S>::complete(Model<S>& model, const StepLengths& step) {
   if (walls_.any()) walls_.apply(model, step);
   if (!acts_) return;
   done_ += last_.now + last_.later;

@@ -24,8 +24,10 @@ class BoundaryConditions {
   /// Changes the forces (and, in constrained directions, the velocities) of the nodes, after all other forces are known
   /// and before the integration: all but the walls. time: of the forces.
   void apply(Model<S>& model, double time, const StepLengths& step);
-  /// The walls, and the work of all. changed: contact has added forces since apply.
-  void complete(Model<S>& model, double time, const StepLengths& step, bool changed);
+  /// Constraints and prescribed velocities: the last part of apply, and once more where contact has added forces since.
+  void hold(Model<S>& model, double time, const StepLengths& step);
+  /// The walls, and the work of all.
+  void complete(Model<S>& model, const StepLengths& step);
 
   double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
   const std::vector<WallResult>& walls() const { return walls_.results(); }

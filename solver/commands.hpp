@@ -8,12 +8,22 @@
 /// RunError.
 namespace pinball {
 
-struct RunOptions {
+/// What all that runs a scene has in common.
+struct SceneOptions {
   std::string scene;  ///< name or path, not yet looked up
   SceneOverrides overrides;
-  std::string out;     ///< folder for the results; empty: out/<scene>
   int threads = 0;     ///< 0: what OpenMP takes by default
   bool quiet = false;  ///< no progress on the terminal
+};
+
+struct RunOptions : SceneOptions {
+  std::string out;  ///< folder for the results; empty: out/<scene>
+};
+
+struct CompareOptions : SceneOptions {
+  std::vector<std::string> vary;  ///< "KEY=V1,V2,..."; empty: contact.method=pinball,slideline
+  int repeats = 3;
+  std::string json;  ///< file for the table of results; empty: none
 };
 
 struct VerifyOptions {
@@ -26,6 +36,9 @@ int run_command(const RunOptions& options);
 
 /// Prints what a scene holds, what will run and what is skipped.
 int info_command(const RunOptions& options);
+
+/// Runs a scene with each combination of values, side by side, and prints one table; 1 if a variant fails.
+int compare_command(const CompareOptions& options);
 
 /// Runs the verification scenes and compares them with their references; 1 if one fails.
 int verify_command(const VerifyOptions& options);

@@ -253,9 +253,7 @@ void print_info(const Scene& scene) {
 }  // namespace
 
 int info_command(const RunOptions& options) {
-#if defined(_OPENMP)
-  if (options.threads > 0) omp_set_num_threads(options.threads);
-#endif
+  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
   const Scene scene = read_scene(find_scene(options.scene), options.overrides);
   if (scene.precision == Precision::float32) {
     print_info<float>(scene);

@@ -20,14 +20,13 @@ int report(const std::exception& error, int status) {
   return status;
 }
 
-/// What `run` and `info` have in common.
-void add_scene_options(CLI::App& command, pinball::RunOptions& options) {
+/// What `run`, `info` and `compare` have in common.
+void add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
   command.add_option("SCENE", options.scene, "TOML file, or name of a scene in data/scenes")->required();
   command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME")
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all();
-  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)");
   command.add_option("--threads", options.threads, "number of threads; 0: as many as OpenMP takes by default")
       ->check(CLI::Range(0, 4096));
   command.add_option("--refine", options.overrides.refine, "multiplies the element counts of generated meshes")
@@ -43,6 +42,25 @@ void add_scene_options(CLI::App& command, pinball::RunOptions& options) {
   command.add_flag("--quiet", options.quiet, "no progress");
 }
 
+void add_run_options(CLI::App& command, pinball::RunOptions& options) {
+  add_scene_options(command, options);
+  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)");
+}
+
+void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
+  add_scene_options(command, options);
+  command
+      .add_option("--vary", options.vary,
+                  "KEY=V1,V2,...: runs the scene with each value; several --vary: with all combinations, the first one "
+                  "being what the others are compared with (default: contact.method=pinball,slideline)")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3)")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("--json", options.json, "write the table, and the times of each repeat, to this file");
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app("Pinball: explicit dynamics of solids in contact and impact", "pinball");
   app.set_version_flag("--version", "pinball " PINBALL_VERSION);
@@ -50,17 +68,19 @@ int run_program(int argc, char** argv) {
 
   pinball::RunOptions options;
   auto* run = app.add_subcommand("run", "run a scene");
-  add_scene_options(*run, options);
+  add_run_options(*run, options);
   auto* info = app.add_subcommand("info", "what a scene holds, what will run, what is skipped");
-  add_scene_options(*info, options);
+  add_run_options(*info, options);
 
   pinball::VerifyOptions verification;
   auto* verify = app.add_subcommand("verify", "compare the verification scenes with their references");
   verify->add_option("SCENE", verification.scenes, "only these scenes");
   verify->add_option("--json", verification.json, "write the table of results to this file");
 
-  auto* compare = app.add_subcommand("compare", "the same scene with several values of a key (not available)");
-  compare->allow_extras();
+  pinball::CompareOptions comparison;
+  auto* compare = app.add_subcommand(
+      "compare", "run a scene with several values of a key, taking turns, and compare their times and results");
+  add_compare_options(*compare, comparison);
 
   try {
     app.parse(argc, argv);
@@ -74,7 +94,7 @@ int run_program(int argc, char** argv) {
   if (*run) return pinball::run_command(options);
   if (*info) return pinball::info_command(options);
   if (*verify) return pinball::verify_command(verification);
-  throw pinball::InputError("compare is not available in this version");
+  return pinball::compare_command(comparison);
 }
 
 /// GCC's OpenMP threads wait for each other by spinning for milliseconds before they sleep, and a step has tens of such

@@ -2,11 +2,10 @@
 #include <cmath>
 #include <limits>
 #include <pinball/solver/mesh_quality.hpp>
+#include <pinball/solver/point.hpp>
 
 namespace pinball {
 namespace {
-
-Point subtract(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 double determinant(const Point& a, const Point& b, const Point& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
@@ -29,8 +28,7 @@ using Hexahedron = std::array<std::int32_t, 8>;
 
 /// det(e1, e2, e3) / (|e1| |e2| |e3|) of the edges from a corner to three others; -1 if an edge has no length.
 double scaled_jacobian(const std::array<Point, 8>& x, int corner, const std::array<int, 3>& ends) {
-  const Point a = subtract(x[ends[0]], x[corner]), b = subtract(x[ends[1]], x[corner]),
-              c = subtract(x[ends[2]], x[corner]);
+  const Point a = minus(x[ends[0]], x[corner]), b = minus(x[ends[1]], x[corner]), c = minus(x[ends[2]], x[corner]);
   const double lengths = norm(a) * norm(b) * norm(c);
   return lengths > 0.0 ? determinant(a, b, c) / lengths : -1.0;
 }
@@ -95,7 +93,7 @@ MeshQuality measure_quality(const Mesh& mesh) {
     double shortest = std::numeric_limits<double>::infinity(), longest = 0.0;
     for (const auto& edge : edges) {
       if (hexahedron[edge[0]] == hexahedron[edge[1]]) continue;
-      const double length = norm(subtract(x[edge[0]], x[edge[1]]));
+      const double length = norm(minus(x[edge[0]], x[edge[1]]));
       shortest = std::min(shortest, length);
       longest = std::max(longest, length);
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/mesh_generators.hpp>
+#include <pinball/solver/mesh_section.hpp>
 #include <string>
 
 /// Every node has a closed formula of its block coordinates, so that a finer mesh samples the same smooth map.
@@ -16,10 +17,7 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-// Shape of the core. A scan of these numbers over slender and stout rods chose them for the best corner Jacobians at
-// little cost in the shortest edge. Lengths in units of the radius.
-constexpr double core_edge = 0.75;     // edges of the core over the arcs of the surface beside them
-constexpr double core_bulge = 0.6;     // 0: the core's faces are flat, 1: they are part of a circle and a sphere
+// Shape of the core, beside core_edge and core_bulge, and chosen with them. Lengths in units of the radius.
 constexpr double nose_corner = 1.04;   // distance core corner - centre of the nose, over corner - axis in the section
 constexpr double taper_length = 0.2;   // the core begins to taper so far behind the centre of the nose
 constexpr double zone_length = 1.0;    // length of the cylinder whose layers adapt to the nose

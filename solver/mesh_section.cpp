@@ -7,10 +7,6 @@ namespace {
 
 using Point2 = std::array<double, 2>;
 
-// Shape of the core, as in mesh_round_nosed_rod.cpp.
-constexpr double core_edge = 0.75;  // edges of the core over the arcs of the circle beside them
-constexpr double core_bulge = 0.6;  // 0: the core's sides are straight, 1: they are arcs of a circle
-
 /// Points of the whole disc by their place in the grid: i, j in the core, m layers outward from its boundary.
 class Disc {
  public:

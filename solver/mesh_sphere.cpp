@@ -11,10 +11,6 @@
 namespace pinball {
 namespace {
 
-// Shape of the core, as in mesh_round_nosed_rod.cpp.
-constexpr double core_edge = 0.75;  // edges of the core over the arcs of the sphere beside them
-constexpr double core_bulge = 0.6;  // 0: the core is a cube, 1: a ball
-
 /// Conformal map of the unit ball onto itself that makes everything near the lower pole smaller by `grading` and near
 /// the upper one larger by 1/grading: angles and aspect ratios of small elements stay as they are.
 ///     x -> ((1 - a^2)(x - c) - |x - c|^2 c) / (1 - 2 x.c + a^2 |x|^2),   c = a e_z,   a = (1 - grading)/(1 + grading)

@@ -7,19 +7,12 @@
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/ordering.hpp>
+#include <pinball/solver/point.hpp>
 #include <random>
 
 namespace pinball {
 
 namespace {
-
-Point centre_of(const ModelMesh& mesh, std::size_t element) {
-  Point c{};
-  for (const std::int32_t node : mesh.hexahedra[element]) {
-    for (std::size_t k = 0; k < 3; ++k) c[k] += mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
-  }
-  return c;
-}
 
 template <class S>
 ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
@@ -79,7 +72,7 @@ void set_initial_velocity(Model<S>& model) {
   std::vector<double> mass(bodies, 0.0);
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     const auto b = static_cast<std::size_t>(model.mesh.body[e]);
-    const Point c = centre_of(model.mesh, e);
+    const Point c = element_centre(model.mesh, e);
     for (std::size_t k = 0; k < 3; ++k) centroid[b][k] += model.element_mass[e] * c[k];
     mass[b] += model.element_mass[e];
   }
@@ -91,10 +84,9 @@ void set_initial_velocity(Model<S>& model) {
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
     const auto b = static_cast<std::size_t>(model.mesh.body_of_node[n]);
     const Body& body = model.scene.bodies[b];
-    Point r{}, v = body.velocity;
-    for (std::size_t k = 0; k < 3; ++k) r[k] = model.mesh.nodes[n][k] - centroid[b][k];
-    const Point& w = body.angular_velocity;
-    const Point spin{w[1] * r[2] - w[2] * r[1], w[2] * r[0] - w[0] * r[2], w[0] * r[1] - w[1] * r[0]};
+    Point v = body.velocity;
+    const Point r = minus(model.mesh.nodes[n], centroid[b]);
+    const Point spin = cross(body.angular_velocity, r);
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& g = body.velocity_gradient[k];
       v[k] += spin[k] + g[0] * r[0] + g[1] * r[1] + g[2] * r[2];
@@ -146,7 +138,7 @@ Model<S> build_model(const Scene& scene) {
     std::vector<std::size_t> material_of_body;
     for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
     std::vector<Point> centres(count);
-    for (std::size_t e = 0; e < count; ++e) centres[e] = centre_of(model.mesh, e);
+    for (std::size_t e = 0; e < count; ++e) centres[e] = element_centre(model.mesh, e);
     for (const std::int32_t e : space_filling_order(centres)) {
       members[material_of_body[static_cast<std::size_t>(model.mesh.body[static_cast<std::size_t>(e)])]].push_back(e);
     }

@@ -76,6 +76,9 @@ ModelMesh build_mesh(const Scene& scene);
 /// Exact volume of an element [length^3].
 double element_volume(const ModelMesh& mesh, std::size_t element);
 
+/// Mean of an element's eight nodes [length].
+Point element_centre(const ModelMesh& mesh, std::size_t element);
+
 /// Fills in constraints and prescribed velocities. Throws InputError for a selection without nodes.
 template <class S>
 void add_constraints(Model<S>& model);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_selection.hpp>
+#include <pinball/solver/point.hpp>
 
 namespace pinball {
 
@@ -15,29 +16,12 @@ struct Held {
   std::int32_t table = -1;  ///< of the prescribed velocity; -1: a constraint
 };
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// Subtracts the parts along an orthonormal basis; returns the length of what is left, which becomes a unit vector.
-double make_orthogonal(Point& d, const std::vector<Point>& basis) {
-  for (const Point& b : basis) {
-    const double along = dot(d, b);
-    for (std::size_t k = 0; k < 3; ++k) d[k] -= along * b[k];
-  }
-  const double length = std::sqrt(dot(d, d));
-  for (double& v : d) v /= length > 0 ? length : 1;
-  return length;
-}
-
 /// The directions of a fixed constraint at a place, in global components. On the axis of a cylindrical frame nothing
 /// tells radial from circumferential: a direction that is not purely axial holds the node across the axis altogether.
 std::vector<Point> directions_at(const FixedConstraint& fixed, const Point& place, double tolerance) {
   if (fixed.frame == Frame::global) return fixed.directions;
   const Point& axial = fixed.axis.direction;
-  Point radial{place[0] - fixed.axis.point[0], place[1] - fixed.axis.point[1], place[2] - fixed.axis.point[2]};
+  Point radial = minus(place, fixed.axis.point);
   const bool on_axis = make_orthogonal(radial, {axial}) <= tolerance;
   if (on_axis) {
     radial = std::abs(axial[0]) < 0.5 ? Point{1, 0, 0} : Point{0, 1, 0};
@@ -57,19 +41,6 @@ std::vector<Point> directions_at(const FixedConstraint& fixed, const Point& plac
   return result;
 }
 
-/// Nodes on a plane of symmetry; there may be none.
-std::vector<std::int32_t> nodes_on_plane(const ModelMesh& mesh, const PlaneConstraint& plane, double tolerance) {
-  std::vector<std::int32_t> nodes;
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const auto body = static_cast<std::size_t>(mesh.body_of_node[n]);
-    if (!plane.body.empty() && mesh.body_names[body] != plane.body) continue;
-    double distance = 0;
-    for (std::size_t k = 0; k < 3; ++k) distance += (mesh.nodes[n][k] - plane.point[k]) * plane.normal[k];
-    if (std::abs(distance) <= tolerance) nodes.push_back(static_cast<std::int32_t>(n));
-  }
-  return nodes;
-}
-
 }  // namespace
 
 template <class S>
@@ -82,7 +53,8 @@ void add_constraints(Model<S>& model) {
     held.push_back({node, direction, speed, table});
   };
   for (const PlaneConstraint& plane : scene.constraints) {
-    for (const std::int32_t n : nodes_on_plane(model.mesh, plane, tolerance)) hold(n, plane.normal, 0, -1);
+    const NodeSelection on_plane{.body = plane.body, .plane = Plane{plane.point, plane.normal}};
+    for (const std::int32_t n : matching_nodes(model.mesh, on_plane)) hold(n, plane.normal, 0, -1);
   }
   for (const FixedConstraint& fixed : scene.fixed_constraints) {
     for (const std::int32_t n : select_nodes(model.mesh, fixed.nodes)) {

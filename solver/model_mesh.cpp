@@ -17,6 +17,14 @@ double element_volume(const ModelMesh& mesh, std::size_t element) {
   return hexahedron_volume(corners);
 }
 
+Point element_centre(const ModelMesh& mesh, std::size_t element) {
+  Point centre{};
+  for (const std::int32_t node : mesh.hexahedra[element]) {
+    for (std::size_t k = 0; k < 3; ++k) centre[k] += mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
+  }
+  return centre;
+}
+
 namespace {
 
 /// Largest distance of a corner from the first one: 0 only if all are the same point.

@@ -4,16 +4,13 @@
 #include <cmath>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/node_selection.hpp>
+#include <pinball/solver/point.hpp>
 
 namespace pinball {
 
 namespace {
 
 std::string text(const Point& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]); }
-
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 double distance(const Point& p, const Line& line) {
   const Point d = minus(p, line.point);
@@ -53,7 +50,7 @@ std::string describe(const NodeSelection& s) {
   return words;
 }
 
-std::vector<std::int32_t> select_nodes(const ModelMesh& mesh, const NodeSelection& selection) {
+std::vector<std::int32_t> matching_nodes(const ModelMesh& mesh, const NodeSelection& selection) {
   const double tolerance = 1e-9 * mesh_size(mesh);
   std::vector<std::int32_t> nodes;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -66,17 +63,22 @@ std::vector<std::int32_t> select_nodes(const ModelMesh& mesh, const NodeSelectio
     if (selection.box && !inside(p, *selection.box, tolerance)) continue;
     nodes.push_back(static_cast<std::int32_t>(n));
   }
-  if (nodes.empty()) {
-    throw InputError(
-        fmt::format("{}: expected at least one node, there is none {}", selection.where, describe(selection)));
-  }
-  if (!selection.nearest) return nodes;
+  if (!selection.nearest || nodes.empty()) return nodes;
   const auto square = [&](std::int32_t n) {
     const Point d = minus(mesh.nodes[static_cast<std::size_t>(n)], *selection.nearest);
     return dot(d, d);
   };
   return {*std::min_element(nodes.begin(), nodes.end(),
                             [&](std::int32_t a, std::int32_t b) { return square(a) < square(b); })};
+}
+
+std::vector<std::int32_t> select_nodes(const ModelMesh& mesh, const NodeSelection& selection) {
+  std::vector<std::int32_t> nodes = matching_nodes(mesh, selection);
+  if (nodes.empty()) {
+    throw InputError(
+        fmt::format("{}: expected at least one node, there is none {}", selection.where, describe(selection)));
+  }
+  return nodes;
 }
 
 }  // namespace pinball

@@ -8,8 +8,11 @@
 
 namespace pinball {
 
-/// Numbers in the mesh of the nodes of a selection, ascending. Places count as equal within 1e-9 of the size of the
-/// mesh. Throws InputError that names the selection if there is none.
+/// Numbers in the mesh of the nodes of a selection, ascending; there may be none. Places count as equal within 1e-9 of
+/// the size of the mesh.
+std::vector<std::int32_t> matching_nodes(const ModelMesh& mesh, const NodeSelection& selection);
+
+/// The same, but throws InputError that names the selection if there is none.
 std::vector<std::int32_t> select_nodes(const ModelMesh& mesh, const NodeSelection& selection);
 
 /// Largest extent of the mesh along x, y or z [length].

@@ -12,10 +12,7 @@ PinballContact<S>::PinballContact(const Model<S>& model)
   const ContactSettings& contact = model.scene.contact;
   penalty_ = {static_cast<S>(contact.beta), static_cast<S>(contact.damping)};
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    Point c{};
-    for (const std::int32_t node : model.mesh.hexahedra[e]) {
-      for (std::size_t k = 0; k < 3; ++k) c[k] += model.mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
-    }
+    const Point c = element_centre(model.mesh, e);
     reference_centre_[static_cast<std::size_t>(model.slot_of_element[e])] = {
         static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
   }

@@ -15,14 +15,6 @@ std::vector<std::string> columns_of(const std::string& quantity) {
   return {quantity + "_x", quantity + "_y", quantity + "_z"};
 }
 
-Point centre_of(const ModelMesh& mesh, std::size_t element) {
-  Point c{};
-  for (const std::int32_t node : mesh.hexahedra[element]) {
-    for (std::size_t k = 0; k < 3; ++k) c[k] += mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
-  }
-  return c;
-}
-
 double square_of_distance(const Point& a, const Point& b) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
@@ -48,7 +40,7 @@ Probes<S>::Probes(const Model<S>& model) {
     for (std::size_t i = 0; i < body_of.size(); ++i) {
       const std::string& body = mesh.body_names[static_cast<std::size_t>(body_of[i])];
       if (!probe.body.empty() && probe.body != body) continue;
-      const Point place = node ? mesh.nodes[i] : centre_of(mesh, i);
+      const Point place = node ? mesh.nodes[i] : element_centre(mesh, i);
       const double distance = square_of_distance(place, probe.point);
       if (!(distance < nearest)) continue;
       nearest = distance;

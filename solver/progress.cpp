@@ -17,6 +17,12 @@ std::string readable_duration(double seconds) {
   return fmt::format("{} h {:02} min", total / 3600, total / 60 % 60);
 }
 
+double fraction_done(const ProgressSettings& settings, const ProgressState& state) {
+  double done = settings.end_time > 0.0 ? state.time / settings.end_time : 0.0;
+  if (settings.steps > 0) done = std::max(done, static_cast<double>(state.step) / static_cast<double>(settings.steps));
+  return done >= 0.0 ? std::min(done, 1.0) : 0.0;  // false for NaN
+}
+
 Progress::Progress(ProgressSettings settings, std::FILE* stream)
     : settings_(std::move(settings)),
       time_unit_(parse_units(settings_.units).time),
@@ -31,23 +37,15 @@ Progress::~Progress() {
   std::fflush(stream_);
 }
 
-double Progress::fraction(const ProgressState& state) const {
-  // Whichever limit ends the run first.
-  double done = settings_.end_time > 0.0 ? state.time / settings_.end_time : 0.0;
-  if (settings_.steps > 0)
-    done = std::max(done, static_cast<double>(state.step) / static_cast<double>(settings_.steps));
-  return done >= 0.0 ? std::min(done, 1.0) : 0.0;  // false for NaN
-}
-
 void Progress::update(const ProgressState& state) {
   if (settings_.quiet) return;
   if (terminal_) {
     const Clock::time_point now = Clock::now();
     if (now - last_shown_ < std::chrono::milliseconds(100)) return;
     last_shown_ = now;
-    show(state, fraction(state));
+    show(state, fraction_done(settings_, state));
   } else {
-    const double done = fraction(state);
+    const double done = fraction_done(settings_, state);
     const double tenths = done * 10.0 + 1e-9;  // 0.1 itself may have been rounded down
     if (tenths < next_tenth_) return;
     next_tenth_ = static_cast<int>(tenths) + 1;
@@ -58,13 +56,13 @@ void Progress::update(const ProgressState& state) {
 void Progress::finish(const ProgressState& state) {
   if (settings_.quiet) return;
   if (terminal_) {
-    show(state, fraction(state));
+    show(state, fraction_done(settings_, state));
     std::fputc('\n', stream_);
     std::fflush(stream_);
     line_open_ = false;
   } else if (next_tenth_ <= 10) {
     next_tenth_ = 11;
-    show(state, fraction(state));
+    show(state, fraction_done(settings_, state));
   }
 }
 

@@ -3,18 +3,10 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <pinball/solver/results.hpp>
 #include <string>
 
 namespace pinball {
-
-/// Where a run is: what a line of progress shows.
-struct ProgressState {
-  std::int64_t step = 0;
-  double time = 0.0;
-  double dt = 0.0;
-  double balance_error = 0.0;        ///< relative, as in HistoryRow
-  std::int64_t active_elements = 0;  ///< not eroded
-};
 
 struct ProgressSettings {
   double end_time = 0.0;    ///< time.end
@@ -22,6 +14,9 @@ struct ProgressSettings {
   std::string units;        ///< the scene's string: its last part names the time
   bool quiet = false;       ///< print nothing
 };
+
+/// Of a whole run, 0 to 1: of the limit that ends it first.
+double fraction_done(const ProgressSettings& settings, const ProgressState& state);
 
 /// Shows how far a running job is: on a terminal one line, rewritten in place at most 10 times a second; elsewhere (a
 /// log file) one plain line at every 10 %; quiet: nothing.
@@ -44,7 +39,6 @@ class Progress {
  private:
   using Clock = std::chrono::steady_clock;
 
-  double fraction(const ProgressState& state) const;
   void show(const ProgressState& state, double done);
 
   ProgressSettings settings_;

@@ -69,6 +69,15 @@ struct HistoryRow {
   std::vector<double> more;  ///< of walls and probes, one per further column
 };
 
+/// Where a run is: what a line of progress shows.
+struct ProgressState {
+  std::int64_t step = 0;
+  double time = 0.0;
+  double dt = 0.0;
+  double balance_error = 0.0;        ///< relative, as in HistoryRow
+  std::int64_t active_elements = 0;  ///< not eroded
+};
+
 /// A copy of the fields at one time, for output and as the last good state.
 struct FieldSnapshot {
   std::int64_t step = 0;

@@ -36,9 +36,7 @@ void print_result(const RunSummary& s, const std::string& out) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
-#if defined(_OPENMP)
-  if (options.threads > 0) omp_set_num_threads(options.threads);
-#endif
+  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
   const Scene scene = read_scene(find_scene(options.scene), options.overrides);
   const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
   const RunSummary summary = simulate(scene, {out, options.quiet});

@@ -206,6 +206,7 @@ struct SceneOverrides {
   std::vector<std::string> set{};
   int refine = 1;  ///< multiplies the element counts of every generated mesh in each direction
   std::optional<Precision> precision{};
+  std::vector<std::string> vary{};  ///< as `set`, and after it: one value of each --vary
 };
 
 /// Reads, overrides and checks a scene. Throws InputError naming file, line, key and what was expected.

@@ -121,8 +121,8 @@ void collect(toml::table& table, const std::string& prefix, std::vector<VariantK
 
 std::string Override::where() const { return *value.get("value")->source().path; }
 
-Override parse_override(const std::string& key_value) {
-  const std::string where = "--set " + key_value;
+Override parse_override(const std::string& option, const std::string& key_value) {
+  const std::string where = option + " " + key_value;
   const auto equals = key_value.find('=');
   if (equals == std::string::npos || equals == 0) fail(where, "", "expected KEY=VALUE, as in contact.beta=2");
   const std::string key = key_value.substr(0, equals);

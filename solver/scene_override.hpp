@@ -9,15 +9,16 @@
 /// a wrong key or value is found when the tables are read, with the location of the change.
 namespace pinball {
 
-/// "--set KEY=VALUE", split. VALUE is a TOML value, or else a number such as ".5", or else a text without quotes.
+/// "--set KEY=VALUE" (or another option), split. VALUE is a TOML value, or else a number such as ".5", or else a text
+/// without quotes.
 struct Override {
   std::string key;
-  toml::table value;          ///< the value under the key "value", its source path being the --set text
+  toml::table value;          ///< the value under the key "value", its source path being where()
   std::string where() const;  ///< "--set KEY=VALUE"
 };
 
 /// Throws InputError if there is no KEY or no "=".
-Override parse_override(const std::string& key_value);
+Override parse_override(const std::string& option, const std::string& key_value);
 
 /// Sets a key, making the tables on the way to it. Elements of [[material]] and [[body]] are named after their
 /// `name`, those of [[constraint]] are numbered from 0. Throws InputError if there is no such element.

@@ -218,29 +218,56 @@ toml::table parse(const std::string& text, const std::string& path) {
   }
 }
 
-/// The text with variants and --set keys applied, read and checked.
-Scene read_changed(const std::string& text, const std::string& path, const std::vector<std::string>& variants,
-                   const std::vector<std::string>& set, const SceneOverrides& overrides) {
+/// A change that the command line asks for.
+struct Change {
+  std::string option;
+  std::string text;  ///< KEY=VALUE, or the name of a variant
+};
+
+struct Changes {
+  std::vector<Change> variants;  ///< applied before keys
+  std::vector<Change> keys;
+};
+
+void sort_changes(const std::string& option, const std::vector<std::string>& texts, Changes& changes) {
+  for (const auto& text : texts) {
+    const Override change = parse_override(option, text);
+    if (change.key != "variant") {
+      changes.keys.push_back({option, text});
+    } else if (const auto name = change.value["value"].value_exact<std::string>()) {
+      const auto same = [&name](const Change& earlier) { return earlier.text == *name; };
+      if (std::none_of(changes.variants.begin(), changes.variants.end(), same)) {
+        changes.variants.push_back({option, *name});
+      }
+    } else {
+      fail(change.where(), "variant", "expected the name of a variant");
+    }
+  }
+}
+
+/// The text with variants and keys applied, read and checked.
+Scene read_changed(const std::string& text, const std::string& path, const Changes& changes,
+                   const SceneOverrides& overrides) {
   // Parsed anew each time: tables cannot be copied without losing where their values were written.
   toml::table root = parse(text, path);
-  for (const auto& name : variants) apply_variant(root, name, "--set variant=" + name);
-  for (const auto& key_value : set) apply_override(root, parse_override(key_value));
+  for (const auto& [option, name] : changes.variants) apply_variant(root, name, option + " variant=" + name);
+  for (const auto& [option, key_value] : changes.keys) apply_override(root, parse_override(option, key_value));
   return read_tables(root, path, overrides);
 }
 
-/// A variant must fit the scene even if nobody asks for it now. A file that is complete only with some --set keys is
-/// checked with these.
+/// A variant must fit the scene even if nobody asks for it now. A file that is complete only with some keys of the
+/// command line is checked with these.
 void check_variants(const std::string& text, const std::string& path, const std::vector<std::string>& names,
-                    const std::vector<std::string>& set) {
-  std::vector<std::string> needed;
+                    const std::vector<Change>& keys) {
+  std::vector<Change> needed;
   try {
-    read_changed(text, path, {}, {}, {});
+    read_changed(text, path, {}, {});
   } catch (const InputError&) {
-    needed = set;
+    needed = keys;
   }
   for (const auto& name : names) {
     try {
-      read_changed(text, path, {name}, needed, {});
+      read_changed(text, path, {{{"--set", name}}, needed}, {});
     } catch (const InputError& error) {
       throw InputError(fmt::format("{} (in variant {})", error.what(), name));
     }
@@ -254,19 +281,11 @@ Scene read_scene(const std::string& path, const SceneOverrides& overrides) {
     throw InputError(fmt::format("--refine {}: expected an integer >= 1, got {}", overrides.refine, overrides.refine));
   }
   const std::string text = read_text(path);
-  std::vector<std::string> variants, set;
-  for (const auto& key_value : overrides.set) {
-    const Override change = parse_override(key_value);
-    if (change.key != "variant") {
-      set.push_back(key_value);
-    } else if (const auto name = change.value["value"].value_exact<std::string>()) {
-      if (std::find(variants.begin(), variants.end(), *name) == variants.end()) variants.push_back(*name);
-    } else {
-      fail(change.where(), "variant", "expected the name of a variant");
-    }
-  }
-  Scene scene = read_changed(text, path, variants, set, overrides);
-  check_variants(text, path, variant_names(parse(text, path), path), set);
+  Changes changes;
+  sort_changes("--set", overrides.set, changes);
+  sort_changes("--vary", overrides.vary, changes);
+  Scene scene = read_changed(text, path, changes, overrides);
+  check_variants(text, path, variant_names(parse(text, path), path), changes.keys);
   return scene;
 }
 

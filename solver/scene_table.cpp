@@ -48,12 +48,13 @@ std::string element_path(const std::string& key, std::size_t index) { return fmt
 
 std::string location(const toml::source_region& source, const std::string& fallback) {
   if (!source.path || !source.begin) return fallback;
-  if (source.path->starts_with("--set ")) return *source.path;
+  if (source.path->starts_with("--")) return *source.path;  // of the command line
   return fmt::format("{}:{}:{}", *source.path, source.begin.line, source.begin.column);
 }
 
 void fail(const std::string& where, const std::string& key, const std::string& problem) {
-  if (key.empty() || where.starts_with("--set " + key + "=")) throw InputError(where + ": " + problem);
+  const bool named = where.starts_with("--set " + key + "=") || where.starts_with("--vary " + key + "=");
+  if (key.empty() || named) throw InputError(where + ": " + problem);
   throw InputError(where + ": " + key + ": " + problem);
 }
 

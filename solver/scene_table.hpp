@@ -13,7 +13,8 @@
 #include <vector>
 
 /// Typed access to the tables of a scene file. Every error is an InputError that reads
-/// "FILE:LINE:COLUMN: KEY: expected ..., got ...", or "--set KEY=VALUE: expected ..., got ...".
+/// "FILE:LINE:COLUMN: KEY: expected ..., got ...", or "--set KEY=VALUE: expected ..., got ...", with --vary as with
+/// --set.
 namespace pinball {
 
 /// The keys that one kind of table may hold.

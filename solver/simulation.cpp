@@ -3,7 +3,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <pinball/kernels/exec.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/field_output.hpp>
 #include <pinball/solver/history.hpp>
@@ -106,29 +105,22 @@ RunSummary run_to_end(const Scene& scene, const SimulationOptions& options) {
   Solver<S> solver(scene);
   Recorder<S> recorder(scene, solver, options.out);
   Progress progress({scene.time.end, scene.time.steps, scene.units, options.quiet});
-  const auto state = [&solver] {
-    return ProgressState{solver.steps(), solver.force_time(), solver.dt(), solver.balance_error(),
-                         solver.model().element_count() - solver.eroded_elements()};
-  };
   const auto start = Clock::now();
   RunSummary summary;
   const auto finish_summary = [&] {
     summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    summary.threads = DefaultExecutionSpace::concurrency();
-    summary.version = PINBALL_VERSION;
     solver.fill_summary(summary);
     if (!options.out.empty()) write_summary(options.out, summary);
   };
   try {
-    const double end = scene.time.end * (1 - 1e-12);
-    while (solver.time() < end && (scene.time.steps < 0 || solver.steps() < scene.time.steps)) {
+    while (!solver.at_end()) {
       solver.step();
       solver.timers().measure(Phase::output, [&] { recorder.record(solver, false); });
-      progress.update(state());
+      progress.update(solver.progress_state());
     }
     solver.finish();
     solver.timers().measure(Phase::output, [&] { recorder.record(solver, true); });
-    progress.finish(state());
+    progress.finish(solver.progress_state());
   } catch (const RunError& error) {
     finish_summary();
     const std::string saved = recorder.save_last_good();

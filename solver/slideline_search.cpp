@@ -16,11 +16,7 @@ SlidelineSearch<S>::SlidelineSearch(const Model<S>& model)
     reference_node_[static_cast<std::size_t>(model.node_of_scene_node[n])] = in_float(model.mesh.nodes[n]);
   }
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    Point centre{};
-    for (const std::int32_t node : model.mesh.hexahedra[e]) {
-      for (std::size_t k = 0; k < 3; ++k) centre[k] += model.mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
-    }
-    reference_centre_[static_cast<std::size_t>(model.slot_of_element[e])] = in_float(centre);
+    reference_centre_[static_cast<std::size_t>(model.slot_of_element[e])] = in_float(element_centre(model.mesh, e));
   }
 }
 

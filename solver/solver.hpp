@@ -33,6 +33,8 @@ class Solver {
   const Contact<S>* contact() const { return contact_.get(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
 
+  /// Whether time.end or time.steps of the scene is reached; then finish() is due.
+  bool at_end() const;
   double time() const { return time_; }              ///< of the positions
   double force_time() const { return force_time_; }  ///< of the forces, stresses and energies
   double dt() const { return dt_; }                  ///< the last step
@@ -45,6 +47,7 @@ class Solver {
   std::int64_t contact_pairs() const { return pairs_; }  ///< in contact at force_time()
   std::int64_t eroded_elements() const { return eroded_elements_; }
 
+  ProgressState progress_state() const;
   HistoryRow history_row() const;
   std::vector<std::string> more_columns() const;  ///< names of HistoryRow::more
   FieldSnapshot snapshot() const {
@@ -54,7 +57,7 @@ class Solver {
   }
   void snapshot(FieldSnapshot& s) const;  ///< into the memory of an earlier one
   std::uint64_t state_hash() const;
-  /// Fills everything that the solver knows of a summary.
+  /// Fills everything but wall_seconds, which whoever calls step() measures.
   void fill_summary(RunSummary& summary) const;
   Timers& timers() { return timers_; }
 

@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <pinball/kernels/exec.hpp>
 #include <pinball/solver/solver.hpp>
 #include <pinball/solver/state_hash.hpp>
 
 namespace pinball {
+
+template <class S>
+bool Solver<S>::at_end() const {
+  const TimeSettings& limits = model_.scene.time;
+  return time_ >= limits.end * (1 - 1e-12) || (limits.steps >= 0 && steps_ >= limits.steps);
+}
 
 template <class S>
 double Solver<S>::balance_error() const {
@@ -74,6 +81,11 @@ std::vector<std::string> Solver<S>::more_columns() const {
   const std::vector<std::string> of_probes = probes_.columns();
   columns.insert(columns.end(), of_probes.begin(), of_probes.end());
   return columns;
+}
+
+template <class S>
+ProgressState Solver<S>::progress_state() const {
+  return {steps_, force_time_, dt_, balance_error(), model_.element_count() - eroded_elements_};
 }
 
 template <class S>
@@ -160,6 +172,8 @@ std::uint64_t Solver<S>::state_hash() const {
 template <class S>
 void Solver<S>::fill_summary(RunSummary& summary) const {
   const Scene& scene = model_.scene;
+  summary.version = PINBALL_VERSION;
+  summary.threads = DefaultExecutionSpace::concurrency();
   summary.scene = scene.name;
   summary.title = scene.title;
   summary.units = scene.units;

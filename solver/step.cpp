@@ -47,15 +47,15 @@ void Solver<S>::advance(bool last) {
 
   // Loads, constraints and prescribed velocities, then contact that acts on what they leave, then rigid walls
   const StepLengths step{dt_before_, dt_};
-  const bool impulses = contact_ && contact_->by_impulses();
   if (boundary_.any()) {
     timers_.measure(Phase::boundary_conditions, [&] { boundary_.apply(model_, time_, step); });
   }
-  if (impulses) {
+  if (contact_ && contact_->by_impulses()) {
     contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, step); });
+    timers_.measure(Phase::contact_forces, [&] { boundary_.hold(model_, time_, step); });
   }
   if (boundary_.any()) {
-    timers_.measure(Phase::boundary_conditions, [&] { boundary_.complete(model_, time_, step, impulses); });
+    timers_.measure(Phase::boundary_conditions, [&] { boundary_.complete(model_, step); });
   }
 
   // 5-6. Accelerations, velocities, displacements

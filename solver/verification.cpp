@@ -43,8 +43,7 @@ std::vector<VerificationRow> verify_scene(const VerificationCase& verification) 
 }
 
 void run_to_end(Solver<double>& solver, const std::function<void()>& after_step) {
-  const TimeSettings& time = solver.model().scene.time;
-  while (solver.time() < time.end * (1 - 1e-12) && (time.steps < 0 || solver.steps() < time.steps)) {
+  while (!solver.at_end()) {
     solver.step();
     after_step();
   }

@@ -7,6 +7,7 @@
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/output_file.hpp>
 #include <pinball/solver/text_distance.hpp>
+#include <pinball/solver/text_table.hpp>
 #include <pinball/solver/verification.hpp>
 
 namespace pinball {
@@ -36,7 +37,7 @@ std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& scene
   return chosen;
 }
 
-/// Columns as wide as their widest entry; the source comes last, so that long ones spoil nothing.
+/// The source comes last, so that long ones spoil nothing.
 void print_table(const std::vector<VerificationRow>& rows) {
   std::vector<std::vector<std::string>> table{
       {"scene", "quantity", "value", "reference", "error", "tolerance", "", "source"}};
@@ -45,18 +46,8 @@ void print_table(const std::vector<VerificationRow>& rows) {
                      fmt::format("{:.2e}", r.error), fmt::format("{:.0e}", r.tolerance), r.pass ? "pass" : "FAIL",
                      r.source});
   }
-  std::vector<std::size_t> width(table[0].size(), 0);
-  for (const auto& line : table) {
-    for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
-  }
-  for (const auto& line : table) {
-    std::string text;
-    for (std::size_t c = 0; c + 1 < line.size(); ++c) {
-      const bool number = c >= 2 && c <= 5;
-      text += number ? fmt::format("{:>{}}  ", line[c], width[c]) : fmt::format("{:<{}}  ", line[c], width[c]);
-    }
-    fmt::print("{}{}\n", text, line.back());
-  }
+  constexpr Align left = Align::left, right = Align::right;
+  fmt::print("{}", text_table(table, {left, left, right, right, right, right, left, left}));
 }
 
 void write_json(const std::string& path, const std::vector<VerificationRow>& rows, bool pass) {
@@ -80,9 +71,8 @@ void write_json(const std::string& path, const std::vector<VerificationRow>& row
 }  // namespace
 
 int verify_command(const VerifyOptions& options) {
-#if defined(_OPENMP)
-  omp_set_num_threads(1);  // small scenes of many steps: threads would wait for each other most of the time
-#endif
+  // Small scenes of many steps: threads would wait for each other most of the time.
+  DefaultExecutionSpace::set_concurrency(1);
   std::vector<VerificationRow> rows;
   for (const VerificationCase& verification : chosen_cases(options.scenes)) {
     const std::vector<VerificationRow> more = verify_scene(verification);

@@ -13,36 +13,17 @@
 #include <string>
 
 #include "output_case.hpp"
+#include "program.hpp"
 
 /// The program itself, from outside: exit status, messages, files.
 namespace pinball {
 namespace {
 
+using test::content;
+using test::Finished;
+using test::run;
 using testing::HasSubstr;
 using testing::Not;
-
-struct Finished {
-  int status = -1;
-  std::string text;  ///< stdout and stderr
-};
-
-Finished run(const std::string& arguments) {
-  Finished result;
-  std::FILE* pipe = ::popen((std::string(PINBALL_PROGRAM) + ' ' + arguments + " 2>&1").c_str(), "r");
-  std::array<char, 4096> piece{};
-  for (std::size_t n = 0; (n = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;)
-    result.text.append(piece.data(), n);
-  const int status = ::pclose(pipe);
-  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
-}
-
-std::string content(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// Text of a number or string under a key of a JSON file, wherever it stands first; empty if there is none.
 std::string value_of(const std::string& json, const std::string& key) {

@@ -30,6 +30,14 @@ TEST_F(SceneOverrideTest, Overrides) {
   EXPECT_EQ(read(minimal, {.precision = Precision::float32}).precision, Precision::float32);
 }
 
+TEST_F(SceneOverrideTest, VariedKeysComeAfterSetOnesAndErrorsNameThem) {
+  EXPECT_EQ(read(minimal, {.set = {"time.end=2"}, .vary = {"time.end=3"}}).time.end, 3.0);
+  EXPECT_EQ(error(minimal, {.vary = {"contact.betta=2"}}),
+            "--vary contact.betta=2: unknown key, nearest is contact.beta");
+  EXPECT_EQ(error(minimal, {.vary = {"time.end=-1"}}), "--vary time.end=-1: expected a number > 0, got -1");
+  EXPECT_EQ(error(minimal, {.vary = {"variant=fast"}}), "--vary variant=fast: the scene has no variants, got \"fast\"");
+}
+
 TEST_F(SceneOverrideTest, OverrideErrorsNameTheOverride) {
   EXPECT_EQ(set_error("contact.betta=2"), "--set contact.betta=2: unknown key, nearest is contact.beta");
   EXPECT_EQ(set_error("contcat.beta=2"), "--set contcat.beta=2: contcat: unknown key, nearest is contact");

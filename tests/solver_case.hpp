@@ -12,9 +12,7 @@ namespace pinball::test {
 
 /// These scenes are too small for threads: waiting for each other would take most of the time.
 inline const bool one_thread = [] {
-#if defined(_OPENMP)
-  omp_set_num_threads(1);
-#endif
+  DefaultExecutionSpace::set_concurrency(1);
   return true;
 }();
 
@@ -68,8 +66,7 @@ inline const double touching_gap = 2 * std::cbrt(3 / (4 * M_PI)) - 1;
 
 template <class S>
 void run(Solver<S>& solver) {
-  const TimeSettings& time = solver.model().scene.time;
-  while (solver.time() < time.end * (1 - 1e-12) && (time.steps < 0 || solver.steps() < time.steps)) solver.step();
+  while (!solver.at_end()) solver.step();
   solver.finish();
 }
 

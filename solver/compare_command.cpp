@@ -1,0 +1,31 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <pinball/kernels/exec.hpp>
+#include <pinball/solver/commands.hpp>
+#include <pinball/solver/comparison.hpp>
+#include <pinball/solver/comparison_report.hpp>
+#include <pinball/solver/machine.hpp>
+#include <pinball/solver/output_file.hpp>
+
+namespace pinball {
+
+int compare_command(const CompareOptions& options) {
+  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
+  const std::vector<std::string> vary =
+      options.vary.empty() ? std::vector<std::string>{"contact.method=pinball,slideline"} : options.vary;
+  const std::vector<Variant> variants = make_variants(find_scene(options.scene), options.overrides, vary);
+  const std::vector<VariantRuns> runs = run_comparison(variants, {options.repeats, options.quiet});
+
+  const RunSummary& first = runs.front().repeats.front();
+  fmt::print("{}: {} thread{}, {}\n", first.scene, first.threads, first.threads == 1 ? "" : "s", processor_name());
+  fmt::print("{}", comparison_table(runs));
+  if (!options.json.empty()) {
+    OutputFile file(options.json);
+    file.write(comparison_json(runs));
+    file.commit();
+  }
+  return std::all_of(runs.begin(), runs.end(), [](const VariantRuns& v) { return v.failure.empty(); }) ? 0 : 1;
+}
+
+}  // namespace pinball

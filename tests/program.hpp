@@ -1,0 +1,38 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+/// The program itself, from outside.
+namespace pinball::test {
+
+struct Finished {
+  int status = -1;
+  std::string text;  ///< stdout and stderr
+};
+
+/// pinball with these arguments of a shell.
+inline Finished run(const std::string& arguments) {
+  Finished result;
+  std::FILE* pipe = ::popen((std::string(PINBALL_PROGRAM) + ' ' + arguments + " 2>&1").c_str(), "r");
+  std::array<char, 4096> piece{};
+  for (std::size_t n = 0; (n = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;)
+    result.text.append(piece.data(), n);
+  const int status = ::pclose(pipe);
+  result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return result;
+}
+
+inline std::string content(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace pinball::test
