@@ -179,8 +179,10 @@ bool SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S d
   // Faces that rest on each other have gaps of round-off, which differ with the segment that a node finds.
   const S round_off = S(4096) * std::numeric_limits<S>::epsilon() * segment.radius;
   const S depth = S(0) - touch.at.gap - round_off;
-  if (!(depth > S(0))) return false;
+  if (!(depth > S(0)) && state.slot < 0) return false;
   const S rate = closing_rate(model.nodes.velocity, slave.node, segment.node, touch.at);
+  sums.damped += static_cast<double>(S(0.5) * state.damping * rate * dt);  // the second half of the last one's work
+  if (!(depth > S(0))) return false;
   const S approach = maximum(S(0), rate) * dt;
   const S stiffness = S(0.25) * beta_ * (slave.stiffness + slave.share * segment.stiffness);
   S elastic = state.slot >= 0 ? depth - minimum(state.offset, depth) : minimum(depth, approach);
@@ -201,10 +203,17 @@ bool SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S d
         touch.at.weight[i] * touch.at.weight[i] * model.nodes.inverse_mass[static_cast<std::size_t>(segment.node[i])];
   }
   const S p1 = S(2) * damping_ * square_root(stiffness / inverse_mass);
-  touch.force = maximum(S(0), stiffness * elastic + p1 * rate);  // (3.8), no adhesion
+  // In the first and in the last step of a contact the spring works over a part of the step only. With the mean of 1
+  // and that part the work of the trapezoid is the energy stored: else a contact of few steps gains or loses a tenth.
+  const S opening = maximum(S(0), S(0) - rate) * dt;
+  const S part_before = state.slot < 0 && approach > elastic ? elastic / approach : S(1);
+  const S part_after = opening > elastic ? elastic / opening : S(1);
+  const S spring = S(0.5) * (part_before + part_after) * stiffness * elastic;
+  touch.force = maximum(S(0), spring + p1 * rate);  // (3.8), no adhesion
   touch.stiffness = stiffness;
   sums.stored += static_cast<double>(state.stored);
-  sums.damped += static_cast<double>((touch.force - stiffness * elastic) * rate);
+  state.damping = touch.force - spring;
+  sums.damped += static_cast<double>(S(0.5) * state.damping * rate * dt);
   ++sums.pairs;
   sums.ratio = maximum(sums.ratio, depth / (slave.radius + segment.radius));
   return true;
@@ -217,8 +226,7 @@ ContactResult SlidelineContact<S>::forces(const Model<S>& model, S dt) {
   ContactResult result;
   result.stored = sums.stored;
   result.eroded = lost_energy_;
-  result.damped_power = sums.damped;
-  result.dissipated = sums.lost;
+  result.dissipated = sums.damped + sums.lost;
   result.penetration_ratio = static_cast<double>(sums.ratio);
   result.pairs = sums.pairs;
   return result;

@@ -46,6 +46,7 @@ class SlidelineContact final : public Contact<S> {
     S offset{};   ///< part of the depth that stores no energy [length]
     S elastic{};  ///< depth less offset [length]
     S stored{};   ///< spring energy [energy]
+    S damping{};  ///< part of the force that is not the spring's [force]
   };
   /// A slave node and its segment in this step.
   struct Touch {
