@@ -37,7 +37,8 @@ class NeighbourList {
   S* stored(std::int32_t pinball) { return stored_.data() + start_[static_cast<std::size_t>(pinball)]; }
   /// Ends all pairs of which a pinball takes no part any more (B R = 0); returns their spring energy [energy].
   double end_pairs_of_inactive(const PinballStore<S>& pinballs);
-  std::int64_t pairs() const { return pairs_; }  ///< listed, each counted once
+  std::int64_t pairs() const { return pairs_; }                               ///< listed, each counted once
+  std::int64_t places() const { return start_.empty() ? 0 : start_.back(); }  ///< entries and padding
   std::size_t bytes() const;
 
  private:
