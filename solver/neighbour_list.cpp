@@ -18,7 +18,7 @@ bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::in
 }  // namespace
 
 template <class S>
-void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const SameBody& same_body) {
+void NeighbourList<S>::build(const PinballStore<S>& pinballs, S reach_factor, S skin, const SameBody& same_body) {
   constexpr int W = native_width<S>;
   const std::int32_t n = pinballs.count;
   const auto size = static_cast<std::size_t>(n);
@@ -36,7 +36,7 @@ void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const Same
 
   S largest = 0;
   for (std::size_t i = 0; i < size; ++i) largest = std::max(largest, centre[4 * i + 3]);
-  const double cell_size = static_cast<double>(2 * largest + skin) * 1.000001;
+  const double cell_size = static_cast<double>(2 * reach_factor * largest + skin) * 1.000001;
   int bits = 1;
   while ((std::int64_t(1) << bits) < 2 * std::int64_t(n) && bits < 30) ++bits;
   bucket_start_.resize((std::size_t(1) << bits) + 1);
@@ -76,14 +76,14 @@ void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const Same
     const auto end = static_cast<std::int32_t>(n * (piece + 1) / pieces);
     for (auto i = static_cast<std::int32_t>(n * piece / pieces); i < end; ++i) {
       const S* own = centre + 4 * static_cast<std::int64_t>(i);
-      const S own_reach = own[3] + skin;
       const auto before = list.size();
       for_each_near(hash, own, [&](std::int32_t j, const S* other) {
         const S x = own[0] - other[0], y = own[1] - other[1], z = own[2] - other[2];
-        const S reach = own_reach + other[3];
+        const S reach = reach_factor * (own[3] + other[3]) + skin;
         if (x * x + y * y + z * z < reach * reach && i != j && may_touch(i, j)) list.push_back(j);
       });
       count_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(list.size() - before);
+      std::sort(list.begin() + static_cast<std::ptrdiff_t>(before), list.end());
       while (list.size() % W != 0) list.push_back(i);
     }
   });

@@ -9,8 +9,8 @@
 namespace pinball {
 
 /// For each pinball the pinballs that it may touch before something has moved by half the skin. Every pair stands in
-/// both lists; lists are padded to whole packs with the pinball itself. Per entry it keeps what a pair in contact
-/// remembers (contact_force.hpp); this survives a rebuild.
+/// both lists; lists are sorted, and padded to whole packs with the pinball itself. Per entry it keeps what a pair in
+/// contact remembers (contact_force.hpp); this survives a rebuild.
 template <class S>
 class NeighbourList {
  public:
@@ -20,8 +20,9 @@ class NeighbourList {
     const std::vector<std::array<float, 3>>* reference_centre = nullptr;  ///< per slot, of the undeformed mesh [length]
   };
 
-  /// Builds the list from nothing: spatial hash, then candidates in fixed pieces, then one list in order.
-  void build(const PinballStore<S>& pinballs, S skin, const SameBody& same_body);
+  /// Builds the list from nothing: spatial hash, then candidates in fixed pieces, then one list in order. It is to hold
+  /// the pairs whose distance is less than reach_factor (R1 + R2).
+  void build(const PinballStore<S>& pinballs, S reach_factor, S skin, const SameBody& same_body);
 
   /// True while no pinball has moved by more than half the skin since the list was built.
   bool holds(const PinballStore<S>& pinballs) const;

@@ -140,7 +140,8 @@ void PinballContact<S>::search(const Model<S>& model) {
     largest = std::max(largest, pinballs_.centre[4 * static_cast<std::size_t>(p) + 3]);
   }
   const S skin = model.scene.skip.contact_search ? static_cast<S>(model.scene.contact.skin) * largest : S(0);
-  list_.build(pinballs_, skin, {model.scene.contact.self, &reference_centre_});
+  const S reach_factor = this->by_impulses() ? static_cast<S>(pinball_pair_margin(model.scene.contact.gap)) : S(1);
+  list_.build(pinballs_, reach_factor, skin, {model.scene.contact.self, &reference_centre_});
 }
 
 template <class S>
