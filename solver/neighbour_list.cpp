@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/neighbour_list.hpp>
 
@@ -29,71 +28,20 @@ bool may_touch(const SurfacePinballs<S>& pinballs, std::size_t a, std::size_t b)
   return !share_corner(pinballs.corners[a], pinballs.corners[b]);
 }
 
-std::int64_t groups_of(std::int64_t count, int group) { return std::max<std::int64_t>(1, (count + group - 1) / group); }
-
 }  // namespace
-
-template <class S>
-MovingBalls<S>::MovingBalls(std::int32_t count)
-    : count_(count), record_(static_cast<std::size_t>(7 * ball_group<S> * groups_of(count, ball_group<S>))) {
-  std::fill(record_.data(), record_.data() + record_.size(), std::numeric_limits<S>::quiet_NaN());
-}
-
-template <class S>
-void MovingBalls<S>::set(std::int32_t i, const std::array<S, 3>& centre, const std::array<S, 3>& way, S radius) {
-  constexpr int G = ball_group<S>;
-  S* ball = record_.data() + static_cast<std::int64_t>(i / G) * 7 * G + i % G;
-  for (std::size_t k = 0; k < 3; ++k) {
-    ball[k * G] = centre[k];
-    ball[(3 + k) * G] = way[k];
-  }
-  ball[6 * G] = radius;
-}
 
 template <class S>
 void NeighbourList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
   const std::vector<Memory> memory = remember();
-  build_boxes(balls);
+  boxes_.build(balls);
   find(pinballs, balls, self);
   join(pinballs);
   recall(memory);
 }
 
 template <class S>
-void NeighbourList<S>::build_boxes(const MovingBalls<S>& balls) {
-  constexpr int G = ball_group<S>;
-  tree_.groups = static_cast<std::int32_t>(groups_of(balls.count(), G));
-  tree_.ball = balls.data();
-  std::int64_t boxes = tree_.groups;
-  for (tree_.levels = 0; tree_.levels == 0 || boxes > 1; ++tree_.levels) {
-    const std::int64_t groups = groups_of(boxes, G);
-    AlignedArray<S>& level = box_[static_cast<std::size_t>(tree_.levels)];
-    if (level.size() != static_cast<std::size_t>(groups * 12 * G)) {
-      level = AlignedArray<S>();
-      level = AlignedArray<S>(static_cast<std::size_t>(groups * 12 * G));
-    }
-    tree_.box[tree_.levels] = level.data();
-    const S* below = tree_.levels == 0 ? tree_.ball : tree_.box[tree_.levels - 1];
-    const bool of_balls = tree_.levels == 0;
-    parallel_for("boxes", RangePolicy<>{0, groups}, [&, boxes](std::int64_t group) {
-      MovingBox<S> empty;
-      for (int c = 0; c < 12; ++c) {
-        empty.bound[c] = (c % 6 < 3 ? 1 : -1) * std::numeric_limits<S>::infinity();
-      }
-      for (std::int64_t b = group * G; b < (group + 1) * G; ++b) {
-        put_box(b >= boxes ? empty
-                : of_balls ? box_of_balls(below + b * 7 * G)
-                           : box_of_boxes(below + b * 12 * G),
-                level.data(), b);
-      }
-    });
-    boxes = groups;
-  }
-}
-
-template <class S>
 std::int32_t NeighbourList<S>::piece_begin(std::int64_t piece) const {
-  const std::int64_t first = tree_.groups * piece / pieces * ball_group<S>;
+  const std::int64_t first = boxes_.view().groups * piece / pieces * ball_group<S>;
   return static_cast<std::int32_t>(std::min(first, static_cast<std::int64_t>(count_above_.size())));
 }
 
@@ -102,6 +50,7 @@ template <class S>
 void NeighbourList<S>::find(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
   using T = Pack<S, native_width<S>>;
   constexpr int G = ball_group<S>;
+  const BallTreeView<S>& tree = boxes_.view();
   const auto all = static_cast<std::size_t>(balls.count());
   count_above_.resize(all);
   count_below_.resize(all);
@@ -117,16 +66,16 @@ void NeighbourList<S>::find(const SurfacePinballs<S>& pinballs, const MovingBall
       const std::int32_t group = i / G;
       if (i % G == 0) {
         near.clear();
-        for_each_meeting_group<T>(tree_, get_box(tree_.box[0], group), group,
+        for_each_meeting_group<T>(tree, get_box(tree.box[0], group), group,
                                   [&](std::int32_t other) { near.push_back(other); });
       }
       const auto a = static_cast<std::size_t>(i);
       const std::size_t before = above.size();
-      const S* ball = tree_.ball + static_cast<std::int64_t>(group) * 7 * G + i % G;
+      const S* ball = tree.ball + static_cast<std::int64_t>(group) * 7 * G + i % G;
       S own[7];
       for (int c = 0; c < 7; ++c) own[c] = ball[c * G];
       for (const std::int32_t other : near) {
-        unsigned bits = meeting_balls<T>(tree_.ball + static_cast<std::int64_t>(other) * 7 * G, own);
+        unsigned bits = meeting_balls<T>(tree.ball + static_cast<std::int64_t>(other) * 7 * G, own);
         if (other == group) bits &= ~1U << i % G;
         for (; bits != 0; bits &= bits - 1) {
           const std::int32_t j = other * G + __builtin_ctz(bits);
@@ -253,15 +202,12 @@ template <class S>
 std::size_t NeighbourList<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = of(start_) + of(count_) + of(listed_) + of(slot_) + of(neighbour_) + of(count_above_) +
-                    of(count_below_) + of(next_) + of(number_) + offset_.bytes() + stored_.bytes();
-  for (const auto& level : box_) sum += level.bytes();
+                    of(count_below_) + of(next_) + of(number_) + offset_.bytes() + stored_.bytes() + boxes_.bytes();
   for (const auto& list : above_) sum += of(list);
   for (const auto& list : crossing_) sum += of(list);
   return sum;
 }
 
-template class MovingBalls<double>;
-template class MovingBalls<float>;
 template class NeighbourList<double>;
 template class NeighbourList<float>;
 

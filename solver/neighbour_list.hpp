@@ -2,28 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/kernels/ball_tree.hpp>
 #include <pinball/solver/aligned_array.hpp>
+#include <pinball/solver/moving_balls.hpp>
 #include <pinball/solver/surface_pinballs.hpp>
 #include <vector>
 
 namespace pinball {
-
-/// Balls in straight motion, as BallTreeView wants them.
-template <class S>
-class MovingBalls {
- public:
-  explicit MovingBalls(std::int32_t count = 0);
-  /// Two balls may touch while their distance is less than the sum of their radii.
-  void set(std::int32_t i, const std::array<S, 3>& centre, const std::array<S, 3>& way, S radius);
-  std::int32_t count() const { return count_; }
-  const S* data() const { return record_.data(); }
-  std::size_t bytes() const { return record_.bytes(); }
-
- private:
-  std::int32_t count_ = 0;
-  AlignedArray<S> record_;
-};
 
 /// For each pinball the pinballs that it may touch in a time to come. Pinballs that may touch none are left out: the
 /// list numbers the others, in the same order. Every pair stands in both lists; lists are sorted, and padded to whole
@@ -60,7 +44,6 @@ class NeighbourList {
   };
   std::vector<Memory> remember() const;
   void recall(const std::vector<Memory>& memory);
-  void build_boxes(const MovingBalls<S>& balls);
   /// First pinball of a piece.
   std::int32_t piece_begin(std::int64_t piece) const;
   void find(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self);
@@ -73,8 +56,7 @@ class NeighbourList {
   std::vector<std::int32_t> neighbour_;
   AlignedArray<S> offset_, stored_;  ///< per entry of neighbour_
   // What follows is kept for its memory alone.
-  BallTreeView<S> tree_{};
-  std::array<AlignedArray<S>, ball_tree_levels> box_;
+  BallTree<S> boxes_;
   struct Pair {
     std::int32_t first, second;
   };

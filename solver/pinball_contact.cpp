@@ -8,8 +8,6 @@ namespace pinball {
 
 namespace {
 
-/// Steps for which a list is built. Fast pairs are listed along the way that they make in this time.
-constexpr int horizon_steps = 20;
 /// Growth of a radius for which the list allows, where radii change.
 constexpr double radius_growth = 1.02;
 
@@ -47,7 +45,15 @@ PinballContact<S>::PinballContact(const Model<S>& model) : Contact<S>(model), su
     if (surface_.exposed(slot) != 0) exposed.push_back(static_cast<std::int32_t>(slot));
   }
   all_.update(model, surface_, exposed);
-  motion_.collect(all_, model.nodes.count);
+  take_nodes(model);
+}
+
+template <class S>
+void PinballContact<S>::take_nodes(const Model<S>& model) {
+  motion_.clear(model.nodes.count);
+  for (std::size_t p = 0; p < all_.corners.size(); ++p) {
+    for (const std::int32_t node : all_.corners[p]) motion_.take(node, all_.radius[p]);
+  }
 }
 
 template <class S>
@@ -95,7 +101,7 @@ void PinballContact<S>::update_geometry(const Model<S>& model) {
 
 template <class S>
 bool PinballContact<S>::list_holds(const Model<S>& model) const {
-  if (!list_valid_ || elapsed() > horizon_ || !motion_.holds(model.nodes.position.data(), elapsed())) return false;
+  if (!list_valid_ || clock_.over() || !motion_.holds(model.nodes.position.data(), clock_.elapsed())) return false;
   for (std::size_t p = 0; p < radius_.size(); ++p) {
     if (!(current_radius(model, all_.corners[p]) <= static_cast<S>(radius_growth) * radius_[p])) return false;
   }
@@ -116,17 +122,16 @@ void PinballContact<S>::search(const Model<S>& model) {
 template <class S>
 void PinballContact<S>::build_list(const Model<S>& model) {
   const bool reuse = model.scene.skip.contact_search;
-  horizon_ = reuse ? horizon_steps * last_step_ : S(0);
-  motion_.adapt(model.nodes.position.data(), elapsed(), horizon_);
+  const S horizon = reuse ? horizon_steps * clock_.last_step() : S(0);
+  motion_.adapt(model.nodes.position.data(), clock_.elapsed(), horizon);
   if (surface_changed_) {  // a good moment to take in the elements behind the new surface
     all_.update(model, surface_, uncovered_);
-    motion_.collect(all_, model.nodes.count);
+    take_nodes(model);
     uncovered_.clear();
     surface_changed_ = false;
   }
   motion_.start(model.nodes, reuse ? static_cast<S>(model.scene.contact.skin) : S(0));
-  known_elapsed_ = 0;
-  steps_ = 0;
+  clock_.restart(horizon);
 
   const bool current = model.scene.contact.radius == ContactRadius::current;
   radius_.resize(current ? all_.radius.size() : 0);
@@ -137,7 +142,7 @@ void PinballContact<S>::build_list(const Model<S>& model) {
   parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
     const auto p = static_cast<std::size_t>(i);
     std::array<S, 3> way = centre_of(model.nodes.velocity, all_.corners[p]);
-    for (S& w : way) w *= horizon_;
+    for (S& w : way) w *= horizon;
     if (current) radius_[p] = current_radius(model, all_.corners[p]);
     const S radius = current ? radius_[p] : all_.radius[p];
     balls.set(static_cast<std::int32_t>(i), centre_of(model.nodes.position, all_.corners[p]), way,
@@ -177,22 +182,15 @@ void PinballContact<S>::collect_listed(const Model<S>& model) {
 }
 
 template <class S>
-void PinballContact<S>::count_step(S dt) {
-  if (steps_ > 0) known_elapsed_ += dt;
-  last_step_ = dt;
-  ++steps_;
-}
-
-template <class S>
 void PinballContact<S>::prepare_impulses(const Model<S>& model, double dt) {
-  count_step(static_cast<S>(dt));
+  clock_.count_step(static_cast<S>(dt));
   this->impulses_->collect(model, pinball_pairs(model, pinballs_, list_, surface_), dt);
 }
 
 template <class S>
 ContactResult PinballContact<S>::forces(const Model<S>& /*model*/, S dt) {
   using T = Pack<S, native_width<S>>;
-  count_step(dt);
+  clock_.count_step(dt);
   const PinballView<S> view = pinballs_.view();
   S* force = pinballs_.force.data();
   struct Sums {

@@ -42,11 +42,8 @@ class PinballContact final : public Contact<S> {
   void update_exposure();
   /// Centres, velocities, normals and (on demand) radii of the listed pinballs.
   void update_geometry(const Model<S>& model);
-  /// Notes the length of the step just made.
-  void count_step(S dt);
-  /// Since the list was built. The last step is not known yet: it is taken to be as long as the one before, and what
-  /// that is wrong by counts as straying.
-  S elapsed() const { return known_elapsed_ + last_step_; }
+  /// Has the motion of the nodes of all pinballs watched.
+  void take_nodes(const Model<S>& model);
 
   Surface surface_;
   std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen
@@ -58,9 +55,7 @@ class PinballContact final : public Contact<S> {
   PenaltyConstants<S> penalty_;
   bool list_valid_ = false;
   bool surface_changed_ = false;  ///< since the pinballs of the surface were chosen
-  S horizon_ = 0;                 ///< time for which the list was built [time]
-  S known_elapsed_ = 0, last_step_ = 0;
-  std::int64_t steps_ = 0;  ///< since the list was built
+  ListClock<S> clock_;
   double lost_energy_ = 0;  ///< of springs whose pinball eroded in this step
 };
 

@@ -26,29 +26,21 @@ PINBALL_FUNCTION T strayed2(const ScalarOf<T>* position, const std::int32_t* nod
 }  // namespace
 
 template <class S>
-void SurfaceMotion<S>::collect(const SurfacePinballs<S>& pinballs, std::int32_t node_count) {
-  constexpr std::size_t W = native_width<S>;
+void SurfaceMotion<S>::clear(std::int32_t node_count) {
   taken_.resize(static_cast<std::size_t>(node_count), 0);
   allowance_.resize(static_cast<std::size_t>(node_count), 0);
   for (const std::int32_t node : node_) taken_[static_cast<std::size_t>(node)] = 0;
   node_.clear();
   size_.clear();
-  for (std::size_t p = 0; p < pinballs.corners.size(); ++p) {
-    for (const std::int32_t node : pinballs.corners[p]) {
-      std::uint8_t& taken = taken_[static_cast<std::size_t>(node)];
-      if (taken != 0) continue;
-      taken = 1;
-      node_.push_back(node);
-      size_.push_back(pinballs.radius[p]);
-    }
-  }
-  while (node_.size() % W != 0) {  // padding repeats a node
-    node_.push_back(node_.back());
-    size_.push_back(size_.back());
-  }
-  count_ = node_.size();
-  start_ = AlignedArray<S>(6 * count_);
-  allowed2_ = AlignedArray<S>(count_);
+}
+
+template <class S>
+void SurfaceMotion<S>::take(std::int32_t node, S size) {
+  std::uint8_t& taken = taken_[static_cast<std::size_t>(node)];
+  if (taken != 0) return;
+  taken = 1;
+  node_.push_back(node);
+  size_.push_back(size);
 }
 
 template <class S>
@@ -71,6 +63,15 @@ void SurfaceMotion<S>::adapt(const S* position, S elapsed, S horizon) {
 template <class S>
 void SurfaceMotion<S>::start(const NodeStore<S>& nodes, S skin) {
   constexpr std::size_t W = native_width<S>;
+  while (node_.size() % W != 0) {  // padding repeats a node
+    node_.push_back(node_.back());
+    size_.push_back(size_.back());
+  }
+  if (count_ != node_.size()) {
+    count_ = node_.size();
+    start_ = AlignedArray<S>(6 * count_);
+    allowed2_ = AlignedArray<S>(count_);
+  }
   for (std::size_t n = 0; n < count_; ++n) {
     const auto node = static_cast<std::size_t>(node_[n]);
     S* record = start_.data() + n / W * 6 * W + n % W;
@@ -102,13 +103,6 @@ bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
       },
       [](bool& whole, bool partial) { whole = whole || partial; });
   return !strayed;
-}
-
-template <class S>
-S SurfaceMotion<S>::allowance(const std::array<std::int32_t, 8>& corners) const {
-  float largest = 0;
-  for (const std::int32_t node : corners) largest = std::max(largest, allowance_[static_cast<std::size_t>(node)]);
-  return static_cast<S>(largest);
 }
 
 template <class S>

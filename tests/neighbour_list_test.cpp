@@ -240,7 +240,10 @@ class Straying : public ::testing::Test {
         put(nodes.velocity, n, v);
       }
     }
-    motion.collect(all, nodes.count);
+    motion.clear(nodes.count);
+    for (const auto& corners : all.corners) {
+      for (const std::int32_t node : corners) motion.take(node, 1);
+    }
   }
   static void put(AlignedArray<double>& records, int n, const Vec3<double>& v) {
     double* r = records.data() + 4 * std::size_t(n);
