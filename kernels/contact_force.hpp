@@ -8,7 +8,8 @@
 ///
 /// Every pair stands in both lists: each pinball sums its own force and writes nothing else, so that the loop over
 /// pinballs needs neither atomics nor colours, and its sums have one order. The two forces of a pair are equal and
-/// opposite to the last bit.
+/// opposite to the last bit. Lists are sorted by the number of the neighbour and pairs that do not touch add zeros, so
+/// that the sums do not depend on which of these happen to be listed.
 namespace pinball {
 
 /// Pinball records of four scalars each, one record per pinball. A pinball whose B R is zero takes no part: its element
@@ -103,14 +104,14 @@ PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<Scala
     const T total = maximum(T(0), elastic + p1 * rate);  // (3.8), no adhesion
     const T force = select(active, total, T(0));
 
-    result.force.x += lane_sum(force * p.gradient.x);
-    result.force.y += lane_sum(force * p.gradient.y);
-    result.force.z += lane_sum(force * p.gradient.z);
-    result.stiffness += lane_sum(select(active, p2, T(0)));
+    add_lanes_to(result.force.x, force * p.gradient.x);
+    add_lanes_to(result.force.y, force * p.gradient.y);
+    add_lanes_to(result.force.z, force * p.gradient.z);
+    add_lanes_to(result.stiffness, select(active, p2, T(0)));
     const T energy = select(active, number<T>(0.25) * elastic * depth, T(0));
     store(energy, stored + first);
-    result.stored += lane_sum(energy);
-    result.damped += lane_sum(select(active, number<T>(0.5) * (total - elastic) * rate, T(0)));
+    add_lanes_to(result.stored, energy);
+    add_lanes_to(result.damped, select(active, number<T>(0.5) * (total - elastic) * rate, T(0)));
     const S ratio = lane_maximum(select(active, p.depth / reach, T(0)));
     result.penetration_ratio = maximum(result.penetration_ratio, ratio);
     result.pairs += count_lanes(active);

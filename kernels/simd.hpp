@@ -46,8 +46,22 @@ PINBALL_FUNCTION double absolute(double a) { return a < 0 ? -a : a; }
 PINBALL_FUNCTION float absolute(float a) { return a < 0 ? -a : a; }
 PINBALL_FUNCTION bool any_lane(bool mask) { return mask; }
 PINBALL_FUNCTION int count_lanes(bool mask) { return mask ? 1 : 0; }
+/// Bit i is set where lane i of the mask of a number of type T is.
+template <class T>
+PINBALL_FUNCTION unsigned lane_bits(const MaskOf<T>& mask) {
+  if constexpr (width_of<T> == 1) {
+    return mask ? 1U : 0U;
+  } else {
+#if !defined(__CUDACC__)
+    constexpr unsigned all = (1ULL << width_of<T>)-1;
+    return static_cast<unsigned>(mask.__to_bitset().to_ullong()) & all;
+#endif
+  }
+}
 PINBALL_FUNCTION double lane_sum(double a) { return a; }
 PINBALL_FUNCTION float lane_sum(float a) { return a; }
+PINBALL_FUNCTION void add_lanes_to(double& sum, double a) { sum += a; }
+PINBALL_FUNCTION void add_lanes_to(float& sum, float a) { sum += a; }
 PINBALL_FUNCTION double lane_maximum(double a) { return a; }
 PINBALL_FUNCTION float lane_maximum(float a) { return a; }
 PINBALL_FUNCTION double lane(double a, int) { return a; }
@@ -159,6 +173,11 @@ PINBALL_FUNCTION T lane_sum(const stdx::simd<T, Abi>& a) {
   T sum = a[0];
   for (std::size_t i = 1; i < a.size(); ++i) sum += a[i];
   return sum;
+}
+/// Adds lane after lane: a sum over several packs does not depend on where one pack ends and the next begins.
+template <class T, class Abi>
+PINBALL_FUNCTION void add_lanes_to(T& sum, const stdx::simd<T, Abi>& a) {
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i];
 }
 template <class T, class Abi>
 PINBALL_FUNCTION T lane_maximum(const stdx::simd<T, Abi>& a) {

@@ -15,86 +15,132 @@ bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::in
   return equal != 0;
 }
 
+/// Whether two elements of one body may touch.
+template <class S>
+bool may_touch(const SurfacePinballs<S>& pinballs, std::size_t a, std::size_t b) {
+  // Balls of flat elements may overlap from the start; such a pair says nothing about contact.
+  const std::array<float, 4>&p = pinballs.reference[a], &q = pinballs.reference[b];
+  float d2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) d2 += (p[k] - q[k]) * (p[k] - q[k]);
+  const float reach = p[3] + q[3];
+  if (!(d2 > 1.0001f * reach * reach)) return false;
+  // Elements that share a corner are kept apart by the mesh.
+  return !share_corner(pinballs.corners[a], pinballs.corners[b]);
+}
+
 }  // namespace
 
 template <class S>
-void NeighbourList<S>::build(const PinballStore<S>& pinballs, S skin, const SameBody& same_body) {
-  constexpr int W = native_width<S>;
-  const std::int32_t n = pinballs.count;
-  const auto size = static_cast<std::size_t>(n);
+void NeighbourList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
   const std::vector<Memory> memory = remember();
-  skin_ = skin;
-  valid_ = true;
-  pairs_ = 0;
-  start_.assign(size + 1, 0);
-  count_.assign(size, 0);
-  neighbour_.clear();
-  slot_ = pinballs.slot;
-  const S* centre = pinballs.centre.data();
-  built_at_.assign(centre, centre + 4 * size);
-  if (n == 0) return;
+  boxes_.build(balls);
+  find(pinballs, balls, self);
+  join(pinballs);
+  recall(memory);
+}
 
-  S largest = 0;
-  for (std::size_t i = 0; i < size; ++i) largest = std::max(largest, centre[4 * i + 3]);
-  const double cell_size = static_cast<double>(2 * largest + skin) * 1.000001;
-  int bits = 1;
-  while ((std::int64_t(1) << bits) < 2 * std::int64_t(n) && bits < 30) ++bits;
-  bucket_start_.resize((std::size_t(1) << bits) + 1);
-  entry_cell_.resize(size);
-  entry_point_.resize(size);
-  entry_record_.resize(4 * size);
-  cell_.resize(size);
-  const SpatialHashView<S> hash{
-      {{static_cast<double>(centre[0]), static_cast<double>(centre[1]), static_cast<double>(centre[2])},
-       1.0 / cell_size},
-      bits,
-      bucket_start_.data(),
-      entry_cell_.data(),
-      entry_point_.data(),
-      entry_record_.data()};
-  build_spatial_hash(hash, centre, n, cell_.data());
+template <class S>
+std::int32_t NeighbourList<S>::piece_begin(std::int64_t piece) const {
+  const std::int64_t first = boxes_.view().groups * piece / pieces * ball_group<S>;
+  return static_cast<std::int32_t>(std::min(first, static_cast<std::int64_t>(count_above_.size())));
+}
 
-  const auto may_touch = [&](std::int32_t i, std::int32_t j) {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    if (pinballs.body[a] != pinballs.body[b]) return true;
-    // Elements that share a corner are kept apart by the mesh.
-    if (!same_body.allowed || share_corner(pinballs.corners[a], pinballs.corners[b])) return false;
-    // Balls of flat elements may overlap from the start; such a pair says nothing about contact.
-    const std::array<float, 3>& p = (*same_body.reference_centre)[static_cast<std::size_t>(pinballs.slot[a])];
-    const std::array<float, 3>& q = (*same_body.reference_centre)[static_cast<std::size_t>(pinballs.slot[b])];
-    float d2 = 0;
-    for (std::size_t k = 0; k < 3; ++k) d2 += (p[k] - q[k]) * (p[k] - q[k]);
-    const auto reach = static_cast<float>(centre[4 * a + 3] + centre[4 * b + 3]);
-    return d2 > 1.0001f * reach * reach;
-  };
-
-  // Pinballs are worked in fixed pieces, each with a list of its own; the lists are joined in order.
-  constexpr std::int64_t pieces = 64;
-  std::array<std::vector<std::int32_t>, pieces> found;
+/// For each pinball its neighbours of higher number; those of lower number are counted.
+template <class S>
+void NeighbourList<S>::find(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
+  using T = Pack<S, native_width<S>>;
+  constexpr int G = ball_group<S>;
+  const BallTreeView<S>& tree = boxes_.view();
+  const auto all = static_cast<std::size_t>(balls.count());
+  count_above_.resize(all);
+  count_below_.resize(all);
   parallel_for("neighbours", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
-    std::vector<std::int32_t>& list = found[static_cast<std::size_t>(piece)];
-    const auto end = static_cast<std::int32_t>(n * (piece + 1) / pieces);
-    for (auto i = static_cast<std::int32_t>(n * piece / pieces); i < end; ++i) {
-      const S* own = centre + 4 * static_cast<std::int64_t>(i);
-      const S own_reach = own[3] + skin;
-      const auto before = list.size();
-      for_each_near(hash, own, [&](std::int32_t j, const S* other) {
-        const S x = own[0] - other[0], y = own[1] - other[1], z = own[2] - other[2];
-        const S reach = own_reach + other[3];
-        if (x * x + y * y + z * z < reach * reach && i != j && may_touch(i, j)) list.push_back(j);
-      });
-      count_[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(list.size() - before);
-      while (list.size() % W != 0) list.push_back(i);
+    std::vector<std::int32_t>& above = above_[static_cast<std::size_t>(piece)];
+    std::vector<Pair>& crossing = crossing_[static_cast<std::size_t>(piece)];
+    above.clear();
+    crossing.clear();
+    std::vector<std::int32_t> near;
+    const std::int32_t begin = piece_begin(piece), end = piece_begin(piece + 1);
+    std::fill(count_below_.begin() + begin, count_below_.begin() + end, 0);
+    for (std::int32_t i = begin; i < end; ++i) {
+      const std::int32_t group = i / G;
+      if (i % G == 0) {
+        near.clear();
+        for_each_meeting_group<T>(tree, get_box(tree.box[0], group), group,
+                                  [&](std::int32_t other) { near.push_back(other); });
+      }
+      const auto a = static_cast<std::size_t>(i);
+      const std::size_t before = above.size();
+      const S* ball = tree.ball + static_cast<std::int64_t>(group) * 7 * G + i % G;
+      S own[7];
+      for (int c = 0; c < 7; ++c) own[c] = ball[c * G];
+      for (const std::int32_t other : near) {
+        unsigned bits = meeting_balls<T>(tree.ball + static_cast<std::int64_t>(other) * 7 * G, own);
+        if (other == group) bits &= ~1U << i % G;
+        for (; bits != 0; bits &= bits - 1) {
+          const std::int32_t j = other * G + __builtin_ctz(bits);
+          const auto b = static_cast<std::size_t>(j);
+          if (pinballs.body[a] == pinballs.body[b] && !(self && may_touch(pinballs, a, b))) continue;
+          above.push_back(j);
+          if (j < end) {
+            ++count_below_[b];
+          } else {
+            crossing.push_back({i, j});
+          }
+        }
+      }
+      count_above_[a] = static_cast<std::int32_t>(above.size() - before);
     }
   });
-  for (std::size_t i = 0; i < size; ++i) {
-    pairs_ += count_[i];
-    start_[i + 1] = start_[i] + (count_[i] + W - 1) / W * W;
+  for (const std::vector<Pair>& crossing : crossing_) {
+    for (const Pair& pair : crossing) ++count_below_[static_cast<std::size_t>(pair.second)];
   }
-  pairs_ /= 2;
-  neighbour_.reserve(static_cast<std::size_t>(start_[size]));
-  for (const std::vector<std::int32_t>& list : found) neighbour_.insert(neighbour_.end(), list.begin(), list.end());
-  recall(memory);
+}
+
+/// From the neighbours of higher number to one list of all, in which only pinballs with neighbours have numbers.
+template <class S>
+void NeighbourList<S>::join(const SurfacePinballs<S>& pinballs) {
+  constexpr int W = native_width<S>;
+  number_.resize(count_above_.size());
+  listed_.clear();
+  slot_.clear();
+  count_.clear();
+  start_.assign(1, 0);
+  for (std::size_t i = 0; i < count_above_.size(); ++i) {
+    const std::int32_t n = count_above_[i] + count_below_[i];
+    if (n == 0) continue;
+    number_[i] = size();
+    listed_.push_back(static_cast<std::int32_t>(i));
+    slot_.push_back(pinballs.slot[i]);
+    count_.push_back(n);
+    start_.push_back(start_.back() + (n + W - 1) / W * W);
+  }
+  next_ = start_;
+  neighbour_.resize(static_cast<std::size_t>(start_.back()));
+  const auto append = [this](std::int32_t to, std::int32_t entry) {
+    neighbour_[static_cast<std::size_t>(next_[static_cast<std::size_t>(to)]++)] = entry;
+  };
+  // Neighbours of lower number come first, and among them those of lower pieces.
+  for (const std::vector<Pair>& crossing : crossing_) {
+    for (const Pair& pair : crossing) {
+      append(number_[static_cast<std::size_t>(pair.second)], number_[static_cast<std::size_t>(pair.first)]);
+    }
+  }
+  parallel_for("joined lists", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+    const std::int32_t* above = above_[static_cast<std::size_t>(piece)].data();
+    const std::int32_t end = piece_begin(piece + 1);
+    for (std::int32_t i = piece_begin(piece); i < end; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      if (count_above_[a] + count_below_[a] == 0) continue;
+      const std::int32_t p = number_[a];
+      for (std::int32_t k = 0; k < count_above_[a]; ++k) {
+        const std::int32_t j = *above++, q = number_[static_cast<std::size_t>(j)];
+        append(p, q);
+        if (j < end) append(q, p);
+      }
+      while (next_[static_cast<std::size_t>(p)] < start_[static_cast<std::size_t>(p) + 1]) append(p, p);
+    }
+  });
 }
 
 template <class S>
@@ -129,27 +175,8 @@ void NeighbourList<S>::recall(const std::vector<Memory>& memory) {
 }
 
 template <class S>
-bool NeighbourList<S>::holds(const PinballStore<S>& pinballs) const {
-  if (!valid_) return false;
-  S moved2 = 0;
-  const S* centre = pinballs.centre.data();
-  const S* before = built_at_.data();
-  parallel_reduce(
-      "distance moved", RangePolicy<>{0, pinballs.count}, moved2,
-      [&](std::int64_t begin, std::int64_t end, S& largest) {
-        for (std::int64_t i = begin; i < end; ++i) {
-          S d2 = 0;
-          for (std::int64_t k = 4 * i; k < 4 * i + 3; ++k) d2 += (centre[k] - before[k]) * (centre[k] - before[k]);
-          largest = largest < d2 ? d2 : largest;
-        }
-      },
-      [](S& result, const S& partial) { result = result < partial ? partial : result; });
-  return 4 * moved2 <= skin_ * skin_;
-}
-
-template <class S>
-double NeighbourList<S>::end_pairs_of_inactive(const PinballStore<S>& pinballs) {
-  const auto inactive = [&pinballs](std::size_t p) { return !(pinballs.outward[4 * p + 3] > S(0)); };
+double NeighbourList<S>::end_pairs_of_inactive(const S* outward) {
+  const auto inactive = [outward](std::size_t p) { return !(outward[4 * p + 3] > S(0)); };
   double sum = 0;
   for (std::size_t p = 0; p < count_.size(); ++p) {
     const bool itself = inactive(p);
@@ -165,10 +192,20 @@ double NeighbourList<S>::end_pairs_of_inactive(const PinballStore<S>& pinballs) 
 }
 
 template <class S>
+std::int64_t NeighbourList<S>::pairs() const {
+  std::int64_t entries = 0;
+  for (const std::int32_t n : count_) entries += n;
+  return entries / 2;
+}
+
+template <class S>
 std::size_t NeighbourList<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(start_) + of(count_) + of(neighbour_) + of(built_at_) + of(bucket_start_) + of(entry_point_) +
-         of(entry_cell_) + of(cell_) + of(slot_) + of(entry_record_) + offset_.bytes() + stored_.bytes();
+  std::size_t sum = of(start_) + of(count_) + of(listed_) + of(slot_) + of(neighbour_) + of(count_above_) +
+                    of(count_below_) + of(next_) + of(number_) + offset_.bytes() + stored_.bytes() + boxes_.bytes();
+  for (const auto& list : above_) sum += of(list);
+  for (const auto& list : crossing_) sum += of(list);
+  return sum;
 }
 
 template class NeighbourList<double>;

@@ -6,75 +6,58 @@
 
 namespace pinball {
 
+namespace {
+
+/// Growth of a radius for which the list allows, where radii change.
+constexpr double radius_growth = 1.02;
+
+/// Mean of the corners of an element.
 template <class S>
-PinballContact<S>::PinballContact(const Model<S>& model)
-    : Contact<S>(model), surface_(model), reference_centre_(static_cast<std::size_t>(model.elements.slots)) {
+std::array<S, 3> centre_of(const AlignedArray<S>& records, const std::array<std::int32_t, 8>& corners) {
+  std::array<S, 3> sum{};
+  for (const std::int32_t node : corners) {
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += records[4 * static_cast<std::size_t>(node) + k];
+  }
+  return {S(0.125) * sum[0], S(0.125) * sum[1], S(0.125) * sum[2]};
+}
+
+/// Radius of the ball of the element's present volume, as in update_pinball_pack.
+template <class S>
+S current_radius(const Model<S>& model, const std::array<std::int32_t, 8>& corners) {
+  Vec3<S> x[8];
+  for (std::size_t i = 0; i < 8; ++i) {
+    const S* p = model.nodes.position.data() + 4 * static_cast<std::int64_t>(corners[i]);
+    x[i] = {p[0], p[1], p[2]};
+  }
+  const HexahedronModes<S> modes = to_modes(x);
+  return S(0.62035049089940009) *
+         static_cast<S>(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes))));
+}
+
+}  // namespace
+
+template <class S>
+PinballContact<S>::PinballContact(const Model<S>& model) : Contact<S>(model), surface_(model) {
   const ContactSettings& contact = model.scene.contact;
   penalty_ = {static_cast<S>(contact.beta), static_cast<S>(contact.damping)};
-  for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    const Point c = element_centre(model.mesh, e);
-    reference_centre_[static_cast<std::size_t>(model.slot_of_element[e])] = {
-        static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
+  std::vector<std::int32_t> exposed;
+  for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
+    if (surface_.exposed(slot) != 0) exposed.push_back(static_cast<std::int32_t>(slot));
   }
-  for (const Part& part : model.parts) may_erode_ = may_erode_ || part.features.erosion;
-  collect_pinballs(model);
+  all_.update(model, surface_, exposed);
+  take_nodes(model);
 }
 
 template <class S>
-void PinballContact<S>::collect_pinballs(const Model<S>& model) {
-  constexpr int W = ElementStore<S>::width;
-  is_pinball_.assign(static_cast<std::size_t>(surface_.slots()), 0);
-  std::int32_t n = 0;
-  const auto choose = [&](std::int64_t slot) {
-    std::uint8_t& chosen = is_pinball_[static_cast<std::size_t>(slot)];
-    n += chosen == 0;
-    chosen = 1;
-  };
-  for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
-    if (surface_.exposed(slot) == 0) continue;
-    choose(slot);
-    if (!may_erode_) continue;
-    for (int f = 0; f < 6; ++f) {
-      const std::int32_t behind = surface_.neighbour(slot, f);
-      if (behind >= 0 && surface_.alive(behind)) choose(behind);
-    }
+void PinballContact<S>::take_nodes(const Model<S>& model) {
+  motion_.clear(model.nodes.count);
+  for (std::size_t p = 0; p < all_.corners.size(); ++p) {
+    for (const std::int32_t node : all_.corners[p]) motion_.take(node, all_.radius[p]);
   }
-  pinballs_ = PinballStore<S>();  // not both at a time
-  pinballs_ = PinballStore<S>(n, W);
-  for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
-    const auto t = static_cast<std::size_t>(tile);
-    pinballs_.tile_first.push_back(static_cast<std::int32_t>(pinballs_.slot.size()));
-    const Material& material = model.scene.materials[static_cast<std::size_t>(model.tile_part[t])];
-    for (std::int64_t slot = model.tile_packs[t] * W; slot < model.tile_packs[t + 1] * W; ++slot) {
-      if (is_pinball_[static_cast<std::size_t>(slot)] == 0) continue;
-      const auto p = pinballs_.slot.size();
-      const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(slot)]);
-      pinballs_.slot.push_back(static_cast<std::int32_t>(slot));
-      pinballs_.body.push_back(model.mesh.body[e]);
-      const double volume = model.element_mass[e] / material.density;
-      pinballs_.bulk_modulus[p] = static_cast<S>(material.bulk_modulus);
-      pinballs_.centre[4 * p + 3] =
-          static_cast<S>(model.scene.contact.radius_factor * std::cbrt(volume * 3.0 / (4.0 * M_PI)));  // (3.2)
-      pinballs_.velocity[4 * p + 3] = static_cast<S>(model.element_mass[e]);
-      for (int i = 0; i < 8; ++i) {
-        pinballs_.corners[p][static_cast<std::size_t>(i)] = model.elements.corner[ElementStore<S>::at(slot, i, 8)];
-      }
-    }
-  }
-  pinballs_.tile_first.push_back(n);
-  const std::int32_t padded = (n + W - 1) / W * W;
-  for (std::int32_t p = 0; p < padded; ++p) {  // padding repeats the corners of the last pinball
-    const std::array<std::int32_t, 8>& corners = pinballs_.corners[static_cast<std::size_t>(std::min(p, n - 1))];
-    for (int i = 0; i < 8; ++i) pinballs_.corner[ElementStore<S>::at(p, i, 8)] = corners[static_cast<std::size_t>(i)];
-  }
-  update_exposure();
-  surface_changed_ = false;
-  list_.invalidate();
 }
 
 template <class S>
 void PinballContact<S>::update_exposure() {
-  active_ = 0;
   for (std::int32_t p = 0; p < pinballs_.count; ++p) {
     const auto i = static_cast<std::size_t>(p);
     const std::uint8_t exposed = surface_.exposed(pinballs_.slot[i]);
@@ -82,7 +65,6 @@ void PinballContact<S>::update_exposure() {
       pinballs_.exposed[ElementStore<S>::at(p, f, 6)] = (exposed >> f & 1) != 0 ? S(1) : S(0);
     }
     pinballs_.outward[4 * i + 3] = exposed != 0 ? pinballs_.bulk_modulus[i] * pinballs_.centre[4 * i + 3] : S(0);
-    active_ += exposed != 0;
   }
 }
 
@@ -90,14 +72,13 @@ template <class S>
 void PinballContact<S>::update_surface(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
   lost_energy_ = 0;
   if (surface_.remove_eroded(model, tiles)) {
-    update_exposure();
-    lost_energy_ = list_.end_pairs_of_inactive(pinballs_);
-    bool missing = false;
-    for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
-      missing = missing || (surface_.exposed(slot) != 0 && is_pinball_[static_cast<std::size_t>(slot)] == 0);
-    }
     surface_changed_ = true;
-    if (missing) collect_pinballs(model);
+    update_exposure();
+    lost_energy_ = list_.end_pairs_of_inactive(pinballs_.outward.data());
+    for (const std::int32_t slot : surface_.uncovered()) {
+      uncovered_.push_back(slot);
+      list_valid_ = list_valid_ && all_.chosen[static_cast<std::size_t>(slot)] != 0;
+    }
   }
   update_geometry(model);
 }
@@ -119,32 +100,97 @@ void PinballContact<S>::update_geometry(const Model<S>& model) {
 }
 
 template <class S>
+bool PinballContact<S>::list_holds(const Model<S>& model) const {
+  if (!list_valid_ || clock_.over() || !motion_.holds(model.nodes.position.data(), clock_.elapsed())) return false;
+  for (std::size_t p = 0; p < radius_.size(); ++p) {
+    if (!(current_radius(model, all_.corners[p]) <= static_cast<S>(radius_growth) * radius_[p])) return false;
+  }
+  return true;
+}
+
+template <class S>
 void PinballContact<S>::search(const Model<S>& model) {
-  if (model.scene.skip.contact_search && list_.holds(pinballs_)) {
+  if (model.scene.skip.contact_search && list_holds(model)) {
     ++this->searches_skipped_;
     return;
   }
   ++this->searches_;
+  build_list(model);
+  update_geometry(model);
+}
+
+template <class S>
+void PinballContact<S>::build_list(const Model<S>& model) {
+  const bool reuse = model.scene.skip.contact_search;
+  const S horizon = reuse ? horizon_steps * clock_.last_step() : S(0);
+  motion_.adapt(model.nodes.position.data(), clock_.elapsed(), horizon);
   if (surface_changed_) {  // a good moment to take in the elements behind the new surface
-    collect_pinballs(model);
-    update_geometry(model);
+    all_.update(model, surface_, uncovered_);
+    take_nodes(model);
+    uncovered_.clear();
+    surface_changed_ = false;
   }
-  S largest = 0;
-  for (std::int32_t p = 0; p < pinballs_.count; ++p) {
-    largest = std::max(largest, pinballs_.centre[4 * static_cast<std::size_t>(p) + 3]);
+  motion_.start(model.nodes, reuse ? static_cast<S>(model.scene.contact.skin) : S(0));
+  clock_.restart(horizon);
+
+  const bool current = model.scene.contact.radius == ContactRadius::current;
+  radius_.resize(current ? all_.radius.size() : 0);
+  // Where each ball may be, and what the rounding of single precision adds.
+  const S factor = static_cast<S>(1.0001 * (this->by_impulses() ? pinball_pair_margin(model.scene.contact.gap) : 1.0) *
+                                  (current && reuse ? radius_growth : 1.0));
+  MovingBalls<S> balls(all_.count);
+  parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
+    const auto p = static_cast<std::size_t>(i);
+    std::array<S, 3> way = centre_of(model.nodes.velocity, all_.corners[p]);
+    for (S& w : way) w *= horizon;
+    if (current) radius_[p] = current_radius(model, all_.corners[p]);
+    const S radius = current ? radius_[p] : all_.radius[p];
+    balls.set(static_cast<std::int32_t>(i), centre_of(model.nodes.position, all_.corners[p]), way,
+              factor * radius + motion_.allowance(all_.corners[p]));
+  });
+  list_.build(all_, balls, model.scene.contact.self);
+  list_valid_ = true;
+  collect_listed(model);
+}
+
+template <class S>
+void PinballContact<S>::collect_listed(const Model<S>& model) {
+  constexpr int W = ElementStore<S>::width;
+  const std::int32_t n = list_.size();
+  pinballs_ = PinballStore<S>();  // not both at a time
+  pinballs_ = PinballStore<S>(n, W);
+  for (std::int32_t p = 0; p < n; ++p) {
+    const auto i = static_cast<std::size_t>(p);
+    const auto a = static_cast<std::size_t>(list_.listed()[i]);
+    pinballs_.slot.push_back(all_.slot[a]);
+    pinballs_.corners[i] = all_.corners[a];
+    pinballs_.bulk_modulus[i] = all_.bulk_modulus[a];
+    pinballs_.centre[4 * i + 3] = all_.radius[a];
+    pinballs_.velocity[4 * i + 3] = all_.mass[a];
   }
-  const S skin = model.scene.skip.contact_search ? static_cast<S>(model.scene.contact.skin) * largest : S(0);
-  list_.build(pinballs_, skin, {model.scene.contact.self, &reference_centre_});
+  auto next = pinballs_.slot.begin();
+  for (const std::int64_t pack : model.tile_packs) {
+    while (next != pinballs_.slot.end() && *next < pack * W) ++next;
+    pinballs_.tile_first.push_back(static_cast<std::int32_t>(next - pinballs_.slot.begin()));
+  }
+  const std::int32_t padded = (n + W - 1) / W * W;
+  for (std::int32_t p = 0; p < padded; ++p) {  // padding repeats the corners of the last pinball
+    const std::array<std::int32_t, 8>& corners = pinballs_.corners[static_cast<std::size_t>(std::min(p, n - 1))];
+    for (int i = 0; i < 8; ++i) pinballs_.corner[ElementStore<S>::at(p, i, 8)] = corners[static_cast<std::size_t>(i)];
+  }
+  update_exposure();
 }
 
 template <class S>
 void PinballContact<S>::prepare_impulses(const Model<S>& model, double dt) {
+  clock_.count_step(static_cast<S>(dt));
   this->impulses_->collect(model, pinball_pairs(model, pinballs_, list_, surface_), dt);
 }
 
 template <class S>
 ContactResult PinballContact<S>::forces(const Model<S>& /*model*/, S dt) {
   using T = Pack<S, native_width<S>>;
+  clock_.count_step(dt);
   const PinballView<S> view = pinballs_.view();
   S* force = pinballs_.force.data();
   struct Sums {
@@ -226,11 +272,16 @@ void PinballContact<S>::scatter(Model<S>& model, ContactResult& result) {
 }
 
 template <class S>
-void PinballContact<S>::report(const Model<S>& /*model*/, std::vector<Point>& node_force,
+void PinballContact<S>::report(const Model<S>& model, std::vector<Point>& node_force,
                                std::vector<double>& slot_radius) const {
+  const bool current = model.scene.contact.radius == ContactRadius::current;
+  for (std::size_t p = 0; p < all_.slot.size(); ++p) {
+    if (surface_.exposed(all_.slot[p]) == 0) continue;  // behind the surface, or eroded
+    slot_radius[static_cast<std::size_t>(all_.slot[p])] =
+        static_cast<double>(current ? current_radius(model, all_.corners[p]) : all_.radius[p]);
+  }
   for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs_.count); ++p) {
-    if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;  // behind the surface, or eroded
-    slot_radius[static_cast<std::size_t>(pinballs_.slot[p])] = static_cast<double>(pinballs_.centre[4 * p + 3]);
+    if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;
     for (const std::int32_t node : pinballs_.corners[p]) {
       for (std::size_t k = 0; k < 3; ++k) {
         node_force[static_cast<std::size_t>(node)][k] += static_cast<double>(pinballs_.force[4 * p + k]) / 8;
@@ -242,7 +293,8 @@ void PinballContact<S>::report(const Model<S>& /*model*/, std::vector<Point>& no
 
 template <class S>
 std::size_t PinballContact<S>::bytes() const {
-  return pinballs_.bytes() + list_.bytes() + surface_.bytes() + (this->by_impulses() ? this->impulses_->bytes() : 0);
+  return pinballs_.bytes() + list_.bytes() + surface_.bytes() + all_.bytes() + motion_.bytes() +
+         radius_.capacity() * sizeof(S) + (this->by_impulses() ? this->impulses_->bytes() : 0);
 }
 
 template class PinballContact<double>;

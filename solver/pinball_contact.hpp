@@ -1,11 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <pinball/solver/contact.hpp>
 #include <pinball/solver/neighbour_list.hpp>
 #include <pinball/solver/pinball_store.hpp>
 #include <pinball/solver/surface.hpp>
+#include <pinball/solver/surface_motion.hpp>
+#include <pinball/solver/surface_pinballs.hpp>
 #include <vector>
 
 namespace pinball {
@@ -28,28 +29,35 @@ class PinballContact final : public Contact<S> {
 
   const char* name() const override { return "pinball"; }
   void report(const Model<S>& model, std::vector<Point>& node_force, std::vector<double>& slot_radius) const override;
-  std::int32_t surface_elements() const override { return active_; }
+  std::int32_t surface_elements() const override { return surface_.exposed_count(); }
   ListSize listed() const override { return {2 * list_.pairs(), list_.places()}; }
   std::size_t bytes() const override;
 
  private:
-  /// Chooses the pinballs anew: exposed elements, and those across a face of one.
-  void collect_pinballs(const Model<S>& model);
-  /// Exposed faces of the chosen pinballs, and which of them take part.
+  /// Whether the list still has every pair that may touch.
+  bool list_holds(const Model<S>& model) const;
+  /// Builds the list for a time to come, and the store of the pinballs that are in it.
+  void build_list(const Model<S>& model);
+  void collect_listed(const Model<S>& model);
+  /// Exposed faces of the listed pinballs, and which of them take part.
   void update_exposure();
-  /// Centres, velocities, normals and (on demand) radii.
+  /// Centres, velocities, normals and (on demand) radii of the listed pinballs.
   void update_geometry(const Model<S>& model);
+  /// Has the motion of the nodes of all pinballs watched.
+  void take_nodes(const Model<S>& model);
 
   Surface surface_;
-  PinballStore<S> pinballs_;
+  std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen
+  SurfacePinballs<S> all_;
+  SurfaceMotion<S> motion_;
   NeighbourList<S> list_;
-  std::vector<std::array<float, 3>> reference_centre_;  ///< per slot
-  std::vector<std::uint8_t> is_pinball_;                ///< per slot
+  PinballStore<S> pinballs_;  ///< those in the list
+  std::vector<S> radius_;     ///< of all pinballs, when the list was built; only where radii change [length]
   PenaltyConstants<S> penalty_;
-  bool may_erode_ = false;
-  bool surface_changed_ = false;  ///< since the pinballs were chosen
-  std::int32_t active_ = 0;       ///< pinballs that take part
-  double lost_energy_ = 0;        ///< of springs whose pinball eroded in this step
+  bool list_valid_ = false;
+  bool surface_changed_ = false;  ///< since the pinballs of the surface were chosen
+  ListClock<S> clock_;
+  double lost_energy_ = 0;  ///< of springs whose pinball eroded in this step
 };
 
 }  // namespace pinball

@@ -73,12 +73,16 @@ ContactPair pair_of(const PinballStore<S>& pinballs, std::int32_t p, std::int32_
 
 }  // namespace
 
+double pinball_pair_margin(ContactGap gap) {
+  // Two cubes whose faces touch, the centre of one beside the corner of the other, are 1.25 radii apart if one is five
+  // times as large. Balls have to overlap, but for what they approach within a step.
+  return gap == ContactGap::face ? 1.35 : 1.1;
+}
+
 template <class S>
 std::vector<ContactPair> pinball_pairs(const Model<S>& model, const PinballStore<S>& pinballs,
                                        const NeighbourList<S>& list, const Surface& surface) {
-  // Two cubes whose faces touch, the centre of one beside the corner of the other, are 1.25 radii apart if one is five
-  // times as large. Balls have to overlap, but for what they approach within a step.
-  const double margin = model.scene.contact.gap == ContactGap::face ? 1.35 : 1.1;
+  const double margin = pinball_pair_margin(model.scene.contact.gap);
   const auto takes_part = [&pinballs](std::int32_t p) {
     return pinballs.outward[4 * static_cast<std::size_t>(p) + 3] > S(0);
   };

@@ -8,6 +8,9 @@
 
 namespace pinball {
 
+/// Distance, over R1 + R2, up to which a pair may get a row [-]: what the list has to hold.
+double pinball_pair_margin(ContactGap gap);
+
 /// Pairs of listed pinballs that may touch within the coming step, for enforcement by impulses: each pair once, named
 /// by the slots of its elements, with the gap that the scene chooses (kernels/contact_row.hpp).
 template <class S>

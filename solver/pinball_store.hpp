@@ -9,9 +9,9 @@
 
 namespace pinball {
 
-/// Pinballs of the surface elements and of the layer behind them (PinballGeometryView, PinballView), in the order of
-/// their slots, so that the pinballs of a tile of elements are consecutive. Those behind the surface wait with B R = 0
-/// until erosion exposes them, so that lists and numbers last over many erosions.
+/// The pinballs that have neighbours (PinballGeometryView, PinballView), in the order of their slots, so that the
+/// pinballs of a tile of elements are consecutive. Those of elements behind the surface wait with B R = 0 until erosion
+/// exposes them, so that lists and numbers last over many erosions.
 template <class S>
 struct PinballStore {
   std::int32_t count = 0;
@@ -23,10 +23,9 @@ struct PinballStore {
   AlignedArray<S> outward;                           ///< records: outward normal, B R
   AlignedArray<S> two_sided;                         ///< records: two-sided normal, unused
   AlignedArray<S> force;                             ///< records: F, sum of p2
-  std::vector<std::array<std::int32_t, 8>> corners;  ///< node numbers, per pinball, for the search
+  std::vector<std::array<std::int32_t, 8>> corners;  ///< node numbers, per pinball
   std::vector<std::int32_t> slot;                    ///< of the element
-  std::vector<std::int32_t> body;
-  std::vector<std::int32_t> tile_first;  ///< first pinball of each tile of elements; tiles + 1 entries
+  std::vector<std::int32_t> tile_first;              ///< first pinball of each tile of elements; tiles + 1 entries
 
   PinballStore() = default;
   PinballStore(std::int32_t n, int width) : count(n) {
@@ -40,7 +39,6 @@ struct PinballStore {
     two_sided = AlignedArray<S>(4 * padded);
     force = AlignedArray<S>(4 * padded);
     slot.reserve(padded);
-    body.reserve(padded);
     corners.resize(static_cast<std::size_t>(n));
   }
 
@@ -51,8 +49,7 @@ struct PinballStore {
   }
   std::size_t bytes() const {
     return corner.bytes() + exposed.bytes() + bulk_modulus.bytes() + centre.bytes() + velocity.bytes() +
-           outward.bytes() + two_sided.bytes() + force.bytes() +
-           (slot.capacity() + body.capacity() + 8 * corners.capacity()) * 4;
+           outward.bytes() + two_sided.bytes() + force.bytes() + (slot.capacity() + 8 * corners.capacity()) * 4;
   }
 };
 

@@ -71,15 +71,13 @@ void SlidelineContact<S>::update_surface(const Model<S>& model, const std::vecto
 
 template <class S>
 void SlidelineContact<S>::search(const Model<S>& model) {
-  if (model.scene.skip.contact_search && search_.holds(model, surface_)) {
+  const bool reuse = model.scene.skip.contact_search;
+  if (reuse && search_.holds(model)) {
     ++this->searches_skipped_;
     return;
   }
   ++this->searches_;
-  S largest = 0;
-  for (const auto& segment : surface_.segments()) largest = std::max(largest, segment.radius);
-  search_.build(model, surface_,
-                model.scene.skip.contact_search ? static_cast<S>(model.scene.contact.skin) * largest : S(0));
+  search_.build(model, surface_, reuse ? static_cast<S>(model.scene.contact.skin) : S(0));
 }
 
 template <class S>
@@ -221,6 +219,7 @@ bool SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S d
 
 template <class S>
 ContactResult SlidelineContact<S>::forces(const Model<S>& model, S dt) {
+  search_.count_step(dt);
   const Sums sums = find_touches(model, S(0.25),
                                  [&](Touch& touch, Sums& partial) { return penalty_force(model, touch, dt, partial); });
   ContactResult result;
@@ -261,6 +260,7 @@ void SlidelineContact<S>::scatter(Model<S>& model, ContactResult& result) {
 
 template <class S>
 void SlidelineContact<S>::prepare_impulses(const Model<S>& model, double dt) {
+  search_.count_step(static_cast<S>(dt));
   find_touches(model, S(0.5), [](Touch&, Sums&) { return true; });
   std::vector<ContactPair> pairs;
   pairs.reserve(touches_.size());

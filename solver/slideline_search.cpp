@@ -38,109 +38,118 @@ bool SlidelineSearch<S>::may_touch(const SlidelineSurface<S>& surface, std::size
 }
 
 template <class S>
+void SlidelineSearch<S>::watch_nodes(const Model<S>& model, const SlidelineSurface<S>& surface) {
+  motion_.clear(model.nodes.count);
+  for (const auto& slave : surface.slaves()) motion_.take(slave.node, slave.radius);
+}
+
+/// Balls that hold whatever may touch the segments. The farthest corner goes straight relative to the centre, so that
+/// its distance is largest at the beginning or at the end; both may stray.
+template <class S>
+MovingBalls<S> SlidelineSearch<S>::moving_segments(const Model<S>& model, const SlidelineSurface<S>& surface,
+                                                   S horizon) const {
+  const auto count = static_cast<std::int32_t>(surface.segments().size());
+  const S* position = model.nodes.position.data();
+  const S* velocity = model.nodes.velocity.data();
+  MovingBalls<S> balls(count);
+  parallel_for("segments", RangePolicy<>{0, count}, [&](std::int64_t s) {
+    const auto& segment = surface.segments()[static_cast<std::size_t>(s)];
+    std::array<S, 3> centre{}, way{};
+    for (const std::int32_t node : segment.node) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        centre[k] += S(0.25) * position[4 * static_cast<std::size_t>(node) + k];
+        way[k] += S(0.25) * horizon * velocity[4 * static_cast<std::size_t>(node) + k];
+      }
+    }
+    S farthest2 = 0;
+    for (const std::int32_t node : segment.node) {
+      S now2 = 0, then2 = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const S now = position[4 * static_cast<std::size_t>(node) + k] - centre[k];
+        const S then = now + horizon * velocity[4 * static_cast<std::size_t>(node) + k] - way[k];
+        now2 += now * now;
+        then2 += then * then;
+      }
+      farthest2 = std::max({farthest2, now2, then2});
+    }
+    const S touching = square_root(farthest2) + SlidelineSurface<S>::deepest * segment.radius;
+    balls.set(static_cast<std::int32_t>(s), centre, way, S(1.0001) * touching + 3 * motion_.allowance(segment.node));
+  });
+  return balls;
+}
+
+template <class S>
+MovingBalls<S> SlidelineSearch<S>::moving_slaves(const Model<S>& model, const SlidelineSurface<S>& surface,
+                                                 S horizon) const {
+  const auto count = static_cast<std::int32_t>(surface.slaves().size());
+  MovingBalls<S> balls(count);
+  parallel_for("slaves", RangePolicy<>{0, count}, [&](std::int64_t i) {
+    const std::int32_t node = surface.slaves()[static_cast<std::size_t>(i)].node;
+    const S* x = model.nodes.position.data() + 4 * static_cast<std::int64_t>(node);
+    const S* v = model.nodes.velocity.data() + 4 * static_cast<std::int64_t>(node);
+    balls.set(static_cast<std::int32_t>(i), {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
+              motion_.allowance(std::array{node}));
+  });
+  return balls;
+}
+
+template <class S>
 void SlidelineSearch<S>::build(const Model<S>& model, const SlidelineSurface<S>& surface, S skin) {
-  const auto& segments = surface.segments();
-  const auto& slaves = surface.slaves();
-  const auto n = static_cast<std::int32_t>(segments.size());
-  const auto size = segments.size();
-  const S* sphere = surface.sphere().data();
-  skin_ = skin;
+  const S horizon = skin > S(0) ? horizon_steps * clock_.last_step() : S(0);
+  if (watched_) motion_.adapt(model.nodes.position.data(), clock_.elapsed(), horizon);
+  if (!valid_) watch_nodes(model, surface);
+  watched_ = true;
+  motion_.start(model.nodes, skin);
+  clock_.restart(horizon);
   valid_ = true;
-  start_.assign(slaves.size() + 1, 0);
-  candidate_.clear();
-  node_at_.resize(3 * slaves.size());
-  reach_at_.resize(size);
-  if (n == 0) return;
+  const MovingBalls<S> segments = moving_segments(model, surface, horizon);
+  boxes_.build(segments);
+  find(surface, moving_slaves(model, surface, horizon));
+}
 
-  S largest = 0;
-  for (std::size_t s = 0; s < size; ++s) {
-    reach_at_[s] = sphere[4 * s + 3];
-    largest = std::max(largest, reach_at_[s]);
-  }
-  const double cell_size = static_cast<double>(largest + skin) * 1.000001;
-  int bits = 1;
-  while ((std::int64_t(1) << bits) < 2 * std::int64_t(n) && bits < 30) ++bits;
-  bucket_start_.resize((std::size_t(1) << bits) + 1);
-  entry_cell_.resize(size);
-  entry_point_.resize(size);
-  entry_record_.resize(4 * size);
-  cell_.resize(size);
-  const SpatialHashView<S> hash{
-      {{static_cast<double>(sphere[0]), static_cast<double>(sphere[1]), static_cast<double>(sphere[2])},
-       1.0 / cell_size},
-      bits,
-      bucket_start_.data(),
-      entry_cell_.data(),
-      entry_point_.data(),
-      entry_record_.data()};
-  build_spatial_hash(hash, sphere, n, cell_.data());
-
+template <class S>
+void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface, const MovingBalls<S>& slaves) {
+  using T = Pack<S, native_width<S>>;
+  constexpr int G = ball_group<S>;
+  const BallTreeView<S>& tree = boxes_.view();
+  const std::int64_t groups = (slaves.count() + G - 1) / G;
+  start_.assign(static_cast<std::size_t>(slaves.count()) + 1, 0);
   // Slaves are worked in fixed pieces, each with a list of its own; the lists are joined in order.
   constexpr std::int64_t pieces = 64;
-  const auto count = static_cast<std::int64_t>(slaves.size());
   std::array<std::vector<std::int32_t>, pieces> found;
   parallel_for("slave candidates", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
     std::vector<std::int32_t>& list = found[static_cast<std::size_t>(piece)];
-    for (auto i = static_cast<std::size_t>(count * piece / pieces);
-         i < static_cast<std::size_t>(count * (piece + 1) / pieces); ++i) {
-      const S* x = model.nodes.position.data() + 4 * static_cast<std::int64_t>(slaves[i].node);
-      std::copy(x, x + 3, &node_at_[3 * i]);
-      const auto before = list.size();
-      for_each_near(hash, x, [&](std::int32_t s, const S* record) {
-        const S a = x[0] - record[0], b = x[1] - record[1], c = x[2] - record[2];
-        const S reach = record[3] + skin;
-        if (a * a + b * b + c * c < reach * reach && may_touch(surface, i, static_cast<std::size_t>(s))) {
-          list.push_back(s);
+    std::vector<std::int32_t> near;
+    for (std::int64_t group = groups * piece / pieces; group < groups * (piece + 1) / pieces; ++group) {
+      const S* own_group = slaves.data() + group * 7 * G;
+      near.clear();
+      for_each_meeting_group<T>(tree, box_of_balls(own_group), 0, [&](std::int32_t other) { near.push_back(other); });
+      for (int i = 0; i < G && group * G + i < slaves.count(); ++i) {
+        const auto slave = static_cast<std::size_t>(group * G + i);
+        const std::size_t before = list.size();
+        S own[7];
+        for (int c = 0; c < 7; ++c) own[c] = own_group[c * G + i];
+        for (const std::int32_t other : near) {
+          unsigned bits = meeting_balls<T>(tree.ball + static_cast<std::int64_t>(other) * 7 * G, own);
+          for (; bits != 0; bits &= bits - 1) {
+            const std::int32_t s = other * G + __builtin_ctz(bits);
+            if (may_touch(surface, slave, static_cast<std::size_t>(s))) list.push_back(s);
+          }
         }
-      });
-      start_[i + 1] = static_cast<std::int64_t>(list.size() - before);
+        start_[slave + 1] = static_cast<std::int64_t>(list.size() - before);
+      }
     }
   });
-  for (std::size_t i = 0; i < slaves.size(); ++i) start_[i + 1] += start_[i];
+  for (std::size_t i = 0; i + 1 < start_.size(); ++i) start_[i + 1] += start_[i];
+  candidate_.clear();
   candidate_.reserve(static_cast<std::size_t>(start_.back()));
   for (const std::vector<std::int32_t>& list : found) candidate_.insert(candidate_.end(), list.begin(), list.end());
 }
 
 template <class S>
-bool SlidelineSearch<S>::holds(const Model<S>& model, const SlidelineSurface<S>& surface) const {
-  if (!valid_) return false;
-  // A node and the centre of a segment may each have moved as far as the farthest node; the segment may have grown.
-  S moved2 = 0, grown = 0;
-  const auto larger = [](S& whole, const S& partial) { whole = whole < partial ? partial : whole; };
-  const auto& slaves = surface.slaves();
-  parallel_reduce(
-      "distance moved", RangePolicy<>{0, static_cast<std::int64_t>(slaves.size())}, moved2,
-      [&](std::int64_t begin, std::int64_t end, S& largest) {
-        for (std::int64_t i = begin; i < end; ++i) {
-          const S* x =
-              model.nodes.position.data() + 4 * static_cast<std::int64_t>(slaves[static_cast<std::size_t>(i)].node);
-          S d2 = 0;
-          for (std::int64_t k = 0; k < 3; ++k) {
-            const S d = x[k] - node_at_[static_cast<std::size_t>(3 * i + k)];
-            d2 += d * d;
-          }
-          larger(largest, d2);
-        }
-      },
-      larger);
-  const S* sphere = surface.sphere().data();
-  parallel_reduce(
-      "growth of segments", RangePolicy<>{0, static_cast<std::int64_t>(reach_at_.size())}, grown,
-      [&](std::int64_t begin, std::int64_t end, S& largest) {
-        for (std::int64_t s = begin; s < end; ++s) {
-          larger(largest, sphere[4 * s + 3] - reach_at_[static_cast<std::size_t>(s)]);
-        }
-      },
-      larger);
-  const S left = skin_ - grown;
-  return left >= S(0) && S(4) * moved2 <= left * left;
-}
-
-template <class S>
 std::size_t SlidelineSearch<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(reference_node_) + of(reference_centre_) + of(start_) + of(candidate_) + of(node_at_) + of(reach_at_) +
-         of(bucket_start_) + of(entry_point_) + of(entry_cell_) + of(cell_) + of(entry_record_);
+  return of(reference_node_) + of(reference_centre_) + of(start_) + of(candidate_) + motion_.bytes() + boxes_.bytes();
 }
 
 template class SlidelineSearch<double>;

@@ -2,45 +2,51 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/kernels/spatial_hash.hpp>
+#include <pinball/solver/moving_balls.hpp>
 #include <pinball/solver/slideline_surface.hpp>
+#include <pinball/solver/surface_motion.hpp>
 #include <vector>
 
 namespace pinball {
 
-/// For each slave node the master segments that it may touch before something has moved too far: cells by the spatial
-/// hash that pinballs use too, lists with a skin.
+/// For each slave node the master segments that it may touch in a time to come. The broad phase is that of pinballs:
+/// boxes over what moves, and lists that last while no node strays too far from its straight way.
 template <class S>
 class SlidelineSearch {
  public:
   explicit SlidelineSearch(const Model<S>& model);
 
-  /// Builds the lists from nothing. skin: how much nearer a node may come before the lists end [length].
+  /// Builds the lists from nothing. skin: scale of what nodes may stray, over the radius of their segments; 0: the
+  /// lists are for the present positions only.
   void build(const Model<S>& model, const SlidelineSurface<S>& surface, S skin);
-  /// True while no node can have come nearer to a segment by more than the skin.
-  bool holds(const Model<S>& model, const SlidelineSurface<S>& surface) const;
+  /// Notes the length of the step just made.
+  void count_step(S dt) { clock_.count_step(dt); }
+  /// True while the lists have every node and segment that may touch.
+  bool holds(const Model<S>& model) const {
+    return valid_ && !clock_.over() && motion_.holds(model.nodes.position.data(), clock_.elapsed());
+  }
   void invalidate() { valid_ = false; }
 
   const std::int32_t* candidates(std::size_t slave) const { return candidate_.data() + start_[slave]; }
   std::int64_t count(std::size_t slave) const { return start_[slave + 1] - start_[slave]; }
-  std::int64_t pairs() const { return static_cast<std::int64_t>(candidate_.size()); }
   std::size_t bytes() const;
 
  private:
   bool may_touch(const SlidelineSurface<S>& surface, std::size_t slave, std::size_t segment) const;
+  void watch_nodes(const Model<S>& model, const SlidelineSurface<S>& surface);
+  MovingBalls<S> moving_segments(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon) const;
+  MovingBalls<S> moving_slaves(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon) const;
+  void find(const SlidelineSurface<S>& surface, const MovingBalls<S>& slaves);
 
   bool self_;
   std::vector<std::array<float, 3>> reference_node_;    ///< per node of the store, undeformed [length]
   std::vector<std::array<float, 3>> reference_centre_;  ///< per slot, undeformed [length]
-  bool valid_ = false;
-  S skin_ = 0;
+  bool valid_ = false, watched_ = false;
+  ListClock<S> clock_;
+  SurfaceMotion<S> motion_;
+  BallTree<S> boxes_;                    ///< over the segments
   std::vector<std::int64_t> start_;      ///< per slave and one more: into candidate_
   std::vector<std::int32_t> candidate_;  ///< segments
-  std::vector<S> node_at_;               ///< positions of the slaves when the lists were built, records of three
-  std::vector<S> reach_at_;              ///< reach of the segments then
-  std::vector<std::int32_t> bucket_start_, entry_point_;
-  std::vector<std::uint64_t> entry_cell_, cell_;
-  std::vector<S> entry_record_;
 };
 
 }  // namespace pinball

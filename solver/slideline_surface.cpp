@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/hexahedron.hpp>
@@ -36,8 +35,6 @@ bool SlidelineSurface<S>::remove_eroded(const Model<S>& model, const std::vector
 template <class S>
 void SlidelineSurface<S>::collect(const Model<S>& model) {
   segments_.clear();
-  slaves_.clear();
-  around_.clear();
   surface_elements_ = 0;
   for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
     const unsigned exposed = topology_.exposed(slot);
@@ -62,13 +59,9 @@ void SlidelineSurface<S>::collect(const Model<S>& model) {
       segment.radius = radius;
       segment.stiffness = static_cast<S>(material.bulk_modulus * squared_area(model.mesh, e, f) / volume);
       segments_.push_back(segment);
-      for (const std::int32_t node : segment.node) {
-        slaves_.push_back({node, segment.body, S(0.25), segment.radius, S(0.25) * segment.stiffness});
-        around_.push_back(static_cast<std::int32_t>(segments_.size() - 1));
-      }
     }
   }
-  gather_slaves();
+  gather_slaves(model.node_mass.size());
 
   constexpr std::size_t W = native_width<S>;
   const std::size_t packs = (segments_.size() + W - 1) / W;
@@ -82,36 +75,38 @@ void SlidelineSurface<S>::collect(const Model<S>& model) {
   update(model);
 }
 
-/// One slave per node, sorted by node: what its segments give is added up in their order.
+/// One slave per node, sorted by node; what its segments give is added up in their order.
 template <class S>
-void SlidelineSurface<S>::gather_slaves() {
-  std::vector<std::int32_t> order(slaves_.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto node_of = [this](std::int32_t i) { return slaves_[static_cast<std::size_t>(i)].node; };
-  std::sort(order.begin(), order.end(), [&node_of](std::int32_t a, std::int32_t b) {
-    return node_of(a) != node_of(b) ? node_of(a) < node_of(b) : a < b;
-  });
-  std::vector<Slave> gathered;
-  std::vector<std::int32_t> around;
-  around.reserve(order.size());
-  around_first_.assign(1, 0);
-  for (std::size_t i = 0; i < order.size();) {
-    Slave sum = slaves_[static_cast<std::size_t>(order[i])];
-    const std::size_t first = i;
-    around.push_back(around_[static_cast<std::size_t>(order[i++])]);
-    for (; i < order.size() && node_of(order[i]) == sum.node; ++i) {
-      const Slave& more = slaves_[static_cast<std::size_t>(order[i])];
-      around.push_back(around_[static_cast<std::size_t>(order[i])]);
-      sum.share += more.share;
-      sum.radius += more.radius;
-      sum.stiffness += more.stiffness;
-    }
-    sum.radius /= static_cast<S>(i - first);
-    gathered.push_back(sum);
-    around_first_.push_back(static_cast<std::int32_t>(around.size()));
+void SlidelineSurface<S>::gather_slaves(std::size_t nodes) {
+  std::vector<std::int32_t> place(nodes + 1, 0);  // segments around each node, then where the next of them goes
+  for (const Segment& segment : segments_) {
+    for (const std::int32_t node : segment.node) ++place[static_cast<std::size_t>(node) + 1];
   }
-  slaves_.swap(gathered);
-  around_.swap(around);
+  slaves_.clear();
+  around_first_.assign(1, 0);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const std::int32_t count = place[n + 1];
+    place[n + 1] += place[n];
+    if (count == 0) continue;
+    slaves_.push_back({static_cast<std::int32_t>(n), 0, static_cast<S>(0.25 * count), S(0), S(0)});
+    around_first_.push_back(place[n + 1]);
+  }
+  around_.resize(static_cast<std::size_t>(place[nodes]));
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    for (const std::int32_t node : segments_[s].node) {
+      around_[static_cast<std::size_t>(place[static_cast<std::size_t>(node)]++)] = static_cast<std::int32_t>(s);
+    }
+  }
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    Slave& slave = slaves_[i];
+    for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
+      const Segment& segment = segments_[static_cast<std::size_t>(around_[static_cast<std::size_t>(a)])];
+      slave.body = segment.body;
+      slave.radius += segment.radius;
+      slave.stiffness += S(0.25) * segment.stiffness;
+    }
+    slave.radius /= static_cast<S>(around_first_[i + 1] - around_first_[i]);
+  }
 }
 
 template <class S>

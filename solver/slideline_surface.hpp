@@ -57,7 +57,7 @@ class SlidelineSurface {
 
  private:
   void collect(const Model<S>& model);
-  void gather_slaves();
+  void gather_slaves(std::size_t nodes);
 
   Surface topology_;
   std::vector<Segment> segments_;  ///< sorted by slot and face

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <pinball/solver/faces.hpp>
 #include <pinball/solver/surface.hpp>
 
@@ -44,18 +45,25 @@ Surface::Surface(const Model<S>& model)
       }
     }
   }
+  exposed_count_ =
+      static_cast<std::int32_t>(std::count_if(exposed_.begin(), exposed_.end(), [](auto e) { return e != 0; }));
 }
 
 void Surface::erode(std::int64_t slot) {
   const auto s = static_cast<std::size_t>(slot);
   alive_[s] = 0;
+  exposed_count_ -= exposed_[s] != 0;
   exposed_[s] = 0;
   for (const std::int32_t other : neighbour_[s]) {
     if (other < 0 || !alive(other)) continue;
     for (std::size_t f = 0; f < 6; ++f) {
-      if (neighbour_[static_cast<std::size_t>(other)][f] == slot) {
-        exposed_[static_cast<std::size_t>(other)] |= static_cast<std::uint8_t>(1U << f);
+      if (neighbour_[static_cast<std::size_t>(other)][f] != slot) continue;
+      std::uint8_t& exposed = exposed_[static_cast<std::size_t>(other)];
+      if (exposed == 0) {
+        uncovered_.push_back(other);
+        ++exposed_count_;
       }
+      exposed |= static_cast<std::uint8_t>(1U << f);
     }
   }
 }
@@ -64,6 +72,7 @@ template <class S>
 bool Surface::remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
   constexpr int W = ElementStore<S>::width;
   bool changed = false;
+  uncovered_.clear();
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     if (tiles[t].eroded_count == 0) continue;
     for (std::int64_t slot = model.tile_packs[t] * W; slot < model.tile_packs[t + 1] * W; ++slot) {

@@ -20,6 +20,10 @@ class Surface {
   template <class S>
   bool remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles);
 
+  /// Elements that the last remove_eroded has brought to the surface; some may have eroded in the same step.
+  const std::vector<std::int32_t>& uncovered() const { return uncovered_; }
+  std::int32_t exposed_count() const { return exposed_count_; }  ///< elements with an exposed face
+
   bool alive(std::int64_t slot) const { return alive_[static_cast<std::size_t>(slot)] != 0; }
   /// Bit f is set where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) of a living element is exposed.
   std::uint8_t exposed(std::int64_t slot) const { return exposed_[static_cast<std::size_t>(slot)]; }
@@ -35,6 +39,8 @@ class Surface {
   std::vector<std::uint8_t> alive_;
   std::vector<std::uint8_t> exposed_;
   std::vector<std::array<std::int32_t, 6>> neighbour_;  ///< slot across each face, -1: none
+  std::vector<std::int32_t> uncovered_;
+  std::int32_t exposed_count_ = 0;
 };
 
 }  // namespace pinball
