@@ -41,7 +41,7 @@ constexpr double records(double read, double written = 0) {
   return 4 * sizeof(S) * (read + 2 * written);
 }
 
-/// Corners, exposed faces and the nodes in; centre, velocity and two normals out.
+/// Of the listed pinballs: corners, exposed faces and the nodes in; centre, velocity and two normals out.
 template <class S>
 double pinball_traffic(double pinballs, double nodes) {
   return pinballs * (8 * sizeof(std::int32_t) + 6 * sizeof(S) + records<S>(0, 4)) + records<S>(2) * nodes;
@@ -74,11 +74,32 @@ double narrow_traffic(double candidates, double segments, double slaves) {
          slaves * (records<S>(2) + 2 * state);
 }
 
-/// A spatial hash written and read, cell and record of each point, and the list out.
+/// Number, position, and where each node was, how it moved and how far it may stray.
 template <class S>
-double search_traffic(double points, double queries, double places) {
-  const double entry = records<S>(1) + sizeof(std::uint64_t) + sizeof(std::int32_t);
-  return points * (records<S>(1) + 3 * entry) + queries * records<S>(1) + places * 2 * sizeof(std::int32_t);
+double watching_traffic(double nodes) {
+  return nodes * (sizeof(std::int32_t) + records<S>(1) + 7 * sizeof(S));
+}
+
+/// Positions and velocities of nodes taken down; balls of 7 numbers written, and read.
+template <class S>
+double moving_traffic(double nodes, double balls) {
+  return nodes * (sizeof(std::int32_t) + records<S>(2) + 2 * 7 * sizeof(S)) + balls * 3 * 7 * sizeof(S);
+}
+
+/// Corners in; neighbours found and joined, offset and energy of each place, and the store of the listed pinballs
+/// (corners twice, exposed faces, records) out.
+template <class S>
+double pinball_search_traffic(double pinballs, double nodes, double listed, double places) {
+  const double store = 2 * (16 * sizeof(std::int32_t) + 6 * sizeof(S)) + records<S>(0, 4);
+  return moving_traffic<S>(nodes, pinballs) + pinballs * 8 * sizeof(std::int32_t) + listed * store +
+         places * 2 * (1.5 * sizeof(std::int32_t) + 2 * sizeof(S));
+}
+
+/// Corners of the segments in, candidates of each slave written twice: as found, and joined.
+template <class S>
+double slideline_search_traffic(double segments, double slaves, double candidates) {
+  return moving_traffic<S>(slaves, segments + slaves) + segments * 4 * sizeof(std::int32_t) +
+         candidates * 5 * sizeof(std::int32_t);
 }
 
 }  // namespace pinball::bench

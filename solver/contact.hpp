@@ -24,6 +24,7 @@ struct ContactResult {
 
 /// Lists of what may touch.
 struct ListSize {
+  std::int64_t owners = 0;   ///< pinballs that have a list, or slave nodes
   std::int64_t entries = 0;  ///< pairs, as often as they are listed
   std::int64_t places = 0;   ///< that the forces are worked out for: entries, and the padding to whole packs
 };
