@@ -106,7 +106,6 @@ void count_work(benchmark::State& state, const Solver<S>& solver, ContactMethod 
   }
   state.counters["surface_elements"] = Counter(surface);
   state.counters["listed"] = Counter(owners);
-  state.counters["places"] = Counter(places);
   state.counters["pairs_in_contact"] = Counter(static_cast<double>(solver.contact_pairs()));
 }
 

@@ -79,6 +79,8 @@ GCC = """
 /tree/kernels/a.hpp:30:5: optimized: basic block part vectorized using 32 byte vectors
 /tree/kernels/a.hpp:40:5: optimized: loop vectorized using 64 byte vectors
 /tree/kernels/b.hpp:10:5: optimized: loop vectorized using 64 byte vectors
+/usr/include/c++/12/bits/stl_algobase.h:50:5: optimized: loop vectorized using 64 byte vectors
+/tree/kernels/exec.hpp:50:5: optimized: loop vectorized using 64 byte vectors
 """
 
 CLANG = """--- !Missed
@@ -128,6 +130,10 @@ class CompilerRemarks(unittest.TestCase):
         self.assertEqual([place for place, _ in found.loops], ["kernels/a.hpp:20"])
         self.assertEqual([place for place, _ in found.blocks], ["kernels/a.hpp:30"])
         self.assertEqual(found.verdict, "partly")
+
+    def test_lines_that_all_kernels_share_say_nothing(self):
+        shared = {("/usr/include/c++/12/bits/stl_algobase.h", 50), ("/tree/kernels/exec.hpp", 50)}
+        self.assertEqual(remarks.parse_gcc(GCC, shared).verdict, "no")
 
     def test_gcc_verdicts(self):
         self.assertEqual(remarks.parse_gcc(GCC, {("/tree/kernels/a.hpp", 20)}).verdict, "yes")

@@ -139,33 +139,27 @@ def is_gcc(preset):
     return "Free Software Foundation" in run([compiler_of(preset), "--version"])
 
 
-def collect(texts, parse):
-    """One Remarks from several files."""
-    whole = remarks.Remarks()
-    for path in texts:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            whole.add(parse(file))
-    return whole
-
-
 def remarks_of_compiler(preset):
     """({kernel: Counts with source lines}, {kernel: Remarks}) of the compiler of a build; no remarks if it is not gcc."""
     where = os.path.join(folder(preset), "remarks")
     os.makedirs(where, exist_ok=True)
     with_gcc = is_gcc(preset)
-    functions, texts = {}, []
+    counts = {kernel.key: machine_code.Counts() for kernel in KERNELS}
+    said = {kernel.key: remarks.Remarks() for kernel in KERNELS}
+    seen = set()  # functions that stand in several object files
     for path in objects_of_kernels(preset):
         name = os.path.basename(path).split(".")[0]
         out, text = os.path.join(where, name + ".o"), os.path.join(where, name + ".txt")
         compile_again(preset, path, None, ["-g1", *([f"-fopt-info-vec-all={text}"] if with_gcc else [])], out)
-        for symbol, counts in disassemble(out, lines=True).items():
-            functions.setdefault(symbol, counts)
-        texts.append(text)
-    lines = {kernel.key: machine_code.select(functions, kernel.symbols)[1] for kernel in KERNELS}
-    if not with_gcc:
-        return lines, None
-    return lines, {key: collect(texts, lambda file, counts=counts: remarks.parse_gcc(file, counts.lines))
-                   for key, counts in lines.items()}
+        functions = {symbol: c for symbol, c in disassemble(out, lines=True).items() if symbol not in seen}
+        seen.update(functions)
+        for kernel in KERNELS:
+            names, found = machine_code.select(functions, kernel.symbols)
+            counts[kernel.key] += found
+            if names and with_gcc:
+                with open(text, encoding="utf-8", errors="replace") as file:
+                    said[kernel.key].add(remarks.parse_gcc(file, found.lines))
+    return counts, said if with_gcc else None
 
 
 def clang_remarks(preset):
@@ -175,13 +169,14 @@ def clang_remarks(preset):
         return None
     where = os.path.join(folder(preset), "remarks")
     os.makedirs(where, exist_ok=True)
-    texts = []
+    said = {kernel.key: remarks.Remarks() for kernel in KERNELS}
     for path in objects_of_kernels(preset):
         name = os.path.basename(path).split(".")[0]
         out, text = os.path.join(where, name + ".clang.o"), os.path.join(where, name + ".yaml")
         # Without its own OpenMP library clang takes the serial backend: the same loops.
         compile_again(preset, path, compiler, ["-fno-openmp", "-gline-tables-only", f"-foptimization-record-file={text}",
                                                "-foptimization-record-passes=loop-vectorize|slp-vectorizer"], out)
-        texts.append(text)
-    return {kernel.key: collect(texts, lambda file, kernel=kernel: remarks.parse_clang(file, kernel.mangled))
-            for kernel in KERNELS}
+        for kernel in KERNELS:
+            with open(text, encoding="utf-8", errors="replace") as file:
+                said[kernel.key].add(remarks.parse_clang(file, kernel.mangled))
+    return said

@@ -55,7 +55,7 @@ def stages(session):
     return finish(figure)
 
 
-def speed_ups(kernels):
+def speed_ups(kernels, aim):
     """Speed-up of each kernel over one lane."""
     presets = [p for p in kernels[0]["builds"] if p != "no-vectorization"]
     figure, axis = plt.subplots(figsize=(9, 4.6), layout="constrained")
@@ -66,7 +66,8 @@ def speed_ups(kernels):
                          label=build_label(preset, kernels[0]["builds"][preset]["simd_width"]))
         axis.bar_label(bars, fmt="%.1f", fontsize=8, padding=2)
     axis.axvline(1, color="black", linewidth=0.8)
-    axis.set_yticks(at, [k["title"] for k in kernels])
+    axis.axvline(aim, color="black", linewidth=0.8, linestyle=":", label=f"aim for contact kernels (*): {aim:g}")
+    axis.set_yticks(at, [k["title"] + (" *" if k["contact"] else "") for k in kernels])
     axis.set_xlabel("times as fast as with one lane, one thread")
     axis.grid(axis="x", alpha=0.25)
     axis.set_axisbelow(True)
@@ -110,7 +111,7 @@ def totals(section):
     columns = section["columns"]
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.2), layout="constrained")
     at = np.arange(len(columns))
-    labels = [f"{c['title']}\n{c['elements']:,} elements" for c in columns]
+    labels = [c["title"].replace(", ", ",\n").replace(" elements", "") + f"\n{c['elements']:,} el." for c in columns]
     for i, method in enumerate(("slideline", "pinball")):
         contact = [100 * c["methods"][method]["seconds"]["contact"]["median"]
                    / c["methods"]["slideline"]["seconds"]["total"]["median"] for c in columns]
@@ -128,10 +129,12 @@ def totals(section):
         axes[1].axhline(aim, color=colour, linestyle=":", linewidth=1.2, label=f"{key}, aim: {aim:g}")
     axes[1].axhline(1, color="black", linewidth=0.8)
     axes[1].set(yscale="log", ylabel="slideline / pinball")
-    axes[1].set_yticks([0.2, 0.5, 1, 2, 5, 10], ["0.2", "0.5", "1", "2", "5", "10"])
+    axes[1].set_yticks([0.2, 0.5, 1, 2, 5, 10, 20], ["0.2", "0.5", "1", "2", "5", "10", "20"])
     axes[1].minorticks_off()
+    ratios = [c["ratio"][key] for c in columns for key in ("contact", "total")]
+    axes[1].set_ylim(0.8 * min(ratios + [1]), 1.6 * max(ratios + [5]))
     axes[1].set_xlim(-0.5, len(columns) - 0.5)
-    axes[1].legend(fontsize=8)
+    axes[1].legend(fontsize=8, ncols=2, loc="upper right")
     for axis in axes:
         axis.set_xticks(at, labels, fontsize=8)
         axis.grid(axis="y", alpha=0.25)
@@ -145,9 +148,9 @@ def sliding(section):
     for method, style in (("slideline", "--"), ("pinball", "-")):
         one = section["methods"][method]
         axis.plot(np.array(one["time"]) * 1e3, one["height"], style, color=METHOD_COLOURS[method], linewidth=1.4,
-                  label=f"{method}: varies by {one['bumps']:.2g} elements after it has come to rest in height")
+                  label=f"{method}: varies by {one['bumps']:.2g} elements after it has settled")
     axis.axvline(section["rest"] * 1e3, color="black", linewidth=0.8, linestyle=":")
-    axis.set(xlabel="time [ms]", ylabel="height of the block\n[elements of the floor]")
+    axis.set(xlabel="time [ms]", ylabel="height over flat contact\n[elements of the floor]")
     axis.grid(alpha=0.25)
     axis.legend(fontsize=9)
     return finish(figure)

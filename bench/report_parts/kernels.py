@@ -20,12 +20,11 @@ class Kernel:
 
 
 def pair_operations(work):
-    """13 for the test of every place of the lists, about 170 for what is in contact (each pair met twice)."""
-    return 13 * work["places"] / work["items"] + 170 * 2 * work["pairs_in_contact"] / work["items"]
+    return 13 + 170 * 2 * work["pairs_in_contact"] / work["items"]
 
 
 def meeting_operations(work):
-    return 30.0 * work["places"] / work["items"]
+    return 30.0 * work["entries"] / work["items"]
 
 
 MEETING_TEXT = ("at least the 30 of the test against each ball that ends in a list (kernels/ball_tree.hpp); balls that fail "
@@ -51,8 +50,8 @@ KERNELS = [
            [r"PinballContact<double>::forces\(.*(omp_fn|operator\(\))"],
            [r"PinballContactIdE6forces"], contact=True,
            by_hand=pair_operations,
-           by_hand_text="13 for the test of every place of the lists (distance, reach), about 170 for a pair in contact, "
-                        "which is met twice; packs in which no lane passes the test end there"),
+           by_hand_text="13 for the test of a listed pair (distance, reach), about 170 for a pair in contact, which is met "
+                        "twice; what lanes without a pair do is not counted"),
     Kernel("contact_scatter", "contact scatter", "listed pinball", "pinball", "contact_scatter",
            [r"PinballContact<double>::scatter.*omp_fn"], [r"PinballContactIdE7scatter"], contact=True,
            by_hand=lambda work: 72.0 * min(1.0, work["touching"] / work["items"]),

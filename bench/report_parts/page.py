@@ -155,7 +155,7 @@ def kernels_section(n):
         f"{n.show('vectorization', 'rounds')} rounds in which the builds take turns. Three sources: what the compiler says of the "
         "loops (gcc's remarks, and clang's as a second opinion: " + escape(n.value("vectorization", "clang"))
         + "); which instructions stand in the functions of the kernel; and how much faster they are than with one lane.</p>",
-        image(figures.speed_ups(kernels), "Speed-up of each kernel over one lane"), kernels_table(n),
+        image(figures.speed_ups(kernels, n.value("vectorization", "aims", "gain")), "Speed-up of each kernel over one lane"), kernels_table(n),
         "<h3>Explanations, remarks, functions</h3>", *[kernel_details(n, i) for i in range(len(kernels))])
 
 
@@ -256,14 +256,14 @@ def differences_section(n):
             rows.append([f"{escape(column['title'])}: {escape(name)}",
                          n.show(*at, "slideline", "results", name, form="{:,.4g}".format if name != "steps" else integer),
                          n.show(*at, "pinball", "results", name, form="{:,.4g}".format if name != "steps" else integer)])
-    smooth = [[method, n.show("sliding", "methods", method, "bumps"), n.percent("sliding", "methods", method, "energy_error")]
+    smooth = [[method, n.show("sliding", "methods", method, "mean"), n.show("sliding", "methods", method, "bumps"), n.percent("sliding", "methods", method, "energy_error")]
               for method in measuring.METHODS]
     return section(
         "differences", "What differs in the results",
-        "<h3>Smoothness of sliding</h3><p>A block is pressed on a held flat floor of another mesh and slides over it. Balls make "
+        "<h3>Smoothness of sliding</h3><p>A block is pressed on a held flat floor of another mesh and drawn over it. Balls make "
         "a bumpy floor: the height of the block follows them. Faces make a flat one.</p>",
         image(figures.sliding(n.value("sliding")), "Height of the sliding block"),
-        table(["", "height varies by [elements]", "energy error"], smooth),
+        table(["", "mean height over flat contact [elements]", "varies by [elements]", "energy error"], smooth),
         "<h3>Scenes</h3><p>At the end of each run, which for limited runs is early. Units of the scenes: "
         + ", ".join(f"{escape(c['scene'])} {escape(c['units'])}" for c in
                     {c["scene"]: c for c in n.value("comparison", "columns")}.values()) + ".</p>",

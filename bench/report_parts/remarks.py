@@ -48,8 +48,14 @@ def add_once(group, place, text):
         group.append((place, text))
 
 
+def shared(path):
+    """Headers whose loops are in many functions: their remarks cannot be told apart by the line."""
+    return path.startswith(("bits/", "include/")) or path == "kernels/exec.hpp"
+
+
 def parse_gcc(text, lines):
-    """Remarks of `-fopt-info-vec-all` on loops at any of the source lines: a set of (file, line).
+    """Remarks of `-fopt-info-vec-all` on loops at any of the source lines: a set of (file, line). Those on lines of the
+    standard library and of the parallel loops themselves, which all kernels share, are left out.
 
     Refusals carry the first reason given for the loop; gcc repeats them for every vector size that it tries.
     """
@@ -62,7 +68,7 @@ def parse_gcc(text, lines):
             continue
         path, number, kind, message = match.group(1), int(match.group(2)), match.group(3), match.group(4)
         where = (short(path), number)
-        if where not in wanted or GCC_EPILOGUE.search(message):
+        if where not in wanted or shared(where[0]) or GCC_EPILOGUE.search(message):
             continue
         place = f"{where[0]}:{number}"
         if kind == "optimized":
@@ -126,6 +132,8 @@ def parse_clang(text, functions):
     result = Remarks()
     for kind, which, name, function, place, message in yaml_documents(text):
         if which not in ("loop-vectorize", "slp-vectorizer") or not any(p.search(function) for p in patterns):
+            continue
+        if place and shared(short(place[0])):
             continue
         where = f"{short(place[0])}:{place[1]}" if place else "?"
         if kind == "Passed" and which == "loop-vectorize" and name == "Vectorized":

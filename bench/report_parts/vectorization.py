@@ -21,7 +21,7 @@ def work_of(kernel, counters):
     items = value("items")
     pairs = statistics.median(counters["pairs_in_contact"])
     return {"items": items, "bytes": value("bytes"), "lanes": value("lanes"), "pairs_in_contact": pairs,
-            "touching": min(items, 2 * pairs), "places": statistics.median(counters["places"])}
+            "touching": min(items, 2 * pairs), "entries": statistics.median(counters["items_contact_forces"])}
 
 
 def seconds_of(kernel, counters):
