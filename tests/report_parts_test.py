@@ -155,7 +155,7 @@ class CompilerRemarks(unittest.TestCase):
 
 
 class Verdict(unittest.TestCase):
-    FACTS = {"packs": None, "bandwidth": 0.1, "lanes": None, "arithmetic": 0.5, "speed_up": 1.0}
+    FACTS = {"packs": None, "packed": 0.5, "bandwidth": 0.1, "lanes": None, "arithmetic": 0.5, "speed_up": 1.0}
 
     def explain(self, *three, **facts):
         return verdict.explain(*three, {**self.FACTS, **facts})
@@ -177,6 +177,11 @@ class Verdict(unittest.TestCase):
         self.assertIn("arithmetic", self.explain("yes", "yes", "no", arithmetic=0.1)[2][0])
         self.assertTrue(self.explain("yes", "yes", "no")[3])
         self.assertEqual(self.explain("yes", "yes", "no", bandwidth=0.8)[0], "partly")
+
+    def test_the_packed_part_takes_the_time(self):
+        result, _, reasons, unexplained = self.explain("partly", "partly", "yes", packed=0.4, speed_up=2.0)
+        self.assertEqual((result, unexplained), ("partly", False))
+        self.assertIn("40 %", reasons[0])
 
     def test_faster_without_vectors(self):
         self.assertFalse(self.explain("no", "no", "partly", speed_up=1.3)[3])

@@ -86,6 +86,13 @@ class Calls(unittest.TestCase):
         self.assertIn("--out", done.stderr)
 
 
+    def test_missing_tool(self):
+        done = subprocess.run([sys.executable, REPORT, "--quick", "--out", OUT], capture_output=True, text=True,
+                              env={**os.environ, "PATH": os.path.dirname(REPORT)})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("cmake is needed", done.stderr)
+
+
 class QuickForm(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -40,6 +40,12 @@ def run(command, **options):
     return done.stdout
 
 
+def check_tools():
+    for tool, package in (("cmake", "cmake"), ("ninja", "ninja-build"), ("nm", "binutils"), ("objdump", "binutils")):
+        if shutil.which(tool) is None:
+            raise Failed(f"{tool} is needed and not there (Debian: package {package})")
+
+
 def build(preset):
     """Configures where that has not been done, builds what is needed; returns the seconds that it took."""
     start = time.monotonic()
@@ -89,12 +95,9 @@ def objects_of_kernels(preset):
 
 def disassemble(path, lines=False):
     options = ["-l"] if lines else []
-    try:
-        with subprocess.Popen(["objdump", "-d", "-C", "--no-show-raw-insn", *options, path], stdout=subprocess.PIPE,
-                              text=True, errors="replace") as process:
-            functions = machine_code.parse_objdump(process.stdout)
-    except OSError as error:
-        raise Failed(f"objdump, which shows the machine code, cannot be run: {error.strerror} (package binutils)")
+    with subprocess.Popen(["objdump", "-d", "-C", "--no-show-raw-insn", *options, path], stdout=subprocess.PIPE, text=True,
+                          errors="replace") as process:
+        functions = machine_code.parse_objdump(process.stdout)
     if process.returncode != 0:
         raise Failed(f"objdump could not read {path}")
     return functions

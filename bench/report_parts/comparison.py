@@ -79,12 +79,15 @@ def measure_column(column):
     slideline, pinball = (methods[m]["seconds"] for m in measuring.METHODS)
     values = {"contact": slideline["contact"]["median"] / pinball["contact"]["median"],
               "total": slideline["total"]["median"] / pinball["total"]["median"], "share": methods["pinball"]["share"]}
+    # The methods go different ways and make different numbers of steps.
+    steps = methods["pinball"]["results"]["steps"] / methods["slideline"]["results"]["steps"]
     summary, printed = report["variants"][1]["summary"], TABLE_2.get(column.title)
     return {"title": column.title, "scene": column.scene, "refine": column.refine, "steps_limit": column.steps or None,
             "settings": column.settings, "repeats": column.repeats, "elements": summary["elements"],
             "end_time": summary["end_time"], "units": summary["units"], "precision": summary["precision"],
             "threads": summary["threads"], "methods": methods,
             "ratio": {"total": values["total"], "contact": values["contact"]},
+            "ratio_per_step": {"total": values["total"] * steps, "contact": values["contact"] * steps},
             # What a contact that costs nothing would reach against the slideline.
             "total_ratio_limit": 1 / (1 - methods["slideline"]["share"]), "report": printed,
             "report_ratio": printed and printed["slideline"] / printed["pinball"],

@@ -92,10 +92,10 @@ def roofline(section):
             one = kernel["builds"][preset]
             axis.plot(one["operations_per_byte"], one["gflop_per_s"], marker, color=COLOURS[preset], markersize=6,
                       markeredgecolor="white", markeredgewidth=0.6)
-        low, high = sorted(kernel["builds"][p]["gflop_per_s"] for p in ("no-vectorization", "release"))
-        axis.plot([kernel["builds"]["release"]["operations_per_byte"]] * 2, [low, high], color="#9aa5b1", linewidth=0.8,
+        ends = [kernel["builds"][p] for p in ("no-vectorization", "release")]
+        axis.plot([e["operations_per_byte"] for e in ends], [e["gflop_per_s"] for e in ends], color="#9aa5b1", linewidth=0.8,
                   zorder=1)
-        axis.annotate(str(number), (kernel["builds"]["release"]["operations_per_byte"], high), xytext=(0, 6),
+        axis.annotate(str(number), (ends[1]["operations_per_byte"], max(e["gflop_per_s"] for e in ends)), xytext=(0, 6),
                       textcoords="offset points", ha="center", fontsize=9)
     names = "\n".join(f"{i}  {k['title']}" for i, k in enumerate(kernels, 1))
     axis.text(1.02, 1.0, names, transform=axis.transAxes, va="top", fontsize=9, linespacing=1.6)

@@ -3,7 +3,7 @@
 import os
 import subprocess
 
-from .builds import PRESETS, ROOT, compile_commands, flags
+from .builds import PRESETS, ROOT, compiler_of, flags
 
 
 def first_line(command):
@@ -32,11 +32,15 @@ def vector_sets(listed):
             if name in listed]
 
 
+def has_avx2():
+    """True also where the processor does not say what it has."""
+    listed = lscpu().get("Flags", "avx2").split()
+    return "avx2" in listed
+
+
 def describe():
     cpu = lscpu()
-    compiler = next(iter(compile_commands("release").values()))[2][0]
-    dirty = subprocess.run(["git", "status", "--porcelain", "--untracked-files=no"], cwd=ROOT, capture_output=True,
-                           text=True).stdout.strip()
+    changed = first_line(["git", "status", "--porcelain", "--untracked-files=no"]) != "unknown"
     return {
         "cpu": cpu.get("Model name", "unknown"),
         "cores": os.cpu_count(),
@@ -45,7 +49,7 @@ def describe():
         "memory_gib": round(memory_gib(), 1),
         "virtual": cpu.get("Hypervisor vendor"),
         "load_average": round(os.getloadavg()[0], 2),
-        "compiler": first_line([compiler, "--version"]),
-        "revision": first_line(["git", "rev-parse", "--short=12", "HEAD"]) + (" with local changes" if dirty else ""),
+        "compiler": first_line([compiler_of("release"), "--version"]),
+        "revision": first_line(["git", "rev-parse", "--short=12", "HEAD"]) + (" with local changes" if changed else ""),
         "flags": {preset: flags(preset) for preset in PRESETS},
     }

@@ -84,12 +84,12 @@ def stages(scene, rounds, settings=(), refine=1):
     return result
 
 
-def kernel_times(rounds, per_side):
-    """{preset: {"ceilings": ..., method: {counter: values over the rounds}}} of bench_kernels of every build."""
+def kernel_times(rounds):
+    """{preset: {ceilings, method: {counter: values over the rounds}}} of the larger scenes of bench_kernels."""
     result = {preset: {"triad": [], "peak": [], "pinball": {}, "slideline": {}} for preset in PRESETS}
     for number in range(rounds):
         for preset in in_turn(PRESETS, number):
-            text = run([program(preset, "bench_kernels"), f"--benchmark_filter=per_side:{per_side}/threads:1/",
+            text = run([program(preset, "bench_kernels"), "--benchmark_filter=per_side:[0-9]{3}/threads:1/",
                         "--benchmark_format=json"])
             report = json.loads(text)
             ours = result[preset]

@@ -152,7 +152,8 @@ def kernels_section(n):
         f"pinball; {n.show('vectorization', 'listed', form=integer)} pinballs have neighbours "
         f"({n.show('vectorization', 'listed_pairs', form=integer)} listed, "
         f"{n.show('vectorization', 'pairs_in_contact', form=integer)} pairs in contact), "
-        f"{n.show('vectorization', 'rounds')} rounds in which the builds take turns. Three sources: what the compiler says of the "
+        f"{n.show('vectorization', 'rounds')} rounds in which the builds take turns; the slideline's kernels on the same scene with "
+        f"fewer elements. Three sources: what the compiler says of the "
         "loops (gcc's remarks, and clang's as a second opinion: " + escape(n.value("vectorization", "clang"))
         + "); which instructions stand in the functions of the kernel; and how much faster they are than with one lane.</p>",
         image(figures.speed_ups(kernels, n.value("vectorization", "aims", "gain")), "Speed-up of each kernel over one lane"), kernels_table(n),
@@ -195,12 +196,12 @@ def ratio_table(n):
         rows.append([escape(column["title"]) + f"<br><small>{escape(column['scene'])}, refine {n.show(*at, 'refine')}</small>",
                      n.show(*at, "elements", form=integer), limited,
                      *[middle_and_range(n, *at, "methods", m, "seconds", "total") for m in measuring.METHODS],
-                     n.show(*at, "ratio", "total"), report,
+                     n.show(*at, "ratio", "total"), n.show(*at, "ratio_per_step", "total"), report,
                      *[middle_and_range(n, *at, "methods", m, "seconds", "contact") for m in measuring.METHODS],
-                     n.show(*at, "ratio", "contact"),
+                     n.show(*at, "ratio", "contact"), n.show(*at, "ratio_per_step", "contact"),
                      *[n.percent(*at, "methods", m, "share") for m in measuring.METHODS]])
-    return table(["", "elements", "run", "slideline [s]", "pinball [s]", "ratio", "report (Cray X-MP/14) [s]",
-                  "contact: slideline [s]", "pinball [s]", "ratio", "share: slideline", "pinball"], rows,
+    return table(["", "elements", "run", "slideline [s]", "pinball [s]", "ratio", "per step", "report (Cray X-MP/14) [s]",
+                  "contact: slideline [s]", "pinball [s]", "ratio", "per step", "share: slideline", "pinball"], rows,
                  "Table 2 of the report, continued. build/release, one thread, median (range); both methods advance in turns")
 
 
@@ -223,7 +224,9 @@ def comparison_section(n):
         f"report prints {n.show('comparison', 'report', 'example 2, mesh 1', 'printed')} s for pinball on mesh 1 of example 2, "
         "less than the rest of a step takes there; "
         f"{n.show('comparison', 'report', 'example 2, mesh 1', 'pinball')} s fits and is what its ratio "
-        "is given for. Runs of a limited number of steps show the beginning of the penetration: contact has begun, erosion has "
+        "is given for. The bodies go different ways with the two methods, which make different numbers of steps; ratios per step "
+        "leave that out. The slideline collects its segments and builds its lists anew whenever an element erodes; pinball's "
+        "lists last over erosions. Runs of a limited number of steps show the beginning of the penetration: contact has begun, erosion has "
         "not gone far.</p>",
         image(figures.totals(n.value("comparison")), "Time of both methods, and the ratios"), ratio_table(n), profile_table(n))
 

@@ -85,6 +85,7 @@ def judge(kernel, per_build, inspected):
     arithmetic = counts.packed_total + counts.scalar
     facts = {
         "packs": verdict.from_packs(lines[kernel.key]),
+        "packed": counts.packed_fraction,
         "bandwidth": native["of_bandwidth"],
         "lanes": native["lanes_used"],
         "arithmetic": arithmetic / counts.instructions,
@@ -140,10 +141,9 @@ def inspect(with_clang):
     return {"code": code, "lines": lines, "gcc": gcc, "clang": clang, "clang_text": clang_text(with_clang, clang)}
 
 
-def measure(rounds, inspected, per_side=236):
-    """per_side: of the plates of bench_kernels."""
+def measure(rounds, inspected):
     code = inspected["code"]
-    times = measuring.kernel_times(rounds, per_side)
+    times = measuring.kernel_times(rounds)
     kernels = []
     for kernel in KERNELS:
         per_build = {preset: of_build(kernel, preset, times, code) for preset in builds.PRESETS}

@@ -32,8 +32,9 @@ def from_packs(counts):
 def explain(compiler, machine, speed, facts):
     """(verdict, agree, explanations, unexplained) from three verdicts.
 
-    facts: packs (part of the packed arithmetic from explicit packs, or None), bandwidth (part of the triad reached), lanes
-    (part of the lanes that hold something, or None), arithmetic (floating-point part of the instructions), speed_up.
+    facts: packs (part of the packed arithmetic from explicit packs, or None), packed (part of the arithmetic, or None),
+    bandwidth (part of the triad reached), lanes (part of the lanes that hold something, or None), arithmetic
+    (floating-point part of the instructions), speed_up.
     """
     answers = {compiler, machine, speed}
     if len(answers) == 1:
@@ -65,6 +66,9 @@ def explain(compiler, machine, speed, facts):
             else:
                 reasons.append("its vectors do not pay, and neither memory nor empty lanes explain it")
                 unexplained = True
+        elif machine == "partly":
+            reasons.append(f"{100 * facts['packed']:.0f} % of the arithmetic in its functions is packed; each instruction is "
+                           "counted once, however often it runs, and the loops that take the time are the packed ones")
         else:
             reasons.append(f"{facts['speed_up']:.2f} times as fast without packed arithmetic to show for it: integer and "
                            "memory instructions of the wider set, or noise")
