@@ -7,7 +7,7 @@
 namespace pinball {
 
 std::vector<Point> SceneTable::directions(std::string_view key, const std::array<const char*, 3>& names) const {
-  const std::vector<Point> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<Point> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const std::string expected = fmt::format(
       "\"all\" or an array of directions, each \"{}\", \"{}\", \"{}\" or 3 numbers", names[0], names[1], names[2]);
   const toml::node* node = find(key);

@@ -66,8 +66,9 @@ ColumnRun run_column(const Scene& scene) {
     }
     run.stress_times.push_back(solver.force_time());
     double sum = 0;
-    for (std::size_t e = 0; e < n / 4; ++e) sum -= stress_of(solver, e)[2];
-    run.plateau.push_back(sum / static_cast<double>(n / 4));
+    const std::size_t quarter = n / 4;
+    for (std::size_t e = 0; e < quarter; ++e) sum -= stress_of(solver, e)[2];
+    run.plateau.push_back(sum / static_cast<double>(quarter));
   };
   run_to_end(solver, after_step);
   return run;
