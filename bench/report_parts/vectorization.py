@@ -122,12 +122,15 @@ def aims(kernels, times):
             "enough_pinballs": listed >= PINBALLS, "met": listed >= PINBALLS and min(gains.values()) >= GAIN}
 
 
-def clang_text(with_clang, clang):
-    if not with_clang:
-        return "left out of the quick form"
+def clang_remarks():
+    """(remarks or None, which clang it is or why there are none)."""
+    try:
+        clang = builds.clang_remarks(NATIVE)
+    except builds.Failed:
+        return None, "clang++ could not compile the kernels with the flags of this build"
     if clang is None:
-        return "clang++ is not installed"
-    return builds.run(["clang++", "--version"]).splitlines()[0]
+        return None, "clang++ is not installed"
+    return clang, builds.run(["clang++", "--version"]).splitlines()[0]
 
 
 def inspect(with_clang):
@@ -135,10 +138,12 @@ def inspect(with_clang):
     code = {preset: builds.code_of_kernels(preset) for preset in builds.PRESETS}
     lines, gcc = builds.remarks_of_compiler(NATIVE)
     with_clang = with_clang or gcc is None
-    clang = builds.clang_remarks(NATIVE) if with_clang else None
+    clang, said = None, "left out of the quick form"
+    if with_clang:
+        clang, said = clang_remarks()
     if gcc is None and clang is None:
-        raise builds.Failed("neither gcc, with which build/release was made, nor clang++ is there to say what it vectorized")
-    return {"code": code, "lines": lines, "gcc": gcc, "clang": clang, "clang_text": clang_text(with_clang, clang)}
+        raise builds.Failed(f"build/release was not made with gcc, and {said}: no compiler says what it vectorized")
+    return {"code": code, "lines": lines, "gcc": gcc, "clang": clang, "clang_text": said}
 
 
 def measure(rounds, inspected):
