@@ -14,7 +14,7 @@ def text_list(items):
 def of_comparison(n):
     """Ratios and shares on all meshes."""
     columns = n.value("comparison", "columns")
-    each = [f"{html.escape(c['title'])} ({n.show('comparison', 'columns', i, 'elements', form='{:,}'.format)} elements): contact "
+    each = [f"{html.escape(c['title'])} ({n.count('comparison', 'columns', i, 'elements')} elements): contact "
             f"{n.show('comparison', 'columns', i, 'ratio', 'contact')} times, the whole run "
             f"{n.show('comparison', 'columns', i, 'ratio', 'total')} times cheaper, "
             f"{n.percent('comparison', 'columns', i, 'methods', 'pinball', 'share')} of it contact (slideline: "
@@ -29,7 +29,7 @@ def of_vectorization(n):
     each = [f"{html.escape(k['title'])} {n.show('vectorization', 'kernels', i, 'vectorized', 'speed_up', form=two_digits)}"
             for i, k in enumerate(kernels) if k["contact"]]
     return (f"Vectors of {n.show('vectorization', 'ceilings', NATIVE, 'simd_width')} lanes against one lane, "
-            f"{n.show('vectorization', 'listed', form='{:,}'.format)} pinballs with neighbours: "
+            f"{n.count('vectorization', 'listed')} pinballs with neighbours: "
             f"{n.show('vectorization', 'aims', 'met_by')} of {n.show('vectorization', 'aims', 'of')} contact kernels gain "
             f"{n.show('vectorization', 'aims', 'gain')} times or more ({text_list(each)}), all contact stages of a step together "
             f"{n.show('vectorization', 'aims', 'together', form=two_digits)}, the element update "
@@ -47,7 +47,7 @@ def of_builds(n):
             return n.show("stages", i, "speed_up", method)
 
         sentences.append(
-            f"On {session['scene']} with {n.show('stages', i, 'elements', form='{:,}'.format)} elements vectorization makes whole "
+            f"On {session['scene']} with {n.count('stages', i, 'elements')} elements vectorization makes whole "
             f"runs {gain('slideline')} times (slideline) and {gain('pinball')} times (pinball) as fast; the share of contact goes from "
             f"{share('slideline', BASE)} (slideline) and {share('pinball', BASE)} (pinball) without to "
             f"{share('slideline', NATIVE)} and {share('pinball', NATIVE)} with it.")
@@ -68,10 +68,10 @@ def why_share(n, i, column):
     pinball = column["methods"]["pinball"]
     stage = largest_contact_stage(pinball)
     at = ("comparison", "columns", i, "methods", "pinball")
-    return (f"{n.show(*at, 'surface_elements', form='{:,}'.format)} of "
-            f"{n.show('comparison', 'columns', i, 'elements', form='{:,}'.format)} elements are at a surface and take part in contact; "
+    return (f"{n.count(*at, 'surface_elements')} of "
+            f"{n.count('comparison', 'columns', i, 'elements')} elements are at a surface and take part in contact; "
             f"its largest stage is {stage.removeprefix('contact: ')} with {n.percent(*at, 'stages', stage, 'share')} of the run "
-            f"({n.show(*at, 'searches', form='{:,}'.format)} searches in {n.show(*at, 'results', 'steps', form='{:,}'.format)} steps)")
+            f"({n.count(*at, 'searches')} searches in {n.count(*at, 'results', 'steps')} steps)")
 
 
 def why_contact(n, i, column):
@@ -81,8 +81,8 @@ def why_contact(n, i, column):
     return (f"pinball's largest stage is {slowest.removeprefix('contact: ')}, "
             f"{n.show(*at, 'pinball', 'stages', slowest, 'seconds')} s, where the slideline needs "
             f"{n.show(*at, 'slideline', 'stages', slowest, 'seconds')} s; the slideline has the same broad phase "
-            f"({n.show(*at, 'slideline', 'searches', form='{:,}'.format)} searches, pinball "
-            f"{n.show(*at, 'pinball', 'searches', form='{:,}'.format)})")
+            f"({n.count(*at, 'slideline', 'searches')} searches, pinball "
+            f"{n.count(*at, 'pinball', 'searches')})")
 
 
 def why_total(n, i, column):

@@ -65,8 +65,8 @@ KERNELS = [
     Kernel("slideline_search", "slideline: lists, when built", "slave node", "slideline", "list_building",
            [r"SlidelineSearch<double>::(build|find|may_touch|moving_segments|moving_slaves)\(",
             r"(BallTree|MovingBalls|NearBalls)<double>::", r"SurfaceMotion<double>::(adapt|start)\("],
-           [r"SlidelineSearchIdE(5build|4find|9may_touch|15moving_segments|13moving_slaves)E", r"(BallTree|MovingBalls|NearBalls)IdE",
-            r"SurfaceMotionIdE(5adapt|5start)E"],
+           [r"SlidelineSearchIdE(5build|4find|9may_touch|15moving_segments|13moving_slaves)E",
+            r"(BallTree|MovingBalls|NearBalls)IdE", r"SurfaceMotionIdE(5adapt|5start)E"],
            by_hand=meeting_operations, by_hand_text=MEETING_TEXT),
     Kernel("narrow_phase", "slideline: projection and forces", "candidate", "slideline", "contact_forces",
            [r"find_touches<pinball::SlidelineContact<double>::forces", r"SlidelineContact<double>::(find_segment|"

@@ -3,7 +3,7 @@
 import html
 
 from . import conclusion, figures, measuring
-from .pointers import Numbers, listing, table, two_digits
+from .pointers import Numbers, listing, table, two_digits, whole
 from .vectorization import BASE, NATIVE
 
 STYLE = """
@@ -20,10 +20,6 @@ img { max-width: 100%; } figure { margin: 1rem 0; } figcaption { color: #52606d;
 code, pre { font: .85rem/1.4 ui-monospace, monospace; } pre { overflow-x: auto; background: #f4f6f8; padding: .6rem; }
 details { margin: .3rem 0; } summary { cursor: pointer; } .lead { font-size: 1.05rem; }
 """
-
-
-def integer(value):
-    return f"{value:,.0f}"
 
 
 def escape(text):
@@ -59,7 +55,7 @@ def machine_section(n):
     caches = ", ".join(f"{name} {size}" for name, size in machine["caches"].items())
     columns = n.value("comparison", "columns")
     meshes = [f"{escape(c['scene'])}" + (f", refine {c['refine']}" if c["refine"] > 1 else "") + ": "
-              + n.show("comparison", "columns", i, "elements", form=integer) for i, c in enumerate(columns)]
+              + n.count("comparison", "columns", i, "elements") for i, c in enumerate(columns)]
     rows = [["processor", escape(machine["cpu"])],
             ["cores", n.show("machine", "cores") + (f", virtual ({escape(machine['virtual'])})" if machine["virtual"] else "")],
             ["vector sets", escape(" ".join(machine["vector_sets"]))], ["caches", escape(caches)],
@@ -68,8 +64,8 @@ def machine_section(n):
             ["compiler", escape(machine["compiler"])], ["git revision", escape(machine["revision"])],
             ["precision, threads", f"{escape(columns[0]['precision'])}, {n.show('comparison', 'columns', 0, 'threads')} thread"],
             ["elements", "<br>".join(meshes)],
-            ["duration of this report", n.show("seconds", "measuring", form=integer) + " s, after "
-             + n.show("seconds", "building", form=integer) + " s of builds and second compilations"]]
+            ["duration of this report", n.count("seconds", "measuring") + " s, after "
+             + n.count("seconds", "building") + " s of builds and second compilations"]]
     flags = [[f"build/{preset}: {source}", f"<code>{escape(text)}</code>"]
              for preset, sources in machine["flags"].items() for source, text in sources.items()]
     return section("machine", "Machine, compiler, flags", "<div class=text>", table(["", ""], rows),
@@ -90,7 +86,7 @@ def stages_table(n, i):
     names = list(session["builds"][NATIVE]["pinball"]["stages"])
     return table(["build, algorithm", *names, "whole step", "contact"], rows,
                  f"{escape(session['scene'])}, refine {n.show('stages', i, 'refine')}, "
-                 f"{n.show('stages', i, 'elements', form=integer)} elements: ms of a step, median (range) of "
+                 f"{n.count('stages', i, 'elements')} elements: ms of a step, median (range) of "
                  f"{n.show('stages', i, 'rounds')} rounds in which the builds take turns, one thread")
 
 
@@ -110,12 +106,12 @@ def kernels_table(n):
     for i, kernel in enumerate(n.value("vectorization", "kernels")):
         at = ("vectorization", "kernels", i)
         judged = kernel["vectorized"]
-        code = [n.show(*at, "builds", NATIVE, "code", name, form=integer)
+        code = [n.count(*at, "builds", NATIVE, "code", name)
                 for name in ("packed_zmm", "packed_ymm", "packed_xmm", "scalar")]
         rows.append([escape(kernel["title"]) + (" *" if kernel["contact"] else ""), judged["compiler"],
                      judged["machine_code"], " / ".join(code),
-                     n.show(*at, "builds", NATIVE, "code", "gathers", form=integer) + " / "
-                     + n.show(*at, "builds", NATIVE, "code", "scatters", form=integer),
+                     n.count(*at, "builds", NATIVE, "code", "gathers") + " / "
+                     + n.count(*at, "builds", NATIVE, "code", "scatters"),
                      judged["speed"], n.show(*at, "builds", "avx2", "speed_up", form=two_digits),
                      n.show(*at, "builds", NATIVE, "speed_up", form=two_digits),
                      f"<b>{judged['verdict']}</b>", n.percent(*at, "builds", NATIVE, "lanes_used")])
@@ -148,15 +144,16 @@ def kernels_section(n):
     kernels = n.value("vectorization", "kernels")
     return section(
         "kernels", "Which kernels are vectorized",
-        f"<p>Scene: two plates slide over each other, {n.show('vectorization', 'pinballs', form=integer)} elements, each with a "
-        f"pinball; {n.show('vectorization', 'listed', form=integer)} pinballs have neighbours "
-        f"({n.show('vectorization', 'listed_pairs', form=integer)} listed, "
-        f"{n.show('vectorization', 'pairs_in_contact', form=integer)} pairs in contact), "
+        f"<p>Scene: two plates slide over each other, {n.count('vectorization', 'pinballs')} elements, each with a "
+        f"pinball; {n.count('vectorization', 'listed')} pinballs have neighbours "
+        f"({n.count('vectorization', 'listed_pairs')} listed, "
+        f"{n.count('vectorization', 'pairs_in_contact')} pairs in contact), "
         f"{n.show('vectorization', 'rounds')} rounds in which the builds take turns; the slideline's kernels on the same scene with "
         f"fewer elements. Three sources: what the compiler says of the "
         "loops (gcc's remarks, and clang's as a second opinion: " + escape(n.value("vectorization", "clang"))
         + "); which instructions stand in the functions of the kernel; and how much faster they are than with one lane.</p>",
-        image(figures.speed_ups(kernels, n.value("vectorization", "aims", "gain")), "Speed-up of each kernel over one lane"), kernels_table(n),
+        image(figures.speed_ups(kernels, n.value("vectorization", "aims", "gain")), "Speed-up of each kernel over one lane"),
+        kernels_table(n),
         "<h3>Explanations, remarks, functions</h3>", *[kernel_details(n, i) for i in range(len(kernels))])
 
 
@@ -164,7 +161,7 @@ def work_section(n):
     rows = []
     for i, kernel in enumerate(n.value("vectorization", "kernels")):
         at = ("vectorization", "kernels", i, "builds", NATIVE)
-        rows.append([escape(kernel["title"]), escape(kernel["item"]), n.show(*at, "items", form=integer),
+        rows.append([escape(kernel["title"]), escape(kernel["item"]), n.count(*at, "items"),
                      n.show(*at, "bytes_per_item"), n.show(*at, "operations_per_item"), n.show(*at, "gb_per_s"),
                      n.percent(*at, "of_bandwidth"), n.show(*at, "gflop_per_s"), n.percent(*at, "of_peak"),
                      n.percent(*at, "of_roof")])
@@ -188,13 +185,13 @@ def ratio_table(n):
     rows = []
     for i, column in enumerate(n.value("comparison", "columns")):
         at = ("comparison", "columns", i)
-        limited = "to the end" if column["steps_limit"] is None else "the first " + n.show(*at, "steps_limit", form=integer) + " steps"
+        limited = "to the end" if column["steps_limit"] is None else "first " + n.count(*at, "steps_limit") + " steps"
         report = "–"
         if column["report"]:
             report = (n.show(*at, "report", "slideline") + " / " + n.show(*at, "report", "pinball") + " = "
                       + n.show(*at, "report_ratio"))
         rows.append([escape(column["title"]) + f"<br><small>{escape(column['scene'])}, refine {n.show(*at, 'refine')}</small>",
-                     n.show(*at, "elements", form=integer), limited,
+                     n.count(*at, "elements"), limited,
                      *[middle_and_range(n, *at, "methods", m, "seconds", "total") for m in measuring.METHODS],
                      n.show(*at, "ratio", "total"), n.show(*at, "ratio_per_step", "total"), report,
                      *[middle_and_range(n, *at, "methods", m, "seconds", "contact") for m in measuring.METHODS],
@@ -212,7 +209,7 @@ def profile_table(n):
             at = ("comparison", "columns", i, "methods", method)
             rows.append([f"{escape(column['title'])}, {method}"] + [n.percent(*at, "stages", s, "share")
                                                                     for s in column["methods"][method]["stages"]]
-                        + [n.show(*at, "surface_elements", form=integer), n.show(*at, "searches", form=integer)])
+                        + [n.count(*at, "surface_elements"), n.count(*at, "searches")])
     names = list(n.value("comparison", "columns", 0, "methods", "pinball", "stages"))
     return table(["", *names, "surface elements", "searches"], rows, "Profile: share of each stage in the run")
 
@@ -226,8 +223,8 @@ def comparison_section(n):
         f"{n.show('comparison', 'report', 'example 2, mesh 1', 'pinball')} s fits and is what its ratio "
         "is given for. The bodies go different ways with the two methods, which make different numbers of steps; ratios per step "
         "leave that out. The slideline collects its segments and builds its lists anew whenever an element erodes; pinball's "
-        "lists last over erosions. Runs of a limited number of steps show the beginning of the penetration: contact has begun, erosion has "
-        "not gone far.</p>",
+        "lists last over erosions. Runs of a limited number of steps show the beginning of the penetration: contact has "
+        "begun, erosion has not gone far.</p>",
         image(figures.totals(n.value("comparison")), "Time of both methods, and the ratios"), ratio_table(n), profile_table(n))
 
 
@@ -242,7 +239,7 @@ def aims_section(n):
     least = min(gains, key=gains.get)
     at = ("vectorization", "aims")
     rows.append([f"every contact kernel at least {n.show(*at, 'gain')} times as fast with vectors as with one lane, at least "
-                 f"{n.show(*at, 'pinballs', form=integer)} pinballs", n.show(*at, "kernels", least, form=two_digits),
+                 f"{n.count(*at, 'pinballs')} pinballs", n.show(*at, "kernels", least, form=two_digits),
                  f"{n.show(*at, 'met_by')} of {n.show(*at, 'of')} kernels", judgement(n.value(*at, "met"))])
     rows.append(["all contact stages of a step together, the same", n.show(*at, "together", form=two_digits), "",
                  judgement(n.value(*at, "together_met"))])
@@ -256,10 +253,11 @@ def differences_section(n):
     for i, column in enumerate(n.value("comparison", "columns")):
         for name in column["methods"]["pinball"]["results"]:
             at = ("comparison", "columns", i, "methods")
+            form = whole if name == "steps" else "{:,.4g}".format
             rows.append([f"{escape(column['title'])}: {escape(name)}",
-                         n.show(*at, "slideline", "results", name, form="{:,.4g}".format if name != "steps" else integer),
-                         n.show(*at, "pinball", "results", name, form="{:,.4g}".format if name != "steps" else integer)])
-    smooth = [[method, n.show("sliding", "methods", method, "mean"), n.show("sliding", "methods", method, "bumps"), n.percent("sliding", "methods", method, "energy_error")]
+                         *[n.show(*at, method, "results", name, form=form) for method in measuring.METHODS]])
+    smooth = [[method, n.show("sliding", "methods", method, "mean"), n.show("sliding", "methods", method, "bumps"),
+               n.percent("sliding", "methods", method, "energy_error")]
               for method in measuring.METHODS]
     return section(
         "differences", "What differs in the results",

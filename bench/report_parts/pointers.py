@@ -43,6 +43,9 @@ class Numbers:
         return (f'<data value="{html.escape(json.dumps(value))}" data-pointer="{html.escape(pointer(*keys))}" '
                 f'data-scale="{scale}">{form(value * scale)}</data>')
 
+    def count(self, *keys):
+        return self.show(*keys, form=whole)
+
     def percent(self, *keys):
         value = self.value(*keys)
         form = whole if value is None or abs(value) >= 0.1 else two_digits
