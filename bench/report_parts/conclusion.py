@@ -39,7 +39,7 @@ def of_vectorization(n):
 def of_builds(n):
     """Share of contact with vectorization off and on, and what vectorization gives to a whole run."""
     sentences = []
-    for i, session in enumerate(n.value("stages")):
+    for i, series in enumerate(n.value("stages")):
         def share(method, build):
             return n.percent("stages", i, "builds", build, method, "contact_share")
 
@@ -47,7 +47,7 @@ def of_builds(n):
             return n.show("stages", i, "speed_up", method)
 
         sentences.append(
-            f"On {session['scene']} with {n.count('stages', i, 'elements')} elements vectorization makes whole "
+            f"On {series['scene']} with {n.count('stages', i, 'elements')} elements vectorization makes whole "
             f"runs {gain('slideline')} times (slideline) and {gain('pinball')} times (pinball) as fast; the share of contact goes from "
             f"{share('slideline', BASE)} (slideline) and {share('pinball', BASE)} (pinball) without to "
             f"{share('slideline', NATIVE)} and {share('pinball', NATIVE)} with it.")

@@ -30,21 +30,21 @@ def finish(figure):
     return base64.b64encode(file.getvalue()).decode("ascii")
 
 
-def stages(session):
+def stages(series):
     """Figures 10 and 11: time of a step by stage, both algorithms, with vectorization on and off."""
-    presets = list(session["builds"])
+    presets = list(series["builds"])
     figure, axes = plt.subplots(1, 2, figsize=(12, 4.6), sharey=True, layout="constrained")
     for axis, (number, method) in zip(axes, (("10", "slideline"), ("11", "pinball"))):
-        names = list(session["builds"][presets[0]][method]["stages"])
+        names = list(series["builds"][presets[0]][method]["stages"])
         at = np.arange(len(names))
         for i, preset in enumerate(presets):
-            one = session["builds"][preset][method]
+            one = series["builds"][preset][method]
             scale = 1e3 / one["steps"]
             spread = [one["stages"][n] for n in names]
             middle = np.array([s["median"] for s in spread]) * scale
             error = np.array([[s["median"] - s["min"] for s in spread], [s["max"] - s["median"] for s in spread]]) * scale
             axis.bar(at + (i - 1) * 0.27, middle, 0.25, yerr=error, color=COLOURS[preset], error_kw=dict(linewidth=0.8),
-                     label=build_label(preset, session["builds"][preset]["simd_width"]))
+                     label=build_label(preset, series["builds"][preset]["simd_width"]))
         axis.set_xticks(at, [n.replace(": ", ":\n").replace("element update", "element\nupdate")
                              .replace("node update", "node\nupdate") for n in names], fontsize=9)
         axis.set_title(f"Figure {number}: {method}", loc="left", fontsize=11)
@@ -76,7 +76,7 @@ def speed_ups(kernels, aim):
 
 
 def roofline(section):
-    """Operations a second over operations a byte, under the ceilings measured in the same session."""
+    """Operations a second over operations a byte, under the ceilings measured in the same series."""
     figure, axis = plt.subplots(figsize=(9.5, 5.6), layout="constrained")
     kernels = [k for k in section["kernels"] if k["builds"]["release"]["gflop_per_s"] > 0]
     intensities = [k["builds"]["release"]["operations_per_byte"] for k in kernels]

@@ -53,7 +53,7 @@ def stage_seconds(repeat):
 
 
 def stages(scene, rounds, settings=(), refine=1):
-    """Times per stage for both methods and all builds, from one session in which the builds take turns."""
+    """Times per stage for both methods and all builds, from one series in which the builds take turns."""
     runs = {preset: [] for preset in PRESETS}
     for number in range(rounds):
         for preset in in_turn(PRESETS, number):

@@ -73,9 +73,9 @@ def machine_section(n):
 
 
 def stages_table(n, i):
-    session = n.value("stages", i)
+    series = n.value("stages", i)
     rows = []
-    for preset, build in session["builds"].items():
+    for preset, build in series["builds"].items():
         for method in measuring.METHODS:
             scale = 1e3 / build[method]["steps"]
             rows.append([f"{preset} ({build['simd_width']} lanes), {method}"]
@@ -83,9 +83,9 @@ def stages_table(n, i):
                            for stage in build[method]["stages"]]
                         + [middle_and_range(n, "stages", i, "builds", preset, method, "total", scale=scale),
                            n.percent("stages", i, "builds", preset, method, "contact_share")])
-    names = list(session["builds"][NATIVE]["pinball"]["stages"])
+    names = list(series["builds"][NATIVE]["pinball"]["stages"])
     return table(["build, algorithm", *names, "whole step", "contact"], rows,
-                 f"{escape(session['scene'])}, refine {n.show('stages', i, 'refine')}, "
+                 f"{escape(series['scene'])}, refine {n.show('stages', i, 'refine')}, "
                  f"{n.count('stages', i, 'elements')} elements: ms of a step, median (range) of "
                  f"{n.show('stages', i, 'rounds')} rounds in which the builds take turns, one thread")
 
@@ -94,9 +94,9 @@ def stages_section(n):
     parts = ["<p>The report's Figures 10 (slideline) and 11 (pinball): the time of a step by stage with vectorization off "
              "and on. Off is a separate build with one lane per kernel call and the compiler's vectorizers off; other flags are "
              "the same.</p>"]
-    for i, session in enumerate(n.value("stages")):
-        parts.append(image(figures.stages(session), f"Figures 10 and 11 redrawn: {session['scene']}, "
-                                                    f"{session['elements']:,} elements"))
+    for i, series in enumerate(n.value("stages")):
+        parts.append(image(figures.stages(series), f"Figures 10 and 11 redrawn: {series['scene']}, "
+                                                    f"{series['elements']:,} elements"))
         parts.append(stages_table(n, i))
     return section("stages", "Time per stage, vectorization off and on", *parts)
 

@@ -17,12 +17,12 @@ FILES = {
 def stages(results):
     rows = [["scene", "refine", "elements", "build", "simd_width", "method", "steps", "stage", "seconds_median", "seconds_min",
              "seconds_max"]]
-    for session in results["stages"]:
-        for preset, build in session["builds"].items():
+    for series in results["stages"]:
+        for preset, build in series["builds"].items():
             for method in measuring.METHODS:
                 one = build[method]
                 for stage, seconds in [*one["stages"].items(), ("contact", one["contact"]), ("total", one["total"])]:
-                    rows.append([session["scene"], session["refine"], session["elements"], preset, build["simd_width"], method,
+                    rows.append([series["scene"], series["refine"], series["elements"], preset, build["simd_width"], method,
                                  one["steps"], stage, *(seconds[k] for k in ("median", "min", "max"))])
     return rows
 
