@@ -9,7 +9,8 @@
 #include <pinball/solver/solver.hpp>
 #include <string>
 
-#include "ceilings.hpp"
+#include "ceilings_context.hpp"
+#include "traffic.hpp"
 
 namespace pinball::bench {
 
@@ -19,22 +20,6 @@ double bandwidth(int threads) {
   static std::map<int, double> measured;
   if (measured.count(threads) == 0) measured[threads] = memory_bandwidth(threads);
   return measured[threads];
-}
-
-/// Bytes that a step has to move at least when nothing stays in a cache: every array that it reads, and twice those
-/// that it also writes; node arrays are swept by the elements and again by the integration.
-template <class S>
-double bytes_per_step(const Model<S>& model) {
-  const ElementStore<S>& e = model.elements;
-  const NodeStore<S>& n = model.nodes;
-  const double once = static_cast<double>(e.corner.bytes() + e.mass.bytes());
-  const double state = static_cast<double>(e.stress.bytes() + e.plastic_strain.bytes() + e.hourglass_force.bytes() +
-                                           e.viscous_stress.bytes() + e.internal_energy.bytes());
-  const double nodes_by_elements = static_cast<double>(n.position.bytes() + n.velocity.bytes() + 2 * n.force.bytes());
-  const double nodes_by_integration =
-      static_cast<double>(2 * (n.position.bytes() + n.velocity.bytes() + n.force.bytes()) + n.inverse_mass.bytes()) +
-      static_cast<double>(model.node_mass.size() * sizeof(double));
-  return once + 2 * state + nodes_by_elements + nodes_by_integration;
 }
 
 Scene block(int per_side) {
@@ -52,7 +37,8 @@ void whole_steps(benchmark::State& state) {
   for (int i = 0; i < 3; ++i) solver.step();
   for (auto _ : state) solver.step();
   const auto elements = static_cast<double>(solver.model().element_count());
-  const double bytes = bytes_per_step(solver.model());
+  // Node arrays are swept by the elements and again by the integration.
+  const double bytes = element_traffic(solver.model()) + integration_traffic(solver.model());
   using benchmark::Counter;
   state.counters["element_steps"] = Counter(elements, Counter::kIsIterationInvariantRate);
   state.counters["bytes"] = Counter(bytes, Counter::kIsIterationInvariantRate);
@@ -78,12 +64,7 @@ BENCHMARK(whole_steps<float>)->Apply(sizes);
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  for (const int threads : {1, 2}) {
-    benchmark::AddCustomContext(fmt::format("triad_GB_per_s_{}_threads", threads),
-                                fmt::format("{:.1f}", pinball::bench::memory_bandwidth(threads) * 1e-9));
-    benchmark::AddCustomContext(fmt::format("peak_GFLOP_per_s_{}_threads", threads),
-                                fmt::format("{:.1f}", pinball::bench::arithmetic_peak(threads) * 1e-9));
-  }
+  pinball::bench::add_ceilings_to_context({1, 2});
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -22,6 +22,13 @@ struct ContactResult {
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
 };
 
+/// Lists of what may touch.
+struct ListSize {
+  std::int64_t owners = 0;   ///< pinballs that have a list, or slave nodes
+  std::int64_t entries = 0;  ///< pairs, as often as they are listed
+  std::int64_t places = 0;   ///< that the forces are worked out for: entries, and the padding to whole packs
+};
+
 /// An algorithm of contact. Its stages are called one by one by the step, in this order; a scene enforces its contact
 /// either through springs, with forces() and scatter(), or through impulses, with prepare_impulses() and impulses().
 template <class S>
@@ -54,6 +61,7 @@ class Contact {
   virtual void report(const Model<S>& model, std::vector<Point>& node_force,
                       std::vector<double>& slot_radius) const = 0;
   virtual std::int32_t surface_elements() const = 0;  ///< that take part
+  virtual ListSize listed() const = 0;
   virtual std::size_t bytes() const = 0;
   std::int64_t searches() const { return searches_; }
   std::int64_t searches_skipped() const { return searches_skipped_; }

@@ -34,6 +34,8 @@ class NeighbourList {
   /// outward: records of the listed pinballs, whose fourth number is B R, or 0.
   double end_pairs_of_inactive(const S* outward);
   std::int64_t pairs() const;  ///< listed, each counted once
+  /// Entries and padding.
+  std::int64_t places() const { return start_.empty() ? 0 : start_.back(); }
   std::size_t bytes() const;
 
  private:

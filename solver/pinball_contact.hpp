@@ -30,6 +30,7 @@ class PinballContact final : public Contact<S> {
   const char* name() const override { return "pinball"; }
   void report(const Model<S>& model, std::vector<Point>& node_force, std::vector<double>& slot_radius) const override;
   std::int32_t surface_elements() const override { return surface_.exposed_count(); }
+  ListSize listed() const override { return {list_.size(), 2 * list_.pairs(), list_.places()}; }
   std::size_t bytes() const override;
 
  private:

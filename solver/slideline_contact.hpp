@@ -35,6 +35,10 @@ class SlidelineContact final : public Contact<S> {
   const char* name() const override { return "slideline"; }
   void report(const Model<S>& model, std::vector<Point>& node_force, std::vector<double>& slot_radius) const override;
   std::int32_t surface_elements() const override { return surface_.surface_elements(); }
+  ListSize listed() const override {
+    const std::int64_t entries = search_.entries();
+    return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
+  }
   std::size_t bytes() const override;
 
  private:

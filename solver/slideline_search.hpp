@@ -29,6 +29,7 @@ class SlidelineSearch {
 
   const std::int32_t* candidates(std::size_t slave) const { return candidate_.data() + start_[slave]; }
   std::int64_t count(std::size_t slave) const { return start_[slave + 1] - start_[slave]; }
+  std::int64_t entries() const { return static_cast<std::int64_t>(candidate_.size()); }  ///< of all lists
   std::size_t bytes() const;
 
  private:

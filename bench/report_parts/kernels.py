@@ -1,0 +1,81 @@
+"""The kernels of a step: where they are in the program, which timer shows them, and what they work on."""
+
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+
+@dataclass
+class Kernel:
+    key: str
+    title: str
+    item: str  # what times and operations are given for
+    method: str  # which benchmark has it
+    stage: str  # names the counters of bench_kernels: seconds_STAGE, items_STAGE, bytes_STAGE, lanes_STAGE
+    symbols: list  # patterns for demangled names of gcc's functions
+    mangled: list  # the same for clang's
+    contact: bool = False  # a contact kernel of pinball: the aim of the speed-up is for these
+    # Operations of an item by hand, where loops of unknown length keep them from being counted in the machine code
+    by_hand: Optional[Callable] = None
+    by_hand_text: str = ""
+
+
+def pair_operations(work):
+    return 13 + 170 * 2 * work["pairs_in_contact"] / work["items"]
+
+
+def meeting_operations(work):
+    return 30.0 * work["entries"] / work["items"]
+
+
+MEETING_TEXT = ("at least the 30 of the test against each ball that ends in a list (kernels/ball_tree.hpp); balls that fail "
+                "the test, and boxes, are not counted")
+KERNELS = [
+    Kernel("element_update", "element update", "element", "pinball", "internal_forces",
+           [r"update_tile<double, pinball::ElementFeatures\{true, true, true, \(pinball::HourglassKind\)2\}>"],
+           [r"update_tileIdXtlNS_15ElementFeaturesELb1ELb1ELb1ELNS_13HourglassKindE2E"]),
+    Kernel("pinball_geometry", "pinball centres and normals", "listed pinball", "pinball", "pinballs",
+           [r"PinballContact<double>::update_geometry\(.*lambda\(long\)#2\}"],
+           [r"PinballContactIdE15update_geometry"], contact=True),
+    Kernel("list_check", "do the lists still hold", "surface node", "pinball", "list_check",
+           [r"SurfaceMotion<double>::holds\("], [r"SurfaceMotionIdE5holds"], contact=True,
+           by_hand=lambda work: 14.0,
+           by_hand_text="14: distance of a node from where it is expected (kernels over nodes in solver/surface_motion.cpp)"),
+    Kernel("list_building", "neighbour lists, when built", "pinball", "pinball", "list_building",
+           [r"NeighbourList<double>::(build|find|join|remember|recall)\(", r"(BallTree|MovingBalls|NearBalls)<double>::",
+            r"SurfaceMotion<double>::(adapt|start)\(", r"PinballContact<double>::(build_list|collect_listed)\("],
+           [r"NeighbourListIdE(5build|4find|4join|8remember|6recall)E", r"(BallTree|MovingBalls|NearBalls)IdE",
+            r"SurfaceMotionIdE(5adapt|5start)E", r"PinballContactIdE(10build_list|14collect_listed)E"], contact=True,
+           by_hand=meeting_operations, by_hand_text=MEETING_TEXT),
+    Kernel("pair_forces", "contact pair forces", "listed pair", "pinball", "contact_forces",
+           [r"PinballContact<double>::forces\(.*(omp_fn|operator\(\))"],
+           [r"PinballContactIdE6forces"], contact=True,
+           by_hand=pair_operations,
+           by_hand_text="13 for the test of a listed pair (distance, reach), about 170 for a pair in contact, which is met "
+                        "twice; what lanes without a pair do is not counted"),
+    Kernel("contact_scatter", "contact scatter", "listed pinball", "pinball", "contact_scatter",
+           [r"PinballContact<double>::scatter.*(omp_fn|operator\(\))"], [r"PinballContactIdE7scatter"], contact=True,
+           by_hand=lambda work: 72.0 * min(1.0, work["touching"] / work["items"]),
+           by_hand_text="8 nodes x (4 products and sums of the force, 1 product of the bound on the frequency), 72, of each "
+                        "pinball in contact"),
+    Kernel("node_update", "node update", "node", "pinball", "integration",
+           [r"Solver<double>::integrate.*(omp_fn|operator\(\))"], [r"SolverIdE9integrate"]),
+    Kernel("segment_update", "slideline: segments", "segment", "slideline", "pinballs",
+           [r"SlidelineSurface<double>::update\(pinball::Model<double> const&\)::\{lambda"],
+           [r"SlidelineSurfaceIdE6update"]),
+    Kernel("slideline_search", "slideline: lists, when built", "slave node", "slideline", "list_building",
+           [r"SlidelineSearch<double>::(build|find|may_touch|moving_segments|moving_slaves)\(",
+            r"(BallTree|MovingBalls|NearBalls)<double>::", r"SurfaceMotion<double>::(adapt|start)\("],
+           [r"SlidelineSearchIdE(5build|4find|9may_touch|15moving_segments|13moving_slaves)E",
+            r"(BallTree|MovingBalls|NearBalls)IdE", r"SurfaceMotionIdE(5adapt|5start)E"],
+           by_hand=meeting_operations, by_hand_text=MEETING_TEXT),
+    Kernel("narrow_phase", "slideline: projection and forces", "candidate", "slideline", "contact_forces",
+           [r"find_touches<pinball::SlidelineContact<double>::forces", r"SlidelineContact<double>::(find_segment|"
+            r"penalty_force)\("],
+           [r"SlidelineContactIdE(12find_touches|12find_segment|13penalty_force)"],
+           by_hand=lambda work: 9.0 + 550.0 * work["pairs_in_contact"] / work["items"],
+           by_hand_text="9 for the sphere of every candidate, about 550 for a node in contact (three Newton iterations of "
+                        "120, foot, normal and weights 120, spring 70)"),
+]
+# Packs of W items go through the whole machine code of a kernel once, where nothing was derived by hand; the node update
+# has one node in each pass of its loop.
+ONE_ITEM_A_PASS = {"node_update"}
