@@ -49,7 +49,7 @@ void whole_steps(benchmark::State& state) {
 
 void sizes(benchmark::internal::Benchmark* b) {
   b->ArgNames({"per_side", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
-  for (const int per_side : {30, 60}) {
+  for (const int per_side : {14, 30, 60}) {
     for (const int threads : {1, 2}) b->Args({per_side, threads});
   }
 }

@@ -133,6 +133,44 @@ PINBALL_FUNCTION void for_each_meeting_group(const BallTreeView<ScalarOf<T>>& tr
   }
 }
 
+/// Bounds of the balls of a group, one by one: components as in MovingBox, a pack of balls each.
+template <class T>
+struct BallBounds {
+  T bound[ball_group<ScalarOf<T>> / width_of<T>][12];
+};
+
+template <class T>
+PINBALL_FUNCTION BallBounds<T> bounds_of_balls(const ScalarOf<T>* balls) {
+  constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
+  BallBounds<T> bounds;
+  for (int pack = 0; pack < G / W; ++pack) {
+    const ScalarOf<T>* ball = balls + pack * W;
+    const T radius = load<T>(ball + 6 * G);
+    for (int k = 0; k < 3; ++k) {
+      const T centre = load<T>(ball + k * G), end = centre + load<T>(ball + (3 + k) * G);
+      bounds.bound[pack][k] = centre - radius, bounds.bound[pack][3 + k] = centre + radius;
+      bounds.bound[pack][6 + k] = end - radius, bounds.bound[pack][9 + k] = end + radius;
+    }
+  }
+  return bounds;
+}
+
+/// The balls of a group that may meet a box, one bit each.
+template <class T>
+PINBALL_FUNCTION unsigned balls_meeting_box(const BallBounds<T>& balls, const MovingBox<ScalarOf<T>>& box) {
+  constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
+  unsigned bits = 0;
+  for (int pack = 0; pack < G / W; ++pack) {
+    const T(&bound)[12] = balls.bound[pack];
+    const auto meet = [&](int k) {
+      return (bound[k] <= T(box.bound[3 + k]) || bound[6 + k] <= T(box.bound[9 + k])) &&
+             (bound[3 + k] >= T(box.bound[k]) || bound[9 + k] >= T(box.bound[6 + k]));
+    };
+    bits |= lane_bits<T>(meet(0) && meet(1) && meet(2)) << (pack * W);
+  }
+  return bits;
+}
+
 /// The balls of a group that come nearer to one ball than the sum of the radii, one bit each. own: the components of
 /// that ball.
 template <class T>
@@ -144,11 +182,7 @@ PINBALL_FUNCTION unsigned meeting_balls(const ScalarOf<T>* balls, const ScalarOf
     const T x = difference(0), y = difference(1), z = difference(2);  // at the beginning
     const T u = difference(3), v = difference(4), w = difference(5);  // what it changes by
     const T reach = T(own[6]) + load<T>(balls + 6 * G + first), reach2 = reach * reach;
-    const T way2 = u * u + v * v + w * w, half = number<T>(0.5);
-    const T mx = x + half * u, my = y + half * v, mz = z + half * w;
-    // |d(t)| >= |d(1/2)| - |way|/2, and (a + b)^2 <= (1 + q) a^2 + (1 + 1/q) b^2 with q = 1/8 or 1: most end here.
-    const T bound = minimum(number<T>(1.125) * reach2 + number<T>(2.25) * way2, T(2) * reach2 + half * way2);
-    if (!any_lane(mx * mx + my * my + mz * mz < bound)) continue;
+    const T way2 = u * u + v * v + w * w;
     // The time at which the distance is smallest; if (nothing changes) t = 0
     const auto moves = way2 > T(0);
     const T t = minimum(T(1), maximum(T(0), (T(0) - (x * u + y * v + z * w)) / select(moves, way2, T(1))));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/macros.hpp>
+#include <pinball/kernels/simd.hpp>
 
 /// Accelerations and central-difference integration of one node (report figure 4, 5 and 6):
 ///
@@ -23,7 +23,19 @@ PINBALL_FUNCTION void constrain_node(S* force, S* velocity, const S* normal) {
   }
 }
 
-/// Integrates one node record and clears its force for the next step.
+/// Integrates components of a node record, as many as T has lanes. factor: velocity_step / m, energy_factor:
+/// energy_step / m of each. Returns v_(n-1/2) (v_(n-1/2) + dt_(n-1/2) a_n) of each.
+template <class T>
+PINBALL_FUNCTION T integrate_components(ScalarOf<T>* position, ScalarOf<T>* velocity, const ScalarOf<T>* force,
+                                        const T& factor, const T& energy_factor, ScalarOf<T> position_step) {
+  const T old = load<T>(velocity), f = load<T>(force);
+  const T updated = old + factor * f;
+  store(updated, velocity);
+  store(load<T>(position) + T(position_step) * updated, position);
+  return old * (old + energy_factor * f);
+}
+
+/// Integrates one node record and clears its force for the next step; records are aligned to four scalars.
 /// velocity_step: (dt_(n-1/2) + dt_(n+1/2))/2; position_step: dt_(n+1/2); energy_step: dt_(n-1/2) [time].
 ///
 /// Returns v_(n-1/2) . (v_(n-1/2) + dt_(n-1/2) a_n): half of it times the mass is the kinetic energy at time n whose
@@ -32,16 +44,21 @@ template <class S>
 PINBALL_FUNCTION S integrate_node(S* position, S* velocity, S* force, S inverse_mass, S velocity_step, S position_step,
                                   S energy_step) {
   const S factor = velocity_step * inverse_mass, energy_factor = energy_step * inverse_mass;
-  S product[3];
-  for (int c = 0; c < 3; ++c) {
-    const S old = velocity[c];
-    const S updated = old + factor * force[c];
-    velocity[c] = updated;
-    position[c] += position_step * updated;
-    product[c] = old * (old + energy_factor * force[c]);
+  S sum;
+  if constexpr (native_width<S> >= 4) {  // a record is a pack; its fourth force is no force
+    using T = Pack<S, 4>;
+    const auto is_component = lane_numbers<T>() < T(3);
+    sum = lane_sum(integrate_components<T>(position, velocity, force, select(is_component, T(factor), T(0)),
+                                           select(is_component, T(energy_factor), T(0)), position_step));
+    store(T(0), force);
+  } else {
+    sum = 0;
+    for (int c = 0; c < 3; ++c) {
+      sum += integrate_components<S>(position + c, velocity + c, force + c, factor, energy_factor, position_step);
+    }
+    for (int c = 0; c < 4; ++c) force[c] = S(0);
   }
-  for (int c = 0; c < 4; ++c) force[c] = S(0);
-  return product[0] + product[1] + product[2];
+  return sum;
 }
 
 }  // namespace pinball

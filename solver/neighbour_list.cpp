@@ -48,7 +48,6 @@ std::int32_t NeighbourList<S>::piece_begin(std::int64_t piece) const {
 /// For each pinball its neighbours of higher number; those of lower number are counted.
 template <class S>
 void NeighbourList<S>::find(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
-  using T = Pack<S, native_width<S>>;
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   const auto all = static_cast<std::size_t>(balls.count());
@@ -59,24 +58,17 @@ void NeighbourList<S>::find(const SurfacePinballs<S>& pinballs, const MovingBall
     std::vector<Pair>& crossing = crossing_[static_cast<std::size_t>(piece)];
     above.clear();
     crossing.clear();
-    std::vector<std::int32_t> near;
+    NearBalls<S> near;
     const std::int32_t begin = piece_begin(piece), end = piece_begin(piece + 1);
     std::fill(count_below_.begin() + begin, count_below_.begin() + end, 0);
     for (std::int32_t i = begin; i < end; ++i) {
-      const std::int32_t group = i / G;
-      if (i % G == 0) {
-        near.clear();
-        for_each_meeting_group<T>(tree, get_box(tree.box[0], group), group,
-                                  [&](std::int32_t other) { near.push_back(other); });
-      }
+      const std::int32_t group = i / G, ball = i % G;
+      if (ball == 0) near.find(tree, tree.ball + static_cast<std::int64_t>(group) * 7 * G, group);
       const auto a = static_cast<std::size_t>(i);
       const std::size_t before = above.size();
-      const S* ball = tree.ball + static_cast<std::int64_t>(group) * 7 * G + i % G;
-      S own[7];
-      for (int c = 0; c < 7; ++c) own[c] = ball[c * G];
-      for (const std::int32_t other : near) {
-        unsigned bits = meeting_balls<T>(tree.ball + static_cast<std::int64_t>(other) * 7 * G, own);
-        if (other == group) bits &= ~1U << i % G;
+      for (const auto& [other, balls_near] : near.of(ball)) {
+        unsigned bits = balls_near;
+        if (other == group) bits &= ~1U << ball;
         for (; bits != 0; bits &= bits - 1) {
           const std::int32_t j = other * G + __builtin_ctz(bits);
           const auto b = static_cast<std::size_t>(j);
@@ -158,8 +150,8 @@ std::vector<typename NeighbourList<S>::Memory> NeighbourList<S>::remember() cons
 
 template <class S>
 void NeighbourList<S>::recall(const std::vector<Memory>& memory) {
-  offset_ = AlignedArray<S>(neighbour_.size());
-  stored_ = AlignedArray<S>(neighbour_.size());
+  offset_.reset(neighbour_.size());
+  stored_.reset(neighbour_.size());
   std::fill(offset_.data(), offset_.data() + offset_.size(), S(-1));
   for (const Memory& m : memory) {
     const auto found = std::lower_bound(slot_.begin(), slot_.end(), m.slot);  // pinballs are in the order of slots

@@ -138,17 +138,17 @@ void PinballContact<S>::build_list(const Model<S>& model) {
   // Where each ball may be, and what the rounding of single precision adds.
   const S factor = static_cast<S>(1.0001 * (this->by_impulses() ? pinball_pair_margin(model.scene.contact.gap) : 1.0) *
                                   (current && reuse ? radius_growth : 1.0));
-  MovingBalls<S> balls(all_.count);
+  balls_.reset(all_.count);
   parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
     const auto p = static_cast<std::size_t>(i);
     std::array<S, 3> way = centre_of(model.nodes.velocity, all_.corners[p]);
     for (S& w : way) w *= horizon;
     if (current) radius_[p] = current_radius(model, all_.corners[p]);
     const S radius = current ? radius_[p] : all_.radius[p];
-    balls.set(static_cast<std::int32_t>(i), centre_of(model.nodes.position, all_.corners[p]), way,
-              factor * radius + motion_.allowance(all_.corners[p]));
+    balls_.set(static_cast<std::int32_t>(i), centre_of(model.nodes.position, all_.corners[p]), way,
+               factor * radius + motion_.allowance(all_.corners[p]));
   });
-  list_.build(all_, balls, model.scene.contact.self);
+  list_.build(all_, balls_, model.scene.contact.self);
   list_valid_ = true;
   collect_listed(model);
 }
@@ -157,8 +157,7 @@ template <class S>
 void PinballContact<S>::collect_listed(const Model<S>& model) {
   constexpr int W = ElementStore<S>::width;
   const std::int32_t n = list_.size();
-  pinballs_ = PinballStore<S>();  // not both at a time
-  pinballs_ = PinballStore<S>(n, W);
+  pinballs_.reset(n, W);
   for (std::int32_t p = 0; p < n; ++p) {
     const auto i = static_cast<std::size_t>(p);
     const auto a = static_cast<std::size_t>(list_.listed()[i]);
@@ -293,7 +292,7 @@ void PinballContact<S>::report(const Model<S>& model, std::vector<Point>& node_f
 
 template <class S>
 std::size_t PinballContact<S>::bytes() const {
-  return pinballs_.bytes() + list_.bytes() + surface_.bytes() + all_.bytes() + motion_.bytes() +
+  return pinballs_.bytes() + list_.bytes() + surface_.bytes() + all_.bytes() + balls_.bytes() + motion_.bytes() +
          radius_.capacity() * sizeof(S) + (this->by_impulses() ? this->impulses_->bytes() : 0);
 }
 

@@ -50,6 +50,7 @@ class PinballContact final : public Contact<S> {
   std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen
   SurfacePinballs<S> all_;
   SurfaceMotion<S> motion_;
+  MovingBalls<S> balls_;  ///< one for each of all pinballs
   NeighbourList<S> list_;
   PinballStore<S> pinballs_;  ///< those in the list
   std::vector<S> radius_;     ///< of all pinballs, when the list was built; only where radii change [length]

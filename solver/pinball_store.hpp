@@ -27,19 +27,17 @@ struct PinballStore {
   std::vector<std::int32_t> slot;                    ///< of the element
   std::vector<std::int32_t> tile_first;              ///< first pinball of each tile of elements; tiles + 1 entries
 
-  PinballStore() = default;
-  PinballStore(std::int32_t n, int width) : count(n) {
+  /// Makes room for n pinballs; all numbers are zero, `slot` and `tile_first` are empty.
+  void reset(std::int32_t n, int width) {
+    count = n;
     const auto padded = static_cast<std::size_t>((n + width - 1) / width * width);
-    corner = AlignedArray<std::int32_t>(8 * padded);
-    exposed = AlignedArray<S>(6 * padded);
-    bulk_modulus = AlignedArray<S>(padded);
-    centre = AlignedArray<S>(4 * padded);
-    velocity = AlignedArray<S>(4 * padded);
-    outward = AlignedArray<S>(4 * padded);
-    two_sided = AlignedArray<S>(4 * padded);
-    force = AlignedArray<S>(4 * padded);
-    slot.reserve(padded);
+    corner.reset(8 * padded);
+    exposed.reset(6 * padded);
+    bulk_modulus.reset(padded);
+    for (AlignedArray<S>* records : {&centre, &velocity, &outward, &two_sided, &force}) records->reset(4 * padded);
     corners.resize(static_cast<std::size_t>(n));
+    slot.clear();
+    tile_first.clear();
   }
 
   PinballView<S> view() const { return {centre.data(), velocity.data(), outward.data(), two_sided.data()}; }

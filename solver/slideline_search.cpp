@@ -46,12 +46,11 @@ void SlidelineSearch<S>::watch_nodes(const Model<S>& model, const SlidelineSurfa
 /// Balls that hold whatever may touch the segments. The farthest corner goes straight relative to the centre, so that
 /// its distance is largest at the beginning or at the end; both may stray.
 template <class S>
-MovingBalls<S> SlidelineSearch<S>::moving_segments(const Model<S>& model, const SlidelineSurface<S>& surface,
-                                                   S horizon) const {
+void SlidelineSearch<S>::move_segments(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.segments().size());
   const S* position = model.nodes.position.data();
   const S* velocity = model.nodes.velocity.data();
-  MovingBalls<S> balls(count);
+  segments_.reset(count);
   parallel_for("segments", RangePolicy<>{0, count}, [&](std::int64_t s) {
     const auto& segment = surface.segments()[static_cast<std::size_t>(s)];
     std::array<S, 3> centre{}, way{};
@@ -73,24 +72,22 @@ MovingBalls<S> SlidelineSearch<S>::moving_segments(const Model<S>& model, const 
       farthest2 = std::max({farthest2, now2, then2});
     }
     const S touching = square_root(farthest2) + SlidelineSurface<S>::deepest * segment.radius;
-    balls.set(static_cast<std::int32_t>(s), centre, way, S(1.0001) * touching + 3 * motion_.allowance(segment.node));
+    segments_.set(static_cast<std::int32_t>(s), centre, way,
+                  S(1.0001) * touching + 3 * motion_.allowance(segment.node));
   });
-  return balls;
 }
 
 template <class S>
-MovingBalls<S> SlidelineSearch<S>::moving_slaves(const Model<S>& model, const SlidelineSurface<S>& surface,
-                                                 S horizon) const {
+void SlidelineSearch<S>::move_slaves(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.slaves().size());
-  MovingBalls<S> balls(count);
+  slaves_.reset(count);
   parallel_for("slaves", RangePolicy<>{0, count}, [&](std::int64_t i) {
     const std::int32_t node = surface.slaves()[static_cast<std::size_t>(i)].node;
     const S* x = model.nodes.position.data() + 4 * static_cast<std::int64_t>(node);
     const S* v = model.nodes.velocity.data() + 4 * static_cast<std::int64_t>(node);
-    balls.set(static_cast<std::int32_t>(i), {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
-              motion_.allowance(std::array{node}));
+    slaves_.set(static_cast<std::int32_t>(i), {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
+                motion_.allowance(std::array{node}));
   });
-  return balls;
 }
 
 template <class S>
@@ -102,36 +99,31 @@ void SlidelineSearch<S>::build(const Model<S>& model, const SlidelineSurface<S>&
   motion_.start(model.nodes, skin);
   clock_.restart(horizon);
   valid_ = true;
-  const MovingBalls<S> segments = moving_segments(model, surface, horizon);
-  boxes_.build(segments);
-  find(surface, moving_slaves(model, surface, horizon));
+  move_segments(model, surface, horizon);
+  move_slaves(model, surface, horizon);
+  boxes_.build(segments_);
+  find(surface);
 }
 
 template <class S>
-void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface, const MovingBalls<S>& slaves) {
-  using T = Pack<S, native_width<S>>;
+void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
-  const std::int64_t groups = (slaves.count() + G - 1) / G;
-  start_.assign(static_cast<std::size_t>(slaves.count()) + 1, 0);
+  const std::int64_t groups = (slaves_.count() + G - 1) / G;
+  start_.assign(static_cast<std::size_t>(slaves_.count()) + 1, 0);
   // Slaves are worked in fixed pieces, each with a list of its own; the lists are joined in order.
   constexpr std::int64_t pieces = 64;
   std::array<std::vector<std::int32_t>, pieces> found;
   parallel_for("slave candidates", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
     std::vector<std::int32_t>& list = found[static_cast<std::size_t>(piece)];
-    std::vector<std::int32_t> near;
+    NearBalls<S> near;
     for (std::int64_t group = groups * piece / pieces; group < groups * (piece + 1) / pieces; ++group) {
-      const S* own_group = slaves.data() + group * 7 * G;
-      near.clear();
-      for_each_meeting_group<T>(tree, box_of_balls(own_group), 0, [&](std::int32_t other) { near.push_back(other); });
-      for (int i = 0; i < G && group * G + i < slaves.count(); ++i) {
+      near.find(tree, slaves_.data() + group * 7 * G, 0);
+      for (int i = 0; i < G && group * G + i < slaves_.count(); ++i) {
         const auto slave = static_cast<std::size_t>(group * G + i);
         const std::size_t before = list.size();
-        S own[7];
-        for (int c = 0; c < 7; ++c) own[c] = own_group[c * G + i];
-        for (const std::int32_t other : near) {
-          unsigned bits = meeting_balls<T>(tree.ball + static_cast<std::int64_t>(other) * 7 * G, own);
-          for (; bits != 0; bits &= bits - 1) {
+        for (const auto& [other, balls] : near.of(i)) {
+          for (unsigned bits = balls; bits != 0; bits &= bits - 1) {
             const std::int32_t s = other * G + __builtin_ctz(bits);
             if (may_touch(surface, slave, static_cast<std::size_t>(s))) list.push_back(s);
           }
@@ -149,7 +141,8 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface, const MovingBa
 template <class S>
 std::size_t SlidelineSearch<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(reference_node_) + of(reference_centre_) + of(start_) + of(candidate_) + motion_.bytes() + boxes_.bytes();
+  return of(reference_node_) + of(reference_centre_) + of(start_) + of(candidate_) + motion_.bytes() +
+         segments_.bytes() + slaves_.bytes() + boxes_.bytes();
 }
 
 template class SlidelineSearch<double>;

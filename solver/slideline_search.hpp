@@ -35,9 +35,9 @@ class SlidelineSearch {
  private:
   bool may_touch(const SlidelineSurface<S>& surface, std::size_t slave, std::size_t segment) const;
   void watch_nodes(const Model<S>& model, const SlidelineSurface<S>& surface);
-  MovingBalls<S> moving_segments(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon) const;
-  MovingBalls<S> moving_slaves(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon) const;
-  void find(const SlidelineSurface<S>& surface, const MovingBalls<S>& slaves);
+  void move_segments(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon);
+  void move_slaves(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon);
+  void find(const SlidelineSurface<S>& surface);
 
   bool self_;
   std::vector<std::array<float, 3>> reference_node_;    ///< per node of the store, undeformed [length]
@@ -45,6 +45,7 @@ class SlidelineSearch {
   bool valid_ = false, watched_ = false;
   ListClock<S> clock_;
   SurfaceMotion<S> motion_;
+  MovingBalls<S> segments_, slaves_;
   BallTree<S> boxes_;                    ///< over the segments
   std::vector<std::int64_t> start_;      ///< per slave and one more: into candidate_
   std::vector<std::int32_t> candidate_;  ///< segments

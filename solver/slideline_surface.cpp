@@ -65,9 +65,9 @@ void SlidelineSurface<S>::collect(const Model<S>& model) {
 
   constexpr std::size_t W = native_width<S>;
   const std::size_t packs = (segments_.size() + W - 1) / W;
-  corner_ = AlignedArray<std::int32_t>(4 * packs * W);
-  sphere_ = AlignedArray<S>(4 * packs * W);
-  plane_ = AlignedArray<S>(4 * packs * W);
+  corner_.reset(4 * packs * W);
+  sphere_.reset(4 * packs * W);
+  plane_.reset(4 * packs * W);
   for (std::size_t s = 0; s < packs * W; ++s) {  // padding repeats the last segment
     const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
     for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];

@@ -113,22 +113,27 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
 /// Accelerations, velocities and positions; returns the kinetic energy at the time of the forces.
 template <class S>
 double Solver<S>::integrate(double dt_new) {
-  NodeStore<S>& nodes = model_.nodes;
-  S* position = nodes.position.data();
-  S* velocity = nodes.velocity.data();
-  S* force = nodes.force.data();
   const auto velocity_step = static_cast<S>(0.5 * (dt_before_ + dt_new));
   const auto position_step = static_cast<S>(dt_new), energy_step = static_cast<S>(dt_before_);
   double twice_kinetic = 0;
   parallel_reduce(
-      "integration", RangePolicy<>{0, nodes.count}, twice_kinetic,
+      "integration", RangePolicy<>{0, model_.nodes.count}, twice_kinetic,
       [&](std::int64_t begin, std::int64_t end, double& partial) {
+        // Locals: as far as the compiler knows, stores to the arrays might change anything that is reached by
+        // reference.
+        S* position = model_.nodes.position.data();
+        S* velocity = model_.nodes.velocity.data();
+        S* force = model_.nodes.force.data();
+        const S* inverse_mass = model_.nodes.inverse_mass.data();
+        const double* mass = model_.node_mass.data();
+        const S steps[] = {velocity_step, position_step, energy_step};
+        double sum = 0;
         for (std::int64_t n = begin; n < end; ++n) {
-          const auto i = static_cast<std::size_t>(n);
-          const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, nodes.inverse_mass[i],
-                                      velocity_step, position_step, energy_step);
-          partial += model_.node_mass[i] * static_cast<double>(v2);
+          const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], steps[0],
+                                      steps[1], steps[2]);
+          sum += mass[n] * static_cast<double>(v2);
         }
+        partial = sum;
       },
       [](double& whole, double partial) { whole += partial; });
   if (eroded_elements_ > 0) symmetry_walls_.reflect(model_, position_step);  // what erosion has set free

@@ -69,8 +69,8 @@ void SurfaceMotion<S>::start(const NodeStore<S>& nodes, S skin) {
   }
   if (count_ != node_.size()) {
     count_ = node_.size();
-    start_ = AlignedArray<S>(6 * count_);
-    allowed2_ = AlignedArray<S>(count_);
+    start_.reset(6 * count_);
+    allowed2_.reset(count_);
   }
   for (std::size_t n = 0; n < count_; ++n) {
     const auto node = static_cast<std::size_t>(node_[n]);

@@ -39,13 +39,12 @@ void SymmetryWalls<S>::reflect(Model<S>& model, S position_step) const {
     parallel_for("symmetry walls", RangePolicy<>{0, static_cast<std::int64_t>(wall.nodes.size())}, [&](std::int64_t i) {
       const std::int64_t place = 4 * static_cast<std::int64_t>(wall.nodes[static_cast<std::size_t>(i)]);
       S* x = model.nodes.position.data() + place;
-      S* v = model.nodes.velocity.data() + place;
       S distance = 0, speed = 0;
-      for (int k = 0; k < 3; ++k) {
-        distance += (x[k] - point[k]) * inward[k];
-        speed += v[k] * inward[k];
-      }
-      if (!(distance < S(0) && speed < S(0))) return;
+      for (int k = 0; k < 3; ++k) distance += (x[k] - point[k]) * inward[k];
+      if (!(distance < S(0))) return;
+      S* v = model.nodes.velocity.data() + place;
+      for (int k = 0; k < 3; ++k) speed += v[k] * inward[k];
+      if (!(speed < S(0))) return;
       for (int k = 0; k < 3; ++k) {
         x[k] -= S(2) * position_step * speed * inward[k];
         v[k] -= S(2) * speed * inward[k];
