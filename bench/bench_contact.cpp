@@ -1,16 +1,17 @@
 // Contact search and contact forces alone, on pinballs in the order of a space-filling curve, as the solver has them.
 // Arguments: pinballs per side of the packing, or of each layer; threads. Times are per pinball and per listed pair
-// (each pair counted once); `neighbours` is the mean number per pinball, as a check.
+// ; `neighbours` is the mean number per
+// pinball, as a check, `in_contact` the part of the listed pairs that are in contact.
 
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
 #include <cmath>
-#include <pinball/kernels/contact_force.hpp>
-#include <pinball/kernels/exec.hpp>
-#include <pinball/solver/neighbour_list.hpp>
+#include <pinball/kernels/spatial_hash.hpp>
 #include <pinball/solver/ordering.hpp>
+#include <pinball/solver/pair_forces.hpp>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace pinball::bench {
@@ -102,7 +103,7 @@ using benchmark::Counter;
 /// Seconds per item of one iteration.
 Counter each(double items) { return {items, Counter::kIsIterationInvariantRate | Counter::kInvert}; }
 
-void count_neighbours(benchmark::State& state, const NeighbourList<S>& list, double pinballs) {
+void count_neighbours(benchmark::State& state, const PairList<S>& list, double pinballs) {
   state.counters["pinballs"] = pinballs;
   state.counters["neighbours"] = 2.0 * static_cast<double>(list.pairs()) / pinballs;
 }
@@ -110,30 +111,63 @@ void count_neighbours(benchmark::State& state, const NeighbourList<S>& list, dou
 void list_from_nothing(benchmark::State& state, Cloud (*cloud)(int)) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const Pinballs pinballs(cloud(static_cast<int>(state.range(0))));
-  NeighbourList<S> list;
+  PairList<S> list;
   for (auto _ : state) list.build(pinballs.all, pinballs.balls, true);
   count_neighbours(state, list, pinballs.all.count);
   state.counters["per_pinball"] = each(pinballs.all.count);
 }
 
+/// The same pairs by the cells of a hash (kernels/spatial_hash.hpp), as in the report: for balls at rest and of one
+/// size.
+void list_by_hash(benchmark::State& state, Cloud (*cloud)(int)) {
+  const Cloud balls = cloud(static_cast<int>(state.range(0)));
+  const auto count = static_cast<std::int32_t>(balls.centres.size());
+  std::vector<S> records;
+  std::vector<int> body;
+  for (const std::int32_t i : space_filling_order(balls.centres)) {
+    const Point& c = balls.centres[static_cast<std::size_t>(i)];
+    records.insert(records.end(), {c[0], c[1], c[2], balls.radius});
+    body.push_back(balls.body[static_cast<std::size_t>(i)]);
+  }
+  const double reach = 2 * balls.radius;
+  SpatialHashView<S> hash{{{0, 0, 0}, 1 / reach}, 1, nullptr, nullptr, nullptr, nullptr};
+  while ((1 << hash.bits) < 2 * count) ++hash.bits;
+  const auto n = static_cast<std::size_t>(count);
+  std::vector<std::int32_t> bucket_start((std::size_t(1) << hash.bits) + 1), entry_point(n);
+  std::vector<std::uint64_t> entry_cell(n), cells(n);
+  std::vector<S> entry_record(4 * n);
+  hash.bucket_start = bucket_start.data(), hash.entry_point = entry_point.data();
+  hash.entry_cell = entry_cell.data(), hash.entry_record = entry_record.data();
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  for (auto _ : state) {
+    build_spatial_hash(hash, records.data(), count, cells.data());
+    pairs.clear();
+    for (std::int32_t i = 0; i < count; ++i) {
+      const S* own = records.data() + 4 * static_cast<std::int64_t>(i);
+      for_each_near(hash, own, [&](std::int32_t j, const S* other) {
+        if (j <= i || body[static_cast<std::size_t>(i)] == body[static_cast<std::size_t>(j)]) return;
+        const S x = own[0] - other[0], y = own[1] - other[1], z = own[2] - other[2];
+        if (x * x + y * y + z * z < reach * reach) pairs.emplace_back(i, j);
+      });
+    }
+  }
+  state.counters["neighbours"] = 2.0 * static_cast<double>(pairs.size()) / count;
+  state.counters["per_pinball"] = each(count);
+}
+
 void forces(benchmark::State& state, Cloud (*cloud)(int)) {
-  using T = Pack<S, native_width<S>>;
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const Pinballs pinballs(cloud(static_cast<int>(state.range(0))));
-  NeighbourList<S> list;
+  PairList<S> list;
   list.build(pinballs.all, pinballs.balls, true);
   const Records records(pinballs, list.listed());
   const PinballView<S> view{records.centre.data(), records.velocity.data(), records.outward.data(),
                             records.two_sided.data()};
-  std::vector<PinballForce<S>> force(static_cast<std::size_t>(list.size()));
-  for (auto _ : state) {
-    parallel_for("contact forces", RangePolicy<>{0, list.size()}, [&](std::int64_t i) {
-      const auto p = static_cast<std::int32_t>(i);
-      force[static_cast<std::size_t>(i)] = pinball_force<T>(view, {1.0, 0.1}, p, list.neighbours(p), list.count(p),
-                                                            list.offsets(p), list.stored(p), S(1e-3));
-    });
-    benchmark::DoNotOptimize(force.data());
-  }
+  AlignedArray<S> force(4 * static_cast<std::size_t>(list.size()));
+  PairForces<S> pair_forces;
+  PairSums<S> sums;
+  for (auto _ : state) sums = pair_forces.compute(view, {1.0, 0.1}, list, S(1e-3), force.data());
+  state.counters["in_contact"] = static_cast<double>(sums.pairs) / static_cast<double>(list.pairs());
   count_neighbours(state, list, pinballs.all.count);
   state.counters["per_pair"] = each(static_cast<double>(list.pairs()));
 }
@@ -149,6 +183,10 @@ void layers(benchmark::internal::Benchmark* b) { sizes(b, 707); }
 
 BENCHMARK_CAPTURE(list_from_nothing, close_packed, close_packed)->Apply(packing);
 BENCHMARK_CAPTURE(list_from_nothing, facing_layers, facing_layers)->Apply(layers);
+BENCHMARK_CAPTURE(list_by_hash, close_packed, close_packed)
+    ->ArgNames({"per_side", "threads"})
+    ->Args({30, 1})
+    ->Args({100, 1});
 BENCHMARK_CAPTURE(forces, close_packed, close_packed)->Apply(packing);
 BENCHMARK_CAPTURE(forces, facing_layers, facing_layers)->Apply(layers);
 

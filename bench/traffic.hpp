@@ -47,11 +47,11 @@ double pinball_traffic(double pinballs, double nodes) {
   return pinballs * (8 * sizeof(std::int32_t) + 6 * sizeof(S) + records<S>(0, 4)) + records<S>(2) * nodes;
 }
 
-/// Per place of a list the number of the neighbour and the depth at which the pair began; per pinball its four records
-/// in and its force out. Neighbours are pinballs, too, and are met once.
+/// Per place of the list the numbers of both pinballs and the depth at which the pair began; per pinball its four
+/// records in and its force out.
 template <class S>
 double pair_traffic(double places, double pinballs) {
-  return places * (sizeof(std::int32_t) + sizeof(S)) + pinballs * records<S>(4, 1);
+  return places * (2 * sizeof(std::int32_t) + sizeof(S)) + pinballs * records<S>(4, 1);
 }
 
 /// Forces and corners of the pinballs in, forces of the nodes in and out, their inverse masses in.
@@ -86,13 +86,13 @@ double moving_traffic(double nodes, double balls) {
   return nodes * (sizeof(std::int32_t) + records<S>(2) + 2 * 7 * sizeof(S)) + balls * 3 * 7 * sizeof(S);
 }
 
-/// Corners in; neighbours found and joined, offset and energy of each place, and the store of the listed pinballs
+/// Corners in; pairs found and numbered, offset and energy of each place, and the store of the listed pinballs
 /// (corners twice, exposed faces, records) out.
 template <class S>
 double pinball_search_traffic(double pinballs, double nodes, double listed, double places) {
   const double store = 2 * (16 * sizeof(std::int32_t) + 6 * sizeof(S)) + records<S>(0, 4);
   return moving_traffic<S>(nodes, pinballs) + pinballs * 8 * sizeof(std::int32_t) + listed * store +
-         places * 2 * (1.5 * sizeof(std::int32_t) + 2 * sizeof(S));
+         places * 2 * (4 * sizeof(std::int32_t) + 2 * sizeof(S));
 }
 
 /// Corners of the segments in, candidates of each slave written twice: as found, and joined.

@@ -4,12 +4,10 @@
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/pinball.hpp>
 
-/// Penalty forces on one pinball from all pinballs in its neighbour list, a pack of neighbours at a time.
+/// Penalty forces of pairs of pinballs, a pack of pairs at a time.
 ///
-/// Every pair stands in both lists: each pinball sums its own force and writes nothing else, so that the loop over
-/// pinballs needs neither atomics nor colours, and its sums have one order. The two forces of a pair are equal and
-/// opposite to the last bit. Lists are sorted by the number of the neighbour and pairs that do not touch add zeros, so
-/// that the sums do not depend on which of these happen to be listed.
+/// Of the pairs that a list holds few touch: they are told by touching_pairs and gathered into full packs for
+/// pair_force. Each pair is worked out once, and the force on its second pinball is the opposite of that on the first.
 namespace pinball {
 
 /// Pinball records of four scalars each, one record per pinball. A pinball whose B R is zero takes no part: its element
@@ -28,94 +26,80 @@ struct PenaltyConstants {
   S damping;  ///< xi: p1 = 2 xi sqrt(p2 m), m = m1 m2 / (m1 + m2) with element masses [-]
 };
 
-/// Sums over the pairs of one pinball. Energies count half of each pair, because each pair is met twice.
-template <class S>
-struct PinballForce {
-  Vec3<S> force{};        ///< [force]
-  S stiffness{};          ///< sum of p2 over the active pairs [force/length]
-  S stored{};             ///< sum of p2 g^2 / 4 [energy]
-  S damped{};             ///< sum of (F - p2 g) gdot / 2 [power]
-  S penetration_ratio{};  ///< largest g / (R1 + R2) [-]
-  std::int32_t pairs{};   ///< active pairs, each met twice
+/// What the pairs of a pack do to their first pinballs; all zero for a pair without contact.
+template <class T>
+struct PairForce {
+  Vec3<T> force;        ///< [force]
+  T stiffness;          ///< p2 [force/length]
+  T stored;             ///< p2 g^2 / 2 [energy]
+  T damped;             ///< (F - p2 g) gdot [power]
+  T penetration_ratio;  ///< g / (R1 + R2) [-]
+  MaskOf<T> active;     ///< pairs in contact
 };
 
-/// neighbour: padded to whole packs with any valid pinball; count: real entries. T: pack of neighbours.
-///
-/// offset: one number per entry of the list, kept from step to step: the depth at which the pair began, or negative
-/// while it is not in contact. A pair that comes into contact by approaching begins at depth 0. One that is found deep
-/// inside another, because erosion exposed it or a normal turned, begins where it is found: the depth that it did not
-/// reach by approach stores no energy and gives no force. The offset never exceeds the depth, and so vanishes as the
-/// pair separates. stored: likewise, the half of the pair's spring energy that this entry stands for. dt: the step just
-/// made.
+/// The pairs of a pack whose balls overlap, or that are in contact, one bit each. first, second: a pinball of each
+/// pair; offset: see pair_force.
 template <class T>
-PINBALL_FUNCTION PinballForce<ScalarOf<T>> pinball_force(const PinballView<ScalarOf<T>>& view,
-                                                         const PenaltyConstants<ScalarOf<T>>& constants,
-                                                         std::int32_t self, const std::int32_t* neighbour,
-                                                         std::int32_t count, ScalarOf<T>* offset, ScalarOf<T>* stored,
-                                                         ScalarOf<T> dt) {
+PINBALL_FUNCTION unsigned touching_pairs(const ScalarOf<T>* centre, const std::int32_t* first,
+                                         const std::int32_t* second, const ScalarOf<T>* offset) {
+  Vec3<T> c1, c2;
+  T r1, r2;
+  gather_records(centre, first, c1.x, c1.y, c1.z, r1);
+  gather_records(centre, second, c2.x, c2.y, c2.z, r2);
+  const Vec3<T> d = c1 - c2;
+  const T reach = r1 + r2;
+  return lane_bits<T>(dot(d, d) < reach * reach || !(load<T>(offset) < T(0)));
+}
+
+/// first, second: a pinball of each pair. offset: one number per pair, kept from step to step: the depth at which the
+/// pair began, or negative while it is not in contact. A pair that comes into contact by approaching begins at depth 0.
+/// One that is found deep inside another, because erosion exposed it or a normal turned, begins where it is found: the
+/// depth that it did not reach by approach stores no energy and gives no force. The offset never exceeds the depth, and
+/// so vanishes as the pair separates. dt: the step just made.
+template <class T>
+PINBALL_FUNCTION PairForce<T> pair_force(const PinballView<ScalarOf<T>>& view,
+                                         const PenaltyConstants<ScalarOf<T>>& constants, const std::int32_t* first,
+                                         const std::int32_t* second, T& offset, ScalarOf<T> dt) {
   using S = ScalarOf<T>;
-  constexpr int W = width_of<T>;
-  const S* own = view.centre + 4 * static_cast<std::int64_t>(self);
-  const Vec3<T> c1{T(own[0]), T(own[1]), T(own[2])};
-  const T r1(own[3]);
+  Vec3<T> c1, c2, v1, v2;
+  T r1, r2, mass1, mass2, stiffness1, stiffness2, spare;
+  PinballNormal<T> normal1, normal2;
+  gather_records(view.centre, first, c1.x, c1.y, c1.z, r1);
+  gather_records(view.centre, second, c2.x, c2.y, c2.z, r2);
+  gather_records(view.outward, first, normal1.outward.x, normal1.outward.y, normal1.outward.z, stiffness1);
+  gather_records(view.outward, second, normal2.outward.x, normal2.outward.y, normal2.outward.z, stiffness2);
+  gather_records(view.two_sided, first, normal1.two_sided.x, normal1.two_sided.y, normal1.two_sided.z, spare);
+  gather_records(view.two_sided, second, normal2.two_sided.x, normal2.two_sided.y, normal2.two_sided.z, spare);
+  gather_records(view.velocity, first, v1.x, v1.y, v1.z, mass1);
+  gather_records(view.velocity, second, v2.x, v2.y, v2.z, mass2);
 
-  PinballForce<S> result;
-  for (std::int32_t first = 0; first < count; first += W) {
-    const std::int32_t* index = neighbour + first;
-    Vec3<T> c2;
-    T r2;
-    gather_records(view.centre, index, c2.x, c2.y, c2.z, r2);
-    const Vec3<T> d = c1 - c2;
-    const T reach = r1 + r2;
-    const auto listed = lane_numbers<T>() < T(static_cast<S>(count - first));
-    const T offset_before = load<T>(offset + first);
-    const auto continues = !(offset_before < T(0));
-    if (!any_lane((listed && dot(d, d) < reach * reach) || continues)) continue;  // most packs end here
+  const Vec3<T> d = c1 - c2;
+  const T reach = r1 + r2;
+  const Vec3<T> n1 = unit_normal_towards(normal1, T(-1) * d);
+  const Vec3<T> n2 = unit_normal_towards(normal2, d);
+  const Penetration<T> p = penetration(d, reach, n1, n2);
+  const auto active = p.active && stiffness1 > T(0) && stiffness2 > T(0);
 
-    const S* own_velocity = view.velocity + 4 * static_cast<std::int64_t>(self);
-    const S* own_outward = view.outward + 4 * static_cast<std::int64_t>(self);
-    const S* own_two_sided = view.two_sided + 4 * static_cast<std::int64_t>(self);
-    const PinballNormal<T> normal1{{T(own_outward[0]), T(own_outward[1]), T(own_outward[2])},
-                                   {T(own_two_sided[0]), T(own_two_sided[1]), T(own_two_sided[2])}};
-    PinballNormal<T> normal2;
-    Vec3<T> v2;
-    T stiffness2, mass2, spare;
-    gather_records(view.outward, index, normal2.outward.x, normal2.outward.y, normal2.outward.z, stiffness2);
-    gather_records(view.two_sided, index, normal2.two_sided.x, normal2.two_sided.y, normal2.two_sided.z, spare);
-    gather_records(view.velocity, index, v2.x, v2.y, v2.z, mass2);
+  const T p2 = T(S(0.5) * constants.beta) * (stiffness1 + stiffness2);  // (3.11)
+  const T reduced_mass = mass1 * mass2 / (mass1 + mass2);
+  const T p1 = T(2 * constants.damping) * square_root(p2 * reduced_mass);
+  const T rate = dot(v2 - v1, p.gradient);  // (3.10)
+  // if (in contact before) offset = min(offset, depth); else offset = depth not explained by the approach of the step
+  const T approach = maximum(T(0), rate) * T(dt);
+  const T offset_now = select(!(offset < T(0)), minimum(offset, p.depth), maximum(T(0), p.depth - approach));
+  offset = select(active, offset_now, T(-1));
+  const T depth = p.depth - offset_now;
+  const T elastic = p2 * depth;
+  const T total = maximum(T(0), elastic + p1 * rate);  // (3.8), no adhesion
+  const T force = select(active, total, T(0));
 
-    const Vec3<T> n1 = unit_normal_towards(normal1, T(-1) * d);
-    const Vec3<T> n2 = unit_normal_towards(normal2, d);
-    const Penetration<T> p = penetration(d, reach, n1, n2);
-    const auto active = p.active && listed && stiffness2 > T(0);
-
-    const T p2 = T(S(0.5) * constants.beta) * (T(own_outward[3]) + stiffness2);  // (3.11)
-    const T mass1(own_velocity[3]);
-    const T reduced_mass = mass1 * mass2 / (mass1 + mass2);
-    const T p1 = T(2 * constants.damping) * square_root(p2 * reduced_mass);
-    const Vec3<T> v1{T(own_velocity[0]), T(own_velocity[1]), T(own_velocity[2])};
-    const T rate = dot(v2 - v1, p.gradient);  // (3.10)
-    // if (!continues) offset = depth not explained by the approach of the last step; else offset = min(offset, depth)
-    const T approach = maximum(T(0), rate) * T(dt);
-    const T offset_now = select(continues, minimum(offset_before, p.depth), maximum(T(0), p.depth - approach));
-    store(select(active, offset_now, T(-1)), offset + first);
-    const T depth = p.depth - offset_now;
-    const T elastic = p2 * depth;
-    const T total = maximum(T(0), elastic + p1 * rate);  // (3.8), no adhesion
-    const T force = select(active, total, T(0));
-
-    add_lanes_to(result.force.x, force * p.gradient.x);
-    add_lanes_to(result.force.y, force * p.gradient.y);
-    add_lanes_to(result.force.z, force * p.gradient.z);
-    add_lanes_to(result.stiffness, select(active, p2, T(0)));
-    const T energy = select(active, number<T>(0.25) * elastic * depth, T(0));
-    store(energy, stored + first);
-    add_lanes_to(result.stored, energy);
-    add_lanes_to(result.damped, select(active, number<T>(0.5) * (total - elastic) * rate, T(0)));
-    const S ratio = lane_maximum(select(active, p.depth / reach, T(0)));
-    result.penetration_ratio = maximum(result.penetration_ratio, ratio);
-    result.pairs += count_lanes(active);
-  }
+  PairForce<T> result;
+  result.force = force * p.gradient;
+  result.stiffness = select(active, p2, T(0));
+  result.stored = select(active, number<T>(0.5) * elastic * depth, T(0));
+  result.damped = select(active, (total - elastic) * rate, T(0));
+  result.penetration_ratio = select(active, p.depth / reach, T(0));
+  result.active = active;
   return result;
 }
 

@@ -27,11 +27,11 @@ PINBALL_FUNCTION void constrain_node(S* force, S* velocity, const S* normal) {
 /// energy_step / m of each. Returns v_(n-1/2) (v_(n-1/2) + dt_(n-1/2) a_n) of each.
 template <class T>
 PINBALL_FUNCTION T integrate_components(ScalarOf<T>* position, ScalarOf<T>* velocity, const ScalarOf<T>* force,
-                                        const T& factor, const T& energy_factor, ScalarOf<T> position_step) {
+                                        const T& factor, const T& energy_factor, const T& position_step) {
   const T old = load<T>(velocity), f = load<T>(force);
   const T updated = old + factor * f;
   store(updated, velocity);
-  store(load<T>(position) + T(position_step) * updated, position);
+  store(load<T>(position) + position_step * updated, position);
   return old * (old + energy_factor * f);
 }
 
@@ -45,11 +45,12 @@ PINBALL_FUNCTION S integrate_node(S* position, S* velocity, S* force, S inverse_
                                   S energy_step) {
   const S factor = velocity_step * inverse_mass, energy_factor = energy_step * inverse_mass;
   S sum;
-  if constexpr (native_width<S> >= 4) {  // a record is a pack; its fourth force is no force
+  if constexpr (native_width<S> >= 4) {  // a record is a pack, of which the fourth number stays as it is
     using T = Pack<S, 4>;
-    const auto is_component = lane_numbers<T>() < T(3);
-    sum = lane_sum(integrate_components<T>(position, velocity, force, select(is_component, T(factor), T(0)),
-                                           select(is_component, T(energy_factor), T(0)), position_step));
+    const auto component = [](S value) { return select(lane_numbers<T>() < T(3), T(value), T(0)); };
+    const T products = integrate_components<T>(position, velocity, force, component(factor), component(energy_factor),
+                                               component(position_step));
+    sum = lane(products, 0) + lane(products, 1) + lane(products, 2);
     store(T(0), force);
   } else {
     sum = 0;

@@ -188,46 +188,14 @@ void PinballContact<S>::prepare_impulses(const Model<S>& model, double dt) {
 
 template <class S>
 ContactResult PinballContact<S>::forces(const Model<S>& /*model*/, S dt) {
-  using T = Pack<S, native_width<S>>;
   clock_.count_step(dt);
-  const PinballView<S> view = pinballs_.view();
-  S* force = pinballs_.force.data();
-  struct Sums {
-    double stored = 0, damped = 0;
-    S ratio = 0;
-    std::int64_t pairs = 0;
-  } sums;
-  parallel_reduce(
-      "contact forces", RangePolicy<>{0, pinballs_.count}, sums,
-      [&](std::int64_t begin, std::int64_t end, Sums& partial) {
-        for (std::int64_t i = begin; i < end; ++i) {
-          const auto p = static_cast<std::int32_t>(i);
-          PinballForce<S> f;
-          if (view.outward[4 * i + 3] > S(0))
-            f = pinball_force<T>(view, penalty_, p, list_.neighbours(p), list_.count(p), list_.offsets(p),
-                                 list_.stored(p), dt);
-          force[4 * i] = f.force.x;
-          force[4 * i + 1] = f.force.y;
-          force[4 * i + 2] = f.force.z;
-          force[4 * i + 3] = f.stiffness;
-          partial.stored += static_cast<double>(f.stored);
-          partial.damped += static_cast<double>(f.damped);
-          partial.ratio = maximum(partial.ratio, f.penetration_ratio);
-          partial.pairs += f.pairs;
-        }
-      },
-      [](Sums& result, const Sums& partial) {
-        result.stored += partial.stored;
-        result.damped += partial.damped;
-        result.ratio = maximum(result.ratio, partial.ratio);
-        result.pairs += partial.pairs;
-      });
+  const PairSums<S> sums = pair_forces_.compute(pinballs_.view(), penalty_, list_, dt, pinballs_.force.data());
   ContactResult result;
   result.stored = sums.stored;
   result.eroded = lost_energy_;
   result.damped_power = sums.damped;
-  result.penetration_ratio = static_cast<double>(sums.ratio);
-  result.pairs = sums.pairs / 2;
+  result.penetration_ratio = static_cast<double>(sums.penetration_ratio);
+  result.pairs = sums.pairs;
   return result;
 }
 
@@ -292,8 +260,8 @@ void PinballContact<S>::report(const Model<S>& model, std::vector<Point>& node_f
 
 template <class S>
 std::size_t PinballContact<S>::bytes() const {
-  return pinballs_.bytes() + list_.bytes() + surface_.bytes() + all_.bytes() + balls_.bytes() + motion_.bytes() +
-         radius_.capacity() * sizeof(S) + (this->by_impulses() ? this->impulses_->bytes() : 0);
+  return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() + balls_.bytes() +
+         motion_.bytes() + radius_.capacity() * sizeof(S) + (this->by_impulses() ? this->impulses_->bytes() : 0);
 }
 
 template class PinballContact<double>;

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 #include <pinball/solver/contact.hpp>
-#include <pinball/solver/neighbour_list.hpp>
+#include <pinball/solver/pair_forces.hpp>
+#include <pinball/solver/pair_list.hpp>
 #include <pinball/solver/pinball_store.hpp>
 #include <pinball/solver/surface.hpp>
 #include <pinball/solver/surface_motion.hpp>
@@ -19,7 +20,7 @@ class PinballContact final : public Contact<S> {
 
   /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
   void update_surface(const Model<S>& model, const std::vector<TileResult<S>>& tiles) override;
-  /// Figure 3, 4: cells and neighbour lists, unless the lists still hold.
+  /// Figure 3, 4: the pairs that may touch, unless the list still holds.
   void search(const Model<S>& model) override;
   /// Figure 3, 5-6: penetrating pairs and their penalty forces, one sum per pinball.
   ContactResult forces(const Model<S>& model, S dt) override;
@@ -30,7 +31,7 @@ class PinballContact final : public Contact<S> {
   const char* name() const override { return "pinball"; }
   void report(const Model<S>& model, std::vector<Point>& node_force, std::vector<double>& slot_radius) const override;
   std::int32_t surface_elements() const override { return surface_.exposed_count(); }
-  ListSize listed() const override { return {list_.size(), 2 * list_.pairs(), list_.places()}; }
+  ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
   std::size_t bytes() const override;
 
  private:
@@ -51,7 +52,8 @@ class PinballContact final : public Contact<S> {
   SurfacePinballs<S> all_;
   SurfaceMotion<S> motion_;
   MovingBalls<S> balls_;  ///< one for each of all pinballs
-  NeighbourList<S> list_;
+  PairList<S> list_;
+  PairForces<S> pair_forces_;
   PinballStore<S> pinballs_;  ///< those in the list
   std::vector<S> radius_;     ///< of all pinballs, when the list was built; only where radii change [length]
   PenaltyConstants<S> penalty_;

@@ -80,30 +80,23 @@ double pinball_pair_margin(ContactGap gap) {
 }
 
 template <class S>
-std::vector<ContactPair> pinball_pairs(const Model<S>& model, const PinballStore<S>& pinballs,
-                                       const NeighbourList<S>& list, const Surface& surface) {
+std::vector<ContactPair> pinball_pairs(const Model<S>& model, const PinballStore<S>& pinballs, const PairList<S>& list,
+                                       const Surface& surface) {
   const double margin = pinball_pair_margin(model.scene.contact.gap);
   const auto takes_part = [&pinballs](std::int32_t p) {
     return pinballs.outward[4 * static_cast<std::size_t>(p) + 3] > S(0);
   };
-  constexpr std::int64_t pieces = 64;
+  constexpr std::int64_t pieces = PairList<S>::pieces;
   std::array<std::vector<ContactPair>, pieces> found;
   parallel_for("contact pairs", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
-    const std::int64_t n = pinballs.count;
-    for (auto p = static_cast<std::int32_t>(n * piece / pieces); p < n * (piece + 1) / pieces; ++p) {
-      if (!takes_part(p)) continue;
-      const Vec3<double> centre = vector_at(pinballs.centre, p);
-      const S radius = pinballs.centre[4 * static_cast<std::size_t>(p) + 3];
-      const std::int32_t* neighbour = list.neighbours(p);
-      for (std::int32_t k = 0; k < list.count(p); ++k) {
-        const std::int32_t q = neighbour[k];
-        if (q <= p) continue;  // each pair is listed twice
-        const Vec3<double> d = centre - vector_at(pinballs.centre, q);
-        const auto reach = static_cast<double>(radius + pinballs.centre[4 * static_cast<std::size_t>(q) + 3]);
-        if (dot(d, d) > margin * margin * reach * reach || !takes_part(q)) continue;
-        const ContactRow row = row_of(model, pinballs, surface, p, q, d, reach);
-        if (row.nodes1 > 0) found[static_cast<std::size_t>(piece)].push_back(pair_of(pinballs, p, q, row, reach));
-      }
+    for (std::int64_t place = list.piece(piece).begin; place < list.piece(piece).end; ++place) {
+      const std::int32_t p = list.first()[place], q = list.second()[place];
+      const Vec3<double> d = vector_at(pinballs.centre, p) - vector_at(pinballs.centre, q);
+      const auto reach = static_cast<double>(pinballs.centre[4 * static_cast<std::size_t>(p) + 3] +
+                                             pinballs.centre[4 * static_cast<std::size_t>(q) + 3]);
+      if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
+      const ContactRow row = row_of(model, pinballs, surface, p, q, d, reach);
+      if (row.nodes1 > 0) found[static_cast<std::size_t>(piece)].push_back(pair_of(pinballs, p, q, row, reach));
     }
   });
   std::vector<ContactPair> pairs;
@@ -112,8 +105,8 @@ std::vector<ContactPair> pinball_pairs(const Model<S>& model, const PinballStore
 }
 
 template std::vector<ContactPair> pinball_pairs(const Model<double>&, const PinballStore<double>&,
-                                                const NeighbourList<double>&, const Surface&);
-template std::vector<ContactPair> pinball_pairs(const Model<float>&, const PinballStore<float>&,
-                                                const NeighbourList<float>&, const Surface&);
+                                                const PairList<double>&, const Surface&);
+template std::vector<ContactPair> pinball_pairs(const Model<float>&, const PinballStore<float>&, const PairList<float>&,
+                                                const Surface&);
 
 }  // namespace pinball

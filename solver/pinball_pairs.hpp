@@ -1,7 +1,7 @@
 #pragma once
 
 #include <pinball/solver/contact_impulses.hpp>
-#include <pinball/solver/neighbour_list.hpp>
+#include <pinball/solver/pair_list.hpp>
 #include <pinball/solver/pinball_store.hpp>
 #include <pinball/solver/surface.hpp>
 #include <vector>
@@ -14,7 +14,7 @@ double pinball_pair_margin(ContactGap gap);
 /// Pairs of listed pinballs that may touch within the coming step, for enforcement by impulses: each pair once, named
 /// by the slots of its elements, with the gap that the scene chooses (kernels/contact_row.hpp).
 template <class S>
-std::vector<ContactPair> pinball_pairs(const Model<S>& model, const PinballStore<S>& pinballs,
-                                       const NeighbourList<S>& list, const Surface& surface);
+std::vector<ContactPair> pinball_pairs(const Model<S>& model, const PinballStore<S>& pinballs, const PairList<S>& list,
+                                       const Surface& surface);
 
 }  // namespace pinball

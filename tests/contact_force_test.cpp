@@ -54,9 +54,10 @@ struct Expected {
   double stiffness = 0, stored = 0, damped = 0, ratio = 0;
   int pairs = 0;
 
-  /// offset: of this entry of the list, before and (returned) after. energy: what the entry stores.
+  /// The force of b on a. offset: of the pair, before and (returned) after. energy: what the pair stores.
   double add(const Ball& a, const Ball& b, double beta, double damping, double dt, double offset, double& energy) {
     energy = 0;
+    if (a.stiffness == 0) return -1;
     const V d = a.centre - b.centre;
     const double reach = a.radius + b.radius;
     if (norm(d) >= reach || b.stiffness == 0) return -1;
@@ -81,9 +82,9 @@ struct Expected {
     if (f < 0) f = 0;
     force = force + f * gradient;
     stiffness += p2;
-    energy = p2 * g * g / 4;
+    energy = p2 * g * g / 2;
     stored += energy;
-    damped += (f - p2 * g) * rate / 2;
+    damped += (f - p2 * g) * rate;
     ratio = std::max(ratio, full / reach);
     ++pairs;
     return offset;
@@ -98,7 +99,7 @@ template <class T>
 class ContactForce : public ::testing::Test {};
 TYPED_TEST_SUITE(ContactForce, NumberTypes);
 
-TYPED_TEST(ContactForce, EqualsTheFormulasForAnyCountWithGarbageInThePadding) {
+TYPED_TEST(ContactForce, EqualsTheFormulasInEveryLane) {
   using T = TypeParam;
   using S = ScalarOf<T>;
   constexpr int W = width_of<T>;
@@ -106,52 +107,48 @@ TYPED_TEST(ContactForce, EqualsTheFormulasForAnyCountWithGarbageInThePadding) {
   const std::vector<Ball> balls = random_balls(random, 120);
   const Records<S> records(balls);
   const double beta = 0.8, damping = 0.2, dt = 0.3;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  int pairs = 0;
-  for (std::int32_t self = 0; self < 40; ++self) {
-    for (const int count : {0, 1, W - 1, W, W + 1, 3 * W, 3 * W + 1}) {
-      std::vector<std::int32_t> neighbour;
-      AlignedVector<S> offset, stored;
-      std::vector<double> expected_offset, expected_energy;
-      Expected expected;
-      while (int(neighbour.size()) < count) {
-        const auto other = static_cast<std::int32_t>(random() % balls.size());
-        if (other == self) continue;
-        neighbour.push_back(other);
-        const std::size_t kind = random() % 3;  // new, in contact from the start, begun deep inside
-        const bool was_active = kind != 0;
-        offset.push_back(S(kind == 0 ? -1 : kind == 1 ? 0 : uniform(random, 0, 0.5)));
-        stored.push_back(was_active ? S(1) : S(0));
-        double energy = 0;
-        expected_offset.push_back(expected.add(balls[std::size_t(self)], balls[std::size_t(other)], beta, damping, dt,
-                                               double(offset.back()), energy));
-        expected_energy.push_back(energy);
-      }
-      // Padding: itself and others that overlap it.
-      while (neighbour.size() % W != 0 || neighbour.empty()) {
-        neighbour.push_back(neighbour.size() % 2 == 0 ? self : std::int32_t(random() % balls.size()));
-        offset.push_back(S(nan)), stored.push_back(S(nan));
-      }
-      const PinballForce<S> found = pinball_force<T>(records.view(), {S(beta), S(damping)}, self, neighbour.data(),
-                                                     count, offset.data(), stored.data(), S(dt));
-      const double scale = 10 * epsilon<S> * (10 + 20 * expected.pairs) * 4;
-      EXPECT_EQ(found.pairs, expected.pairs);
-      EXPECT_VECTOR_NEAR(found.force, expected.force, scale);
-      EXPECT_NEAR(found.stiffness, expected.stiffness, scale);
-      EXPECT_NEAR(found.stored, expected.stored, scale);
-      EXPECT_NEAR(found.damped, expected.damped, scale);
-      EXPECT_NEAR(found.penetration_ratio, expected.ratio, 16 * epsilon<S>);
-      for (std::size_t i = 0; i < std::size_t(count); ++i) {
-        EXPECT_NEAR(offset[i], expected_offset[i], 32 * epsilon<S>);
-        EXPECT_NEAR(stored[i], expected_energy[i], scale);
-      }
-      pairs += expected.pairs;
+  int pairs = 0, apart = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    std::int32_t first[W], second[W];
+    AlignedVector<S> offset(W);
+    for (int i = 0; i < W; ++i) {
+      first[i] = static_cast<std::int32_t>(random() % balls.size());
+      do second[i] = static_cast<std::int32_t>(random() % balls.size());
+      while (second[i] == first[i]);
+      const std::size_t kind = random() % 3;  // new, in contact from the start, begun deep inside
+      offset[std::size_t(i)] = S(kind == 0 ? -1 : kind == 1 ? 0 : uniform(random, 0, 0.5));
     }
+    const unsigned touching = touching_pairs<T>(records.centre.data(), first, second, offset.data());
+    T offset_now = load<T>(offset.data());
+    const PairForce<T> found = pair_force(records.view(), {S(beta), S(damping)}, first, second, offset_now, S(dt));
+    int active = 0;
+    for (int i = 0; i < W; ++i) {
+      const Ball &one = balls[std::size_t(first[i])], &other = balls[std::size_t(second[i])];
+      const bool overlap = norm(one.centre - other.centre) < one.radius + other.radius;
+      EXPECT_EQ(touching >> i & 1, unsigned(overlap || offset[std::size_t(i)] >= 0));
+      apart += !overlap;
+      Expected expected;
+      double energy = 0;
+      const double after = expected.add(one, other, beta, damping, dt, double(offset[std::size_t(i)]), energy);
+      const double scale = 10 * epsilon<S> * (10 + 20 * expected.pairs) * 4;
+      EXPECT_NEAR(lane(offset_now, i), after, 32 * epsilon<S>);
+      EXPECT_NEAR(lane(found.force.x, i), expected.force.x, scale);
+      EXPECT_NEAR(lane(found.force.y, i), expected.force.y, scale);
+      EXPECT_NEAR(lane(found.force.z, i), expected.force.z, scale);
+      EXPECT_NEAR(lane(found.stiffness, i), expected.stiffness, scale);
+      EXPECT_NEAR(lane(found.stored, i), energy, scale);
+      EXPECT_NEAR(lane(found.damped, i), expected.damped, scale);
+      EXPECT_NEAR(lane(found.penetration_ratio, i), expected.ratio, 16 * epsilon<S>);
+      active += expected.pairs;
+    }
+    EXPECT_EQ(count_lanes(found.active), active);
+    pairs += active;
   }
   EXPECT_GT(pairs, 20);
+  EXPECT_GT(apart, 20);
 }
 
-TYPED_TEST(ContactForce, OfAPairIsEqualAndOppositeToTheBit) {
+TYPED_TEST(ContactForce, DoesNotDependOnWhichPinballIsTheFirst) {
   using T = TypeParam;
   using S = ScalarOf<T>;
   Random random(102);
@@ -160,23 +157,20 @@ TYPED_TEST(ContactForce, OfAPairIsEqualAndOppositeToTheBit) {
     std::vector<Ball> balls = random_balls(random, 2 + trial % 4);
     balls.back().centre = balls[0].centre + random_vector(random, 0.6);
     const Records<S> records(balls);
-    const auto second = static_cast<std::int32_t>(balls.size() - 1);
-    const std::vector<std::int32_t> to_second(width_of<T>, second), to_first(width_of<T>, 0);
+    const std::vector<std::int32_t> one(width_of<T>, 0),
+        other(width_of<T>, static_cast<std::int32_t>(balls.size() - 1));
     const PenaltyConstants<S> constants{S(1), S(0.3)};
-    AlignedVector<S> offset_a(width_of<T>, S(-1)), offset_b = offset_a, stored_a = offset_a, stored_b = offset_a;
-    const PinballForce<S> a =
-        pinball_force<T>(records.view(), constants, 0, to_second.data(), 1, offset_a.data(), stored_a.data(), S(0.5));
-    const PinballForce<S> b = pinball_force<T>(records.view(), constants, second, to_first.data(), 1, offset_b.data(),
-                                               stored_b.data(), S(0.5));
-    ASSERT_EQ(offset_a[0], offset_b[0]);
-    ASSERT_EQ(stored_a[0], stored_b[0]);
-    ASSERT_EQ(a.force.x, -b.force.x);
-    ASSERT_EQ(a.force.y, -b.force.y);
-    ASSERT_EQ(a.force.z, -b.force.z);
-    ASSERT_EQ(a.stored, b.stored);
-    ASSERT_EQ(a.damped, b.damped);
-    ASSERT_EQ(a.stiffness, b.stiffness);
-    active += a.pairs;
+    T offset_a(S(-1)), offset_b(S(-1));
+    const PairForce<T> a = pair_force(records.view(), constants, one.data(), other.data(), offset_a, S(0.5));
+    const PairForce<T> b = pair_force(records.view(), constants, other.data(), one.data(), offset_b, S(0.5));
+    ASSERT_EQ(lane(offset_a, 0), lane(offset_b, 0));
+    ASSERT_EQ(lane(a.force.x, 0), -lane(b.force.x, 0));
+    ASSERT_EQ(lane(a.force.y, 0), -lane(b.force.y, 0));
+    ASSERT_EQ(lane(a.force.z, 0), -lane(b.force.z, 0));
+    ASSERT_EQ(lane(a.stored, 0), lane(b.stored, 0));
+    ASSERT_EQ(lane(a.damped, 0), lane(b.damped, 0));
+    ASSERT_EQ(lane(a.stiffness, 0), lane(b.stiffness, 0));
+    active += count_lanes(a.active) > 0 ? 1 : 0;
   }
   EXPECT_GT(active, 50);
 }
@@ -189,35 +183,34 @@ Ball ball(double z, double velocity) {
   b.radius = 0.6, b.mass = 2, b.stiffness = 10;
   return b;
 }
-/// offset: 0 for a pair in contact from the beginning, -1 for a new one; returned changed.
-PinballForce<double> upper_force(double velocity, double damping, double& offset, double dt = 0.1) {
+/// Of the lower ball on the upper one. offset: 0 for a pair in contact from the beginning, -1 for a new one; changed.
+PairForce<double> upper_force(double velocity, double damping, double& offset, double dt = 0.1) {
   const Records<double> records({ball(0, 0), ball(1, velocity)});
-  const std::int32_t neighbour[1] = {0};
-  double stored = 0;
-  return pinball_force<double>(records.view(), {1, damping}, 1, neighbour, 1, &offset, &stored, dt);
+  const std::int32_t upper = 1, lower = 0;
+  return pair_force<double>(records.view(), {1, damping}, &upper, &lower, offset, dt);
 }
-PinballForce<double> upper_force(double velocity, double damping) {
+PairForce<double> upper_force(double velocity, double damping) {
   double offset = 0;
   return upper_force(velocity, damping, offset);
 }
 
 TEST(ContactForceOfTwo, IsPenaltyTimesPenetration) {
-  const PinballForce<double> f = upper_force(0, 0);
+  const PairForce<double> f = upper_force(0, 0);
   EXPECT_VECTOR_NEAR(f.force, (V{0, 0, 10 * 0.2}), 1e-14);
-  EXPECT_NEAR(2 * f.stored, 0.5 * 10 * 0.2 * 0.2, 1e-14);  // p2 g^2 / 2 over both lists
+  EXPECT_NEAR(f.stored, 0.5 * 10 * 0.2 * 0.2, 1e-14);  // p2 g^2 / 2
   EXPECT_EQ(f.damped, 0);
-  EXPECT_EQ(f.pairs, 1);
+  EXPECT_TRUE(f.active);
 }
 
 TEST(ContactForceOfTwo, IsDampedOnTheWayInAndNeverAdheres) {
   const double p1 = 2 * 0.3 * std::sqrt(10.0 * 1.0);
-  const PinballForce<double> in = upper_force(-0.5, 0.3), out = upper_force(0.5, 0.3), fast = upper_force(10, 0.3);
+  const PairForce<double> in = upper_force(-0.5, 0.3), out = upper_force(0.5, 0.3), fast = upper_force(10, 0.3);
   EXPECT_NEAR(in.force.z, 2 + p1 * 0.5, 1e-14);
   EXPECT_NEAR(out.force.z, 2 - p1 * 0.5, 1e-14);
-  EXPECT_NEAR(2 * in.damped, p1 * 0.25, 1e-14);
-  EXPECT_NEAR(2 * out.damped, p1 * 0.25, 1e-14);
-  EXPECT_EQ(fast.force.z, 0);                   // would pull
-  EXPECT_NEAR(2 * fast.damped, 2 * 10, 1e-13);  // gives up only the elastic force
+  EXPECT_NEAR(in.damped, p1 * 0.25, 1e-14);
+  EXPECT_NEAR(out.damped, p1 * 0.25, 1e-14);
+  EXPECT_EQ(fast.force.z, 0);               // would pull
+  EXPECT_NEAR(fast.damped, 2 * 10, 1e-13);  // gives up only the elastic force
   EXPECT_GT(fast.damped, 0);
 }
 
@@ -238,12 +231,14 @@ TEST(ContactForceOfTwo, BeginsWhereThePairIsFound) {
 
 TEST(ContactForceOfTwo, ForgetsAPairThatParts) {
   const Records<double> apart({ball(0, 0), ball(1.3, 0)});
-  const std::int32_t neighbour[1] = {0};
-  double offset = 0.1, stored = 3;
-  const PinballForce<double> f = pinball_force<double>(apart.view(), {1, 0}, 1, neighbour, 1, &offset, &stored, 0.1);
-  EXPECT_EQ(f.pairs, 0);
+  const std::int32_t upper = 1, lower = 0;
+  double offset = 0.1;
+  EXPECT_EQ(touching_pairs<double>(apart.centre.data(), &upper, &lower, &offset), 1U) << "it is to be forgotten";
+  const PairForce<double> f = pair_force<double>(apart.view(), {1, 0}, &upper, &lower, offset, 0.1);
+  EXPECT_FALSE(f.active);
   EXPECT_LT(offset, 0);
-  EXPECT_EQ(stored, 0);
+  EXPECT_EQ(f.stored, 0);
+  EXPECT_EQ(touching_pairs<double>(apart.centre.data(), &upper, &lower, &offset), 0U);
 }
 
 }  // namespace

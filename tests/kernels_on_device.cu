@@ -22,10 +22,11 @@ __global__ void update_pinballs(PinballGeometryView<S> view, const S* position, 
 }
 
 template <class S>
-__global__ void contact_forces(PinballView<S> view, PenaltyConstants<S> constants, const std::int32_t* neighbour,
-                               std::int32_t count, S* offset, S* stored, S dt, PinballForce<S>* force) {
-  const std::int32_t self = blockIdx.x * blockDim.x + threadIdx.x;
-  force[self] = pinball_force<S>(view, constants, self, neighbour, count, offset, stored, dt);
+__global__ void contact_forces(PinballView<S> view, PenaltyConstants<S> constants, const std::int32_t* first,
+                               const std::int32_t* second, S* offset, S dt, PairForce<S>* force) {
+  const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  if (touching_pairs<S>(view.centre, first + pair, second + pair, offset + pair) == 0) return;
+  force[pair] = pair_force<S>(view, constants, first + pair, second + pair, offset[pair], dt);
 }
 
 template <class S>
@@ -51,7 +52,7 @@ void instantiate() {
   update_elements<S, true><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_elements<S, false><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
-  contact_forces<S><<<1, 32>>>({}, {}, nullptr, 0, nullptr, nullptr, S(0), nullptr);
+  contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);
   integrate_nodes<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, S(0));
   count_neighbours<S><<<1, 32>>>({}, nullptr, nullptr);
 }

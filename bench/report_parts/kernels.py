@@ -20,7 +20,7 @@ class Kernel:
 
 
 def pair_operations(work):
-    return 13 + 170 * 2 * work["pairs_in_contact"] / work["items"]
+    return 13 + 170 * work["pairs_in_contact"] / work["items"]
 
 
 def meeting_operations(work):
@@ -40,18 +40,17 @@ KERNELS = [
            [r"SurfaceMotion<double>::holds\("], [r"SurfaceMotionIdE5holds"], contact=True,
            by_hand=lambda work: 14.0,
            by_hand_text="14: distance of a node from where it is expected (kernels over nodes in solver/surface_motion.cpp)"),
-    Kernel("list_building", "neighbour lists, when built", "pinball", "pinball", "list_building",
-           [r"NeighbourList<double>::(build|find|join|remember|recall)\(", r"(BallTree|MovingBalls|NearBalls)<double>::",
+    Kernel("list_building", "pair list, when built", "pinball", "pinball", "list_building",
+           [r"PairList<double>::(build|find|number|remember|recall)\(", r"(BallTree|MovingBalls|NearBalls)<double>::",
             r"SurfaceMotion<double>::(adapt|start)\(", r"PinballContact<double>::(build_list|collect_listed)\("],
-           [r"NeighbourListIdE(5build|4find|4join|8remember|6recall)E", r"(BallTree|MovingBalls|NearBalls)IdE",
+           [r"PairListIdE(5build|4find|6number|8remember|6recall)E", r"(BallTree|MovingBalls|NearBalls)IdE",
             r"SurfaceMotionIdE(5adapt|5start)E", r"PinballContactIdE(10build_list|14collect_listed)E"], contact=True,
            by_hand=meeting_operations, by_hand_text=MEETING_TEXT),
     Kernel("pair_forces", "contact pair forces", "listed pair", "pinball", "contact_forces",
-           [r"PinballContact<double>::forces\(.*(omp_fn|operator\(\))"],
-           [r"PinballContactIdE6forces"], contact=True,
+           [r"PairForces<double>::(compute|find_touching|work_out)\("],
+           [r"PairForcesIdE(7compute|13find_touching|8work_out)E"], contact=True,
            by_hand=pair_operations,
-           by_hand_text="13 for the test of a listed pair (distance, reach), about 170 for a pair in contact, which is met "
-                        "twice; what lanes without a pair do is not counted"),
+           by_hand_text="13 for the test of a listed pair (distance, reach), about 170 for a pair in contact"),
     Kernel("contact_scatter", "contact scatter", "listed pinball", "pinball", "contact_scatter",
            [r"PinballContact<double>::scatter.*(omp_fn|operator\(\))"], [r"PinballContactIdE7scatter"], contact=True,
            by_hand=lambda work: 72.0 * min(1.0, work["touching"] / work["items"]),
@@ -63,9 +62,9 @@ KERNELS = [
            [r"SlidelineSurface<double>::update\(pinball::Model<double> const&\)::\{lambda"],
            [r"SlidelineSurfaceIdE6update"]),
     Kernel("slideline_search", "slideline: lists, when built", "slave node", "slideline", "list_building",
-           [r"SlidelineSearch<double>::(build|find|may_touch|moving_segments|moving_slaves)\(",
+           [r"SlidelineSearch<double>::(build|find|may_touch|move_segments|move_slaves)\(",
             r"(BallTree|MovingBalls|NearBalls)<double>::", r"SurfaceMotion<double>::(adapt|start)\("],
-           [r"SlidelineSearchIdE(5build|4find|9may_touch|15moving_segments|13moving_slaves)E",
+           [r"SlidelineSearchIdE(5build|4find|9may_touch|13move_segments|11move_slaves)E",
             r"(BallTree|MovingBalls|NearBalls)IdE", r"SurfaceMotionIdE(5adapt|5start)E"],
            by_hand=meeting_operations, by_hand_text=MEETING_TEXT),
     Kernel("narrow_phase", "slideline: projection and forces", "candidate", "slideline", "contact_forces",

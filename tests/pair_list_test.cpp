@@ -1,5 +1,5 @@
 #include <functional>
-#include <pinball/solver/neighbour_list.hpp>
+#include <pinball/solver/pair_list.hpp>
 #include <pinball/solver/surface_motion.hpp>
 #include <set>
 #include <utility>
@@ -47,30 +47,44 @@ MovingBalls<S> moving(const std::vector<Ball>& balls) {
 
 /// The listed pairs, after a check of how they are listed.
 template <class S>
-Pairs listed_pairs(const NeighbourList<S>& list) {
+Pairs listed_pairs(const PairList<S>& list) {
   Pairs pairs;
-  std::size_t entries = 0;
-  for (std::int32_t p = 0; p < list.size(); ++p) {
-    const std::int32_t* neighbour = list.neighbours(p);
-    const std::int32_t count = list.count(p);
-    EXPECT_GT(count, 0);
-    EXPECT_TRUE(p == 0 || list.listed()[std::size_t(p)] > list.listed()[std::size_t(p - 1)]);
-    for (std::int32_t k = 0; k < count; ++k) {
-      EXPECT_NE(neighbour[k], p);
-      EXPECT_TRUE(k == 0 || neighbour[k] > neighbour[k - 1]) << "sorted, each once";
-      pairs.insert(std::minmax(list.listed()[std::size_t(p)], list.listed()[std::size_t(neighbour[k])]));
-      ++entries;
+  std::pair<std::int32_t, std::int32_t> last{-1, -1};
+  std::set<std::int32_t> pinballs;
+  std::int32_t pinballs_end = 0;
+  std::int64_t end = 0;
+  for (std::int64_t p = 0; p < PairList<S>::pieces; ++p) {
+    const auto& piece = list.piece(p);
+    EXPECT_EQ(piece.pinballs_begin, pinballs_end);
+    EXPECT_EQ(piece.begin % native_width<S>, 0);
+    EXPECT_GE(piece.begin, end);
+    pinballs_end = piece.pinballs_end, end = piece.end;
+    for (std::int64_t place = piece.begin; place < piece.end; ++place) {
+      const std::pair<std::int32_t, std::int32_t> pair{list.first()[place], list.second()[place]};
+      EXPECT_LT(pair.first, pair.second);
+      EXPECT_LT(last, pair) << "sorted, each once";
+      EXPECT_GE(pair.first, piece.pinballs_begin);
+      EXPECT_LT(pair.first, piece.pinballs_end);
+      last = pair;
+      pinballs.insert({pair.first, pair.second});
+      pairs.insert({list.listed()[std::size_t(pair.first)], list.listed()[std::size_t(pair.second)]});
     }
-    for (std::int32_t k = count; k % native_width<S> != 0; ++k) EXPECT_EQ(neighbour[k], p) << "padding";
   }
-  EXPECT_EQ(entries, 2 * pairs.size()) << "every pair stands in both lists";
+  EXPECT_EQ(pinballs_end, list.size());
+  EXPECT_EQ(pinballs.size(), std::size_t(list.size())) << "all that are listed have a pair";
+  EXPECT_TRUE(std::is_sorted(list.listed().begin(), list.listed().end()));
+  EXPECT_LE(end, list.places());
+  for (std::int64_t place = 0; place < list.places(); ++place) {
+    EXPECT_LT(list.first()[place], list.size());
+    EXPECT_LT(list.second()[place], list.size());
+  }
   EXPECT_EQ(std::size_t(list.pairs()), pairs.size());
   return pairs;
 }
 
 template <class S>
 Pairs found(const SurfacePinballs<S>& all, const std::vector<Ball>& balls, bool self = true) {
-  NeighbourList<S> list;
+  PairList<S> list;
   list.build(all, moving<S>(balls), self);
   return listed_pairs(list);
 }
@@ -142,7 +156,7 @@ std::vector<Configuration> configurations() {
   };
 }
 
-TEST(NeighbourList, IsWhatAllPairsGive) {
+TEST(PairList, IsWhatAllPairsGive) {
   for (const Configuration& configuration : configurations()) {
     for (const int count : {0, 1, 2, 7, 8, 9, 63, 64, 65, 400}) {
       SCOPED_TRACE(::testing::Message() << configuration.name << ", " << count);
@@ -165,7 +179,7 @@ TEST(NeighbourList, IsWhatAllPairsGive) {
   }
 }
 
-TEST(NeighbourList, LeavesOutWhatTheMeshKeepsApart) {
+TEST(PairList, LeavesOutWhatTheMeshKeepsApart) {
   // Three balls of one body in one place, and one of another body.
   SurfacePinballs<double> all = bodies<double>(4);
   all.body = {0, 0, 0, 1};
@@ -178,18 +192,18 @@ TEST(NeighbourList, LeavesOutWhatTheMeshKeepsApart) {
   EXPECT_EQ(found(all, balls), (Pairs{{0, 2}, {0, 3}, {1, 3}, {2, 3}}));
 }
 
-TEST(NeighbourList, RemembersPairsOverARebuild) {
+TEST(PairList, RemembersPairsOverARebuild) {
   SurfacePinballs<double> all = bodies<double>(40);
   Random random(82);
   std::vector<Ball> balls;
   for (int i = 0; i < 40; ++i) balls.push_back({random_vector(random, 2), {0, 0, 0}, 0.8});
-  NeighbourList<double> list;
+  PairList<double> list;
   list.build(all, moving<double>(balls), true);
   const auto visit = [&](const std::function<void(std::int32_t, std::int32_t, double&, double&)>& visitor) {
-    for (std::int32_t p = 0; p < list.size(); ++p) {
-      for (std::int32_t k = 0; k < list.count(p); ++k) {
-        visitor(list.listed()[std::size_t(p)], list.listed()[std::size_t(list.neighbours(p)[k])], list.offsets(p)[k],
-                list.stored(p)[k]);
+    for (std::int64_t p = 0; p < PairList<double>::pieces; ++p) {
+      for (std::int64_t i = list.piece(p).begin; i < list.piece(p).end; ++i) {
+        visitor(list.listed()[std::size_t(list.first()[i])], list.listed()[std::size_t(list.second()[i])],
+                list.offset()[i], list.stored()[i]);
       }
     }
   };
@@ -209,7 +223,7 @@ TEST(NeighbourList, RemembersPairsOverARebuild) {
     remembered += kept;
   });
   EXPECT_GT(remembered, 20);
-  // The pairs of pinball 5 and of pinball 6 end; each is stored half in either list.
+  // The pairs of pinball 5 and of pinball 6 end.
   std::vector<double> outward(4 * 40, 1);
   double expected = 0;
   visit([&](std::int32_t a, std::int32_t b, double& offset, double& stored) {

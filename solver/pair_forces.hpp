@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <pinball/kernels/contact_force.hpp>
+#include <pinball/solver/pair_list.hpp>
+#include <vector>
+
+namespace pinball {
+
+/// Sums over the pairs in contact.
+template <class S>
+struct PairSums {
+  double stored = 0;        ///< energy of the springs [energy]
+  double damped = 0;        ///< power of the damping [power]
+  S penetration_ratio = 0;  ///< largest g / (R1 + R2) [-]
+  std::int64_t pairs = 0;
+};
+
+/// The penalty forces of the pairs of a list, summed per pinball. Every pinball sums its pairs in the order of the
+/// other pinball's number, so that results depend neither on the number of threads nor on what else is listed.
+template <class S>
+class PairForces {
+ public:
+  /// force: records of all listed pinballs, written: F, sum of p2 [force], [force/length]. dt: the step just made.
+  PairSums<S> compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                      S* force);
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::int64_t pieces = PairList<S>::pieces;
+  struct Touch {
+    std::int32_t first, second;
+    S force[4];  ///< on the first, and p2
+  };
+  /// Of one piece, kept for their memory.
+  struct Work {
+    std::vector<std::int64_t> touching;  ///< places in the list
+    std::vector<Touch> touches;          ///< those in contact
+    PairSums<S> sums;
+  };
+  static void find_touching(const PinballView<S>& view, PairList<S>& list, std::int64_t piece, Work& work);
+  static void work_out(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                       Work& work);
+
+  std::array<Work, pieces> work_;
+};
+
+}  // namespace pinball
