@@ -39,34 +39,43 @@ SlidelineContact<S>::SlidelineContact(const Model<S>& model)
       damping_(static_cast<S>(model.scene.contact.damping)) {}
 
 template <class S>
-double SlidelineContact<S>::carry_states(const std::vector<typename SlidelineSurface<S>::Slave>& before) {
-  const std::vector<State> old = std::move(state_);
-  state_.assign(surface_.slaves().size(), {});
+double SlidelineContact<S>::end_inactive_touches() {
   double lost = 0;
-  std::size_t now = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {  // both are sorted by node
-    if (old[i].slot < 0) continue;
-    while (now < state_.size() && surface_.slaves()[now].node < before[i].node) ++now;
-    const bool stays = now < state_.size() && surface_.slaves()[now].node == before[i].node;
-    if (stays && surface_.exposed(old[i].slot, old[i].face)) {
-      state_[now] = old[i];
-    } else {
-      lost += static_cast<double>(old[i].stored);
-    }
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    State& state = state_[i];
+    if (state.slot < 0 || (surface_.active(i) && surface_.exposed(state.slot, state.face))) continue;
+    lost += static_cast<double>(state.stored);
+    state = {};
   }
   return lost;
 }
 
 template <class S>
+void SlidelineContact<S>::collect_surface(const Model<S>& model) {
+  const std::vector<typename SlidelineSurface<S>::Slave> before = surface_.slaves();
+  const std::vector<State> old = std::move(state_);
+  surface_.collect(model);
+  state_.assign(surface_.slaves().size(), {});
+  std::size_t now = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (old[i].slot < 0) continue;
+    while (surface_.slaves()[now].node < before[i].node) ++now;  // what touches stays, and both are sorted by node
+    state_[now] = old[i];
+  }
+  search_.invalidate();
+}
+
+template <class S>
 void SlidelineContact<S>::update_surface(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
   lost_energy_ = 0;
-  std::vector<typename SlidelineSurface<S>::Slave> before;
-  if (surface_.remove_eroded(model, tiles, before)) {
-    lost_energy_ = carry_states(before);
-    search_.invalidate();
-  } else {
-    surface_.update(model);
+  if (surface_.remove_eroded(model, tiles)) {
+    lost_energy_ = end_inactive_touches();
+    if (!surface_.complete()) {
+      search_.invalidate();
+      return;  // the search collects it anew
+    }
   }
+  surface_.update(model);
 }
 
 template <class S>
@@ -77,6 +86,7 @@ void SlidelineContact<S>::search(const Model<S>& model) {
     return;
   }
   ++this->searches_;
+  if (surface_.changed()) collect_surface(model);  // a good moment to let those behind the new surface wait
   search_.build(model, surface_, reuse ? static_cast<S>(model.scene.contact.skin) : S(0));
 }
 
@@ -84,7 +94,8 @@ template <class S>
 bool SlidelineContact<S>::find_segment(const Model<S>& model, std::size_t slave, S open_gap, Touch& touch) const {
   const std::int32_t* candidate = search_.candidates(slave);
   const std::int64_t count = search_.count(slave);
-  const Vec3<S> x = vector_at(model.nodes.position, surface_.slaves()[slave].node);
+  const auto& own = surface_.slaves()[slave];
+  const Vec3<S> x = vector_at(model.nodes.position, own.node);
   const State& state = state_[slave];
   const S* sphere = surface_.sphere().data();
   const S* plane = surface_.plane().data();
@@ -98,7 +109,8 @@ bool SlidelineContact<S>::find_segment(const Model<S>& model, std::size_t slave,
     const Vec3<S> normal{flat[0], flat[1], flat[2]};
     const S height = dot(d, normal);  // over the mean plane: most are well outside
     if (height > open_gap * segment.radius + flat[3] ||
-        height < S(0) - SlidelineSurface<S>::deepest * segment.radius - flat[3] || !surface_.faces(slave, normal)) {
+        height < S(0) - SlidelineSurface<S>::deepest * segment.radius - flat[3] || !surface_.faces(slave, normal) ||
+        !search_.may_touch(own, segment)) {
       continue;
     }
     Vec3<S> corner[4];
@@ -139,7 +151,7 @@ typename SlidelineContact<S>::Sums SlidelineContact<S>::find_touches(const Model
          ++i) {
       State& state = state_[i];
       Touch touch{};
-      if (find_segment(model, i, open_gap, touch)) {
+      if (surface_.active(i) && find_segment(model, i, open_gap, touch)) {
         if (work(touch, sums[p])) found[p].push_back(touch);
         const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
         if (touch.at.gap <= S(0)) {

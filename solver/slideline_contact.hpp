@@ -72,8 +72,10 @@ class SlidelineContact final : public Contact<S> {
   template <class Work>
   Sums find_touches(const Model<S>& model, S open_gap, const Work& work);
   bool penalty_force(const Model<S>& model, Touch& touch, S dt, Sums& sums);
-  /// Carries states over to the slaves of the surface as it is now; returns the energy of the springs that went.
-  double carry_states(const std::vector<typename SlidelineSurface<S>::Slave>& before);
+  /// Ends the touches of slaves or segments that are no longer active; returns the energy of their springs.
+  double end_inactive_touches();
+  /// Numbers segments and slaves anew; the slaves keep their states.
+  void collect_surface(const Model<S>& model);
 
   SlidelineSurface<S> surface_;
   SlidelineSearch<S> search_;

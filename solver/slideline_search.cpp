@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <limits>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/slideline_search.hpp>
+#include <pinball/solver/surface_elements.hpp>
 
 namespace pinball {
 
@@ -9,38 +11,43 @@ SlidelineSearch<S>::SlidelineSearch(const Model<S>& model)
     : self_(model.scene.contact.self),
       reference_node_(model.node_mass.size()),
       reference_centre_(static_cast<std::size_t>(model.elements.slots)) {
-  const auto in_float = [](const Point& p) {
-    return std::array<float, 3>{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-  };
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    reference_node_[static_cast<std::size_t>(model.node_of_scene_node[n])] = in_float(model.mesh.nodes[n]);
+    const Point& p = model.mesh.nodes[n];
+    reference_node_[static_cast<std::size_t>(model.node_of_scene_node[n])] = {
+        static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]),
+        std::numeric_limits<float>::max()};
   }
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    reference_centre_[static_cast<std::size_t>(model.slot_of_element[e])] = in_float(element_centre(model.mesh, e));
+    const std::int64_t slot = model.slot_of_element[e];
+    const Point c = element_centre(model.mesh, e);
+    reference_centre_[static_cast<std::size_t>(slot)] = {static_cast<float>(c[0]), static_cast<float>(c[1]),
+                                                         static_cast<float>(c[2])};
+    const auto radius = static_cast<float>(volume_radius(model, slot));
+    for (const std::int32_t node : model.mesh.hexahedra[e]) {
+      float& least =
+          reference_node_[static_cast<std::size_t>(model.node_of_scene_node[static_cast<std::size_t>(node)])][3];
+      least = std::min(least, radius);
+    }
   }
 }
 
-/// A node touches a segment of its own body only if they were well apart at first: what is near was kept apart by the
-/// mesh.
 template <class S>
-bool SlidelineSearch<S>::may_touch(const SlidelineSurface<S>& surface, std::size_t slave, std::size_t segment) const {
-  const auto& own = surface.slaves()[slave];
-  const auto& other = surface.segments()[segment];
+bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own_radius) const {
   if (own.body != other.body) return true;
   if (!self_) return false;
-  const std::array<float, 3>& p = reference_node_[static_cast<std::size_t>(own.node)];
+  const std::array<float, 4>& p = reference_node_[static_cast<std::size_t>(own.node)];
   const std::array<float, 3>& q = reference_centre_[static_cast<std::size_t>(other.slot)];
   float d2 = 0;
   for (std::size_t k = 0; k < 3; ++k) d2 += (p[k] - q[k]) * (p[k] - q[k]);
   // Two and a half elements: from a node of a cube to the centre of the one after the next.
-  const auto apart = 2.0F * static_cast<float>(own.radius + other.radius);
+  const auto apart = 2.0F * static_cast<float>(own_radius + other.radius);
   return d2 > apart * apart;
 }
 
 template <class S>
 void SlidelineSearch<S>::watch_nodes(const Model<S>& model, const SlidelineSurface<S>& surface) {
   motion_.clear(model.nodes.count);
-  for (const auto& slave : surface.slaves()) motion_.take(slave.node, slave.radius);
+  for (const Slave& slave : surface.slaves()) motion_.take(slave.node, least_radius(slave));
 }
 
 /// Balls that hold whatever may touch the segments. The farthest corner goes straight relative to the centre, so that
@@ -121,11 +128,13 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
       near.find(tree, slaves_.data() + group * 7 * G, 0);
       for (int i = 0; i < G && group * G + i < slaves_.count(); ++i) {
         const auto slave = static_cast<std::size_t>(group * G + i);
+        const Slave& own = surface.slaves()[slave];
+        const S least = S(0.999) * least_radius(own);  // for the rounding of means
         const std::size_t before = list.size();
         for (const auto& [other, balls] : near.of(i)) {
           for (unsigned bits = balls; bits != 0; bits &= bits - 1) {
             const std::int32_t s = other * G + __builtin_ctz(bits);
-            if (may_touch(surface, slave, static_cast<std::size_t>(s))) list.push_back(s);
+            if (may_touch(own, surface.segments()[static_cast<std::size_t>(s)], least)) list.push_back(s);
           }
         }
         start_[slave + 1] = static_cast<std::int64_t>(list.size() - before);

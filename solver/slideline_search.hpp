@@ -14,10 +14,13 @@ namespace pinball {
 template <class S>
 class SlidelineSearch {
  public:
+  using Slave = typename SlidelineSurface<S>::Slave;
+  using Segment = typename SlidelineSurface<S>::Segment;
+
   explicit SlidelineSearch(const Model<S>& model);
 
-  /// Builds the lists from nothing. skin: scale of what nodes may stray, over the radius of their segments; 0: the
-  /// lists are for the present positions only.
+  /// Builds the lists from nothing, for all segments and slaves: those that wait are listed beforehand. skin: scale of
+  /// what nodes may stray, over the radius of their smallest elements; 0: the lists are for the present positions only.
   void build(const Model<S>& model, const SlidelineSurface<S>& surface, S skin);
   /// Notes the length of the step just made.
   void count_step(S dt) { clock_.count_step(dt); }
@@ -25,22 +28,31 @@ class SlidelineSearch {
   bool holds(const Model<S>& model) const {
     return valid_ && !clock_.over() && motion_.holds(model.nodes.position.data(), clock_.elapsed());
   }
+  /// The lists hold no longer, and segments and slaves may be numbered anew.
   void invalidate() { valid_ = false; }
 
   const std::int32_t* candidates(std::size_t slave) const { return candidate_.data() + start_[slave]; }
   std::int64_t count(std::size_t slave) const { return start_[slave + 1] - start_[slave]; }
+  /// A node touches a segment of its own body only if they were well apart at first: what is near was kept apart by the
+  /// mesh. The radius of a slave, which this is measured by, is that of the surface around it as it is now: lists,
+  /// which last, have all that may pass.
+  bool may_touch(const Slave& own, const Segment& other) const { return may_touch(own, other, own.radius); }
   std::int64_t entries() const { return static_cast<std::int64_t>(candidate_.size()); }  ///< of all lists
   std::size_t bytes() const;
 
  private:
-  bool may_touch(const SlidelineSurface<S>& surface, std::size_t slave, std::size_t segment) const;
+  S least_radius(const Slave& own) const {
+    return static_cast<S>(reference_node_[static_cast<std::size_t>(own.node)][3]);
+  }
+  bool may_touch(const Slave& own, const Segment& other, S own_radius) const;
   void watch_nodes(const Model<S>& model, const SlidelineSurface<S>& surface);
   void move_segments(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon);
   void move_slaves(const Model<S>& model, const SlidelineSurface<S>& surface, S horizon);
   void find(const SlidelineSurface<S>& surface);
 
   bool self_;
-  std::vector<std::array<float, 3>> reference_node_;    ///< per node of the store, undeformed [length]
+  std::vector<std::array<float, 4>> reference_node_;    ///< per node of the store: undeformed, and as fourth the radius
+                                                        ///< of the smallest element around it [length]
   std::vector<std::array<float, 3>> reference_centre_;  ///< per slot, undeformed [length]
   bool valid_ = false, watched_ = false;
   ListClock<S> clock_;

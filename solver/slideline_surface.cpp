@@ -4,6 +4,7 @@
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/hexahedron.hpp>
 #include <pinball/solver/slideline_surface.hpp>
+#include <pinball/solver/surface_elements.hpp>
 
 namespace pinball {
 
@@ -24,60 +25,77 @@ double squared_area(const ModelMesh& mesh, std::size_t element, int face) {
 }  // namespace
 
 template <class S>
-bool SlidelineSurface<S>::remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles,
-                                        std::vector<Slave>& before) {
+bool SlidelineSurface<S>::remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
   if (!topology_.remove_eroded(model, tiles)) return false;
-  before.swap(slaves_);
-  collect(model);
+  changed_ = true;
+  activate();
   return true;
 }
 
 template <class S>
 void SlidelineSurface<S>::collect(const Model<S>& model) {
-  segments_.clear();
-  surface_elements_ = 0;
-  for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
-    const unsigned exposed = topology_.exposed(slot);
-    if (exposed == 0) continue;
-    ++surface_elements_;
-    const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(slot)]);
-    const auto body = static_cast<std::size_t>(model.mesh.body[e]);
-    const std::int64_t pack = slot / ElementStore<S>::width;
-    const auto tile = std::upper_bound(model.tile_packs.begin(), model.tile_packs.end(), pack) - 1;
-    const auto part = model.tile_part[static_cast<std::size_t>(tile - model.tile_packs.begin())];
-    const Material& material = model.scene.materials[static_cast<std::size_t>(part)];
-    const double volume = model.element_mass[e] / material.density;
-    const auto radius = static_cast<S>(std::cbrt(volume * 3.0 / (4.0 * M_PI)));
-    for (int f = 0; f < 6; ++f) {
-      if ((exposed >> f & 1U) == 0) continue;
-      Segment segment{};
-      for (int i = 0; i < 4; ++i)
-        segment.node[i] = model.elements.corner[ElementStore<S>::at(slot, face_nodes[f][i], 8)];
-      segment.slot = static_cast<std::int32_t>(slot);
-      segment.face = f;
-      segment.body = static_cast<std::int32_t>(body);
-      segment.radius = radius;
-      segment.stiffness = static_cast<S>(material.bulk_modulus * squared_area(model.mesh, e, f) / volume);
-      segments_.push_back(segment);
-    }
-  }
-  gather_slaves(model.node_mass.size());
+  changed_ = false;
+  collect_segments(model);
+  collect_slaves(model.node_mass.size());
 
   constexpr std::size_t W = native_width<S>;
   const std::size_t packs = (segments_.size() + W - 1) / W;
   corner_.reset(4 * packs * W);
+  active_.reset(packs * W);
   sphere_.reset(4 * packs * W);
   plane_.reset(4 * packs * W);
   for (std::size_t s = 0; s < packs * W; ++s) {  // padding repeats the last segment
     const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
     for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
   }
+  activate();
   update(model);
 }
 
-/// One slave per node, sorted by node; what its segments give is added up in their order.
+/// Per slot a bit for each face that is to be a segment.
 template <class S>
-void SlidelineSurface<S>::gather_slaves(std::size_t nodes) {
+std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const Model<S>& model) const {
+  std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
+  for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
+    const std::uint8_t exposed = topology_.exposed(slot);
+    if (exposed == 0) continue;
+    faces[static_cast<std::size_t>(slot)] |= exposed;
+    if (!may_soon_erode(model, topology_, slot)) continue;
+    topology_.for_each_face_behind(slot, [&](std::int32_t behind, unsigned face) {
+      faces[static_cast<std::size_t>(behind)] |= static_cast<std::uint8_t>(1U << face);
+    });
+  }
+  return faces;
+}
+
+template <class S>
+void SlidelineSurface<S>::collect_segments(const Model<S>& model) {
+  segments_.clear();
+  const std::vector<std::uint8_t> faces = exposed_and_waiting(model);
+  for (std::size_t slot = 0; slot < faces.size(); ++slot) {
+    if (faces[slot] == 0) continue;
+    const auto s = static_cast<std::int32_t>(slot);
+    const auto e = static_cast<std::size_t>(model.element_of_slot[slot]);
+    const Material& material = material_of(model, s);
+    const double volume = model.element_mass[e] / material.density;
+    const auto radius = static_cast<S>(volume_radius(model, s));
+    for (int f = 0; f < 6; ++f) {
+      if ((faces[slot] >> f & 1U) == 0) continue;
+      Segment segment{};
+      for (int i = 0; i < 4; ++i) segment.node[i] = model.elements.corner[ElementStore<S>::at(s, face_nodes[f][i], 8)];
+      segment.slot = s;
+      segment.face = f;
+      segment.body = model.mesh.body[e];
+      segment.radius = radius;
+      segment.stiffness = static_cast<S>(material.bulk_modulus * squared_area(model.mesh, e, f) / volume);
+      segments_.push_back(segment);
+    }
+  }
+}
+
+/// One slave per node, sorted by node, and the segments around it in their order.
+template <class S>
+void SlidelineSurface<S>::collect_slaves(std::size_t nodes) {
   std::vector<std::int32_t> place(nodes + 1, 0);  // segments around each node, then where the next of them goes
   for (const Segment& segment : segments_) {
     for (const std::int32_t node : segment.node) ++place[static_cast<std::size_t>(node) + 1];
@@ -88,7 +106,7 @@ void SlidelineSurface<S>::gather_slaves(std::size_t nodes) {
     const std::int32_t count = place[n + 1];
     place[n + 1] += place[n];
     if (count == 0) continue;
-    slaves_.push_back({static_cast<std::int32_t>(n), 0, static_cast<S>(0.25 * count), S(0), S(0)});
+    slaves_.push_back({static_cast<std::int32_t>(n), 0, S(0), S(0), S(0)});
     around_first_.push_back(place[n + 1]);
   }
   around_.resize(static_cast<std::size_t>(place[nodes]));
@@ -98,14 +116,31 @@ void SlidelineSurface<S>::gather_slaves(std::size_t nodes) {
     }
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const std::int32_t any = around_[static_cast<std::size_t>(around_first_[i])];
+    slaves_[i].body = segments_[static_cast<std::size_t>(any)].body;
+  }
+}
+
+/// The segments whose faces are exposed are active; what they give to their slaves is added up in their order.
+template <class S>
+void SlidelineSurface<S>::activate() {
+  active_segments_ = 0;
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    const bool active = exposed(segments_[s].slot, segments_[s].face);
+    active_[s] = active ? S(1) : S(0);
+    active_segments_ += active;
+  }
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
     Slave& slave = slaves_[i];
+    slave.share = slave.radius = slave.stiffness = S(0);
     for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
-      const Segment& segment = segments_[static_cast<std::size_t>(around_[static_cast<std::size_t>(a)])];
-      slave.body = segment.body;
-      slave.radius += segment.radius;
-      slave.stiffness += S(0.25) * segment.stiffness;
+      const auto s = static_cast<std::size_t>(around_[static_cast<std::size_t>(a)]);
+      if (!(active_[s] > S(0))) continue;
+      slave.share += S(0.25);
+      slave.radius += segments_[s].radius;
+      slave.stiffness += S(0.25) * segments_[s].stiffness;
     }
-    slave.radius /= static_cast<S>(around_first_[i + 1] - around_first_[i]);
+    if (active(i)) slave.radius /= S(4) * slave.share;
   }
 }
 
@@ -134,7 +169,8 @@ void SlidelineSurface<S>::update(const Model<S>& model) {
     const T farthest = square_root(farthest2);
     const Vec3<T> area = cross(x[2] - x[0], x[3] - x[1]);
     const T size2 = dot(area, area);
-    const Vec3<T> normal = select(size2 > T(0), T(1) / square_root(size2), T(0)) * area;
+    const T active = load<T>(active_.data() + pack * W);
+    const Vec3<T> normal = select(size2 > T(0), active / square_root(size2), T(0)) * area;
     const T warp = absolute(dot(x[0] - centre, normal));  // the same at all corners, but for its sign
     for (int i = 0; i < W; ++i) {
       const std::int64_t s = std::min(pack * W + i, count - 1);
@@ -147,7 +183,7 @@ void SlidelineSurface<S>::update(const Model<S>& model) {
       record[0] = lane(centre.x, i);
       record[1] = lane(centre.y, i);
       record[2] = lane(centre.z, i);
-      record[3] = lane(farthest, i) + deepest * segments_[static_cast<std::size_t>(s)].radius;
+      record[3] = lane(active, i) * (lane(farthest, i) + deepest * segments_[static_cast<std::size_t>(s)].radius);
     }
   });
 }
@@ -155,7 +191,8 @@ void SlidelineSurface<S>::update(const Model<S>& model) {
 template <class S>
 std::size_t SlidelineSurface<S>::bytes() const {
   return topology_.bytes() + segments_.capacity() * sizeof(Segment) + slaves_.capacity() * sizeof(Slave) +
-         (around_.capacity() + around_first_.capacity()) * 4 + corner_.bytes() + sphere_.bytes() + plane_.bytes();
+         (around_.capacity() + around_first_.capacity()) * 4 + corner_.bytes() + active_.bytes() + sphere_.bytes() +
+         plane_.bytes();
 }
 
 template class SlidelineSurface<double>;

@@ -9,7 +9,8 @@
 namespace pinball {
 
 /// Master segments and slave nodes of the slidelines: every exposed face is a segment, each of its nodes a slave, so
-/// that all bodies are passed both ways.
+/// that all bodies are passed both ways. Faces behind elements that may soon erode are segments too, but wait: so lists
+/// of segments and slaves last over erosions.
 template <class S>
 class SlidelineSurface {
  public:
@@ -24,9 +25,9 @@ class SlidelineSurface {
   struct Slave {
     std::int32_t node;  ///< of the node store
     std::int32_t body;
-    S share;      ///< number of segments around it over 4: 1 inside a surface, 1/2 at an edge of it [-]
-    S radius;     ///< mean of the segments around it [length]
-    S stiffness;  ///< sum of a quarter of each segment's [force/length]
+    S share;      ///< number of active segments around it over 4: 1 inside a surface, 1/2 at an edge of it [-]
+    S radius;     ///< mean of the active segments around it [length]
+    S stiffness;  ///< sum of a quarter of each active segment's [force/length]
   };
 
   /// Penetration beyond which a node is no longer taken for one that came in through the segment, over its radius [-]:
@@ -35,29 +36,40 @@ class SlidelineSurface {
 
   explicit SlidelineSurface(const Model<S>& model) : topology_(model) { collect(model); }
 
-  /// Takes out what has eroded; returns whether segments or slaves have changed, and then the slaves before. Nodes that
-  /// are left without a face are slaves no more: they fly on as mass points.
-  bool remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles, std::vector<Slave>& before);
+  /// Segments of eroded elements end, and those that waited behind them become active; returns whether there are any.
+  /// Nodes that are left without an active segment are slaves no more: they fly on as mass points.
+  bool remove_eroded(const Model<S>& model, const std::vector<TileResult<S>>& tiles);
+  /// Whether all exposed faces are segments. If not, those that did not wait take part after the next collect().
+  bool complete() const { return active_segments_ == topology_.exposed_faces(); }
+  /// Whether anything has eroded since the last collect().
+  bool changed() const { return changed_; }
+  /// Numbers segments and slaves anew: without those that have ended, with those that are to wait now.
+  void collect(const Model<S>& model);
   /// Spheres and planes of all segments.
   void update(const Model<S>& model);
 
+  /// Whether a slave has an active segment. Those of waiting segments have not, nor those of ended ones.
+  bool active(std::size_t slave) const { return slaves_[slave].share > S(0); }
   /// Whether a segment that the slave belongs to looks at a normal within 60 degrees. A node of a flat surface does not
   /// touch a face that moves along this surface.
   bool faces(std::size_t slave, const Vec3<S>& normal) const;
   bool exposed(std::int32_t slot, std::int32_t face) const { return (topology_.exposed(slot) >> face & 1) != 0; }
-  std::int32_t surface_elements() const { return surface_elements_; }
+  std::int32_t surface_elements() const { return topology_.exposed_count(); }
   const std::vector<Segment>& segments() const { return segments_; }
   const std::vector<Slave>& slaves() const { return slaves_; }  ///< sorted by node
   /// Records of four per segment: centre, and how far from it a node may be that touches: the distance of the farthest
-  /// corner and deepest radii.
+  /// corner and deepest radii; 0 where the segment is not active.
   const AlignedArray<S>& sphere() const { return sphere_; }
-  /// Records of four per segment: mean unit normal, and how far the corners are out of the plane through the centre.
+  /// Records of four per segment: mean unit normal, 0 where the segment is not active, and how far the corners are out
+  /// of the plane through the centre.
   const AlignedArray<S>& plane() const { return plane_; }
   std::size_t bytes() const;
 
  private:
-  void collect(const Model<S>& model);
-  void gather_slaves(std::size_t nodes);
+  std::vector<std::uint8_t> exposed_and_waiting(const Model<S>& model) const;
+  void collect_segments(const Model<S>& model);
+  void collect_slaves(std::size_t nodes);
+  void activate();
 
   Surface topology_;
   std::vector<Segment> segments_;  ///< sorted by slot and face
@@ -65,8 +77,10 @@ class SlidelineSurface {
   std::vector<std::int32_t> around_;        ///< segments around each slave, one after the other
   std::vector<std::int32_t> around_first_;  ///< per slave and one more: into around_
   AlignedArray<std::int32_t> corner_;       ///< of the segments, in tiles of W
+  AlignedArray<S> active_;                  ///< per segment, padded: 1 or 0 [-]
   AlignedArray<S> sphere_, plane_;
-  std::int32_t surface_elements_ = 0;
+  std::int64_t active_segments_ = 0;
+  bool changed_ = false;
 };
 
 }  // namespace pinball

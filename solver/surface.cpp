@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <pinball/solver/faces.hpp>
 #include <pinball/solver/surface.hpp>
 
@@ -45,27 +44,27 @@ Surface::Surface(const Model<S>& model)
       }
     }
   }
-  exposed_count_ =
-      static_cast<std::int32_t>(std::count_if(exposed_.begin(), exposed_.end(), [](auto e) { return e != 0; }));
+  for (const std::uint8_t exposed : exposed_) {
+    exposed_count_ += exposed != 0;
+    exposed_faces_ += __builtin_popcount(exposed);
+  }
 }
 
 void Surface::erode(std::int64_t slot) {
   const auto s = static_cast<std::size_t>(slot);
   alive_[s] = 0;
   exposed_count_ -= exposed_[s] != 0;
+  exposed_faces_ -= __builtin_popcount(exposed_[s]);
   exposed_[s] = 0;
-  for (const std::int32_t other : neighbour_[s]) {
-    if (other < 0 || !alive(other)) continue;
-    for (std::size_t f = 0; f < 6; ++f) {
-      if (neighbour_[static_cast<std::size_t>(other)][f] != slot) continue;
-      std::uint8_t& exposed = exposed_[static_cast<std::size_t>(other)];
-      if (exposed == 0) {
-        uncovered_.push_back(other);
-        ++exposed_count_;
-      }
-      exposed |= static_cast<std::uint8_t>(1U << f);
+  for_each_face_behind(slot, [this](std::int32_t behind, unsigned face) {
+    std::uint8_t& exposed = exposed_[static_cast<std::size_t>(behind)];
+    if (exposed == 0) {
+      uncovered_.push_back(behind);
+      ++exposed_count_;
     }
-  }
+    exposed |= static_cast<std::uint8_t>(1U << face);
+    ++exposed_faces_;
+  });
 }
 
 template <class S>

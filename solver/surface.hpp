@@ -23,12 +23,23 @@ class Surface {
   /// Elements that the last remove_eroded has brought to the surface; some may have eroded in the same step.
   const std::vector<std::int32_t>& uncovered() const { return uncovered_; }
   std::int32_t exposed_count() const { return exposed_count_; }  ///< elements with an exposed face
+  std::int64_t exposed_faces() const { return exposed_faces_; }  ///< of all elements
 
   bool alive(std::int64_t slot) const { return alive_[static_cast<std::size_t>(slot)] != 0; }
   /// Bit f is set where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) of a living element is exposed.
   std::uint8_t exposed(std::int64_t slot) const { return exposed_[static_cast<std::size_t>(slot)]; }
   std::int32_t neighbour(std::int64_t slot, int face) const {
     return neighbour_[static_cast<std::size_t>(slot)][static_cast<std::size_t>(face)];
+  }
+  /// Calls work(slot, face) for every face of a living element that the erosion of an element exposes.
+  template <class Work>
+  void for_each_face_behind(std::int64_t slot, const Work& work) const {
+    for (const std::int32_t behind : neighbour_[static_cast<std::size_t>(slot)]) {
+      if (behind < 0 || !alive(behind)) continue;
+      for (unsigned f = 0; f < 6; ++f) {
+        if (neighbour_[static_cast<std::size_t>(behind)][f] == slot) work(behind, f);
+      }
+    }
   }
   std::int64_t slots() const { return static_cast<std::int64_t>(alive_.size()); }
   std::size_t bytes() const { return alive_.capacity() * (2 + sizeof(neighbour_[0])); }
@@ -41,6 +52,7 @@ class Surface {
   std::vector<std::array<std::int32_t, 6>> neighbour_;  ///< slot across each face, -1: none
   std::vector<std::int32_t> uncovered_;
   std::int32_t exposed_count_ = 0;
+  std::int64_t exposed_faces_ = 0;
 };
 
 }  // namespace pinball

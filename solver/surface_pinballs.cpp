@@ -1,27 +1,8 @@
 #include <algorithm>
-#include <cmath>
+#include <pinball/solver/surface_elements.hpp>
 #include <pinball/solver/surface_pinballs.hpp>
 
 namespace pinball {
-
-namespace {
-
-template <class S>
-std::size_t part_of(const Model<S>& model, std::int64_t slot) {
-  const auto tile = std::upper_bound(model.tile_packs.begin(), model.tile_packs.end(), slot / ElementStore<S>::width);
-  return static_cast<std::size_t>(model.tile_part[static_cast<std::size_t>(tile - model.tile_packs.begin() - 1)]);
-}
-
-/// A guess: if it fails, the elements behind are taken in when they are exposed, and lists are built anew.
-template <class S>
-bool may_soon_erode(const Model<S>& model, std::int64_t slot) {
-  const std::size_t part = part_of(model, slot);
-  if (!model.parts[part].features.erosion) return false;
-  const S limit = std::min(S(1), model.constants[part].material.erosion_strain);
-  return model.elements.plastic_strain[static_cast<std::size_t>(slot)] > S(0.1) * limit;
-}
-
-}  // namespace
 
 template <class S>
 void SurfacePinballs<S>::update(const Model<S>& model, const Surface& surface,
@@ -34,11 +15,8 @@ void SurfacePinballs<S>::update(const Model<S>& model, const Surface& surface,
     mark = 1;
   };
   const auto choose_behind = [&](std::int32_t s) {
-    if (surface.exposed(s) == 0 || !may_soon_erode(model, s)) return;
-    for (int f = 0; f < 6; ++f) {
-      const std::int32_t behind = surface.neighbour(s, f);
-      if (behind >= 0 && surface.alive(behind)) choose(behind);
-    }
+    if (!may_soon_erode(model, surface, s)) return;
+    surface.for_each_face_behind(s, [&](std::int32_t behind, unsigned /*face*/) { choose(behind); });
   };
   for (const std::int32_t s : uncovered) {
     if (surface.exposed(s) != 0) choose(s);
@@ -87,7 +65,6 @@ void SurfacePinballs<S>::append(const SurfacePinballs& others, std::size_t i) {
 template <class S>
 void SurfacePinballs<S>::append(const Model<S>& model, std::int64_t s) {
   const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(s)]);
-  const Material& material = model.scene.materials[part_of(model, s)];
   ++count;
   slot.push_back(static_cast<std::int32_t>(s));
   body.push_back(model.mesh.body[e]);
@@ -96,11 +73,9 @@ void SurfacePinballs<S>::append(const Model<S>& model, std::int64_t s) {
     nodes[static_cast<std::size_t>(i)] = model.elements.corner[ElementStore<S>::at(s, i, 8)];
   }
   corners.push_back(nodes);
-  const double volume = model.element_mass[e] / material.density;
-  radius.push_back(
-      static_cast<S>(model.scene.contact.radius_factor * std::cbrt(volume * 3.0 / (4.0 * M_PI))));  // (3.2)
+  radius.push_back(static_cast<S>(model.scene.contact.radius_factor * volume_radius(model, s)));
   mass.push_back(static_cast<S>(model.element_mass[e]));
-  bulk_modulus.push_back(static_cast<S>(material.bulk_modulus));
+  bulk_modulus.push_back(static_cast<S>(material_of(model, s).bulk_modulus));
   const Point c = element_centre(model.mesh, e);
   reference.push_back({static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]),
                        static_cast<float>(radius.back())});

@@ -138,6 +138,31 @@ TEST_P(Slideline, ABodyStopsAtTheSurfaceThatErosionHasExposed) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-9 * std::abs(before[2]));
 }
 
+TEST_P(Slideline, ListsLastOverErosionsAndMissNothing) {
+  const double h = 0.1;
+  Scene scene = slideline(scene_of(
+      {block("plate", {8, 8, 3}, h, {0, 0, 0}), block("rod", {2, 2, 8}, h, {0.27, 0.31, 3.1 * h}, {300, 0, -2000})},
+      4e-4));
+  scene.materials = {plastic_material("steel", 1e9, 0.6)};
+  const auto outcome = [&](bool keep_lists, std::int64_t& searches, std::int64_t& erosions) {
+    scene.skip.contact_search = keep_lists;
+    Solver<double> solver(scene);
+    std::int64_t eroded = 0;
+    run_to_end(solver, [&] {
+      erosions += solver.eroded_elements() != eroded;
+      eroded = solver.eroded_elements();
+    });
+    searches = solver.contact()->searches();
+    return solver.state_hash();
+  };
+  std::int64_t searches = 0, erosions = 0, searches_each_step = 0, erosions_each_step = 0;
+  const std::uint64_t kept = outcome(true, searches, erosions);
+  EXPECT_EQ(outcome(false, searches_each_step, erosions_each_step), kept);
+  EXPECT_GT(erosions, 20) << "steps in which elements erode";
+  EXPECT_EQ(erosions, erosions_each_step);
+  EXPECT_LT(searches, erosions);
+}
+
 /// A block is pressed on a held one of another mesh and slides over it for three of its elements. Returns how much its
 /// height varies, over the size of an element.
 double bumps(Scene scene) {
@@ -207,11 +232,97 @@ TEST(SlidelineSurface, CountsSegmentsAndSharesOfSlaves) {
   EXPECT_NEAR(stiffness, 24 * model.scene.materials[0].bulk_modulus * 0.1, 1e-3);  // K A^2 / V = K h
 }
 
+/// A block whose elements erode at a plastic strain of 1.
+Model<double> eroding_block() {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0})}, 1);
+  scene.materials = {plastic_material("steel", 1e9, 1.0)};
+  return build_model<double>(scene);
+}
+
+/// In the middle of the upper face of the block, and the one behind it: they share one face.
+constexpr std::size_t upper = 22, centre = 13;
+
+bool erode(Model<double>& model, SlidelineSurface<double>& surface, std::size_t element) {
+  model.elements.mass[static_cast<std::size_t>(model.slot_of_element[element])] = 0;
+  std::vector<TileResult<double>> tiles(static_cast<std::size_t>(model.tile_count()));
+  for (TileResult<double>& tile : tiles) tile.eroded_count = 1;
+  return surface.remove_eroded(model, tiles);
+}
+
+std::size_t active_segments(const SlidelineSurface<double>& surface) {
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < surface.segments().size(); ++s) {
+    const double* plane = surface.plane().data() + 4 * s;
+    const bool active = surface.sphere()[4 * s + 3] > 0;
+    EXPECT_NEAR(std::hypot(plane[0], plane[1], plane[2]), active ? 1 : 0, 1e-12);
+    EXPECT_EQ(active, surface.exposed(surface.segments()[s].slot, surface.segments()[s].face));
+    count += active;
+  }
+  return count;
+}
+
+std::vector<SlidelineSurface<double>::Slave> active_slaves(const SlidelineSurface<double>& surface) {
+  std::vector<SlidelineSurface<double>::Slave> slaves;
+  for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
+    if (surface.active(i)) slaves.push_back(surface.slaves()[i]);
+  }
+  return slaves;
+}
+
+TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
+  Model<double> model = eroding_block();
+  for (const std::size_t e : {upper, centre}) {  // the strain of what lies inside does not count
+    model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.5;
+  }
+  SlidelineSurface<double> surface(model);
+  EXPECT_EQ(surface.segments().size(), 54 + 5);
+  EXPECT_EQ(active_segments(surface), 54);
+  EXPECT_EQ(surface.slaves().size(), 56 + 4);
+  EXPECT_EQ(active_slaves(surface).size(), 56);
+  EXPECT_EQ(surface.surface_elements(), 26);
+
+  EXPECT_TRUE(erode(model, surface, upper));
+  surface.update(model);
+  EXPECT_TRUE(surface.complete());
+  EXPECT_TRUE(surface.changed());
+  EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
+  EXPECT_EQ(surface.surface_elements(), 26);
+
+  // The slaves are those of a surface that is collected anew, to the last bit.
+  const auto before = active_slaves(surface);
+  EXPECT_EQ(before.size(), 60);
+  surface.collect(model);
+  EXPECT_FALSE(surface.changed());
+  EXPECT_EQ(surface.segments().size(), 54 - 1 + 5 + 5) << "those behind the centre, but for the eroded one, wait now";
+  const auto after = active_slaves(surface);
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].node, before[i].node);
+    EXPECT_EQ(after[i].body, before[i].body);
+    EXPECT_EQ(after[i].share, before[i].share);
+    EXPECT_EQ(after[i].radius, before[i].radius);
+    EXPECT_EQ(after[i].stiffness, before[i].stiffness);
+  }
+}
+
+TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
+  Model<double> model = eroding_block();
+  SlidelineSurface<double> surface(model);
+  EXPECT_EQ(surface.segments().size(), 54);
+  EXPECT_TRUE(surface.complete());
+  EXPECT_TRUE(erode(model, surface, upper));
+  EXPECT_FALSE(surface.complete());
+  surface.collect(model);
+  EXPECT_TRUE(surface.complete());
+  EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
+}
+
 TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const double dt = 1e-4;
-  for (const double speed : {0.0, 5.0, 50.0}) {
+  // Squeezed, nodes come near segments of their own body too.
+  for (const auto& [speed, size] : {std::pair{0.0, 1.0}, {5.0, 1.0}, {50.0, 1.0}, {5.0, 0.4}}) {
     Scene scene = scene_of(
         {block("a", {4, 3, 2}, 0.1, {0, 0, 0}, {0, 0, speed}),
          block("b", {3, 3, 3}, 0.07, {0.05, 0.1, 0.21}, {speed, 0, -speed}), block("c", {1, 1, 1}, 0.3, {-0.31, 0, 0})},
@@ -219,14 +330,14 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
     Model<double> model = build_model<double>(scene);
     AlignedArray<double>&x = model.nodes.position, &v = model.nodes.velocity;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      x[i] += 0.02 * uniform(generator);
+      x[i] = size * (x[i] + 0.02 * uniform(generator));
       v[i] += 0.3 * speed * uniform(generator);  // so that segments grow
     }
     SlidelineSurface<double> surface(model);
     SlidelineSearch<double> search(model);
     search.count_step(dt);
     search.build(model, surface, 0.5);
-    std::int64_t near = 0;
+    std::int64_t near = 0, near_own = 0;
     for (int step = 1; step < horizon_steps; ++step) {  // the last may be over by round-off
       search.count_step(dt);
       // Straight on, but for less than what every node may stray.
@@ -238,15 +349,17 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
         const double* p = x.data() + 4 * static_cast<std::int64_t>(slave.node);
         const std::int32_t* first = search.candidates(i);
         for (std::size_t s = 0; s < surface.segments().size(); ++s) {
-          if (surface.segments()[s].body == slave.body) continue;
+          if (!search.may_touch(slave, surface.segments()[s])) continue;
           const double* sphere = surface.sphere().data() + 4 * s;
           if (std::hypot(p[0] - sphere[0], p[1] - sphere[1], p[2] - sphere[2]) >= sphere[3]) continue;
           ++near;
+          near_own += surface.segments()[s].body == slave.body;
           EXPECT_EQ(std::count(first, first + search.count(i), static_cast<std::int32_t>(s)), 1);
         }
       }
     }
     EXPECT_GT(near, 1000);
+    EXPECT_EQ(near_own > 100, size < 1);
     x[4] += 0.1;
     EXPECT_FALSE(search.holds(model));
   }
