@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <pinball/solver/slideline_contact.hpp>
 #include <pinball/solver/solver.hpp>
 #include <string>
 
@@ -101,8 +102,10 @@ void count_work(benchmark::State& state, const Solver<S>& solver, ContactMethod 
     count("contact_scatter", owners, scatter_traffic<S>(owners, touched_nodes), 0);
   } else {
     count("list_building", owners, slideline_search_traffic<S>(faces, owners, entries), 0);
-    count("pinballs", faces, segment_traffic<S>(faces, owners), full(faces));
-    count("contact_forces", entries, narrow_traffic<S>(entries, faces, owners), 0);
+    const auto& slideline = static_cast<const SlidelineContact<S>&>(*solver.contact());
+    const auto segments = static_cast<double>(slideline.updated_segments());
+    count("pinballs", segments, segment_traffic<S>(segments, segments), 1);  // a surface has as many nodes
+    count("contact_forces", entries, narrow_traffic<S>(entries, segments, owners), 0);
   }
   state.counters["surface_elements"] = Counter(surface);
   state.counters["listed"] = Counter(owners);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/surface.hpp>
@@ -29,10 +28,7 @@ double integration_traffic(const Model<S>& model) {
 /// Exposed faces: the segments of a slideline.
 template <class S>
 std::int64_t exposed_faces(const Model<S>& model) {
-  const Surface surface(model);
-  std::int64_t faces = 0;
-  for (std::int64_t slot = 0; slot < surface.slots(); ++slot) faces += std::popcount(surface.exposed(slot));
-  return faces;
+  return Surface(model).exposed_faces();
 }
 
 /// Records of four numbers that a stage reads (once) or writes (twice: a line is read before it is written).

@@ -88,6 +88,8 @@ void SlidelineContact<S>::search(const Model<S>& model) {
   ++this->searches_;
   if (surface_.changed()) collect_surface(model);  // a good moment to let those behind the new surface wait
   search_.build(model, surface_, reuse ? static_cast<S>(model.scene.contact.skin) : S(0));
+  surface_.choose(search_.first(), search_.listed());
+  surface_.update(model);
 }
 
 template <class S>

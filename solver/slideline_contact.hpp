@@ -40,6 +40,7 @@ class SlidelineContact final : public Contact<S> {
     return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
   }
   std::size_t bytes() const override;
+  std::int64_t updated_segments() const { return surface_.chosen(); }  ///< in every step
 
  private:
   /// What a slave node keeps from step to step.

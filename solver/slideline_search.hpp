@@ -33,6 +33,8 @@ class SlidelineSearch {
 
   const std::int32_t* candidates(std::size_t slave) const { return candidate_.data() + start_[slave]; }
   std::int64_t count(std::size_t slave) const { return start_[slave + 1] - start_[slave]; }
+  const std::vector<std::int64_t>& first() const { return start_; }       ///< of each slave and one more: into listed()
+  const std::vector<std::int32_t>& listed() const { return candidate_; }  ///< segments
   /// A node touches a segment of its own body only if they were well apart at first: what is near was kept apart by the
   /// mesh. The radius of a slave, which this is measured by, is that of the surface around it as it is now: lists,
   /// which last, have all that may pass.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/hexahedron.hpp>
@@ -48,8 +49,27 @@ void SlidelineSurface<S>::collect(const Model<S>& model) {
     const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
     for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
   }
+  chosen_.resize(packs);
+  std::iota(chosen_.begin(), chosen_.end(), 0);
   activate();
-  update(model);
+}
+
+template <class S>
+void SlidelineSurface<S>::choose(const std::vector<std::int64_t>& first, const std::vector<std::int32_t>& listed) {
+  constexpr std::size_t W = native_width<S>;
+  std::vector<std::uint8_t> asked_for((segments_.size() + W - 1) / W, 0);  // per pack
+  const auto ask_for = [&](std::int32_t segment) { asked_for[static_cast<std::size_t>(segment) / W] = 1; };
+  for (const std::int32_t segment : listed) ask_for(segment);
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    if (first[i] == first[i + 1]) continue;
+    for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
+      ask_for(around_[static_cast<std::size_t>(a)]);
+    }
+  }
+  chosen_.clear();
+  for (std::size_t pack = 0; pack < asked_for.size(); ++pack) {
+    if (asked_for[pack] != 0) chosen_.push_back(static_cast<std::int32_t>(pack));
+  }
 }
 
 /// Per slot a bit for each face that is to be a segment.
@@ -158,7 +178,8 @@ void SlidelineSurface<S>::update(const Model<S>& model) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
   const auto count = static_cast<std::int64_t>(segments_.size());
-  parallel_for("segments", RangePolicy<>{0, (count + W - 1) / W}, [&](std::int64_t pack) {
+  parallel_for("segments", RangePolicy<>{0, static_cast<std::int64_t>(chosen_.size())}, [&](std::int64_t p) {
+    const std::int64_t pack = chosen_[static_cast<std::size_t>(p)];
     Vec3<T> x[4];
     for (int i = 0; i < 4; ++i) {
       x[i] = gather_vectors<T>(model.nodes.position.data(), corner_.data() + (pack * 4 + i) * W);
@@ -189,10 +210,15 @@ void SlidelineSurface<S>::update(const Model<S>& model) {
 }
 
 template <class S>
+std::int64_t SlidelineSurface<S>::chosen() const {
+  return static_cast<std::int64_t>(chosen_.size()) * native_width<S>;
+}
+
+template <class S>
 std::size_t SlidelineSurface<S>::bytes() const {
   return topology_.bytes() + segments_.capacity() * sizeof(Segment) + slaves_.capacity() * sizeof(Slave) +
-         (around_.capacity() + around_first_.capacity()) * 4 + corner_.bytes() + active_.bytes() + sphere_.bytes() +
-         plane_.bytes();
+         (around_.capacity() + around_first_.capacity() + chosen_.capacity()) * 4 + corner_.bytes() + active_.bytes() +
+         sphere_.bytes() + plane_.bytes();
 }
 
 template class SlidelineSurface<double>;

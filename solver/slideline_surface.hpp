@@ -34,7 +34,10 @@ class SlidelineSurface {
   /// a little less than the thickness of a cube, 1.61.
   static constexpr S deepest = S(1.5);
 
-  explicit SlidelineSurface(const Model<S>& model) : topology_(model) { collect(model); }
+  explicit SlidelineSurface(const Model<S>& model) : topology_(model) {
+    collect(model);
+    update(model);
+  }
 
   /// Segments of eroded elements end, and those that waited behind them become active; returns whether there are any.
   /// Nodes that are left without an active segment are slaves no more: they fly on as mass points.
@@ -43,9 +46,13 @@ class SlidelineSurface {
   bool complete() const { return active_segments_ == topology_.exposed_faces(); }
   /// Whether anything has eroded since the last collect().
   bool changed() const { return changed_; }
-  /// Numbers segments and slaves anew: without those that have ended, with those that are to wait now.
+  /// Numbers segments and slaves anew: without those that have ended, with those that are to wait now. All are
+  /// selected.
   void collect(const Model<S>& model);
-  /// Spheres and planes of all segments.
+  /// Chooses the segments that lists name and those around the slaves that have a list: no others are asked for.
+  /// first: of each slave and one more, into listed, which names segments.
+  void choose(const std::vector<std::int64_t>& first, const std::vector<std::int32_t>& listed);
+  /// Spheres and planes of the chosen segments.
   void update(const Model<S>& model);
 
   /// Whether a slave has an active segment. Those of waiting segments have not, nor those of ended ones.
@@ -63,6 +70,7 @@ class SlidelineSurface {
   /// Records of four per segment: mean unit normal, 0 where the segment is not active, and how far the corners are out
   /// of the plane through the centre.
   const AlignedArray<S>& plane() const { return plane_; }
+  std::int64_t chosen() const;  ///< segments that update() sees to, in whole packs
   std::size_t bytes() const;
 
  private:
@@ -78,6 +86,7 @@ class SlidelineSurface {
   std::vector<std::int32_t> around_first_;  ///< per slave and one more: into around_
   AlignedArray<std::int32_t> corner_;       ///< of the segments, in tiles of W
   AlignedArray<S> active_;                  ///< per segment, padded: 1 or 0 [-]
+  std::vector<std::int32_t> chosen_;        ///< packs of segments
   AlignedArray<S> sphere_, plane_;
   std::int64_t active_segments_ = 0;
   bool changed_ = false;

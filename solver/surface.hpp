@@ -28,9 +28,6 @@ class Surface {
   bool alive(std::int64_t slot) const { return alive_[static_cast<std::size_t>(slot)] != 0; }
   /// Bit f is set where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) of a living element is exposed.
   std::uint8_t exposed(std::int64_t slot) const { return exposed_[static_cast<std::size_t>(slot)]; }
-  std::int32_t neighbour(std::int64_t slot, int face) const {
-    return neighbour_[static_cast<std::size_t>(slot)][static_cast<std::size_t>(face)];
-  }
   /// Calls work(slot, face) for every face of a living element that the erosion of an element exposes.
   template <class Work>
   void for_each_face_behind(std::int64_t slot, const Work& work) const {

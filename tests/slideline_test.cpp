@@ -313,8 +313,37 @@ TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
   EXPECT_TRUE(erode(model, surface, upper));
   EXPECT_FALSE(surface.complete());
   surface.collect(model);
+  surface.update(model);
   EXPECT_TRUE(surface.complete());
   EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
+}
+
+TEST(SlidelineSurface, KeepsWhatListsAskForUpToDate) {
+  // Slave 0 is in the corner that three segments share, and lists the last segment.
+  Model<double> model = eroding_block();
+  SlidelineSurface<double> surface(model);
+  std::vector<std::int64_t> first(surface.slaves().size() + 1, 1);
+  first[0] = 0;
+  const auto last = static_cast<std::int32_t>(surface.segments().size() - 1);
+  surface.choose(first, {last});
+  for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += 1;
+  const std::vector<double> before(surface.sphere().data(), surface.sphere().data() + surface.sphere().size());
+  surface.update(model);
+  int around = 0, stale = 0;
+  for (std::size_t s = 0; s < surface.segments().size(); ++s) {
+    const auto& node = surface.segments()[s].node;
+    const bool of_slave = std::count(node, node + 4, surface.slaves()[0].node) > 0;
+    around += of_slave;
+    const double moved = surface.sphere()[4 * s] - before[4 * s];
+    if (of_slave || static_cast<std::int32_t>(s) == last) {
+      EXPECT_NEAR(moved, 1, 1e-12);
+    }
+    stale += moved == 0;
+  }
+  EXPECT_EQ(around, 3);
+  EXPECT_GT(stale, 0) << "no needless work";
+  EXPECT_GE(surface.chosen(), 4);
+  EXPECT_LT(surface.chosen(), 54);
 }
 
 TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {

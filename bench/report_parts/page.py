@@ -222,8 +222,8 @@ def comparison_section(n):
         "less than the rest of a step takes there; "
         f"{n.show('comparison', 'report', 'example 2, mesh 1', 'pinball')} s fits and is what its ratio "
         "is given for. The bodies go different ways with the two methods, which make different numbers of steps; ratios per step "
-        "leave that out. The slideline collects its segments and builds its lists anew whenever an element erodes; pinball's "
-        "lists last over erosions. Runs of a limited number of steps show the beginning of the penetration: contact has "
+        "leave that out. Lists of both last over erosions: what lies behind elements that may soon erode is listed "
+        "beforehand. Runs of a limited number of steps show the beginning of the penetration: contact has "
         "begun, erosion has not gone far.</p>",
         image(figures.totals(n.value("comparison")), "Time of both methods, and the ratios"), ratio_table(n), profile_table(n))
 
