@@ -25,8 +25,8 @@ struct ContactResult {
 /// Lists of what may touch.
 struct ListSize {
   std::int64_t owners = 0;   ///< pinballs that have a list, or slave nodes
-  std::int64_t entries = 0;  ///< pairs, as often as they are listed
-  std::int64_t places = 0;   ///< that the forces are worked out for: entries, and the padding to whole packs
+  std::int64_t entries = 0;  ///< pairs
+  std::int64_t places = 0;   ///< of pairs: entries, and the padding to whole packs
 };
 
 /// An algorithm of contact. Its stages are called one by one by the step, in this order; a scene enforces its contact

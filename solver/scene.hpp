@@ -55,11 +55,11 @@ struct ContactSettings {
   ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
   double radius_factor = 1.0;                     ///< contact.radius_factor: on the radius of (3.2) [-]
   bool self = true;                               ///< contact.self: a body may touch itself
-  double skin = 0.5;  ///< contact.skin: of the neighbour list, over the largest pinball radius [-]
+  double skin = 0.5;  ///< contact.skin: scale of what a node may stray before lists are built anew, over its radius [-]
 };
 
 struct SkipSettings {
-  bool contact_search = true;  ///< skip.contact_search: reuse the neighbour list while the skin allows it
+  bool contact_search = true;  ///< skip.contact_search: lists of what may touch last while the skin allows it
   // skip.resting: only false, in this version
 };
 
