@@ -8,9 +8,9 @@ namespace {
 using namespace support;
 
 struct Node {
-  double position[4] = {0, 0, 0, 7};
-  double velocity[4] = {0, 0, 0, 8};
-  double force[4] = {0, 0, 0, 9};
+  alignas(32) double position[4] = {0, 0, 0, 7};  // a record is aligned to itself
+  alignas(32) double velocity[4] = {0, 0, 0, 8};
+  alignas(32) double force[4] = {0, 0, 0, 9};
 };
 
 TEST(IntegrateNode, IsTheCentralDifferenceStep) {
