@@ -250,7 +250,9 @@ Scene read_changed(const std::string& text, const std::string& path, const Chang
                    const SceneOverrides& overrides) {
   // Parsed anew each time: tables cannot be copied without losing where their values were written.
   toml::table root = parse(text, path);
-  for (const auto& [option, name] : changes.variants) apply_variant(root, name, option + " variant=" + name);
+  for (const auto& [option, name] : changes.variants) {
+    apply_variant(root, name, fmt::format("{} variant={}", option, name));
+  }
   for (const auto& [option, key_value] : changes.keys) apply_override(root, parse_override(option, key_value));
   return read_tables(root, path, overrides);
 }
