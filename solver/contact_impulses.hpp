@@ -84,7 +84,7 @@ class ContactImpulses {
   };
 
   void add_row(const ContactPair& contact);
-  void limit_depth(const Model<S>& model, std::size_t row, double dt);
+  void limit_depth(const Model<S>& model, std::size_t i, double dt);
   void load_nodes(const Model<S>& model, double velocity_step);
   void set_rates(double velocity_step, double dt);
   void drop_rows_apart();
