@@ -63,6 +63,20 @@ TEST_P(Slideline, ObliqueImpactsKeepMomentumAndEnergy) {
   });
 }
 
+TEST_P(Slideline, ImpactsAreTheSameFarFromTheOrigin) {
+  const auto rebound = [this](const Point& place) {
+    Scene scene = slideline(head_on_impact(0.01));
+    for (Body& body : scene.bodies) {
+      for (std::size_t k = 0; k < 3; ++k) body.position[k] += place[k];
+    }
+    Solver<double> solver(scene);
+    run_to_end(solver);
+    return velocity_of_body(solver, 1)[2];
+  };
+  const double here = rebound({0, 0, 0});
+  EXPECT_NEAR(rebound({123.4567, 98.76, 45.67}), here, 1e-3 * here);
+}
+
 TEST_P(Slideline, BodiesThatTouchAtRestStayAtRest) {
   Scene scene =
       slideline(scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}), block("b", {2, 2, 2}, 0.15, {0, 0, 0.3})}, 1e-3));
