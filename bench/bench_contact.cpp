@@ -1,7 +1,7 @@
 // Contact search and contact forces alone, on pinballs in the order of a space-filling curve, as the solver has them.
-// Arguments: pinballs per side of the packing, or of each layer; threads. Times are per pinball and per listed pair
-// ; `neighbours` is the mean number per
-// pinball, as a check, `in_contact` the part of the listed pairs that are in contact.
+// Arguments: pinballs per side of the packing, or of each layer; threads. `per_pinball` and `per_pair` are seconds per
+// pinball and per listed pair; `neighbours` is the mean number per pinball, as a check, `in_contact` the part of the
+// listed pairs that are in contact.
 
 #include <benchmark/benchmark.h>
 #include <omp.h>
@@ -185,6 +185,8 @@ BENCHMARK_CAPTURE(list_from_nothing, close_packed, close_packed)->Apply(packing)
 BENCHMARK_CAPTURE(list_from_nothing, facing_layers, facing_layers)->Apply(layers);
 BENCHMARK_CAPTURE(list_by_hash, close_packed, close_packed)
     ->ArgNames({"per_side", "threads"})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
     ->Args({30, 1})
     ->Args({100, 1});
 BENCHMARK_CAPTURE(forces, close_packed, close_packed)->Apply(packing);

@@ -32,7 +32,7 @@ template <class S>
 struct BallTreeView {
   std::int32_t groups;       ///< of balls
   int levels;                ///< of boxes
-  const S* ball;             ///< groups of G balls, 7 components: C, D, radius; padding and strays are NaN
+  const S* ball;             ///< groups of G balls, 7 components: C, D, radius; padding is NaN
   S* box[ball_tree_levels];  ///< groups of G boxes, 12 components; level 0: a box per group of balls
 };
 

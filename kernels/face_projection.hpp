@@ -43,6 +43,10 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
   constexpr int most_iterations = 12;
   constexpr S tolerance = sizeof(S) == 8 ? S(1e-14) : S(1e-5);
   constexpr S far = S(3);  // a foot out there is of no use: it keeps the iteration from running away
+  // Relative to the node, so that the iteration ends wherever the face lies: at a hundred times its size from the
+  // origin the round-off of absolute places exceeds the tolerance.
+  const Vec3<S> y[4] = {x[0] - node, x[1] - node, x[2] - node, x[3] - node};
+  const auto from_node = [&y](const S(&w)[4]) { return w[0] * y[0] + w[1] * y[1] + w[2] * y[2] + w[3] * y[3]; };
   const Vec3<S> twist = S(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));  // d2x/dxi deta
   FaceProjection<S> result;
   result.outside = static_cast<S>(INFINITY);
@@ -50,8 +54,7 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
   for (int i = 0; i < most_iterations && !found; ++i) {
     const Vec3<S> t1 = face_tangent(x, 0, eta), t2 = face_tangent(x, 1, xi);
     face_weights_at(xi, eta, result.weight);
-    const Vec3<S> d =
-        node - (result.weight[0] * x[0] + result.weight[1] * x[1] + result.weight[2] * x[2] + result.weight[3] * x[3]);
+    const Vec3<S> d = S(-1) * from_node(result.weight);
     const S a11 = dot(t1, t1), a22 = dot(t2, t2), gauss_newton = dot(t1, t2);
     S a12 = gauss_newton - dot(d, twist);
     S determinant = a11 * a22 - a12 * a12;
@@ -78,9 +81,7 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
   if (!(size > S(0))) return result;
   result.normal = (S(1) / size) * area;
   face_weights_at(inner_xi, inner_eta, result.weight);
-  const Vec3<S> foot =
-      result.weight[0] * x[0] + result.weight[1] * x[1] + result.weight[2] * x[2] + result.weight[3] * x[3];
-  result.gap = dot(node - foot, result.normal);
+  result.gap = S(0) - dot(from_node(result.weight), result.normal);
   const Vec3<S> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
   result.outside = square_root(dot(beyond, beyond));
   return result;

@@ -25,7 +25,7 @@ class AlignedArray {
   /// again would otherwise wait for the pages that the system has just been given back.
   void reset(std::size_t size) {
     size_ = size;
-    if (size * sizeof(T) > capacity_) {
+    if (size * sizeof(T) > (data_ ? capacity_ : 0)) {  // what was moved away has left its capacity
       const std::size_t place = size * sizeof(T) >= huge_page ? huge_page : alignment;
       capacity_ = (size * sizeof(T) + place - 1) / place * place;
       data_.reset();  // not both at a time
@@ -35,7 +35,7 @@ class AlignedArray {
       if (place == huge_page) madvise(data_.get(), capacity_, MADV_HUGEPAGE);  // advice: a refusal changes nothing
 #endif
     }
-    if (capacity_ != 0) std::memset(static_cast<void*>(data_.get()), 0, padded_bytes());
+    if (data_) std::memset(static_cast<void*>(data_.get()), 0, padded_bytes());
   }
 
   std::size_t size() const { return size_; }

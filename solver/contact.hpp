@@ -14,9 +14,10 @@ namespace pinball {
 struct ContactResult {
   double stored = 0;        ///< energy in the penalty springs [energy]
   double eroded = 0;        ///< energy of the springs that went with eroded elements [energy]
-  double damped_power = 0;  ///< power of the contact damping [power]
-  double dissipated =
-      0;  ///< energy taken out by impulses, or by springs that ended or jumped, since the step before [energy]
+  double damped_power = 0;  ///< power of the damping between pinballs [power]
+  /// Energy taken out since the step before by impulses, or by the damping of a slideline and its springs that ended or
+  /// jumped [energy].
+  double dissipated = 0;
   double penetration_ratio = 0;  ///< largest penetration over the size of the pair, R1 + R2 [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]

@@ -140,7 +140,8 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   if (solver.contact() != nullptr) {
     print_contact(*solver.contact(), scene.contact, model.element_count());
     if (scene.skip.contact_search) {
-      fmt::print("  contact search: when something has moved by half the skin of {:.4g} radii\n", scene.contact.skin);
+      fmt::print("  contact search: when a node has strayed from its straight way, skin {:.4g} radii\n",
+                 scene.contact.skin);
     } else {
       fmt::print("  contact search: at every step\n");
     }

@@ -16,7 +16,8 @@ class MovingBalls {
   explicit MovingBalls(std::int32_t count) { reset(count); }
   /// As a new set of so many balls, in the same memory.
   void reset(std::int32_t count);
-  /// Two balls may touch while their distance is less than the sum of their radii.
+  /// Two balls may touch while their distance is less than the sum of their radii. way: what the ball makes in the time
+  /// considered, in a straight line; all [length].
   void set(std::int32_t i, const std::array<S, 3>& centre, const std::array<S, 3>& way, S radius);
   std::int32_t count() const { return count_; }
   const S* data() const { return record_.data(); }

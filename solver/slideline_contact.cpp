@@ -194,7 +194,10 @@ bool SlidelineContact<S>::penalty_force(const Model<S>& model, Touch& touch, S d
   if (!(depth > S(0)) && state.slot < 0) return false;
   const S rate = closing_rate(model.nodes.velocity, slave.node, segment.node, touch.at);
   sums.damped += static_cast<double>(S(0.5) * state.damping * rate * dt);  // the second half of the last one's work
-  if (!(depth > S(0))) return false;
+  if (!(depth > S(0))) {  // open within round-off: the node keeps its segment
+    state.offset = state.elastic = state.stored = state.damping = S(0);
+    return false;
+  }
   const S approach = maximum(S(0), rate) * dt;
   const S stiffness = S(0.25) * beta_ * (slave.stiffness + slave.share * segment.stiffness);
   S elastic = state.slot >= 0 ? depth - minimum(state.offset, depth) : minimum(depth, approach);

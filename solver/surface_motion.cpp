@@ -8,7 +8,7 @@ namespace pinball {
 
 namespace {
 
-// Allowances over skin times radius. Where little happens a short one keeps neighbours of one surface out of the list.
+// Allowances over skin times size. Where little happens a short one keeps neighbours of one surface out of the list.
 constexpr double least = 0.1, most = 2.0;
 
 /// Squares of the distances of a pack of nodes from where they are expected. start: their positions and velocities.

@@ -66,6 +66,35 @@ TEST(FaceProjection, FindsThePointAtWhichAGapWasPutOnDistortedFaces) {
   }
 }
 
+template <class S>
+void expect_feet_far_from_the_origin(double tolerance) {
+  std::mt19937 generator(13);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (const double far : {1e1, 1e2, 1e3, 1e4}) {
+    for (int n = 0; n < 300; ++n) {
+      V x[4];
+      random_face(generator, 0.1, x);
+      const V origin{far * uniform(generator), far * uniform(generator), far * uniform(generator)};
+      const V node = origin + V{0.5, 0.5, 0} + 0.2 * V{uniform(generator), uniform(generator), uniform(generator)};
+      Vec3<S> moved[4];
+      for (int i = 0; i < 4; ++i) {
+        const V place = origin + x[i];
+        moved[i] = {S(place.x), S(place.y), S(place.z)};
+      }
+      const FaceProjection<double> near = project_onto_face(x, node - origin, 0.0, 0.0);
+      const Vec3<S> moved_node{S(node.x), S(node.y), S(node.z)};
+      const FaceProjection<S> p = project_onto_face(moved, moved_node, S(0), S(0));
+      EXPECT_EQ(p.outside, 0) << "at " << far << " sizes of the face";
+      EXPECT_NEAR(p.gap, near.gap, tolerance * far);  // places are rounded to that
+    }
+  }
+}
+
+TEST(FaceProjection, FindsFeetFarFromTheOrigin) {
+  expect_feet_far_from_the_origin<double>(1e-15);
+  expect_feet_far_from_the_origin<float>(1e-6);
+}
+
 TEST(FaceProjection, NoPointOfTheFaceIsNearerThanTheFoot) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uniform(-0.4, 1.4);

@@ -192,8 +192,9 @@ class Verdict(unittest.TestCase):
         self.assertEqual([verdict.speed_verdict(s) for s in (3.0, 1.6, 1.5, 1.2, 1.1)], ["yes", "yes", "partly", "partly", "no"])
 
     def test_part_of_the_packs(self):
-        counts = machine_code.Counts(packed_lines={"/tree/kernels/simd.hpp": 3, "/tree/solver/x.cpp": 1})
-        self.assertEqual(verdict.from_packs(counts), 0.75)
+        lines = {"/tree/kernels/simd.hpp": 1, "/usr/include/c++/12/experimental/bits/simd_x86.h": 1,
+                 "/usr/lib/gcc/x86_64-linux-gnu/12/include/avx512fintrin.h": 1, "/avx/solver/fma.cpp": 1}
+        self.assertEqual(verdict.from_packs(machine_code.Counts(packed_lines=lines)), 0.75)
         self.assertIsNone(verdict.from_packs(machine_code.Counts()))
 
 

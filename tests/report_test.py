@@ -85,7 +85,6 @@ class Calls(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("--out", done.stderr)
 
-
     def test_missing_tool(self):
         done = subprocess.run([sys.executable, REPORT, "--quick", "--out", OUT], capture_output=True, text=True,
                               env={**os.environ, "PATH": os.path.dirname(REPORT)})

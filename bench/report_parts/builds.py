@@ -12,7 +12,9 @@ from . import machine_code, remarks
 from .kernels import KERNELS
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PRESETS = ["no-vectorization", "avx2", "release"]
+BASE = "no-vectorization"  # one lane: what vectorization is compared with
+NATIVE = "release"  # all that this processor has
+PRESETS = [BASE, "avx2", NATIVE]
 TARGETS = ["pinball", "bench_kernels"]
 
 
@@ -124,13 +126,15 @@ def newer(path, *others):
 
 
 def compile_again(preset, path, compiler, options, out):
-    """Compiles the source of an object file once more with further options, unless `out` is newer than the object."""
+    """Compiles the source of an object file once more with further options, unless `out` is newer than the object.
+
+    compiler: None for that of the build."""
     if newer(out, path):
         return
-    directory, source, arguments = compile_commands(preset)[path]
-    arguments = [a for a in arguments[1:] if a != "-Werror"]
+    directory, _, (own_compiler, *arguments) = compile_commands(preset)[path]
+    arguments = [a for a in arguments if a != "-Werror"]
     arguments[arguments.index("-o") + 1] = out + ".part.o"
-    run([compiler or shlex.split(compile_commands(preset)[path][2][0])[0], *arguments, "-w", *options], cwd=directory)
+    run([compiler or own_compiler, *arguments, "-w", *options], cwd=directory)
     os.replace(out + ".part.o", out)
 
 

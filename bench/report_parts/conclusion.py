@@ -3,8 +3,8 @@
 import html
 
 from . import measuring
+from .builds import BASE, NATIVE
 from .pointers import two_digits
-from .vectorization import BASE, NATIVE
 
 
 def text_list(items):

@@ -9,13 +9,15 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-COLOURS = {"no-vectorization": "#9aa5b1", "avx2": "#e9a03b", "release": "#c22f4e"}
+from .builds import BASE, NATIVE
+
+COLOURS = {BASE: "#9aa5b1", "avx2": "#e9a03b", NATIVE: "#c22f4e"}
 METHOD_COLOURS = {"slideline": "#2a6f97", "pinball": "#c22f4e"}
 DPI = 110
 
 
 def build_label(preset, width):
-    if preset == "no-vectorization":
+    if preset == BASE:
         return "vectorization off (one lane)"
     return f"{64 * width}-bit vectors, {width} lanes ({preset})"
 
@@ -57,7 +59,7 @@ def stages(series):
 
 def speed_ups(kernels, aim):
     """Speed-up of each kernel over one lane."""
-    presets = [p for p in kernels[0]["builds"] if p != "no-vectorization"]
+    presets = [p for p in kernels[0]["builds"] if p != BASE]
     figure, axis = plt.subplots(figsize=(9, 4.6), layout="constrained")
     at = np.arange(len(kernels))[::-1]
     for i, preset in enumerate(presets):
@@ -78,21 +80,21 @@ def speed_ups(kernels, aim):
 def roofline(section):
     """Operations a second over operations a byte, under the ceilings measured in the same series."""
     figure, axis = plt.subplots(figsize=(9.5, 5.6), layout="constrained")
-    kernels = [k for k in section["kernels"] if k["builds"]["release"]["gflop_per_s"] > 0]
-    intensities = [k["builds"]["release"]["operations_per_byte"] for k in kernels]
+    kernels = [k for k in section["kernels"] if k["builds"][NATIVE]["gflop_per_s"] > 0]
+    intensities = [k["builds"][NATIVE]["operations_per_byte"] for k in kernels]
     x = np.geomspace(min(intensities + [0.1]) / 2, max(intensities + [10]) * 3, 200)
-    for preset in ("no-vectorization", "release"):
+    for preset in (BASE, NATIVE):
         ceiling = section["ceilings"][preset]
         peak, triad = ceiling["peak_gflop_per_s"]["median"], ceiling["triad_gb_per_s"]["median"]
         width = ceiling["simd_width"]
         axis.plot(x, np.minimum(peak, triad * x), color=COLOURS[preset], linewidth=1.6,
                   label=f"roof, {build_label(preset, width)}: {peak:.0f} GFLOP/s, {triad:.1f} GB/s")
     for number, kernel in enumerate(kernels, 1):
-        for preset, marker in (("no-vectorization", "o"), ("release", "s")):
+        for preset, marker in ((BASE, "o"), (NATIVE, "s")):
             one = kernel["builds"][preset]
             axis.plot(one["operations_per_byte"], one["gflop_per_s"], marker, color=COLOURS[preset], markersize=6,
                       markeredgecolor="white", markeredgewidth=0.6)
-        ends = [kernel["builds"][p] for p in ("no-vectorization", "release")]
+        ends = [kernel["builds"][p] for p in (BASE, NATIVE)]
         axis.plot([e["operations_per_byte"] for e in ends], [e["gflop_per_s"] for e in ends], color="#9aa5b1", linewidth=0.8,
                   zorder=1)
         axis.annotate(str(number), (ends[1]["operations_per_byte"], max(e["gflop_per_s"] for e in ends)), xytext=(0, 6),
@@ -124,7 +126,8 @@ def totals(section):
     axes[0].set_ylabel("time / total time with the slideline [%]")
     axes[0].set_ylim(0, 135)
     axes[0].legend(fontsize=8, ncols=2, loc="upper right")
-    for key, colour, aim in (("contact", "#4a1259", 5.0), ("total", "#f08a3c", 1.5)):
+    for key, colour in (("contact", "#4a1259"), ("total", "#f08a3c")):
+        aim = section["aims"][key]["bound"]
         axes[1].plot(at, [c["ratio"][key] for c in columns], "o-", color=colour, label=f"{key}, measured")
         axes[1].axhline(aim, color=colour, linestyle=":", linewidth=1.2, label=f"{key}, aim: {aim:g}")
     axes[1].axhline(1, color="black", linewidth=0.8)

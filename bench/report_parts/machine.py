@@ -3,23 +3,25 @@
 import os
 import subprocess
 
-from .builds import PRESETS, ROOT, compiler_of, flags
+from .builds import NATIVE, PRESETS, ROOT, compiler_of, flags
+
+
+def output_of(command):
+    """stdout; "" of a program that is not there."""
+    try:
+        return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, env={**os.environ, "LC_ALL": "C"}).stdout
+    except OSError:
+        return ""
 
 
 def first_line(command):
-    try:
-        lines = subprocess.run(command, capture_output=True, text=True, cwd=ROOT).stdout.splitlines()
-    except OSError:
-        return "unknown"
+    lines = output_of(command).splitlines()
     return lines[0].strip() if lines else "unknown"
 
 
 def lscpu():
-    try:
-        text = subprocess.run(["lscpu"], capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"}).stdout
-    except OSError:
-        return {}
-    return {key.strip(): value.strip() for key, _, value in (line.partition(":") for line in text.splitlines())}
+    lines = output_of(["lscpu"]).splitlines()
+    return {key.strip(): value.strip() for key, _, value in (line.partition(":") for line in lines)}
 
 
 def memory_gib():
@@ -40,7 +42,7 @@ def has_avx2():
 
 def describe():
     cpu = lscpu()
-    changed = first_line(["git", "status", "--porcelain", "--untracked-files=no"]) != "unknown"
+    changed = output_of(["git", "status", "--porcelain", "--untracked-files=no"]) != ""
     return {
         "cpu": cpu.get("Model name", "unknown"),
         "cores": os.cpu_count(),
@@ -49,7 +51,7 @@ def describe():
         "memory_gib": round(memory_gib(), 1),
         "virtual": cpu.get("Hypervisor vendor"),
         "load_average": round(os.getloadavg()[0], 2),
-        "compiler": first_line([compiler_of("release"), "--version"]),
+        "compiler": first_line([compiler_of(NATIVE), "--version"]),
         "revision": first_line(["git", "rev-parse", "--short=12", "HEAD"]) + (" with local changes" if changed else ""),
         "flags": {preset: flags(preset) for preset in PRESETS},
     }

@@ -5,7 +5,7 @@ import os
 import statistics
 import tempfile
 
-from .builds import PRESETS, program, run
+from .builds import BASE, NATIVE, PRESETS, program, run
 
 METHODS = ["slideline", "pinball"]
 # The stages of figures 10 and 11, and the timers of the step that they are the sum of; the rest of the step is `other`.
@@ -77,7 +77,7 @@ def stages(scene, rounds, settings=(), refine=1):
             }
         result["builds"][preset] = {"simd_width": runs[preset][0]["machine"]["simd_width"]["double"], **methods}
     result["elements"] = summary["elements"]
-    scalar, native = result["builds"]["no-vectorization"], result["builds"]["release"]
+    scalar, native = result["builds"][BASE], result["builds"][NATIVE]
     result["speed_up"] = {m: scalar[m]["total"]["median"] / native[m]["total"]["median"] for m in METHODS}
     result["precision"] = summary["precision"]
     result["threads"] = runs[PRESETS[0]][0]["machine"]["threads"]

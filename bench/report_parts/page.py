@@ -3,8 +3,8 @@
 import html
 
 from . import conclusion, figures, measuring
+from .builds import BASE, NATIVE
 from .pointers import Numbers, listing, table, two_digits, whole
-from .vectorization import BASE, NATIVE
 
 STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; color: #1d2733; max-width: 72rem; margin: 2rem auto; padding: 0 1.2rem; }

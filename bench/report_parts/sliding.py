@@ -2,13 +2,12 @@
 
 import json
 import os
-import subprocess
 
 import numpy as np
 
 from history_plot import read_history
 
-from .builds import Failed, program
+from .builds import NATIVE, program, run
 from .measuring import METHODS
 
 SIZE = 0.1  # of an element of the floor [m]
@@ -72,10 +71,7 @@ def measure(where):
     methods = {}
     for method in METHODS:
         out = os.path.join(where, "sliding_" + method)
-        done = subprocess.run([program("release"), "run", scene, "--set", f"contact.method={method}", "--threads", "1",
-                               "--quiet", "--out", out], capture_output=True, text=True)
-        if done.returncode != 0:
-            raise Failed(f"sliding block, {method}: {done.stderr.strip()}")
+        run([program(NATIVE), "run", scene, "--set", f"contact.method={method}", "--threads", "1", "--quiet", "--out", out])
         columns, _ = read_history(os.path.join(out, "history.csv"))
         height = sum(columns[f"top_{i}_position_z"] for i in range(4)) / 4
         place = sum(columns[f"top_{i}_position_x"] for i in range(4)) / 4

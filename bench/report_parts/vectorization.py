@@ -3,10 +3,9 @@
 import statistics
 
 from . import builds, measuring, verdict
+from .builds import BASE, NATIVE
 from .kernels import KERNELS, ONE_ITEM_A_PASS
 
-BASE = "no-vectorization"
-NATIVE = "release"
 GAIN = 3.0  # aim: of each contact kernel of pinball over one lane
 PINBALLS = 100_000  # aim: that have neighbours in the scene of that measurement
 CONTACT_STAGES = ["pinballs", "contact_search", "contact_forces", "contact_scatter"]

@@ -1,10 +1,12 @@
 """Is a kernel vectorized? Three sources, their verdicts, and why they differ where they do."""
 
+import re
+
 PACKED_YES, PACKED_PARTLY = 0.6, 0.2  # packed part of the floating-point arithmetic
 SPEED_YES, SPEED_PARTLY = 1.6, 1.2  # times over one lane
 OF_BANDWIDTH = 0.5  # of the triad: from here on memory is what a kernel waits for
 FEW_LANES = 0.5
-OWN_PACKS = ("kernels/simd.hpp", "experimental/bits/simd", "avx", "fma", "mmintrin", "emmintrin")
+OWN_PACKS = re.compile(r"kernels/simd\.hpp$|experimental/bits/simd[^/]*$|/[a-z0-9]*intrin\.h$")
 
 
 def grade(value, yes, partly):
@@ -26,7 +28,7 @@ def from_packs(counts):
     whole = sum(counts.packed_lines.values())
     if whole == 0:
         return None
-    return sum(n for path, n in counts.packed_lines.items() if any(name in path for name in OWN_PACKS)) / whole
+    return sum(n for path, n in counts.packed_lines.items() if OWN_PACKS.search(path)) / whole
 
 
 def explain(compiler, machine, speed, facts):
