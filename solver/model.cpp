@@ -61,7 +61,7 @@ std::size_t material_index(const Scene& scene, const std::string& name) {
 /// several tiles per colour and thread. Depends on the mesh alone, so that results do not depend on the threads.
 std::int64_t tile_size(std::int64_t elements) {
   std::int64_t size = 32;
-  while (size < 512 && size * 64 < elements) size *= 2;
+  while (size < 2048 && size * 64 < elements) size *= 2;
   return size;
 }
 
@@ -132,31 +132,28 @@ Model<S> build_model(const Scene& scene) {
     store_features.hourglass_stiffness |= f.hourglass == HourglassKind::stiffness;
   }
 
-  // Order: by material, then along the curve.
-  std::vector<std::vector<std::int32_t>> members(scene.materials.size());
-  {
-    std::vector<std::size_t> material_of_body;
-    for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
-    std::vector<Point> centres(count);
-    for (std::size_t e = 0; e < count; ++e) centres[e] = element_centre(model.mesh, e);
-    for (const std::int32_t e : space_filling_order(centres)) {
-      members[material_of_body[static_cast<std::size_t>(model.mesh.body[static_cast<std::size_t>(e)])]].push_back(e);
-    }
-  }
-
   // Tiles: whole packs of one material.
+  std::vector<std::vector<std::int32_t>> members(scene.materials.size());
+  std::vector<Point> centres(count), extents(count);
+  std::vector<std::size_t> material_of_body;
+  for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
+  for (std::size_t e = 0; e < count; ++e) {
+    members[material_of_body[static_cast<std::size_t>(model.mesh.body[e])]].push_back(static_cast<std::int32_t>(e));
+    centres[e] = element_centre(model.mesh, e);
+    extents[e] = element_extent(model.mesh, e);
+  }
   const std::int64_t size = tile_size(static_cast<std::int64_t>(count));
   std::vector<std::array<std::int32_t, 8>> ordered;
   std::vector<std::int32_t> tile_elements{0};
   model.tile_packs.push_back(0);
   model.slot_of_element.resize(count);
   for (std::size_t m = 0; m < members.size(); ++m) {
-    const auto n = static_cast<std::int64_t>(members[m].size());
-    for (std::int64_t first = 0; first < n; first += size) {
-      const std::int64_t last = std::min(n, first + size);
+    const TileOrder tiles = compact_tiles(centres, extents, std::move(members[m]), size, W);
+    for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
+      const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
       const std::int64_t pack = model.tile_packs.back();
       for (std::int64_t i = first; i < last; ++i) {
-        const std::int32_t e = members[m][static_cast<std::size_t>(i)];
+        const std::int32_t e = tiles.order[static_cast<std::size_t>(i)];
         model.slot_of_element[static_cast<std::size_t>(e)] = pack * W + (i - first);
         model.element_of_slot.push_back(e);
         ordered.push_back(model.mesh.hexahedra[static_cast<std::size_t>(e)]);

@@ -78,6 +78,8 @@ double element_volume(const ModelMesh& mesh, std::size_t element);
 
 /// Mean of an element's eight nodes [length].
 Point element_centre(const ModelMesh& mesh, std::size_t element);
+/// Edges of the box around an element [length].
+Point element_extent(const ModelMesh& mesh, std::size_t element);
 
 /// Fills in constraints and prescribed velocities. Throws InputError for a selection without nodes.
 template <class S>

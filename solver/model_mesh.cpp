@@ -25,6 +25,17 @@ Point element_centre(const ModelMesh& mesh, std::size_t element) {
   return centre;
 }
 
+Point element_extent(const ModelMesh& mesh, std::size_t element) {
+  Point low = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][0])], high = low;
+  for (const std::int32_t node : mesh.hexahedra[element]) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], mesh.nodes[static_cast<std::size_t>(node)][k]);
+      high[k] = std::max(high[k], mesh.nodes[static_cast<std::size_t>(node)][k]);
+    }
+  }
+  return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+}
+
 namespace {
 
 /// Largest distance of a corner from the first one: 0 only if all are the same point.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <pinball/solver/colouring.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/mesh_generators.hpp>
@@ -57,8 +58,11 @@ TEST(Colouring, OfOrderedTilesIsValidFrugalAndBalanced) {
   std::vector<Point> centres;
   for (const auto& hexahedron : mesh.hexahedra) centres.push_back(mesh.nodes[hexahedron[0]]);
   Hexahedra ordered;
-  for (const std::int32_t element : space_filling_order(centres)) ordered.push_back(mesh.hexahedra[element]);
-  const auto offsets = equal_tiles(ordered.size(), 16);
+  std::vector<std::int32_t> all(centres.size());
+  std::iota(all.begin(), all.end(), 0);
+  const TileOrder tiles = compact_tiles(centres, std::vector<Point>(centres.size(), Point{1, 1, 1}), all, 16, 8);
+  for (const std::int32_t element : tiles.order) ordered.push_back(mesh.hexahedra[element]);
+  const auto& offsets = tiles.offsets;
   const Colouring colouring = colour_tiles(offsets, ordered, static_cast<std::int32_t>(mesh.nodes.size()));
   expect_valid(colouring, offsets, ordered);
   EXPECT_LE(colours(colouring), 24u);
