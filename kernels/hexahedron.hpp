@@ -176,6 +176,12 @@ PINBALL_FUNCTION Symmetric<T> gradient_square(const UniformGradient<T>& b) {
   return T(8) * linear + number<T>(8.0 / 3.0) * hourglass;
 }
 
+/// The area of a face where the element is a cube [length^2]: sqrt(2/3 B:B), with b_b = B_jJ B_jJ [length^4].
+template <class T>
+PINBALL_FUNCTION T face_area(const T& b_b) {
+  return square_root(number<T>(2.0 / 3.0) * b_b);
+}
+
 /// The 24 values B_iI themselves, for what needs them per corner (tests, other elements).
 template <class T>
 PINBALL_FUNCTION void expand(const UniformGradient<T>& b, Vec3<T> (&corner)[8]) {

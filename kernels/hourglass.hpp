@@ -40,10 +40,10 @@ PINBALL_FUNCTION T hourglass_stiffness(const T& modulus, const T& b_b, const T& 
   return modulus * b_b * inverse_volume;
 }
 
-/// Viscous form: P_a / h_a [force time/length]; impedance = k rho c; b_b = B_jJ B_jJ [length^4].
+/// Viscous form: P_a / h_a [force time/length]; impedance = k rho c; area: face_area of B_jJ B_jJ [length^2].
 template <class T>
-PINBALL_FUNCTION T hourglass_viscosity(const T& impedance, const T& b_b) {
-  return T(24) * impedance * square_root(number<T>(2.0 / 3.0) * b_b);
+PINBALL_FUNCTION T hourglass_viscosity(const T& impedance, const T& area) {
+  return T(24) * impedance * area;
 }
 
 /// The tensor -8/V sum_a P_a (x) H_a, to be added to the stress where it acts through B.

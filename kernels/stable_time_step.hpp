@@ -39,14 +39,13 @@ PINBALL_FUNCTION T largest_principal_value(const Symmetric<T>& s) {
 }
 
 /// Rate 2/dt of the largest stable step dt of one element [1/time]: d/2 + sqrt(d^2/4 + omega^2).
-/// s: S_ij of the element [1/length^2]; viscosity: bulk viscosity eta [stress time].
+/// largest, trace: largest principal value and trace of S_ij [1/length^2]; viscosity: bulk viscosity eta [stress time].
 template <class T>
-PINBALL_FUNCTION T element_stable_rate(const Symmetric<T>& s, const T& volume, const T& inverse_mass, const T& lambda,
-                                       const T& mu, const T& viscosity) {
+PINBALL_FUNCTION T element_stable_rate(const T& largest, const T& trace, const T& volume, const T& inverse_mass,
+                                       const T& lambda, const T& mu, const T& viscosity) {
   const T factor = T(8) * volume * inverse_mass;
-  const T tr = trace(s);
-  const T omega2 = factor * (T(2) * mu * largest_principal_value(s) + lambda * tr);
-  const T half_damping = number<T>(0.5) * factor * viscosity * tr;
+  const T omega2 = factor * (T(2) * mu * largest + lambda * trace);
+  const T half_damping = number<T>(0.5) * factor * viscosity * trace;
   return half_damping + square_root(half_damping * half_damping + omega2);
 }
 

@@ -150,7 +150,7 @@ TEST(HourglassStiffness, OfACubeGivesItsHighestMaterialFrequency) {  // omega^2 
 
 TEST(HourglassViscosity, OfACubeIsImpedanceTimesItsFace) {
   const Element cube(box(0.7, 0.7, 0.7));
-  EXPECT_NEAR(hourglass_viscosity(3.0, trace(gradient_square(cube.b))) / 24, 3 * 0.49, 1e-14);
+  EXPECT_NEAR(hourglass_viscosity(3.0, face_area(trace(gradient_square(cube.b)))) / 24, 3 * 0.49, 1e-14);
 }
 
 template <class T>
@@ -172,7 +172,8 @@ TYPED_TEST(HourglassPack, EqualsTheScalarKernelLaneByLane) {
   const UniformGradient<T> b = uniform_gradient(m);
   const T inverse_volume = T(1) / hexahedron_volume(b, m), b_b = trace(gradient_square(b));
   const Tensor<T> gradient = velocity_gradient(b, velocity, inverse_volume);
-  const T stiffness = hourglass_stiffness(T(2), b_b, inverse_volume), viscosity = hourglass_viscosity(T(2), b_b);
+  const T stiffness = hourglass_stiffness(T(2), b_b, inverse_volume),
+          viscosity = hourglass_viscosity(T(2), face_area(b_b));
   HourglassForce<T> p;
   for (std::size_t a = 0; a < 4; ++a) {
     p.p[a] = vector_from_lanes<T>([&](int i) { return force[std::size_t(i)][a]; });
@@ -185,7 +186,7 @@ TYPED_TEST(HourglassPack, EqualsTheScalarKernelLaneByLane) {
     const S inverse1 = S(1) / hexahedron_volume(b1, m1), b_b1 = trace(gradient_square(b1));
     const Tensor<S> gradient1 = velocity_gradient(b1, v1, inverse1);
     EXPECT_NEAR(lane(stiffness, i), hourglass_stiffness(S(2), b_b1, inverse1), 4 * tolerance);
-    EXPECT_NEAR(lane(viscosity, i), hourglass_viscosity(S(2), b_b1), 24 * tolerance);
+    EXPECT_NEAR(lane(viscosity, i), hourglass_viscosity(S(2), face_area(b_b1)), 24 * tolerance);
     HourglassForce<S> p1;
     for (int a = 0; a < 4; ++a) {
       EXPECT_VECTOR_NEAR(lane_of(hourglass_rate(gradient, m, velocity, a), i), hourglass_rate(gradient1, m1, v1, a),
