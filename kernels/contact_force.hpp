@@ -103,4 +103,19 @@ PINBALL_FUNCTION PairForce<T> pair_force(const PinballView<ScalarOf<T>>& view,
   return result;
 }
 
+/// Adds an eighth of a pinball's force to one of the nodes of its element (3.12), and a quarter of the stiffness of its
+/// contacts, which bounds the row of the node in the stiffness matrix. Both are node records: force [force], stiffness
+/// [force/length]; aligned to four scalars.
+template <class S>
+PINBALL_FUNCTION void add_to_node(S* node, const S* pinball) {
+  if constexpr (native_width<S> >= 4) {
+    using T = Pack<S, 4>;
+    const T share = select(lane_numbers<T>() < T(3), T(S(0.125)), T(S(0.25)));
+    store(load<T>(node) + share * load<T>(pinball), node);
+  } else {
+    for (int k = 0; k < 3; ++k) node[k] += S(0.125) * pinball[k];
+    node[3] += S(0.25) * pinball[3];
+  }
+}
+
 }  // namespace pinball

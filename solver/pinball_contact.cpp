@@ -214,9 +214,7 @@ void PinballContact<S>::scatter(Model<S>& model, ContactResult& result) {
                             const S* f = force + 4 * static_cast<std::int64_t>(p);
                             if (!(f[3] > S(0))) continue;
                             for (int i = 0; i < 8; ++i) {
-                              S* node = nodal_force + 4 * static_cast<std::int64_t>(corner(p, i));
-                              for (int k = 0; k < 3; ++k) node[k] += S(0.125) * f[k];  // (3.12)
-                              node[3] += S(0.25) * f[3];
+                              add_to_node(nodal_force + 4 * static_cast<std::int64_t>(corner(p, i)), f);
                             }
                           }
                         });
