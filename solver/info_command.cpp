@@ -174,6 +174,10 @@ void print_what_is_skipped(const Solver<S>& solver) {
   if (scene.element.hourglass == HourglassControl::none)
     skip("hourglass control", "off in the scene (element.hourglass)");
   if (store.hourglass_force.empty()) skip("hourglass force array", "no stiffness form of hourglass control");
+  if (const std::int64_t resting = RestingTiles<S>(model).elements(); scene.skip.resting && resting > 0) {
+    skip(fmt::format("stresses and forces of {} elements", resting),
+         "at rest or in free uniform flight, until something reaches their tile");
+  }
   if (solver.contact() == nullptr) {
     skip("contact", "off in the scene (contact.method = none)");
   } else {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <pinball/solver/colouring.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/resting_tiles.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 #include <vector>
 
@@ -15,10 +19,12 @@ struct InternalForceResult {
   std::int64_t time_step_slot = -1;
   std::int64_t eroded_count = 0;
   std::int64_t inverted_count = 0;
+  std::int64_t skipped_elements = 0;  ///< not worked, because their tiles rest
 };
 
 /// Element stresses and internal forces (report figure 4, steps 3a-c in one sweep): tiles of one colour side by side,
-/// the colours one after the other, so that the forces are added without atomics and always in one order.
+/// the colours one after the other, so that the forces are added without atomics and always in one order. Tiles that
+/// rest are left out (skip.resting); left in they give the same bits.
 template <class S>
 class InternalForces {
  public:
@@ -27,12 +33,21 @@ class InternalForces {
   /// Adds the internal forces to the nodes and updates the element state; dt: the step just made [time].
   InternalForceResult<S> compute(Model<S>& model, S dt);
 
+  /// To be told when velocities or element states were changed by others than the step: the next compute() works all
+  /// tiles and looks anew which of them rest.
+  void forget_resting() { resting_.reset(); }
+
   /// Results of the last step per tile: where elements were eroded or inverted.
   const std::vector<TileResult<S>>& tiles() const { return results_; }
+  std::size_t bytes() const;
 
  private:
+  void choose_worked(const Model<S>& model);
+
   std::vector<TileKernel<S>> kernel_of_part_;
   std::vector<TileResult<S>> results_;
+  std::optional<RestingTiles<S>> resting_;  ///< known once all tiles have been worked
+  Colouring worked_;                        ///< the tiles to work
 };
 
 }  // namespace pinball

@@ -110,7 +110,8 @@ struct RunSummary {
   double wall_seconds = 0.0;
   std::vector<PhaseSeconds> phases;
   std::int64_t element_steps = 0;          ///< worked
-  std::int64_t element_steps_skipped = 0;  ///< eroded or skipped
+  std::int64_t element_steps_eroded = 0;   ///< not worked, because the element is eroded
+  std::int64_t element_steps_resting = 0;  ///< not worked, because its tile rests
   Energies energy;                         ///< at the end
   double initial_total = 0.0, final_total = 0.0, balance_error_max = 0.0;
   Point momentum_initial{}, momentum_final{};

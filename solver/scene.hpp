@@ -60,7 +60,7 @@ struct ContactSettings {
 
 struct SkipSettings {
   bool contact_search = true;  ///< skip.contact_search: lists of what may touch last while the skin allows it
-  // skip.resting: only false, in this version
+  bool resting = true;         ///< skip.resting: tiles of elements at rest or in free uniform flight are not worked
 };
 
 struct GuardSettings {

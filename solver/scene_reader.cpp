@@ -177,7 +177,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   scene.contact = read_contact(top.table("contact", "contact"));
   const SceneTable skip = top.table("skip", "skip");
   scene.skip.contact_search = skip.boolean("contact_search", scene.skip.contact_search);
-  skip.only_false("resting");
+  scene.skip.resting = skip.boolean("resting", scene.skip.resting);
   scene.guard.energy_error = top.table("guard", "guard").number("energy_error", positive, scene.guard.energy_error);
   scene.output = read_output(top.table("output", "output"));
 

@@ -29,7 +29,11 @@ class Solver {
   void finish() { advance(true); }
 
   const Model<S>& model() const { return model_; }
-  Model<S>& model() { return model_; }
+  /// To change it between steps.
+  Model<S>& model() {
+    internal_forces_.forget_resting();
+    return model_;
+  }
   const Contact<S>* contact() const { return contact_.get(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
 
@@ -83,7 +87,7 @@ class Solver {
   double damped_power_ = 0;
   double initial_energy_ = 0, external_max_ = 0;
   Point initial_momentum_{};
-  std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0;
+  std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0, resting_element_steps_ = 0;
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;
   std::int64_t pairs_ = 0, pairs_max_ = 0;
   double dt_min_ = 0, dt_max_ = 0;

@@ -189,8 +189,9 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   for (std::size_t p = 0; p < phase_names.size(); ++p) {
     summary.phases.push_back({phase_names[p], timers_.seconds(static_cast<Phase>(p))});
   }
-  summary.element_steps = model_.element_count() * steps_ - eroded_element_steps_;
-  summary.element_steps_skipped = eroded_element_steps_;
+  summary.element_steps_eroded = eroded_element_steps_;
+  summary.element_steps_resting = resting_element_steps_;
+  summary.element_steps = model_.element_count() * steps_ - eroded_element_steps_ - resting_element_steps_;
   summary.energy = energies_;
   summary.initial_total = initial_energy_;
   summary.final_total = energies_.total();
@@ -210,8 +211,8 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.pairs_max = pairs_max_;
   summary.max_penetration_ratio = penetration_ratio_max_;
   summary.state_hash = state_hash();
-  const std::size_t bytes =
-      model_.bytes() + (contact_ ? contact_->bytes() : 0) + symmetry_walls_.bytes() + boundary_.bytes();
+  const std::size_t bytes = model_.bytes() + internal_forces_.bytes() + (contact_ ? contact_->bytes() : 0) +
+                            symmetry_walls_.bytes() + boundary_.bytes();
   summary.bytes_per_element = static_cast<std::int64_t>(bytes) / std::max<std::int64_t>(1, summary.elements);
 }
 

@@ -75,7 +75,10 @@ void Solver<S>::advance(bool last) {
   energies_.external = boundary_.work();
   external_max_ = std::max(external_max_, std::abs(energies_.external));
   if (steps_ == 0) initial_energy_ = energies_.total();
-  eroded_element_steps_ += eroded_elements_;
+  if (!last) {
+    eroded_element_steps_ += eroded_elements_;
+    resting_element_steps_ += internal.skipped_elements;
+  }
   eroded_elements_ += internal.eroded_count;
   balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
   penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);

@@ -186,6 +186,7 @@ TEST_F(Program, RunWritesSummaryAndHistory) {
                           "internal_forces",
                           "element_steps",
                           "element_steps_skipped",
+                          "element_steps_resting",
                           "element_steps_per_second",
                           "kinetic",
                           "internal",
@@ -250,9 +251,9 @@ TEST_F(Program, FieldsAreWrittenAtTheirTimesAlsoAtTheEnd) {
 TEST_F(Program, InfoTellsWhatRunsAndWhatIsSkipped) {
   const Finished rod = run("info rod_plate");
   EXPECT_EQ(rod.status, 0) << rod.text;
-  for (const char* text :
-       {"rod: 414 elements", "plate: 1428 elements", "plasticity", "erosion at plastic strain 2", "pinballs on",
-        "lbf s^2/in^4", "bytes per element", "first step", "run time", "thread", "plane of symmetry"}) {
+  for (const char* text : {"rod: 414 elements", "plate: 1428 elements", "plasticity", "erosion at plastic strain 2",
+                           "pinballs on", "lbf s^2/in^4", "bytes per element", "first step", "run time", "thread",
+                           "plane of symmetry", "stresses and forces of 1842 elements"}) {
     EXPECT_THAT(rod.text, HasSubstr(text));
   }
   const Finished blocks = run("info two_blocks --set contact.method=none --threads 1");
@@ -262,6 +263,7 @@ TEST_F(Program, InfoTellsWhatRunsAndWhatIsSkipped) {
     EXPECT_THAT(blocks.text, HasSubstr(text));
   }
   EXPECT_EQ(run("info two_blocks --precision float --refine 2").status, 0);
+  EXPECT_THAT(run("info rod_plate --set skip.resting=false").text, Not(HasSubstr("stresses and forces of")));
 }
 
 TEST_F(Program, VerifyPassesAndWritesItsTable) {

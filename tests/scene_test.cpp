@@ -21,6 +21,7 @@ TEST_F(SceneTest, FillsInDefaults) {
   EXPECT_EQ(scene.contact.method, ContactMethod::none);
   EXPECT_EQ(scene.contact.beta, 1.0);
   EXPECT_TRUE(scene.skip.contact_search);
+  EXPECT_TRUE(scene.skip.resting);
   EXPECT_EQ(scene.output.fields.size(), 6u);
   ASSERT_EQ(scene.materials.size(), 1u);
   EXPECT_TRUE(scene.materials[0].plastic);
@@ -103,6 +104,7 @@ body = "b"
   EXPECT_FALSE(scene.contact.self);
   EXPECT_EQ(scene.contact.skin, 0.25);
   EXPECT_FALSE(scene.skip.contact_search);
+  EXPECT_FALSE(scene.skip.resting);
   EXPECT_EQ(scene.guard.energy_error, 0.1);
   EXPECT_EQ(scene.output.interval, 0.5);
   EXPECT_EQ(scene.output.field_interval, 1.0);
@@ -292,8 +294,6 @@ TEST_F(SceneTest, WhatThisVersionLacksIsSaid) {
             "version");
   EXPECT_EQ(set_error("time.subcycling=true"),
             "--set time.subcycling=true: true is not available in this version, expected false");
-  EXPECT_EQ(set_error("skip.resting=true"),
-            "--set skip.resting=true: true is not available in this version, expected false");
 }
 
 TEST_F(SceneTest, NamesAndReferences) {
