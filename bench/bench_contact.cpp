@@ -14,6 +14,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef PINBALL_HAS_NANOFLANN
+#include "nanoflann_pairs.hpp"
+#endif
+
 namespace pinball::bench {
 
 namespace {
@@ -155,6 +159,23 @@ void list_by_hash(benchmark::State& state, Cloud (*cloud)(int)) {
   state.counters["per_pinball"] = each(count);
 }
 
+#ifdef PINBALL_HAS_NANOFLANN
+/// The same pairs by k-d trees, again for balls at rest and of one size. Third argument: points in a leaf.
+void list_by_nanoflann(benchmark::State& state, Cloud (*cloud)(int)) {
+  const auto threads = static_cast<int>(state.range(1));
+  omp_set_num_threads(threads);
+  const Cloud balls = cloud(static_cast<int>(state.range(0)));
+  const Pinballs pinballs(balls);
+  NanoflannPairs pairs(pinballs.centres, pinballs.all.body, static_cast<int>(state.range(2)));
+  for (auto _ : state) pairs.build(2 * balls.radius, threads);
+  PairList<S> list;
+  list.build(pinballs.all, pinballs.balls, true);
+  if (list.pairs() != pairs.pairs()) state.SkipWithError("its pairs are not those of the list");
+  count_neighbours(state, list, pinballs.all.count);
+  state.counters["per_pinball"] = each(pinballs.all.count);
+}
+#endif
+
 void forces(benchmark::State& state, Cloud (*cloud)(int)) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const Pinballs pinballs(cloud(static_cast<int>(state.range(0))));
@@ -189,6 +210,14 @@ BENCHMARK_CAPTURE(list_by_hash, close_packed, close_packed)
     ->UseRealTime()
     ->Args({30, 1})
     ->Args({100, 1});
+#ifdef PINBALL_HAS_NANOFLANN
+void nanoflann_sizes(benchmark::internal::Benchmark* b, int large) {
+  b->ArgNames({"per_side", "threads", "leaf"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  b->ArgsProduct({{30, large}, {1, 2}, {5, 10, 20, 40}});  // 10 is the library's own choice
+}
+BENCHMARK_CAPTURE(list_by_nanoflann, close_packed, close_packed)->Apply([](auto* b) { nanoflann_sizes(b, 100); });
+BENCHMARK_CAPTURE(list_by_nanoflann, facing_layers, facing_layers)->Apply([](auto* b) { nanoflann_sizes(b, 707); });
+#endif
 BENCHMARK_CAPTURE(forces, close_packed, close_packed)->Apply(packing);
 BENCHMARK_CAPTURE(forces, facing_layers, facing_layers)->Apply(layers);
 

@@ -1,5 +1,6 @@
 // Whole steps of data/scenes/block.toml: element steps per second, and what part that is of the bound that the memory
-// bandwidth measured in the same run sets. Arguments: elements per side, threads.
+// bandwidth measured in the same run sets. Arguments: elements per side, threads. With --large also 200^3 elements,
+// which need 4 GB.
 
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
@@ -7,7 +8,7 @@
 
 #include <map>
 #include <pinball/solver/solver.hpp>
-#include <string>
+#include <string_view>
 
 #include "ceilings_context.hpp"
 #include "traffic.hpp"
@@ -47,15 +48,22 @@ void whole_steps(benchmark::State& state) {
   state.counters["of_bandwidth"] = Counter(bytes / bandwidth(threads), Counter::kIsIterationInvariantRate);
 }
 
-void sizes(benchmark::internal::Benchmark* b) {
-  b->ArgNames({"per_side", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
-  for (const int per_side : {14, 30, 60}) {
-    for (const int threads : {1, 2}) b->Args({per_side, threads});
-  }
+void add_benchmark(const char* name, void (*run)(benchmark::State&), int per_side) {
+  auto* added = benchmark::RegisterBenchmark(name, run);
+  added->ArgNames({"per_side", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  for (const int threads : {1, 2}) added->Args({per_side, threads});
+  // A large mesh takes as long to build as many of its steps: it is not built again to find out how many to time.
+  constexpr int element_steps = 40'000'000;
+  if (per_side > 100) added->Iterations(element_steps / (per_side * per_side * per_side));
 }
 
-BENCHMARK(whole_steps<double>)->Apply(sizes);
-BENCHMARK(whole_steps<float>)->Apply(sizes);
+void add_benchmarks(bool large) {
+  for (const int per_side : {14, 30, 60, 120, 200}) {
+    if (per_side == 200 && !large) continue;
+    add_benchmark("whole_steps<double>", whole_steps<double>, per_side);
+    add_benchmark("whole_steps<float>", whole_steps<float>, per_side);
+  }
+}
 
 }  // namespace
 
@@ -63,6 +71,9 @@ BENCHMARK(whole_steps<float>)->Apply(sizes);
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
+  const bool large = argc == 2 && std::string_view(argv[1]) == "--large";
+  if (large) argc = 1;
+  pinball::bench::add_benchmarks(large);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   pinball::bench::add_ceilings_to_context({1, 2});
   benchmark::RunSpecifiedBenchmarks();

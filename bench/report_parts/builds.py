@@ -48,13 +48,13 @@ def check_tools():
             raise Failed(f"{tool} is needed and not there (Debian: package {package})")
 
 
-def build(preset):
+def build(preset, targets=TARGETS):
     """Configures where that has not been done, builds what is needed; returns the seconds that it took."""
     start = time.monotonic()
     if not os.path.exists(os.path.join(folder(preset), "build.ninja")):
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         run(["cmake", "--preset", preset, *launcher], cwd=ROOT)
-    run(["cmake", "--build", "--preset", preset, "--target", *TARGETS], cwd=ROOT)
+    run(["cmake", "--build", "--preset", preset, "--target", *targets], cwd=ROOT)
     return time.monotonic() - start
 
 

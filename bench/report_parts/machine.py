@@ -40,7 +40,7 @@ def has_avx2():
     return "avx2" in listed
 
 
-def describe():
+def describe(presets=PRESETS):
     cpu = lscpu()
     changed = output_of(["git", "status", "--porcelain", "--untracked-files=no"]) != ""
     return {
@@ -53,5 +53,5 @@ def describe():
         "load_average": round(os.getloadavg()[0], 2),
         "compiler": first_line([compiler_of(NATIVE), "--version"]),
         "revision": first_line(["git", "rev-parse", "--short=12", "HEAD"]) + (" with local changes" if changed else ""),
-        "flags": {preset: flags(preset) for preset in PRESETS},
+        "flags": {preset: flags(preset) for preset in presets},
     }

@@ -2,10 +2,11 @@
 
 import json
 import os
+import re
 import statistics
 import tempfile
 
-from .builds import BASE, NATIVE, PRESETS, program, run
+from .builds import BASE, NATIVE, PRESETS, Failed, program, run
 
 METHODS = ["slideline", "pinball"]
 # The stages of figures 10 and 11, and the timers of the step that they are the sum of; the rest of the step is `other`.
@@ -21,7 +22,9 @@ CONTACT = ["contact: surface", "contact: search", "contact: forces", "contact: s
 
 
 def spread(values):
-    return {"median": statistics.median(values), "min": min(values), "max": max(values)}
+    lower, _, upper = statistics.quantiles(values, method="inclusive") if len(values) > 1 else 3 * values
+    return {"median": statistics.median(values), "min": min(values), "max": max(values), "lower_quartile": lower,
+            "upper_quartile": upper}
 
 
 def in_turn(items, round_number):
@@ -84,21 +87,46 @@ def stages(scene, rounds, settings=(), refine=1):
     return result
 
 
+def run_scene(preset, scene, threads, settings=(), refine=1):
+    """The summary of `pinball run`."""
+    with tempfile.TemporaryDirectory() as out:
+        command = [program(preset), "run", scene, "--quiet", "--out", out, "--threads", str(threads), "--refine", str(refine)]
+        for setting in settings:
+            command += ["--set", setting]
+        run(command)
+        with open(os.path.join(out, "summary.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+
+def benchmarks(preset, name, wanted, options=()):
+    """What a benchmark program says (JSON) of those of its benchmarks whose names fit the pattern."""
+    report = json.loads(run([program(preset, name), f"--benchmark_filter={wanted}", "--benchmark_format=json", *options]))
+    for benchmark in report["benchmarks"]:
+        if benchmark.get("error_occurred"):
+            raise Failed(f"{name}: {benchmark['name']}: {benchmark['error_message']}")
+    return report
+
+
+def parts_of(name):
+    """A benchmark's name without its arguments, in parts, and {argument: number}: they are separated by slashes."""
+    parts = name.removesuffix("/real_time").split("/")
+    arguments = [part for part in parts if re.fullmatch(r"\w+:\d+", part)]
+    return [p for p in parts if p not in arguments], {key: int(n) for key, n in (a.split(":") for a in arguments)}
+
+
 def kernel_times(rounds):
     """{preset: {ceilings, method: {counter: values over the rounds}}} of the larger scenes of bench_kernels."""
     result = {preset: {"triad": [], "peak": [], "pinball": {}, "slideline": {}} for preset in PRESETS}
     for number in range(rounds):
         for preset in in_turn(PRESETS, number):
-            text = run([program(preset, "bench_kernels"), "--benchmark_filter=per_side:[0-9]{3}/threads:1/",
-                        "--benchmark_format=json"])
-            report = json.loads(text)
+            report = benchmarks(preset, "bench_kernels", "per_side:[0-9]{3}/threads:1/")
             ours = result[preset]
             ours["triad"].append(float(report["context"]["triad_GB_per_s_1_threads"]))
             ours["peak"].append(float(report["context"]["peak_GFLOP_per_s_1_threads"]))
             ours["simd_width"] = int(report["context"]["simd_width"])
             ours["caches"] = report["context"]["caches"]
             for benchmark in report["benchmarks"]:
-                method = benchmark["name"].split("/")[1]
+                (_, method), _ = parts_of(benchmark["name"])
                 for name, value in benchmark.items():
                     if isinstance(value, float):
                         ours[method].setdefault(name, []).append(value)
