@@ -185,7 +185,7 @@ def ratio_table(n):
     rows = []
     for i, column in enumerate(n.value("comparison", "columns")):
         at = ("comparison", "columns", i)
-        limited = "to the end" if column["steps_limit"] is None else "first " + n.count(*at, "steps_limit") + " steps"
+        limited = "to the end" if column["steps_limit"] is None else "first " + n.count(*at, "steps_limit") + " steps, resting tiles worked"
         report = "–"
         if column["report"]:
             report = (n.show(*at, "report", "slideline") + " / " + n.show(*at, "report", "pinball") + " = "
