@@ -60,7 +60,7 @@ class Halving {
     for (auto e = at(begin); e != at(end); ++e) {
       for (std::size_t k = 0; k < 3; ++k) {
         const double height = centres_[static_cast<std::size_t>(*e)][k] - low[k];
-        const auto number = height > 0 ? static_cast<std::int32_t>(height / thickness[k] + 0.5) : 0;
+        const auto number = height > 0 ? static_cast<std::int32_t>(std::lround(height / thickness[k])) : 0;
         layer_[static_cast<std::size_t>(*e)][k] = number;
         count[k] = std::max(count[k], number + 1);
       }

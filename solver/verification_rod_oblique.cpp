@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <pinball/solver/verification.hpp>
+#include <string>
+#include <vector>
 
 /// The report's problem 4, an oblique rod: what is left of it.
 namespace pinball {
@@ -34,10 +36,19 @@ std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
   old.contact.method = ContactMethod::slideline;
   old.contact.enforcement = Enforcement::projection;
   const Outcome slideline = run_rod(old);
-  SceneOverrides finer;
-  finer.set = {"contact.enforcement=lagrange"};
-  finer.refine = 2;
-  const Outcome lagrange = run_rod(read_scene(scene.path, finer));
+  // The shot is little above the ballistic limit, and round-off decides which elements erode: one run says little
+  // about the mass that is left, runs that differ in the length of the step alone have their mean.
+  Outcome lagrange;
+  const std::vector<std::string> cfl{"0.90", "0.89", "0.88"};
+  for (const std::string& fraction : cfl) {
+    SceneOverrides finer;
+    finer.set = {"contact.enforcement=lagrange", "time.cfl=" + fraction};
+    finer.refine = 2;
+    const Outcome one = run_rod(read_scene(scene.path, finer));
+    lagrange.balance_error = std::max(lagrange.balance_error, one.balance_error);
+    lagrange.momentum_drift = std::max(lagrange.momentum_drift, one.momentum_drift);
+    lagrange.mass_left += one.mass_left / static_cast<double>(cfl.size());
+  }
   return {
       compare_with_zero("penalty: drift of momentum", penalty.momentum_drift, 1e-10, "conservation"),
       compare_with_zero("penalty: largest error of the energy balance", penalty.balance_error, 1e-2, "conservation"),
@@ -47,10 +58,9 @@ std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
       compare_with_zero("lagrange, --refine 2: drift of momentum", lagrange.momentum_drift, 1e-10, "conservation"),
       compare_with_zero("lagrange, --refine 2: largest error of the energy balance", lagrange.balance_error, 1e-3,
                         "conservation"),
-      // Ten points. The shot is little above the ballistic limit, and mass is lost by erosion alone: README, the
-      // oblique rod.
-      compare("lagrange, --refine 2: mass of the rod left / initial", lagrange.mass_left, 0.42, 0.10 / 0.42,
-              "report, problem 4"),
+      // Ten points, of which mass that is lost by erosion alone takes a part: README, the oblique rod.
+      compare("lagrange, --refine 2: mass of the rod left / initial, mean of three", lagrange.mass_left, 0.42,
+              0.10 / 0.42, "report, problem 4"),
   };
 }
 
