@@ -4,7 +4,6 @@ Every section is there; every number of the page is the one of results.json at t
 it have the same numbers; and what is derived from other numbers follows from them.
 """
 
-import csv
 import json
 import math
 import os
@@ -13,6 +12,8 @@ import subprocess
 import sys
 import unittest
 from html.parser import HTMLParser
+
+import bench_command
 
 BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "bench")
 REPORT = os.path.join(BENCH, "report")
@@ -65,19 +66,8 @@ def half_of_last_digit(text):
     return 0.5000001 * 10.0 ** (int(exponent or 0) - digits)
 
 
-def rows_of(name):
-    with open(os.path.join(OUT, name), newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-class Calls(unittest.TestCase):
-    def call(self, *arguments):
-        return subprocess.run([REPORT, *arguments], capture_output=True, text=True)
-
-    def test_help(self):
-        done = self.call("--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertIn("--quick", done.stdout)
+class Calls(bench_command.Calls, unittest.TestCase):
+    command = REPORT
 
     def test_bad_input(self):
         self.assertEqual(self.call("--fast").returncode, 2)
@@ -173,21 +163,21 @@ class QuickForm(unittest.TestCase):
                     self.assertLess(abs(parts / build[method]["total"]["median"] - 1), 0.25)
 
     def test_tables_have_the_same_numbers(self):
-        for row in rows_of("comparison.csv"):
+        for row in bench_command.rows_of(OUT, "comparison.csv"):
             column = next(c for c in self.results["comparison"]["columns"] if c["title"] == row["column"])
             self.assertEqual(float(row["seconds_total"]), column["methods"][row["method"]]["seconds"]["total"]["median"])
             self.assertEqual(float(row["ratio_contact"]), column["ratio"]["contact"])
         kernels = {k["key"]: k for k in self.results["vectorization"]["kernels"]}
-        rows = rows_of("kernels.csv")
+        rows = bench_command.rows_of(OUT, "kernels.csv")
         self.assertEqual(len(rows), 3 * len(kernels))
         for row in rows:
             self.assertEqual(float(row["speed_up"]), kernels[row["kernel"]]["builds"][row["build"]]["speed_up"])
-        for row in rows_of("stages.csv"):
+        for row in bench_command.rows_of(OUT, "stages.csv"):
             series = next(s for s in self.results["stages"] if str(s["refine"]) == row["refine"])
             if row["stage"] == "total":
                 self.assertEqual(float(row["seconds_median"]),
                                  series["builds"][row["build"]][row["method"]]["total"]["median"])
-        heights = [float(row["height"]) for row in rows_of("sliding.csv") if row["method"] == "pinball"]
+        heights = [float(row["height"]) for row in bench_command.rows_of(OUT, "sliding.csv") if row["method"] == "pinball"]
         self.assertEqual(heights, self.results["sliding"]["methods"]["pinball"]["height"])
         self.assertTrue(all(math.isfinite(h) for h in heights))
 

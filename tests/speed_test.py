@@ -1,15 +1,15 @@
 """bench/speed from its call to its tables, with sizes that take seconds: speed_test.py FOLDER. No time is judged."""
 
 import contextlib
-import csv
 import importlib.machinery
 import importlib.util
 import io
 import math
 import os
-import subprocess
 import sys
 import unittest
+
+import bench_command
 
 BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "bench")
 SPEED = os.path.join(BENCH, "speed")
@@ -24,19 +24,8 @@ def load():
     return module
 
 
-def rows_of(name):
-    with open(os.path.join(OUT, name), newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-class Calls(unittest.TestCase):
-    def call(self, *arguments):
-        return subprocess.run([SPEED, *arguments], capture_output=True, text=True)
-
-    def test_help(self):
-        done = self.call("--help")
-        self.assertEqual(done.returncode, 0)
-        self.assertIn("--quick", done.stdout)
+class Calls(bench_command.Calls, unittest.TestCase):
+    command = SPEED
 
     def test_bad_input(self):
         for arguments, said in ((["--rounds", "1"], "--rounds"), (["--lulesh", OUT], "--lulesh"),
@@ -63,7 +52,8 @@ class SmallForm(unittest.TestCase):
             status = speed.main(["--quick", "--out", OUT])
         assert status == 0, f"bench/speed ended with status {status}"
         cls.said = said.getvalue()
-        cls.measurements, cls.ratios, cls.table = (rows_of(f"{name}.csv") for name in ("measurements", "ratios", "table"))
+        cls.measurements, cls.ratios, cls.table = (bench_command.rows_of(OUT, f"{name}.csv")
+                                                   for name in ("measurements", "ratios", "table"))
 
     def test_says_where_to_look(self):
         self.assertIn(OUT, self.said)
