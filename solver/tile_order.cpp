@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <pinball/solver/ordering.hpp>
+#include <utility>
 
 namespace pinball {
 namespace {
