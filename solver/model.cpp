@@ -65,6 +65,26 @@ std::int64_t tile_size(std::int64_t elements) {
   return size;
 }
 
+/// The elements of each material in tiles of whole packs.
+std::vector<TileOrder> cut_into_tiles(const Scene& scene, const ModelMesh& mesh, int pack) {
+  const std::size_t count = mesh.hexahedra.size();
+  std::vector<std::size_t> material_of_body;
+  for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
+  std::vector<std::vector<std::int32_t>> members(scene.materials.size());
+  std::vector<Point> centres(count), extents(count);
+  for (std::size_t e = 0; e < count; ++e) {
+    members[material_of_body[static_cast<std::size_t>(mesh.body[e])]].push_back(static_cast<std::int32_t>(e));
+    centres[e] = element_centre(mesh, e);
+    extents[e] = element_extent(mesh, e);
+  }
+  const std::int64_t size = tile_size(static_cast<std::int64_t>(count));
+  std::vector<TileOrder> tiles;
+  for (std::vector<std::int32_t>& elements : members) {
+    tiles.push_back(compact_tiles(centres, extents, std::move(elements), size, pack));
+  }
+  return tiles;
+}
+
 template <class S>
 void set_initial_velocity(Model<S>& model) {
   const std::size_t bodies = model.scene.bodies.size();
@@ -133,22 +153,13 @@ Model<S> build_model(const Scene& scene) {
   }
 
   // Tiles: whole packs of one material.
-  std::vector<std::vector<std::int32_t>> members(scene.materials.size());
-  std::vector<Point> centres(count), extents(count);
-  std::vector<std::size_t> material_of_body;
-  for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
-  for (std::size_t e = 0; e < count; ++e) {
-    members[material_of_body[static_cast<std::size_t>(model.mesh.body[e])]].push_back(static_cast<std::int32_t>(e));
-    centres[e] = element_centre(model.mesh, e);
-    extents[e] = element_extent(model.mesh, e);
-  }
-  const std::int64_t size = tile_size(static_cast<std::int64_t>(count));
+  const std::vector<TileOrder> tiles_of_material = cut_into_tiles(scene, model.mesh, W);
   std::vector<std::array<std::int32_t, 8>> ordered;
   std::vector<std::int32_t> tile_elements{0};
   model.tile_packs.push_back(0);
   model.slot_of_element.resize(count);
-  for (std::size_t m = 0; m < members.size(); ++m) {
-    const TileOrder tiles = compact_tiles(centres, extents, std::move(members[m]), size, W);
+  for (std::size_t m = 0; m < tiles_of_material.size(); ++m) {
+    const TileOrder& tiles = tiles_of_material[m];
     for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
       const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
       const std::int64_t pack = model.tile_packs.back();
