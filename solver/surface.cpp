@@ -1,3 +1,4 @@
+#include <pinball/solver/exposed_faces.hpp>
 #include <pinball/solver/faces.hpp>
 #include <pinball/solver/surface.hpp>
 
@@ -9,44 +10,20 @@ Surface::Surface(const Model<S>& model)
       exposed_(alive_.size(), 0),
       neighbour_(alive_.size(), {-1, -1, -1, -1, -1, -1}) {
   const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(model.mesh.hexahedra);
+  const std::vector<std::uint8_t> exposed = find_exposed_faces(model.mesh, model.scene.constraints, neighbours);
   for (std::size_t e = 0; e < neighbours.size(); ++e) {
     const auto slot = static_cast<std::size_t>(model.slot_of_element[e]);
     alive_[slot] = 1;
+    exposed_[slot] = exposed[e];
     for (std::size_t f = 0; f < 6; ++f) {
-      const std::int32_t other = neighbours[e][f];
-      if (other == -1) {
-        exposed_[slot] |= static_cast<std::uint8_t>(1U << f);
-      } else if (other != collapsed_face) {
-        neighbour_[slot][f] = static_cast<std::int32_t>(model.slot_of_element[static_cast<std::size_t>(other)]);
-      }
+      if (neighbours[e][f] < 0) continue;
+      neighbour_[slot][f] =
+          static_cast<std::int32_t>(model.slot_of_element[static_cast<std::size_t>(neighbours[e][f])]);
     }
   }
-  // A face in a plane of symmetry is no surface: the mirror image of the body continues there.
-  for (const PlaneConstraint& plane : model.scene.constraints) {
-    for (std::size_t e = 0; e < neighbours.size(); ++e) {
-      const auto body = static_cast<std::size_t>(model.mesh.body[e]);
-      if (!plane.body.empty() && plane.body != model.mesh.body_names[body]) continue;
-      const auto slot = static_cast<std::size_t>(model.slot_of_element[e]);
-      for (std::size_t f = 0; f < 6; ++f) {
-        if (neighbours[e][f] >= 0) continue;
-        bool inside = true;
-        for (const int corner : face_nodes[f]) {
-          const auto node = static_cast<std::size_t>(model.mesh.hexahedra[e][static_cast<std::size_t>(corner)]);
-          double distance = 0, size = 0;
-          for (std::size_t k = 0; k < 3; ++k) {
-            const double d = model.mesh.nodes[node][k] - plane.point[k];
-            distance += d * plane.normal[k];
-            size += d * d;
-          }
-          inside = inside && distance * distance <= 1e-18 * (size + 1e-300);
-        }
-        if (inside) exposed_[slot] &= static_cast<std::uint8_t>(~(1U << f));
-      }
-    }
-  }
-  for (const std::uint8_t exposed : exposed_) {
-    exposed_count_ += exposed != 0;
-    exposed_faces_ += __builtin_popcount(exposed);
+  for (const std::uint8_t faces : exposed_) {
+    exposed_count_ += faces != 0;
+    exposed_faces_ += __builtin_popcount(faces);
   }
 }
 
