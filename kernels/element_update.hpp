@@ -61,6 +61,13 @@ struct ElementConstants {
   bool erode_negative_volume;  ///< an element whose volume is not positive is eroded; else it is counted as inverted
 };
 
+/// The step that elements have just made.
+template <class S>
+struct ElementStep {
+  S length;      ///< since they were worked before [time]
+  S weight = 1;  ///< of their forces: how many steps of their nodes they act for, where these are shorter [-]
+};
+
 /// What a tile of elements reports, per lane until the end of the tile.
 template <class T>
 struct ElementSums {
@@ -74,12 +81,14 @@ struct ElementSums {
   int inverted_count = 0;  ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
 };
 
-/// dt: the step just made [time]. pack: number of the pack; pack_in_tile: the same counted from the start of its tile.
+/// pack: number of the pack; pack_in_tile: the same counted from the start of its tile.
 template <class T, ElementFeatures features>
 PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
-                                          const ElementConstants<ScalarOf<T>>& constants, ScalarOf<T> dt,
-                                          std::int64_t pack, int pack_in_tile, ElementSums<T>& sums) {
+                                          const ElementConstants<ScalarOf<T>>& constants,
+                                          const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
+                                          ElementSums<T>& sums) {
   using S = ScalarOf<T>;
+  const S dt = step.length;
   constexpr int W = width_of<T>;
   const MaterialConstants<S>& material = constants.material;
 
@@ -271,14 +280,15 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   }
 
   // Forces: minus the internal ones, first of the modes, then of the corners
-  acting = T(-1) * acting;
+  const T weight(step.weight), minus_weight(-step.weight);
+  acting = minus_weight * acting;
   Vec3<T> force_linear[3], force_hourglass[4];
   PINBALL_UNROLL
   for (int m = 0; m < 3; ++m) {
     force_linear[m] = acting * b.linear[m];
-    force_hourglass[m] = acting * b.hourglass[m] - hourglass.p[m];
+    force_hourglass[m] = acting * b.hourglass[m] - weight * hourglass.p[m];
   }
-  force_hourglass[3] = T(-1) * hourglass.p[3];
+  force_hourglass[3] = minus_weight * hourglass.p[3];
   from_modes(force_linear, force_hourglass, value);
 
   // Scatter

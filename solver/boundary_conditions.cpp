@@ -24,19 +24,26 @@ BoundaryConditions<S>::BoundaryConditions(const Model<S>& model) : damping_(mode
   reaction_.assign(model.prescribed.size(), S(0));
   acts_ = !loads_.empty() || damping_ > 0 || !model.prescribed.empty() || walls_.any();
   any_ = acts_ || !model.constraints.empty();
+  if (model.constraints.empty()) return;
+  for (std::int32_t span = 0; span <= span_count(model.nodes.count); ++span) {
+    const auto first = std::partition_point(  // they are in the order of nodes
+        model.constraints.begin(), model.constraints.end(),
+        [span](const NodeConstraint<S>& c) { return c.node / nodes_per_span < span; });
+    constraints_of_span_.push_back(static_cast<std::size_t>(first - model.constraints.begin()));
+  }
 }
 
 template <class S>
-void BoundaryConditions<S>::apply(Model<S>& model, double time, const StepLengths& step) {
+void BoundaryConditions<S>::apply(Model<S>& model, double time, const StepLengths& step, const DueSpans& due) {
   if (!loads_.empty()) add_loads(model, time);
   if (damping_ > 0) add_damping(model);
   std::fill(reaction_.begin(), reaction_.end(), S(0));
-  hold(model, time, step);
+  hold(model, time, step, due);
 }
 
 template <class S>
-void BoundaryConditions<S>::hold(Model<S>& model, double time, const StepLengths& step) {
-  constrain(model);
+void BoundaryConditions<S>::hold(Model<S>& model, double time, const StepLengths& step, const DueSpans& due) {
+  constrain(model, due);
   if (!model.prescribed.empty()) prescribe(model, time, step);
 }
 
@@ -71,11 +78,17 @@ void BoundaryConditions<S>::add_damping(Model<S>& model) {
 }
 
 template <class S>
-void BoundaryConditions<S>::constrain(Model<S>& model) const {
-  for (const NodeConstraint<S>& c : model.constraints) {
-    const auto place = 4 * static_cast<std::int64_t>(c.node);
-    constrain_node(model.nodes.force.data() + place, model.nodes.velocity.data() + place, c.normal);
-  }
+void BoundaryConditions<S>::constrain(Model<S>& model, const DueSpans& due) const {
+  if (model.constraints.empty()) return;
+  parallel_for("constraints", RangePolicy<>{0, span_count(model.nodes.count)}, [&](std::int64_t span) {
+    if (!due.contain(span)) return;
+    const auto s = static_cast<std::size_t>(span);
+    for (std::size_t i = constraints_of_span_[s]; i < constraints_of_span_[s + 1]; ++i) {
+      const NodeConstraint<S>& c = model.constraints[i];
+      const auto place = 4 * static_cast<std::int64_t>(c.node);
+      constrain_node(model.nodes.force.data() + place, model.nodes.velocity.data() + place, c.normal);
+    }
+  });
 }
 
 /// Adds to the reactions what gives a node the mean of the prescribed velocity over the coming step, so that its place

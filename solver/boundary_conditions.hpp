@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <pinball/solver/external_work.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/node_spans.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/rigid_walls.hpp>
 #include <vector>
@@ -22,10 +23,10 @@ class BoundaryConditions {
   bool any() const { return any_; }
 
   /// Changes the forces (and, in constrained directions, the velocities) of the nodes, after all other forces are known
-  /// and before the integration: all but the walls. time: of the forces.
-  void apply(Model<S>& model, double time, const StepLengths& step);
+  /// and before the integration: all but the walls. time: of the forces; due: what is integrated then.
+  void apply(Model<S>& model, double time, const StepLengths& step, const DueSpans& due = {});
   /// Constraints and prescribed velocities: the last part of apply, and once more where contact has added forces since.
-  void hold(Model<S>& model, double time, const StepLengths& step);
+  void hold(Model<S>& model, double time, const StepLengths& step, const DueSpans& due = {});
   /// The walls, and the work of all.
   void complete(Model<S>& model, const StepLengths& step);
 
@@ -43,11 +44,12 @@ class BoundaryConditions {
   };
   void add_loads(Model<S>& model, double time);
   void add_damping(Model<S>& model);
-  void constrain(Model<S>& model) const;
+  void constrain(Model<S>& model, const DueSpans& due) const;
   void prescribe(Model<S>& model, double time, const StepLengths& step);
   ExternalWork work_of_step(const Model<S>& model, const StepLengths& step) const;
 
-  bool any_ = false, acts_ = false;  ///< acts_: does work
+  bool any_ = false, acts_ = false;               ///< acts_: does work
+  std::vector<std::size_t> constraints_of_span_;  ///< first of each span of nodes; spans + 1 entries
   std::vector<Load> loads_;
   double damping_ = 0;  ///< [1/time]
   std::vector<TimeTable> velocity_tables_;

@@ -117,6 +117,22 @@ void print_contact(const Contact<S>& contact, const ContactSettings& c, std::int
              enforcement_name(c.enforcement), how);
 }
 
+/// Elements by the steps that they make.
+template <class S>
+void print_steps(const Subcycling<S>& subcycling) {
+  const std::vector<std::int64_t> elements = subcycling.elements_of_levels();
+  std::string text;
+  double all = 0, worked = 0;
+  for (std::size_t level = 0; level < elements.size(); ++level) {
+    all += static_cast<double>(elements[level]);
+    worked += std::ldexp(static_cast<double>(elements[level]), -static_cast<int>(level));
+    if (elements[level] == 0) continue;
+    text += fmt::format("{}{} elements make {}", text.empty() ? "" : ", ", elements[level],
+                        level == 0 ? "the smallest step" : fmt::format("{} times it", 1 << level));
+  }
+  fmt::print("  steps: {}; {:.3g} % of the element steps are worked\n", text, 100 * worked / all);
+}
+
 template <class S>
 void print_what_runs(const Solver<S>& solver, const Units& units) {
   const Model<S>& model = solver.model();
@@ -137,6 +153,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     }
     fmt::print("\n");
   }
+  if (solver.subcycling() != nullptr) print_steps(*solver.subcycling());
   if (solver.contact() != nullptr) {
     print_contact(*solver.contact(), scene.contact, model.element_count());
     if (scene.skip.contact_search) {
@@ -174,7 +191,8 @@ void print_what_is_skipped(const Solver<S>& solver) {
   if (scene.element.hourglass == HourglassControl::none)
     skip("hourglass control", "off in the scene (element.hourglass)");
   if (store.hourglass_force.empty()) skip("hourglass force array", "no stiffness form of hourglass control");
-  if (const std::int64_t resting = RestingTiles<S>(model).elements(); scene.skip.resting && resting > 0) {
+  if (const std::int64_t resting = RestingTiles<S>(model).elements();
+      scene.skip.resting && resting > 0 && solver.subcycling() == nullptr) {
     skip(fmt::format("stresses and forces of {} elements", resting),
          "at rest or in free uniform flight, until something reaches their tile");
   }
@@ -225,11 +243,9 @@ void print_estimates(Solver<S>& solver, const Units& units) {
                                    with_unit(scene.time.end, units.time)));
   const auto start = Clock::now();
   const auto elapsed = [&start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  int timed = 0;
-  while (elapsed() < 0.5 && timed < 20 && solver.time() < scene.time.end) {
-    solver.step();
-    ++timed;
-  }
+  const std::int64_t before = solver.steps();
+  for (int i = 0; elapsed() < 0.5 && i < 20 && solver.time() < scene.time.end; ++i) solver.step();
+  const auto timed = static_cast<double>(solver.steps() - before);
   if (timed > 0) {
     const double per_step = elapsed() / timed, run_time = per_step * steps;
     fmt::print("  run time about {} ({:.3g} ms per step, {:.3g} million element steps per second, without output)\n",

@@ -9,6 +9,25 @@ InternalForces<S>::InternalForces(const Model<S>& model) : results_(static_cast<
   for (const Part& part : model.parts) kernel_of_part_.push_back(choose_tile_kernel<S>(part.features));
 }
 
+namespace {
+
+/// body(tile) for the tiles of one colour side by side, the colours one after the other.
+template <class Body>
+void for_each_tile(const Colouring& tiles, const Body& body) {
+  parallel_for_coloured("internal forces", DefaultExecutionSpace{}, tiles.colour_offsets.data(),
+                        static_cast<std::int32_t>(tiles.colour_offsets.size()) - 1, tiles.items.data(), body);
+}
+
+}  // namespace
+
+template <class S>
+void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step) {
+  const auto t = static_cast<std::size_t>(tile);
+  const auto part = static_cast<std::size_t>(model.tile_part[t]);
+  kernel_of_part_[part](model.elements.view(), model.nodes.view(), model.constants[part], step, model.tile_packs[t],
+                        model.tile_packs[t + 1], results_[t]);
+}
+
 template <class S>
 InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
   if (!resting_) {
@@ -16,25 +35,48 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
   } else if (resting_->wake(model.nodes)) {
     choose_worked(model);
   }
-  const ElementView<S> elements = model.elements.view();
-  const NodeView<S> nodes = model.nodes.view();
-  parallel_for_coloured("internal forces", DefaultExecutionSpace{}, worked_.colour_offsets.data(),
-                        static_cast<std::int32_t>(worked_.colour_offsets.size()) - 1, worked_.items.data(),
-                        [&](std::int32_t tile) {
-                          const auto t = static_cast<std::size_t>(tile);
-                          const auto part = static_cast<std::size_t>(model.tile_part[t]);
-                          TileResult<S>& result = results_[t];
-                          const TileResult<S> before = result;
-                          kernel_of_part_[part](elements, nodes, model.constants[part], dt, model.tile_packs[t],
-                                                model.tile_packs[t + 1], result);
-                          // Worked all the same, a tile at rest keeps its stable step, as it does when it is skipped.
-                          if (!resting_ || !resting_->rests(tile)) return;
-                          result.time_step = before.time_step;
-                          result.time_step_slot = before.time_step_slot;
-                        });
+  for_each_tile(worked_, [&](std::int32_t tile) {
+    TileResult<S>& result = results_[static_cast<std::size_t>(tile)];
+    const TileResult<S> before = result;
+    work(model, tile, {dt});
+    // Worked all the same, a tile at rest keeps its stable step, as it does when it is skipped.
+    if (!resting_ || !resting_->rests(tile)) return;
+    result.time_step = before.time_step;
+    result.time_step_slot = before.time_step_slot;
+  });
+  InternalForceResult<S> result = sum();
+  if (resting_ && model.scene.skip.resting) result.resting_elements = resting_->elements();
+  if (!resting_) {
+    resting_.emplace(model);
+    choose_worked(model);
+  }
+  return result;
+}
+
+template <class S>
+InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt, Subcycling<S>& subcycling,
+                                                  std::int32_t step_of_cycle) {
+  for (TileResult<S>& result : results_) {  // what is not worked has done nothing, and keeps its stable step
+    const TileResult<S> before = result;
+    result = {};
+    result.time_step = before.time_step;
+    result.time_step_slot = before.time_step_slot;
+  }
+  for (int level = subcycling.due(step_of_cycle); level >= 0; --level) {
+    subcycling.use_mean_velocities(model.nodes, level);
+    for_each_tile(subcycling.tiles()[static_cast<std::size_t>(level)],
+                  [&](std::int32_t tile) { work(model, tile, subcycling.step(tile, step_of_cycle == 0, dt)); });
+    subcycling.use_present_velocities(model.nodes, level);
+  }
+  InternalForceResult<S> result = sum();
+  result.subcycled_elements = subcycling.count_elements(results_, step_of_cycle);
+  return result;
+}
+
+template <class S>
+InternalForceResult<S> InternalForces<S>::sum() const {
   InternalForceResult<S> sum;
   sum.time_step = std::numeric_limits<S>::infinity();
-  if (resting_ && model.scene.skip.resting) sum.skipped_elements = resting_->elements();
   for (const TileResult<S>& r : results_) {
     sum.internal += r.internal;
     sum.hourglass += r.hourglass;
@@ -46,10 +88,6 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
       sum.time_step = r.time_step;
       sum.time_step_slot = r.time_step_slot;
     }
-  }
-  if (!resting_) {
-    resting_.emplace(model);
-    choose_worked(model);
   }
   return sum;
 }

@@ -6,6 +6,7 @@
 #include <pinball/solver/colouring.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/resting_tiles.hpp>
+#include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct InternalForceResult {
   std::int64_t time_step_slot = -1;
   std::int64_t eroded_count = 0;
   std::int64_t inverted_count = 0;
-  std::int64_t skipped_elements = 0;  ///< not worked, because their tiles rest
+  std::int64_t resting_elements = 0;    ///< not worked, because their tiles rest
+  std::int64_t subcycled_elements = 0;  ///< not worked, because their step is not over; without eroded ones
 };
 
 /// Element stresses and internal forces (report figure 4, steps 3a-c in one sweep): tiles of one colour side by side,
@@ -32,6 +34,8 @@ class InternalForces {
 
   /// Adds the internal forces to the nodes and updates the element state; dt: the step just made [time].
   InternalForceResult<S> compute(Model<S>& model, S dt);
+  /// The same for the tiles whose steps end in a step of the cycle. Tiles at rest are worked like others.
+  InternalForceResult<S> compute(Model<S>& model, S dt, Subcycling<S>& subcycling, std::int32_t step_of_cycle);
 
   /// To be told when velocities or element states were changed by others than the step: the next compute() works all
   /// tiles and looks anew which of them rest.
@@ -43,6 +47,8 @@ class InternalForces {
 
  private:
   void choose_worked(const Model<S>& model);
+  void work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step);
+  InternalForceResult<S> sum() const;
 
   std::vector<TileKernel<S>> kernel_of_part_;
   std::vector<TileResult<S>> results_;

@@ -7,6 +7,26 @@
 
 namespace pinball {
 
+namespace {
+
+/// Coordinates of the planes of nodes along one direction.
+std::vector<double> node_planes(const BlockMesh& settings, std::size_t axis) {
+  std::vector<BlockSection> sections = settings.sections[axis];
+  if (sections.empty()) sections.push_back({settings.size[axis], settings.elements[axis]});
+  std::vector<double> planes{0.0};
+  double begin = 0.0;
+  for (const BlockSection& section : sections) {
+    for (int i = 1; i <= section.elements; ++i) {
+      // The quotient first: it is exactly 1 at the far face.
+      planes.push_back(begin + section.length * (static_cast<double>(i) / section.elements));
+    }
+    begin = planes.back();
+  }
+  return planes;
+}
+
+}  // namespace
+
 Mesh generate_block(const BlockMesh& settings) {
   double node_count = 1.0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -24,13 +44,10 @@ Mesh generate_block(const BlockMesh& settings) {
   Mesh mesh;
   mesh.nodes.reserve(static_cast<std::size_t>(node_count));
   mesh.hexahedra.reserve(static_cast<std::size_t>(nx) * ny * nz);
-  // The quotient first: it is exactly 1 at the far face.
-  const auto coordinate = [&](int axis, int i) {
-    return settings.size[axis] * (static_cast<double>(i) / settings.elements[axis]);
-  };
-  for (int k = 0; k <= nz; ++k)
-    for (int j = 0; j <= ny; ++j)
-      for (int i = 0; i <= nx; ++i) mesh.nodes.push_back({coordinate(0, i), coordinate(1, j), coordinate(2, k)});
+  const std::vector<double> xs = node_planes(settings, 0), ys = node_planes(settings, 1), zs = node_planes(settings, 2);
+  for (const double z : zs)
+    for (const double y : ys)
+      for (const double x : xs) mesh.nodes.push_back({x, y, z});
 
   const std::int32_t row = nx + 1, slab = row * (ny + 1);
   for (int k = 0; k < nz; ++k)

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/ordering.hpp>
 #include <pinball/solver/point.hpp>
+#include <pinball/solver/step_levels.hpp>
 #include <random>
+#include <utility>
 
 namespace pinball {
 
@@ -65,24 +68,35 @@ std::int64_t tile_size(std::int64_t elements) {
   return size;
 }
 
-/// The elements of each material in tiles of whole packs.
-std::vector<TileOrder> cut_into_tiles(const Scene& scene, const ModelMesh& mesh, int pack) {
+/// Elements of one material and one level of steps, cut into tiles of whole packs.
+struct TileGroup {
+  std::size_t material = 0;
+  std::uint8_t level = 0;
+  TileOrder tiles;
+};
+
+/// levels: of the steps of the elements; empty if all make the same.
+std::vector<TileGroup> cut_into_tiles(const Scene& scene, const ModelMesh& mesh,
+                                      const std::vector<std::uint8_t>& levels, int pack) {
   const std::size_t count = mesh.hexahedra.size();
   std::vector<std::size_t> material_of_body;
   for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
-  std::vector<std::vector<std::int32_t>> members(scene.materials.size());
+  std::map<std::pair<std::size_t, std::uint8_t>, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
   for (std::size_t e = 0; e < count; ++e) {
-    members[material_of_body[static_cast<std::size_t>(mesh.body[e])]].push_back(static_cast<std::int32_t>(e));
+    const std::size_t material = material_of_body[static_cast<std::size_t>(mesh.body[e])];
+    members[{material, levels.empty() ? std::uint8_t{0} : levels[e]}].push_back(static_cast<std::int32_t>(e));
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
   }
-  const std::int64_t size = tile_size(static_cast<std::int64_t>(count));
-  std::vector<TileOrder> tiles;
-  for (std::vector<std::int32_t>& elements : members) {
-    tiles.push_back(compact_tiles(centres, extents, std::move(elements), size, pack));
+  std::vector<TileGroup> groups;
+  for (auto& [kind, elements] : members) {
+    // Tiles of one level are worked by themselves: each level needs several.
+    const std::size_t together = levels.empty() ? count : elements.size();
+    const std::int64_t size = tile_size(static_cast<std::int64_t>(together));
+    groups.push_back({kind.first, kind.second, compact_tiles(centres, extents, std::move(elements), size, pack)});
   }
-  return tiles;
+  return groups;
 }
 
 template <class S>
@@ -153,25 +167,27 @@ Model<S> build_model(const Scene& scene) {
   }
 
   // Tiles: whole packs of one material.
-  const std::vector<TileOrder> tiles_of_material = cut_into_tiles(scene, model.mesh, W);
+  const ElementLevels levels = scene.time.subcycling ? element_step_levels(scene, model.mesh) : ElementLevels{};
   std::vector<std::array<std::int32_t, 8>> ordered;
   std::vector<std::int32_t> tile_elements{0};
   model.tile_packs.push_back(0);
   model.slot_of_element.resize(count);
-  for (std::size_t m = 0; m < tiles_of_material.size(); ++m) {
-    const TileOrder& tiles = tiles_of_material[m];
+  for (const auto& [material, level, tiles] : cut_into_tiles(scene, model.mesh, levels.level, W)) {
     for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
       const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
       const std::int64_t pack = model.tile_packs.back();
+      std::uint8_t own = highest_step_level;
       for (std::int64_t i = first; i < last; ++i) {
         const std::int32_t e = tiles.order[static_cast<std::size_t>(i)];
+        if (!levels.own.empty()) own = std::min(own, levels.own[static_cast<std::size_t>(e)]);
         model.slot_of_element[static_cast<std::size_t>(e)] = pack * W + (i - first);
         model.element_of_slot.push_back(e);
         ordered.push_back(model.mesh.hexahedra[static_cast<std::size_t>(e)]);
       }
       model.tile_packs.push_back(pack + (last - first + W - 1) / W);
       model.element_of_slot.resize(static_cast<std::size_t>(model.tile_packs.back() * W), -1);
-      model.tile_part.push_back(static_cast<std::int32_t>(m));
+      model.tile_part.push_back(static_cast<std::int32_t>(material));
+      if (!levels.own.empty()) model.tile_levels.push_back({level, own});
       tile_elements.push_back(static_cast<std::int32_t>(ordered.size()));
     }
   }

@@ -41,8 +41,15 @@ struct NodePrescription {
   std::int32_t table;  ///< number of the [[prescribed_velocity]], whose times and factors it follows
 };
 
+/// Steps that a tile may make where elements have steps of their own (step_levels.hpp).
+struct TileLevels {
+  std::uint8_t highest;  ///< level of all its elements
+  std::uint8_t own;      ///< lowest level that its elements would have by themselves
+};
+
 /// A scene made ready to run: stores, tiles and colours, and the maps between the order of the scene and that of the
-/// stores. Elements are sorted by material and along a space-filling curve; nodes follow their elements.
+/// stores. Elements are sorted by material, with subcycling also by their steps, and into tiles; nodes follow their
+/// elements.
 template <class S>
 struct Model {
   Scene scene;
@@ -58,6 +65,7 @@ struct Model {
   std::vector<std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
   std::vector<std::int32_t> tile_part;   ///< per tile
   Colouring tile_colours;
+  std::vector<TileLevels> tile_levels;  ///< per tile; empty without subcycling
 
   std::vector<std::int32_t> element_of_slot;     ///< scene number of the element, -1 for padding
   std::vector<std::int64_t> slot_of_element;     ///< per element of the scene

@@ -31,7 +31,8 @@ struct TimeSettings {
   double end = 0.0;         ///< time.end: when the run stops [time], required
   double cfl = 0.9;         ///< time.cfl: fraction of the stable step, 0 < cfl <= 1.2
   std::int64_t steps = -1;  ///< time.steps: stop after so many steps; -1: no limit
-  // time.subcycling: only false, in this version
+  /// time.subcycling: elements that are stable with a larger step make one, a power of two times the smallest
+  bool subcycling = false;
 };
 
 struct ElementSettings {
@@ -80,10 +81,18 @@ struct Material {
   double erosion_strain = 0.0;   ///< erosion_strain: effective plastic strain at which the element is eroded; 0: never
 };
 
+/// Layers of elements of one thickness across a block.
+struct BlockSection {
+  double length = 0.0;
+  int elements = 0;
+};
+
 /// mesh = { type = "block", size = [lx, ly, lz], elements = [nx, ny, nz] }: corner at the origin of the body's frame.
+/// Lists in the places of a size and a number of elements cut that direction into sections.
 struct BlockMesh {
   Point size{};
   std::array<int, 3> elements{};
+  std::array<std::vector<BlockSection>, 3> sections{};  ///< empty: elements of one size along that direction
 };
 
 /// mesh = { type = "round_nosed_rod", length, radius, half = true, core = [p, q], ring = b, layers = n }.

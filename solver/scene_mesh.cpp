@@ -29,10 +29,25 @@ void check_count(const SceneTable& table, std::string_view key, double elements)
 
 MeshSettings read_block(const SceneTable& table, int refine) {
   BlockMesh mesh;
-  mesh.size = table.point("size", positive);
-  const auto counts = refined(table, "elements", table.integers("elements", 3, 1), refine);
-  check_count(table, "elements", static_cast<double>(counts[0]) * counts[1] * counts[2]);
-  std::copy_n(counts.begin(), 3, mesh.elements.begin());
+  const auto lengths = table.lists("size", positive);
+  const auto elements = table.integer_lists("elements", 1);
+  double count = 1.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (lengths[k].size() != elements[k].size()) {
+      table.fail("elements", fmt::format("expected as many sections as of size along {}, {}, got {}", "xyz"[k],
+                                         lengths[k].size(), elements[k].size()));
+    }
+    const std::vector<int> counts = refined(table, "elements", elements[k], refine);
+    double along = 0.0;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+      mesh.size[k] += lengths[k][s];
+      along += counts[s];
+      if (counts.size() > 1) mesh.sections[k].push_back({lengths[k][s], counts[s]});
+    }
+    count *= along;
+    check_count(table, "elements", count);
+    mesh.elements[k] = static_cast<int>(along);
+  }
   return mesh;
 }
 

@@ -22,7 +22,7 @@ TimeSettings read_time(const SceneTable& table) {
   time.cfl = table.number("cfl", {.low = 0.0, .low_open = true, .high = 1.2}, time.cfl);
   time.steps = table.integer("steps", -1, time.steps);
   if (time.steps == 0) table.fail("steps", "expected an integer >= 1, or -1 for no limit, got 0");
-  table.only_false("subcycling");
+  time.subcycling = table.boolean("subcycling", time.subcycling);
   return time;
 }
 

@@ -251,6 +251,38 @@ std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::size_t
   return values;
 }
 
+template <class Value, class Read>
+std::array<std::vector<Value>, 3> SceneTable::lists_of(std::string_view key, const std::string& expected,
+                                                       const Read& read) const {
+  const toml::node* node = find(key);
+  if (!node) fail_missing(key, expected);
+  const auto& array = array_of(*node, key_path(key), expected, 3);
+  std::array<std::vector<Value>, 3> lists;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string path = element_path(key_path(key), i);
+    const auto* list = array.get(i)->as_array();
+    if (!list) {
+      lists[i].push_back(read(*array.get(i), path));
+      continue;
+    }
+    if (list->empty()) pinball::fail(location(list->source(), where_), path, "expected at least one number, got none");
+    for (std::size_t j = 0; j < list->size(); ++j) lists[i].push_back(read(*list->get(j), element_path(path, j)));
+  }
+  return lists;
+}
+
+std::array<std::vector<double>, 3> SceneTable::lists(std::string_view key, const Bound& bound) const {
+  return lists_of<double>(key, "an array of 3 numbers", [&](const toml::node& node, const std::string& path) {
+    return number_of(node, path, bound);
+  });
+}
+
+std::array<std::vector<std::int64_t>, 3> SceneTable::integer_lists(std::string_view key, std::int64_t low) const {
+  return lists_of<std::int64_t>(
+      key, fmt::format("an array of 3 integers >= {}", low),
+      [&](const toml::node& node, const std::string& path) { return integer_of(node, path, low); });
+}
+
 std::vector<std::string> SceneTable::texts(std::string_view key, const std::vector<std::string>& allowed) const {
   std::vector<std::string> values;
   const toml::node* node = find(key);
@@ -279,10 +311,6 @@ std::size_t SceneTable::choice_index(std::string_view key, const toml::node& nod
     }
   }
   fail(key, fmt::format("expected {}, got {}", alternatives(names), pinball::describe(node)));
-}
-
-void SceneTable::only_false(std::string_view key) const {
-  if (boolean(key, false)) fail(key, "true is not available in this version, expected false");
 }
 
 SceneTable SceneTable::table(std::string_view key, std::string_view kind) const {

@@ -92,6 +92,10 @@ class SceneTable {
   std::vector<Point> directions(std::string_view key, const std::array<const char*, 3>& names) const;
   /// `count` integers >= low; required.
   std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t low) const;
+  /// Three numbers, or lists of numbers in their places: [1, 1, [0.4, 0.2, 0.4]]; required.
+  std::array<std::vector<double>, 3> lists(std::string_view key, const Bound& bound) const;
+  /// The same of integers >= low.
+  std::array<std::vector<std::int64_t>, 3> integer_lists(std::string_view key, std::int64_t low) const;
 
   /// One of the named values; `later` names those that the format has and this version has not.
   template <class Value>
@@ -113,9 +117,6 @@ class SceneTable {
     }
     return choice(key, values, values.front().second);
   }
-  /// A switch of the format that this version cannot turn on: accepts false alone.
-  void only_false(std::string_view key) const;
-
   /// This table, checked once more as one of a narrower kind.
   SceneTable as(std::string_view kind) const { return SceneTable(*table_, path_, where_, kind); }
   /// Table under a key; an empty one with this table's location if the key is missing.
@@ -130,6 +131,8 @@ class SceneTable {
   double number_of(const toml::node& node, const std::string& key, const Bound& bound) const;
   std::int64_t integer_of(const toml::node& node, const std::string& key, std::int64_t low) const;
   Point point_of(const toml::node& node, const std::string& key, const Bound& bound) const;
+  template <class Value, class Read>
+  std::array<std::vector<Value>, 3> lists_of(std::string_view key, const std::string& expected, const Read& read) const;
   const toml::array& array_of(const toml::node& node, const std::string& key, const std::string& expected,
                               std::optional<std::size_t> count) const;
 

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <pinball/solver/boundary_conditions.hpp>
 #include <pinball/solver/contact.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/probes.hpp>
 #include <pinball/solver/results.hpp>
+#include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
 #include <string>
@@ -18,12 +20,16 @@ namespace pinball {
 ///
 /// After step() number n the forces, stresses and energies belong to time t_n, the positions to t_(n+1), the velocities
 /// to the middle between them. finish() ends with a step of no length, after which everything belongs to one time.
+///
+/// With subcycling, step() makes the steps of a cycle, of the smallest elements, and ends with the one in which all
+/// elements are worked; what is said above then holds for the steps that step() ends with.
 template <class S>
 class Solver {
  public:
   explicit Solver(const Scene& scene);
 
-  /// One step, at most to the end of the scene's time. Throws RunError for a state that cannot be continued.
+  /// One step, or one cycle of them, at most to the end of the scene's time. Throws RunError for a state that cannot be
+  /// continued.
   void step() { advance(false); }
   /// Forces and energies at the present positions, velocities brought to the same time.
   void finish() { advance(true); }
@@ -36,6 +42,7 @@ class Solver {
   }
   const Contact<S>* contact() const { return contact_.get(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
+  const Subcycling<S>* subcycling() const { return subcycling_ ? &*subcycling_ : nullptr; }
 
   /// Whether time.end or time.steps of the scene is reached; then finish() is due.
   bool at_end() const;
@@ -67,18 +74,25 @@ class Solver {
 
  private:
   void advance(bool last);
+  void make_step(std::int32_t step_of_cycle, bool last);
   void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
-  double integrate(double dt_new);
-  void check_state(const InternalForceResult<S>& internal, double kinetic) const;
+  double integrate(std::int32_t step_of_cycle);
+  DueSpans due_nodes(std::int32_t step_of_cycle) const {
+    return subcycling_ ? subcycling_->due_nodes(step_of_cycle) : DueSpans{};
+  }
+  void check_volumes(const InternalForceResult<S>& internal) const;
+  void check_state(double kinetic) const;
   std::vector<BodyResult> body_results() const;
   std::string element_name(std::int64_t slot) const;
+  std::string when() const;  ///< for messages
 
   Model<S> model_;
   InternalForces<S> internal_forces_;
   SymmetryWalls<S> symmetry_walls_;
   BoundaryConditions<S> boundary_;
   Probes<S> probes_;
-  std::unique_ptr<Contact<S>> contact_;  ///< only in a scene with contact
+  std::unique_ptr<Contact<S>> contact_;      ///< only in a scene with contact
+  std::optional<Subcycling<S>> subcycling_;  ///< only where the scene asks for it
   Timers timers_;
 
   double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;
@@ -87,8 +101,10 @@ class Solver {
   double damped_power_ = 0;
   double initial_energy_ = 0, external_max_ = 0;
   Point initial_momentum_{};
-  std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0, resting_element_steps_ = 0;
+  std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0, resting_element_steps_ = 0,
+               subcycled_element_steps_ = 0;
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;
+  double contact_frequency2_ = 0;  ///< largest since the cycle began [1/time^2]
   std::int64_t pairs_ = 0, pairs_max_ = 0;
   double dt_min_ = 0, dt_max_ = 0;
   std::string dt_limited_by_;

@@ -11,7 +11,10 @@ namespace pinball {
 template <class S>
 bool Solver<S>::at_end() const {
   const TimeSettings& limits = model_.scene.time;
-  return time_ >= limits.end * (1 - 1e-12) || (limits.steps >= 0 && steps_ >= limits.steps);
+  // What finish() has still to do of the present cycle
+  const std::int64_t steps = subcycling_ && steps_ > 0 ? subcycling_->cycle_steps() - 1 : 0;
+  return time_ + static_cast<double>(steps) * dt_ >= limits.end * (1 - 1e-12) ||
+         (limits.steps >= 0 && steps_ + steps >= limits.steps);
 }
 
 template <class S>
@@ -191,7 +194,9 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   }
   summary.element_steps_eroded = eroded_element_steps_;
   summary.element_steps_resting = resting_element_steps_;
-  summary.element_steps = model_.element_count() * steps_ - eroded_element_steps_ - resting_element_steps_;
+  summary.element_steps_subcycled = subcycled_element_steps_;
+  summary.element_steps =
+      model_.element_count() * steps_ - eroded_element_steps_ - resting_element_steps_ - subcycled_element_steps_;
   summary.energy = energies_;
   summary.initial_total = initial_energy_;
   summary.final_total = energies_.total();
@@ -212,7 +217,7 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.max_penetration_ratio = penetration_ratio_max_;
   summary.state_hash = state_hash();
   const std::size_t bytes = model_.bytes() + internal_forces_.bytes() + (contact_ ? contact_->bytes() : 0) +
-                            symmetry_walls_.bytes() + boundary_.bytes();
+                            symmetry_walls_.bytes() + boundary_.bytes() + (subcycling_ ? subcycling_->bytes() : 0);
   summary.bytes_per_element = static_cast<std::int64_t>(bytes) / std::max<std::int64_t>(1, summary.elements);
 }
 

@@ -18,16 +18,34 @@ Solver<S>::Solver(const Scene& scene)
       probes_(model_),
       contact_(make_contact(model_)) {
   initial_momentum_ = momentum();
+  if (!model_.tile_levels.empty()) {
+    const bool erodes = !model_.elements.internal_energy.empty();
+    subcycling_.emplace(model_, erodes || model_.scene.damping.mass > 0);
+  }
+}
+
+template <class S>
+void Solver<S>::advance(bool last) {
+  if (subcycling_ && steps_ > 0) {
+    for (std::int32_t step = 1; step < subcycling_->cycle_steps(); ++step) make_step(step, false);
+  }
+  make_step(0, last);
 }
 
 /// The explicit step of the report's figure 4, with its figure 3 for contact: the program's table of contents.
+/// step_of_cycle: 0 where all elements are worked.
 template <class S>
-void Solver<S>::advance(bool last) {
+void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
+  const bool all = step_of_cycle == 0;
+
   // Figure 4, 1-2: external loads come with the other boundary conditions; node forces are zero between steps.
 
   // 3. Element stresses, internal forces and their assembly
-  const InternalForceResult<S> internal =
-      timers_.measure(Phase::internal_forces, [&] { return internal_forces_.compute(model_, static_cast<S>(dt_)); });
+  const InternalForceResult<S> internal = timers_.measure(Phase::internal_forces, [&] {
+    if (!subcycling_) return internal_forces_.compute(model_, static_cast<S>(dt_));
+    if (all && steps_ > 0 && !last) subcycling_->plan(internal_forces_.tiles(), contact_frequency2_);
+    return internal_forces_.compute(model_, static_cast<S>(dt_), *subcycling_, step_of_cycle);
+  });
 
   // 4. Contact forces
   ContactResult contact;
@@ -42,13 +60,16 @@ void Solver<S>::advance(bool last) {
     }
   }
 
-  // The largest step that elements and contact allow
-  timers_.measure(Phase::time_step, [&] { choose_time_step(internal, contact, last); });
+  // The largest step that elements and contact allow, for the whole cycle
+  contact_frequency2_ = std::max(all ? 0.0 : contact_frequency2_, contact.frequency2);
+  dt_before_ = dt_;
+  if (all) timers_.measure(Phase::time_step, [&] { choose_time_step(internal, contact, last); });
 
   // Loads, constraints and prescribed velocities, then contact that acts on what they leave, then rigid walls
   const StepLengths step{dt_before_, dt_};
   if (boundary_.any()) {
-    timers_.measure(Phase::boundary_conditions, [&] { boundary_.apply(model_, time_, step); });
+    timers_.measure(Phase::boundary_conditions,
+                    [&] { boundary_.apply(model_, time_, step, due_nodes(step_of_cycle)); });
   }
   if (contact_ && contact_->by_impulses()) {
     contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, step); });
@@ -59,12 +80,11 @@ void Solver<S>::advance(bool last) {
   }
 
   // 5-6. Accelerations, velocities, displacements
-  const double kinetic = timers_.measure(Phase::integration, [&] { return integrate(dt_); });
+  const double kinetic = timers_.measure(Phase::integration, [&] { return integrate(step_of_cycle); });
 
-  // Energies at the time of the forces
+  // Energies at the time of the forces; the total only where all elements are at the same time
   force_time_ = time_;
   time_ = last ? time_ : time_ + dt_;
-  energies_.kinetic = kinetic;
   energies_.internal += internal.internal - internal.eroded;
   energies_.hourglass += internal.hourglass;
   energies_.bulk_viscosity += internal.viscous;
@@ -74,24 +94,28 @@ void Solver<S>::advance(bool last) {
   damped_power_ = contact.damped_power;
   energies_.external = boundary_.work();
   external_max_ = std::max(external_max_, std::abs(energies_.external));
-  if (steps_ == 0) initial_energy_ = energies_.total();
   if (!last) {
     eroded_element_steps_ += eroded_elements_;
-    resting_element_steps_ += internal.skipped_elements;
+    resting_element_steps_ += internal.resting_elements;
+    subcycled_element_steps_ += internal.subcycled_elements;
   }
   eroded_elements_ += internal.eroded_count;
-  balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
   penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);
   pairs_ = contact.pairs;
   pairs_max_ = std::max(pairs_max_, pairs_);
-  check_state(internal, kinetic);
+  check_volumes(internal);
+  if (all) {
+    energies_.kinetic = kinetic;
+    if (steps_ == 0) initial_energy_ = energies_.total();
+    balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
+    check_state(kinetic);
+  }
   if (!last) ++steps_;
 }
 
-/// Sets dt_ for the coming step; the one before it goes to dt_before_.
+/// Sets dt_ for the coming step or cycle of steps.
 template <class S>
 void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last) {
-  dt_before_ = dt_;
   if (last) {
     dt_ = 0;
     return;
@@ -99,65 +123,87 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
   // Frequencies of elements and of contact add in squares: w^2 <= w_elements^2 + w_contact^2.
   const auto element_step = static_cast<double>(internal.time_step);
   const double element_frequency2 = 4.0 / (element_step * element_step);
-  const double stable = 2.0 / std::sqrt(element_frequency2 + contact.frequency2);
+  double stable = 2.0 / std::sqrt(element_frequency2 + contact.frequency2);
+  std::int64_t slot = internal.time_step_slot;
+  std::int32_t cycle_steps = 1;
+  if (subcycling_) {
+    subcycling_->begin_cycle(model_);
+    const auto of_cycle = subcycling_->stable_step(internal_forces_.tiles(), contact.frequency2);
+    stable = of_cycle.step;
+    slot = of_cycle.slot;
+    cycle_steps = subcycling_->cycle_steps();
+  }
   const double chosen = model_.scene.time.cfl * stable;
-  // What remains is divided into equal steps, so that the last ones are not cut: a sudden change of the step changes
-  // the energy of the fast modes that central differences keep, by the square of (dt x frequency).
-  const double remaining = model_.scene.time.end - time_;
+  // What remains is divided into equal steps (cycles), so that the last ones are not cut: a sudden change of the step
+  // changes the energy of the fast modes that central differences keep, by the square of (dt x frequency).
+  const double remaining = (model_.scene.time.end - time_) / cycle_steps;
   dt_ = remaining / std::max(1.0, std::ceil(remaining / chosen - 1e-9));
   dt_max_ = std::max(dt_max_, dt_);
   // The division says nothing about stability.
   if (dt_min_ == 0 || chosen < dt_min_) {
     dt_min_ = chosen;
-    dt_limited_by_ = contact.frequency2 > element_frequency2 ? "contact" : element_name(internal.time_step_slot);
+    dt_limited_by_ = contact.frequency2 > element_frequency2 ? "contact" : element_name(slot);
   }
 }
 
-/// Accelerations, velocities and positions; returns the kinetic energy at the time of the forces.
+/// Accelerations, velocities and positions, of dt_; returns the kinetic energy at the time of the forces, of the nodes
+/// that are integrated in this step of the cycle.
 template <class S>
-double Solver<S>::integrate(double dt_new) {
-  const auto velocity_step = static_cast<S>(0.5 * (dt_before_ + dt_new));
-  const auto position_step = static_cast<S>(dt_new), energy_step = static_cast<S>(dt_before_);
+double Solver<S>::integrate(std::int32_t step_of_cycle) {
+  const auto position_step = static_cast<S>(dt_), energy_step = static_cast<S>(dt_before_);
+  const auto velocity_step = static_cast<S>(0.5 * (dt_before_ + dt_));
+  const auto integrate_nodes = [&](std::int64_t begin, std::int64_t end, S way_step) {
+    // Locals: as far as the compiler knows, stores to the arrays might change anything that is reached by reference.
+    S* position = model_.nodes.position.data();
+    S* velocity = model_.nodes.velocity.data();
+    S* force = model_.nodes.force.data();
+    const S* inverse_mass = model_.nodes.inverse_mass.data();
+    const double* mass = model_.node_mass.data();
+    const S steps[] = {velocity_step, way_step, energy_step};
+    double sum = 0;
+    for (std::int64_t n = begin; n < end; ++n) {
+      const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], steps[0],
+                                  steps[1], steps[2]);
+      sum += mass[n] * static_cast<double>(v2);
+    }
+    return sum;
+  };
+  const DueSpans due = due_nodes(step_of_cycle);
   double twice_kinetic = 0;
   parallel_reduce(
-      "integration", RangePolicy<>{0, model_.nodes.count}, twice_kinetic,
+      "integration", RangePolicy<>{0, span_count(model_.nodes.count)}, twice_kinetic,
       [&](std::int64_t begin, std::int64_t end, double& partial) {
-        // Locals: as far as the compiler knows, stores to the arrays might change anything that is reached by
-        // reference.
-        S* position = model_.nodes.position.data();
-        S* velocity = model_.nodes.velocity.data();
-        S* force = model_.nodes.force.data();
-        const S* inverse_mass = model_.nodes.inverse_mass.data();
-        const double* mass = model_.node_mass.data();
-        const S steps[] = {velocity_step, position_step, energy_step};
-        double sum = 0;
-        for (std::int64_t n = begin; n < end; ++n) {
-          const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], steps[0],
-                                      steps[1], steps[2]);
-          sum += mass[n] * static_cast<double>(v2);
+        for (std::int64_t span = begin; span < end; ++span) {
+          if (!due.contain(span)) continue;
+          const std::int64_t first = span * nodes_per_span;
+          const std::int64_t last = std::min<std::int64_t>(model_.nodes.count, first + nodes_per_span);
+          partial += integrate_nodes(first, last, position_step * static_cast<S>(due.steps(span)));
         }
-        partial = sum;
       },
       [](double& whole, double partial) { whole += partial; });
+  if (subcycling_) subcycling_->count_step(model_.nodes);
   if (eroded_elements_ > 0) symmetry_walls_.reflect(model_, position_step);  // what erosion has set free
   return 0.5 * twice_kinetic;
 }
 
+/// Stops a run in which elements are turned inside out.
+template <class S>
+void Solver<S>::check_volumes(const InternalForceResult<S>& internal) const {
+  if (internal.inverted_count == 0) return;
+  const auto tile = std::find_if(internal_forces_.tiles().begin(), internal_forces_.tiles().end(),
+                                 [](const TileResult<S>& result) { return result.inverted_count > 0; });
+  const auto t = static_cast<std::size_t>(tile - internal_forces_.tiles().begin());
+  throw RunError(
+      fmt::format("{} of {} elements near {} have no volume left {}: try a smaller time.cfl, "
+                  "element.negative_volume=\"erode\", "
+                  "or an erosion_strain for the material",
+                  internal.inverted_count, model_.element_count(),
+                  element_name(model_.tile_packs[t] * ElementStore<S>::width), when()));
+}
+
 /// Stops a run that has gone wrong, saying what, where and when.
 template <class S>
-void Solver<S>::check_state(const InternalForceResult<S>& internal, double kinetic) const {
-  const auto when = [this] { return fmt::format("in step {} at time {:.6g}", steps_, force_time_); };
-  if (internal.inverted_count > 0) {
-    for (std::size_t t = 0; t < internal_forces_.tiles().size(); ++t) {
-      if (internal_forces_.tiles()[t].inverted_count == 0) continue;
-      const std::int64_t first = model_.tile_packs[t] * ElementStore<S>::width;
-      throw RunError(
-          fmt::format("{} of {} elements near {} have no volume left {}: try a smaller time.cfl, "
-                      "element.negative_volume=\"erode\", "
-                      "or an erosion_strain for the material",
-                      internal.inverted_count, model_.element_count(), element_name(first), when()));
-    }
-  }
+void Solver<S>::check_state(double kinetic) const {
   if (!std::isfinite(kinetic) || !std::isfinite(energies_.total())) {
     for (std::size_t n = 0; n < model_.node_mass.size(); ++n) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -184,6 +230,11 @@ void Solver<S>::check_state(const InternalForceResult<S>& internal, double kinet
         fmt::format("the stable step has collapsed to {:.3g} {}, a millionth of its largest; it is set by {}", dt_,
                     when(), dt_limited_by_));
   }
+}
+
+template <class S>
+std::string Solver<S>::when() const {
+  return fmt::format("in step {} at time {:.6g}", steps_, force_time_);
 }
 
 template class Solver<double>;

@@ -76,9 +76,10 @@ std::string summary_json(const RunSummary& s) {
       {"wall_seconds", s.wall_seconds},
       {"phase_seconds", phases},
       {"element_steps", s.element_steps},
-      {"element_steps_skipped", s.element_steps_eroded + s.element_steps_resting},
+      {"element_steps_skipped", s.element_steps_eroded + s.element_steps_resting + s.element_steps_subcycled},
       {"element_steps_eroded", s.element_steps_eroded},
       {"element_steps_resting", s.element_steps_resting},
+      {"element_steps_subcycled", s.element_steps_subcycled},
       {"element_steps_per_second", element_steps / s.wall_seconds},  // no wall time: null
       {"energy", energy_json(s)},
       {"momentum", {{"initial", s.momentum_initial}, {"final", s.momentum_final}}},

@@ -15,10 +15,10 @@ struct TileResult {
   std::int32_t inverted_count = 0;
 };
 
-/// Works the packs first_pack ... last_pack - 1 of one tile through a step; dt: the step just made [time].
+/// Works the packs first_pack ... last_pack - 1 of one tile through a step.
 template <class S>
-using TileKernel = void (*)(const ElementView<S>&, const NodeView<S>&, const ElementConstants<S>&, S dt,
-                            std::int64_t first_pack, std::int64_t last_pack, TileResult<S>&);
+using TileKernel = void (*)(const ElementView<S>&, const NodeView<S>&, const ElementConstants<S>&,
+                            const ElementStep<S>&, std::int64_t first_pack, std::int64_t last_pack, TileResult<S>&);
 
 /// The kernel for a combination of features: each is compiled for itself, the choice is made once, at the start.
 template <class S>

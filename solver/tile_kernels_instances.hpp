@@ -19,14 +19,14 @@ void prefetch_nodes(const NodeView<S>& nodes, const std::int32_t* corner) {
 }
 
 template <class S, ElementFeatures features>
-void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const ElementConstants<S>& constants, S dt,
-                 std::int64_t first_pack, std::int64_t last_pack, TileResult<S>& result) {
+void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const ElementConstants<S>& constants,
+                 const ElementStep<S>& step, std::int64_t first_pack, std::int64_t last_pack, TileResult<S>& result) {
   using T = Pack<S, native_width<S>>;
   ElementSums<T> sums;
   for (std::int64_t pack = first_pack; pack < last_pack; ++pack) {
     const std::int64_t ahead = pack + 2;
     if (ahead < last_pack) prefetch_nodes(nodes, elements.corner + ahead * 8 * width_of<T>);
-    update_element_pack<T, features>(elements, nodes, constants, dt, pack, static_cast<int>(pack - first_pack), sums);
+    update_element_pack<T, features>(elements, nodes, constants, step, pack, static_cast<int>(pack - first_pack), sums);
   }
   result.internal = static_cast<double>(lane_sum(sums.internal));
   result.hourglass = static_cast<double>(lane_sum(sums.hourglass));

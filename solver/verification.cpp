@@ -26,7 +26,7 @@ const std::vector<VerificationCase>& verification_cases() {
       {"taylor_plate", verify_taylor_plate},     {"two_bars", verify_two_bars},
       {"sphere_wall", verify_sphere_wall},       {"sphere_wall_full", verify_sphere_wall_full},
       {"sphere_sphere", verify_sphere_sphere},   {"rod_plate", verify_rod_plate},
-      {"rod_oblique", verify_rod_oblique},
+      {"rod_oblique", verify_rod_oblique},       {"refined_layer", verify_refined_layer},
   };
   return cases;
 }

@@ -79,6 +79,7 @@ std::vector<VerificationRow> verify_block(const Scene& scene);
 std::vector<VerificationRow> verify_cantilever(const Scene& scene);
 std::vector<VerificationRow> verify_patch_test(const Scene& scene);
 std::vector<VerificationRow> verify_plate_impact(const Scene& scene);
+std::vector<VerificationRow> verify_refined_layer(const Scene& scene);
 std::vector<VerificationRow> verify_rod_oblique(const Scene& scene);
 std::vector<VerificationRow> verify_rod_plate(const Scene& scene);
 std::vector<VerificationRow> verify_sphere_sphere(const Scene& scene);

@@ -104,8 +104,8 @@ ElementOutcome advance(const ElementScene& scene) {
   const NodeView<S> nodes{position.data(), velocity.data(), force.data()};
   ElementSums<T> sums;
   for (std::size_t p = 0; p < packs; ++p) {
-    update_element_pack<T, features>(elements, nodes, converted<S>(scene.constants), S(scene.dt), std::int64_t(p),
-                                     int(p), sums);
+    update_element_pack<T, features>(elements, nodes, converted<S>(scene.constants), ElementStep<S>{S(scene.dt)},
+                                     std::int64_t(p), int(p), sums);
   }
 
   ElementOutcome out;

@@ -41,6 +41,16 @@ TEST(Block, HasTheAskedCountsAndTheExactVolume) {
   EXPECT_EQ(mesh.nodes.back(), (Point{4.2, 1.7, 0.2}));
 }
 
+TEST(Block, SectionsHaveElementsOfTheirOwn) {
+  BlockMesh settings{{1, 1, 2.5}, {1, 1, 5}};
+  settings.sections[2] = {{2, 1}, {0.5, 4}};
+  const Mesh mesh = generate_block(settings);
+  ASSERT_EQ(mesh.nodes.size(), 24);
+  ASSERT_EQ(mesh.hexahedra.size(), 5);
+  const double heights[] = {0, 2, 2.125, 2.25, 2.375, 2.5};
+  for (std::size_t n = 0; n < 24; ++n) EXPECT_DOUBLE_EQ(mesh.nodes[n][2], heights[n / 4]);
+}
+
 TEST(Block, RejectsBadSettings) {
   EXPECT_THROW(generate_block({{1, 0, 1}, {1, 1, 1}}), InputError);
   EXPECT_THROW(generate_block({{1, NAN, 1}, {1, 1, 1}}), InputError);

@@ -292,8 +292,23 @@ TEST_F(SceneTest, WhatThisVersionLacksIsSaid) {
   EXPECT_EQ(set_error("contact.gap=face"),
             "--set contact.gap=face: \"face\" needs enforcement = \"projection\" or \"lagrange\" in this "
             "version");
-  EXPECT_EQ(set_error("time.subcycling=true"),
-            "--set time.subcycling=true: true is not available in this version, expected false");
+}
+
+TEST_F(SceneTest, BlocksInSections) {
+  const Scene scene = read(with(14, "mesh = { type = \"block\", size = [1, [2, 0.5], 3], elements = [2, [3, 4], 5] }"));
+  const auto& mesh = std::get<BlockMesh>(scene.bodies[0].mesh);
+  EXPECT_EQ(mesh.size, (Point{1, 2.5, 3}));
+  EXPECT_EQ(mesh.elements, (std::array<int, 3>{2, 7, 5}));
+  EXPECT_TRUE(mesh.sections[0].empty());
+  ASSERT_EQ(mesh.sections[1].size(), 2);
+  EXPECT_EQ(mesh.sections[1][1].length, 0.5);
+  EXPECT_EQ(mesh.sections[1][1].elements, 4);
+  EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, [2, 0.5], 3], elements = [2, 3, 5] }")),
+            "14:62: body.bar.mesh.elements: expected as many sections as of size along y, 2, got 1");
+  EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, [], 3], elements = [2, 3, 5] }")),
+            "14:37: body.bar.mesh.size[1]: expected at least one number, got none");
+  EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, [2, 0], 3], elements = [2, [3, 1], 5] }")),
+            "14:41: body.bar.mesh.size[1][1]: expected a number > 0, got 0");
 }
 
 TEST_F(SceneTest, NamesAndReferences) {

@@ -51,11 +51,12 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(keys(json), ElementsAre("scene", "title", "units", "version", "precision", "threads", "simd_width",
-                                      "elements", "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds",
-                                      "element_steps", "element_steps_skipped", "element_steps_eroded",
-                                      "element_steps_resting", "element_steps_per_second", "energy", "momentum",
-                                      "bodies", "rigid_walls", "contact", "state_hash", "bytes_per_element", "probes"));
+  EXPECT_THAT(keys(json),
+              ElementsAre("scene", "title", "units", "version", "precision", "threads", "simd_width", "elements",
+                          "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds", "element_steps",
+                          "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
+                          "element_steps_subcycled", "element_steps_per_second", "energy", "momentum", "bodies",
+                          "rigid_walls", "contact", "state_hash", "bytes_per_element", "probes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(keys(json["energy"]),
               ElementsAre("kinetic", "internal", "hourglass", "bulk_viscosity", "contact", "contact_stored",
