@@ -27,6 +27,11 @@ PINBALL_FUNCTION void compress_8(unsigned bits, const double* from, double* to) 
 PINBALL_FUNCTION void compress_8(unsigned bits, const float* from, float* to) {
   _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(bits), _mm256_loadu_ps(from)));
 }
+/// Numbers made in a register: from memory they would have to wait for eight stores.
+PINBALL_FUNCTION void compress_numbers_8(unsigned bits, std::int32_t first, std::int32_t* to) {
+  const __m256i all = _mm256_add_epi32(_mm256_set1_epi32(first), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), all));
+}
 #else
 inline constexpr bool has_compress = false;
 #endif
@@ -54,9 +59,18 @@ PINBALL_FUNCTION int write_lanes(unsigned bits, const Value* from, Value* to) {
 /// Writes first + i for each bit i, in rising order.
 template <int lanes>
 PINBALL_FUNCTION int write_numbers(unsigned bits, std::int32_t first, std::int32_t* to) {
-  std::int32_t numbers[lanes];
-  for (int i = 0; i < lanes; ++i) numbers[i] = first + i;
-  return write_lanes<lanes>(bits, numbers, to);
+  const int count = __builtin_popcount(bits);
+  if constexpr (detail::has_compress && lanes % 8 == 0) {
+#if defined(__AVX512VL__) && !defined(__CUDACC__)
+    for (int eight = 0; eight < lanes; eight += 8) {
+      detail::compress_numbers_8(bits >> eight & 0xFFU, first + eight, to);
+      to += __builtin_popcount(bits >> eight & 0xFFU);
+    }
+#endif
+  } else {
+    for (; bits != 0; bits &= bits - 1) *to++ = first + __builtin_ctz(bits);
+  }
+  return count;
 }
 
 }  // namespace pinball
