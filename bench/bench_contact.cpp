@@ -1,4 +1,4 @@
-// Contact search and contact forces alone, on pinballs in the order of a space-filling curve, as the solver has them.
+// Contact search and contact forces alone, on pinballs in the order of a mesh cut into tiles, as the solver has them.
 // Arguments: pinballs per side of the packing, or of each layer; threads. `per_pinball` and `per_pair` are seconds per
 // pinball and per listed pair; `neighbours` is the mean number per pinball, as a check, `in_contact` the part of the
 // listed pairs that are in contact.
@@ -7,6 +7,7 @@
 #include <omp.h>
 
 #include <cmath>
+#include <numeric>
 #include <pinball/kernels/spatial_hash.hpp>
 #include <pinball/solver/ordering.hpp>
 #include <pinball/solver/pair_forces.hpp>
@@ -28,13 +29,14 @@ struct Cloud {
   std::vector<Point> centres;
   std::vector<int> body;
   double radius;
+  Point extent;  ///< of an element
 };
 
 /// Close-packed balls that touch, each moved by up to 0.1 along each axis; every one is a body of its own.
 Cloud close_packed(int side) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> jitter(-0.1, 0.1);
-  Cloud cloud{{}, {}, 0.5};
+  Cloud cloud{{}, {}, 0.5, {1, std::sqrt(0.75), std::sqrt(2.0 / 3.0)}};
   for (int k = 0; k < side; ++k) {
     for (int j = 0; j < side; ++j) {
       for (int i = 0; i < side; ++i) {
@@ -50,7 +52,7 @@ Cloud close_packed(int side) {
 
 /// Two layers of unit elements, two bodies, whose centres lie in planes 0.5 apart.
 Cloud facing_layers(int side) {
-  Cloud cloud{{}, {}, 0.69};
+  Cloud cloud{{}, {}, 0.69, {1, 1, 1}};
   for (int layer = 0; layer < 2; ++layer) {
     for (int j = 0; j < side; ++j) {
       for (int i = 0; i < side; ++i) {
@@ -62,6 +64,24 @@ Cloud facing_layers(int side) {
   return cloud;
 }
 
+/// The order in which a model has elements: in tiles. The layers come one after the other, as bodies of two materials.
+std::vector<std::int32_t> order_of(const Cloud& cloud) {
+  const std::vector<Point> extents(cloud.centres.size(), cloud.extent);
+  const auto count = static_cast<std::int32_t>(cloud.centres.size());
+  const bool layers = cloud.body.back() == 1;
+  const std::int64_t size = tile_size(count);
+  std::vector<std::int32_t> order;
+  for (std::int32_t begin = 0; begin < count;) {
+    const std::int32_t end = layers ? begin + count / 2 : count;
+    std::vector<std::int32_t> elements(static_cast<std::size_t>(end - begin));
+    std::iota(elements.begin(), elements.end(), begin);
+    const TileOrder tiles = compact_tiles(cloud.centres, extents, std::move(elements), size, native_width<S>);
+    order.insert(order.end(), tiles.order.begin(), tiles.order.end());
+    begin = end;
+  }
+  return order;
+}
+
 struct Pinballs {
   SurfacePinballs<S> all;
   MovingBalls<S> balls;
@@ -69,7 +89,7 @@ struct Pinballs {
 
   explicit Pinballs(const Cloud& cloud) : balls(static_cast<std::int32_t>(cloud.centres.size())) {
     all.count = balls.count();
-    for (const std::int32_t i : space_filling_order(cloud.centres)) {
+    for (const std::int32_t i : order_of(cloud)) {
       const Point& c = cloud.centres[static_cast<std::size_t>(i)];
       const auto p = static_cast<std::int32_t>(centres.size());
       centres.push_back(c);
@@ -128,7 +148,7 @@ void list_by_hash(benchmark::State& state, Cloud (*cloud)(int)) {
   const auto count = static_cast<std::int32_t>(balls.centres.size());
   std::vector<S> records;
   std::vector<int> body;
-  for (const std::int32_t i : space_filling_order(balls.centres)) {
+  for (const std::int32_t i : order_of(balls)) {
     const Point& c = balls.centres[static_cast<std::size_t>(i)];
     records.insert(records.end(), {c[0], c[1], c[2], balls.radius});
     body.push_back(balls.body[static_cast<std::size_t>(i)]);
@@ -176,12 +196,14 @@ void list_by_nanoflann(benchmark::State& state, Cloud (*cloud)(int)) {
 }
 #endif
 
-void forces(benchmark::State& state, Cloud (*cloud)(int)) {
+/// radius: part of that for which the list is built that the balls have.
+void forces_of_part(benchmark::State& state, Cloud (*cloud)(int), double radius) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const Pinballs pinballs(cloud(static_cast<int>(state.range(0))));
   PairList<S> list;
   list.build(pinballs.all, pinballs.balls, true);
-  const Records records(pinballs, list.listed());
+  Records records(pinballs, list.listed());
+  for (std::size_t r = 3; r < records.centre.size(); r += 4) records.centre[r] *= radius;
   const PinballView<S> view{records.centre.data(), records.velocity.data(), records.outward.data(),
                             records.two_sided.data()};
   AlignedArray<S> force(4 * static_cast<std::size_t>(list.size()));
@@ -192,6 +214,10 @@ void forces(benchmark::State& state, Cloud (*cloud)(int)) {
   count_neighbours(state, list, pinballs.all.count);
   state.counters["per_pair"] = each(static_cast<double>(list.pairs()));
 }
+
+void forces(benchmark::State& state, Cloud (*cloud)(int)) { forces_of_part(state, cloud, 1); }
+/// As in a scene, whose lists are for a time to come: about a tenth of the pairs are in contact.
+void forces_of_tenth(benchmark::State& state, Cloud (*cloud)(int)) { forces_of_part(state, cloud, 0.87); }
 
 void sizes(benchmark::internal::Benchmark* b, int large) {
   b->ArgNames({"per_side", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -220,6 +246,7 @@ BENCHMARK_CAPTURE(list_by_nanoflann, facing_layers, facing_layers)->Apply([](aut
 #endif
 BENCHMARK_CAPTURE(forces, close_packed, close_packed)->Apply(packing);
 BENCHMARK_CAPTURE(forces, facing_layers, facing_layers)->Apply(layers);
+BENCHMARK_CAPTURE(forces_of_tenth, close_packed, close_packed)->Apply(packing);
 
 }  // namespace
 

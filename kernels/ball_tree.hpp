@@ -6,10 +6,10 @@
 
 /// Bounding boxes over balls that move: which balls may come together while each goes its way in a straight line,
 ///
-///     C(t) = C + t D ,    0 <= t <= 1 ,    with D the way that the ball makes in the time considered.
+///     C(t) = M + t H ,    -1 <= t <= 1 ,    with 2 H the way that the ball makes in the time considered.
 ///
 /// Balls are taken in groups of G in the order in which they are numbered, boxes of groups again in groups of G, and so
-/// on. This needs no sorting where balls that are near each other have near numbers, as along a space-filling curve. A
+/// on. This needs no sorting where balls that are near each other have near numbers, as in the tiles of a mesh. A
 /// box has its bounds at the beginning and at the end; in between the bounds of its balls lie inside of what linear
 /// interpolation gives, so that two boxes that are apart along one axis, on the same side at both times, are apart in
 /// all the time between. Bodies that fly together, however fast, have small boxes.
@@ -32,37 +32,58 @@ template <class S>
 struct BallTreeView {
   std::int32_t groups;       ///< of balls
   int levels;                ///< of boxes
-  const S* ball;             ///< groups of G balls, 7 components: C, D, radius; padding is NaN
+  bool moves;                ///< some ball makes a way
+  const S* ball;             ///< groups of G balls, 7 components: M, H, radius; padding is NaN
   S* box[ball_tree_levels];  ///< groups of G boxes, 12 components; level 0: a box per group of balls
 };
 
-/// Box of the balls of a group. A ball with a coordinate that is not a number is in no box.
+/// The box that nothing is in.
 template <class S>
-PINBALL_FUNCTION MovingBox<S> box_of_balls(const S* ball) {
-  constexpr int G = ball_group<S>;
+PINBALL_FUNCTION MovingBox<S> empty_box() {
+  MovingBox<S> box;
+  for (int c = 0; c < 12; ++c) box.bound[c] = static_cast<S>(c % 6 < 3 ? HUGE_VAL : -HUGE_VAL);
+  return box;
+}
+
+/// Box of the balls of a group. A ball with a coordinate that is not a number is in no box.
+template <class T>
+PINBALL_FUNCTION MovingBox<ScalarOf<T>> box_of_balls(const ScalarOf<T>* ball) {
+  using S = ScalarOf<T>;
+  constexpr int G = ball_group<S>, W = width_of<T>;
   MovingBox<S> box;
   for (int k = 0; k < 3; ++k) {
-    S low0 = static_cast<S>(HUGE_VAL), high0 = -low0, low1 = low0, high1 = -low0;
-    for (int i = 0; i < G; ++i) {
-      const S c = ball[k * G + i], end = c + ball[(3 + k) * G + i], r = ball[6 * G + i];
-      low0 = minimum(low0, c - r), high0 = maximum(high0, c + r);
-      low1 = minimum(low1, end - r), high1 = maximum(high1, end + r);
+    T low[2]{number<T>(HUGE_VAL), number<T>(HUGE_VAL)}, high[2]{number<T>(-HUGE_VAL), number<T>(-HUGE_VAL)};
+    for (int first = 0; first < G; first += W) {
+      const T middle = load<T>(ball + k * G + first), half = load<T>(ball + (3 + k) * G + first);
+      const T radius = load<T>(ball + 6 * G + first);
+      for (int end = 0; end < 2; ++end) {
+        const T centre = end == 0 ? middle - half : middle + half;
+        // if (it is a number and smaller) low = centre - radius
+        low[end] = minimum(low[end], centre - radius);
+        high[end] = maximum(high[end], centre + radius);
+      }
     }
-    box.bound[k] = low0, box.bound[3 + k] = high0, box.bound[6 + k] = low1, box.bound[9 + k] = high1;
+    for (int end = 0; end < 2; ++end) {
+      box.bound[6 * end + k] = lane_minimum(low[end]);
+      box.bound[6 * end + 3 + k] = lane_maximum(high[end]);
+    }
   }
   return box;
 }
 
 /// Box of the boxes of a group.
-template <class S>
-PINBALL_FUNCTION MovingBox<S> box_of_boxes(const S* boxes) {
-  constexpr int G = ball_group<S>;
-  MovingBox<S> box;
+template <class T>
+PINBALL_FUNCTION MovingBox<ScalarOf<T>> box_of_boxes(const ScalarOf<T>* boxes) {
+  constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
+  MovingBox<ScalarOf<T>> box;
   for (int c = 0; c < 12; ++c) {
     const bool lower = c % 6 < 3;
-    S bound = boxes[c * G];
-    for (int i = 1; i < G; ++i) bound = lower ? minimum(bound, boxes[c * G + i]) : maximum(bound, boxes[c * G + i]);
-    box.bound[c] = bound;
+    T bound = load<T>(boxes + c * G);
+    for (int first = W; first < G; first += W) {
+      const T other = load<T>(boxes + c * G + first);
+      bound = lower ? minimum(bound, other) : maximum(bound, other);
+    }
+    box.bound[c] = lower ? lane_minimum(bound) : lane_maximum(bound);
   }
   return box;
 }
@@ -81,32 +102,36 @@ PINBALL_FUNCTION MovingBox<S> get_box(const S* level, std::int64_t number) {
   return box;
 }
 
-/// The boxes of a group that may meet a box, one bit each.
-template <class T>
+/// The boxes of a group that may meet a box, one bit each. moves: the ends of the time differ.
+template <class T, bool moves = true>
 PINBALL_FUNCTION unsigned meeting_boxes(const ScalarOf<T>* boxes, const MovingBox<ScalarOf<T>>& box) {
   constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
   unsigned bits = 0;
   for (int first = 0; first < G; first += W) {
     const auto bound = [&](int c) { return load<T>(boxes + c * G + first); };
     const auto meet = [&](int k) {  // false for empty boxes
-      return (bound(k) <= T(box.bound[3 + k]) || bound(6 + k) <= T(box.bound[9 + k])) &&
-             (bound(3 + k) >= T(box.bound[k]) || bound(9 + k) >= T(box.bound[6 + k]));
+      if constexpr (moves) {
+        return (bound(k) <= T(box.bound[3 + k]) || bound(6 + k) <= T(box.bound[9 + k])) &&
+               (bound(3 + k) >= T(box.bound[k]) || bound(9 + k) >= T(box.bound[6 + k]));
+      } else {
+        return bound(k) <= T(box.bound[3 + k]) && bound(3 + k) >= T(box.bound[k]);
+      }
     };
     bits |= lane_bits<T>(meet(0) && meet(1) && meet(2)) << first;
   }
   return bits;
 }
 
-/// Calls visit(group) for the groups of balls, from number `from` on, whose boxes may meet a box; in rising order.
+/// Calls visit(number) for the boxes of a level, from number `from` on, that may meet a box; in rising order.
 template <class T, class Visit>
-PINBALL_FUNCTION void for_each_meeting_group(const BallTreeView<ScalarOf<T>>& tree, const MovingBox<ScalarOf<T>>& box,
-                                             std::int32_t from, const Visit& visit) {
+PINBALL_FUNCTION void for_each_meeting_box(const BallTreeView<ScalarOf<T>>& tree, const MovingBox<ScalarOf<T>>& box,
+                                           int lowest, std::int32_t from, const Visit& visit) {
   constexpr int G = ball_group<ScalarOf<T>>;
   std::int32_t first[ball_tree_levels];  // box of each level that holds `from`
   std::int32_t group[ball_tree_levels];
   unsigned bits[ball_tree_levels];
   const int top = tree.levels - 1;
-  for (int l = 0; l <= top; ++l) first[l] = l == 0 ? from : first[l - 1] / G;
+  for (int l = lowest; l <= top; ++l) first[l] = l == lowest ? from : first[l - 1] / G;
   const auto meeting = [&](int l, std::int32_t g) {
     const unsigned all = meeting_boxes<T>(tree.box[l] + static_cast<std::int64_t>(g) * 12 * G, box);
     const std::int32_t before = first[l] - g * G;
@@ -123,7 +148,7 @@ PINBALL_FUNCTION void for_each_meeting_group(const BallTreeView<ScalarOf<T>>& tr
     }
     const std::int32_t child = group[level] * G + __builtin_ctz(bits[level]);
     bits[level] &= bits[level] - 1;
-    if (level == 0) {
+    if (level == lowest) {
       visit(child);
     } else {
       --level;
@@ -133,59 +158,69 @@ PINBALL_FUNCTION void for_each_meeting_group(const BallTreeView<ScalarOf<T>>& tr
   }
 }
 
-/// Bounds of the balls of a group, one by one: components as in MovingBox, a pack of balls each.
-template <class T>
-struct BallBounds {
-  T bound[ball_group<ScalarOf<T>> / width_of<T>][12];
+/// A bit for each ball of a group and each of another: bit i * G + j, in words of 64.
+template <int G>
+struct BallBits {
+  static constexpr int words = G * G / 64;
+  std::uint64_t word[words];
+
+  PINBALL_FUNCTION bool any() const {
+    std::uint64_t all = 0;
+    for (const std::uint64_t w : word) all |= w;
+    return all != 0;
+  }
+  PINBALL_FUNCTION unsigned row(int i) const {
+    return static_cast<unsigned>(word[i * G / 64] >> i * G % 64) & static_cast<unsigned>((1ULL << G) - 1);
+  }
+  PINBALL_FUNCTION void add_to_row(int i, unsigned bits) {
+    word[i * G / 64] |= static_cast<std::uint64_t>(bits) << i * G % 64;
+  }
+  PINBALL_FUNCTION void take_from_row(int i, unsigned bits) {
+    word[i * G / 64] &= ~(static_cast<std::uint64_t>(bits) << i * G % 64);
+  }
 };
 
-template <class T>
-PINBALL_FUNCTION BallBounds<T> bounds_of_balls(const ScalarOf<T>* balls) {
+/// For each ball of a group the balls of another that may come nearer than the sum of the radii. moves: some ball makes
+/// a way; then there are some too many.
+///
+/// Where half the relative way is h and the relative position at half time m, the distance is never below |m| - |h|.
+/// The sum of the components of h takes the place of its length: no root. Bodies that fly together have h = 0.
+template <class T, bool moves>
+PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const ScalarOf<T>* own,
+                                                                       const ScalarOf<T>* others) {
   constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
-  BallBounds<T> bounds;
-  for (int pack = 0; pack < G / W; ++pack) {
-    const ScalarOf<T>* ball = balls + pack * W;
-    const T radius = load<T>(ball + 6 * G);
-    for (int k = 0; k < 3; ++k) {
-      const T centre = load<T>(ball + k * G), end = centre + load<T>(ball + (3 + k) * G);
-      bounds.bound[pack][k] = centre - radius, bounds.bound[pack][3 + k] = centre + radius;
-      bounds.bound[pack][6 + k] = end - radius, bounds.bound[pack][9 + k] = end + radius;
+  BallBits<G> bits{};
+  for (int first = 0; first < G; first += W) {
+    const auto component = [&](int c) { return load<T>(others + c * G + first); };
+    const T x = component(0), y = component(1), z = component(2), radius = component(6);
+    PINBALL_UNROLL
+    for (int i = 0; i < G; ++i) {
+      const T dx = x - T(own[i]), dy = y - T(own[G + i]), dz = z - T(own[2 * G + i]);
+      T reach = radius + T(own[6 * G + i]);
+      if constexpr (moves) {
+        const T u = absolute(component(3) - T(own[3 * G + i])), v = absolute(component(4) - T(own[4 * G + i]));
+        reach = reach + (u + v + absolute(component(5) - T(own[5 * G + i])));
+      }
+      bits.add_to_row(i, lane_bits<T>(dx * dx + dy * dy + dz * dz < reach * reach) << first);
     }
-  }
-  return bounds;
-}
-
-/// The balls of a group that may meet a box, one bit each.
-template <class T>
-PINBALL_FUNCTION unsigned balls_meeting_box(const BallBounds<T>& balls, const MovingBox<ScalarOf<T>>& box) {
-  constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
-  unsigned bits = 0;
-  for (int pack = 0; pack < G / W; ++pack) {
-    const T(&bound)[12] = balls.bound[pack];
-    const auto meet = [&](int k) {
-      return (bound[k] <= T(box.bound[3 + k]) || bound[6 + k] <= T(box.bound[9 + k])) &&
-             (bound[3 + k] >= T(box.bound[k]) || bound[9 + k] >= T(box.bound[6 + k]));
-    };
-    bits |= lane_bits<T>(meet(0) && meet(1) && meet(2)) << (pack * W);
   }
   return bits;
 }
 
-/// The balls of a group that come nearer to one ball than the sum of the radii, one bit each. own: the components of
-/// that ball.
+/// The balls of a group that come nearer to ball i of another group than the sum of the radii, one bit each.
 template <class T>
-PINBALL_FUNCTION unsigned meeting_balls(const ScalarOf<T>* balls, const ScalarOf<T> (&own)[7]) {
+PINBALL_FUNCTION unsigned meeting_balls(const ScalarOf<T>* own, int i, const ScalarOf<T>* others) {
   constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
   unsigned bits = 0;
   for (int first = 0; first < G; first += W) {
-    const auto difference = [&](int c) { return T(own[c]) - load<T>(balls + c * G + first); };
-    const T x = difference(0), y = difference(1), z = difference(2);  // at the beginning
-    const T u = difference(3), v = difference(4), w = difference(5);  // what it changes by
-    const T reach = T(own[6]) + load<T>(balls + 6 * G + first), reach2 = reach * reach;
+    const auto difference = [&](int c) { return T(own[c * G + i]) - load<T>(others + c * G + first); };
+    const T x = difference(0), y = difference(1), z = difference(2);  // at half time
+    const T u = difference(3), v = difference(4), w = difference(5);  // what it changes by in half the time
+    const T reach = T(own[6 * G + i]) + load<T>(others + 6 * G + first), reach2 = reach * reach;
     const T way2 = u * u + v * v + w * w;
     // The time at which the distance is smallest; if (nothing changes) t = 0
     const auto moves = way2 > T(0);
-    const T t = minimum(T(1), maximum(T(0), (T(0) - (x * u + y * v + z * w)) / select(moves, way2, T(1))));
+    const T t = minimum(T(1), maximum(T(-1), (T(0) - (x * u + y * v + z * w)) / select(moves, way2, T(1))));
     const T nx = x + t * u, ny = y + t * v, nz = z + t * w;
     bits |= lane_bits<T>(nx * nx + ny * ny + nz * nz < reach2) << first;
   }

@@ -103,6 +103,45 @@ PINBALL_FUNCTION PairForce<T> pair_force(const PinballView<ScalarOf<T>>& view,
   return result;
 }
 
+/// Adds a force and a stiffness to those of a pinball; sign: of the force. Aligned to four scalars.
+template <int sign, class S>
+PINBALL_FUNCTION void add_record_to(const S* touch, S* pinball) {
+  if constexpr (native_width<S> >= 4) {
+    using T = Pack<S, 4>;
+    const T signs = select(lane_numbers<T>() < T(3), T(S(sign)), T(S(1)));
+    store(load<T>(pinball) + signs * load<T>(touch), pinball);
+  } else {
+    for (int k = 0; k < 3; ++k) pinball[k] += S(sign) * touch[k];
+    pinball[3] += touch[3];
+  }
+}
+
+/// What a pack of pairs does to both of their pinballs.
+template <class S, int W>
+struct alignas(64) PairTouch {
+  std::int32_t first[W], second[W];
+  S force[4][W];  ///< on the first, and p2
+};
+
+/// Adds the forces of the first pairs of a pack to their pinballs, pair after pair: records F, sum of p2. Only pinballs
+/// before number `end` get any.
+template <class T>
+PINBALL_FUNCTION void add_to_pinballs(const PairTouch<ScalarOf<T>, width_of<T>>& touch, int pairs, std::int32_t end,
+                                      ScalarOf<T>* force) {
+  using S = ScalarOf<T>;
+  constexpr int W = width_of<T>;
+  alignas(64) S record[4 * W]{};
+  alignas(64) std::int32_t number[W];
+  for (int i = 0; i < W; ++i) number[i] = i;
+  add_to_records(record, number, load<T>(touch.force[0]), load<T>(touch.force[1]), load<T>(touch.force[2]),
+                 load<T>(touch.force[3]));
+  for (int i = 0; i < pairs; ++i) {
+    const std::int64_t first = touch.first[i], second = touch.second[i];
+    add_record_to<1>(record + 4 * i, force + 4 * first);
+    if (second < end) add_record_to<-1>(record + 4 * i, force + 4 * second);
+  }
+}
+
 /// Adds an eighth of a pinball's force to one of the nodes of its element (3.12), and a quarter of the stiffness of its
 /// contacts, which bounds the row of the node in the stiffness matrix. Both are node records: force [force], stiffness
 /// [force/length]; aligned to four scalars.

@@ -64,6 +64,8 @@ PINBALL_FUNCTION void add_lanes_to(double& sum, double a) { sum += a; }
 PINBALL_FUNCTION void add_lanes_to(float& sum, float a) { sum += a; }
 PINBALL_FUNCTION double lane_maximum(double a) { return a; }
 PINBALL_FUNCTION float lane_maximum(float a) { return a; }
+PINBALL_FUNCTION double lane_minimum(double a) { return a; }
+PINBALL_FUNCTION float lane_minimum(float a) { return a; }
 PINBALL_FUNCTION double lane(double a, int) { return a; }
 PINBALL_FUNCTION float lane(float a, int) { return a; }
 
@@ -181,9 +183,11 @@ PINBALL_FUNCTION void add_lanes_to(T& sum, const stdx::simd<T, Abi>& a) {
 }
 template <class T, class Abi>
 PINBALL_FUNCTION T lane_maximum(const stdx::simd<T, Abi>& a) {
-  T result = a[0];
-  for (std::size_t i = 1; i < a.size(); ++i) result = a[i] > result ? T(a[i]) : result;
-  return result;
+  return stdx::hmax(a);
+}
+template <class T, class Abi>
+PINBALL_FUNCTION T lane_minimum(const stdx::simd<T, Abi>& a) {
+  return stdx::hmin(a);
 }
 template <class T, class Abi>
 PINBALL_FUNCTION T lane(const stdx::simd<T, Abi>& a, int i) {

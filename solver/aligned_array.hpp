@@ -24,6 +24,11 @@ class AlignedArray {
   /// As a new array of this size, in the memory of the old one where that suffices: arrays that are made anew again and
   /// again would otherwise wait for the pages that the system has just been given back.
   void reset(std::size_t size) {
+    renew(size);
+    if (data_) std::memset(static_cast<void*>(data_.get()), 0, padded_bytes());
+  }
+  /// The same for an array that is to be written as a whole: elements are anything, the padding behind them is zero.
+  void renew(std::size_t size) {
     size_ = size;
     if (size * sizeof(T) > (data_ ? capacity_ : 0)) {  // what was moved away has left its capacity
       const std::size_t place = size * sizeof(T) >= huge_page ? huge_page : alignment;
@@ -35,7 +40,7 @@ class AlignedArray {
       if (place == huge_page) madvise(data_.get(), capacity_, MADV_HUGEPAGE);  // advice: a refusal changes nothing
 #endif
     }
-    if (data_) std::memset(static_cast<void*>(data_.get()), 0, padded_bytes());
+    if (data_) std::memset(static_cast<void*>(data_.get() + size_), 0, padded_bytes() - bytes());
   }
 
   std::size_t size() const { return size_; }

@@ -60,14 +60,6 @@ std::size_t material_index(const Scene& scene, const std::string& name) {
   return static_cast<std::size_t>(found - scene.materials.begin());
 }
 
-/// Elements of a tile: large enough that few of its nodes belong to other tiles, small enough that a small scene has
-/// several tiles per colour and thread. Depends on the mesh alone, so that results do not depend on the threads.
-std::int64_t tile_size(std::int64_t elements) {
-  std::int64_t size = 32;
-  while (size < 2048 && size * 64 < elements) size *= 2;
-  return size;
-}
-
 /// Elements of one material and one level of steps, cut into tiles of whole packs.
 struct TileGroup {
   std::size_t material = 0;

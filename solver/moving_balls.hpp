@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <pinball/kernels/ball_tree.hpp>
 #include <pinball/solver/aligned_array.hpp>
+#include <span>
 #include <vector>
 
 namespace pinball {
@@ -14,7 +15,7 @@ class MovingBalls {
  public:
   MovingBalls() = default;
   explicit MovingBalls(std::int32_t count) { reset(count); }
-  /// As a new set of so many balls, in the same memory.
+  /// As a new set of so many balls, in the same memory; each is to be set.
   void reset(std::int32_t count);
   /// Two balls may touch while their distance is less than the sum of their radii. way: what the ball makes in the time
   /// considered, in a straight line; all [length].
@@ -42,21 +43,40 @@ class BallTree {
   std::array<AlignedArray<S>, ball_tree_levels> box_;
 };
 
-/// What may come near each ball of a group. Its memory serves many groups, one after the other.
+/// What may come near the balls of a group. Its memory serves many groups, one after the other.
 template <class S>
 class NearBalls {
  public:
+  static constexpr int G = ball_group<S>;
   struct Group {
     std::int32_t number;
-    unsigned balls;  ///< of it, that come near; one bit each
+    BallBits<G> balls;  ///< of it, that come near each ball of ours
+    BallBits<G> same;   ///< of it, that belong to the body of each ball of ours; for who looks for pairs
   };
-  /// own: a group of balls, as they lie in MovingBalls; from: the group of the tree to begin with.
-  void find(const BallTreeView<S>& tree, const S* own, std::int32_t from);
-  /// In rising order; some have no balls.
-  const std::vector<Group>& of(int ball) const { return near_[static_cast<std::size_t>(ball)]; }
+  /// Takes the part of the tree, from this group of balls on, that a box may meet: that of some groups of balls.
+  void enter(const BallTreeView<S>& tree, const MovingBox<S>& box, std::int32_t from);
+  /// Groups of that part, from this one on, of which balls may come near those of a group whose box is in the box
+  /// taken. own: the group of balls, as they lie in MovingBalls. In rising order; none without a ball that may come
+  /// near.
+  std::span<Group> find(const BallTreeView<S>& tree, const S* own, std::int32_t from);
+  /// Leaves out what was found and does not come near: fast balls that pass each other. May leave groups without balls.
+  static void leave_out_passing(const BallTreeView<S>& tree, const S* own, std::span<Group> found);
+  std::size_t bytes() const {
+    return part_box_.bytes() + (part_.capacity() + near_part_.capacity() + candidate_.capacity()) * sizeof(part_[0]) +
+           near_.capacity() * sizeof(Group);
+  }
 
  private:
-  std::array<std::vector<Group>, ball_group<S>> near_;
+  /// Writes what it finds into near_, and returns how many.
+  template <bool moves>
+  std::size_t find_near(const BallTreeView<S>& tree, const S* own, std::int32_t from);
+
+  std::vector<std::int32_t> part_;  ///< groups of the boxes of groups of balls
+  AlignedArray<S> part_box_;        ///< and their boxes, in groups
+  // Room for what is found, and for a group of numbers more.
+  std::vector<std::int32_t> near_part_;  ///< numbers in part_
+  std::vector<std::int32_t> candidate_;  ///< groups of balls
+  std::vector<Group> near_;
 };
 
 }  // namespace pinball

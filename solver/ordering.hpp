@@ -9,17 +9,15 @@
 /// order[new] = old. `inverse_permutation` gives the other direction.
 namespace pinball {
 
-/// Indices of the points sorted along a 3-D Hilbert curve, ties by index.
-///
-/// The cube that the curve fills has the largest extent of the points' bounding box as its edge, cut into 2^21 cells.
-/// Coordinates are to be finite.
-std::vector<std::int32_t> space_filling_order(const std::vector<Point>& centres);
-
 /// Elements in tiles: those of tile t are order[offsets[t]] ... order[offsets[t + 1] - 1].
 struct TileOrder {
   std::vector<std::int32_t> order;    ///< [elements]
   std::vector<std::int32_t> offsets;  ///< [tiles + 1], first 0
 };
+
+/// Elements of a tile of a mesh with so many: large enough that few of its nodes belong to other tiles, small enough
+/// that a small scene has several tiles per colour and thread.
+std::int64_t tile_size(std::int64_t elements);
 
 /// Cuts the elements into tiles of at most `largest`, as compact as may be, so that few nodes belong to several tiles:
 /// by halves, each time across the direction with the most layers of elements. Within a tile elements lie in rows, the

@@ -29,19 +29,25 @@ class PairForces {
 
  private:
   static constexpr std::int64_t pieces = PairList<S>::pieces;
-  struct Touch {
-    std::int32_t first, second;
-    S force[4];  ///< on the first, and p2
+  static constexpr int W = native_width<S>;
+  using Touch = PairTouch<S, W>;
+  /// A pair whose second pinball belongs to another piece.
+  struct Elsewhere {
+    std::int32_t pinball;
+    S force[4];  ///< on it, and p2
   };
   /// Of one piece, kept for their memory.
   struct Work {
-    std::vector<std::int64_t> touching;  ///< places in the list
-    std::vector<Touch> touches;          ///< those in contact
+    std::vector<Touch> touches;  ///< pairs that overlap in full packs; with room for more
+    std::int64_t pairs = 0;      ///< of these, the first
+    std::vector<Elsewhere> elsewhere;
     PairSums<S> sums;
   };
-  static void find_touching(const PinballView<S>& view, PairList<S>& list, std::int64_t piece, Work& work);
+  struct Waiting;
   static void work_out(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                       Work& work);
+                       std::int64_t piece, Work& work);
+  static void work_out_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                            std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work);
 
   std::array<Work, pieces> work_;
 };

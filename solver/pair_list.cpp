@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <atomic>
+#include <pinball/kernels/compress.hpp>
 #include <pinball/kernels/exec.hpp>
+#include <pinball/kernels/reference_balls.hpp>
 #include <pinball/solver/pair_list.hpp>
 
 namespace pinball {
@@ -15,26 +18,14 @@ bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::in
   return equal != 0;
 }
 
-/// Whether two elements of one body may touch.
-template <class S>
-bool may_touch(const SurfacePinballs<S>& pinballs, std::size_t a, std::size_t b) {
-  // Balls of flat elements may overlap from the start; such a pair says nothing about contact.
-  const std::array<float, 4>&p = pinballs.reference[a], &q = pinballs.reference[b];
-  float d2 = 0;
-  for (std::size_t k = 0; k < 3; ++k) d2 += (p[k] - q[k]) * (p[k] - q[k]);
-  const float reach = p[3] + q[3];
-  if (!(d2 > 1.0001f * reach * reach)) return false;
-  // Elements that share a corner are kept apart by the mesh.
-  return !share_corner(pinballs.corners[a], pinballs.corners[b]);
-}
-
 }  // namespace
 
 template <class S>
 void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
   const std::vector<Memory> memory = remember();
   boxes_.build(balls);
-  find(pinballs, balls, self);
+  collect_references(pinballs);
+  find(pinballs, self);
   number(pinballs);
   recall(memory);
 }
@@ -45,78 +36,161 @@ std::int32_t PairList<S>::piece_begin(std::int64_t piece) const {
   return static_cast<std::int32_t>(std::min(begin, static_cast<std::int64_t>(has_pair_.size())));
 }
 
-/// The pairs of each piece, and which pinballs have any.
 template <class S>
-void PairList<S>::find(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
-  constexpr int G = ball_group<S>;
-  const BallTreeView<S>& tree = boxes_.view();
-  has_pair_.assign(static_cast<std::size_t>(balls.count()), 0);
-  parallel_for("neighbours", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
-    std::vector<Pair>& found = found_[static_cast<std::size_t>(piece)];
-    std::vector<std::int32_t>& elsewhere = elsewhere_[static_cast<std::size_t>(piece)];
-    found.clear();
-    elsewhere.clear();
-    NearBalls<S> near;
-    const std::int32_t end = piece_begin(piece + 1);
-    for (std::int32_t i = piece_begin(piece); i < end; ++i) {
-      const std::int32_t group = i / G, ball = i % G;
-      if (ball == 0) near.find(tree, tree.ball + static_cast<std::int64_t>(group) * 7 * G, group);
-      const auto a = static_cast<std::size_t>(i);
-      for (const auto& [other, balls_near] : near.of(ball)) {
-        unsigned bits = balls_near;
-        if (other == group) bits &= ~1U << ball;  // those of higher number
-        for (; bits != 0; bits &= bits - 1) {
-          const std::int32_t j = other * G + __builtin_ctz(bits);
-          const auto b = static_cast<std::size_t>(j);
-          if (pinballs.body[a] == pinballs.body[b] && !(self && may_touch(pinballs, a, b))) continue;
-          found.push_back({i, j});
-          has_pair_[a] = 1;
-          if (j < end) {
-            has_pair_[b] = 1;
-          } else {
-            elsewhere.push_back(j);
-          }
-        }
-      }
+void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
+  constexpr std::int64_t G = ball_group<S>;
+  const std::int64_t groups = boxes_.view().groups;
+  reference_.renew(static_cast<std::size_t>(groups * reference_components * G));
+  parallel_for("reference balls", RangePolicy<>{0, groups}, [&](std::int64_t group) {
+    float* reference = reference_.data() + group * reference_components * G;
+    for (std::int64_t i = 0; i < G; ++i) {
+      const std::int64_t last = std::max(0, pinballs.count - 1);
+      const auto p = static_cast<std::size_t>(std::min(group * G + i, last));  // padding repeats the last
+      if (pinballs.count == 0) continue;
+      for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][static_cast<std::size_t>(c)];
+      reference[4 * G + i] = static_cast<float>(pinballs.body[p]);
     }
   });
-  for (const std::vector<std::int32_t>& elsewhere : elsewhere_) {
-    for (const std::int32_t j : elsewhere) has_pair_[static_cast<std::size_t>(j)] = 1;
+}
+
+/// The pairs of each piece, and which pinballs have any.
+template <class S>
+void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
+  constexpr int G = ball_group<S>;
+  const BallTreeView<S>& tree = boxes_.view();
+  has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
+  parallel_for("neighbours", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+    Found& found = found_[static_cast<std::size_t>(piece)];
+    found.pairs = 0;
+    NearBalls<S>& near = near_[static_cast<std::size_t>(piece)];
+    const std::int32_t begin = piece_begin(piece) / G, end = (piece_begin(piece + 1) + G - 1) / G;
+    for (std::int32_t group = begin; group < end; ++group) {
+      // Groups of one box have much the same part of the tree near them: it is looked for once.
+      if (group == begin || group % G == 0) {
+        near.enter(tree, tree.levels > 1 ? get_box(tree.box[1], group / G) : empty_box<S>(), group);
+      }
+      const S* own = tree.ball + static_cast<std::int64_t>(group) * 7 * G;
+      const auto groups = near.find(tree, own, group);
+      leave_out(self, group, groups);
+      NearBalls<S>::leave_out_passing(tree, own, groups);
+      leave_out_neighbours(pinballs, group, groups);
+      take(group, groups, found);
+    }
+  });
+}
+
+template <class S>
+void PairList<S>::leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const {
+  constexpr int G = ball_group<S>;
+  const auto reference = [this](std::int32_t g) {
+    return reference_.data() + static_cast<std::int64_t>(g) * reference_components * G;
+  };
+  for (auto& other : near) {
+    if (other.number == group) {  // each pair once
+      for (int i = 0; i < G; ++i) other.balls.take_from_row(i, (2U << i) - 1);
+    }
+    other.same = balls_of_one_body<S>(reference(group), reference(other.number));
+    if (!other.same.any()) continue;
+    if (self) {
+      const BallBits<G> apart = balls_apart<S>(reference(group), reference(other.number));
+      for (int w = 0; w < apart.words; ++w) other.balls.word[w] &= apart.word[w] | ~other.same.word[w];
+    } else {
+      for (int w = 0; w < other.same.words; ++w) other.balls.word[w] &= ~other.same.word[w];
+    }
   }
+}
+
+template <class S>
+void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
+                                       std::span<typename NearBalls<S>::Group> near) const {
+  constexpr int G = ball_group<S>;
+  for (auto& other : near) {
+    for (int w = 0; w < other.same.words; ++w) {
+      for (std::uint64_t bits = other.balls.word[w] & other.same.word[w]; bits != 0; bits &= bits - 1) {
+        const int bit = 64 * w + __builtin_ctzll(bits);
+        const auto a = static_cast<std::size_t>(group * G + bit / G);
+        const auto b = static_cast<std::size_t>(other.number * G + bit % G);
+        if (share_corner(pinballs.corners[a], pinballs.corners[b])) other.balls.take_from_row(bit / G, 1U << bit % G);
+      }
+    }
+  }
+}
+
+template <class S>
+void PairList<S>::take(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found) {
+  constexpr int G = ball_group<S>;
+  const std::size_t most = found.pairs + (near.size() + 1) * G * G;  // and room to write more than there is
+  if (found.second.size() < most) {
+    found.first.resize(std::max(most, 2 * found.second.size()));
+    found.second.resize(found.first.size());
+  }
+  const std::size_t before = found.pairs;
+  std::int32_t* second = found.second.data() + before;
+  const std::int32_t own = group * G;
+  for (std::int32_t i = own; i < own + G; ++i) {
+    std::int32_t* const begin = second;
+    for (const auto& other : near) second += write_numbers<G>(other.balls.row(i - own), other.number * G, second);
+    std::int32_t* first = found.first.data() + (begin - found.second.data());
+    for (std::int32_t* const end = first + (second - begin); first < end; first += G) std::fill(first, first + G, i);
+    if (second != begin) mark(i);
+  }
+  found.pairs = static_cast<std::size_t>(second - found.second.data());
+  for (std::size_t pair = before; pair < found.pairs; ++pair) mark(found.second[pair]);
+}
+
+/// A pinball has a pair: several pieces may say this at the same time.
+template <class S>
+void PairList<S>::mark(std::int32_t pinball) {
+  std::atomic_ref(has_pair_[static_cast<std::size_t>(pinball)]).store(1, std::memory_order_relaxed);
 }
 
 /// Numbers the pinballs that have a pair, and puts the pairs one after the other.
 template <class S>
 void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   constexpr std::int64_t W = native_width<S>;
-  number_.resize(has_pair_.size());
-  listed_.clear();
-  slot_.clear();
+  const auto found = [this](std::int64_t p) -> Found& { return found_[static_cast<std::size_t>(p)]; };
+  parallel_for("listed pinballs", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+    found(p).pinballs = static_cast<std::int32_t>(
+        std::count(has_pair_.begin() + piece_begin(p), has_pair_.begin() + piece_begin(p + 1), 1));
+  });
   std::int64_t places = 0;
+  std::int32_t listed = 0;
   for (std::int64_t p = 0; p < pieces; ++p) {
-    Piece& piece = piece_[static_cast<std::size_t>(p)];
-    piece.begin = places;
-    piece.end = places + static_cast<std::int64_t>(found_[static_cast<std::size_t>(p)].size());
-    piece.pinballs_begin = size();
+    const std::int64_t end = places + static_cast<std::int64_t>(found(p).pairs);
+    piece_[static_cast<std::size_t>(p)] = {places, end, listed, listed + found(p).pinballs};
+    places = (end + W - 1) / W * W;
+    listed += found(p).pinballs;
+  }
+  number_.resize(has_pair_.size());
+  listed_.resize(static_cast<std::size_t>(listed));
+  slot_.resize(static_cast<std::size_t>(listed));
+  parallel_for("numbers", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+    auto next = static_cast<std::size_t>(piece(p).pinballs_begin);
     for (std::int32_t i = piece_begin(p); i < piece_begin(p + 1); ++i) {
       const auto a = static_cast<std::size_t>(i);
       if (has_pair_[a] == 0) continue;
-      number_[a] = size();
-      listed_.push_back(i);
-      slot_.push_back(pinballs.slot[a]);
+      number_[a] = static_cast<std::int32_t>(next);
+      listed_[next] = i;
+      slot_[next] = pinballs.slot[a];
+      ++next;
     }
-    piece.pinballs_end = size();
-    places = (piece.end + W - 1) / W * W;
-  }
-  first_.reset(static_cast<std::size_t>(places));
-  second_.reset(static_cast<std::size_t>(places));
+  });
+  first_.renew(static_cast<std::size_t>(places));
+  second_.renew(static_cast<std::size_t>(places));
+  offset_.renew(static_cast<std::size_t>(places));
+  stored_.renew(static_cast<std::size_t>(places));
   parallel_for("pairs", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
-    std::int64_t place = piece(p).begin;
-    for (const Pair& pair : found_[static_cast<std::size_t>(p)]) {
-      first_[static_cast<std::size_t>(place)] = number_[static_cast<std::size_t>(pair.first)];
-      second_[static_cast<std::size_t>(place)] = number_[static_cast<std::size_t>(pair.second)];
-      ++place;
-    }
+    const auto number_of = [this](std::int32_t pinball) { return number_[static_cast<std::size_t>(pinball)]; };
+    const auto begin = static_cast<std::size_t>(piece(p).begin);
+    const auto end = p + 1 < pieces ? static_cast<std::size_t>(piece(p + 1).begin) : first_.size();
+    const std::size_t pairs = found(p).pairs, place = begin + pairs;
+    const std::int32_t *first = found(p).first.data(), *second = found(p).second.data();
+    std::transform(first, first + pairs, first_.data() + begin, number_of);
+    std::transform(second, second + pairs, second_.data() + begin, number_of);
+    std::fill(first_.data() + place, first_.data() + end, 0);
+    std::fill(second_.data() + place, second_.data() + end, 0);
+    std::fill(offset_.data() + begin, offset_.data() + end, S(-1));
+    std::fill(stored_.data() + begin, stored_.data() + end, S(0));
   });
 }
 
@@ -151,9 +225,6 @@ std::int64_t PairList<S>::find_pair(std::int32_t first, std::int32_t second) con
 
 template <class S>
 void PairList<S>::recall(const std::vector<Memory>& memory) {
-  offset_.reset(first_.size());
-  stored_.reset(first_.size());
-  std::fill(offset_.data(), offset_.data() + offset_.size(), S(-1));
   const auto number_of_slot = [this](std::int32_t slot) {
     const auto found = std::lower_bound(slot_.begin(), slot_.end(), slot);  // pinballs are in the order of slots
     return found != slot_.end() && *found == slot ? static_cast<std::int32_t>(found - slot_.begin()) : -1;
@@ -192,9 +263,9 @@ template <class S>
 std::size_t PairList<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = of(listed_) + of(slot_) + of(has_pair_) + of(number_) + first_.bytes() + second_.bytes() +
-                    offset_.bytes() + stored_.bytes() + boxes_.bytes();
-  for (const auto& list : found_) sum += of(list);
-  for (const auto& list : elsewhere_) sum += of(list);
+                    offset_.bytes() + stored_.bytes() + boxes_.bytes() + reference_.bytes();
+  for (const NearBalls<S>& near : near_) sum += near.bytes();
+  for (const Found& found : found_) sum += of(found.first) + of(found.second);
   return sum;
 }
 

@@ -5,6 +5,7 @@
 #include <pinball/solver/aligned_array.hpp>
 #include <pinball/solver/moving_balls.hpp>
 #include <pinball/solver/surface_pinballs.hpp>
+#include <span>
 #include <vector>
 
 namespace pinball {
@@ -52,8 +53,11 @@ class PairList {
     std::int32_t first, second;
     S offset, stored;
   };
-  struct Pair {
-    std::int32_t first, second;
+  /// The pairs of which the pinballs of a piece are the first, in the order of the list.
+  struct Found {
+    std::vector<std::int32_t> first, second;  ///< numbers among all pinballs; with room for more
+    std::size_t pairs = 0;
+    std::int32_t pinballs = 0;  ///< of the piece, that have a pair
   };
   std::vector<Memory> remember() const;
   void recall(const std::vector<Memory>& memory);
@@ -61,7 +65,16 @@ class PairList {
   std::int64_t find_pair(std::int32_t first, std::int32_t second) const;
   /// First of all pinballs of a piece.
   std::int32_t piece_begin(std::int64_t piece) const;
-  void find(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self);
+  void collect_references(const SurfacePinballs<S>& pinballs);
+  void find(const SurfacePinballs<S>& pinballs, bool self);
+  /// What may come near the balls of a group without what is listed already, and without pairs of one body that were
+  /// not apart in the undeformed mesh.
+  void leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const;
+  /// The same without pairs of elements that share a corner.
+  void leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
+                            std::span<typename NearBalls<S>::Group> near) const;
+  void take(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
+  void mark(std::int32_t pinball);
   void number(const SurfacePinballs<S>& pinballs);
 
   std::array<Piece, pieces> piece_{};
@@ -70,10 +83,11 @@ class PairList {
   AlignedArray<S> offset_, stored_;
   // What follows is kept for its memory alone.
   BallTree<S> boxes_;
-  std::array<std::vector<Pair>, pieces> found_;              ///< numbers among all pinballs
-  std::array<std::vector<std::int32_t>, pieces> elsewhere_;  ///< second pinballs that belong to another piece
-  std::vector<std::uint8_t> has_pair_;                       ///< per pinball
-  std::vector<std::int32_t> number_;                         ///< in the list, of each pinball that is listed
+  AlignedArray<float> reference_;  ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
+  std::array<NearBalls<S>, pieces> near_;
+  std::array<Found, pieces> found_;
+  std::vector<std::uint8_t> has_pair_;  ///< per pinball
+  std::vector<std::int32_t> number_;    ///< in the list, of each pinball that is listed
 };
 
 }  // namespace pinball

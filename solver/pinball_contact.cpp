@@ -44,7 +44,7 @@ PinballContact<S>::PinballContact(const Model<S>& model) : Contact<S>(model), su
   for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
     if (surface_.exposed(slot) != 0) exposed.push_back(static_cast<std::int32_t>(slot));
   }
-  all_.update(model, surface_, exposed);
+  all_.update(model, surface_, exposed, all_before_);
   take_nodes(model);
 }
 
@@ -125,7 +125,7 @@ void PinballContact<S>::build_list(const Model<S>& model) {
   const S horizon = reuse ? horizon_steps * clock_.last_step() : S(0);
   motion_.adapt(model.nodes.position.data(), clock_.elapsed(), horizon);
   if (surface_changed_) {  // a good moment to take in the elements behind the new surface
-    all_.update(model, surface_, uncovered_);
+    all_.update(model, surface_, uncovered_, all_before_);
     take_nodes(model);
     uncovered_.clear();
     surface_changed_ = false;
@@ -178,6 +178,16 @@ void PinballContact<S>::collect_listed(const Model<S>& model) {
     for (int i = 0; i < 8; ++i) pinballs_.corner[ElementStore<S>::at(p, i, 8)] = corners[static_cast<std::size_t>(i)];
   }
   update_exposure();
+  for (const std::int32_t node : node_) is_listed_[static_cast<std::size_t>(node)] = 0;
+  node_.clear();
+  is_listed_.resize(static_cast<std::size_t>(model.nodes.count), 0);
+  for (const auto& corners : pinballs_.corners) {
+    for (const std::int32_t node : corners) {
+      std::uint8_t& listed = is_listed_[static_cast<std::size_t>(node)];
+      if (listed == 0) node_.push_back(node);
+      listed = 1;
+    }
+  }
 }
 
 template <class S>
@@ -221,15 +231,12 @@ void PinballContact<S>::scatter(Model<S>& model, ContactResult& result) {
   // Gershgorin: a pair of stiffness p2 enters the row of each of its 16 nodes with p2/8 (8/8 + 8/8) / m_I.
   S largest = 0;
   parallel_reduce(
-      "contact frequency", RangePolicy<>{0, pinballs_.count}, largest,
+      "contact frequency", RangePolicy<>{0, static_cast<std::int64_t>(node_.size())}, largest,
       [&](std::int64_t begin, std::int64_t end, S& partial) {
-        for (std::int64_t p = begin; p < end; ++p) {
-          if (!(force[4 * p + 3] > S(0))) continue;
-          for (int i = 0; i < 8; ++i) {
-            const auto node = static_cast<std::size_t>(corner(static_cast<std::int32_t>(p), i));
-            const S row = nodal_force[4 * node + 3] * model.nodes.inverse_mass[node];
-            partial = row > partial ? row : partial;
-          }
+        for (std::int64_t n = begin; n < end; ++n) {
+          const auto node = static_cast<std::size_t>(node_[static_cast<std::size_t>(n)]);
+          const S row = nodal_force[4 * node + 3] * model.nodes.inverse_mass[node];
+          partial = row > partial ? row : partial;
         }
       },
       [](S& whole, const S& partial) { whole = partial > whole ? partial : whole; });
@@ -258,8 +265,10 @@ void PinballContact<S>::report(const Model<S>& model, std::vector<Point>& node_f
 
 template <class S>
 std::size_t PinballContact<S>::bytes() const {
-  return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() + balls_.bytes() +
-         motion_.bytes() + radius_.capacity() * sizeof(S) + (this->by_impulses() ? this->impulses_->bytes() : 0);
+  return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() +
+         all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +
+         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
+         (this->by_impulses() ? this->impulses_->bytes() : 0);
 }
 
 template class PinballContact<double>;

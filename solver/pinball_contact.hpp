@@ -50,12 +50,15 @@ class PinballContact final : public Contact<S> {
   Surface surface_;
   std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen
   SurfacePinballs<S> all_;
+  SurfacePinballs<S> all_before_;  ///< kept for its memory
   SurfaceMotion<S> motion_;
   MovingBalls<S> balls_;  ///< one for each of all pinballs
   PairList<S> list_;
   PairForces<S> pair_forces_;
-  PinballStore<S> pinballs_;  ///< those in the list
-  std::vector<S> radius_;     ///< of all pinballs, when the list was built; only where radii change [length]
+  PinballStore<S> pinballs_;             ///< those in the list
+  std::vector<std::int32_t> node_;       ///< corners of the listed pinballs, each once
+  std::vector<std::uint8_t> is_listed_;  ///< per node of the store: among these
+  std::vector<S> radius_;                ///< of all pinballs, when the list was built; only where radii change [length]
   PenaltyConstants<S> penalty_;
   bool list_valid_ = false;
   bool surface_changed_ = false;  ///< since the pinballs of the surface were chosen

@@ -114,6 +114,7 @@ void SlidelineSearch<S>::build(const Model<S>& model, const SlidelineSurface<S>&
 
 template <class S>
 void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
+  using T = Pack<S, native_width<S>>;
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   const std::int64_t groups = (slaves_.count() + G - 1) / G;
@@ -124,17 +125,21 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
   parallel_for("slave candidates", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
     std::vector<std::int32_t>& list = found[static_cast<std::size_t>(piece)];
     NearBalls<S> near;
-    for (std::int64_t group = groups * piece / pieces; group < groups * (piece + 1) / pieces; ++group) {
-      near.find(tree, slaves_.data() + group * 7 * G, 0);
+    const std::int64_t begin = groups * piece / pieces, end = groups * (piece + 1) / pieces;
+    for (std::int64_t group = begin; group < end; ++group) {
+      const S* own = slaves_.data() + group * 7 * G;
+      near.enter(tree, box_of_balls<T>(own), 0);
+      const auto near_groups = near.find(tree, own, 0);
+      NearBalls<S>::leave_out_passing(tree, own, near_groups);
       for (int i = 0; i < G && group * G + i < slaves_.count(); ++i) {
         const auto slave = static_cast<std::size_t>(group * G + i);
-        const Slave& own = surface.slaves()[slave];
-        const S least = S(0.999) * least_radius(own);  // for the rounding of means
+        const Slave& own_slave = surface.slaves()[slave];
+        const S least = S(0.999) * least_radius(own_slave);  // for the rounding of means
         const std::size_t before = list.size();
-        for (const auto& [other, balls] : near.of(i)) {
-          for (unsigned bits = balls; bits != 0; bits &= bits - 1) {
-            const std::int32_t s = other * G + __builtin_ctz(bits);
-            if (may_touch(own, surface.segments()[static_cast<std::size_t>(s)], least)) list.push_back(s);
+        for (const auto& other : near_groups) {
+          for (unsigned bits = other.balls.row(i); bits != 0; bits &= bits - 1) {
+            const std::int32_t s = other.number * G + __builtin_ctz(bits);
+            if (may_touch(own_slave, surface.segments()[static_cast<std::size_t>(s)], least)) list.push_back(s);
           }
         }
         start_[slave + 1] = static_cast<std::int64_t>(list.size() - before);

@@ -72,19 +72,22 @@ void SurfaceMotion<S>::start(const NodeStore<S>& nodes, S skin) {
     start_.reset(6 * count_);
     allowed2_.reset(count_);
   }
-  for (std::size_t n = 0; n < count_; ++n) {
-    const auto node = static_cast<std::size_t>(node_[n]);
-    S* record = start_.data() + n / W * 6 * W + n % W;
-    for (std::size_t k = 0; k < 3; ++k) {
-      record[k * W] = nodes.position[4 * node + k];
-      record[(3 + k) * W] = nodes.velocity[4 * node + k];
+  parallel_for("start of nodes", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
+    S* const record = start_.data() + static_cast<std::size_t>(pack) * 6 * W;
+    for (std::size_t lane = 0; lane < W; ++lane) {
+      const std::size_t n = static_cast<std::size_t>(pack) * W + lane;
+      const auto node = static_cast<std::size_t>(node_[n]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        record[k * W + lane] = nodes.position[4 * node + k];
+        record[(3 + k) * W + lane] = nodes.velocity[4 * node + k];
+      }
+      const S unit = skin * size_[n];
+      const S before = static_cast<S>(allowance_[node]);
+      const S allowance = before > S(least) * unit ? std::min(before, S(most) * unit) : S(least) * unit;
+      allowance_[node] = static_cast<float>(allowance);
+      allowed2_[n] = static_cast<S>(allowance_[node]) * static_cast<S>(allowance_[node]);
     }
-    const S unit = skin * size_[n];
-    const S before = static_cast<S>(allowance_[node]);
-    const S allowance = before > S(least) * unit ? std::min(before, S(most) * unit) : S(least) * unit;
-    allowance_[node] = static_cast<float>(allowance);
-    allowed2_[n] = static_cast<S>(allowance_[node]) * static_cast<S>(allowance_[node]);
-  }
+  });
 }
 
 template <class S>

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <pinball/solver/surface_elements.hpp>
 #include <pinball/solver/surface_pinballs.hpp>
+#include <utility>
 
 namespace pinball {
 
 template <class S>
 void SurfacePinballs<S>::update(const Model<S>& model, const Surface& surface,
-                                const std::vector<std::int32_t>& uncovered) {
+                                const std::vector<std::int32_t>& uncovered, SurfacePinballs& before) {
   chosen.resize(static_cast<std::size_t>(surface.slots()), 0);
   std::vector<std::int32_t> added;
   const auto choose = [&](std::int32_t s) {
@@ -26,40 +27,52 @@ void SurfacePinballs<S>::update(const Model<S>& model, const Surface& surface,
   for (const std::int32_t s : slot) choose_behind(s);
   std::sort(added.begin(), added.end());
 
-  SurfacePinballs<S> merged;
-  merged.reserve(slot.size() + added.size());
+  std::swap(*this, before);
+  clear();
+  chosen.swap(before.chosen);
   auto next = added.begin();
-  for (std::size_t i = 0; i < slot.size(); ++i) {
-    for (; next != added.end() && *next < slot[i]; ++next) merged.append(model, *next);
-    if (surface.alive(slot[i])) {
-      merged.append(*this, i);
-    } else {
-      chosen[static_cast<std::size_t>(slot[i])] = 0;
+  const std::size_t count_before = before.slot.size();
+  for (std::size_t i = 0; i < count_before;) {
+    for (; next != added.end() && *next < before.slot[i]; ++next) append(model, *next);
+    std::size_t end = i;  // of those that stay together
+    while (end < count_before && surface.alive(before.slot[end]) &&
+           !(next != added.end() && *next < before.slot[end])) {
+      ++end;
     }
+    append(before, i, end);
+    if (end < count_before && !surface.alive(before.slot[end])) {
+      chosen[static_cast<std::size_t>(before.slot[end])] = 0;
+      ++end;
+    }
+    i = end;
   }
-  for (; next != added.end(); ++next) merged.append(model, *next);
-  merged.chosen.swap(chosen);
-  *this = std::move(merged);
+  for (; next != added.end(); ++next) append(model, *next);
 }
 
 template <class S>
-void SurfacePinballs<S>::reserve(std::size_t n) {
-  for (auto* v : {&slot, &body}) v->reserve(n);
-  corners.reserve(n);
-  reference.reserve(n);
-  for (auto* v : {&radius, &mass, &bulk_modulus}) v->reserve(n);
+void SurfacePinballs<S>::clear() {
+  count = 0;
+  slot.clear();
+  body.clear();
+  corners.clear();
+  reference.clear();
+  for (auto* v : {&radius, &mass, &bulk_modulus}) v->clear();
 }
 
 template <class S>
-void SurfacePinballs<S>::append(const SurfacePinballs& others, std::size_t i) {
-  ++count;
-  slot.push_back(others.slot[i]);
-  body.push_back(others.body[i]);
-  corners.push_back(others.corners[i]);
-  reference.push_back(others.reference[i]);
-  radius.push_back(others.radius[i]);
-  mass.push_back(others.mass[i]);
-  bulk_modulus.push_back(others.bulk_modulus[i]);
+void SurfacePinballs<S>::append(const SurfacePinballs& others, std::size_t begin, std::size_t end) {
+  const auto add = [begin, end](auto& to, const auto& from) {
+    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(begin),
+              from.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  count += static_cast<std::int32_t>(end - begin);
+  add(slot, others.slot);
+  add(body, others.body);
+  add(corners, others.corners);
+  add(reference, others.reference);
+  add(radius, others.radius);
+  add(mass, others.mass);
+  add(bulk_modulus, others.bulk_modulus);
 }
 
 template <class S>

@@ -24,12 +24,15 @@ struct SurfacePinballs {
   std::vector<std::uint8_t> chosen;                  ///< per slot of the element store: is among these
 
   /// Drops eroded elements; takes in uncovered ones (slots) and those behind elements that may soon erode.
-  void update(const Model<S>& model, const Surface& surface, const std::vector<std::int32_t>& uncovered);
+  /// before: memory for what they are until then.
+  void update(const Model<S>& model, const Surface& surface, const std::vector<std::int32_t>& uncovered,
+              SurfacePinballs& before);
   std::size_t bytes() const;
 
  private:
-  void reserve(std::size_t n);
-  void append(const SurfacePinballs& others, std::size_t i);
+  void clear();
+  /// Pinballs `begin` to `end` of others.
+  void append(const SurfacePinballs& others, std::size_t begin, std::size_t end);
   void append(const Model<S>& model, std::int64_t slot);
 };
 

@@ -23,6 +23,18 @@ TEST(AlignedArray, ResetGivesZerosOnTheSameAlignment) {
   }
 }
 
+TEST(AlignedArray, RenewLeavesOnlyThePaddingZero) {
+  AlignedArray<double> a;
+  for (const std::size_t size : {13U, 3U, 1U << 19U, 5U, 0U, 17U}) {
+    a.renew(size);
+    EXPECT_EQ(a.size(), size);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(a.data()) % 64, 0);
+    const std::size_t padded = (size + 7) / 8 * 8;
+    for (std::size_t i = size; i < padded; ++i) EXPECT_EQ(a.data()[i], 0);
+    std::fill(a.data(), a.data() + padded, 1.0);
+  }
+}
+
 TEST(AlignedArray, WhatWasMovedAwayCanBeUsedAgain) {
   AlignedArray<double> a(100);
   a[99] = 2;

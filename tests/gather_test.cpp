@@ -117,7 +117,7 @@ TYPED_TEST(Lanes, SelectMinimumMaximumAndReductions) {
   constexpr int W = width_of<T>;
   const T a = from_lanes<T>([](int i) { return (i * 7) % 5 - 2; }), b = from_lanes<T>([](int i) { return i - 3; });
   const auto mask = a < b;
-  S sum(0), largest = lane(a, 0);
+  S sum(0), largest = lane(a, 0), smallest = lane(a, 0);
   int count = 0;
   for (int i = 0; i < W; ++i) {
     const S x = lane(a, i), y = lane(b, i);
@@ -130,10 +130,12 @@ TYPED_TEST(Lanes, SelectMinimumMaximumAndReductions) {
     EXPECT_EQ(lane(number<T>(0.1), i), S(0.1));
     sum += x;
     largest = std::max(largest, x);
+    smallest = std::min(smallest, x);
     count += x < y ? 1 : 0;
   }
   EXPECT_EQ(lane_sum(a), sum);
   EXPECT_EQ(lane_maximum(a), largest);
+  EXPECT_EQ(lane_minimum(a), smallest);
   EXPECT_EQ(count_lanes(mask), count);
   EXPECT_EQ(any_lane(mask), count > 0);
   EXPECT_FALSE(any_lane(a < a));

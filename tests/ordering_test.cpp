@@ -26,61 +26,6 @@ bool is_permutation_of_indices(std::vector<std::int32_t> order) {
   return true;
 }
 
-double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
-
-/// Largest extent of a run of consecutive points, averaged over the runs: the size of a tile.
-double mean_run_extent(const std::vector<Point>& points, const std::vector<std::int32_t>& order, std::size_t run) {
-  double sum = 0.0;
-  std::size_t runs = 0;
-  for (std::size_t begin = 0; begin + run <= order.size(); begin += run, ++runs) {
-    double extent = 0.0;
-    for (std::size_t i = begin; i < begin + run; ++i)
-      extent = std::max(extent, distance(points[order[begin]], points[order[i]]));
-    sum += extent;
-  }
-  return sum / static_cast<double>(runs);
-}
-
-TEST(SpaceFillingOrder, WalksALatticeOfPowersOfTwoByUnitSteps) {
-  // The defining property of the Hilbert curve: consecutive cells share a face.
-  const std::vector<Point> points = lattice(8, 8, 8);
-  const auto order = space_filling_order(points);
-  EXPECT_TRUE(is_permutation_of_indices(order));
-  for (std::size_t i = 1; i < order.size(); ++i) EXPECT_EQ(distance(points[order[i - 1]], points[order[i]]), 1.0);
-}
-
-TEST(SpaceFillingOrder, KeepsRunsCompact) {
-  const std::vector<Point> points = lattice(42, 17, 10);
-  const auto order = space_filling_order(points);
-  EXPECT_TRUE(is_permutation_of_indices(order));
-  std::vector<std::int32_t> lexicographic(points.size());
-  std::iota(lexicographic.begin(), lexicographic.end(), 0);
-  EXPECT_LT(mean_run_extent(points, order, 64), 0.3 * mean_run_extent(points, lexicographic, 64));
-
-  double jump = 0.0, lexicographic_jump = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    jump += distance(points[order[i - 1]], points[order[i]]);
-    lexicographic_jump += distance(points[i - 1], points[i]);
-  }
-  EXPECT_LT(jump, lexicographic_jump);
-}
-
-TEST(SpaceFillingOrder, DependsOnPositionsAlone) {
-  std::vector<Point> points = lattice(7, 5, 3);
-  const auto order = space_filling_order(points);
-  std::vector<Point> shuffled = points;
-  std::mt19937 random(7);
-  std::shuffle(shuffled.begin(), shuffled.end(), random);
-  const auto shuffled_order = space_filling_order(shuffled);
-  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(points[order[i]], shuffled[shuffled_order[i]]);
-}
-
-TEST(SpaceFillingOrder, BreaksTiesByIndex) {
-  EXPECT_TRUE(space_filling_order({}).empty());
-  const std::vector<Point> same(5, Point{1, 2, 3});
-  EXPECT_EQ(space_filling_order(same), (std::vector<std::int32_t>{0, 1, 2, 3, 4}));
-}
-
 std::vector<std::int32_t> all_of(const std::vector<Point>& points) {
   std::vector<std::int32_t> indices(points.size());
   std::iota(indices.begin(), indices.end(), 0);

@@ -96,7 +96,8 @@ class Reading(unittest.TestCase):
                    "element_steps_per_second": 3e6, "steps": 100, "element_steps": 92100}
         scenes.read(scenes.CASES[0], summary, self.log)
         self.assertEqual([(s.what, s.value) for s in self.log.samples],
-                         [("rod_plate: time", 1.0), ("rod_plate: share of contact", 0.25), ("rod_plate: speed", 3.0),
+                         [("rod_plate: time", 1.0), ("rod_plate: share of contact", 0.25),
+                          ("rod_plate: contact in a step", 2.5), ("rod_plate: speed", 3.0),
                           ("rod_plate: part that is worked", 0.5)])
 
     def test_scene_that_is_cut_short_has_no_time(self):
@@ -112,10 +113,12 @@ class Reading(unittest.TestCase):
             {"name": "list_by_nanoflann/close_packed/per_side:30/threads:1/leaf:10/real_time", "pinballs": 27000.0,
              "per_pinball": 1e-6},
             {"name": "forces/facing_layers/per_side:707/threads:2/real_time", "pinballs": 999698.0, "per_pair": 1e-7},
+            {"name": "forces_of_tenth/close_packed/per_side:30/threads:1/real_time", "pinballs": 27000.0, "per_pair": 1e-8},
         ]}, self.log)
         for sample, (what, size, value) in zip(self.log.samples, [
                 ("list from nothing, close-packed", 27_000, 500), ("pairs by nanoflann, leaf 10, close-packed", 27_000, 1000),
-                ("contact forces, facing layers", 999_698, 100)]):
+                ("contact forces, facing layers", 999_698, 100),
+                ("contact forces, a tenth in contact, close-packed", 27_000, 10)]):
             self.assertEqual((sample.what, sample.size), (what, size))
             self.assertAlmostEqual(sample.value, value)
 
@@ -150,7 +153,8 @@ class Published(unittest.TestCase):
         self.assertEqual((time.gain(0.5), rate.gain(8.0)), ((4.0, 6.0), (2.0, 4.0)))
 
     def test_every_figure_belongs_to_something_that_is_measured(self):
-        measured = {whole_steps.STEP, *(f(case.title) for case in scenes.CASES for f in (scenes.time_of, scenes.speed_of))}
+        of_scenes = (scenes.time_of, scenes.speed_of, scenes.contact_time_of)
+        measured = {whole_steps.STEP, *(f(case.title) for case in scenes.CASES for f in of_scenes)}
         self.assertLessEqual({figure.what for figure in published.FIGURES}, measured)
 
 

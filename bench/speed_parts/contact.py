@@ -20,12 +20,13 @@ SMALL = Cloud("close_packed", "close-packed", 30)
 LARGE = Cloud("close_packed", "close-packed", 100)
 LAYERS = Cloud("facing_layers", "facing layers", 707)
 OURS, LIBRARY = "list_from_nothing", "list_by_nanoflann"
+FORCES = {"forces": "contact forces", "forces_of_tenth": "contact forces, a tenth in contact"}
 
 
 def what_of(benchmark, cloud, leaf=None):
     if benchmark == LIBRARY:
         return f"pairs by nanoflann, leaf {leaf}, {cloud}"
-    return {OURS: "list from nothing", "forces": "contact forces"}[benchmark] + f", {cloud}"
+    return {OURS: "list from nothing", **FORCES}[benchmark] + f", {cloud}"
 
 
 def read(report, log):
@@ -33,7 +34,7 @@ def read(report, log):
     titles = {cloud.name: cloud.title for cloud in (SMALL, LAYERS)}
     for result in report["benchmarks"]:
         (benchmark, cloud), arguments = measuring.parts_of(result["name"])
-        seconds, unit = ((result["per_pair"], "ns per listed pair") if benchmark == "forces" else
+        seconds, unit = ((result["per_pair"], "ns per listed pair") if benchmark in FORCES else
                          (result["per_pinball"], "ns per pinball"))
         log.add(what_of(benchmark, titles[cloud], arguments.get("leaf")), round(result["pinballs"]), "double",
                 arguments["threads"], seconds * 1e9, unit)
@@ -41,7 +42,7 @@ def read(report, log):
 
 def measure(cloud, log, options=(), library=True):
     searches = f"{OURS}|{LIBRARY}" if library else OURS
-    wanted = f"^({searches}|forces)/{cloud.name}/per_side:{cloud.per_side}/"
+    wanted = f"^({searches}|{'|'.join(FORCES)})/{cloud.name}/per_side:{cloud.per_side}/"
     read(measuring.benchmarks(NATIVE, "bench_contact", wanted, options), log)
 
 

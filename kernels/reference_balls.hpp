@@ -1,0 +1,49 @@
+#pragma once
+
+#include <pinball/kernels/ball_tree.hpp>
+
+/// Which pairs of balls of one body were close to each other in the undeformed mesh. Such a pair says nothing about
+/// contact: balls of flat elements may overlap from the start.
+namespace pinball {
+
+/// Components of a group of G reference balls: centre, radius [length], number of the body (below 2^24).
+inline constexpr int reference_components = 5;
+
+/// Single precision, as many lanes as divide a group of balls in precision S.
+template <class S>
+using ReferencePack = Pack<float, (native_width<float> < ball_group<S> ? native_width<float> : ball_group<S>)>;
+
+/// For each ball of a group the balls of another group that belong to the same body.
+template <class S>
+PINBALL_FUNCTION BallBits<ball_group<S>> balls_of_one_body(const float* own, const float* others) {
+  using T = ReferencePack<S>;
+  constexpr int G = ball_group<S>, W = width_of<T>;
+  BallBits<G> bits{};
+  for (int first = 0; first < G; first += W) {
+    const T body = load<T>(others + 4 * G + first);
+    PINBALL_UNROLL
+    for (int i = 0; i < G; ++i) bits.add_to_row(i, lane_bits<T>(body == T(own[4 * G + i])) << first);
+  }
+  return bits;
+}
+
+/// For each ball of a group the balls of another group that are further off than the sum of the radii.
+template <class S>
+PINBALL_FUNCTION BallBits<ball_group<S>> balls_apart(const float* own, const float* others) {
+  using T = ReferencePack<S>;
+  constexpr int G = ball_group<S>, W = width_of<T>;
+  BallBits<G> bits{};
+  for (int first = 0; first < G; first += W) {
+    const auto component = [&](int c) { return load<T>(others + c * G + first); };
+    const T x = component(0), y = component(1), z = component(2), radius = component(3);
+    PINBALL_UNROLL
+    for (int i = 0; i < G; ++i) {
+      const T dx = x - T(own[i]), dy = y - T(own[G + i]), dz = z - T(own[2 * G + i]);
+      const T reach = radius + T(own[3 * G + i]);
+      bits.add_to_row(i, lane_bits<T>(dx * dx + dy * dy + dz * dz > T(1.0001f) * reach * reach) << first);
+    }
+  }
+  return bits;
+}
+
+}  // namespace pinball
