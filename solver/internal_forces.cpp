@@ -1,4 +1,5 @@
 #include <limits>
+#include <pinball/built_features.hpp>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/internal_forces.hpp>
 
@@ -11,7 +12,7 @@ InternalForces<S>::InternalForces(const Model<S>& model) : results_(static_cast<
 
 template <class S>
 InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
-  if (!resting_) {
+  if (!built::resting || !resting_) {
     worked_ = model.tile_colours;
   } else if (resting_->wake(model.nodes)) {
     choose_worked(model);
@@ -28,7 +29,7 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
                           kernel_of_part_[part](elements, nodes, model.constants[part], dt, model.tile_packs[t],
                                                 model.tile_packs[t + 1], result);
                           // Worked all the same, a tile at rest keeps its stable step, as it does when it is skipped.
-                          if (!resting_ || !resting_->rests(tile)) return;
+                          if (!built::resting || !resting_ || !resting_->rests(tile)) return;
                           result.time_step = before.time_step;
                           result.time_step_slot = before.time_step_slot;
                         });
@@ -47,7 +48,7 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
       sum.time_step_slot = r.time_step_slot;
     }
   }
-  if (!resting_) {
+  if (built::resting && !resting_) {
     resting_.emplace(model);
     choose_worked(model);
   }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <pinball/built_features.hpp>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/node_update.hpp>
 #include <pinball/solver/error.hpp>
+#include <pinball/solver/require_built.hpp>
 #include <pinball/solver/solver.hpp>
 
 namespace pinball {
@@ -17,12 +19,15 @@ Solver<S>::Solver(const Scene& scene)
       boundary_(model_),
       probes_(model_),
       contact_(make_contact(model_)) {
+  require_built(model_, boundary_.any());
   initial_momentum_ = momentum();
 }
 
 /// The explicit step of the report's figure 4, with its figure 3 for contact: the program's table of contents.
 template <class S>
 void Solver<S>::advance(bool last) {
+  const bool touching = built::contact && contact_, bounded = built::boundary_conditions && boundary_.any();
+
   // Figure 4, 1-2: external loads come with the other boundary conditions; node forces are zero between steps.
 
   // 3. Element stresses, internal forces and their assembly
@@ -31,7 +36,7 @@ void Solver<S>::advance(bool last) {
 
   // 4. Contact forces
   ContactResult contact;
-  if (contact_) {
+  if (touching) {
     timers_.measure(Phase::pinballs, [&] { contact_->update_surface(model_, internal_forces_.tiles()); });
     timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
     if (contact_->by_impulses()) {
@@ -47,14 +52,14 @@ void Solver<S>::advance(bool last) {
 
   // Loads, constraints and prescribed velocities, then contact that acts on what they leave, then rigid walls
   const StepLengths step{dt_before_, dt_};
-  if (boundary_.any()) {
+  if (bounded) {
     timers_.measure(Phase::boundary_conditions, [&] { boundary_.apply(model_, time_, step); });
   }
-  if (contact_ && contact_->by_impulses()) {
+  if (touching && contact_->by_impulses()) {
     contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, step); });
     timers_.measure(Phase::contact_forces, [&] { boundary_.hold(model_, time_, step); });
   }
-  if (boundary_.any()) {
+  if (bounded) {
     timers_.measure(Phase::boundary_conditions, [&] { boundary_.complete(model_, step); });
   }
 
@@ -139,7 +144,8 @@ double Solver<S>::integrate(double dt_new) {
         partial = sum;
       },
       [](double& whole, double partial) { whole += partial; });
-  if (eroded_elements_ > 0) symmetry_walls_.reflect(model_, position_step);  // what erosion has set free
+  if (built::erosion && eroded_elements_ > 0)
+    symmetry_walls_.reflect(model_, position_step);  // what erosion has set free
   return 0.5 * twice_kinetic;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <pinball/built_features.hpp>
 #include <pinball/kernels/element_update.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 
@@ -90,28 +91,36 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
 }
 
 template <class S, bool plastic, bool erosion, bool viscosity>
-TileKernel<S> choose_hourglass(HourglassKind kind) {
-  switch (kind) {
-    case HourglassKind::stiffness:
-      return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness}>;
-    case HourglassKind::viscous:
-      return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous}>;
-    case HourglassKind::none:
-      break;
+TileKernel<S> choose_hourglass([[maybe_unused]] HourglassKind kind) {
+  if constexpr (built::hourglass) {
+    switch (kind) {
+      case HourglassKind::stiffness:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness}>;
+      case HourglassKind::viscous:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous}>;
+      case HourglassKind::none:
+        break;
+    }
   }
   return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::none}>;
 }
 
 template <class S, bool plastic, bool erosion>
 TileKernel<S> choose_viscosity(const ElementFeatures& f) {
-  return f.bulk_viscosity ? choose_hourglass<S, plastic, erosion, true>(f.hourglass)
-                          : choose_hourglass<S, plastic, erosion, false>(f.hourglass);
+  if constexpr (built::bulk_viscosity) {
+    if (f.bulk_viscosity) return choose_hourglass<S, plastic, erosion, true>(f.hourglass);
+  }
+  return choose_hourglass<S, plastic, erosion, false>(f.hourglass);
 }
 
 template <class S>
 TileKernel<S> choose_tile_kernel(const ElementFeatures& f) {
-  if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
-  if (f.plastic) return choose_viscosity<S, true, false>(f);
+  if constexpr (built::plasticity && built::erosion) {
+    if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
+  }
+  if constexpr (built::plasticity) {
+    if (f.plastic) return choose_viscosity<S, true, false>(f);
+  }
   return choose_viscosity<S, false, false>(f);
 }
 
