@@ -81,12 +81,19 @@ struct ElementSums {
   int inverted_count = 0;  ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
 };
 
+/// What a caller that asks for nothing ahead puts between the parts of update_element_pack.
+struct NothingAhead {
+  PINBALL_FUNCTION void operator()(int /*part*/) const {}
+};
+
 /// pack: number of the pack; pack_in_tile: the same counted from the start of its tile.
-template <class T, ElementFeatures features>
+/// ahead(0) ... ahead(7) are called in turn, spread over the work: places to ask the caches for what is worked next.
+/// All at once would fill the queue of lines on their way, and the processor would stand still.
+template <class T, ElementFeatures features, class Ahead = NothingAhead>
 PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
                                           const ElementConstants<ScalarOf<T>>& constants,
                                           const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
-                                          ElementSums<T>& sums) {
+                                          ElementSums<T>& sums, const Ahead& ahead = {}) {
   using S = ScalarOf<T>;
   const S dt = step.length;
   constexpr int W = width_of<T>;
@@ -106,6 +113,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   PINBALL_UNROLL
   for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(nodes.position, corner + i * W);
   const HexahedronModes<T> x = to_modes(value);
+  ahead(0);
 
   // Geometry at the end of the step, and the roots that only it goes into
   const UniformGradient<T> b = uniform_gradient(x);
@@ -117,6 +125,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   [[maybe_unused]] const T area = face_area(trace_b_b);
   [[maybe_unused]] T length(0);
   if constexpr (features.bulk_viscosity) length = volume / area;
+  ahead(1);
 
   // Geometry in the middle of the step
   HexahedronModes<T> x_mid;
@@ -132,6 +141,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const auto whole = alive && has_volume;
   const T inverse_both = select(whole, T(1) / (volume * volume_mid), T(0));
   const T inverse_volume = inverse_both * volume_mid, inverse_volume_mid = inverse_both * volume;
+  ahead(2);
 
   // Strain increment and spin
   const Tensor<T> gradient = velocity_gradient(b_mid, v, inverse_volume_mid);
@@ -151,6 +161,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const T inverse_square = inverse_volume * inverse_volume;
   const T stable_rate = element_stable_rate(inverse_square * largest_b_b, inverse_square * trace_b_b, volume,
                                             inverse_mass, T(material.lambda), T(material.mu), viscosity);
+  ahead(3);
 
   // Hourglass rates
   [[maybe_unused]] Vec3<T> rate[4];
@@ -158,6 +169,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) rate[a] = hourglass_rate(gradient, x_mid, v, a);
   }
+  ahead(4);
 
   // Stress
   S* stored = elements.stress + pack * 6 * W;
@@ -173,6 +185,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     plastic_strain = state(elements.plastic_strain + pack * W);
     deviator_left = radial_return(material, stress, plastic_strain);
   }
+  ahead(5);
 
   // Forces of the hourglass modes
   HourglassForce<T> hourglass{};
@@ -224,6 +237,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     }
   }
   if (any_lane(inverted)) sums.inverted_count += count_lanes(inverted);
+  ahead(6);
 
   // State of the next step
   if constexpr (features.plastic) store(plastic_strain, elements.plastic_strain + pack * W);
@@ -270,6 +284,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     stress.yy += q;
     stress.zz += q;
   }
+  ahead(7);
 
   // What acts through B: the stress, and a tensor of the hourglass forces
   Tensor<T> acting;

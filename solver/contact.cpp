@@ -1,4 +1,5 @@
 #include <cmath>
+#include <pinball/built_features.hpp>
 #include <pinball/solver/contact.hpp>
 #include <pinball/solver/pinball_contact.hpp>
 #include <pinball/solver/slideline_contact.hpp>
@@ -24,14 +25,16 @@ ContactResult Contact<S>::impulses(Model<S>& model, const StepLengths& step) {
 }
 
 template <class S>
-std::unique_ptr<Contact<S>> make_contact(const Model<S>& model) {
-  switch (model.scene.contact.method) {
-    case ContactMethod::none:
-      return nullptr;
-    case ContactMethod::pinball:
-      return std::make_unique<PinballContact<S>>(model);
-    case ContactMethod::slideline:
-      return std::make_unique<SlidelineContact<S>>(model);
+std::unique_ptr<Contact<S>> make_contact([[maybe_unused]] const Model<S>& model) {
+  if constexpr (built::contact) {
+    switch (model.scene.contact.method) {
+      case ContactMethod::none:
+        return nullptr;
+      case ContactMethod::pinball:
+        return std::make_unique<PinballContact<S>>(model);
+      case ContactMethod::slideline:
+        return std::make_unique<SlidelineContact<S>>(model);
+    }
   }
   return nullptr;
 }

@@ -1,4 +1,5 @@
 #include <limits>
+#include <pinball/built_features.hpp>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/internal_forces.hpp>
 
@@ -30,7 +31,7 @@ void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementSt
 
 template <class S>
 InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
-  if (!resting_) {
+  if (!built::resting || !resting_) {
     worked_ = model.tile_colours;
   } else if (resting_->wake(model.nodes)) {
     choose_worked(model);
@@ -40,13 +41,13 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
     const TileResult<S> before = result;
     work(model, tile, {dt});
     // Worked all the same, a tile at rest keeps its stable step, as it does when it is skipped.
-    if (!resting_ || !resting_->rests(tile)) return;
+    if (!built::resting || !resting_ || !resting_->rests(tile)) return;
     result.time_step = before.time_step;
     result.time_step_slot = before.time_step_slot;
   });
   InternalForceResult<S> result = sum();
-  if (resting_ && model.scene.skip.resting) result.resting_elements = resting_->elements();
-  if (!resting_) {
+  if (built::resting && resting_ && model.scene.skip.resting) result.resting_elements = resting_->elements();
+  if (built::resting && !resting_) {
     resting_.emplace(model);
     choose_worked(model);
   }

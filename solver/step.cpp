@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <pinball/built_features.hpp>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/node_update.hpp>
 #include <pinball/solver/error.hpp>
+#include <pinball/solver/require_built.hpp>
 #include <pinball/solver/solver.hpp>
 
 namespace pinball {
@@ -17,6 +19,7 @@ Solver<S>::Solver(const Scene& scene)
       boundary_(model_),
       probes_(model_),
       contact_(make_contact(model_)) {
+  require_built(model_, boundary_.any());
   initial_momentum_ = momentum();
   if (!model_.tile_levels.empty()) {
     const bool erodes = !model_.elements.internal_energy.empty();
@@ -37,6 +40,7 @@ void Solver<S>::advance(bool last) {
 template <class S>
 void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
   const bool all = step_of_cycle == 0;
+  const bool touching = built::contact && contact_, bounded = built::boundary_conditions && boundary_.any();
 
   // Figure 4, 1-2: external loads come with the other boundary conditions; node forces are zero between steps.
 
@@ -49,7 +53,7 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
 
   // 4. Contact forces
   ContactResult contact;
-  if (contact_) {
+  if (touching) {
     timers_.measure(Phase::pinballs, [&] { contact_->update_surface(model_, internal_forces_.tiles()); });
     timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
     if (contact_->by_impulses()) {
@@ -67,15 +71,15 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
 
   // Loads, constraints and prescribed velocities, then contact that acts on what they leave, then rigid walls
   const StepLengths step{dt_before_, dt_};
-  if (boundary_.any()) {
+  if (bounded) {
     timers_.measure(Phase::boundary_conditions,
                     [&] { boundary_.apply(model_, time_, step, due_nodes(step_of_cycle)); });
   }
-  if (contact_ && contact_->by_impulses()) {
+  if (touching && contact_->by_impulses()) {
     contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, step); });
     timers_.measure(Phase::contact_forces, [&] { boundary_.hold(model_, time_, step); });
   }
-  if (boundary_.any()) {
+  if (bounded) {
     timers_.measure(Phase::boundary_conditions, [&] { boundary_.complete(model_, step); });
   }
 

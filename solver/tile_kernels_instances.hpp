@@ -1,22 +1,66 @@
 #pragma once
 
+#include <algorithm>
+#include <pinball/built_features.hpp>
 #include <pinball/kernels/element_update.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 
 /// The kernels behind choose_tile_kernel. Included by one source file per precision, because compiling them takes long.
 namespace pinball {
 
-/// Asks for the nodes of a pack that is two packs ahead: where they lie nothing but the corner numbers says, so that
-/// the processor cannot foresee it. Of a row of elements every second one will do: two node records share a cache line.
-template <class S>
-void prefetch_nodes(const NodeView<S>& nodes, const std::int32_t* corner) {
-  for (int i = 0; i < 8 * native_width<S>; i += 2) {
-    const std::int64_t record = 4 * static_cast<std::int64_t>(corner[i]);
-    __builtin_prefetch(nodes.position + record);
-    __builtin_prefetch(nodes.velocity + record);
-    __builtin_prefetch(nodes.force + record);
+/// Asks the caches for a pack in eight parts, of each the nodes of one corner and some of the element state. Where
+/// nodes lie nothing but the corner numbers says, so that the processor cannot foresee it; element state it can, but
+/// not beyond a page of memory, which is five packs.
+///
+/// All is inlined by force: GCC 12 takes a function that only prefetches for one that does nothing, and drops the call.
+template <class T, ElementFeatures features>
+class PackAhead {
+  using S = ScalarOf<T>;
+  static constexpr int W = width_of<T>;
+  static constexpr int line = 64 / static_cast<int>(sizeof(S));  ///< scalars of a cache line
+
+ public:
+  PackAhead(const ElementView<S>& elements, const NodeView<S>& nodes, std::int64_t pack)
+      : elements_(elements), nodes_(nodes), pack_(pack) {}
+
+  PINBALL_FUNCTION void operator()(int part) const {
+    ask_for_nodes(elements_.corner + (pack_ * 8 + part) * W);
+    if (part < 2) ask_for_state(elements_.stress, 6, 3 * part, 3);
+    if constexpr (features.hourglass == HourglassKind::stiffness) {
+      if (part >= 2 && part < 6) ask_for_state(elements_.hourglass_force, 12, 3 * (part - 2), 3);
+    }
+    if (part == 6) {
+      ask_for_state(elements_.mass, 1, 0, 1);
+      if constexpr (features.plastic) ask_for_state(elements_.plastic_strain, 1, 0, 1);
+    }
+    if (part == 7) {
+      if constexpr (features.bulk_viscosity) ask_for_state(elements_.viscous_stress, 1, 0, 1);
+      if constexpr (features.erosion) ask_for_state(elements_.internal_energy, 1, 0, 1);
+    }
   }
-}
+
+ private:
+  PINBALL_FUNCTION void ask_for_nodes(const std::int32_t* corner) const {
+    PINBALL_UNROLL
+    for (int i = 0; i < W; i += line / 4) {  // elements of a row have records side by side, line / 4 of them in a line
+      const std::int64_t record = 4 * static_cast<std::int64_t>(corner[i]);
+      __builtin_prefetch(nodes_.position + record);
+      __builtin_prefetch(nodes_.velocity + record);
+      __builtin_prefetch(nodes_.force + record);
+    }
+  }
+
+  /// Components first ... first + count - 1 of an array of N components.
+  PINBALL_FUNCTION void ask_for_state(const S* array, int n, int first, int count) const {
+    const S* begin = array + (pack_ * n + first) * W;
+    PINBALL_UNROLL
+    for (int i = 0; i < count * W; i += line) __builtin_prefetch(begin + i);
+  }
+
+  const ElementView<S>& elements_;
+  const NodeView<S>& nodes_;
+  std::int64_t pack_;
+};
 
 template <class S, ElementFeatures features>
 void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const ElementConstants<S>& constants,
@@ -24,9 +68,9 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
   using T = Pack<S, native_width<S>>;
   ElementSums<T> sums;
   for (std::int64_t pack = first_pack; pack < last_pack; ++pack) {
-    const std::int64_t ahead = pack + 2;
-    if (ahead < last_pack) prefetch_nodes(nodes, elements.corner + ahead * 8 * width_of<T>);
-    update_element_pack<T, features>(elements, nodes, constants, step, pack, static_cast<int>(pack - first_pack), sums);
+    const PackAhead<T, features> ahead(elements, nodes, std::min(pack + 3, last_pack - 1));
+    update_element_pack<T, features>(elements, nodes, constants, step, pack, static_cast<int>(pack - first_pack), sums,
+                                     ahead);
   }
   result.internal = static_cast<double>(lane_sum(sums.internal));
   result.hourglass = static_cast<double>(lane_sum(sums.hourglass));
@@ -47,28 +91,36 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
 }
 
 template <class S, bool plastic, bool erosion, bool viscosity>
-TileKernel<S> choose_hourglass(HourglassKind kind) {
-  switch (kind) {
-    case HourglassKind::stiffness:
-      return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness}>;
-    case HourglassKind::viscous:
-      return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous}>;
-    case HourglassKind::none:
-      break;
+TileKernel<S> choose_hourglass([[maybe_unused]] HourglassKind kind) {
+  if constexpr (built::hourglass) {
+    switch (kind) {
+      case HourglassKind::stiffness:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness}>;
+      case HourglassKind::viscous:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous}>;
+      case HourglassKind::none:
+        break;
+    }
   }
   return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::none}>;
 }
 
 template <class S, bool plastic, bool erosion>
 TileKernel<S> choose_viscosity(const ElementFeatures& f) {
-  return f.bulk_viscosity ? choose_hourglass<S, plastic, erosion, true>(f.hourglass)
-                          : choose_hourglass<S, plastic, erosion, false>(f.hourglass);
+  if constexpr (built::bulk_viscosity) {
+    if (f.bulk_viscosity) return choose_hourglass<S, plastic, erosion, true>(f.hourglass);
+  }
+  return choose_hourglass<S, plastic, erosion, false>(f.hourglass);
 }
 
 template <class S>
 TileKernel<S> choose_tile_kernel(const ElementFeatures& f) {
-  if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
-  if (f.plastic) return choose_viscosity<S, true, false>(f);
+  if constexpr (built::plasticity && built::erosion) {
+    if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
+  }
+  if constexpr (built::plasticity) {
+    if (f.plastic) return choose_viscosity<S, true, false>(f);
+  }
   return choose_viscosity<S, false, false>(f);
 }
 
