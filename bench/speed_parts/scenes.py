@@ -24,9 +24,12 @@ FINE_BAR = [*(f"body.bar.mesh.{count}" for count in ("core=14", "ring=7", "layer
 # is in proportion to the elements as in the scene; the faces meet after 20 steps.
 FACETS = [*(f"body.{block}.mesh.{key}" for block in ("lower", "upper")
             for key in ("elements=[80, 80, 20]", "size=[0.1, 0.1, 0.025]")), "body.upper.position=[0.0, 0.0, 0.025325]"]
+ONE_STEP = Case("refined_layer, one step for all", "refined_layer", settings=["time.subcycling=false"])
+SUBCYCLED = Case("refined_layer, subcycling", "refined_layer")
 CASES = [Case("rod_plate", "rod_plate"), Case("rod_plate, refine 2", "rod_plate", refine=2),
          Case("taylor_bar, 20,000 elements", "taylor_bar", settings=FINE_BAR),
-         Case("two_blocks, 38,400 facets", "two_blocks", settings=FACETS, steps=150)]
+         Case("two_blocks, 38,400 facets", "two_blocks", settings=FACETS, steps=150),
+         ONE_STEP, SUBCYCLED]
 
 
 def time_of(title):
@@ -65,5 +68,7 @@ def measure(case, log):
 
 
 def ratios(samples):
-    return [Ratio(f"{case.title}: two threads over one", {"what": speed_of(case.title), "threads": 2},
-                  {"what": speed_of(case.title), "threads": 1}) for case in CASES]
+    return [*(Ratio(f"{case.title}: two threads over one", {"what": speed_of(case.title), "threads": 2},
+                    {"what": speed_of(case.title), "threads": 1}) for case in CASES),
+            Ratio("refined_layer: time of one step for all over subcycling", {"what": time_of(ONE_STEP.title)},
+                  {"what": time_of(SUBCYCLED.title)})]
