@@ -22,12 +22,12 @@ bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::in
 
 template <class S>
 void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
-  const std::vector<Memory> memory = remember();
+  remember();
   boxes_.build(balls);
   collect_references(pinballs);
   find(pinballs, self);
   number(pinballs);
-  recall(memory);
+  recall();
 }
 
 template <class S>
@@ -195,14 +195,16 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
 }
 
 template <class S>
-std::vector<typename PairList<S>::Memory> PairList<S>::remember() const {
-  std::vector<Memory> memory;
-  for (std::size_t i = 0; i < offset_.size(); ++i) {
-    if (offset_[i] < S(0)) continue;
-    memory.push_back({slot_[static_cast<std::size_t>(first_[i])], slot_[static_cast<std::size_t>(second_[i])],
-                      offset_[i], stored_[i]});
-  }
-  return memory;
+void PairList<S>::remember() {
+  parallel_for("pairs in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+    std::vector<Memory>& memory = memory_[static_cast<std::size_t>(p)];
+    memory.clear();
+    for (auto i = static_cast<std::size_t>(piece(p).begin); i < static_cast<std::size_t>(piece(p).end); ++i) {
+      if (offset_[i] < S(0)) continue;
+      memory.push_back({slot_[static_cast<std::size_t>(first_[i])], slot_[static_cast<std::size_t>(second_[i])],
+                        offset_[i], stored_[i]});
+    }
+  });
 }
 
 template <class S>
@@ -224,19 +226,21 @@ std::int64_t PairList<S>::find_pair(std::int32_t first, std::int32_t second) con
 }
 
 template <class S>
-void PairList<S>::recall(const std::vector<Memory>& memory) {
+void PairList<S>::recall() {
   const auto number_of_slot = [this](std::int32_t slot) {
     const auto found = std::lower_bound(slot_.begin(), slot_.end(), slot);  // pinballs are in the order of slots
     return found != slot_.end() && *found == slot ? static_cast<std::int32_t>(found - slot_.begin()) : -1;
   };
-  for (const Memory& m : memory) {
-    const std::int32_t first = number_of_slot(m.first), second = number_of_slot(m.second);
-    if (first < 0 || second < 0) continue;
-    const std::int64_t place = find_pair(first, second);
-    if (place < 0) continue;
-    offset_[static_cast<std::size_t>(place)] = m.offset;
-    stored_[static_cast<std::size_t>(place)] = m.stored;
-  }
+  parallel_for("pairs still in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+    for (const Memory& m : memory_[static_cast<std::size_t>(p)]) {
+      const std::int32_t first = number_of_slot(m.first), second = number_of_slot(m.second);
+      if (first < 0 || second < 0) continue;
+      const std::int64_t place = find_pair(first, second);
+      if (place < 0) continue;
+      offset_[static_cast<std::size_t>(place)] = m.offset;
+      stored_[static_cast<std::size_t>(place)] = m.stored;
+    }
+  });
 }
 
 template <class S>
@@ -265,6 +269,7 @@ std::size_t PairList<S>::bytes() const {
   std::size_t sum = of(listed_) + of(slot_) + of(has_pair_) + of(number_) + first_.bytes() + second_.bytes() +
                     offset_.bytes() + stored_.bytes() + boxes_.bytes() + reference_.bytes();
   for (const NearBalls<S>& near : near_) sum += near.bytes();
+  for (const std::vector<Memory>& memory : memory_) sum += of(memory);
   for (const Found& found : found_) sum += of(found.first) + of(found.second);
   return sum;
 }

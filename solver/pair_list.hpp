@@ -59,8 +59,8 @@ class PairList {
     std::size_t pairs = 0;
     std::int32_t pinballs = 0;  ///< of the piece, that have a pair
   };
-  std::vector<Memory> remember() const;
-  void recall(const std::vector<Memory>& memory);
+  void remember();
+  void recall();
   /// Place of a pair of listed pinballs; -1 if it is not listed.
   std::int64_t find_pair(std::int32_t first, std::int32_t second) const;
   /// First of all pinballs of a piece.
@@ -83,7 +83,8 @@ class PairList {
   AlignedArray<S> offset_, stored_;
   // What follows is kept for its memory alone.
   BallTree<S> boxes_;
-  AlignedArray<float> reference_;  ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
+  AlignedArray<float> reference_;                   ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
+  std::array<std::vector<Memory>, pieces> memory_;  ///< of the pairs of a piece
   std::array<NearBalls<S>, pieces> near_;
   std::array<Found, pieces> found_;
   std::vector<std::uint8_t> has_pair_;  ///< per pinball
