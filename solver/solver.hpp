@@ -9,6 +9,7 @@
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/probes.hpp>
 #include <pinball/solver/results.hpp>
+#include <pinball/solver/skipped_work.hpp>
 #include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
@@ -75,6 +76,7 @@ class Solver {
  private:
   void advance(bool last);
   void make_step(std::int32_t step_of_cycle, bool last);
+  void search_contact();
   void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
   double integrate(std::int32_t step_of_cycle);
   DueSpans due_nodes(std::int32_t step_of_cycle) const {
@@ -101,8 +103,8 @@ class Solver {
   double damped_power_ = 0;
   double initial_energy_ = 0, external_max_ = 0;
   Point initial_momentum_{};
-  std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0, resting_element_steps_ = 0,
-               subcycled_element_steps_ = 0;
+  std::int64_t eroded_elements_ = 0;
+  WorkCounts counts_;
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;
   double contact_frequency2_ = 0;  ///< largest since the cycle began [1/time^2]
   std::int64_t pairs_ = 0, pairs_max_ = 0;

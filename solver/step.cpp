@@ -55,7 +55,7 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
   ContactResult contact;
   if (touching) {
     timers_.measure(Phase::pinballs, [&] { contact_->update_surface(model_, internal_forces_.tiles()); });
-    timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
+    search_contact();
     if (contact_->by_impulses()) {
       timers_.measure(Phase::contact_forces, [&] { contact_->prepare_impulses(model_, dt_); });
     } else {
@@ -99,9 +99,14 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
   energies_.external = boundary_.work();
   external_max_ = std::max(external_max_, std::abs(energies_.external));
   if (!last) {
-    eroded_element_steps_ += eroded_elements_;
-    resting_element_steps_ += internal.resting_elements;
-    subcycled_element_steps_ += internal.subcycled_elements;
+    counts_.eroded_element_steps += eroded_elements_;
+    counts_.resting_element_steps += internal.resting_elements;
+    counts_.subcycled_element_steps += internal.subcycled_elements;
+    if (touching) {
+      const std::int64_t surface = contact_->surface_elements();
+      counts_.surface_element_steps += surface;
+      counts_.inner_element_steps += model_.element_count() - eroded_elements_ - surface;
+    }
   }
   eroded_elements_ += internal.eroded_count;
   penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);
@@ -115,6 +120,15 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
     check_state(kinetic);
   }
   if (!last) ++steps_;
+}
+
+/// Lists of what may touch; notes what building them has taken.
+template <class S>
+void Solver<S>::search_contact() {
+  const std::int64_t searches = contact_->searches();
+  const double seconds = timers_.seconds(Phase::contact_search);
+  timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
+  if (contact_->searches() > searches) counts_.search_seconds += timers_.seconds(Phase::contact_search) - seconds;
 }
 
 /// Sets dt_ for the coming step or cycle of steps.
