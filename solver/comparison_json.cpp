@@ -30,7 +30,8 @@ Json variant_json(const VariantRuns& variant, const TimeRatios& ratios) {
     repeats.push_back({{"wall_seconds", whole["wall_seconds"]}, {"phase_seconds", whole["phase_seconds"]}});
   }
   Json summary = Json::parse(summary_json(variant.repeats.front()));
-  for (const char* key : {"wall_seconds", "phase_seconds", "element_steps_per_second"}) summary.erase(key);
+  for (const char* key : {"wall_seconds", "phase_seconds", "element_steps_per_second", "skipped_seconds"})
+    summary.erase(key);
   const VariantTimes times = times_of(variant);
   return {{"settings", settings},
           {"failure", variant.failure.empty() ? Json(nullptr) : Json(variant.failure)},

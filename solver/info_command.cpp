@@ -6,6 +6,7 @@
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/commands.hpp>
 #include <pinball/solver/info_boundary.hpp>
+#include <pinball/solver/info_skipped.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <pinball/solver/mesh_quality.hpp>
 #include <pinball/solver/progress.hpp>
@@ -150,55 +151,6 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   fmt::print("  output: {}\n", output_text(scene, units));
 }
 
-/// One line per thing that this scene does not pay for, with the reason.
-template <class S>
-void print_what_is_skipped(const Solver<S>& solver) {
-  const Model<S>& model = solver.model();
-  const Scene& scene = model.scene;
-  fmt::print("what is skipped\n");
-  const auto skip = [](const std::string& what, const std::string& why) { fmt::print("  {}: {}\n", what, why); };
-  for (std::size_t p = 0; p < model.parts.size(); ++p) {
-    const Material& material = scene.materials[p];
-    const ElementFeatures& f = model.parts[p].features;
-    if (!material.plastic) skip(fmt::format("plasticity of {}", material.name), "its model is elastic");
-    if (!f.erosion) {
-      skip(fmt::format("erosion of {}", material.name),
-           material.plastic ? "it has no erosion_strain and an inverted element stops the run"
-                            : "its model is elastic and an inverted element stops the run");
-    }
-  }
-  const ElementStore<S>& store = model.elements;
-  if (store.plastic_strain.empty()) skip("plastic strain array", "no material is plastic, none is eroded");
-  if (store.internal_energy.empty()) skip("energy per element", "no material is eroded");
-  if (!scene.element.bulk_viscosity) skip("bulk viscosity", "off in the scene (element.bulk_viscosity)");
-  if (scene.element.hourglass == HourglassControl::none)
-    skip("hourglass control", "off in the scene (element.hourglass)");
-  if (store.hourglass_force.empty()) skip("hourglass force array", "no stiffness form of hourglass control");
-  if (const std::int64_t resting = RestingTiles<S>(model).elements(); scene.skip.resting && resting > 0) {
-    skip(fmt::format("stresses and forces of {} elements", resting),
-         "at rest or in free uniform flight, until something reaches their tile");
-  }
-  if (solver.contact() == nullptr) {
-    skip("contact", "off in the scene (contact.method = none)");
-  } else {
-    const std::int64_t inner = model.element_count() - solver.contact()->surface_elements();
-    if (inner > 0) skip(fmt::format("contact of {} elements", inner), "none of their faces is exposed");
-    if (!scene.contact.self) skip("contact of a body with itself", "off in the scene (contact.self)");
-    if (scene.contact.method == ContactMethod::pinball && scene.contact.radius == ContactRadius::initial)
-      skip("update of the pinball radii", "contact.radius = initial");
-    if (scene.contact.damping == 0) skip("contact damping", "contact.damping = 0");
-  }
-  if (scene.constraints.empty() && scene.fixed_constraints.empty()) {
-    skip("constraints", "the scene has none");
-  } else if (model.constraints.empty()) {
-    skip("constraints", "no node lies on a plane of the scene");
-  }
-  if (!solver.boundary().any()) skip("boundary conditions", "no constraints, loads, damping or rigid walls");
-  if (scene.output.field_interval <= 0 && scene.output.field_times.empty()) {
-    skip("field output", "no output.field_interval and no output.field_times");
-  }
-}
-
 /// Takes a few steps, for at most half a second, and extrapolates.
 template <class S>
 void print_estimates(Solver<S>& solver, const Units& units) {
@@ -251,7 +203,7 @@ void print_info(const Scene& scene) {
   print_bodies(solver.model(), units);
   print_materials(scene, units);
   print_what_runs(solver, units);
-  print_what_is_skipped(solver);
+  print_what_is_skipped(solver, units);
   print_estimates(solver, units);
 }
 

@@ -98,6 +98,13 @@ struct PhaseSeconds {
   double seconds = 0.0;
 };
 
+/// What leaving out work has saved, estimated from the run's own cost of the same work.
+struct SkippedSeconds {
+  double resting = 0.0;         ///< elements at rest, at the cost of an element step
+  double searches = 0.0;        ///< steps without a search, at the cost of one that searches
+  double inner_elements = 0.0;  ///< elements without an exposed face, at the cost that the surface has
+};
+
 /// Everything that summary.json holds.
 struct RunSummary {
   std::string scene, title, units, version, precision;
@@ -122,6 +129,9 @@ struct RunSummary {
   std::int64_t pinballs = 0;   ///< at the end
   std::int64_t pairs_max = 0;  ///< most pairs in contact at one step
   std::int64_t searches = 0, searches_skipped = 0;
+  std::int64_t inner_element_steps = 0;  ///< of elements that are not in contact, because no face of theirs is exposed
+  std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have
+  SkippedSeconds skipped_seconds;
   double max_penetration_ratio = 0.0;  ///< deepest penetration over the sum of the two radii
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements

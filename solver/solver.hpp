@@ -8,6 +8,7 @@
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/probes.hpp>
 #include <pinball/solver/results.hpp>
+#include <pinball/solver/skipped_work.hpp>
 #include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
 #include <string>
@@ -67,6 +68,7 @@ class Solver {
 
  private:
   void advance(bool last);
+  void search_contact();
   void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
   double integrate(double dt_new);
   void check_state(const InternalForceResult<S>& internal, double kinetic) const;
@@ -87,7 +89,8 @@ class Solver {
   double damped_power_ = 0;
   double initial_energy_ = 0, external_max_ = 0;
   Point initial_momentum_{};
-  std::int64_t eroded_elements_ = 0, eroded_element_steps_ = 0, resting_element_steps_ = 0;
+  std::int64_t eroded_elements_ = 0;
+  WorkCounts counts_;
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;
   std::int64_t pairs_ = 0, pairs_max_ = 0;
   double dt_min_ = 0, dt_max_ = 0;

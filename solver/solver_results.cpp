@@ -189,9 +189,10 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   for (std::size_t p = 0; p < phase_names.size(); ++p) {
     summary.phases.push_back({phase_names[p], timers_.seconds(static_cast<Phase>(p))});
   }
-  summary.element_steps_eroded = eroded_element_steps_;
-  summary.element_steps_resting = resting_element_steps_;
-  summary.element_steps = model_.element_count() * steps_ - eroded_element_steps_ - resting_element_steps_;
+  const std::int64_t all_element_steps = model_.element_count() * steps_;
+  summary.element_steps_eroded = counts_.eroded_element_steps;
+  summary.element_steps_resting = counts_.resting_element_steps;
+  summary.element_steps = all_element_steps - counts_.eroded_element_steps - counts_.resting_element_steps;
   summary.energy = energies_;
   summary.initial_total = initial_energy_;
   summary.final_total = energies_.total();
@@ -208,6 +209,12 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
     summary.searches = contact_->searches();
     summary.searches_skipped = contact_->searches_skipped();
   }
+  WorkCounts counts = counts_;
+  counts.searches = summary.searches;
+  counts.searches_skipped = summary.searches_skipped;
+  summary.inner_element_steps = counts.inner_element_steps;
+  summary.bytes_not_stored = static_cast<std::int64_t>(bytes_not_stored(model_.elements));
+  summary.skipped_seconds = estimate_skipped(counts, timers_, all_element_steps);
   summary.pairs_max = pairs_max_;
   summary.max_penetration_ratio = penetration_ratio_max_;
   summary.state_hash = state_hash();

@@ -38,7 +38,7 @@ void Solver<S>::advance(bool last) {
   ContactResult contact;
   if (touching) {
     timers_.measure(Phase::pinballs, [&] { contact_->update_surface(model_, internal_forces_.tiles()); });
-    timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
+    search_contact();
     if (contact_->by_impulses()) {
       timers_.measure(Phase::contact_forces, [&] { contact_->prepare_impulses(model_, dt_); });
     } else {
@@ -81,8 +81,13 @@ void Solver<S>::advance(bool last) {
   external_max_ = std::max(external_max_, std::abs(energies_.external));
   if (steps_ == 0) initial_energy_ = energies_.total();
   if (!last) {
-    eroded_element_steps_ += eroded_elements_;
-    resting_element_steps_ += internal.skipped_elements;
+    counts_.eroded_element_steps += eroded_elements_;
+    counts_.resting_element_steps += internal.skipped_elements;
+    if (touching) {
+      const std::int64_t surface = contact_->surface_elements();
+      counts_.surface_element_steps += surface;
+      counts_.inner_element_steps += model_.element_count() - eroded_elements_ - surface;
+    }
   }
   eroded_elements_ += internal.eroded_count;
   balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
@@ -91,6 +96,15 @@ void Solver<S>::advance(bool last) {
   pairs_max_ = std::max(pairs_max_, pairs_);
   check_state(internal, kinetic);
   if (!last) ++steps_;
+}
+
+/// Lists of what may touch; notes what building them has taken.
+template <class S>
+void Solver<S>::search_contact() {
+  const std::int64_t searches = contact_->searches();
+  const double seconds = timers_.seconds(Phase::contact_search);
+  timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
+  if (contact_->searches() > searches) counts_.search_seconds += timers_.seconds(Phase::contact_search) - seconds;
 }
 
 /// Sets dt_ for the coming step; the one before it goes to dt_before_.

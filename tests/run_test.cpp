@@ -253,16 +253,23 @@ TEST_F(Program, InfoTellsWhatRunsAndWhatIsSkipped) {
   EXPECT_EQ(rod.status, 0) << rod.text;
   for (const char* text : {"rod: 414 elements", "plate: 1428 elements", "plasticity", "erosion at plastic strain 2",
                            "pinballs on", "lbf s^2/in^4", "bytes per element", "first step", "run time", "thread",
-                           "plane of symmetry", "stresses and forces of 1842 elements"}) {
+                           "plane of symmetry", "stresses and forces of 1842 elements", "contact of 160 elements",
+                           "search of most steps", "update of the pinball radii"}) {
     EXPECT_THAT(rod.text, HasSubstr(text));
   }
   const Finished blocks = run("info two_blocks --set contact.method=none --threads 1");
   EXPECT_EQ(blocks.status, 0) << blocks.text;
   for (const char* text : {"contact: off in the scene", "bulk viscosity: off in the scene", "plasticity of steel",
-                           "plastic strain array: no material is plastic", "1 thread"}) {
+                           "plastic strain array: no material is plastic", "viscous stress array: no bulk viscosity",
+                           "memory of these arrays: 24 bytes per element", "field output", "1 thread"}) {
     EXPECT_THAT(blocks.text, HasSubstr(text));
   }
   EXPECT_EQ(run("info two_blocks --precision float --refine 2").status, 0);
+  // Boxes wider by an element of 0.025 m each, which near each other at 40 m/s.
+  EXPECT_THAT(run("info two_blocks --set body.upper.position=[0,0,0.35]").text,
+              HasSubstr("pairs of lower and upper: not listed or tested as long as they cannot meet, until 0.005 s"));
+  EXPECT_THAT(run("info two_blocks --set body.upper.position=[0.5,0,0.1065]").text,
+              HasSubstr("pairs of lower and upper: not listed or tested as long as they do not near each other"));
   EXPECT_THAT(run("info rod_plate --set skip.resting=false").text, Not(HasSubstr("stresses and forces of")));
 }
 

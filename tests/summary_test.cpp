@@ -51,11 +51,12 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(keys(json), ElementsAre("scene", "title", "units", "version", "precision", "threads", "simd_width",
-                                      "elements", "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds",
-                                      "element_steps", "element_steps_skipped", "element_steps_eroded",
-                                      "element_steps_resting", "element_steps_per_second", "energy", "momentum",
-                                      "bodies", "rigid_walls", "contact", "state_hash", "bytes_per_element", "probes"));
+  EXPECT_THAT(keys(json),
+              ElementsAre("scene", "title", "units", "version", "precision", "threads", "simd_width", "elements",
+                          "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds", "element_steps",
+                          "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
+                          "element_steps_per_second", "energy", "momentum", "bodies", "rigid_walls", "contact",
+                          "skipped", "skipped_seconds", "state_hash", "bytes_per_element", "probes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(keys(json["energy"]),
               ElementsAre("kinetic", "internal", "hourglass", "bulk_viscosity", "contact", "contact_stored",
@@ -66,6 +67,9 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
                                                    "mass_remaining", "velocity", "max_plastic_strain"));
   EXPECT_THAT(keys(json["contact"]), ElementsAre("method", "enforcement", "pinballs", "pairs_max", "searches",
                                                  "searches_skipped", "max_penetration_ratio"));
+  EXPECT_THAT(keys(json["skipped"]),
+              ElementsAre("resting_element_steps", "searches", "inner_element_steps", "bytes_not_stored"));
+  EXPECT_THAT(keys(json["skipped_seconds"]), ElementsAre("resting", "searches", "inner_elements"));
 }
 
 TEST(Summary, HoldsTheValues) {
