@@ -149,6 +149,7 @@ void check_repeat(const std::string& variant, const RunSummary& first, const Run
   const auto without_times = [](RunSummary s) {
     s.wall_seconds = 0;
     s.phases.clear();
+    s.skipped_seconds = {};
     return summary_json(s);
   };
   if (without_times(first) == without_times(again)) return;

@@ -89,6 +89,7 @@ TEST(Comparison, ARepeatThatDiffersIsAnError) {
   RunSummary first = simulate(variants_of("two_blocks", {"time.steps=3"})[0].scene, {"", true});
   RunSummary again = first;
   again.wall_seconds *= 2;
+  again.skipped_seconds.searches += 1;
   again.phases[0].seconds += 1;
   EXPECT_NO_THROW(check_repeat("a=b", first, again));
   again.state_hash ^= 1;
