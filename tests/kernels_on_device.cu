@@ -12,7 +12,7 @@ __global__ void update_elements(ElementView<S> elements, NodeView<S> nodes, Elem
   constexpr ElementFeatures features{everything, everything, everything,
                                      everything ? HourglassKind::stiffness : HourglassKind::viscous};
   const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  update_element_pack<S, features>(elements, nodes, constants, dt, element, 0, sums[element]);
+  update_element_pack<S, features>(elements, nodes, constants, ElementStep<S>{dt}, element, 0, sums[element]);
 }
 
 template <class S>
