@@ -20,10 +20,12 @@ class PackAhead {
   static constexpr int line = 64 / static_cast<int>(sizeof(S));  ///< scalars of a cache line
 
  public:
-  PackAhead(const ElementView<S>& elements, const NodeView<S>& nodes, std::int64_t pack)
-      : elements_(elements), nodes_(nodes), pack_(pack) {}
+  /// there: whether the tile has such a pack. Small tiles have few, in small meshes, which lie in the caches anyway.
+  PackAhead(const ElementView<S>& elements, const NodeView<S>& nodes, std::int64_t pack, bool there)
+      : elements_(elements), nodes_(nodes), pack_(pack), there_(there) {}
 
   PINBALL_FUNCTION void operator()(int part) const {
+    if (!there_) return;
     ask_for_nodes(elements_.corner + (pack_ * 8 + part) * W);
     if (part < 2) ask_for_state(elements_.stress, 6, 3 * part, 3);
     if constexpr (features.hourglass == HourglassKind::stiffness) {
@@ -60,6 +62,7 @@ class PackAhead {
   const ElementView<S>& elements_;
   const NodeView<S>& nodes_;
   std::int64_t pack_;
+  bool there_;
 };
 
 template <class S, ElementFeatures features>
@@ -68,7 +71,7 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
   using T = Pack<S, native_width<S>>;
   ElementSums<T> sums;
   for (std::int64_t pack = first_pack; pack < last_pack; ++pack) {
-    const PackAhead<T, features> ahead(elements, nodes, std::min(pack + 3, last_pack - 1));
+    const PackAhead<T, features> ahead(elements, nodes, pack + 3, pack + 3 < last_pack);
     update_element_pack<T, features>(elements, nodes, constants, step, pack, static_cast<int>(pack - first_pack), sums,
                                      ahead);
   }
