@@ -188,20 +188,32 @@ void assembly(benchmark::State& state) {
 
 constexpr int components = 20;  // stress, plastic strain, hourglass forces, bulk viscosity
 
-/// Reads and writes all components of all elements once. together: components of a pack lie one after the other; else
-/// each component has an array, the arrays at different places of a page, so that they do not fight for one set of the
-/// cache.
-template <bool together>
+enum class Sweep {
+  pack_after_pack,      ///< components of a pack lie one after the other
+  streaming,            ///< the same, written past the caches
+  array_per_component,  ///< arrays at different places of a page, so that they do not fight for one set of the cache
+};
+
+/// Reads and writes all components of all elements once.
+template <Sweep sweep>
 void state_sweep(benchmark::State& state) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const std::int64_t side = state.range(0), packs = (side * side * side + W - 1) / W;
   const std::int64_t apart = packs * W + 17 * W;  // between two arrays
+  constexpr bool together = sweep != Sweep::array_per_component;
   AlignedArray<S> array(static_cast<std::size_t>(components * apart));
   for (auto _ : state) {
     parallel_for("sweep", RangePolicy<>{0, packs}, [&](std::int64_t pack) {
       for (int c = 0; c < components; ++c) {
         S* place = array.data() + (together ? (pack * components + c) * W : c * apart + pack * W);
-        store(T(S(0.5)) * load<T>(place) + T(S(c)), place);
+        const T value = T(S(0.5)) * load<T>(place) + T(S(c));
+#if defined(__AVX512F__)
+        if constexpr (sweep == Sweep::streaming) {
+          _mm512_stream_pd(place, static_cast<__m512d>(value));
+          continue;
+        }
+#endif
+        store(value, place);
       }
     });
   }
@@ -217,8 +229,11 @@ void sizes(benchmark::internal::Benchmark* b) {
 BENCHMARK_TEMPLATE(assembly, Coloured)->Apply(sizes);
 BENCHMARK_TEMPLATE(assembly, CornerGather)->Apply(sizes);
 BENCHMARK_TEMPLATE(assembly, Atomic)->Apply(sizes);
-BENCHMARK_TEMPLATE(state_sweep, true)->Name("state_sweep<pack after pack>")->Apply(sizes);
-BENCHMARK_TEMPLATE(state_sweep, false)->Name("state_sweep<array per component>")->Apply(sizes);
+BENCHMARK_TEMPLATE(state_sweep, Sweep::pack_after_pack)->Apply(sizes);
+#if defined(__AVX512F__)
+BENCHMARK_TEMPLATE(state_sweep, Sweep::streaming)->Apply(sizes);
+#endif
+BENCHMARK_TEMPLATE(state_sweep, Sweep::array_per_component)->Apply(sizes);
 
 }  // namespace
 
