@@ -95,7 +95,7 @@ std::vector<StepGroup> Subcycling<S>::groups(const std::vector<TileResult<S>>& t
   return groups;
 }
 
-/// A tile that has come below the level of its own elements, because they are squeezed, has no layer around it: its
+/// A tile that has come far below the level of its own elements, because they are squeezed, has no layer around it: its
 /// neighbours are that.
 template <class S>
 void Subcycling<S>::lower_beside_squeezed(const std::vector<StepGroup>& groups, std::vector<int>& levels) const {
@@ -103,7 +103,7 @@ void Subcycling<S>::lower_beside_squeezed(const std::vector<StepGroup>& groups, 
   std::vector<int> lowered = levels;
   for (std::size_t t = 0; t < levels.size(); ++t) {
     const double ratio = groups[t].stable_step / smallest * (1 + 1e-9);
-    if (ratio >= static_cast<double>(1 << own_[t])) continue;
+    if (ratio >= 0.75 * static_cast<double>(1 << own_[t])) continue;
     const int stable = static_cast<int>(std::floor(std::log2(ratio)));
     for (const std::int32_t other : neighbours_[t]) {
       int& level = lowered[static_cast<std::size_t>(other)];
