@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,22 @@ struct Colouring {
   std::vector<std::int32_t> colour_offsets;  ///< [colours + 1], first 0, last the number of tiles
   std::vector<std::int32_t> items;           ///< [tiles]
 };
+
+/// The tiles for which keep(tile) holds, colours in the same order, without those of which none is left.
+template <class Keep>
+Colouring chosen_of(const Colouring& all, const Keep& keep) {
+  Colouring chosen;
+  chosen.colour_offsets = {0};
+  for (std::size_t c = 0; c + 1 < all.colour_offsets.size(); ++c) {
+    for (std::int32_t i = all.colour_offsets[c]; i < all.colour_offsets[c + 1]; ++i) {
+      const std::int32_t tile = all.items[static_cast<std::size_t>(i)];
+      if (keep(tile)) chosen.items.push_back(tile);
+    }
+    const auto end = static_cast<std::int32_t>(chosen.items.size());
+    if (end > chosen.colour_offsets.back()) chosen.colour_offsets.push_back(end);
+  }
+  return chosen;
+}
 
 /// Colours tiles of consecutive elements so that no two tiles of one colour share a node; such tiles may add to their
 /// nodes at the same time.

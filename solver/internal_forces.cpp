@@ -96,17 +96,8 @@ InternalForceResult<S> InternalForces<S>::sum() const {
 /// The tiles of model.tile_colours without those that are to be skipped, colours in the same order.
 template <class S>
 void InternalForces<S>::choose_worked(const Model<S>& model) {
-  const Colouring& colours = model.tile_colours;
-  worked_.colour_offsets = {0};
-  worked_.items.clear();
-  for (std::size_t c = 0; c + 1 < colours.colour_offsets.size(); ++c) {
-    for (std::int32_t i = colours.colour_offsets[c]; i < colours.colour_offsets[c + 1]; ++i) {
-      const std::int32_t tile = colours.items[static_cast<std::size_t>(i)];
-      if (!model.scene.skip.resting || !resting_->rests(tile)) worked_.items.push_back(tile);
-    }
-    const auto end = static_cast<std::int32_t>(worked_.items.size());
-    if (end > worked_.colour_offsets.back()) worked_.colour_offsets.push_back(end);
-  }
+  worked_ = chosen_of(model.tile_colours,
+                      [&](std::int32_t tile) { return !model.scene.skip.resting || !resting_->rests(tile); });
 }
 
 template <class S>

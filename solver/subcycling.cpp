@@ -12,21 +12,6 @@ constexpr double cost_of_nodes = 0.1;
 
 constexpr int longest_plan = 50;  // cycles
 
-/// The tiles of one level, colours in the order of the model.
-Colouring of_level(const Colouring& all, const std::vector<int>& levels, int level) {
-  Colouring chosen;
-  chosen.colour_offsets = {0};
-  for (std::size_t c = 0; c + 1 < all.colour_offsets.size(); ++c) {
-    for (std::int32_t i = all.colour_offsets[c]; i < all.colour_offsets[c + 1]; ++i) {
-      const std::int32_t tile = all.items[static_cast<std::size_t>(i)];
-      if (levels[static_cast<std::size_t>(tile)] == level) chosen.items.push_back(tile);
-    }
-    const auto end = static_cast<std::int32_t>(chosen.items.size());
-    if (end > chosen.colour_offsets.back()) chosen.colour_offsets.push_back(end);
-  }
-  return chosen;
-}
-
 }  // namespace
 
 template <class S>
@@ -88,9 +73,9 @@ std::vector<StepGroup> Subcycling<S>::groups(const std::vector<TileResult<S>>& t
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     const auto step = static_cast<double>(tiles[t].time_step);
     const double frequency2 = 4 / (step * step);
-    groups[t] = {
-        elements_[t] > 0 ? 2 / std::sqrt(frequency2 + contact_frequency2) : std::numeric_limits<double>::infinity(),
-        static_cast<double>(elements_[t]), highest_[t]};
+    const double contact2 = highest_[t] == 0 ? contact_frequency2 : 0;  // its nodes are on no other level
+    groups[t] = {elements_[t] > 0 ? 2 / std::sqrt(frequency2 + contact2) : std::numeric_limits<double>::infinity(),
+                 static_cast<double>(elements_[t]), highest_[t]};
   }
   return groups;
 }
@@ -140,7 +125,10 @@ void Subcycling<S>::begin_cycle(const Model<S>& model) {
   level_ = next_level_;
   top_ = *std::max_element(level_.begin(), level_.end());
   tiles_.clear();
-  for (int l = 0; l <= top_; ++l) tiles_.push_back(of_level(model.tile_colours, level_, l));
+  for (int l = 0; l <= top_; ++l) {
+    tiles_.push_back(
+        chosen_of(model.tile_colours, [&](std::int32_t tile) { return level_[static_cast<std::size_t>(tile)] == l; }));
+  }
 
   const std::int32_t count = model.nodes.count;
   std::vector<std::int8_t> kicked(static_cast<std::size_t>(count));  // level at which a node gets impulses

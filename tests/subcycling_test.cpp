@@ -212,6 +212,18 @@ TEST(Subcycling, GoesWithContact) {
   EXPECT_LT(summary.balance_error_max, 0.03);
 }
 
+TEST(Subcycling, ContactLimitsTheStepsOfElementsAtTheSurfaceAlone) {
+  Scene scene = bar_with_thin_section(1, 5);
+  scene.contact.method = ContactMethod::pinball;
+  const Model<double> model = build_model<double>(scene);
+  const Subcycling<double> subcycling(model, false);
+  std::vector<TileResult<double>> tiles(static_cast<std::size_t>(model.tile_count()));
+  for (std::size_t t = 0; t < tiles.size(); ++t) tiles[t].time_step = std::ldexp(1.0, model.tile_levels[t].highest);
+  EXPECT_DOUBLE_EQ(subcycling.stable_step(tiles, 0).step, 1);
+  // Of the surface 2 / sqrt(4/1 + w^2). Elements behind it would allow less with the same w: 2 / sqrt(4/4^2 + w^2) / 4.
+  EXPECT_DOUBLE_EQ(subcycling.stable_step(tiles, 0.25).step, 2 / std::sqrt(4.25));
+}
+
 TEST(Subcycling, GoesWithErosion) {
   Scene scene = bar_with_thin_section(4e-3);
   scene.materials = {plastic_material("steel", 1e8, 0.02)};
