@@ -38,13 +38,13 @@ LayerRun run_layer(const Scene& scene, bool subcycling) {
     mass += of_node;
   }
   run.velocity_error /= mass;
-  double volume = 0;
+  double mass_between = 0;
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     if (std::abs(element_centre(model.mesh, e)[2] - middle) > 0.9 * front) continue;
     run.stress -= model.element_mass[e] * stress_of(solver, e)[2];
-    volume += model.element_mass[e];
+    mass_between += model.element_mass[e];
   }
-  run.stress /= volume;
+  run.stress /= mass_between;
   RunSummary summary;
   solver.fill_summary(summary);
   run.energy_error = summary.balance_error_max;
@@ -62,15 +62,21 @@ std::vector<VerificationRow> verify_refined_layer(const Scene& scene) {
   const double stress = std::sqrt(m.density * modulus) * scene.bodies[0].velocity[2];
   const std::string wave = "exact: two waves at the speed sqrt((K + 4G/3) / density)";
   std::vector<VerificationRow> rows;
-  for (const auto& [run, text] : {std::pair{&with, "subcycling"}, std::pair{&without, "one step for all"}}) {
-    // Fronts of 1 mm elements that are spread over some of them, without and with small steps.
+  // Error levels of a one-dimensional program of the same layers, steps and viscosity, an independent one: 0.0278 and
+  // 0.0338.
+  const struct {
+    const LayerRun& run;
+    const char* text;
+    double velocity_error;
+  } variants[] = {{with, "subcycling", 0.028}, {without, "one step for all", 0.034}};
+  for (const auto& [run, text, velocity_error] : variants) {
     rows.push_back(compare_with_zero(fmt::format("mean error of velocities / impact velocity, {}", text),
-                                     run->velocity_error, 0.035, wave));
-    rows.push_back(compare(fmt::format("mean stress behind the fronts [Pa], {}", text), run->stress, stress, 2e-3,
+                                     run.velocity_error, velocity_error, wave));
+    rows.push_back(compare(fmt::format("mean stress behind the fronts [Pa], {}", text), run.stress, stress, 2e-3,
                            "density times wave speed times velocity"));
     rows.push_back(
-        compare_with_zero(fmt::format("drift of the momentum, {}", text), run->momentum_drift, 1e-12, "conservation"));
-    rows.push_back(compare_with_zero(fmt::format("largest error of the energy balance, {}", text), run->energy_error,
+        compare_with_zero(fmt::format("drift of the momentum, {}", text), run.momentum_drift, 1e-12, "conservation"));
+    rows.push_back(compare_with_zero(fmt::format("largest error of the energy balance, {}", text), run.energy_error,
                                      3e-3, "conservation"));
   }
   rows.push_back(compare_with_zero("mean error of velocities, subcycling / one step for all",
