@@ -38,15 +38,15 @@ std::int32_t PairList<S>::piece_begin(std::int64_t piece) const {
 
 template <class S>
 void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
+  if (pinballs.count == 0) return;
   constexpr std::int64_t G = ball_group<S>;
   const std::int64_t groups = boxes_.view().groups;
   reference_.renew(static_cast<std::size_t>(groups * reference_components * G));
   parallel_for("reference balls", RangePolicy<>{0, groups}, [&](std::int64_t group) {
     float* reference = reference_.data() + group * reference_components * G;
     for (std::int64_t i = 0; i < G; ++i) {
-      const std::int64_t last = std::max(0, pinballs.count - 1);
+      const std::int64_t last = pinballs.count - 1;
       const auto p = static_cast<std::size_t>(std::min(group * G + i, last));  // padding repeats the last
-      if (pinballs.count == 0) continue;
       for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][static_cast<std::size_t>(c)];
       reference[4 * G + i] = static_cast<float>(pinballs.body[p]);
     }

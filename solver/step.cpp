@@ -77,7 +77,7 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
   }
   if (touching && contact_->by_impulses()) {
     contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, step); });
-    timers_.measure(Phase::contact_forces, [&] { boundary_.hold(model_, time_, step); });
+    timers_.measure(Phase::contact_forces, [&] { boundary_.hold(model_, time_, step, due_nodes(step_of_cycle)); });
   }
   if (bounded) {
     timers_.measure(Phase::boundary_conditions, [&] { boundary_.complete(model_, step); });

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <pinball/built_features.hpp>
 #include <pinball/kernels/element_update.hpp>
 #include <pinball/solver/tile_kernels.hpp>
