@@ -4,12 +4,13 @@
 // step: forces are made from the stresses by a few additions. Arguments: elements per side, threads.
 
 #include <benchmark/benchmark.h>
-#include <fmt/core.h>
 #include <omp.h>
 
 #include <cmath>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/model.hpp>
+
+#include "block_scene.hpp"
 
 namespace pinball::bench {
 
@@ -20,9 +21,7 @@ constexpr int W = native_width<S>;
 using T = Pack<S, W>;
 
 Model<S> block(int per_side) {
-  SceneOverrides overrides;
-  overrides.set = {fmt::format("body.block.mesh.elements=[{0},{0},{0}]", per_side)};
-  Model<S> model = build_model<S>(read_scene(find_scene("block"), overrides));
+  Model<S> model = build_model<S>(block_scene(per_side));
   for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
     if (model.element_of_slot[static_cast<std::size_t>(slot)] < 0) continue;  // padding has none
     for (int c = 0; c < 6; ++c) {

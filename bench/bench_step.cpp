@@ -10,6 +10,7 @@
 #include <pinball/solver/solver.hpp>
 #include <string_view>
 
+#include "block_scene.hpp"
 #include "ceilings_context.hpp"
 #include "traffic.hpp"
 
@@ -23,18 +24,12 @@ double bandwidth(int threads) {
   return measured[threads];
 }
 
-Scene block(int per_side) {
-  SceneOverrides overrides;
-  overrides.set = {fmt::format("body.block.mesh.elements=[{0},{0},{0}]", per_side)};
-  return read_scene(find_scene("block"), overrides);
-}
-
 template <class S>
 void whole_steps(benchmark::State& state) {
   const auto per_side = static_cast<int>(state.range(0));
   const auto threads = static_cast<int>(state.range(1));
   omp_set_num_threads(threads);
-  Solver<S> solver(block(per_side));
+  Solver<S> solver(block_scene(per_side));
   for (int i = 0; i < 3; ++i) solver.step();
   for (auto _ : state) solver.step();
   const auto elements = static_cast<double>(solver.model().element_count());
