@@ -180,6 +180,20 @@ struct BallBits {
   }
 };
 
+/// For each ball of a group the balls of another for which a test holds. pack_from(first) gives, of the pack of the
+/// other group that begins with ball `first`, a function of i: the mask of those that ball i of the first group passes
+/// the test with.
+template <class T, int G, class PackFrom>
+PINBALL_FUNCTION BallBits<G> test_all_balls(const PackFrom& pack_from) {
+  BallBits<G> bits{};
+  for (int first = 0; first < G; first += width_of<T>) {
+    const auto mask_of = pack_from(first);
+    PINBALL_UNROLL
+    for (int i = 0; i < G; ++i) bits.add_to_row(i, lane_bits<T>(mask_of(i)) << first);
+  }
+  return bits;
+}
+
 /// For each ball of a group the balls of another that may come nearer than the sum of the radii. moves: some ball makes
 /// a way; then there are some too many.
 ///
@@ -188,23 +202,22 @@ struct BallBits {
 template <class T, bool moves>
 PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const ScalarOf<T>* own,
                                                                        const ScalarOf<T>* others) {
-  constexpr int G = ball_group<ScalarOf<T>>, W = width_of<T>;
-  BallBits<G> bits{};
-  for (int first = 0; first < G; first += W) {
+  constexpr int G = ball_group<ScalarOf<T>>;
+  return test_all_balls<T, G>([own, others](int first) {
     const auto component = [&](int c) { return load<T>(others + c * G + first); };
     const T x = component(0), y = component(1), z = component(2), radius = component(6);
-    PINBALL_UNROLL
-    for (int i = 0; i < G; ++i) {
+    T u(0), v(0), w(0);
+    if constexpr (moves) u = component(3), v = component(4), w = component(5);
+    return [=](int i) {
       const T dx = x - T(own[i]), dy = y - T(own[G + i]), dz = z - T(own[2 * G + i]);
       T reach = radius + T(own[6 * G + i]);
       if constexpr (moves) {
-        const T u = absolute(component(3) - T(own[3 * G + i])), v = absolute(component(4) - T(own[4 * G + i]));
-        reach = reach + (u + v + absolute(component(5) - T(own[5 * G + i])));
+        reach = reach +
+                (absolute(u - T(own[3 * G + i])) + absolute(v - T(own[4 * G + i])) + absolute(w - T(own[5 * G + i])));
       }
-      bits.add_to_row(i, lane_bits<T>(dx * dx + dy * dy + dz * dz < reach * reach) << first);
-    }
-  }
-  return bits;
+      return dx * dx + dy * dy + dz * dz < reach * reach;
+    };
+  });
 }
 
 /// The balls of a group that come nearer to ball i of another group than the sum of the radii, one bit each.

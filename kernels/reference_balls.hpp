@@ -17,33 +17,27 @@ using ReferencePack = Pack<float, (native_width<float> < ball_group<S> ? native_
 template <class S>
 PINBALL_FUNCTION BallBits<ball_group<S>> balls_of_one_body(const float* own, const float* others) {
   using T = ReferencePack<S>;
-  constexpr int G = ball_group<S>, W = width_of<T>;
-  BallBits<G> bits{};
-  for (int first = 0; first < G; first += W) {
+  constexpr int G = ball_group<S>;
+  return test_all_balls<T, G>([own, others](int first) {
     const T body = load<T>(others + 4 * G + first);
-    PINBALL_UNROLL
-    for (int i = 0; i < G; ++i) bits.add_to_row(i, lane_bits<T>(body == T(own[4 * G + i])) << first);
-  }
-  return bits;
+    return [=](int i) { return body == T(own[4 * G + i]); };
+  });
 }
 
 /// For each ball of a group the balls of another group that are further off than the sum of the radii.
 template <class S>
 PINBALL_FUNCTION BallBits<ball_group<S>> balls_apart(const float* own, const float* others) {
   using T = ReferencePack<S>;
-  constexpr int G = ball_group<S>, W = width_of<T>;
-  BallBits<G> bits{};
-  for (int first = 0; first < G; first += W) {
+  constexpr int G = ball_group<S>;
+  return test_all_balls<T, G>([own, others](int first) {
     const auto component = [&](int c) { return load<T>(others + c * G + first); };
     const T x = component(0), y = component(1), z = component(2), radius = component(3);
-    PINBALL_UNROLL
-    for (int i = 0; i < G; ++i) {
+    return [=](int i) {
       const T dx = x - T(own[i]), dy = y - T(own[G + i]), dz = z - T(own[2 * G + i]);
       const T reach = radius + T(own[3 * G + i]);
-      bits.add_to_row(i, lane_bits<T>(dx * dx + dy * dy + dz * dz > T(1.0001f) * reach * reach) << first);
-    }
-  }
-  return bits;
+      return dx * dx + dy * dy + dz * dz > T(1.0001f) * reach * reach;
+    };
+  });
 }
 
 }  // namespace pinball
