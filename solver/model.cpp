@@ -53,13 +53,6 @@ ElementFeatures features_of(const Scene& scene, const Material& material, bool e
   return f;
 }
 
-std::size_t material_index(const Scene& scene, const std::string& name) {
-  const auto found =
-      std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
-  if (found == scene.materials.end()) throw InputError(fmt::format("{}: no material named {}", scene.path, name));
-  return static_cast<std::size_t>(found - scene.materials.begin());
-}
-
 /// Elements of one material and one level of steps, cut into tiles of whole packs.
 struct TileGroup {
   std::size_t material = 0;
@@ -129,6 +122,13 @@ void set_initial_velocity(Model<S>& model) {
 }
 
 }  // namespace
+
+std::size_t material_index(const Scene& scene, const std::string& name) {
+  const auto found =
+      std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
+  if (found == scene.materials.end()) throw InputError(fmt::format("{}: no material named {}", scene.path, name));
+  return static_cast<std::size_t>(found - scene.materials.begin());
+}
 
 template <class S>
 std::size_t Model<S>::bytes() const {

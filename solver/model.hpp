@@ -78,6 +78,9 @@ struct Model {
   std::size_t bytes() const;  ///< of all arrays of the size of the mesh
 };
 
+/// Number of the material of that name. Throws InputError if there is none.
+std::size_t material_index(const Scene& scene, const std::string& name);
+
 /// Generates and places the meshes of all bodies. Throws InputError for an inverted or flat element, naming it.
 ModelMesh build_mesh(const Scene& scene);
 

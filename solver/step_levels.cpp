@@ -111,12 +111,13 @@ double element_stable_step(const ModelMesh& mesh, std::size_t element, const Mat
 
 ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh) {
   const std::size_t count = mesh.hexahedra.size();
+  std::vector<const Material*> of_body;
+  for (const Body& body : scene.bodies) {
+    of_body.push_back(&scene.materials[material_index(scene, body.material)]);
+  }
   std::vector<double> stable_steps(count);
   for (std::size_t e = 0; e < count; ++e) {
-    const Body& body = scene.bodies[static_cast<std::size_t>(mesh.body[e])];
-    const auto material = std::find_if(scene.materials.begin(), scene.materials.end(),
-                                       [&](const Material& m) { return m.name == body.material; });
-    stable_steps[e] = element_stable_step(mesh, e, *material);
+    stable_steps[e] = element_stable_step(mesh, e, *of_body[static_cast<std::size_t>(mesh.body[e])]);
   }
   const double least = *std::min_element(stable_steps.begin(), stable_steps.end());
   const std::vector<StepGroup> groups = histogram(stable_steps, least);
