@@ -8,6 +8,7 @@ import json
 import math
 import os
 import re
+import statistics
 import subprocess
 import sys
 import unittest
@@ -116,6 +117,15 @@ class QuickForm(unittest.TestCase):
             shown, scaled = float(number["text"].replace(",", "")), value * float(number["data-scale"])
             self.assertLessEqual(abs(shown - scaled), half_of_last_digit(number["text"]), number)
 
+    def assert_stages_are_the_whole(self, method, medians, contact, total):
+        """In every repeat; medians of the stages need not add up to the median of the whole on a busy machine."""
+        repeats = method["repeats"]
+        for stage, seconds in medians.items():
+            self.assertAlmostEqual(seconds, statistics.median(r[stage] for r in repeats))
+        of_contact = [sum(s for stage, s in r.items() if stage.startswith("contact")) for r in repeats]
+        self.assertAlmostEqual(statistics.median(of_contact), contact["median"])
+        self.assertAlmostEqual(statistics.median(sum(r.values()) for r in repeats), total["median"])
+
     def test_ratios_follow_from_the_times(self):
         columns = self.results["comparison"]["columns"]
         self.assertEqual([c["title"] for c in columns[:3]], ["example 1", "example 2, mesh 1", "example 2, mesh 2"])
@@ -126,9 +136,11 @@ class QuickForm(unittest.TestCase):
                                        slideline["seconds"][what]["median"] / pinball["seconds"][what]["median"])
             for method in (slideline, pinball):
                 self.assertIsNone(method["failure"])
-                contact = sum(s["share"] for name, s in method["stages"].items() if name.startswith("contact"))
                 self.assertAlmostEqual(sum(s["share"] for s in method["stages"].values()), 1)
-                self.assertLess(abs(contact - method["share"]), 0.02)
+                self.assert_stages_are_the_whole(method, {s: x["seconds"] for s, x in method["stages"].items()},
+                                                 method["seconds"]["contact"], method["seconds"]["total"])
+                self.assertAlmostEqual(method["share"], method["seconds"]["contact"]["median"]
+                                       / method["seconds"]["total"]["median"])
             share = pinball["share"]
             self.assertEqual(column["aims"]["share"], {"value": share, "met": share <= 0.15})
         aims = self.results["comparison"]["aims"]
@@ -159,8 +171,9 @@ class QuickForm(unittest.TestCase):
         for series in self.results["stages"]:
             for build in series["builds"].values():
                 for method in ("slideline", "pinball"):
-                    parts = sum(s["median"] for s in build[method]["stages"].values())
-                    self.assertLess(abs(parts / build[method]["total"]["median"] - 1), 0.25)
+                    one = build[method]
+                    self.assert_stages_are_the_whole(one, {s: x["median"] for s, x in one["stages"].items()},
+                                                     one["contact"], one["total"])
 
     def test_tables_have_the_same_numbers(self):
         for row in bench_command.rows_of(OUT, "comparison.csv"):

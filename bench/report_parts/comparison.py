@@ -68,7 +68,7 @@ def method_of(variant):
     stages = {stage: statistics.median(s[stage] for s in each) for stage in each[0]}
     whole = sum(stages.values())
     return {"seconds": variant["seconds"], "share": variant["contact_share"], "failure": variant["failure"],
-            "stages": {stage: {"seconds": s, "share": s / whole} for stage, s in stages.items()},
+            "stages": {stage: {"seconds": s, "share": s / whole} for stage, s in stages.items()}, "repeats": each,
             "results": results_of(variant), "surface_elements": contact["pinballs"], "pairs_max": contact["pairs_max"],
             "searches": contact["searches"]}
 

@@ -76,7 +76,7 @@ def stages(scene, rounds, settings=(), refine=1):
                 "stages": {stage: spread([s[stage] for s in seconds]) for stage in seconds[0]},
                 "contact": spread([sum(s[c] for c in CONTACT) for s in seconds]),
                 "contact_share": statistics.median(sum(s[c] for c in CONTACT) / t for s, t in zip(seconds, total)),
-                "total": spread(total),
+                "total": spread(total), "repeats": seconds,
             }
         result["builds"][preset] = {"simd_width": runs[preset][0]["machine"]["simd_width"]["double"], **methods}
     result["elements"] = summary["elements"]
