@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <pinball/kernels/assumed_strain.hpp>
 #include <pinball/kernels/bulk_viscosity.hpp>
 #include <pinball/kernels/gather.hpp>
 #include <pinball/kernels/hexahedron.hpp>
@@ -21,7 +22,12 @@
 /// by work that does not need its result.
 namespace pinball {
 
-enum class HourglassKind { none, viscous, stiffness };
+enum class HourglassKind { none, viscous, stiffness, assumed_strain };
+
+/// Whether the forces of the hourglass modes are state that is kept from step to step.
+constexpr bool keeps_hourglass_force(HourglassKind kind) {
+  return kind == HourglassKind::stiffness || kind == HourglassKind::assumed_strain;
+}
 
 struct ElementFeatures {
   bool plastic;  ///< von Mises plasticity; else elastic, without plastic strain
@@ -39,7 +45,7 @@ struct ElementView {
   S* mass;                     ///< N = 1: element mass [mass]; 0 marks padding and eroded elements
   S* stress;                   ///< N = 6: xx yy zz xy yz zx [stress]
   S* plastic_strain;           ///< N = 1, plastic only [-]
-  S* hourglass_force;          ///< N = 12: Q_1..Q_4, stiffness form only [force]
+  S* hourglass_force;          ///< N = 12: P_1..P_4, only where keeps_hourglass_force [force]
   S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
   S* internal_energy;          ///< N = 1, erosion only [energy]
 };
@@ -59,6 +65,7 @@ struct ElementConstants {
   S linear_viscosity;          ///< b1 [-]
   S quadratic_viscosity;       ///< b2 [-]
   bool erode_negative_volume;  ///< an element whose volume is not positive is eroded; else it is counted as inverted
+  AssumedStrainModuli<S> assumed_strain;  ///< of that form of hourglass control
 };
 
 /// The step that elements have just made.
@@ -141,6 +148,8 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const auto whole = alive && has_volume;
   const T inverse_both = select(whole, T(1) / (volume * volume_mid), T(0));
   const T inverse_volume = inverse_both * volume_mid, inverse_volume_mid = inverse_both * volume;
+  [[maybe_unused]] HalfEdges<T> edges;
+  if constexpr (features.hourglass == HourglassKind::assumed_strain) edges = half_edges<T>(x_mid, whole);
   ahead(2);
 
   // Strain increment and spin
@@ -190,15 +199,21 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   // Forces of the hourglass modes
   HourglassForce<T> hourglass{};
   [[maybe_unused]] T power_old(0), power(0);  // of the forces before and after the step
-  if constexpr (features.hourglass == HourglassKind::stiffness) {
-    const T modulus(constants.hourglass_coefficient * (material.lambda + 2 * material.mu));
-    const T half_stiffness = T(S(0.5) * dt) * hourglass_stiffness(modulus, trace_b_b, inverse_volume);
+  if constexpr (keeps_hourglass_force(features.hourglass)) {
+    HourglassForce<T> half;  // of the increment; turns as half of the stress increment
+    if constexpr (features.hourglass == HourglassKind::assumed_strain) {
+      half = assumed_strain_force(constants.assumed_strain, edges, rate, T(S(0.0625) * dt) * volume_mid);
+    } else {
+      const T modulus(constants.hourglass_coefficient * (material.lambda + 2 * material.mu));
+      const T half_stiffness = T(S(0.5) * dt) * hourglass_stiffness(modulus, trace_b_b, inverse_volume);
+      PINBALL_UNROLL
+      for (int a = 0; a < 4; ++a) half.p[a] = half_stiffness * rate[a];
+    }
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) {
       const S* p = elements.hourglass_force + (pack * 12 + 3 * a) * W;
       const Vec3<T> old{state(p), state(p + W), state(p + 2 * W)};
-      const Vec3<T> half = half_stiffness * rate[a];  // turns as half of the stress increment
-      hourglass.p[a] = rotate(rotation, old + half) + half;
+      hourglass.p[a] = rotate(rotation, old + half.p[a]) + half.p[a];
       power_old += dot(old, rate[a]);
       power += dot(hourglass.p[a], rate[a]);
     }
@@ -211,10 +226,10 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
       power += dot(hourglass.p[a], rate[a]);
     }
   }
-  // Plastic flow relaxes the forces of the stiffness form as it does the deviator. Left elastic they lock plastic
+  // Plastic flow relaxes forces that are kept as it does the deviator. Left elastic they lock plastic
   // bending, and take a third of the energy of rod_plate.
   T hourglass_left(1);
-  if constexpr (features.plastic && features.hourglass == HourglassKind::stiffness) hourglass_left = deviator_left;
+  if constexpr (features.plastic && keeps_hourglass_force(features.hourglass)) hourglass_left = deviator_left;
 
   // Erosion: the element keeps its nodes and their mass, and carries no stress from now on.
   [[maybe_unused]] MaskOf<T> fails(false);
@@ -250,7 +265,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   PINBALL_UNROLL
   for (int a = 0; a < 4; ++a) {
     hourglass.p[a] = hourglass_left * hourglass.p[a];
-    if constexpr (features.hourglass == HourglassKind::stiffness) {
+    if constexpr (keeps_hourglass_force(features.hourglass)) {
       S* p = elements.hourglass_force + (pack * 12 + 3 * a) * W;
       store(hourglass.p[a].x, p);
       store(hourglass.p[a].y, p + W);
@@ -270,8 +285,8 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     store(energy, elements.internal_energy + pack * W);
     if (any_fails) sums.eroded += select(fails, energy, T(0));
   }
-  // Work of the hourglass forces, 8 sum_a P_a.h_a: of the mean of old and new ones in the stiffness form
-  if constexpr (features.hourglass == HourglassKind::stiffness) {
+  // Work of the hourglass forces, 8 sum_a P_a.h_a: of the mean of old and new ones where they are kept
+  if constexpr (keeps_hourglass_force(features.hourglass)) {
     sums.hourglass += T(S(4) * dt) * (power_old + hourglass_left * power);
   } else if constexpr (features.hourglass == HourglassKind::viscous) {
     sums.hourglass += T(S(8) * dt) * (hourglass_left * power);

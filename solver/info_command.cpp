@@ -77,6 +77,10 @@ void print_materials(const Scene& scene, const Units& units) {
 
 std::string hourglass_text(const Scene& scene, HourglassKind kind) {
   const double coefficient = scene.element.hourglass_coefficient;
+  if (kind == HourglassKind::assumed_strain) {
+    return coefficient == 1 ? "assumed-strain hourglass control"
+                            : fmt::format("assumed-strain hourglass control, factor {:.4g}", coefficient);
+  }
   const char* form = kind == HourglassKind::stiffness ? "stiffness" : "viscous";
   return coefficient >= 0 ? fmt::format("hourglass control, {} form, coefficient {:.4g}", form, coefficient)
                           : fmt::format("hourglass control, {} form", form);

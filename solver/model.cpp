@@ -31,9 +31,11 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   c.material.erosion_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
   c.material.density = static_cast<S>(material.density);
   c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
-  const double fallback = scene.element.hourglass == HourglassControl::viscous ? 0.025 : 0.05;
-  c.hourglass_coefficient =
-      static_cast<S>(scene.element.hourglass_coefficient >= 0 ? scene.element.hourglass_coefficient : fallback);
+  const double coefficient = scene.element.hourglass_coefficient >= 0
+                                 ? scene.element.hourglass_coefficient
+                                 : default_hourglass_coefficient(scene.element.hourglass);
+  c.hourglass_coefficient = static_cast<S>(coefficient);
+  c.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass_coefficient);
   c.linear_viscosity = static_cast<S>(scene.element.linear_viscosity);
   c.quadratic_viscosity = static_cast<S>(scene.element.quadratic_viscosity);
   const NegativeVolume policy = scene.element.negative_volume.value_or(
@@ -42,14 +44,26 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   return c;
 }
 
+HourglassKind hourglass_kind(HourglassControl control) {
+  switch (control) {
+    case HourglassControl::assumed_strain:
+      return HourglassKind::assumed_strain;
+    case HourglassControl::stiffness:
+      return HourglassKind::stiffness;
+    case HourglassControl::viscous:
+      return HourglassKind::viscous;
+    case HourglassControl::none:
+      break;
+  }
+  return HourglassKind::none;
+}
+
 ElementFeatures features_of(const Scene& scene, const Material& material, bool erode_negative_volume) {
   ElementFeatures f{};
   f.erosion = erode_negative_volume || (material.plastic && material.erosion_strain > 0);
   f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
   f.bulk_viscosity = scene.element.bulk_viscosity;
-  f.hourglass = scene.element.hourglass == HourglassControl::stiffness ? HourglassKind::stiffness
-                : scene.element.hourglass == HourglassControl::viscous ? HourglassKind::viscous
-                                                                       : HourglassKind::none;
+  f.hourglass = hourglass_kind(scene.element.hourglass);
   return f;
 }
 
@@ -155,7 +169,7 @@ Model<S> build_model(const Scene& scene) {
     store_features.plastic |= f.plastic;
     store_features.erosion |= f.erosion;
     store_features.bulk_viscosity |= f.bulk_viscosity;
-    store_features.hourglass_stiffness |= f.hourglass == HourglassKind::stiffness;
+    store_features.hourglass_force |= keeps_hourglass_force(f.hourglass);
   }
 
   // Tiles: whole packs of one material.

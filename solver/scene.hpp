@@ -13,7 +13,7 @@
 namespace pinball {
 
 enum class Precision { float32, float64 };
-enum class HourglassControl { none, viscous, stiffness };
+enum class HourglassControl { none, viscous, stiffness, assumed_strain };
 enum class ContactMethod { none, pinball, slideline };
 enum class Enforcement { penalty, projection, lagrange };
 enum class ContactGap { pinball, face };
@@ -27,6 +27,14 @@ inline const char* enforcement_name(Enforcement enforcement) {
                                                   : "lagrange";
 }
 
+/// Of the viscous and stiffness forms; of the assumed strains the factor on what the material gives [-].
+inline double default_hourglass_coefficient(HourglassControl control) {
+  return control == HourglassControl::assumed_strain ? 1.0
+         : control == HourglassControl::stiffness    ? 0.05
+         : control == HourglassControl::viscous      ? 0.025
+                                                     : 0.0;
+}
+
 struct TimeSettings {
   double end = 0.0;         ///< time.end: when the run stops [time], required
   double cfl = 0.9;         ///< time.cfl: fraction of the stable step, 0 < cfl <= 1.2
@@ -36,8 +44,9 @@ struct TimeSettings {
 };
 
 struct ElementSettings {
-  HourglassControl hourglass = HourglassControl::stiffness;  ///< element.hourglass = "none" | "viscous" | "stiffness"
-  /// element.hourglass_coefficient; where it is not set read_scene fills in 0.05 (stiffness) or 0.025 (viscous) [-]
+  /// element.hourglass = "none" | "viscous" | "stiffness" | "assumed_strain"
+  HourglassControl hourglass = HourglassControl::stiffness;
+  /// element.hourglass_coefficient; where it is not set read_scene fills in default_hourglass_coefficient [-]
   double hourglass_coefficient = -1.0;
   bool bulk_viscosity = true;        ///< element.bulk_viscosity = true | false
   double linear_viscosity = 0.06;    ///< element.linear_viscosity: b1 [-]

@@ -31,12 +31,11 @@ ElementSettings read_element(const SceneTable& table) {
   element.hourglass = table.choice<HourglassControl>("hourglass",
                                                      {{"none", HourglassControl::none},
                                                       {"viscous", HourglassControl::viscous},
-                                                      {"stiffness", HourglassControl::stiffness}},
+                                                      {"stiffness", HourglassControl::stiffness},
+                                                      {"assumed_strain", HourglassControl::assumed_strain}},
                                                      element.hourglass);
-  double coefficient = 0.0;
-  if (element.hourglass == HourglassControl::viscous) coefficient = 0.025;
-  if (element.hourglass == HourglassControl::stiffness) coefficient = 0.05;
-  element.hourglass_coefficient = table.number("hourglass_coefficient", not_negative, coefficient);
+  element.hourglass_coefficient =
+      table.number("hourglass_coefficient", not_negative, default_hourglass_coefficient(element.hourglass));
   element.bulk_viscosity = table.boolean("bulk_viscosity", element.bulk_viscosity);
   element.linear_viscosity = table.number("linear_viscosity", not_negative, element.linear_viscosity);
   element.quadratic_viscosity = table.number("quadratic_viscosity", not_negative, element.quadratic_viscosity);

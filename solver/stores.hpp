@@ -32,7 +32,7 @@ struct ElementStoreFeatures {
   bool plastic = false;
   bool erosion = false;
   bool bulk_viscosity = false;
-  bool hourglass_stiffness = false;
+  bool hourglass_force = false;
 };
 
 /// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * W + lane; some are padding.
@@ -56,7 +56,7 @@ struct ElementStore {
     mass = AlignedArray<S>(n);
     stress = AlignedArray<S>(6 * n);
     if (features.plastic) plastic_strain = AlignedArray<S>(n);
-    if (features.hourglass_stiffness) hourglass_force = AlignedArray<S>(12 * n);
+    if (features.hourglass_force) hourglass_force = AlignedArray<S>(12 * n);
     if (features.bulk_viscosity) viscous_stress = AlignedArray<S>(n);
     if (features.erosion) internal_energy = AlignedArray<S>(n);
   }

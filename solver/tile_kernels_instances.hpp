@@ -27,7 +27,7 @@ class PackAhead {
     if (!there_) return;
     ask_for_nodes(elements_.corner + (pack_ * 8 + part) * W);
     if (part < 2) ask_for_state(elements_.stress, 6, 3 * part, 3);
-    if constexpr (features.hourglass == HourglassKind::stiffness) {
+    if constexpr (keeps_hourglass_force(features.hourglass)) {
       if (part >= 2 && part < 6) ask_for_state(elements_.hourglass_force, 12, 3 * (part - 2), 3);
     }
     if (part == 6) {
@@ -98,6 +98,8 @@ TileKernel<S> choose_hourglass([[maybe_unused]] HourglassKind kind) {
     switch (kind) {
       case HourglassKind::stiffness:
         return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness}>;
+      case HourglassKind::assumed_strain:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::assumed_strain}>;
       case HourglassKind::viscous:
         return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous}>;
       case HourglassKind::none:

@@ -41,6 +41,7 @@ void compare_hourglass_kinds() {
   compare_features<plastic, erosion, viscosity, HourglassKind::none>();
   compare_features<plastic, erosion, viscosity, HourglassKind::viscous>();
   compare_features<plastic, erosion, viscosity, HourglassKind::stiffness>();
+  compare_features<plastic, erosion, viscosity, HourglassKind::assumed_strain>();
 }
 TEST(ElementFeatures, CompiledOutEqualSwitchedOff) {
   compare_hourglass_kinds<false, false, false>();

@@ -1,4 +1,5 @@
 #include <Eigen/Dense>
+#include <pinball/kernels/assumed_strain.hpp>
 #include <pinball/kernels/hourglass.hpp>
 #include <pinball/kernels/stable_time_step.hpp>
 
@@ -144,6 +145,63 @@ void add_hourglass_stiffness(ElementProblem& problem, const Corners& x, double m
       for (int c = 0; c < 3; ++c) gamma(3 * int(i) + c, c) = value;
     }
     problem.stiffness += modulus * bb / (24 * exact.volume) * gamma * gamma.transpose();
+  }
+}
+
+/// Adds the assumed-strain form: columns are the forces on the corners of unit displacements.
+void add_assumed_strain(ElementProblem& problem, const Corners& corner, const Lame& lame) {
+  const HexahedronModes<double> x = modes<double>(corner);
+  const UniformGradient<double> b = uniform_gradient(x);
+  const double volume = hexahedron_volume(b, x);
+  const auto moduli = assumed_strain_moduli(lame.lambda, lame.mu, 1.0);
+  for (int column = 0; column < 24; ++column) {
+    Corners u{};
+    double* component[3] = {&u[std::size_t(column / 3)].x, &u[std::size_t(column / 3)].y,
+                            &u[std::size_t(column / 3)].z};
+    *component[column % 3] = 1;
+    const HexahedronModes<double> v = modes<double>(u);
+    const Tensor<double> gradient = velocity_gradient(b, v, 1 / volume);
+    Vec3<double> h[4];
+    for (int a = 0; a < 4; ++a) h[a] = hourglass_rate(gradient, x, v, a);
+    const HourglassForce<double> force = assumed_strain_force(moduli, half_edges(x, true), h, volume / 8);
+    const Tensor<double> acting = hourglass_stress(force, x, 1 / volume);
+    Vec3<double> linear[3], hourglass[4], f[8];
+    for (int m = 0; m < 3; ++m) linear[m] = acting * b.linear[m], hourglass[m] = acting * b.hourglass[m] + force.p[m];
+    hourglass[3] = force.p[3];
+    from_modes(linear, hourglass, f);
+    for (int i = 0; i < 8; ++i) {
+      problem.stiffness(3 * i, column) += f[i].x;
+      problem.stiffness(3 * i + 1, column) += f[i].y;
+      problem.stiffness(3 * i + 2, column) += f[i].z;
+    }
+  }
+}
+
+TEST(ElementStableTimeStep, CoversAssumedStrainsOfBoxes) {
+  Random random(46);
+  for (int trial = 0; trial < 500; ++trial) {
+    const Lame lame(0.49 * (trial % 8) / 7);
+    const Corners x = box(1, uniform(random, 1, 10), uniform(random, 1, 10));
+    ElementProblem problem(x, lame.lambda, lame.mu, 3);
+    add_assumed_strain(problem, x, lame);
+    EXPECT_LT((problem.stiffness - problem.stiffness.transpose()).norm(), 1e-12);
+    ASSERT_LE(time_step(x, lame.lambda, lame.mu, 3), 2 / std::sqrt(problem.omega2()) * (1 + 1e-12));
+  }
+}
+
+TEST(ElementStableTimeStep, CoversAssumedStrainsOfDistortedElementsAtTheUsualCourantNumber) {
+  Random random(47);
+  for (const double distortion : {0.18, 0.3, 0.45}) {
+    double largest = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
+      const Lame lame(0.49 * (trial % 8) / 7);
+      const Corners x = random_hexahedron(random, distortion);
+      if (quadrature_gradient(x).volume < 0.05) continue;
+      ElementProblem problem(x, lame.lambda, lame.mu, 3);
+      add_assumed_strain(problem, x, lame);
+      largest = std::max(largest, 0.9 * time_step(x, lame.lambda, lame.mu, 3) * std::sqrt(problem.omega2()) / 2);
+    }
+    EXPECT_LE(largest, 1) << distortion;
   }
 }
 
