@@ -13,6 +13,9 @@ namespace {
 constexpr double push_out = 0.1;
 
 constexpr int most_sweeps = 200;
+/// A row slides if it does so faster than by this part of the velocity that its friction can stop; the rest is what the
+/// sweeps leave.
+constexpr double sliding = 1e-3;
 constexpr double tolerance = 1e-9;  ///< of the sweeps, relative to the largest closing velocity
 
 }  // namespace
@@ -20,6 +23,8 @@ constexpr double tolerance = 1e-9;  ///< of the sweeps, relative to the largest 
 template <class S>
 ContactImpulses<S>::ContactImpulses(const Model<S>& model)
     : lagrange_(model.scene.contact.enforcement == Enforcement::lagrange),
+      friction_at_rest_(model.scene.contact.static_friction),
+      friction_sliding_(model.scene.contact.friction),
       node_place_(model.node_mass.size(), -1),
       held_(model) {}
 
@@ -50,7 +55,11 @@ void ContactImpulses<S>::add_row(const ContactPair& contact) {
   row.direction[0] = contact.direction.x;
   row.direction[1] = contact.direction.y;
   row.direction[2] = contact.direction.z;
-  Pair pair{contact.depth, contact.size, 0, 0, 0, {contact.first, contact.second, 0, 0, 0}};
+  Pair pair{};
+  pair.depth = contact.depth;
+  pair.size = contact.size;
+  pair.memory.first = contact.first;
+  pair.memory.second = contact.second;
   const auto before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, Memory::earlier);
   if (before != memory_.end() && !Memory::earlier(pair.memory, *before)) pair.memory = *before;
   rows_.push_back(row);
@@ -62,16 +71,18 @@ void ContactImpulses<S>::add_row(const ContactPair& contact) {
 template <class S>
 void ContactImpulses<S>::limit_depth(const Model<S>& model, std::size_t i, double dt) {
   const ImpulseRow& row = rows_[i];
-  double approach = 0;
+  Pair& pair = pairs_[i];
+  pair.rate_before = 0;
   for (int k = 0; k < row.nodes; ++k) {
     const auto place = 4 * static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
     for (std::size_t c = 0; c < 3; ++c) {
-      approach += row.weight[k] * row.direction[c] * static_cast<double>(model.nodes.velocity[place + c]);
+      const auto v = static_cast<double>(model.nodes.velocity[place + c]);
+      pair.rate_before += row.weight[k] * row.direction[c] * v;
+      if (has_friction()) pair.sliding_before[c] += row.weight[k] * v;
     }
   }
-  Pair& pair = pairs_[i];
-  pair.rate_before = approach;
-  if (pair.depth > 0) pair.depth = std::min(pair.depth, pair.memory.depth + std::max(0.0, approach) * dt);
+  for (int c = 0; c < 3; ++c) pair.sliding_before[c] -= pair.rate_before * row.direction[c];
+  if (pair.depth > 0) pair.depth = std::min(pair.depth, pair.memory.depth + std::max(0.0, pair.rate_before) * dt);
   pair.memory.depth = std::max(0.0, pair.depth);
 }
 
@@ -115,17 +126,44 @@ void ContactImpulses<S>::drop_rows_apart() {
   pairs_.resize(kept);
 }
 
+/// Begins with the friction of the step before, turned into the plane across the direction of now.
+template <class S>
+void ContactImpulses<S>::begin_friction(double velocity_step) {
+  if (!has_friction()) return;
+  frictions_.assign(rows_.size(), {});
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const double *a = rows_[i].direction, *before = pairs_[i].memory.friction;
+    const double along = a[0] * before[0] + a[1] * before[1] + a[2] * before[2];
+    for (int c = 0; c < 3; ++c) frictions_[i].impulse[c] = velocity_step * (before[c] - along * a[c]);
+    frictions_[i].inverse_mass = friction_inverse_mass(rows_[i], nodes_.data());
+    frictions_[i].coefficient = pairs_[i].memory.slides ? friction_sliding_ : friction_at_rest_;
+  }
+}
+
 template <class S>
 void ContactImpulses<S>::solve_coupled() {
   double scale = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     scale = std::max({scale, pairs_[i].rate_free + rows_[i].position_rate, pairs_[i].rate_before});
     apply_impulse(rows_[i], rows_[i].impulse, nodes_.data());  // begin with those of the step before
+    if (!has_friction()) continue;
+    apply_friction(rows_[i], frictions_[i].impulse, nodes_.data());
+    const double* s = pairs_[i].sliding_before;
+    scale = std::max(scale, std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]));
   }
   const auto count = static_cast<std::int64_t>(rows_.size());
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    if (gauss_seidel_sweep(rows_.data(), count, nodes_.data()) <= tolerance * scale) break;
+    const double change = has_friction() ? gauss_seidel_sweep(rows_.data(), frictions_.data(), count, nodes_.data())
+                                         : gauss_seidel_sweep(rows_.data(), count, nodes_.data());
+    if (change <= tolerance * scale) break;
   }
+}
+
+/// Friction after a projection: that of the step before, as corrected by each row in turn.
+template <class S>
+void ContactImpulses<S>::slow_sliding() {
+  for (std::size_t i = 0; i < frictions_.size(); ++i) apply_friction(rows_[i], frictions_[i].impulse, nodes_.data());
+  for (std::size_t i = 0; i < frictions_.size(); ++i) update_friction(rows_[i], frictions_[i], nodes_.data());
 }
 
 template <class S>
@@ -181,10 +219,12 @@ ImpulseResult ContactImpulses<S>::solve(Model<S>& model, const StepLengths& step
   load_nodes(model, velocity_step);
   set_rates(velocity_step, step.after);
   drop_rows_apart();
+  begin_friction(velocity_step);
   if (lagrange_) {
     solve_coupled();
   } else {
     project_velocities(rows_.data(), static_cast<std::int64_t>(rows_.size()), nodes_.data());
+    slow_sliding();
   }
   release(velocity_step);
 
@@ -198,16 +238,34 @@ ImpulseResult ContactImpulses<S>::solve(Model<S>& model, const StepLengths& step
     result.pairs += pair.force > 0;
     pair.memory.lost += lost.now + lost.later;
     pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
+    if (has_friction()) count_friction(i, step, result);
     if (!(pair.force > 0)) continue;
     for (int k = 0; k < row.nodes; ++k) {
-      const auto n = static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
-      for (std::size_t c = 0; c < 3; ++c) {
-        model.nodes.force[4 * n + c] -= static_cast<S>(pair.force * row.weight[k] * row.direction[c]);
-      }
+      S* force = model.nodes.force.data() + 4 * static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
+      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * row.direction[c]);
+      if (!has_friction()) continue;
+      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
     }
   }
   remember();
   return result;
+}
+
+/// Force of the friction of a row, and its work.
+template <class S>
+void ContactImpulses<S>::count_friction(std::size_t i, const StepLengths& step, ImpulseResult& result) {
+  Pair& pair = pairs_[i];
+  double after[3];
+  sliding_rate(rows_[i], nodes_.data(), after);
+  const double speed = std::sqrt(after[0] * after[0] + after[1] * after[1] + after[2] * after[2]);
+  const FrictionRow& friction = frictions_[i];
+  pair.memory.slides = speed > sliding * friction.coefficient * rows_[i].impulse * friction.inverse_mass;
+  for (int c = 0; c < 3; ++c) {
+    pair.memory.friction[c] = frictions_[i].impulse[c] / step.velocity();
+    const ExternalWork lost = work_of(pair.memory.friction[c], pair.sliding_before[c], after[c], step);
+    result.dissipated += lost.now;
+    pending_ += lost.later;
+  }
 }
 
 template <class S>
@@ -215,8 +273,10 @@ void ContactImpulses<S>::add_node_forces(std::vector<Point>& node_force) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const ImpulseRow& row = rows_[i];
     for (int k = 0; k < row.nodes; ++k) {
-      const auto n = static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
-      for (std::size_t c = 0; c < 3; ++c) node_force[n][c] -= pairs_[i].force * row.weight[k] * row.direction[c];
+      Point& force = node_force[static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])])];
+      for (std::size_t c = 0; c < 3; ++c) {
+        force[c] -= row.weight[k] * (pairs_[i].force * row.direction[c] + pairs_[i].memory.friction[c]);
+      }
     }
   }
 }
@@ -233,7 +293,8 @@ void ContactImpulses<S>::remember() {
 template <class S>
 std::size_t ContactImpulses<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(rows_) + of(pairs_) + of(nodes_) + of(node_) + of(memory_) + of(node_place_) + held_.bytes();
+  return of(rows_) + of(frictions_) + of(pairs_) + of(nodes_) + of(node_) + of(memory_) + of(node_place_) +
+         held_.bytes();
 }
 
 template class ContactImpulses<double>;

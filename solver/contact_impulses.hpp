@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/kernels/contact_impulse.hpp>
+#include <pinball/kernels/contact_friction.hpp>
 #include <pinball/solver/external_work.hpp>
 #include <pinball/solver/held_directions.hpp>
 #include <pinball/solver/model.hpp>
@@ -42,6 +42,9 @@ struct ContactPair {
 ///
 /// Energy: what the impulses take out is the work of their forces, counted as all work is (external_work.hpp).
 ///
+/// Friction (kernels/contact_friction.hpp): part of the coupled system, or, with projection, one sweep after that of
+/// the impulses. Its work is counted with that of the impulses.
+///
 /// The rows are solved in double and in one order, so that results do not depend on the number of threads.
 template <class S>
 class ContactImpulses {
@@ -66,20 +69,23 @@ class ContactImpulses {
   /// What outlives a step, by the names of the pair.
   struct Memory {
     std::int32_t first, second;
-    double depth;  ///< as far as approach has closed it, see limit_depth [length]
-    double force;  ///< of the last step [force]
-    double lost;   ///< energy that the pair has taken out [energy]
+    double depth;        ///< as far as approach has closed it, see limit_depth [length]
+    double force;        ///< of the last step [force]
+    double lost;         ///< energy that the pair has taken out, but for friction [energy]
+    double friction[3];  ///< of the last step [force]
+    bool slides;         ///< in the last step
     static bool earlier(const Memory& a, const Memory& b) {
       return a.first != b.first ? a.first < b.first : a.second < b.second;
     }
   };
   /// What a row of rows_ is besides.
   struct Pair {
-    double depth;        ///< penetration, or negative gap; see limit_depth [length]
-    double size;         ///< [length]
-    double rate_before;  ///< G v in the middle of the step before [length/time]
-    double rate_free;    ///< G v* [length/time]
-    double force;        ///< of this step [force]
+    double depth;              ///< penetration, or negative gap; see limit_depth [length]
+    double size;               ///< [length]
+    double rate_before;        ///< G v in the middle of the step before [length/time]
+    double rate_free;          ///< G v* [length/time]
+    double force;              ///< of this step [force]
+    double sliding_before[3];  ///< of the middle of the step before, across the direction [length/time]
     Memory memory;
   };
 
@@ -88,13 +94,19 @@ class ContactImpulses {
   void load_nodes(const Model<S>& model, double velocity_step);
   void set_rates(double velocity_step, double dt);
   void drop_rows_apart();
+  bool has_friction() const { return friction_at_rest_ > 0; }
+  void begin_friction(double velocity_step);
   void solve_coupled();
+  void slow_sliding();
+  void count_friction(std::size_t i, const StepLengths& step, ImpulseResult& result);
   void release(double velocity_step);
   void remember();
 
   bool lagrange_ = false;
+  double friction_at_rest_ = 0, friction_sliding_ = 0;  ///< coefficients [-]
   std::vector<ImpulseRow> rows_;
-  std::vector<Pair> pairs_;  ///< one per row
+  std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
+  std::vector<Pair> pairs_;             ///< one per row
   std::vector<ImpulseNode> nodes_;
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
   std::vector<Memory> memory_;            ///< of the last step, sorted by the names

@@ -32,8 +32,9 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
                scene.fixed_constraints.size() == 1 ? "" : "s");
   }
   for (const RigidWall& wall : scene.rigid_walls) {
-    fmt::print("  rigid wall {}: through {}, free side along {}{}\n", wall.name,
+    fmt::print("  rigid wall {}: through {}, free side along {}{}{}\n", wall.name,
                vector_text(wall.plane.point, units.length), vector_text(wall.plane.normal, ""),
+               wall.friction > 0 ? fmt::format(", friction {:.4g}", wall.friction) : "",
                wall.body.empty() ? "" : ", for body " + wall.body);
   }
   for (const PrescribedVelocity& p : scene.prescribed_velocities) {

@@ -116,6 +116,11 @@ void print_contact(const Contact<S>& contact, const ContactSettings& c, std::int
     how = fmt::format(", gap between {}", c.gap == ContactGap::face ? "faces" : "pinballs");
   }
   if (pinball) how += c.radius == ContactRadius::initial ? ", initial radius" : ", current radius";
+  if (c.static_friction > c.friction) {
+    how += fmt::format(", friction {:.4g} at rest and {:.4g} sliding", c.static_friction, c.friction);
+  } else if (c.friction > 0) {
+    how += fmt::format(", friction {:.4g}", c.friction);
+  }
   if (c.self) how += ", bodies may touch themselves";
   fmt::print("  contact: {} on {} of {} elements, {} enforcement{}\n",
              pinball ? "pinballs" : "slideline: nodes against faces", contact.surface_elements(), elements,

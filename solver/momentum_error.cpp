@@ -17,7 +17,10 @@ std::vector<Point> directions_acted_on(const Scene& scene) {
     for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) add(axis);
   };
   for (const PlaneConstraint& plane : scene.constraints) add(plane.normal);
-  for (const RigidWall& wall : scene.rigid_walls) add(wall.plane.normal);
+  for (const RigidWall& wall : scene.rigid_walls) {
+    add(wall.plane.normal);
+    if (wall.friction > 0) add_all();
+  }
   for (const NodalLoad& load : scene.loads) add(load.force);
   for (const FixedConstraint& fixed : scene.fixed_constraints) {
     if (fixed.frame == Frame::cylindrical) add_all();  // they turn with the place

@@ -21,6 +21,7 @@ RigidWalls<S>::RigidWalls(const Model<S>& model) {
       wall.point[k] = static_cast<S>(given.plane.point[k]);
       wall.normal[k] = static_cast<S>(given.plane.normal[k]);
     }
+    wall.friction = static_cast<S>(given.friction);
     std::vector<std::pair<std::int32_t, std::array<S, 3>>> oblique;
     for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
       const std::string& body = model.mesh.body_names[static_cast<std::size_t>(model.mesh.body_of_node[n])];
@@ -54,9 +55,30 @@ RigidWalls<S>::RigidWalls(const Model<S>& model) {
       wall.free.push_back(free);
     }
     wall.reaction.assign(wall.nodes.size(), S(0));
+    if (wall.friction > S(0)) wall.drag.assign(wall.nodes.size(), {});
     walls_.push_back(std::move(wall));
     results_.push_back({given.name});
   }
+}
+
+/// Force that stops a node across the normal, as far as friction allows it. f: all other forces on the node.
+template <class S>
+std::array<S, 3> RigidWalls<S>::drag(const Wall& wall, S reaction, const S* v, const S* f, S step, S inverse_mass) {
+  std::array<S, 3> stopping{};
+  S along = 0, square = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    stopping[k] = -v[k] / (step * inverse_mass) - f[k];
+    along += stopping[k] * wall.normal[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    stopping[k] -= along * wall.normal[k];
+    square += stopping[k] * stopping[k];
+  }
+  const S size = std::sqrt(square), most = wall.friction * reaction;
+  if (size > most) {
+    for (S& component : stopping) component *= most / size;
+  }
+  return stopping;
 }
 
 template <class S>
@@ -82,12 +104,17 @@ void RigidWalls<S>::apply(Model<S>& model, const StepLengths& step) {
               gap += wall.normal[k] * ((x[k] - wall.point[k]) + position_step * v[k] + mobility * f[k]);
             }
             wall.reaction[i] = S(0);
+            if (wall.friction > S(0)) wall.drag[i] = {};
             if (!(gap < S(0)) || !(mobility > S(0))) continue;
             const S* d = wall.direction(i);
             const S free = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];  // 1 where nothing else holds the node
             const S reaction = -gap / (mobility * free);
             for (int k = 0; k < 3; ++k) f[k] += reaction * d[k];
             wall.reaction[i] = reaction;
+            if (wall.friction > S(0)) {
+              wall.drag[i] = drag(wall, reaction, v, f, velocity_step, model.nodes.inverse_mass[node]);
+              for (std::size_t k = 0; k < 3; ++k) f[k] += wall.drag[i][k];
+            }
             partial += static_cast<double>(reaction);
           }
         },
@@ -112,7 +139,7 @@ ExternalWork RigidWalls<S>::work(const Model<S>& model, const StepLengths& step)
             const S* d = wall.direction(i);
             S reaction[3], acceleration[3];
             for (std::size_t k = 0; k < 3; ++k) {
-              reaction[k] = wall.reaction[i] * d[k];
+              reaction[k] = wall.reaction[i] * d[k] + (wall.drag.empty() ? S(0) : wall.drag[i][k]);
               acceleration[k] = model.nodes.force[4 * node + k] * model.nodes.inverse_mass[node];
             }
             partial.add(work_of(reaction, model.nodes.velocity.data() + 4 * node, acceleration, step));
@@ -126,7 +153,8 @@ ExternalWork RigidWalls<S>::work(const Model<S>& model, const StepLengths& step)
 template <class S>
 std::size_t RigidWalls<S>::bytes() const {
   std::size_t sum = 0;
-  for (const Wall& wall : walls_) sum += wall.nodes.size() * (sizeof(std::int32_t) + sizeof(S));
+  for (const Wall& wall : walls_)
+    sum += wall.nodes.size() * (sizeof(std::int32_t) + sizeof(S)) + wall.drag.capacity() * sizeof(wall.drag[0]);
   return sum;
 }
 

@@ -60,8 +60,11 @@ struct ContactSettings {
   Enforcement enforcement = Enforcement::penalty;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
   /// contact.gap = "pinball" | "face"; where it is not set read_scene fills in pinball (penalty) or face
   ContactGap gap = ContactGap::pinball;
-  double beta = 1.0;     ///< contact.beta: penalty factor of report eq. (3.11) [-]
-  double damping = 0.1;  ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
+  double beta = 1.0;      ///< contact.beta: penalty factor of report eq. (3.11) [-]
+  double damping = 0.1;   ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
+  double friction = 0.0;  ///< contact.friction: Coulomb coefficient while sliding [-]
+  double static_friction =
+      0.0;  ///< contact.static_friction: at rest; where it is not set read_scene fills in friction [-]
   ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
   double radius_factor = 1.0;                     ///< contact.radius_factor: on the radius of (3.2) [-]
   bool self = true;                               ///< contact.self: a body may touch itself

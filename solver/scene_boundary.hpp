@@ -54,12 +54,13 @@ struct FixedConstraint {
   Line axis{};                  ///< axis = { point, direction } of the cylindrical frame
 };
 
-/// [[rigid_wall]]: a plane that no node crosses; without friction, free to be left.
+/// [[rigid_wall]]: a plane that no node crosses, free to be left.
 struct RigidWall {
   std::string name{};  ///< name: unique; default: wall_NUMBER
   Plane plane{};       ///< point, normal: the normal points to the free side
   std::string body{};  ///< body: only nodes of this body; default: all
   std::string where{};
+  double friction = 0;  ///< friction: Coulomb coefficient [-]
 };
 
 /// [[prescribed_velocity]]: the nodes move with a given velocity, whatever acts on them.

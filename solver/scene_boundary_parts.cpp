@@ -84,6 +84,7 @@ RigidWall read_rigid_wall(const SceneTable& table, std::size_t number) {
   wall.plane.point = table.point("point", any_number, wall.plane.point);
   wall.plane.normal = read_direction(table, "normal");
   wall.body = table.text("body", "");
+  wall.friction = table.number("friction", not_negative, wall.friction);
   return wall;
 }
 

@@ -64,6 +64,19 @@ ContactSettings read_contact(const SceneTable& table) {
   }
   contact.beta = table.number("beta", not_negative, contact.beta);
   contact.damping = table.number("damping", not_negative, contact.damping);
+  contact.friction = table.number("friction", not_negative, contact.friction);
+  contact.static_friction = table.number("static_friction", not_negative, contact.friction);
+  if (contact.static_friction < contact.friction) {
+    table.fail("static_friction", fmt::format("expected a number >= friction = {:.6g}, got {:.6g}", contact.friction,
+                                              contact.static_friction));
+  }
+  if (contact.enforcement == Enforcement::projection && contact.static_friction > contact.friction) {
+    table.fail("static_friction", "another value than friction needs enforcement = \"lagrange\"");
+  }
+  if (penalty && contact.static_friction > 0) {
+    table.fail(table.has("friction") ? "friction" : "static_friction",
+               "expected 0: friction needs enforcement = \"projection\" or \"lagrange\"");
+  }
   contact.radius = table.choice<ContactRadius>(
       "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
   contact.radius_factor = table.number("radius_factor", positive, contact.radius_factor);
