@@ -25,7 +25,7 @@ namespace pinball {
 enum class HourglassKind { none, viscous, stiffness, assumed_strain };
 
 /// Whether the forces of the hourglass modes are state that is kept from step to step.
-constexpr bool keeps_hourglass_force(HourglassKind kind) {
+PINBALL_FUNCTION constexpr bool keeps_hourglass_force(HourglassKind kind) {
   return kind == HourglassKind::stiffness || kind == HourglassKind::assumed_strain;
 }
 
