@@ -16,7 +16,10 @@ constexpr int most_sweeps = 200;
 /// A row slides if it does so faster than by this part of the velocity that its friction can stop; the rest is what the
 /// sweeps leave.
 constexpr double sliding = 1e-3;
-constexpr double tolerance = 1e-9;  ///< of the sweeps, relative to the largest closing velocity
+/// Of the sweeps, relative to the largest closing velocity. They begin with the impulses of the step before, so that
+/// what one step leaves the next one takes up: from 1e-9 to 1e-2 the contact patch test gives the same stresses, and
+/// two bars and spheres the same errors, at a tenth of the sweeps.
+constexpr double tolerance = 1e-4;
 
 }  // namespace
 
