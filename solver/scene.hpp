@@ -45,7 +45,7 @@ struct TimeSettings {
 
 struct ElementSettings {
   /// element.hourglass = "none" | "viscous" | "stiffness" | "assumed_strain"
-  HourglassControl hourglass = HourglassControl::stiffness;
+  HourglassControl hourglass = HourglassControl::assumed_strain;
   /// element.hourglass_coefficient; where it is not set read_scene fills in default_hourglass_coefficient [-]
   double hourglass_coefficient = -1.0;
   bool bulk_viscosity = true;        ///< element.bulk_viscosity = true | false
@@ -56,10 +56,10 @@ struct ElementSettings {
 };
 
 struct ContactSettings {
-  ContactMethod method = ContactMethod::none;      ///< contact.method = "none" | "pinball" | "slideline"
-  Enforcement enforcement = Enforcement::penalty;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
+  ContactMethod method = ContactMethod::none;       ///< contact.method = "none" | "pinball" | "slideline"
+  Enforcement enforcement = Enforcement::lagrange;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
   /// contact.gap = "pinball" | "face"; where it is not set read_scene fills in pinball (penalty) or face
-  ContactGap gap = ContactGap::pinball;
+  ContactGap gap = ContactGap::face;
   double beta = 1.0;      ///< contact.beta: penalty factor of report eq. (3.11) [-]
   double damping = 0.1;   ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
   double friction = 0.0;  ///< contact.friction: Coulomb coefficient while sliding [-]

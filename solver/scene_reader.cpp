@@ -34,6 +34,10 @@ ElementSettings read_element(const SceneTable& table) {
                                                       {"stiffness", HourglassControl::stiffness},
                                                       {"assumed_strain", HourglassControl::assumed_strain}},
                                                      element.hourglass);
+  // A coefficient that was meant for one form would mean something else to another.
+  if (table.has("hourglass_coefficient") && !table.has("hourglass")) {
+    table.fail("hourglass_coefficient", "needs hourglass beside it, the form that it is a coefficient of");
+  }
   element.hourglass_coefficient =
       table.number("hourglass_coefficient", not_negative, default_hourglass_coefficient(element.hourglass));
   element.bulk_viscosity = table.boolean("bulk_viscosity", element.bulk_viscosity);

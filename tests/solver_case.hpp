@@ -48,14 +48,18 @@ inline Body block(const std::string& name, const std::array<int, 3>& elements, d
   return body;
 }
 
-/// Everything else at its default, but for the bulk viscosity, which is off.
+/// Everything else at its default, but for the bulk viscosity, which is off, and the report's own algorithm: penalty
+/// contact between balls, hourglass control by stiffness.
 inline Scene scene_of(const std::vector<Body>& bodies, double end, bool contact = true) {
   Scene scene;
   scene.name = "test";
   scene.units = "kg-m-s";
   scene.time.end = end;
   scene.element.bulk_viscosity = false;
+  scene.element.hourglass = HourglassControl::stiffness;
   scene.contact.method = contact ? ContactMethod::pinball : ContactMethod::none;
+  scene.contact.enforcement = Enforcement::penalty;
+  scene.contact.gap = ContactGap::pinball;
   scene.materials = {elastic_material()};
   scene.bodies = bodies;
   return scene;
