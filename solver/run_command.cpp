@@ -2,6 +2,7 @@
 
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/commands.hpp>
+#include <pinball/solver/doubts.hpp>
 #include <pinball/solver/simulation.hpp>
 
 namespace pinball {
@@ -41,6 +42,7 @@ int run_command(const RunOptions& options) {
   const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
   const RunSummary summary = simulate(scene, {out, options.quiet});
   print_result(summary, out);
+  for (const std::string& doubt : doubts(summary)) fmt::print(stderr, "pinball: warning: {}\n", doubt);
   return 0;
 }
 

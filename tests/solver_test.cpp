@@ -233,6 +233,22 @@ TEST(Solver, ErosionIsInTheEnergyBalance) {
   EXPECT_LT(worst, 1e-2);
 }
 
+TEST(Solver, TheStepDoesNotFollowVibrationsAndFeedThem) {
+  // A free cube of one element, all of whose modes vibrate, at strains of about 1e-3.
+  Scene scene = scene_of({block("a", {1, 1, 1}, 0.1, {0, 0, 0})}, 1e9, false);
+  scene.bodies[0].velocity_noise = 5;
+  Solver<double> solver(scene);
+  double shortest = 1e9, longest = 0;
+  while (solver.steps() < 50'000) {
+    solver.step();
+    if (solver.steps() < 1000) continue;
+    shortest = std::min(shortest, solver.dt());
+    longest = std::max(longest, solver.dt());
+  }
+  EXPECT_LT(longest / shortest - 1, 1e-5);
+  EXPECT_LT(std::abs(solver.balance_error()), 1e-3);  // with a step that follows the vibrations: 0.2
+}
+
 TEST(Solver, MemoryPerElementIsBounded) {
   Solver<double> solver(read_scene(find_scene("rod_plate"), {.refine = 3}));
   solver.step();

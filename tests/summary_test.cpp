@@ -56,7 +56,7 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
                                       "element_steps", "element_steps_skipped", "element_steps_eroded",
                                       "element_steps_resting", "element_steps_subcycled", "element_steps_per_second",
                                       "energy", "momentum", "bodies", "rigid_walls", "contact", "skipped",
-                                      "skipped_seconds", "state_hash", "bytes_per_element", "probes"));
+                                      "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(keys(json["energy"]),
               ElementsAre("kinetic", "internal", "hourglass", "bulk_viscosity", "contact", "contact_stored",
