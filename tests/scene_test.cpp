@@ -15,10 +15,12 @@ TEST_F(SceneTest, FillsInDefaults) {
   EXPECT_EQ(scene.time.end, 1.0);
   EXPECT_EQ(scene.time.cfl, 0.9);
   EXPECT_EQ(scene.time.steps, -1);
-  EXPECT_EQ(scene.element.hourglass, HourglassControl::stiffness);
-  EXPECT_EQ(scene.element.hourglass_coefficient, 0.05);
+  EXPECT_EQ(scene.element.hourglass, HourglassControl::assumed_strain);
+  EXPECT_EQ(scene.element.hourglass_coefficient, 1.0);
   EXPECT_FALSE(scene.element.negative_volume);
   EXPECT_EQ(scene.contact.method, ContactMethod::none);
+  EXPECT_EQ(scene.contact.enforcement, Enforcement::lagrange);
+  EXPECT_EQ(scene.contact.gap, ContactGap::face);
   EXPECT_EQ(scene.contact.beta, 1.0);
   EXPECT_TRUE(scene.skip.contact_search);
   EXPECT_TRUE(scene.skip.resting);
@@ -290,17 +292,22 @@ TEST_F(SceneTest, AMisspeltContactIsRefused) {
 }
 
 TEST_F(SceneTest, WhatThisVersionLacksIsSaid) {
-  EXPECT_EQ(set_error("contact.gap=face"),
-            "--set contact.gap=face: \"face\" needs enforcement = \"projection\" or \"lagrange\" in this "
-            "version");
+  EXPECT_EQ(error(with({"[contact]", "enforcement = \"penalty\"", "gap = \"face\""})),
+            "17:7: contact.gap: \"face\" needs enforcement = \"projection\" or \"lagrange\" in this version");
+}
+
+TEST_F(SceneTest, AHourglassCoefficientBelongsToAForm) {
+  EXPECT_EQ(
+      set_error("element.hourglass_coefficient=0.05"),
+      "--set element.hourglass_coefficient=0.05: needs hourglass beside it, the form that it is a coefficient of");
 }
 
 TEST_F(SceneTest, Friction) {
   const Scene scene = read(with({"[contact]", "method = \"pinball\"", "enforcement = \"lagrange\"", "friction = 0.3"}));
   EXPECT_EQ(scene.contact.friction, 0.3);
   EXPECT_EQ(scene.contact.static_friction, 0.3);
-  EXPECT_EQ(set_error("contact.friction=0.3"),
-            "--set contact.friction=0.3: expected 0: friction needs enforcement = \"projection\" or \"lagrange\"");
+  EXPECT_EQ(error(with({"[contact]", "enforcement = \"penalty\"", "friction = 0.3"})),
+            "17:12: contact.friction: expected 0: friction needs enforcement = \"projection\" or \"lagrange\"");
   const auto with_friction = [this](const std::string& enforcement, const std::string& at_rest) {
     return error(
         with({"[contact]", "enforcement = \"" + enforcement + "\"", "friction = 0.3", "static_friction = " + at_rest}));
