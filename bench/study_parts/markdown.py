@@ -1,0 +1,77 @@
+"""The tables of bench/README.md, from results.json."""
+
+from .candidates import at
+
+
+def percent(error):
+    return "–" if error is None else f"{100 * error:.0f} %" if error >= 0.1 else f"{100 * error:.2g} %"
+
+
+def seconds(value):
+    return "–" if value is None else f"{value:.2g}"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(str(c) for c in row) + " |" for row in rows])
+
+
+def errors(results):
+    """Errors of all variants at the report's resolution, one table per study."""
+    pieces = []
+    for part in results["studies"]:
+        rows = [[c["method"], *(percent(p["errors"][q["key"]]) for q in part["quantities"]), seconds(p["seconds"])]
+                for c in part["curves"] if (p := at(c, part["report_mesh"])) is not None]
+        if rows:
+            head = [f"{part['title']} ({part['report_mesh']} {part['mesh']})", *(q["title"] for q in part["quantities"]), "time [s]"]
+            pieces.append(table(head, rows))
+    return pieces
+
+
+def cheapest(results):
+    rows = []
+    for part in results["studies"]:
+        for quantity in part["quantities"][:1] if part["curves"] else []:
+            cells = []
+            for cost in part["cheapest"].get(quantity["key"], []):
+                cells.append("not reached" if cost is None
+                             else f"{cost['method']}, {'at most ' if cost['at_most'] else ''}{seconds(cost['seconds'])} s")
+            plain = next((c["orders"][quantity["key"]] for c in part["curves"] if c["method"] == "plain"), None)
+            rows.append([f"{part['title']}: {quantity['title']}", *cells, f"{plain['order']:.2g}" if plain else "–"])
+    aims = next((part["aims"] for part in results["studies"]), [])
+    return table(["", *(f"cheapest for {100 * aim:g} %" for aim in aims), "order of plain"], rows) if rows else ""
+
+
+def parameters(results):
+    pieces = []
+    for part in results["studies"]:
+        for sweep in part["sweeps"]:
+            if not sweep["curves"]:
+                continue
+            for quantity in part["quantities"][:1]:
+                rows = [[c["method"], *("failed" if p["failure"] else percent(p["errors"][quantity["key"]]) for p in c["points"])]
+                        for c in sweep["curves"]]
+                head = [f"{part['name']}, {quantity['title']}: {sweep['title']}",
+                        *(f"{p['value']:g}" for p in sweep["curves"][0]["points"])]
+                pieces.append(table(head, rows))
+    return pieces
+
+
+def ensemble(results):
+    section = results["ensemble"]
+    if not section:
+        return ""
+    rows = [[r["method"], len(r["members"]), percent(r["mean"]), percent(r["deviation"]), percent(r["energy"]), seconds(r["seconds"])]
+            for r in section["rows"]]
+    return table(["oblique rod", "runs", "mass left, mean", "standard deviation", "largest energy error", "time of a run [s]"], rows)
+
+
+def precision(results):
+    rows = [[r["title"], r["what"], r["mesh"], percent(r["double"]), percent(r["float"]), f"{r['time']:.2f}"]
+            for r in results["precision"]]
+    return table(["", "quantity that changes most", "mesh", "error, double", "error, float", "time / double"], rows) if rows else ""
+
+
+def render(results):
+    pieces = [cheapest(results), *errors(results), *parameters(results), precision(results), ensemble(results)]
+    return "\n\n".join(piece for piece in pieces if piece)
