@@ -5,20 +5,15 @@ from report_parts.page_parts import escape
 from .variants import PLAIN_TITLE
 
 
-def place_of(results, name):
-    return next((i for i, part in enumerate(results["studies"]) if part["name"] == name and part["curves"]), None)
-
-
-def least(n, study, key):
-    """(curve, point) of the least error at the report's mesh, and those of the plain algorithm; None if not measured."""
-    part = n.value("studies", study)
+def at_report_mesh(part, key):
+    """([(error, curve, point)] of all methods at the report's mesh, (curve, point) of the plain one or None)."""
     found, plain = [], None
     for c, curve in enumerate(part["curves"]):
         for p, point in enumerate(curve["points"]):
             if point["mesh"] == part["report_mesh"] and point["failure"] is None:
                 found.append((point["errors"][key], c, p))
                 plain = (c, p) if curve["method"] == PLAIN_TITLE else plain
-    return (min(found)[1:], plain) if found and plain else None
+    return found, plain
 
 
 def errors(n):
@@ -28,10 +23,10 @@ def errors(n):
         if not part["curves"]:
             continue
         quantity = part["quantities"][0]
-        best = least(n, i, quantity["key"])
-        if best is None:
+        found, plain = at_report_mesh(part, quantity["key"])
+        if plain is None:
             continue
-        (c, p), (pc, pp) = best
+        (_, c, p), (pc, pp) = min(found), plain
         at = ("studies", i, "curves")
         text = (f"<b>{escape(part['title'])}</b>, {escape(quantity['title'])}, {n.show('studies', i, 'report_mesh')} "
                 f"{escape(part['mesh'])}: plain {n.percent(*at, pc, 'points', pp, 'errors', quantity['key'])}")
@@ -65,6 +60,21 @@ def candidates(n):
             f"report's resolution: {named}."]
 
 
+def energy(n):
+    """The balance of each study that has contact: of the plain algorithm, and the worst."""
+    lines = []
+    for i, part in enumerate(n.value("studies")):
+        if not part["curves"] or not any(q["key"] == "energy" for q in part["quantities"]):
+            continue
+        found, plain = at_report_mesh(part, "energy")
+        if plain is None:
+            continue
+        (_, wc, wp), at = max(found), ("studies", i, "curves")
+        lines.append(f"{escape(part['name'])} {n.percent(*at, plain[0], 'points', plain[1], 'errors', 'energy')} plain, at most "
+                     f"{n.percent(*at, wc, 'points', wp, 'errors', 'energy')} ({escape(part['curves'][wc]['method'])})")
+    return ["Error of the energy balance at the report's resolution: " + "; ".join(lines) + "."] if lines else []
+
+
 def precision(n):
     rows = n.value("precision")
     if not rows:
@@ -91,5 +101,5 @@ def absent(n):
 
 def lines(n):
     missing = [*absent(n), *(part["title"] for part in n.value("studies") if not part["curves"])]
-    return [*errors(n), *candidates(n), *precision(n), *failures(n),
+    return [*errors(n), *candidates(n), *energy(n), *precision(n), *failures(n),
             *(["Not in this program: " + escape(", ".join(missing)) + "."] if missing else [])]

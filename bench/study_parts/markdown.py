@@ -42,6 +42,21 @@ def cheapest(results):
     return table(["", *(f"cheapest for {100 * aim:g} %" for aim in aims), "order of plain"], rows) if rows else ""
 
 
+def candidates(results):
+    """One row per variant, one column per comparison with the plain algorithm: its error over the own one, and time."""
+    entries = results.get("candidates", [])
+    methods = list(dict.fromkeys(row["method"] for entry in entries for row in entry["rows"]))
+    rows = []
+    for method in methods:
+        cells = []
+        for entry in entries:
+            row = next((r for r in entry["rows"] if r["method"] == method), None)
+            gain = "" if row is None else "exact" if row["gain"] is None else f"{row['gain']:.3g}"
+            cells.append(gain and f"{'**' if row['met'] else ''}{gain} ({row['time']:.2f}){'**' if row['met'] else ''}")
+        rows.append([method, *cells])
+    return table(["plain error / error (time / plain time)", *(f"{e['study']}: {e['what']}" for e in entries)], rows) if rows else ""
+
+
 def parameters(results):
     pieces = []
     for part in results["studies"]:
@@ -73,5 +88,5 @@ def precision(results):
 
 
 def render(results):
-    pieces = [cheapest(results), *errors(results), *parameters(results), precision(results), ensemble(results)]
+    pieces = [cheapest(results), candidates(results), *errors(results), *parameters(results), precision(results), ensemble(results)]
     return "\n\n".join(piece for piece in pieces if piece)
