@@ -151,7 +151,8 @@ class QuickForm(unittest.TestCase):
             at = {c["method"]: p for c in study["curves"] for p in c["points"] if p["mesh"] == entry["mesh"]}
             for row in entry["rows"]:
                 own, plain = at[row["method"]], at["plain"]
-                self.assertEqual(row["error"], {"plain": plain["errors"][entry["quantity"]], "own": own["errors"][entry["quantity"]]})
+                key = entry["quantity"]
+                self.assertEqual(row["error"], {"plain": plain["errors"][key], "own": own["errors"][key]})
                 self.assertAlmostEqual(row["time"], own["seconds"] / plain["seconds"])
 
     def test_errors_are_those_of_verify(self):
@@ -182,7 +183,7 @@ class QuickForm(unittest.TestCase):
 
     def test_tables_have_the_same_numbers(self):
         rows = bench_command.rows_of(OUT, "points.csv")
-        self.assertEqual(len(rows), sum(len(c["points"]) * len(s["quantities"]) for s in self.results["studies"] for c in s["curves"]))
+        self.assertEqual(len(rows), sum(len(curve["points"]) * len(study["quantities"]) for study, curve, _ in self.curves()))
         for row in rows:
             if row["failure"]:
                 continue
@@ -191,7 +192,8 @@ class QuickForm(unittest.TestCase):
             self.assertEqual(float(row["error"]), point["errors"][row["quantity"]])
             self.assertEqual(float(row["seconds"]), point["seconds"])
         for row in bench_command.rows_of(OUT, "candidates.csv"):
-            entry = next(e for e in self.results["candidates"] if (e["study"], e["quantity"]) == (row["study"], row["quantity"]))
+            compared = row["study"], row["quantity"]
+            entry = next(e for e in self.results["candidates"] if (e["study"], e["quantity"]) == compared)
             found = next(r for r in entry["rows"] if r["method"] == row["method"])
             self.assertEqual(float(row["time_over_plain"]), found["time"])
         for name in ("parameters", "orders", "cheapest", "ensemble"):

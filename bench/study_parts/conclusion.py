@@ -36,8 +36,8 @@ def errors(n):
         for a, aim in enumerate(part["aims"]):
             cost = part["cheapest"][quantity["key"]][a]
             if cost:
-                text += (f"; {100 * aim:g} % cheapest with {escape(cost['method'])}, "
-                         f"{'at most ' if cost['at_most'] else ''}{n.show('studies', i, 'cheapest', quantity['key'], a, 'seconds')} s")
+                text += (f"; {100 * aim:g} % cheapest with {escape(cost['method'])}, {'at most ' if cost['at_most'] else ''}"
+                         f"{n.show('studies', i, 'cheapest', quantity['key'], a, 'seconds')} s")
             else:
                 text += f"; {100 * aim:g} % not reached"
         lines.append(text + ".")
@@ -70,8 +70,8 @@ def energy(n):
         if plain is None:
             continue
         (_, wc, wp), at = max(found), ("studies", i, "curves")
-        lines.append(f"{escape(part['name'])} {n.percent(*at, plain[0], 'points', plain[1], 'errors', 'energy')} plain, at most "
-                     f"{n.percent(*at, wc, 'points', wp, 'errors', 'energy')} ({escape(part['curves'][wc]['method'])})")
+        lines.append(f"{escape(part['name'])} {n.percent(*at, plain[0], 'points', plain[1], 'errors', 'energy')} plain, "
+                     f"at most {n.percent(*at, wc, 'points', wp, 'errors', 'energy')} ({escape(part['curves'][wc]['method'])})")
     return ["Error of the energy balance at the report's resolution: " + "; ".join(lines) + "."] if lines else []
 
 

@@ -38,8 +38,8 @@ def work_precision(part, keys):
                       linewidth=2.2 if plain else 1.2, zorder=4 if plain else 3, label=curve["method"])
         best = [part["curves"][c]["points"][p] for c, p in part["frontier"][key]]
         best = [p for p in best if p["errors"][key] > 0]
-        axis.plot([p["seconds"] for p in best], [p["errors"][key] for p in best], "o-", color="#c9a400", linewidth=5, alpha=0.35,
-                  markersize=14, zorder=1, label="efficient frontier")
+        axis.plot([p["seconds"] for p in best], [p["errors"][key] for p in best], "o-", color="#c9a400", linewidth=5,
+                  alpha=0.35, markersize=14, zorder=1, label="efficient frontier")
         for aim in part["aims"]:
             axis.axhline(aim, color="black", linewidth=0.6, linestyle=":")
         quantity = next(q for q in part["quantities"] if q["key"] == key)
@@ -64,7 +64,8 @@ def parameters(part, sweep, keys):
     for curve in sweep["curves"]:
         good = [p for p in curve["points"] if p["failure"] is None]
         colour, marker = look[curve["method"]]
-        axes[-1].plot([p["value"] for p in good], [p["seconds"] for p in good], marker=marker, color=colour, label=curve["method"])
+        axes[-1].plot([p["value"] for p in good], [p["seconds"] for p in good], marker=marker, color=colour,
+                      label=curve["method"])
     axes[-1].set_title("run time [s]", loc="left", fontsize=10)
     axes[-1].set_yscale("log")
     values = [p["value"] for curve in sweep["curves"] for p in curve["points"]]

@@ -23,7 +23,8 @@ def errors(results):
         rows = [[c["method"], *(percent(p["errors"][q["key"]]) for q in part["quantities"]), seconds(p["seconds"])]
                 for c in part["curves"] if (p := at(c, part["report_mesh"])) is not None]
         if rows:
-            head = [f"{part['title']} ({part['report_mesh']} {part['mesh']})", *(q["title"] for q in part["quantities"]), "time [s]"]
+            head = [f"{part['title']} ({part['report_mesh']} {part['mesh']})", *(q["title"] for q in part["quantities"]),
+                    "time [s]"]
             pieces.append(table(head, rows))
     return pieces
 
@@ -54,7 +55,8 @@ def candidates(results):
             gain = "" if row is None else "exact" if row["gain"] is None else f"{row['gain']:.3g}"
             cells.append(gain and f"{'**' if row['met'] else ''}{gain} ({row['time']:.2f}){'**' if row['met'] else ''}")
         rows.append([method, *cells])
-    return table(["plain error / error (time / plain time)", *(f"{e['study']}: {e['what']}" for e in entries)], rows) if rows else ""
+    head = ["plain error / error (time / plain time)", *(f"{e['study']}: {e['what']}" for e in entries)]
+    return table(head, rows) if rows else ""
 
 
 def parameters(results):
@@ -64,7 +66,8 @@ def parameters(results):
             if not sweep["curves"]:
                 continue
             for quantity in part["quantities"][:1]:
-                rows = [[c["method"], *("failed" if p["failure"] else percent(p["errors"][quantity["key"]]) for p in c["points"])]
+                key = quantity["key"]
+                rows = [[c["method"], *("failed" if p["failure"] else percent(p["errors"][key]) for p in c["points"])]
                         for c in sweep["curves"]]
                 head = [f"{part['name']}, {quantity['title']}: {sweep['title']}",
                         *(f"{p['value']:g}" for p in sweep["curves"][0]["points"])]
@@ -76,17 +79,20 @@ def ensemble(results):
     section = results["ensemble"]
     if not section:
         return ""
-    rows = [[r["method"], len(r["members"]), percent(r["mean"]), percent(r["deviation"]), percent(r["energy"]), seconds(r["seconds"])]
-            for r in section["rows"]]
-    return table(["oblique rod", "runs", "mass left, mean", "standard deviation", "largest energy error", "time of a run [s]"], rows)
+    rows = [[r["method"], len(r["members"]), percent(r["mean"]), percent(r["deviation"]), percent(r["energy"]),
+             seconds(r["seconds"])] for r in section["rows"]]
+    return table(["oblique rod", "runs", "mass left, mean", "standard deviation", "largest energy error", "time of a run [s]"],
+                 rows)
 
 
 def precision(results):
     rows = [[r["title"], r["what"], r["mesh"], percent(r["double"]), percent(r["float"]), f"{r['time']:.2f}"]
             for r in results["precision"]]
-    return table(["", "quantity that changes most", "mesh", "error, double", "error, float", "time / double"], rows) if rows else ""
+    head = ["", "quantity that changes most", "mesh", "error, double", "error, float", "time / double"]
+    return table(head, rows) if rows else ""
 
 
 def render(results):
-    pieces = [cheapest(results), candidates(results), *errors(results), *parameters(results), precision(results), ensemble(results)]
+    pieces = [cheapest(results), candidates(results), *errors(results), *parameters(results), precision(results),
+              ensemble(results)]
     return "\n\n".join(piece for piece in pieces if piece)

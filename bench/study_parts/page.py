@@ -15,7 +15,8 @@ def conclusion_section(n):
 def machine_section(n):
     machine = n.value("machine")
     rows = [["processor", escape(machine["cpu"])], ["cores", n.show("machine", "cores")],
-            ["memory", n.show("machine", "memory_gib") + " GiB"], ["load at the start", n.show("machine", "load_average") + " jobs"],
+            ["memory", n.show("machine", "memory_gib") + " GiB"],
+            ["load at the start", n.show("machine", "load_average") + " jobs"],
             ["compiler", escape(machine["compiler"])], ["git revision", escape(machine["revision"])],
             ["rounds", n.show("rounds")], ["duration of this study", n.count("seconds") + " s"]]
     return section("machine", "Machine and method", "<div class=text>", table(["", ""], rows), "</div>",
@@ -40,8 +41,10 @@ def errors_table(n, i):
         for p, point in enumerate(curve["points"]):
             if point["mesh"] == part["report_mesh"] or len(curve["points"]) == 1:
                 at = ("studies", i, "curves", c, "points", p)
-                shown = [n.percent(*at, "errors", q["key"]) if point["failure"] is None else "failed" for q in part["quantities"]]
-                rows.append([escape(curve["method"]), n.show(*at, "mesh"), *shown, n.show(*at, "steps"), n.show(*at, "seconds")])
+                failed = point["failure"] is not None
+                shown = ["failed" if failed else n.percent(*at, "errors", q["key"]) for q in part["quantities"]]
+                rows.append([escape(curve["method"]), n.show(*at, "mesh"), *shown, n.show(*at, "steps"),
+                             n.show(*at, "seconds")])
     return table(["variant", "mesh", *(escape(q["title"]) for q in part["quantities"]), "steps", "time [s]"], rows,
                  "Errors at the resolution of the report, or of the scene as it stands")
 
@@ -80,7 +83,8 @@ def sweep_parts(n, i, s):
             rows.append([f"{escape(curve['method'])}: {escape(title)}",
                          *[n.percent(*at, p, "errors", key) if point["failure"] is None else "failed"
                            for p, point in enumerate(curve["points"])]])
-    head = [n.show("studies", i, "sweeps", s, "curves", 0, "points", p, "value") for p in range(len(sweep["curves"][0]["points"]))]
+    head = [n.show("studies", i, "sweeps", s, "curves", 0, "points", p, "value")
+            for p in range(len(sweep["curves"][0]["points"]))]
     return [f"<h3>{escape(sweep['title'])}</h3>",
             image(figures.parameters(part, sweep, keys), f"{sweep['title']}: {sweep['mesh']} {part['mesh']}"),
             table([f"<code>{escape(sweep['key'])}</code>", *head], rows)]
@@ -108,9 +112,10 @@ def candidates_section(n):
             at = ("candidates", e, "rows", r)
             rows.append([escape(row["method"]), n.percent(*at, "error", "own"), n.show(*at, "gain"), n.show(*at, "time"),
                          n.show(*at, "faster"), judgement(row["met"])])
-        pieces.append(table(["variant", "error", "plain error / error", "time / plain time", "times faster at the plain error", ""],
-                            rows, f"{escape(entry['title'])}, {escape(entry['what'])}, mesh {n.show('candidates', e, 'mesh')}: "
-                            f"plain {n.percent('candidates', e, 'rows', 0, 'error', 'plain')}"))
+        caption = (f"{escape(entry['title'])}, {escape(entry['what'])}, mesh {n.show('candidates', e, 'mesh')}: plain "
+                   + n.percent("candidates", e, "rows", 0, "error", "plain"))
+        pieces.append(table(["variant", "error", "plain error / error", "time / plain time",
+                             "times faster at the plain error", ""], rows, caption))
     return section("candidates", "Candidates for the defaults, beside the plain algorithm at the report's resolution",
                    "<p>Reached: at most half the error for at most 1.2 times the run time, or the same error at least 4 times "
                    "faster. Times of a run of milliseconds say little.</p>", *(pieces or ["<p>Nothing was measured.</p>"]))
@@ -123,8 +128,8 @@ def precision_section(n):
         rows.append([escape(row["title"]), escape(row["what"]), n.show(*at, "mesh"), n.percent(*at, "double"),
                      n.percent(*at, "float"), n.show(*at, "time"), n.count(*at, "failures")])
     return section("precision", "Float in place of double precision",
-                   "<p>The whole solver in float: of each scene the quantity and mesh whose error changes most, and the time on "
-                   "the finest mesh.</p>",
+                   "<p>The whole solver in float: of each scene the quantity and mesh whose error changes most, and the time "
+                   "on the finest mesh.</p>",
                    table(["", "quantity", "mesh", "error, double", "error, float", "time / double", "failed"], rows))
 
 
@@ -138,18 +143,18 @@ def ensemble_section(n):
                      escape("; ".join(row["failures"]))])
     return section("rod_oblique", "The oblique rod: an ensemble",
                    "<p>The shot is little above the ballistic limit and round-off decides which elements erode: runs do not "
-                   "converge one by one, and there is no error to give. What methods can be told apart by is the mean over runs "
-                   f"that differ in the length of the step alone. The report's single run left {n.percent('ensemble', 'reported')} "
-                   "of the rod.</p>",
+                   "converge one by one, and there is no error to give. What methods can be told apart by is the mean over "
+                   "runs that differ in the length of the step alone. The report's single run left "
+                   f"{n.percent('ensemble', 'reported')} of the rod.</p>",
                    image(figures.ensemble(ensemble), "Mass of the rod that is left, each run and the mean"),
-                   table(["variant", "runs", "mass left, mean", "standard deviation", "largest energy error", "time of a run [s]",
-                          "failed"], rows))
+                   table(["variant", "runs", "mass left, mean", "standard deviation", "largest energy error",
+                          "time of a run [s]", "failed"], rows))
 
 
 def repeat_section(n, files):
     return section("repeat", "Again",
-                   f"<p><code>bench/study{' --quick' if n.value('form') == 'quick' else ''}</code> makes this page. Every number "
-                   "on it is in results.json, at the place named by its <code>data-pointer</code>. Beside it:</p>",
+                   f"<p><code>bench/study{' --quick' if n.value('form') == 'quick' else ''}</code> makes this page. Every "
+                   "number on it is in results.json, at the place named by its <code>data-pointer</code>. Beside it:</p>",
                    listing(f'<a href="{name}">{name}</a>: {escape(text)}' for name, text in files.items()))
 
 

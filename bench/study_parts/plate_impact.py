@@ -25,9 +25,9 @@ def setup(elements, variant):
         layer = int(float(station) * elements)
         for end in (0, 1):
             probes += probe(f"s{i}_{end}", "plate", (0.0, 0.0, (layer + end) * h), "velocity")
-    return Setup("plate_impact", [f"body.plate.mesh.size={vector(h, h, 1.0)}", f"body.plate.mesh.elements={vector(1, 1, elements)}",
-                                  "output.interval=step", f"time.cfl={variant.step}"],
-                 more=probes, replace=((OWN_PROBES, ""),))
+    settings = [f"body.plate.mesh.size={vector(h, h, 1.0)}", f"body.plate.mesh.elements={vector(1, 1, elements)}",
+                "output.interval=step", f"time.cfl={variant.step}"]
+    return Setup("plate_impact", settings, more=probes, replace=((OWN_PROBES, ""),))
 
 
 def measure(run, elements, variant):

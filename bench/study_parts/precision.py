@@ -21,8 +21,8 @@ def derive(parts):
                    for double, single in both for key in titles]
         change, key, double, single = max(changes, key=lambda c: c[0])
         last_double, last_float = both[-1]
-        rows.append({"study": part["name"], "title": part["title"], "quantity": key, "what": titles[key], "mesh": double["mesh"],
-                     "double": double["errors"][key], "float": single["errors"][key], "change": change,
+        rows.append({"study": part["name"], "title": part["title"], "quantity": key, "what": titles[key],
+                     "mesh": double["mesh"], "double": double["errors"][key], "float": single["errors"][key], "change": change,
                      "time": last_float["seconds"] / last_double["seconds"], "time_mesh": last_double["mesh"],
                      "failures": sum(p["failure"] is not None for p in curves[FLOAT]["points"])})
     return rows

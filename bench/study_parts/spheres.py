@@ -88,7 +88,8 @@ def radius_on_wall(run):
     for time, mesh in run.fields():
         if meridian is None:
             from_centre = np.linalg.norm(mesh.points - [0.0, 0.0, RADIUS], axis=1)
-            on = (np.abs(from_centre - RADIUS) < 1e-6 * RADIUS) & (np.abs(mesh.points[:, 1]) < 1e-9) & (mesh.points[:, 2] < RADIUS)
+            on = np.abs(from_centre - RADIUS) < 1e-6 * RADIUS
+            on &= (np.abs(mesh.points[:, 1]) < 1e-9) & (mesh.points[:, 2] < RADIUS)
             meridian = np.flatnonzero(on)[np.argsort(mesh.points[on, 0])]
             continue
         last = int(np.max(np.flatnonzero(mesh.points[meridian, 2] < 1e-9 * RADIUS), initial=0))
@@ -143,7 +144,8 @@ FINE = (PLAIN_TITLE, "faces, lagrange", "faces, projection", "faces, penalty", "
 
 WALL = Study(
     name="sphere_wall", title="Elastic sphere on a rigid wall: elements and steps", reference=REFERENCE, quantities=QUANTITIES,
-    groups=("viscosity on", "hourglass", "step", "precision", "subcycling"), mesh="elements along the radius of the core (of a wedge)",
+    groups=("viscosity on", "hourglass", "step", "precision", "subcycling"),
+    mesh="elements along the radius of the core (of a wedge)",
     meshes={"full": [5, 8, 11, 16], "quick": [4]}, report_mesh=11, setup=wall_setup, measure=wall_measure,
     fine={"full": 11}, foremost=(PLAIN_TITLE,),
     note="The wall is not contact between meshes, but a plane for nodes. The contact radius is known to half an element.",
@@ -157,7 +159,8 @@ FLOOR = Study(
     note="The contact radius is that of the pressure of Hertz with the second moment of the contact forces.",
 )
 MIRROR = Study(
-    name="sphere_sphere", title="Two equal elastic spheres collide, meshes that fit", reference=REFERENCE, quantities=QUANTITIES,
+    name="sphere_sphere", title="Two equal elastic spheres collide, meshes that fit", reference=REFERENCE,
+    quantities=QUANTITIES,
     groups=("contact", "precision"), mesh="elements across the core of a sphere",
     meshes={"full": [4, 8, 12], "quick": [4]}, report_mesh=12, setup=mirror_setup, measure=mirror_measure,
     sweeps=(Sweep("Penalty factor", "contact.beta", BETAS, BETA, 4),),

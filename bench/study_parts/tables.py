@@ -79,8 +79,8 @@ def ensemble(results):
 
 
 def write(results, folder):
-    for name, rows in (("points.csv", points(results)), ("parameters.csv", parameters(results)), ("orders.csv", orders(results)),
-                       ("cheapest.csv", cheapest(results)), ("candidates.csv", candidates(results)),
-                       ("ensemble.csv", ensemble(results))):
+    for name, rows in (("points.csv", points(results)), ("parameters.csv", parameters(results)),
+                       ("orders.csv", orders(results)), ("cheapest.csv", cheapest(results)),
+                       ("candidates.csv", candidates(results)), ("ensemble.csv", ensemble(results))):
         with open(os.path.join(folder, name), "w", newline="", encoding="utf-8") as file:
             csv.writer(file).writerows(rows)

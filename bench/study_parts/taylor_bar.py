@@ -14,9 +14,9 @@ HELD = '[[constraint]]\ntype = "fixed"\nplane = { normal = [0.0, 0.0, 1.0] }\ndi
 
 def setup(core, variant):
     times = ", ".join(str(1e-3 * t) for t in (0, *table("taylor_bar_history.csv")["t_us"]))
-    return Setup("taylor_bar", [f"body.bar.mesh.core={core}", f"body.bar.mesh.ring={core // 2}", f"body.bar.mesh.layers={10 * core}",
-                                f"output.field_times=[{times}]", 'output.fields=["alive"]', f"time.cfl={variant.step}"],
-                 replace=((WALL, HELD),))
+    settings = [f"body.bar.mesh.core={core}", f"body.bar.mesh.ring={core // 2}", f"body.bar.mesh.layers={10 * core}",
+                f"output.field_times=[{times}]", 'output.fields=["alive"]', f"time.cfl={variant.step}"]
+    return Setup("taylor_bar", settings, replace=((WALL, HELD),))
 
 
 def measure(run, core, variant):
