@@ -1,6 +1,6 @@
 """The tables of bench/README.md, from results.json."""
 
-from .candidates import at
+from .candidates import JUDGED, at
 
 
 def percent(error):
@@ -41,6 +41,24 @@ def cheapest(results):
             rows.append([f"{part['title']}: {quantity['title']}", *cells, f"{plain['order']:.2g}" if plain else "–"])
     aims = next((part["aims"] for part in results["studies"]), [])
     return table(["", *(f"cheapest for {100 * aim:g} %" for aim in aims), "order of plain"], rows) if rows else ""
+
+
+def matrix(results):
+    """Errors alone, which no busy machine changes: a row per variant, at the report's resolution."""
+    parts = {part["name"]: part for part in results["studies"]}
+    judged = [(parts[name], q) for name, key in JUDGED if name in parts and parts[name]["curves"]
+              for q in parts[name]["quantities"] if q["key"] == key]
+    methods = list(dict.fromkeys(c["method"] for part in results["studies"] for c in part["curves"]))
+    rows = []
+    for method in methods:
+        cells = []
+        for part, quantity in judged:
+            curve = next((c for c in part["curves"] if c["method"] == method), None)
+            point = at(curve, part["report_mesh"]) if curve else None
+            cells.append(percent(point["errors"][quantity["key"]]) if point else "")
+        if any(cells):
+            rows.append([method, *cells])
+    return table(["error", *(f"`{part['name']}`: {q['title']}" for part, q in judged)], rows) if rows else ""
 
 
 def candidates(results):
@@ -93,6 +111,6 @@ def precision(results):
 
 
 def render(results):
-    pieces = [cheapest(results), candidates(results), *errors(results), *parameters(results), precision(results),
-              ensemble(results)]
+    pieces = [matrix(results), cheapest(results), candidates(results), *errors(results), *parameters(results),
+              precision(results), ensemble(results)]
     return "\n\n".join(piece for piece in pieces if piece)
