@@ -12,8 +12,9 @@
 ///     8 V/m ( 2 mu diag(s) + lambda sqrt(s) (x) sqrt(s) )   and   8 V/m mu (s_i + s_j)
 /// so that
 ///     omega^2 <= 8 V/m ( 2 mu s_max + lambda tr S ) ,
-/// with equality for a cube (s equal) and for a thin plate (one s). The bulk viscosity eta is a damping 8 V/m eta tr S.
-/// A mode of frequency omega and damping d is stable with lagged damping if omega^2 dt^2/4 + d dt/2 <= 1, hence
+/// with equality for a cube (s equal) and for a thin plate (one s). A negative lambda (Poisson ratio below 0) lowers
+/// the modes with a change of volume alone: it counts as 0. The bulk viscosity eta is a damping 8 V/m eta tr S. A mode
+/// of frequency omega and damping d is stable with lagged damping if omega^2 dt^2/4 + d dt/2 <= 1, hence
 ///     dt = 2 / ( d/2 + sqrt(d^2/4 + omega^2) ) .
 namespace pinball {
 
@@ -44,7 +45,7 @@ template <class T>
 PINBALL_FUNCTION T element_stable_rate(const T& largest, const T& trace, const T& volume, const T& inverse_mass,
                                        const T& lambda, const T& mu, const T& viscosity) {
   const T factor = T(8) * volume * inverse_mass;
-  const T omega2 = factor * (T(2) * mu * largest + lambda * trace);
+  const T omega2 = factor * (T(2) * mu * largest + maximum(T(0), lambda) * trace);
   const T half_damping = number<T>(0.5) * factor * viscosity * trace;
   return half_damping + square_root(half_damping * half_damping + omega2);
 }

@@ -13,6 +13,10 @@ std::vector<std::string> doubts(const RunSummary& summary) {
                                 100 * summary.balance_error_max,
                                 summary.contact_method == "none" ? "" : " or contact.beta"));
   }
+  if (!summary.overlapping_bodies.empty()) {
+    found.push_back(fmt::format("bodies {} overlap at the start: contact cannot tell from which side they came",
+                                summary.overlapping_bodies));
+  }
   // Erosion exposes pinballs that lie deep inside others, which is no fault of the contact.
   const bool eroded = std::any_of(summary.bodies.begin(), summary.bodies.end(),
                                   [](const BodyResult& body) { return body.eroded_elements > 0; });

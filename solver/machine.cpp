@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <fstream>
 #include <pinball/solver/machine.hpp>
 
@@ -10,6 +12,11 @@ std::string processor_name() {
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
+}
+
+double memory_bytes() {
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<double>(pages) * static_cast<double>(size) : 0.0;
 }
 
 }  // namespace pinball

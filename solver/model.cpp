@@ -230,7 +230,14 @@ Model<S> build_model(const Scene& scene) {
     }
   }
   for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
-    model.nodes.inverse_mass[n] = model.node_mass[n] > 0 ? static_cast<S>(1.0 / model.node_mass[n]) : S(0);
+    const S inverse = static_cast<S>(1.0 / model.node_mass[n]);
+    if (!(inverse > S(0)) || !std::isfinite(inverse)) {
+      throw InputError(
+          fmt::format("{}: a node has the mass {:.6g}, which {} precision cannot divide by: expected another density, "
+                      "size of elements or unit of mass",
+                      scene.path, model.node_mass[n], sizeof(S) == sizeof(double) ? "double" : "single"));
+    }
+    model.nodes.inverse_mass[n] = inverse;
   }
   add_constraints(model);
   set_initial_velocity(model);

@@ -135,6 +135,7 @@ struct RunSummary {
   std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have
   SkippedSeconds skipped_seconds;
   double max_penetration_ratio = 0.0;  ///< deepest penetration over the sum of the two radii
+  std::string overlapping_bodies;      ///< "a and b": the first two that shared space at the start; empty: none did
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements
 };

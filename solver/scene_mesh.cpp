@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <pinball/solver/machine.hpp>
 #include <pinball/solver/scene_parts.hpp>
 
 namespace pinball {
@@ -22,9 +23,17 @@ std::vector<int> refined(const SceneTable& table, std::string_view key, const st
   return result;
 }
 
-/// Nodes are numbered with 32 bits. `elements` is a product that may not fit an integer.
+/// A mesh that could never be run. `elements` is a product that may not fit an integer.
 void check_count(const SceneTable& table, std::string_view key, double elements) {
-  if (elements > 2e9) table.fail(key, fmt::format("{:.3g} elements are more than a mesh can hold", elements));
+  constexpr double most = 5e8;  // nodes are numbered with 32 bits, and have four numbers each
+  if (elements > most) table.fail(key, fmt::format("{:.3g} elements are more than a mesh can hold", elements));
+  constexpr double least_bytes = 400;  // of an element with its nodes, in single precision and without contact
+  const double memory = memory_bytes(), needed = elements * least_bytes;
+  if (memory > 0 && needed > memory) {
+    table.fail(key, fmt::format("{:.3g} elements are more than this machine's memory can hold: expected at most {:.3g} "
+                                "for {:.3g} GiB",
+                                elements, memory / least_bytes, memory / 1073741824.0));
+  }
 }
 
 MeshSettings read_block(const SceneTable& table, int refine) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <pinball/solver/boundary_conditions.hpp>
 #include <pinball/solver/contact.hpp>
+#include <pinball/solver/initial_overlap.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/probes.hpp>
@@ -108,6 +109,8 @@ class Solver {
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;
   double contact_frequency2_ = 0;  ///< largest since the cycle began [1/time^2]
   std::int64_t pairs_ = 0, pairs_max_ = 0;
+  double longest_contact_step_;     ///< infinite without contact [time]
+  InitialOverlap initial_overlap_;  ///< only looked for in a scene with contact
   double dt_min_ = 0, dt_max_ = 0;
   std::string dt_limited_by_;
 };

@@ -222,6 +222,9 @@ void Solver<S>::fill_summary(RunSummary& summary) const {
   summary.skipped_seconds = estimate_skipped(counts, timers_, all_element_steps);
   summary.pairs_max = pairs_max_;
   summary.max_penetration_ratio = penetration_ratio_max_;
+  if (initial_overlap_.points > 0) {
+    summary.overlapping_bodies = fmt::format("{} and {}", initial_overlap_.first, initial_overlap_.second);
+  }
   summary.state_hash = state_hash();
   const std::size_t bytes = model_.bytes() + internal_forces_.bytes() + (contact_ ? contact_->bytes() : 0) +
                             symmetry_walls_.bytes() + boundary_.bytes() + (subcycling_ ? subcycling_->bytes() : 0);

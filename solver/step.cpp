@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <pinball/built_features.hpp>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/node_update.hpp>
 #include <pinball/solver/error.hpp>
+#include <pinball/solver/impact_speed.hpp>
 #include <pinball/solver/require_built.hpp>
 #include <pinball/solver/solver.hpp>
 
@@ -18,7 +20,9 @@ Solver<S>::Solver(const Scene& scene)
       symmetry_walls_(model_),
       boundary_(model_),
       probes_(model_),
-      contact_(make_contact(model_)) {
+      contact_(make_contact(model_)),
+      longest_contact_step_(contact_ ? longest_contact_step(model_) : std::numeric_limits<double>::infinity()) {
+  if (contact_) initial_overlap_ = find_initial_overlap(model_.mesh);
   require_built(model_, boundary_.any());
   initial_momentum_ = momentum();
   if (!model_.tile_levels.empty()) {
@@ -151,7 +155,7 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
     slot = of_cycle.slot;
     cycle_steps = subcycling_->cycle_steps();
   }
-  const double chosen = model_.scene.time.cfl * stable;
+  const double chosen = std::min(model_.scene.time.cfl * stable, longest_contact_step_);
   // A step that followed the vibrations of its element would feed them: a free cube at strains of 1e-3 gained half its
   // energy in 70,000 steps. So the step is kept until it is too long, or well below what is allowed.
   constexpr double raised_from = 1.05;
@@ -164,7 +168,9 @@ void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const C
   // The division says nothing about stability.
   if (dt_min_ == 0 || chosen < dt_min_) {
     dt_min_ = chosen;
-    dt_limited_by_ = contact.frequency2 > element_frequency2 ? "contact" : element_name(slot);
+    dt_limited_by_ = chosen == longest_contact_step_           ? "the speed of impact"
+                     : contact.frequency2 > element_frequency2 ? "contact"
+                                                               : element_name(slot);
   }
 }
 
@@ -242,9 +248,11 @@ void Solver<S>::check_state(double kinetic) const {
     throw RunError(fmt::format("the energy is not finite {}: try a smaller time.cfl", when()));
   }
   if (std::abs(balance_error()) > model_.scene.guard.energy_error) {
-    throw RunError(fmt::format(
-        "the energy balance is off by {:.3g} % {}, more than guard.energy_error = {:.3g} %: try a smaller time.cfl",
-        100 * balance_error(), when(), 100 * model_.scene.guard.energy_error));
+    throw RunError(
+        fmt::format("the energy balance is off by {:.3g} % {}, more than guard.energy_error = {:.3g} %; the time step "
+                    "is set by {}: "
+                    "try a smaller time.cfl",
+                    100 * balance_error(), when(), 100 * model_.scene.guard.energy_error, dt_limited_by_));
   }
   const double smallest = 1e-6 * dt_max_;
   if (dt_ > 0 && dt_ < smallest && model_.scene.time.end - time_ > dt_) {

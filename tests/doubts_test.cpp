@@ -36,5 +36,11 @@ TEST(Doubts, PenetrationUnlessSomethingEroded) {
   EXPECT_THAT(doubts(s), IsEmpty());
 }
 
+TEST(Doubts, Overlap) {
+  RunSummary s = sound();
+  s.overlapping_bodies = "a and b";
+  EXPECT_THAT(doubts(s), ElementsAre(HasSubstr("bodies a and b overlap at the start")));
+}
+
 }  // namespace
 }  // namespace pinball

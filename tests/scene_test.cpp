@@ -1,4 +1,7 @@
+#include <gmock/gmock.h>
+
 #include <limits>
+#include <pinball/solver/machine.hpp>
 
 #include "scene_fixture.hpp"
 
@@ -208,6 +211,11 @@ TEST_F(SceneTest, MeshesOfNoSize) {
             "14:81: body.bar.mesh.ring: expected an integer >= 1, got 0");
   EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [2000, 2000, 2000] }")),
             "14:55: body.bar.mesh.elements: 8e+09 elements are more than a mesh can hold");
+  if (memory_bytes() < 400 * 3.43e8) {
+    EXPECT_THAT(
+        error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [700, 700, 700] }")),
+        testing::StartsWith("14:55: body.bar.mesh.elements: 3.43e+08 elements are more than this machine's memory"));
+  }
   EXPECT_EQ(error(with(14, "mesh = { type = \"ball\" }")),
             "14:17: body.bar.mesh.type: expected \"block\", \"round_nosed_rod\", \"cylinder\", \"sphere\" or "
             "\"gmsh\", got \"ball\"");

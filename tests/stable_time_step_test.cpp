@@ -119,6 +119,20 @@ TEST(ElementStableTimeStep, IsNeverAboveTheExactOneForCrushedElements) {
   }
 }
 
+TEST(ElementStableTimeStep, IsNeverAboveTheExactOneForNegativePoissonRatios) {
+  Random random(45);
+  const double aspect[] = {1, 1, 2, 10, 100, 1000};
+  for (int trial = 0; trial < 700; ++trial) {
+    const Lame lame(-0.14 * (1 + trial % 7));
+    const Tensor<double> stretch{{aspect[trial % 6], 0, 0}, {0, aspect[(trial / 6) % 6], 0}, {0, 0, 1}};
+    const Corners x = mapped(stretch, random_hexahedron(random));
+    const double exact = 2 / std::sqrt(ElementProblem(x, lame.lambda, lame.mu, 3).omega2());
+    ASSERT_LE(time_step(x, lame.lambda, lame.mu, 3), exact * (1 + 1e-12));
+  }
+  const Lame lame(-0.9);  // of a cube the deviatoric modes are the highest: omega^2 = 8 mu / (rho h^2)
+  EXPECT_NEAR(time_step(box(0.2, 0.2, 0.2), lame.lambda, lame.mu, 1) / 0.2, std::sqrt(0.5 / lame.mu), 1e-3);
+}
+
 TEST(ElementStableTimeStep, IsTheExactOneForCubesAndPlates) {
   for (const double nu : {0.0, 0.1, 0.3, 0.45, 0.49}) {
     const Lame lame(nu);
