@@ -6,6 +6,7 @@
 #include <pinball/solver/node_spans.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/rigid_walls.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {
@@ -31,6 +32,10 @@ class BoundaryConditions {
   void complete(Model<S>& model, const StepLengths& step);
 
   double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
+  void persist(StateArchive& archive) {
+    archive(done_, last_);
+    walls_.persist(archive);
+  }
   const std::vector<WallResult>& walls() const { return walls_.results(); }
   std::size_t bytes() const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <pinball/solver/scene.hpp>
 #include <string>
 #include <vector>
@@ -17,7 +18,9 @@ struct SceneOptions {
 };
 
 struct RunOptions : SceneOptions {
-  std::string out;  ///< folder for the results; empty: out/<scene>
+  std::string out;                    ///< folder for the results; empty: out/<scene>, or that of the checkpoint
+  std::int64_t checkpoint_every = 0;  ///< steps or cycles; 0: no checkpoints
+  std::string restart;                ///< checkpoint to go on from, in place of a scene; empty: none
 };
 
 struct CompareOptions : SceneOptions {
@@ -31,7 +34,7 @@ struct VerifyOptions {
   std::string json;                 ///< file for the table of results; empty: none
 };
 
-/// Runs a scene and writes its results.
+/// Runs a scene, or goes on with a run from its checkpoint, and writes its results.
 int run_command(const RunOptions& options);
 
 /// Prints what a scene holds, what will run and what is skipped.

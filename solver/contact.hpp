@@ -6,6 +6,7 @@
 #include <pinball/solver/external_work.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {
@@ -64,6 +65,12 @@ class Contact {
   virtual std::int32_t surface_elements() const = 0;  ///< that take part
   virtual ListSize listed() const = 0;
   virtual std::size_t bytes() const = 0;
+  /// model: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of
+  /// another time has other pairs, over which energies are summed in another order, and lasts for another time.
+  virtual void persist(StateArchive& archive, const Model<S>& model) {
+    archive(searches_, searches_skipped_);
+    if (impulses_) impulses_->persist(archive, model);
+  }
   std::int64_t searches() const { return searches_; }
   std::int64_t searches_skipped() const { return searches_skipped_; }
 

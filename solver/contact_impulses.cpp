@@ -284,6 +284,13 @@ void ContactImpulses<S>::add_node_forces(std::vector<Point>& node_force) const {
   }
 }
 
+/// Rows, their pairs and nodes are for the report of forces alone.
+template <class S>
+void ContactImpulses<S>::persist(StateArchive& archive, const Model<S>& model) {
+  archive(memory_, pending_, rows_, pairs_, node_);
+  if (archive.reads()) node_place_.assign(model.node_mass.size(), -1);
+}
+
 template <class S>
 void ContactImpulses<S>::remember() {
   memory_.clear();

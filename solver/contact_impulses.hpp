@@ -6,6 +6,7 @@
 #include <pinball/solver/external_work.hpp>
 #include <pinball/solver/held_directions.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {
@@ -63,6 +64,7 @@ class ContactImpulses {
   /// Adds the contact forces of the last solution, per node of the store [force].
   void add_node_forces(std::vector<Point>& node_force) const;
 
+  void persist(StateArchive& archive, const Model<S>& model);
   std::size_t bytes() const;
 
  private:

@@ -192,7 +192,8 @@ void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std
   file.commit();
 }
 
-FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields, std::string units)
+FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields, std::string units,
+                         const Written& kept)
     : folder_(std::move(folder)),
       base_name_(std::move(base_name)),
       fields_(std::move(fields)),
@@ -217,11 +218,20 @@ FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<
       stale.push_back(entry.path());
     }
   }
+  for (const auto& file : kept) {
+    const auto there =
+        std::find_if(stale.begin(), stale.end(), [&file](const auto& path) { return path.filename() == file.second; });
+    if (there == stale.end()) continue;
+    stale.erase(there);
+    written_.push_back(file);
+  }
+  next_number_ = kept.size();
   for (const auto& path : stale) std::filesystem::remove(path, error);
+  if (!written_.empty()) write_list();
 }
 
 void FieldWriter::write(const FieldSnapshot& snapshot) {
-  const std::string name = fmt::format("{}_{:04}.vtu", base_name_, written_.size());
+  const std::string name = fmt::format("{}_{:04}.vtu", base_name_, next_number_++);
   write_vtu(in_folder(folder_, name), snapshot, fields_, units_);
   written_.emplace_back(snapshot.time, name);
   write_list();

@@ -16,17 +16,22 @@ namespace pinball {
 /// in a comment at the head of each file.
 class FieldWriter {
  public:
-  /// Makes the folder and removes BASE.pvd and BASE_<digits>.vtu that an earlier run left there.
+  using Written = std::vector<std::pair<double, std::string>>;  ///< time, file name
+
+  /// Makes the folder and removes BASE.pvd and BASE_<digits>.vtu that an earlier run left there, but for the files
+  /// that are `kept`: the list begins with those of them that are there.
   /// `fields`: names as in OutputSettings::fields, empty for all; a field whose array in the snapshot is empty (the run
   /// did not need it) is left out. `units`: the scene's string.
   /// Throws InputError for an unknown name, RunError where the folder cannot be made.
-  FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields = {}, std::string units = {});
+  FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields = {}, std::string units = {},
+              const Written& kept = {});
 
   /// Writes one file and renews the list. Throws RunError that names the file where it cannot be written.
   void write(const FieldSnapshot& snapshot);
 
   /// Number of files written.
   std::size_t count() const { return written_.size(); }
+  const Written& written() const { return written_; }
 
  private:
   void write_list() const;
@@ -34,14 +39,15 @@ class FieldWriter {
   std::string folder_, base_name_;
   std::vector<std::string> fields_;
   std::string units_;
-  std::vector<std::pair<double, std::string>> written_;  ///< time, file name
+  Written written_;
+  std::size_t next_number_ = 0;
 };
 
 /// Writes one snapshot with all its fields as `path` (a .vtu file). Throws RunError that names the file.
 void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std::vector<std::string>& fields = {},
                const std::string& units = {});
 
-/// Writes FOLDER/last_good.vtu, the last state before a run failed, and returns its path. Throws RunError.
+/// Writes FOLDER/last_good.vtu, a picture of the last state before a run failed, and returns its path. Throws RunError.
 std::string write_last_good_state(const std::string& folder, const FieldSnapshot& snapshot,
                                   const std::string& units = {});
 

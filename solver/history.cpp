@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/history.hpp>
 #include <pinball/solver/output_file.hpp>
@@ -31,7 +32,8 @@ void add_number(std::string& line, double value) {
 }  // namespace
 
 HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies,
-                             const std::string& units, const std::vector<std::string>& more)
+                             const std::string& units, const std::vector<std::string>& more,
+                             const std::optional<std::uint64_t>& kept)
     : path_((std::filesystem::path(folder) / "history.csv").string()), bodies_(bodies.size()), more_(more.size()) {
   make_folder(folder);
   std::string head = fmt::format("# {}\n", units_line(units));
@@ -45,14 +47,34 @@ HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::s
     }
   }
   for (const std::string& column : more) head += ',' + cell(column);
-  file_ = std::fopen(path_.c_str(), "wb");
+  head += '\n';
+  if (kept) cut(head, *kept);
+  file_ = std::fopen(path_.c_str(), kept ? "ab" : "wb");
   if (file_ == nullptr) throw_write_error(path_, errno);
+  if (kept) return;
   try {
-    append(head + '\n');
+    append(head);
   } catch (...) {
     std::fclose(file_);
     throw;
   }
+}
+
+/// Cuts off what an earlier run has written after the state that this one goes on from.
+void HistoryWriter::cut(const std::string& head, std::uint64_t kept) {
+  std::string present(head.size(), '\0');
+  std::ifstream file(path_, std::ios::binary | std::ios::ate);
+  const bool long_enough = file && static_cast<std::uint64_t>(file.tellg()) >= kept && kept >= head.size();
+  file.seekg(0);
+  file.read(present.data(), static_cast<std::streamsize>(present.size()));
+  if (!long_enough || present != head) {
+    throw InputError(fmt::format(
+        "{}: expected the rows up to the time of the checkpoint; with --out the results go to another folder", path_));
+  }
+  std::error_code error;
+  std::filesystem::resize_file(path_, kept, error);
+  if (error) throw_write_error(path_, error.value());
+  written_ = kept;
 }
 
 HistoryWriter::~HistoryWriter() { std::fclose(file_); }
@@ -84,6 +106,7 @@ void HistoryWriter::append(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0) {
     throw_write_error(path_, errno);
   }
+  written_ += text.size();
 }
 
 }  // namespace pinball

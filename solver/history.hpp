@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <pinball/solver/results.hpp>
 #include <string>
 #include <vector>
@@ -17,21 +19,26 @@ class HistoryWriter {
  public:
   /// `bodies`: names, in the order of HistoryRow::bodies. `units`: the scene's string. `more`: names of the columns
   /// that HistoryRow::more holds.
-  /// Throws RunError that names the file where it cannot be written.
+  /// `kept`: goes on with the file of an earlier run, of which it keeps so many bytes; without it the file is new.
+  /// Throws RunError that names the file where it cannot be written, InputError where the file to go on with is too
+  /// short or has other columns.
   HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies, const std::string& units = {},
-                const std::vector<std::string>& more = {});
+                const std::vector<std::string>& more = {}, const std::optional<std::uint64_t>& kept = {});
   ~HistoryWriter();
   HistoryWriter(const HistoryWriter&) = delete;
   HistoryWriter& operator=(const HistoryWriter&) = delete;
 
   /// Appends a row; it has the bodies that were named. Throws RunError that names the file.
   void write(const HistoryRow& row);
+  std::uint64_t bytes() const { return written_; }  ///< of the file
 
  private:
+  void cut(const std::string& head, std::uint64_t kept);
   void append(const std::string& text);
 
   std::string path_;
   std::size_t bodies_ = 0, more_ = 0;
+  std::uint64_t written_ = 0;
   std::FILE* file_ = nullptr;
 };
 

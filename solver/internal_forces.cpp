@@ -101,6 +101,20 @@ void InternalForces<S>::choose_worked(const Model<S>& model) {
 }
 
 template <class S>
+void InternalForces<S>::persist(StateArchive& archive, const Model<S>& model) {
+  archive.of_fixed_size(results_);
+  std::vector<std::uint8_t> rests;
+  if (resting_) rests = resting_->flags();
+  archive(rests);  // empty: not known
+  if (!archive.reads()) return;
+  resting_.reset();
+  if (rests.empty()) return;
+  if (rests.size() != results_.size()) StateArchive::throw_foreign();
+  resting_.emplace(model, rests);
+  choose_worked(model);
+}
+
+template <class S>
 std::size_t InternalForces<S>::bytes() const {
   return results_.capacity() * sizeof(TileResult<S>) + (resting_ ? resting_->bytes() : 0) +
          (worked_.items.capacity() + worked_.colour_offsets.capacity()) * sizeof(std::int32_t);

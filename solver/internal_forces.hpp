@@ -6,6 +6,7 @@
 #include <pinball/solver/colouring.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/resting_tiles.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 #include <vector>
@@ -40,6 +41,9 @@ class InternalForces {
   /// To be told when velocities or element states were changed by others than the step: the next compute() works all
   /// tiles and looks anew which of them rest.
   void forget_resting() { resting_.reset(); }
+
+  /// model: with its own state read before.
+  void persist(StateArchive& archive, const Model<S>& model);
 
   /// Results of the last step per tile: where elements were eroded or inverted.
   const std::vector<TileResult<S>>& tiles() const { return results_; }

@@ -3,9 +3,11 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <pinball/solver/commands.hpp>
 #include <pinball/solver/error.hpp>
 
@@ -21,8 +23,9 @@ int report(const std::exception& error, int status) {
 }
 
 /// What `run`, `info` and `compare` have in common.
-void add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
-  command.add_option("SCENE", options.scene, "TOML file, or name of a scene in data/scenes")->required();
+CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
+  CLI::Option* scene =
+      command.add_option("SCENE", options.scene, "TOML file, or name of a scene in data/scenes")->required();
   command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME")
       ->expected(1)
       ->allow_extra_args(false)
@@ -40,11 +43,28 @@ void add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
           "float or double (default: as the scene says)")
       ->check(CLI::IsMember({"float", "double"}));
   command.add_flag("--quiet", options.quiet, "no progress");
+  return scene;
+}
+
+void add_info_options(CLI::App& command, pinball::RunOptions& options) {
+  add_scene_options(command, options);
+  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)");
 }
 
 void add_run_options(CLI::App& command, pinball::RunOptions& options) {
-  add_scene_options(command, options);
-  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)");
+  add_scene_options(command, options)->required(false);
+  command.add_option("--out", options.out,
+                     "folder for the results (default: out/<scene>; with --restart the folder of FILE)");
+  command
+      .add_option("--checkpoint-every", options.checkpoint_every,
+                  "writes checkpoint.pinball after each N steps (with time.subcycling: cycles), and before the end")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()));
+  command
+      .add_option("--restart", options.restart,
+                  "in place of SCENE: goes on from a checkpoint.pinball or last_good.pinball with the same bits; --set "
+                  "then takes time.end, time.steps, time.cfl, output.* and guard.*")
+      ->type_name("FILE");
 }
 
 void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
@@ -70,7 +90,7 @@ int run_program(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a scene");
   add_run_options(*run, options);
   auto* info = app.add_subcommand("info", "what a scene holds, what will run, what is skipped");
-  add_run_options(*info, options);
+  add_info_options(*info, options);
 
   pinball::VerifyOptions verification;
   auto* verify = app.add_subcommand("verify", "compare the verification scenes with their references");

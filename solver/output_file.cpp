@@ -1,4 +1,6 @@
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
@@ -41,6 +43,21 @@ void OutputFile::commit() {
   errno = 0;
   // A full disk may show only here, when the last buffer leaves.
   if (std::fflush(file_) != 0) throw_write_error(path_, errno);
+  close_and_rename();
+}
+
+void OutputFile::commit_durably() {
+  errno = 0;
+  if (std::fflush(file_) != 0 || ::fsync(fileno(file_)) != 0) throw_write_error(path_, errno);
+  close_and_rename();
+  const std::string folder = std::filesystem::path(path_).parent_path().string();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (descriptor < 0) return;  // the file is there; how soon its name is on the disk is up to the system
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+void OutputFile::close_and_rename() {
   std::FILE* const file = file_;
   file_ = nullptr;
   if (std::fclose(file) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) {

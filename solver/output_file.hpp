@@ -23,8 +23,12 @@ class OutputFile {
   void write(const void* data, std::size_t bytes);
   void write(std::string_view text) { write(text.data(), text.size()); }
   void commit();
+  /// The same, and waits until the disk has it: what was there before is not given up for less.
+  void commit_durably();
 
  private:
+  void close_and_rename();
+
   std::string path_, part_;
   std::FILE* file_ = nullptr;
 };

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <pinball/solver/aligned_array.hpp>
 #include <pinball/solver/moving_balls.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/surface_pinballs.hpp>
 #include <span>
 #include <vector>
@@ -45,6 +46,7 @@ class PairList {
   /// Ends all pairs of which a pinball takes no part any more; returns their spring energy [energy].
   /// outward: records of the listed pinballs, whose fourth number is B R, or 0.
   double end_pairs_of_inactive(const S* outward);
+  void persist(StateArchive& archive) { archive(piece_, listed_, slot_, first_, second_, offset_, stored_); }
   std::size_t bytes() const;
 
  private:

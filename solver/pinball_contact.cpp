@@ -264,6 +264,21 @@ void PinballContact<S>::report(const Model<S>& model, std::vector<Point>& node_f
 }
 
 template <class S>
+void PinballContact<S>::persist(StateArchive& archive, const Model<S>& model) {
+  Contact<S>::persist(archive, model);
+  surface_.persist(archive);
+  all_.persist(archive, model);
+  motion_.persist(archive);
+  list_.persist(archive);
+  clock_.persist(archive);
+  archive(uncovered_, radius_, list_valid_, surface_changed_);
+  if (archive.reads()) collect_listed(model);
+  archive.of_fixed_size(pinballs_.centre);
+  archive.of_fixed_size(pinballs_.outward);
+  archive.of_fixed_size(pinballs_.force);  // for the report alone
+}
+
+template <class S>
 std::size_t PinballContact<S>::bytes() const {
   return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() +
          all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +

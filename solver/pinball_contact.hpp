@@ -5,6 +5,7 @@
 #include <pinball/solver/pair_forces.hpp>
 #include <pinball/solver/pair_list.hpp>
 #include <pinball/solver/pinball_store.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/surface.hpp>
 #include <pinball/solver/surface_motion.hpp>
 #include <pinball/solver/surface_pinballs.hpp>
@@ -32,6 +33,7 @@ class PinballContact final : public Contact<S> {
   void report(const Model<S>& model, std::vector<Point>& node_force, std::vector<double>& slot_radius) const override;
   std::int32_t surface_elements() const override { return surface_.exposed_count(); }
   ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
+  void persist(StateArchive& archive, const Model<S>& model) override;
   std::size_t bytes() const override;
 
  private:

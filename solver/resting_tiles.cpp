@@ -86,6 +86,21 @@ RestingTiles<S>::RestingTiles(const Model<S>& model)
 }
 
 template <class S>
+RestingTiles<S>::RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests)
+    : tiles_(rests.size()), rests_(rests) {
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    tiles_[t].number = static_cast<std::int32_t>(t);
+    if (rests_[t] == 0) continue;
+    const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
+    const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;
+    const std::int32_t* corner = model.elements.corner.data();
+    tiles_[t].elements = whole_elements(model, first_slot, last_slot);
+    tiles_[t].nodes = ranges_of({corner + 8 * first_slot, corner + 8 * last_slot});
+  }
+  drop_awake();
+}
+
+template <class S>
 bool RestingTiles<S>::wake(const NodeStore<S>& nodes) {
   const S* velocities = nodes.velocity.data();
   parallel_for("tiles at rest", RangePolicy<>{0, static_cast<std::int64_t>(tiles_.size())}, [&](std::int64_t i) {

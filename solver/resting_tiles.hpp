@@ -25,11 +25,15 @@ class RestingTiles {
   /// on they keep the stable step of that, because round-off of positions in flight would change its last bits.
   explicit RestingTiles(const Model<S>& model);
 
+  /// The tiles that rested when a state was saved; rests: as of flags().
+  RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests);
+
   /// Drops the tiles whose nodes no longer have one velocity. Returns whether there were any.
   bool wake(const NodeStore<S>& nodes);
 
   bool rests(std::int32_t tile) const { return rests_[static_cast<std::size_t>(tile)] != 0; }
-  std::int64_t elements() const { return elements_; }  ///< of the tiles that rest
+  const std::vector<std::uint8_t>& flags() const { return rests_; }  ///< per tile of the model: whether it rests
+  std::int64_t elements() const { return elements_; }                ///< of the tiles that rest
   std::size_t bytes() const;
 
  private:

@@ -5,6 +5,7 @@
 #include <pinball/solver/external_work.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/results.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {
@@ -36,6 +37,9 @@ class RigidWalls {
   /// Work of the reactions that apply() has set; to be called when all forces are known.
   ExternalWork work(const Model<S>& model, const StepLengths& step) const;
 
+  void persist(StateArchive& archive) {
+    for (WallResult& wall : results_) archive(wall.force, wall.force_max, wall.impulse);
+  }
   const std::vector<WallResult>& results() const { return results_; }
   std::size_t bytes() const;
 

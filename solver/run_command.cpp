@@ -1,8 +1,11 @@
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <pinball/kernels/exec.hpp>
+#include <pinball/solver/checkpoint.hpp>
 #include <pinball/solver/commands.hpp>
 #include <pinball/solver/doubts.hpp>
+#include <pinball/solver/error.hpp>
 #include <pinball/solver/simulation.hpp>
 
 namespace pinball {
@@ -32,17 +35,39 @@ void print_result(const RunSummary& s, const std::string& out) {
         b.velocity[2], b.max_plastic_strain);
   }
   fmt::print("  state {:016x}; results in {}\n", s.state_hash, out);
+  for (const std::string& doubt : doubts(s)) fmt::print(stderr, "pinball: warning: {}\n", doubt);
+}
+
+/// Goes on with the scene of the checkpoint, which is read from there.
+int restart_command(const RunOptions& options) {
+  if (!options.scene.empty()) {
+    throw InputError(fmt::format("run {}: with --restart expected no SCENE, it is in the checkpoint", options.scene));
+  }
+  if (options.overrides.refine != 1 || options.overrides.precision) {
+    throw InputError("--restart: expected neither --refine nor --precision, they are in the checkpoint");
+  }
+  const Checkpoint checkpoint = read_checkpoint(options.restart);
+  SceneSource source = checkpoint.head.source;
+  change_scene(source, options.overrides.set);
+  check_mesh_files(checkpoint.head);
+  const Scene scene = read_scene(source);
+  const std::filesystem::path file(options.restart);
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : std::string{'.'};
+  const std::string& out = options.out.empty() ? folder : options.out;
+  print_result(simulate(scene, {out, options.quiet, options.checkpoint_every, &source, &checkpoint}), out);
+  return 0;
 }
 
 }  // namespace
 
 int run_command(const RunOptions& options) {
   if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
-  const Scene scene = read_scene(find_scene(options.scene), options.overrides);
+  if (!options.restart.empty()) return restart_command(options);
+  if (options.scene.empty()) throw InputError("run: expected a SCENE, or --restart FILE");
+  const SceneSource source = read_scene_source(find_scene(options.scene), options.overrides);
+  const Scene scene = read_scene(source);
   const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
-  const RunSummary summary = simulate(scene, {out, options.quiet});
-  print_result(summary, out);
-  for (const std::string& doubt : doubts(summary)) fmt::print(stderr, "pinball: warning: {}\n", doubt);
+  print_result(simulate(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr}), out);
   return 0;
 }
 

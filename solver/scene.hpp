@@ -78,6 +78,8 @@ struct SkipSettings {
 
 struct GuardSettings {
   double energy_error = 0.5;  ///< guard.energy_error: stop when |energy balance error| exceeds this [-]
+  /// guard.time_step_collapse: stop when the stable step is smaller than this times the largest of the run [-]
+  double time_step_collapse = 1e-6;
 };
 
 /// One [[material]] table. model = "elastic" | "von_mises". What concerns plasticity and erosion is 0 if elastic.
@@ -232,6 +234,16 @@ struct SceneOverrides {
 
 /// Reads, overrides and checks a scene. Throws InputError naming file, line, key and what was expected.
 Scene read_scene(const std::string& path, const SceneOverrides& overrides = {});
+
+/// What a scene is read from, mesh files apart: enough to read the same scene again when its file has changed.
+struct SceneSource {
+  std::string path;  ///< for messages and the name; mesh files are named relative to its folder
+  std::string text;  ///< of the file
+  SceneOverrides overrides;
+};
+/// Throws InputError where there is no such file.
+SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides = {});
+Scene read_scene(const SceneSource& source);
 
 /// A path as given if it is a file, else the scene NAME or NAME.toml in the first of these folders that has it:
 /// $PINBALL_DATA/scenes, data/scenes of the source tree, ../share/pinball/data/scenes beside the program.

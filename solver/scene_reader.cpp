@@ -194,7 +194,10 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   const SceneTable skip = top.table("skip", "skip");
   scene.skip.contact_search = skip.boolean("contact_search", scene.skip.contact_search);
   scene.skip.resting = skip.boolean("resting", scene.skip.resting);
-  scene.guard.energy_error = top.table("guard", "guard").number("energy_error", positive, scene.guard.energy_error);
+  const SceneTable guard = top.table("guard", "guard");
+  scene.guard.energy_error = guard.number("energy_error", positive, scene.guard.energy_error);
+  scene.guard.time_step_collapse =
+      guard.number("time_step_collapse", {.low = 0.0, .high = 1.0}, scene.guard.time_step_collapse);
   scene.output = read_output(top.table("output", "output"));
 
   for (const auto& table : top.tables("material", "material")) {
@@ -294,11 +297,19 @@ void check_variants(const std::string& text, const std::string& path, const std:
 
 }  // namespace
 
+SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides) {
+  return {path, read_text(path), overrides};
+}
+
 Scene read_scene(const std::string& path, const SceneOverrides& overrides) {
+  return read_scene(read_scene_source(path, overrides));
+}
+
+Scene read_scene(const SceneSource& source) {
+  const auto& [path, text, overrides] = source;
   if (overrides.refine < 1) {
     throw InputError(fmt::format("--refine {}: expected an integer >= 1, got {}", overrides.refine, overrides.refine));
   }
-  const std::string text = read_text(path);
   Changes changes;
   sort_changes("--set", overrides.set, changes);
   sort_changes("--vary", overrides.vary, changes);

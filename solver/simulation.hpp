@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdio>
+#include <cstdint>
+#include <pinball/solver/checkpoint.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/scene.hpp>
 #include <string>
@@ -8,12 +9,18 @@
 namespace pinball {
 
 struct SimulationOptions {
-  std::string out;     ///< folder for the results; empty: nothing is written
-  bool quiet = false;  ///< no progress
+  std::string out;                    ///< folder for the results; empty: nothing is written
+  bool quiet = false;                 ///< no progress
+  std::int64_t checkpoint_every = 0;  ///< steps, or cycles of them with subcycling, between checkpoints; 0: none
+  /// What the scene was read from, unchanged since: checkpoints and a last good state to restart from need it.
+  const SceneSource* source = nullptr;
+  /// The state to go on from; the scene is then that of its source.
+  const Checkpoint* restart = nullptr;
 };
 
-/// Runs a scene to its end and writes history, fields and summary into the folder.
-/// A run that fails throws RunError, after the last good state (last_good.vtu) and the summary so far were written.
+/// Runs a scene to its end and writes history, fields and summary into the folder, and checkpoint.pinball if asked for.
+/// A run that fails throws RunError, after the summary so far and the last good state were written: last_good.vtu, and
+/// last_good.pinball to restart from.
 RunSummary simulate(const Scene& scene, const SimulationOptions& options);
 
 }  // namespace pinball

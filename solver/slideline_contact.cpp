@@ -325,6 +325,15 @@ void SlidelineContact<S>::report(const Model<S>& /*model*/, std::vector<Point>& 
 }
 
 template <class S>
+void SlidelineContact<S>::persist(StateArchive& archive, const Model<S>& model) {
+  Contact<S>::persist(archive, model);
+  surface_.persist(archive, model);
+  search_.persist(archive);
+  archive(state_, touches_);  // touches: for the report alone
+  if (state_.size() != surface_.slaves().size()) StateArchive::throw_foreign();
+}
+
+template <class S>
 std::size_t SlidelineContact<S>::bytes() const {
   return surface_.bytes() + search_.bytes() + state_.capacity() * sizeof(State) + touches_.capacity() * sizeof(Touch) +
          (this->by_impulses() ? this->impulses_->bytes() : 0);

@@ -5,6 +5,7 @@
 #include <pinball/solver/contact.hpp>
 #include <pinball/solver/slideline_search.hpp>
 #include <pinball/solver/slideline_surface.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {
@@ -39,6 +40,7 @@ class SlidelineContact final : public Contact<S> {
     const std::int64_t entries = search_.entries();
     return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
   }
+  void persist(StateArchive& archive, const Model<S>& model) override;
   std::size_t bytes() const override;
   std::int64_t updated_segments() const { return surface_.chosen(); }  ///< in every step
 

@@ -36,7 +36,12 @@ bool SlidelineSurface<S>::remove_eroded(const Model<S>& model, const std::vector
 template <class S>
 void SlidelineSurface<S>::collect(const Model<S>& model) {
   changed_ = false;
-  collect_segments(model);
+  collect_faces(model, exposed_and_waiting(model));
+}
+
+template <class S>
+void SlidelineSurface<S>::collect_faces(const Model<S>& model, const std::vector<std::uint8_t>& faces) {
+  collect_segments(model, faces);
   collect_slaves(model.node_mass.size());
 
   constexpr std::size_t W = native_width<S>;
@@ -89,9 +94,8 @@ std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const Model<S
 }
 
 template <class S>
-void SlidelineSurface<S>::collect_segments(const Model<S>& model) {
+void SlidelineSurface<S>::collect_segments(const Model<S>& model, const std::vector<std::uint8_t>& faces) {
   segments_.clear();
-  const std::vector<std::uint8_t> faces = exposed_and_waiting(model);
   for (std::size_t slot = 0; slot < faces.size(); ++slot) {
     if (faces[slot] == 0) continue;
     const auto s = static_cast<std::int32_t>(slot);
@@ -207,6 +211,19 @@ void SlidelineSurface<S>::update(const Model<S>& model) {
       record[3] = lane(active, i) * (lane(farthest, i) + deepest * segments_[static_cast<std::size_t>(s)].radius);
     }
   });
+}
+
+/// Which faces wait was decided when they were collected: they are not what would wait now.
+template <class S>
+void SlidelineSurface<S>::persist(StateArchive& archive, const Model<S>& model) {
+  topology_.persist(archive);
+  std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
+  for (const Segment& s : segments_) {
+    faces[static_cast<std::size_t>(s.slot)] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(s.face));
+  }
+  archive.of_fixed_size(faces);
+  if (archive.reads()) collect_faces(model, faces);
+  archive(chosen_, changed_);
 }
 
 template <class S>

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <pinball/solver/aligned_array.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/surface.hpp>
 #include <vector>
 
@@ -70,12 +71,15 @@ class SlidelineSurface {
   /// Records of four per segment: mean unit normal, 0 where the segment is not active, and how far the corners are out
   /// of the plane through the centre.
   const AlignedArray<S>& plane() const { return plane_; }
+  void persist(StateArchive& archive, const Model<S>& model);
   std::int64_t chosen() const;  ///< segments that update() sees to, in whole packs
   std::size_t bytes() const;
 
  private:
   std::vector<std::uint8_t> exposed_and_waiting(const Model<S>& model) const;
-  void collect_segments(const Model<S>& model);
+  /// collect(), given per slot a bit for each face that is to be a segment.
+  void collect_faces(const Model<S>& model, const std::vector<std::uint8_t>& faces);
+  void collect_segments(const Model<S>& model, const std::vector<std::uint8_t>& faces);
   void collect_slaves(std::size_t nodes);
   void activate();
 

@@ -11,6 +11,7 @@
 #include <pinball/solver/probes.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/skipped_work.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
@@ -70,6 +71,12 @@ class Solver {
   }
   void snapshot(FieldSnapshot& s) const;  ///< into the memory of an earlier one
   std::uint64_t state_hash() const;
+  /// The state between steps; what the scene gives is not in it. After reading, the run goes on with the same bits as
+  /// the solver that wrote it, if it was built from the same scene; else this throws InputError, or fingerprint()
+  /// differs.
+  void persist(StateArchive& archive);
+  /// Hash of the model as built: its elements, masses and the order of the stores.
+  std::uint64_t fingerprint() const;
   /// Fills everything but wall_seconds, which whoever calls step() measures.
   void fill_summary(RunSummary& summary) const;
   Timers& timers() { return timers_; }
@@ -84,7 +91,9 @@ class Solver {
     return subcycling_ ? subcycling_->due_nodes(step_of_cycle) : DueSpans{};
   }
   void check_volumes(const InternalForceResult<S>& internal) const;
-  void check_state(double kinetic) const;
+  void check_finite(double energy) const;
+  void check_energy() const;
+  void check_time_step() const;
   std::vector<BodyResult> body_results() const;
   std::string element_name(std::int64_t slot) const;
   std::string when() const;  ///< for messages

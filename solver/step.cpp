@@ -1,12 +1,9 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <pinball/built_features.hpp>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/kernels/node_update.hpp>
-#include <pinball/solver/error.hpp>
 #include <pinball/solver/impact_speed.hpp>
 #include <pinball/solver/require_built.hpp>
 #include <pinball/solver/solver.hpp>
@@ -117,11 +114,13 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
   pairs_ = contact.pairs;
   pairs_max_ = std::max(pairs_max_, pairs_);
   check_volumes(internal);
+  check_finite(kinetic + energies_.total());
   if (all) {
     energies_.kinetic = kinetic;
     if (steps_ == 0) initial_energy_ = energies_.total();
     balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
-    check_state(kinetic);
+    check_energy();
+    check_time_step();
   }
   if (!last) ++steps_;
 }
@@ -212,59 +211,6 @@ double Solver<S>::integrate(std::int32_t step_of_cycle) {
   if (subcycling_) subcycling_->count_step(model_.nodes);
   if (eroded_elements_ > 0) symmetry_walls_.reflect(model_, position_step);  // what erosion has set free
   return 0.5 * twice_kinetic;
-}
-
-/// Stops a run in which elements are turned inside out.
-template <class S>
-void Solver<S>::check_volumes(const InternalForceResult<S>& internal) const {
-  if (internal.inverted_count == 0) return;
-  const auto tile = std::find_if(internal_forces_.tiles().begin(), internal_forces_.tiles().end(),
-                                 [](const TileResult<S>& result) { return result.inverted_count > 0; });
-  const auto t = static_cast<std::size_t>(tile - internal_forces_.tiles().begin());
-  throw RunError(
-      fmt::format("{} of {} elements near {} have no volume left {}: try a smaller time.cfl, "
-                  "element.negative_volume=\"erode\", "
-                  "or an erosion_strain for the material",
-                  internal.inverted_count, model_.element_count(),
-                  element_name(model_.tile_packs[t] * ElementStore<S>::width), when()));
-}
-
-/// Stops a run that has gone wrong, saying what, where and when.
-template <class S>
-void Solver<S>::check_state(double kinetic) const {
-  if (!std::isfinite(kinetic) || !std::isfinite(energies_.total())) {
-    for (std::size_t n = 0; n < model_.node_mass.size(); ++n) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (std::isfinite(model_.nodes.velocity[4 * n + k])) continue;
-        const auto& map = model_.node_of_scene_node;
-        const auto scene_node = std::find(map.begin(), map.end(), static_cast<std::int32_t>(n)) - map.begin();
-        throw RunError(fmt::format(
-            "the velocity of node {} of body {} is not finite {}: try a smaller time.cfl", scene_node,
-            model_.mesh
-                .body_names[static_cast<std::size_t>(model_.mesh.body_of_node[static_cast<std::size_t>(scene_node)])],
-            when()));
-      }
-    }
-    throw RunError(fmt::format("the energy is not finite {}: try a smaller time.cfl", when()));
-  }
-  if (std::abs(balance_error()) > model_.scene.guard.energy_error) {
-    throw RunError(
-        fmt::format("the energy balance is off by {:.3g} % {}, more than guard.energy_error = {:.3g} %; the time step "
-                    "is set by {}: "
-                    "try a smaller time.cfl",
-                    100 * balance_error(), when(), 100 * model_.scene.guard.energy_error, dt_limited_by_));
-  }
-  const double smallest = 1e-6 * dt_max_;
-  if (dt_ > 0 && dt_ < smallest && model_.scene.time.end - time_ > dt_) {
-    throw RunError(
-        fmt::format("the stable step has collapsed to {:.3g} {}, a millionth of its largest; it is set by {}", dt_,
-                    when(), dt_limited_by_));
-  }
-}
-
-template <class S>
-std::string Solver<S>::when() const {
-  return fmt::format("in step {} at time {:.6g}", steps_, force_time_);
 }
 
 template class Solver<double>;

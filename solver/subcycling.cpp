@@ -123,6 +123,11 @@ template <class S>
 void Subcycling<S>::begin_cycle(const Model<S>& model) {
   if (next_level_ == level_) return;
   level_ = next_level_;
+  sort_by_level(model);
+}
+
+template <class S>
+void Subcycling<S>::sort_by_level(const Model<S>& model) {
   top_ = *std::max_element(level_.begin(), level_.end());
   tiles_.clear();
   for (int l = 0; l <= top_; ++l) {
@@ -260,6 +265,22 @@ std::vector<std::int64_t> Subcycling<S>::elements_of_levels() const {
   std::vector<std::int64_t> sums(static_cast<std::size_t>(levels()), 0);
   for (std::size_t t = 0; t < level_.size(); ++t) sums[static_cast<std::size_t>(level_[t])] += elements_[t];
   return sums;
+}
+
+template <class S>
+void Subcycling<S>::persist(StateArchive& archive, const Model<S>& model) {
+  archive.of_fixed_size(level_);
+  archive.of_fixed_size(next_level_);
+  archive.of_fixed_size(highest_);
+  archive.of_fixed_size(own_);
+  archive.of_fixed_size(elements_);
+  archive(planned_step_, cycles_);
+  if (archive.reads()) sort_by_level(model);
+  for (MixedNodes& mixed : mixed_) {
+    archive.of_fixed_size(mixed.first);
+    archive.of_fixed_size(mixed.differences);
+    archive(mixed.steps);
+  }
 }
 
 template <class S>

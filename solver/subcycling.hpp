@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_spans.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/step_levels.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 #include <vector>
@@ -69,6 +70,7 @@ class Subcycling {
   std::int64_t count_elements(const std::vector<TileResult<S>>& tiles, std::int32_t step);
   /// Elements per level, in the present cycle.
   std::vector<std::int64_t> elements_of_levels() const;
+  void persist(StateArchive& archive, const Model<S>& model);
   std::size_t bytes() const;
 
  private:
@@ -81,6 +83,8 @@ class Subcycling {
     int steps = 0;  ///< since the level was worked
   };
 
+  /// The tiles of each level, and what follows from them for the nodes.
+  void sort_by_level(const Model<S>& model);
   template <class Body>
   static void for_each_mixed_node(const MixedNodes& mixed, NodeStore<S>& nodes, const Body& body);
   std::vector<StepGroup> groups(const std::vector<TileResult<S>>& tiles, double contact_frequency2) const;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {
@@ -37,6 +38,11 @@ class Surface {
         if (neighbour_[static_cast<std::size_t>(behind)][f] == slot) work(behind, f);
       }
     }
+  }
+  void persist(StateArchive& archive) {
+    archive.of_fixed_size(alive_);
+    archive.of_fixed_size(exposed_);
+    archive(exposed_count_, exposed_faces_);
   }
   std::int64_t slots() const { return static_cast<std::int64_t>(alive_.size()); }
   std::size_t bytes() const { return alive_.capacity() * (2 + sizeof(neighbour_[0])); }

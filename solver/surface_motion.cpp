@@ -109,6 +109,16 @@ bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
 }
 
 template <class S>
+void SurfaceMotion<S>::persist(StateArchive& archive) {
+  std::uint64_t count = count_;
+  archive(count, node_, size_, start_, allowed2_, allowance_);
+  if (!archive.reads()) return;
+  count_ = static_cast<std::size_t>(count);
+  taken_.assign(allowance_.size(), 0);  // both are made together
+  for (const std::int32_t node : node_) taken_.at(static_cast<std::size_t>(node)) = 1;
+}
+
+template <class S>
 std::size_t SurfaceMotion<S>::bytes() const {
   return node_.capacity() * (sizeof(node_[0]) + sizeof(S)) + taken_.capacity() + allowance_.capacity() * sizeof(float) +
          start_.bytes() + allowed2_.bytes();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <pinball/solver/aligned_array.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/stores.hpp>
 #include <vector>
 
@@ -25,6 +26,7 @@ class ListClock {
     last_step_ = dt;
     ++steps_;
   }
+  void persist(StateArchive& archive) { archive(horizon_, known_, last_step_, steps_); }
   S elapsed() const { return known_ + last_step_; }
   S last_step() const { return last_step_; }
   bool over() const { return elapsed() > horizon_; }
@@ -68,6 +70,7 @@ class SurfaceMotion {
     for (const std::int32_t node : corners) largest = std::max(largest, allowance_[static_cast<std::size_t>(node)]);
     return static_cast<S>(largest);
   }
+  void persist(StateArchive& archive);
   std::size_t bytes() const;
 
  private:

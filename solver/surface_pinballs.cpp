@@ -95,6 +95,19 @@ void SurfacePinballs<S>::append(const Model<S>& model, std::int64_t s) {
 }
 
 template <class S>
+void SurfacePinballs<S>::persist(StateArchive& archive, const Model<S>& model) {
+  std::vector<std::int32_t> slots = slot;
+  archive(slots);
+  if (!archive.reads()) return;
+  clear();
+  chosen.assign(static_cast<std::size_t>(model.elements.slots), 0);
+  for (const std::int32_t s : slots) {
+    chosen.at(static_cast<std::size_t>(s)) = 1;
+    append(model, s);
+  }
+}
+
+template <class S>
 std::size_t SurfacePinballs<S>::bytes() const {
   return slot.capacity() * (2 * sizeof(slot[0]) + sizeof(corners[0]) + sizeof(reference[0]) + 3 * sizeof(S)) +
          chosen.capacity();

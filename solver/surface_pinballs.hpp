@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/surface.hpp>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct SurfacePinballs {
   /// before: memory for what they are until then.
   void update(const Model<S>& model, const Surface& surface, const std::vector<std::int32_t>& uncovered,
               SurfacePinballs& before);
+  void persist(StateArchive& archive, const Model<S>& model);
   std::size_t bytes() const;
 
  private:

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <pinball/solver/state_archive.hpp>
 
 namespace pinball {
 
@@ -33,6 +34,7 @@ class Timers {
     const Stop stop{*this, phase, Clock::now()};
     return stage();
   }
+  void persist(StateArchive& archive) { archive(seconds_); }
   double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
 
  private:
