@@ -18,6 +18,8 @@ VARIANTS = (
     Variant("contact", "faces, penalty", ("contact.gap=face",)),
     Variant("contact", "faces, projection", ("contact.enforcement=projection", "contact.gap=face")),
     Variant("contact", "faces, lagrange", ("contact.enforcement=lagrange", "contact.gap=face")),
+    Variant("contact", "faces, lagrange, assumed strain",
+            ("contact.enforcement=lagrange", "contact.gap=face", "element.hourglass=assumed_strain")),
     Variant("contact", "slideline, penalty", ("contact.method=slideline",)),
     Variant("contact", "slideline, projection", ("contact.method=slideline", "contact.enforcement=projection")),
     Variant("contact", "slideline, lagrange", ("contact.method=slideline", "contact.enforcement=lagrange")),
