@@ -7,10 +7,10 @@ from .judge import ACCURATE, REFUSES, STOPS, WARNS, Figure, at_most
 from .scene import block, elastic, plastic, scene
 
 METHODS = {
-    "pinball, penalty": {"method": "pinball"},
+    "pinball, penalty": {"method": "pinball", "enforcement": "penalty"},
     "pinball, projection": {"method": "pinball", "enforcement": "projection"},
     "pinball, lagrange": {"method": "pinball", "enforcement": "lagrange"},
-    "slideline, penalty": {"method": "slideline"},
+    "slideline, penalty": {"method": "slideline", "enforcement": "penalty"},
     "slideline, lagrange": {"method": "slideline", "enforcement": "lagrange"},
 }
 PINBALLS = {name: contact for name, contact in METHODS.items() if contact["method"] == "pinball"}
@@ -40,7 +40,7 @@ def penalty_factors():
     def figures(run):
         return [Figure("rebound / speed", along_z(run, "upper") / 1e-2, 0.75, 0.1)]
 
-    return [Case("penalty factor", f"1e{power}, {method}", head_on({"method": method, "beta": 10.0**power}),
+    return [Case("penalty factor", f"1e{power}, {method}", head_on({"method": method, "enforcement": "penalty", "beta": 10.0**power}),
                  (ACCURATE,) if method == "pinball" and power in (-1, 0) else (ACCURATE, WARNS, STOPS), figures)
             for method in ("pinball", "slideline") for power in range(-5, 6)]
 
@@ -62,7 +62,7 @@ def unequal_bodies():
     mass it takes 1 - exp(-2) = 0.865 of the speed until the wave is back, and a far heavier one reflects all of it."""
     equal_mass = 1 - math.exp(-2)
     found = []
-    for name, contact in {"pinball, penalty": {"method": "pinball"},
+    for name, contact in {"pinball, penalty": {"method": "pinball", "enforcement": "penalty"},
                           "pinball, lagrange, gap of balls": {"method": "pinball", "enforcement": "lagrange", "gap": "pinball"}}.items():
         for title, lower, upper, reference in (
                 ("density x 1e6: the light bar is thrown back", elastic(density=1e6, poisson=0.0), elastic(poisson=0.0), 1.0),

@@ -8,7 +8,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-from report_parts.page import STYLE, escape, image, section
+from report_parts.page_parts import escape, frame, image, section
 from report_parts.pointers import table
 
 from .judge import ACCURATE, CRASHES, HANGS, REFUSES, STOPS, UNCLEAR, WARNS, WRONG
@@ -82,10 +82,7 @@ def render(results):
                         image(chart(results), "Outcomes by group")),
                 section("wrong", "Rows that are wrong", group_table(bad) if bad else "<p>None.</p>")]
     sections += [section(group.replace(" ", "-"), group.capitalize(), group_table(rows)) for group, rows in groups(results).items()]
-    return ("<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
-            '<meta name=viewport content="width=device-width, initial-scale=1">'
-            f"<title>Pinball: stability under stress</title><style>{STYLE}</style></head><body>"
-            "<h1>Stability under stress</h1>\n" + "\n".join(sections) + "</body></html>\n")
+    return frame("Pinball: stability under stress", "Stability under stress", sections)
 
 
 def markdown(results):

@@ -51,6 +51,8 @@ def random_contact(random):
         contact |= {"beta": 10**random.uniform(-1, 0.3), "damping": random.uniform(0, 0.3)}
     elif contact["method"] == "pinball":
         contact["gap"] = choose(random, "pinball", "face")
+    if contact["enforcement"] != "penalty" and random.random() < 0.5:
+        contact["friction"] = random.uniform(0.05, 0.6)
     if contact["method"] == "pinball":
         contact |= {"radius": choose(random, "initial", "current"), "radius_factor": random.uniform(0.8, 1.0)}
     return contact
@@ -71,7 +73,7 @@ def random_scene(seed):
                        "velocity": [float(v) for v in speed * (-place / np.linalg.norm(place) + 0.2 * random.uniform(-1, 1, 3))],
                        "angular_velocity": vector(random, choose(random, 0, 0.1 * speed)), "axis": [*vector(random, 0.3)[:2], 1.0]})
     fastest = max(np.linalg.norm(body["velocity"]) for body in bodies)
-    element = {"bulk_viscosity": bool(random.random() < 0.5), "hourglass": choose(random, "stiffness", "viscous")}
+    element = {"bulk_viscosity": bool(random.random() < 0.5), "hourglass": choose(random, "stiffness", "viscous", "assumed_strain", "assumed_strain")}
     made = scene(5 / fastest, materials, bodies, contact=random_contact(random), cfl=random.uniform(0.5, 0.9), steps=1500, element=element,
                  output={"interval": 5 / fastest / 50})
     return {**made, "precision": choose(random, "double", "double", "float")}
