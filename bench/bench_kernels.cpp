@@ -42,7 +42,8 @@ NodalLoad pressing(const std::string& body, double force) {
   return load;
 }
 
-/// The kernels are those of rod_plate: plasticity, erosion, bulk viscosity, stiffness hourglass control.
+/// The kernels are those of rod_plate: plasticity, erosion, bulk viscosity, stiffness hourglass control, contact by
+/// penalty.
 Scene sliding_plates(int per_side, ContactMethod method) {
   Material steel;
   steel.name = "steel";
@@ -56,8 +57,11 @@ Scene sliding_plates(int per_side, ContactMethod method) {
   scene.name = "plates";
   scene.units = "kg-m-s";
   scene.time.end = 1;
+  scene.element.hourglass = HourglassControl::stiffness;
   scene.element.hourglass_coefficient = 0.05;
   scene.contact.method = method;
+  scene.contact.enforcement = Enforcement::penalty;
+  scene.contact.gap = ContactGap::pinball;
   scene.skip.resting = false;  // what is counted is what is worked
   scene.materials = {steel};
   // Faces touch from the start, balls overlap each other by a fifth. A step is about 1.5e-6 s: elements pass each other

@@ -19,9 +19,11 @@ units = "kg-m-s"
 [time]
 end = 40.0e-3
 [element]
+hourglass = "stiffness"
 bulk_viscosity = false
 [contact]
 method = "pinball"
+enforcement = "penalty"
 [output]
 interval = 1.0e-4
 [damping]
