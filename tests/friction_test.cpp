@@ -164,7 +164,8 @@ Scene on_a_floor(Scene scene, const Floor& floor, double at_rest, double sliding
   return scene;
 }
 
-/// The block slows down by mu times its weight and stops after v^2 / (2 mu weight): exact for a rigid one.
+/// The block slows down by mu times its weight and stops after v^2 / (2 mu weight): exact for a rigid one. An elastic
+/// one also swings up and down and shears as it stops, by 0.02 m/s here, however fast it was.
 void expect_to_slow_down(const Scene& scene, double speed, double friction) {
   Solver<double> solver(scene);
   const double stop = speed / (friction * weight);
@@ -177,14 +178,13 @@ void expect_to_slow_down(const Scene& scene, double speed, double friction) {
   }
   solver.finish();
   ASSERT_GT(solver.time(), 1.2 * stop);
-  // Elastic blocks swing up and down and shear as they stop: by the deceleration times a period of some 30 steps.
-  EXPECT_LT(worst, 0.015 * speed);
+  EXPECT_LT(worst, 0.01 * speed);
   const double way = position_of(solver, 0)[0];
   EXPECT_NEAR(way, 0.5 * speed * stop, 0.01 * 0.5 * speed * stop);
   EXPECT_LT(std::abs(solver.balance_error()), 0.01);
 }
 
-TEST(Friction, StopsABlockOnAWall) { expect_to_slow_down(on_a_wall(pressed_block(2, 0, 0.0085), 0.3), 2, 0.3); }
+TEST(Friction, StopsABlockOnAWall) { expect_to_slow_down(on_a_wall(pressed_block(4, 0, 0.0165), 0.3), 4, 0.3); }
 
 class FrictionOnAFloor : public testing::TestWithParam<Floor> {};
 INSTANTIATE_TEST_SUITE_P(All, FrictionOnAFloor,
@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(All, FrictionOnAFloor,
                          });
 
 TEST_P(FrictionOnAFloor, StopsABlock) {
-  expect_to_slow_down(on_a_floor(pressed_block(2, 0, 0.0085), GetParam(), 0.3, 0.3), 2, 0.3);
+  expect_to_slow_down(on_a_floor(pressed_block(4, 0, 0.0165), GetParam(), 0.3, 0.3), 4, 0.3);
 }
 
 /// With coefficients of 0.5 at rest and 0.2 while sliding, which need all rows of a step to be solved together.
@@ -231,10 +231,10 @@ TEST_P(StaticFriction, LetsABlockGoThatIsPushedMore) {
 }
 
 TEST(Friction, OnAWallKeepsWhatIsHeld) {  // a plane of symmetry through the block
-  Scene scene = on_a_wall(pressed_block(2, 0, 0.0085), 0.3);
+  Scene scene = on_a_wall(pressed_block(4, 0, 0.0165), 0.3);
   scene.constraints.push_back({{0, 0, 0}, {0, 1, 0}, ""});
   scene.loads[0].force[1] = 1e4;
-  expect_to_slow_down(scene, 2, 0.3);
+  expect_to_slow_down(scene, 4, 0.3);
 }
 
 }  // namespace
