@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <pinball/kernels/hexahedron.hpp>
 #include <pinball/solver/initial_overlap.hpp>
 #include <pinball/solver/point.hpp>
 
@@ -35,16 +36,12 @@ Bounds common(const Bounds& a, const Bounds& b) {
   return both;
 }
 
-/// Corners of the faces, counterclockwise seen from outside.
-constexpr std::size_t face_corners[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
-                                            {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
-
 /// Smallest depth of a point below the planes of an element's faces; negative outside. Collapsed faces do not count.
 double depth_in(const ModelMesh& mesh, std::size_t element, const Point& x) {
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& face : face_corners) {
+  for (const auto& face : face_nodes) {
     const auto corner = [&](std::size_t i) -> const Point& {
-      return mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][face[i]])];
+      return mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][static_cast<std::size_t>(face[i])])];
     };
     const Point normal = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
     const double length = std::hypot(normal[0], normal[1], normal[2]);
