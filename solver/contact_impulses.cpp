@@ -17,8 +17,8 @@ constexpr int most_sweeps = 200;
 /// sweeps leave.
 constexpr double sliding = 1e-3;
 /// Of the sweeps, relative to the largest closing velocity. They begin with the impulses of the step before, so that
-/// what one step leaves the next one takes up: from 1e-9 to 1e-2 the contact patch test gives the same stresses, and
-/// two bars and spheres the same errors, at a tenth of the sweeps.
+/// what one step leaves the next one takes up: from 1e-9 to 1e-3 the worst stress of the contact patch test errs by 1.6
+/// to 2.4 %, and two bars by the same to all digits; 1e-4 takes a sixth of the time of 1e-9 in the patch test.
 constexpr double tolerance = 1e-4;
 
 }  // namespace

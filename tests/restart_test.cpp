@@ -107,21 +107,7 @@ TEST(Restart, RodPlateBySlideline) {
 }
 
 TEST(Restart, EveryKindOfBoundaryCondition) {
-  Scene scene = scene_of(
-      {block("a", {6, 5, 7}, 0.1, {0, 0, 0}, {0.5, 0, -20}), block("b", {4, 5, 4}, 0.1, {0.1, 0, 0.73}, {0, 0, -50})},
-      4e-4);
-  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"},
-                       {"side", {{0.61, 0, 0}, {-1, 0, 0}}, "a", "here"}};
-  scene.constraints = {{{0, 0, 0}, {0, 1, 0}, ""}};
-  PrescribedVelocity push;
-  push.nodes.plane = Plane{{0, 0, 1.13}, {0, 0, 1}};
-  push.velocity = {0, 3, -50};
-  scene.prescribed_velocities = {push};
-  NodalLoad load;
-  load.nodes.body = "a";
-  load.force = {1e6, 2e5, 0};
-  scene.loads = {load};
-  scene.damping.mass = 100;
+  Scene scene = pressed_blocks(4e-4);
   expect_same_after_restart<double>(scene);
   scene.contact.enforcement = Enforcement::projection;
   expect_same_after_restart<float>(scene, {0.5});

@@ -65,6 +65,26 @@ inline Scene scene_of(const std::vector<Body>& bodies, double end, bool contact 
   return scene;
 }
 
+/// Two blocks between a wall and a moved end, damped and loaded, in contact: every kind of boundary condition.
+inline Scene pressed_blocks(double end) {
+  Scene scene = scene_of(
+      {block("a", {6, 5, 7}, 0.1, {0, 0, 0}, {0.5, 0, -20}), block("b", {4, 5, 4}, 0.1, {0.1, 0, 0.73}, {0, 0, -50})},
+      end);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"},
+                       {"side", {{0.61, 0, 0}, {-1, 0, 0}}, "a", "here"}};
+  scene.constraints = {{{0, 0, 0}, {0, 1, 0}, ""}};
+  PrescribedVelocity push;
+  push.nodes.plane = Plane{{0, 0, 1.13}, {0, 0, 1}};
+  push.velocity = {0, 3, -50};
+  scene.prescribed_velocities = {push};
+  NodalLoad load;
+  load.nodes.body = "a";
+  load.force = {1e6, 2e5, 0};
+  scene.loads = {load};
+  scene.damping.mass = 100;
+  return scene;
+}
+
 /// How far the ball of a cubic element of size 1 reaches out of its face, twice: the gap at which two faces touch.
 inline const double touching_gap = 2 * std::cbrt(3 / (4 * M_PI)) - 1;
 
