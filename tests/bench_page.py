@@ -1,5 +1,8 @@
 """Reads the page of a command in bench/: its sections, figures and numbers."""
 
+import json
+import os
+import subprocess
 from html.parser import HTMLParser
 
 
@@ -45,3 +48,23 @@ def half_of_last_digit(text):
     mantissa, _, exponent = text.replace(",", "").partition("e")
     digits = len(mantissa.partition(".")[2])
     return 0.5000001 * 10.0 ** (int(exponent or 0) - digits)
+
+
+class QuickForm:
+    """To be mixed into a unittest.TestCase. command: path of the program, whose quick form is run into the folder `out`."""
+
+    command = out = ""
+
+    @classmethod
+    def setUpClass(cls):
+        done = subprocess.run([cls.command, "--quick", "--out", cls.out], stdout=subprocess.PIPE, text=True)
+        assert done.returncode == 0, f"{cls.command} --quick ended with status {done.returncode}"
+        cls.said = done.stdout
+        with open(os.path.join(cls.out, "results.json"), encoding="utf-8") as file:
+            cls.results = json.load(file)
+        with open(os.path.join(cls.out, "index.html"), encoding="utf-8") as file:
+            cls.text = file.read()
+        cls.page = Page(cls.text)
+
+    def test_says_where_to_look(self):
+        self.assertIn(os.path.join(self.out, "index.html"), self.said)

@@ -14,7 +14,8 @@ import sys
 import unittest
 
 import bench_command
-from bench_page import Page, half_of_last_digit, lookup
+import bench_page
+from bench_page import half_of_last_digit, lookup
 
 BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "bench")
 REPORT = os.path.join(BENCH, "report")
@@ -39,20 +40,13 @@ class Calls(bench_command.Calls, unittest.TestCase):
         self.assertIn("cmake is needed", done.stderr)
 
 
-class QuickForm(unittest.TestCase):
+class QuickForm(bench_page.QuickForm, unittest.TestCase):
+    command = REPORT
+
     @classmethod
     def setUpClass(cls):
-        done = subprocess.run([REPORT, "--quick", "--out", OUT], stdout=subprocess.PIPE, text=True)
-        assert done.returncode == 0, f"bench/report --quick ended with status {done.returncode}"
-        cls.said = done.stdout
-        with open(os.path.join(OUT, "results.json"), encoding="utf-8") as file:
-            cls.results = json.load(file)
-        with open(os.path.join(OUT, "index.html"), encoding="utf-8") as file:
-            cls.text = file.read()
-        cls.page = Page(cls.text)
-
-    def test_says_where_to_look(self):
-        self.assertIn(os.path.join(OUT, "index.html"), self.said)
+        cls.out = OUT
+        super().setUpClass()
 
     def test_every_section_is_there(self):
         self.assertEqual(list(self.page.sections), SECTIONS)

@@ -13,7 +13,8 @@ import sys
 import unittest
 
 import bench_command
-from bench_page import Page, half_of_last_digit, lookup
+import bench_page
+from bench_page import half_of_last_digit, lookup
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
 STUDY = os.path.join(ROOT, "bench", "study")
@@ -37,26 +38,19 @@ class Calls(bench_command.Calls, unittest.TestCase):
         self.assertIn("results.json", done.stderr)
 
 
-class QuickForm(unittest.TestCase):
+class QuickForm(bench_page.QuickForm, unittest.TestCase):
+    command = STUDY
+
     @classmethod
     def setUpClass(cls):
-        done = subprocess.run([STUDY, "--quick", "--out", OUT], stdout=subprocess.PIPE, text=True)
-        assert done.returncode == 0, f"bench/study --quick ended with status {done.returncode}"
-        cls.said = done.stdout
-        with open(os.path.join(OUT, "results.json"), encoding="utf-8") as file:
-            cls.results = json.load(file)
-        with open(os.path.join(OUT, "index.html"), encoding="utf-8") as file:
-            cls.text = file.read()
-        cls.page = Page(cls.text)
+        cls.out = OUT
+        super().setUpClass()
         cls.studies = {s["name"]: s for s in cls.results["studies"]}
 
     def curves(self):
         for study in self.results["studies"]:
             for curve in study["curves"]:
                 yield study, curve, [p for p in curve["points"] if p["failure"] is None]
-
-    def test_says_where_to_look(self):
-        self.assertIn(os.path.join(OUT, "index.html"), self.said)
 
     def test_every_section_is_there(self):
         self.assertEqual(list(self.page.sections),

@@ -2,7 +2,7 @@
 
 from . import conclusion, figures, measuring
 from .builds import BASE, NATIVE
-from .page_parts import escape, frame, image, judgement, section
+from .page_parts import escape, frame, image, judgement, repeat_section, section
 from .pointers import Numbers, listing, table, two_digits, whole
 
 
@@ -238,16 +238,9 @@ def differences_section(n):
         table(["", "slideline", "pinball"], rows))
 
 
-def repeat_section(n, files):
-    return section("repeat", "Again",
-                   f"<p><code>bench/report{' --quick' if n.value('form') == 'quick' else ''}</code> makes this page. Every number "
-                   "on it is in results.json, at the place named by its <code>data-pointer</code>. Beside it:</p>",
-                   listing(f'<a href="{name}">{name}</a>: {escape(text)}' for name, text in files.items()))
-
-
 def render(results, files):
     """The page. files: {name: what it is} of those beside it."""
     n = Numbers(results)
     sections = [conclusion_section(n), machine_section(n), aims_section(n), comparison_section(n), stages_section(n),
-                kernels_section(n), work_section(n), differences_section(n), repeat_section(n, files)]
+                kernels_section(n), work_section(n), differences_section(n), repeat_section("report", n.value("form"), files)]
     return frame("Pinball: vectorization report", "Pinball and the slideline, with vectorization off and on", sections)

@@ -2,6 +2,8 @@
 
 import html
 
+from .pointers import listing
+
 STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; color: #1d2733; max-width: 72rem; margin: 2rem auto; padding: 0 1.2rem; }
 h1 { font-size: 1.7rem; } h2 { font-size: 1.25rem; margin-top: 2.6rem; border-bottom: 1px solid #ccd3da; }
@@ -33,6 +35,14 @@ def judgement(met):
 
 def section(name, title, *content):
     return f'<section id="{name}"><h2>{title}</h2>\n' + "\n".join(content) + "\n</section>"
+
+
+def repeat_section(command, form, files):
+    """How the page is made again. files: {name: what it is} of those beside it."""
+    return section("repeat", "Again",
+                   f"<p><code>bench/{command}{' --quick' if form == 'quick' else ''}</code> makes this page. Every number on it is "
+                   "in results.json, at the place named by its <code>data-pointer</code>. Beside it:</p>",
+                   listing(f'<a href="{name}">{name}</a>: {escape(text)}' for name, text in files.items()))
 
 
 def frame(title, heading, sections):

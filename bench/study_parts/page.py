@@ -1,6 +1,6 @@
 """index.html from results.json: everything on the page is in there."""
 
-from report_parts.page_parts import escape, frame, image, judgement, section
+from report_parts.page_parts import escape, frame, image, judgement, repeat_section, section
 from report_parts.pointers import Numbers, listing, table, two_digits
 
 from . import conclusion, figures
@@ -151,17 +151,10 @@ def ensemble_section(n):
                           "time of a run [s]", "failed"], rows))
 
 
-def repeat_section(n, files):
-    return section("repeat", "Again",
-                   f"<p><code>bench/study{' --quick' if n.value('form') == 'quick' else ''}</code> makes this page. Every "
-                   "number on it is in results.json, at the place named by its <code>data-pointer</code>. Beside it:</p>",
-                   listing(f'<a href="{name}">{name}</a>: {escape(text)}' for name, text in files.items()))
-
-
 def render(results, files):
     """The page. files: {name: what it is} of those beside it."""
     n = Numbers(results)
     sections = [conclusion_section(n), *(study_section(n, i) for i in range(len(results["studies"]))),
                 *([ensemble_section(n)] if results["ensemble"] else []), candidates_section(n), precision_section(n),
-                machine_section(n), repeat_section(n, files)]
+                machine_section(n), repeat_section("study", n.value("form"), files)]
     return frame("Pinball: run time against error", "Run time against error", sections)
