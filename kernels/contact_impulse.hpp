@@ -15,8 +15,12 @@
 /// meet than nodes can follow, as in any flat contact; the sweeps below do not mind.
 namespace pinball {
 
+/// Vectors that the sweeps work on have a fourth component of 0: so they are one register, and not three numbers.
+using VectorRegister = Pack<double, 4>;
+inline constexpr int vector_width = width_of<VectorRegister>;  ///< 4, or 1 where nothing is vectorized
+
 struct ImpulseNode {
-  double velocity[3];
+  alignas(32) double velocity[4];
   double inverse_mass[6];  ///< xx yy zz xy yz zx [1/mass]
   double crowd;            ///< scratch: sum of |w| over the rows that close
 };
@@ -25,14 +29,15 @@ struct ImpulseRow {
   std::int32_t node[16];
   double weight[16];  ///< w: negative for the nodes of body 1
   int nodes;
-  double direction[3];   ///< a
-  double position_rate;  ///< r [length/time]
-  double inverse_mass;   ///< G M^-1 G^T [1/mass]
-  double impulse;        ///< p; where the sweeps begin
+  alignas(32) double direction[4];  ///< a
+  double position_rate;             ///< r [length/time]
+  double inverse_mass;              ///< G M^-1 G^T [1/mass]
+  double impulse;                   ///< p; where the sweeps begin
+  alignas(32) double push[16][4];   ///< w M^-1 a: what a unit impulse takes from the velocity of each node [1/mass]
 };
 
 /// M_I^-1 times a vector.
-PINBALL_FUNCTION void mobility(const ImpulseNode& node, const double (&b)[3], double (&result)[3]) {
+PINBALL_FUNCTION void mobility(const ImpulseNode& node, const double* b, double (&result)[3]) {
   const double* a = node.inverse_mass;
   result[0] = a[0] * b[0] + a[3] * b[1] + a[5] * b[2];
   result[1] = a[3] * b[0] + a[1] * b[1] + a[4] * b[2];
@@ -41,33 +46,44 @@ PINBALL_FUNCTION void mobility(const ImpulseNode& node, const double (&b)[3], do
 
 /// sum_I G_I . v_I at the present velocities, or at others of the same nodes.
 PINBALL_FUNCTION double closing_rate(const ImpulseRow& row, const ImpulseNode* nodes) {
-  double sum = 0;
-  for (int k = 0; k < row.nodes; ++k) {
-    const double* v = nodes[row.node[k]].velocity;
-    sum += row.weight[k] * (row.direction[0] * v[0] + row.direction[1] * v[1] + row.direction[2] * v[2]);
+  double rate = 0;
+  for (int c = 0; c < 4; c += vector_width) {
+    VectorRegister even = 0, odd = 0;  // two sums, because each addition waits for the one before
+    int k = 0;
+    for (; k + 1 < row.nodes; k += 2) {
+      even += row.weight[k] * load<VectorRegister>(nodes[row.node[k]].velocity + c);
+      odd += row.weight[k + 1] * load<VectorRegister>(nodes[row.node[k + 1]].velocity + c);
+    }
+    if (k < row.nodes) even += row.weight[k] * load<VectorRegister>(nodes[row.node[k]].velocity + c);
+    add_lanes_to(rate, (even + odd) * load<VectorRegister>(row.direction + c));
   }
-  return sum;
+  return rate;
 }
 
 PINBALL_FUNCTION void apply_impulse(const ImpulseRow& row, double impulse, ImpulseNode* nodes) {
   for (int k = 0; k < row.nodes; ++k) {
-    ImpulseNode& node = nodes[row.node[k]];
-    double change[3];
-    mobility(node, row.direction, change);
-    for (int c = 0; c < 3; ++c) node.velocity[c] -= impulse * row.weight[k] * change[c];
+    double* v = nodes[row.node[k]].velocity;
+    for (int c = 0; c < 4; c += vector_width) {
+      store(load<VectorRegister>(v + c) - impulse * load<VectorRegister>(row.push[k] + c), v + c);
+    }
   }
 }
 
-/// Diagonal of G M^-1 G^T.
-PINBALL_FUNCTION double row_inverse_mass(const ImpulseRow& row, const ImpulseNode* nodes) {
-  double sum = 0;
+/// Fills in what a row needs of the masses of its nodes: push, and the diagonal of G M^-1 G^T.
+PINBALL_FUNCTION void load_masses(ImpulseRow& row, const ImpulseNode* nodes) {
+  row.inverse_mass = 0;
+  row.direction[3] = 0;
   for (int k = 0; k < row.nodes; ++k) {
     double change[3];
     mobility(nodes[row.node[k]], row.direction, change);
-    sum += row.weight[k] * row.weight[k] *
-           (row.direction[0] * change[0] + row.direction[1] * change[1] + row.direction[2] * change[2]);
+    double along = 0;
+    for (int c = 0; c < 3; ++c) {
+      row.push[k][c] = row.weight[k] * change[c];
+      along += row.push[k][c] * row.direction[c];
+    }
+    row.push[k][3] = 0;
+    row.inverse_mass += row.weight[k] * along;
   }
-  return sum;
 }
 
 /// One projected Gauss-Seidel sweep: each row in turn closes no gap any more. Returns the largest change of a closing
@@ -102,11 +118,9 @@ PINBALL_FUNCTION void project_velocities(ImpulseRow* rows, std::int64_t count, I
     if (!(row.impulse > 0)) continue;
     double sum = 0;
     for (int k = 0; k < row.nodes; ++k) {
-      const ImpulseNode& node = nodes[row.node[k]];
-      double change[3];
-      mobility(node, row.direction, change);
-      const double length = square_root(change[0] * change[0] + change[1] * change[1] + change[2] * change[2]);
-      sum += absolute(row.weight[k]) * node.crowd * length;
+      const double* push = row.push[k];
+      const double length = square_root(push[0] * push[0] + push[1] * push[1] + push[2] * push[2]);
+      sum += nodes[row.node[k]].crowd * length;
     }
     row.impulse /= sum;
   }

@@ -192,7 +192,7 @@ void ContactImpulses<S>::set_rates(double velocity_step, double dt) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     ImpulseRow& row = rows_[i];
     Pair& pair = pairs_[i];
-    row.inverse_mass = row_inverse_mass(row, nodes_.data());
+    load_masses(row, nodes_.data());
     if (dt > 0 && pair.depth > 0) {  // with no more energy than the pair has taken out
       const double energy_limit = std::sqrt(2 * std::max(0.0, pair.memory.lost) * row.inverse_mass);
       row.position_rate = std::min(push_out * pair.depth / dt, energy_limit);
