@@ -14,7 +14,7 @@ constexpr const char* checkpoint_name = "checkpoint.pinball";
 constexpr const char* last_good_name = "last_good.pinball";
 
 /// A copy of the state is made as often as takes this share of the time.
-constexpr double share_of_copies = 0.01;
+constexpr double share_of_copies = 0.005;
 /// ... while the error of the energy balance is below this share of its bound: beyond it the trouble may have begun.
 constexpr double share_of_energy_error = 0.2;
 
