@@ -9,7 +9,7 @@
 
 #include <array>
 #include <cmath>
-#include <pinball/solver/slideline_contact.hpp>
+#include <pinball/contact/slideline_contact.hpp>
 #include <pinball/solver/solver.hpp>
 #include <string>
 

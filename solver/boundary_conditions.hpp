@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/solver/external_work.hpp>
+#include <pinball/contact/external_work.hpp>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_spans.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/rigid_walls.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {

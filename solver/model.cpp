@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <pinball/contact/point.hpp>
+#include <pinball/contact/tile_size.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/ordering.hpp>
-#include <pinball/solver/point.hpp>
 #include <pinball/solver/step_levels.hpp>
 #include <random>
 #include <utility>

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/solver/colouring.hpp>
+#include <pinball/contact/colouring.hpp>
 #include <pinball/solver/scene.hpp>
 #include <pinball/solver/stores.hpp>
 #include <string>

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <pinball/contact/contact_settings.hpp>
 #include <pinball/solver/mesh.hpp>
 #include <pinball/solver/scene_boundary.hpp>
 #include <string>
@@ -14,18 +15,7 @@ namespace pinball {
 
 enum class Precision { float32, float64 };
 enum class HourglassControl { none, viscous, stiffness, assumed_strain };
-enum class ContactMethod { none, pinball, slideline };
-enum class Enforcement { penalty, projection, lagrange };
-enum class ContactGap { pinball, face };
-enum class ContactRadius { initial, current };
 enum class NegativeVolume { stop, erode };
-
-/// As in the scene and in summary.json.
-inline const char* enforcement_name(Enforcement enforcement) {
-  return enforcement == Enforcement::penalty      ? "penalty"
-         : enforcement == Enforcement::projection ? "projection"
-                                                  : "lagrange";
-}
 
 /// Of the viscous and stiffness forms; of the assumed strains the factor on what the material gives [-].
 inline double default_hourglass_coefficient(HourglassControl control) {
@@ -53,22 +43,6 @@ struct ElementSettings {
   double quadratic_viscosity = 1.2;  ///< element.quadratic_viscosity: b2 [-]
   /// element.negative_volume = "stop" | "erode"; default: erode where a material erodes, stop elsewhere
   std::optional<NegativeVolume> negative_volume;
-};
-
-struct ContactSettings {
-  ContactMethod method = ContactMethod::none;       ///< contact.method = "none" | "pinball" | "slideline"
-  Enforcement enforcement = Enforcement::lagrange;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
-  /// contact.gap = "pinball" | "face"; where it is not set read_scene fills in pinball (penalty) or face
-  ContactGap gap = ContactGap::face;
-  double beta = 1.0;      ///< contact.beta: penalty factor of report eq. (3.11) [-]
-  double damping = 0.1;   ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
-  double friction = 0.0;  ///< contact.friction: Coulomb coefficient while sliding [-]
-  double static_friction =
-      0.0;  ///< contact.static_friction: at rest; where it is not set read_scene fills in friction [-]
-  ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
-  double radius_factor = 1.0;                     ///< contact.radius_factor: on the radius of (3.2) [-]
-  bool self = true;                               ///< contact.self: a body may touch itself
-  double skin = 0.5;  ///< contact.skin: scale of what a node may stray before lists are built anew, over its radius [-]
 };
 
 struct SkipSettings {

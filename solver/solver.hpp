@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/boundary_conditions.hpp>
-#include <pinball/solver/contact.hpp>
 #include <pinball/solver/initial_overlap.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/model_contact.hpp>
 #include <pinball/solver/probes.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/skipped_work.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
@@ -84,7 +84,7 @@ class Solver {
  private:
   void advance(bool last);
   void make_step(std::int32_t step_of_cycle, bool last);
-  void search_contact();
+  void search_contact(const ModelContact<S>& contact_model);
   void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
   double integrate(std::int32_t step_of_cycle);
   DueSpans due_nodes(std::int32_t step_of_cycle) const {
