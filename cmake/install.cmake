@@ -33,6 +33,8 @@ install(TARGETS pinball_kernels EXPORT PinballKernels)  # nothing to copy: names
 install(FILES ${pinball_version_include}/pinball/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernels/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/kernels
         COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_SOURCE_DIR}/solver/contact/pinball_contact.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/contact
+        COMPONENT development)
 foreach(name IN LISTS pinball_libraries)
   get_property(headers GLOBAL PROPERTY pinball_${name}_headers)
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/${name} COMPONENT development)
@@ -84,4 +86,4 @@ if(PINBALL_SOLVER)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/reference
           DESTINATION share/pinball/data COMPONENT program)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/docs/embedding.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)

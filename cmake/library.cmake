@@ -65,8 +65,10 @@ function(pinball_link_library target name type)
     set_target_properties(${target} PROPERTIES
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
       LIBRARY_OUTPUT_DIRECTORY ${pinball_library_directory})
-    # A symbol that is missing shows here, and not in the host.
-    target_link_options(${target} PRIVATE -Wl,--no-undefined)
+    if(NOT PINBALL_SANITIZE)
+      # A symbol that is missing shows here, and not in the host. The sanitizers' are the program's to bring.
+      target_link_options(${target} PRIVATE -Wl,--no-undefined)
+    endif()
   endif()
 endfunction()
 
