@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pinball/solver/export.hpp>
 #include <stdexcept>
 #include <string>
 
@@ -7,13 +8,13 @@ namespace pinball {
 
 /// Bad input: a scene, a mesh or a command line that cannot be run as written. The program ends with status 2.
 /// `what()` is complete and readable as it is: "data/scenes/x.toml:12:9: contact.beta: expected a number >= 0, got -1".
-struct InputError : std::runtime_error {
+struct PINBALL_API InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// A run that began well and failed: non-finite state, energy out of bounds, collapsed time step, inverted element.
 /// `what()` says what failed, where, when and what to try. The program ends with status 1.
-struct RunError : std::runtime_error {
+struct PINBALL_API RunError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
