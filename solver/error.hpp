@@ -6,7 +6,7 @@ namespace pinball {
 
 /// A run that began well and failed: non-finite state, energy out of bounds, collapsed time step, inverted element.
 /// `what()` says what failed, where, when and what to try. The program ends with status 1. Bad input is an InputError.
-struct RunError : std::runtime_error {
+struct PINBALL_API RunError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

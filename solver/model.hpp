@@ -78,6 +78,9 @@ struct Model {
   std::size_t bytes() const;  ///< of all arrays of the size of the mesh
 };
 
+/// How a message about a scene begins: "FILE: ", or nothing for a scene that was made in code.
+std::string message_head(const Scene& scene);
+
 /// Number of the material of that name. Throws InputError if there is none.
 std::size_t material_index(const Scene& scene, const std::string& name);
 

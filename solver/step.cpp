@@ -30,6 +30,7 @@ Solver<S>::Solver(const Scene& scene)
 
 template <class S>
 void Solver<S>::advance(bool last) {
+  if (kinetic_before_change_) take_changed_velocities();
   if (subcycling_ && steps_ > 0) {
     for (std::int32_t step = 1; step < subcycling_->cycle_steps(); ++step) make_step(step, false);
   }

@@ -110,9 +110,13 @@ static double momentum(int first, int last) {
   return sum;
 }
 
-static double kinetic_energy(void) {
+/* Of the velocities half a step before t_n and after it: what it changes by is the work of the forces, exactly. */
+static double kinetic_energy(double step) {
   double sum = 0;
-  for (int i = 0; i < node_count; ++i) sum += mass[i] * (vx[i] * vx[i] + vy[i] * vy[i] + vz[i] * vz[i]) / 2;
+  for (int i = 0; i < node_count; ++i) {
+    sum += (vx[i] * (mass[i] * vx[i] + fx[i] * step) + vy[i] * (mass[i] * vy[i] + fy[i] * step) +
+            vz[i] * (mass[i] * vz[i] + fz[i] * step)) / 2;
+  }
   return sum;
 }
 
@@ -120,7 +124,7 @@ int main(void) {
   make_mesh();
   pinball_contact *contact = begin_contact();
   printf("momentum_initial %.17g\n", momentum(0, node_count));
-  printf("energy_initial %.17g\n", kinetic_energy());
+  printf("energy_initial %.17g\n", kinetic_energy(0));
 
   /* [loop] */
   pinball_contact_arrays arrays;
@@ -130,7 +134,7 @@ int main(void) {
   arrays.force = (pinball_contact_output){fx, fy, fz, 1};
 
   const int steps = (int)(end_time / dt + 0.5);
-  double spring_energy = 0;
+  double energy = 0;
   pinball_contact_result result;
   for (int step = 0; step <= steps; ++step) {
     /* Velocities belong to the middle of a step: the first and the last acceleration are over half a step. */
@@ -139,9 +143,10 @@ int main(void) {
     memset(fx, 0, sizeof fx);
     memset(fy, 0, sizeof fy);
     memset(fz, 0, sizeof fz);
-    spring_energy = add_spring_forces();
+    energy = add_spring_forces();
     check(pinball_contact_update(contact, &arrays, before), contact);
     check(pinball_contact_add_forces(contact, &arrays, after, &result), contact);
+    energy += kinetic_energy(before) + result.stored + result.dissipated;
     for (int i = 0; i < node_count; ++i) {
       vx[i] += fx[i] / mass[i] * (before + after) / 2;
       vy[i] += fy[i] / mass[i] * (before + after) / 2;
@@ -156,7 +161,7 @@ int main(void) {
 
   const double bar_mass = elements_of_bar * density;
   printf("momentum_final %.17g\n", momentum(0, node_count));
-  printf("energy_final %.17g\n", kinetic_energy() + spring_energy + result.stored + result.dissipated);
+  printf("energy_final %.17g\n", energy);
   printf("contact_dissipated %.17g\n", result.dissipated);
   printf("velocity_bar1 %.17g\n", momentum(0, node_count / 2) / bar_mass);
   printf("velocity_bar2 %.17g\n", momentum(node_count / 2, node_count) / bar_mass);
