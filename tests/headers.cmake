@@ -26,6 +26,15 @@ endforeach()
 target_include_directories(solver_headers_compile_alone PRIVATE
                            $<TARGET_PROPERTY:pinball_contact,INTERFACE_INCLUDE_DIRECTORIES>)
 
+# The C interface as C, by a compiler that knows no later C.
+enable_language(C)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/headers/contact.c CONTENT
+     "#include <pinball/contact/contact.h>\n#include <pinball/contact/contact.h>\n" @ONLY)
+add_library(contact_header_compiles_as_c OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers/contact.c)
+target_include_directories(contact_header_compiles_as_c PRIVATE
+                           $<TARGET_PROPERTY:pinball_contact,INTERFACE_INCLUDE_DIRECTORIES>)
+target_compile_options(contact_header_compiles_as_c PRIVATE -std=c99 -Wall -Wextra -Wpedantic -Werror)
+
 # Kernels include kernels and a few headers of the language, contact those and what moves no file; the tests with
 # "found" show that the others can fail.
 set(check ${CMAKE_CURRENT_SOURCE_DIR}/forbidden_includes.cmake)

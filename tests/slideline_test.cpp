@@ -260,14 +260,14 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
   EXPECT_EQ(active_segments(surface), 54);
   EXPECT_EQ(surface.slaves().size(), 56 + 4);
   EXPECT_EQ(active_slaves(surface).size(), 56);
-  EXPECT_EQ(surface.surface_elements(), 26);
+  EXPECT_EQ(surface.topology().exposed_count(), 26);
 
   EXPECT_TRUE(erode(model, surface, upper));
   surface.update(ModelContact<double>(model));
   EXPECT_TRUE(surface.complete());
   EXPECT_TRUE(surface.changed());
   EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
-  EXPECT_EQ(surface.surface_elements(), 26);
+  EXPECT_EQ(surface.topology().exposed_count(), 26);
 
   // The slaves are those of a surface that is collected anew, to the last bit.
   const auto before = active_slaves(surface);

@@ -6,6 +6,7 @@
 #include <pinball/contact/contact_model.hpp>
 #include <pinball/contact/external_work.hpp>
 #include <pinball/contact/state_archive.hpp>
+#include <pinball/contact/surface.hpp>
 #include <vector>
 
 namespace pinball {
@@ -63,7 +64,10 @@ class Contact {
   /// [length], where there is one. For output.
   virtual void report(const ContactModel<S>& model, std::vector<Point>& node_force,
                       std::vector<double>& slot_radius) const = 0;
-  virtual std::int32_t surface_elements() const = 0;  ///< that take part
+  virtual const Surface& surface() const = 0;
+  std::int32_t surface_elements() const { return surface().exposed_count(); }  ///< that take part
+  /// Nodes to which scatter() or impulses() add, after forces() or prepare_impulses(); some perhaps several times.
+  virtual const std::vector<std::int32_t>& loaded_nodes() = 0;
   virtual ListSize listed() const = 0;
   virtual std::size_t bytes() const = 0;
   /// model: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of

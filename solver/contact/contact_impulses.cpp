@@ -38,6 +38,7 @@ void ContactImpulses<S>::collect(const ContactModel<S>& model, const std::vector
   pairs_.clear();
   nodes_.clear();
   node_.clear();
+  last_entry_.clear();
   for (const ContactPair& pair : pairs) add_row(pair);
   for (const std::int32_t n : node_) node_place_[static_cast<std::size_t>(n)] = -1;
   for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(model, i, dt);
@@ -46,15 +47,23 @@ void ContactImpulses<S>::collect(const ContactModel<S>& model, const std::vector
 template <class S>
 void ContactImpulses<S>::add_row(const ContactPair& contact) {
   ImpulseRow row{};
-  row.nodes = contact.nodes;
-  for (int k = 0; k < row.nodes; ++k) {
+  for (int k = 0; k < contact.nodes; ++k) {
     std::int32_t& place = node_place_[static_cast<std::size_t>(contact.node[k])];
     if (place < 0) {
       place = static_cast<std::int32_t>(node_.size());
       node_.push_back(contact.node[k]);
+      last_entry_.push_back({rows_.size(), -1});
     }
-    row.node[k] = place;
-    row.weight[k] = contact.weight[k];
+    // Collapsed elements and spheres have a node at several corners: its weights add up.
+    LastEntry& last = last_entry_[static_cast<std::size_t>(place)];
+    if (last.row == rows_.size() && last.entry >= 0) {
+      row.weight[last.entry] += contact.weight[k];
+      continue;
+    }
+    last = {rows_.size(), row.nodes};
+    row.node[row.nodes] = place;
+    row.weight[row.nodes] = contact.weight[k];
+    ++row.nodes;
   }
   row.direction[0] = contact.direction.x;
   row.direction[1] = contact.direction.y;
@@ -304,8 +313,8 @@ void ContactImpulses<S>::remember() {
 template <class S>
 std::size_t ContactImpulses<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(rows_) + of(frictions_) + of(pairs_) + of(nodes_) + of(node_) + of(memory_) + of(node_place_) +
-         held_.bytes();
+  return of(rows_) + of(frictions_) + of(pairs_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) +
+         of(node_place_) + held_.bytes();
 }
 
 template class ContactImpulses<double>;

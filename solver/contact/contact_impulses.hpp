@@ -62,6 +62,9 @@ class ContactImpulses {
   /// the contact have in held directions is for them to take up again.
   ImpulseResult solve(const ContactModel<S>& model, const StepLengths& step);
 
+  /// Nodes of the pairs collected, each once.
+  const std::vector<std::int32_t>& nodes() const { return node_; }
+
   /// Adds the contact forces of the last solution, per node of the store [force].
   void add_node_forces(std::vector<Point>& node_force) const;
 
@@ -92,6 +95,12 @@ class ContactImpulses {
     Memory memory;
   };
 
+  /// Where a node stands last in a row.
+  struct LastEntry {
+    std::size_t row;
+    int entry;
+  };
+
   void add_row(const ContactPair& contact);
   void limit_depth(const ContactModel<S>& model, std::size_t i, double dt);
   void load_nodes(const ContactModel<S>& model, double velocity_step);
@@ -112,6 +121,7 @@ class ContactImpulses {
   std::vector<Pair> pairs_;             ///< one per row
   std::vector<ImpulseNode> nodes_;
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
+  std::vector<LastEntry> last_entry_;     ///< per entry of node_
   std::vector<Memory> memory_;            ///< of the last step, sorted by the names
   std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
   HeldDirections held_;

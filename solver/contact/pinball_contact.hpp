@@ -32,7 +32,10 @@ class PinballContact final : public Contact<S> {
   const char* name() const override { return "pinball"; }
   void report(const ContactModel<S>& model, std::vector<Point>& node_force,
               std::vector<double>& slot_radius) const override;
-  std::int32_t surface_elements() const override { return surface_.exposed_count(); }
+  const Surface& surface() const override { return surface_; }
+  const std::vector<std::int32_t>& loaded_nodes() override {
+    return this->by_impulses() ? this->impulses_->nodes() : node_;
+  }
   ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
   void persist(StateArchive& archive, const ContactModel<S>& model) override;
   std::size_t bytes() const override;

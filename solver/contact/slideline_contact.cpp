@@ -277,6 +277,18 @@ void SlidelineContact<S>::scatter(const ContactModel<S>& model, ContactResult& r
 }
 
 template <class S>
+const std::vector<std::int32_t>& SlidelineContact<S>::loaded_nodes() {
+  if (this->by_impulses()) return this->impulses_->nodes();
+  loaded_.clear();
+  for (const Touch& touch : touches_) {
+    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    loaded_.push_back(surface_.slaves()[touch.slave].node);
+    loaded_.insert(loaded_.end(), std::begin(segment.node), std::end(segment.node));
+  }
+  return loaded_;
+}
+
+template <class S>
 void SlidelineContact<S>::prepare_impulses(const ContactModel<S>& model, double dt) {
   search_.count_step(static_cast<S>(dt));
   find_touches(model, S(0.5), [](Touch&, Sums&) { return true; });
@@ -337,7 +349,7 @@ void SlidelineContact<S>::persist(StateArchive& archive, const ContactModel<S>& 
 template <class S>
 std::size_t SlidelineContact<S>::bytes() const {
   return surface_.bytes() + search_.bytes() + state_.capacity() * sizeof(State) + touches_.capacity() * sizeof(Touch) +
-         (this->by_impulses() ? this->impulses_->bytes() : 0);
+         loaded_.capacity() * sizeof(loaded_[0]) + (this->by_impulses() ? this->impulses_->bytes() : 0);
 }
 
 template class SlidelineContact<double>;

@@ -36,7 +36,8 @@ class SlidelineContact final : public Contact<S> {
   const char* name() const override { return "slideline"; }
   void report(const ContactModel<S>& model, std::vector<Point>& node_force,
               std::vector<double>& slot_radius) const override;
-  std::int32_t surface_elements() const override { return surface_.surface_elements(); }
+  const Surface& surface() const override { return surface_.topology(); }
+  const std::vector<std::int32_t>& loaded_nodes() override;
   ListSize listed() const override {
     const std::int64_t entries = search_.entries();
     return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
@@ -85,6 +86,7 @@ class SlidelineContact final : public Contact<S> {
   SlidelineSearch<S> search_;
   std::vector<State> state_;  ///< per slave
   std::vector<Touch> touches_;
+  std::vector<std::int32_t> loaded_;  ///< see loaded_nodes, only where that is asked
   S beta_, damping_;
   double lost_energy_ = 0;  ///< of springs that went with eroded elements in this step
 };

@@ -15,7 +15,7 @@ SlidelineSearch<S>::SlidelineSearch(const ContactModel<S>& model, const Slidelin
     return std::array{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
   };
   for (std::int64_t slot = 0; slot < model.slots; ++slot) {
-    if (!surface.alive(slot)) continue;
+    if (!surface.topology().alive(slot)) continue;
     const ContactElement element = model.element(slot);
     reference_centre_[static_cast<std::size_t>(slot)] = single(element.centre());
     const auto radius = static_cast<float>(element.radius);

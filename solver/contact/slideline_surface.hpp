@@ -63,9 +63,8 @@ class SlidelineSurface {
   /// Whether a segment that the slave belongs to looks at a normal within 60 degrees. A node of a flat surface does not
   /// touch a face that moves along this surface.
   bool faces(std::size_t slave, const Vec3<S>& normal) const;
-  bool alive(std::int64_t slot) const { return topology_.alive(slot); }
   bool exposed(std::int32_t slot, std::int32_t face) const { return (topology_.exposed(slot) >> face & 1) != 0; }
-  std::int32_t surface_elements() const { return topology_.exposed_count(); }
+  const Surface& topology() const { return topology_; }
   const std::vector<Segment>& segments() const { return segments_; }
   const std::vector<Slave>& slaves() const { return slaves_; }  ///< sorted by node
   /// Records of four per segment: centre, and how far from it a node may be that touches: the distance of the farthest
