@@ -17,10 +17,14 @@ namespace pinball {
 class Simulation;
 
 /// What a callback wants.
-enum class AfterStep { go_on, stop };
+enum class AfterStep {
+  go_on,  ///< with the next step
+  stop    ///< the call of run() or run_until() that is under way
+};
 /// Called between two steps; may look at everything, and change what is meant to be changed.
 using StepCallback = std::function<AfterStep(Simulation&)>;
 
+/// How a scene is to be run; none of it changes results.
 struct SimulationOptions {
   /// Threads that steps are made with, results being the same bits for any number; 0: what OpenMP takes by default in
   /// the thread that calls.
@@ -29,12 +33,22 @@ struct SimulationOptions {
 
 /// Consecutive numbers.
 struct IndexRange {
-  std::int64_t first = 0, count = 0;
+  std::int64_t first = 0;  ///< number
+  std::int64_t count = 0;  ///< of them
 };
 
 /// Which field a copy is made of.
-enum class NodeField { position, velocity, mass };
-enum class ElementField { stress, plastic_strain, mass };
+enum class NodeField {
+  position,  ///< [length]
+  velocity,  ///< [length/time]
+  mass       ///< [mass]
+};
+/// Which field a copy is made of.
+enum class ElementField {
+  stress,          ///< xx yy zz xy yz zx [stress]
+  plastic_strain,  ///< effective [-]
+  mass             ///< 0 once the element is eroded [mass]
+};
 
 /// A scene being run: the whole solver as one object. Writes no files, prints nothing, has no global state: a program
 /// may have any number of them, each used by one thread at a time.
@@ -56,8 +70,8 @@ class PINBALL_API Simulation {
   /// not needed afterwards.
   explicit Simulation(const Scene& scene, const SimulationOptions& options = {});
   ~Simulation();
-  Simulation(Simulation&&) noexcept;
-  Simulation& operator=(Simulation&&) noexcept;
+  Simulation(Simulation&&) noexcept;             ///< views and callbacks stay valid
+  Simulation& operator=(Simulation&&) noexcept;  ///< the same
 
   // ---- Time ----
 
@@ -74,22 +88,22 @@ class PINBALL_API Simulation {
   /// in phase_seconds. They move with the simulation.
   void on_step(StepCallback callback);
 
-  bool complete() const;
+  bool complete() const;  ///< whether all is brought to one time at the end
   /// Whether time.end or time.steps is reached, so that the next step() completes the run.
   bool at_end() const;
-  double time() const;        ///< of the positions [time]
-  double state_time() const;  ///< of stresses and energies [time]
-  double dt() const;          ///< the last step [time]
-  std::int64_t steps() const;
+  double time() const;         ///< of the positions [time]
+  double state_time() const;   ///< of stresses and energies [time]
+  double dt() const;           ///< the last step [time]
+  std::int64_t steps() const;  ///< made so far; with subcycling the smallest ones
 
   // ---- Results ----
 
-  const Scene& scene() const;  ///< completed; without the views of an ArrayMesh
-  const Energies& energies() const;
-  double balance_error() const;            ///< of the energies, relative
-  std::vector<BodyResult> bodies() const;  ///< elements, masses and mean velocities of the bodies
-  ProgressState progress() const;
-  HistoryRow history_row() const;
+  const Scene& scene() const;                        ///< completed; without the views of an ArrayMesh
+  const Energies& energies() const;                  ///< at state_time(); valid until the next step
+  double balance_error() const;                      ///< of the energies, relative
+  std::vector<BodyResult> bodies() const;            ///< elements, masses and mean velocities of the bodies
+  ProgressState progress() const;                    ///< what a line of progress shows
+  HistoryRow history_row() const;                    ///< what a row of history.csv holds
   std::vector<std::string> history_columns() const;  ///< names of HistoryRow::more
   RunSummary summary() const;                        ///< wall_seconds: of all calls of step()
   std::uint64_t state_hash() const;                  ///< of positions, velocities and stresses
@@ -100,8 +114,8 @@ class PINBALL_API Simulation {
   // Numbers are of the scene's precision, but for masses (double). A view is valid as long as the simulation is, also
   // after it was moved; a step changes what it shows.
 
-  std::int64_t nodes() const;
-  std::int64_t elements() const;
+  std::int64_t nodes() const;                             ///< number of nodes of all bodies
+  std::int64_t elements() const;                          ///< number of elements of all bodies, eroded ones too
   IndexRange nodes_of(const std::string& body) const;     ///< numbers of its nodes. Throws InputError: no such body
   IndexRange elements_of(const std::string& body) const;  ///< numbers of its elements
 
@@ -128,7 +142,7 @@ class PINBALL_API Simulation {
   /// stress: six, xx yy zz xy yz zx; the others one. Without plasticity plastic strains are 0; the mass of an element
   /// is 0 once it is eroded. Throws InputError for a view that does not fit, and writes nothing then.
   void copy(NodeField field, const ArrayView& to) const;
-  void copy(ElementField field, const ArrayView& to) const;
+  void copy(ElementField field, const ArrayView& to) const;  ///< the same of elements
 
   // ---- State ----
 
