@@ -19,7 +19,7 @@ struct SceneOptions {
 };
 
 struct RunOptions : SceneOptions {
-  std::string out;                    ///< folder for the results; empty: out/<scene>, or that of the checkpoint
+  std::string out;                    ///< folder for the results; empty: out/SCENE, or that of the checkpoint
   std::int64_t checkpoint_every = 0;  ///< steps or cycles; 0: no checkpoints
   std::string restart;                ///< checkpoint to go on from, in place of a scene; empty: none
 };

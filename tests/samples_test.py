@@ -1,4 +1,4 @@
-"""docs/samples: the page's code is the files', and the check finds what it is there to find."""
+"""docs/samples: the pages' code is the files', and the check finds what it is there to find."""
 
 import importlib.machinery
 import importlib.util
@@ -11,15 +11,14 @@ samples = importlib.util.module_from_spec(importlib.util.spec_from_loader("sampl
 LOADER.exec_module(samples)
 
 
-class Page(unittest.TestCase):
-    def setUp(self):
-        self.text = (ROOT / "docs" / "embedding.md").read_text()
-
-    def test_shows_the_code_of_the_files(self):
-        text, problems = samples.check(self.text)
-        self.assertEqual(problems, [])
-        self.assertEqual(text, self.text)
-        self.assertGreaterEqual(self.text.count("<!-- sample: "), 5)
+class Pages(unittest.TestCase):
+    def test_show_the_code_of_the_files(self):
+        self.assertGreaterEqual(len(samples.PAGES), 2)
+        for page in samples.PAGES:
+            with self.subTest(page.name):
+                text = page.read_text()
+                self.assertGreaterEqual(text.count("<!-- sample: "), 1)
+                self.assertEqual(samples.check(text), (text, []))
 
 
 class Check(unittest.TestCase):

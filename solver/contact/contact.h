@@ -42,14 +42,9 @@
 #ifndef PINBALL_CONTACT_H
 #define PINBALL_CONTACT_H
 
+#include <pinball/contact/export.h>
 #include <stddef.h>
 #include <stdint.h>
-
-#if defined(__GNUC__)
-#define PINBALL_CONTACT_API __attribute__((visibility("default")))
-#else
-#define PINBALL_CONTACT_API
-#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -58,6 +53,7 @@ extern "C" {
 /** One contact problem: its settings, surface, lists and memory from step to step. */
 typedef struct pinball_contact pinball_contact;
 
+/** What a call has come to. */
 enum pinball_contact_status {
   PINBALL_CONTACT_OK = 0,
   PINBALL_CONTACT_NULL_POINTER = 1,  /**< a pointer that is required is null */
@@ -72,7 +68,9 @@ enum pinball_contact_status {
   PINBALL_CONTACT_FAILED = 10        /**< an internal check failed: the instance is of no use any more */
 };
 
+/** Type of the numbers in arrays. */
 enum pinball_contact_number { PINBALL_CONTACT_DOUBLE = 0, PINBALL_CONTACT_FLOAT = 1 };
+/** Type of node numbers. */
 enum pinball_contact_index { PINBALL_CONTACT_INT32 = 0, PINBALL_CONTACT_INT64 = 1 };
 /** Balls in surface elements (Belytschko, Liu and Neal 1990), or slave nodes against master faces. */
 enum pinball_contact_method { PINBALL_CONTACT_PINBALL = 0, PINBALL_CONTACT_SLIDELINE = 1 };
@@ -86,6 +84,7 @@ enum pinball_contact_enforcement {
 enum pinball_contact_gap { PINBALL_CONTACT_GAP_PINBALL = 0, PINBALL_CONTACT_GAP_FACE = 1 };
 /** Radii of balls: of the undeformed elements, or of their present volumes. */
 enum pinball_contact_radius { PINBALL_CONTACT_RADIUS_INITIAL = 0, PINBALL_CONTACT_RADIUS_CURRENT = 1 };
+/** What a message is about. */
 enum pinball_contact_log_level { PINBALL_CONTACT_NOTE = 0, PINBALL_CONTACT_ERROR = 1 };
 
 /** Told what an instance has to say; message: valid during the call only. */
@@ -153,7 +152,7 @@ typedef struct pinball_contact_mesh {
    * at last element_count; tile_count + 1 entries. Null: they are cut here. It decides the order in which forces are
    * added, to the last bit. */
   const int64_t *tile_offsets;
-  int64_t tile_count;
+  int64_t tile_count; /**< tiles of tile_offsets */
 } pinball_contact_mesh;
 
 /** One vector per node: pointers to the components of the first node, and the distance from one node to the next in
@@ -161,14 +160,18 @@ typedef struct pinball_contact_mesh {
  * velocities with x, x + 1, x + 2 and stride 4, aligned to four numbers, are records of four, which are used in place:
  * the fourth number of each node must be readable. */
 typedef struct pinball_contact_input {
-  const void *x, *y, *z;
-  int64_t stride;
+  const void *x;  /**< first component of the first node */
+  const void *y;  /**< second component */
+  const void *z;  /**< third component */
+  int64_t stride; /**< numbers from one node to the next */
 } pinball_contact_input;
 
 /** The same for what is added to. */
 typedef struct pinball_contact_output {
-  void *x, *y, *z;
-  int64_t stride;
+  void *x;        /**< first component of the first node */
+  void *y;        /**< second component */
+  void *z;        /**< third component */
+  int64_t stride; /**< numbers from one node to the next */
 } pinball_contact_output;
 
 /** The host's arrays in a step. To be filled by pinball_contact_arrays_init first; the same for both calls of a step. */
@@ -205,11 +208,11 @@ typedef struct pinball_contact_result {
 } pinball_contact_result;
 
 /** Fills in the defaults that are named above, after the semicolons. Null is let be. */
-PINBALL_CONTACT_API void pinball_contact_options_init(pinball_contact_options *options);
+PINBALL_API void pinball_contact_options_init(pinball_contact_options *options);
 /** Empty: no nodes, elements, spheres or held directions. Null is let be. */
-PINBALL_CONTACT_API void pinball_contact_mesh_init(pinball_contact_mesh *mesh);
+PINBALL_API void pinball_contact_mesh_init(pinball_contact_mesh *mesh);
 /** Empty: no arrays. Null is let be. */
-PINBALL_CONTACT_API void pinball_contact_arrays_init(pinball_contact_arrays *arrays);
+PINBALL_API void pinball_contact_arrays_init(pinball_contact_arrays *arrays);
 
 /**
  * Makes an instance.
@@ -218,16 +221,16 @@ PINBALL_CONTACT_API void pinball_contact_arrays_init(pinball_contact_arrays *arr
  * @param contact        receives the instance; after an error one that is only good for pinball_contact_message and
  *                       pinball_contact_destroy, or null where there is no memory or `contact` itself is null
  */
-PINBALL_CONTACT_API int pinball_contact_create(const pinball_contact_options *options, const pinball_contact_mesh *mesh,
+PINBALL_API int pinball_contact_create(const pinball_contact_options *options, const pinball_contact_mesh *mesh,
                                                const pinball_contact_input *position, pinball_contact **contact);
 /** Frees an instance. Null is let be. */
-PINBALL_CONTACT_API void pinball_contact_destroy(pinball_contact *contact);
+PINBALL_API void pinball_contact_destroy(pinball_contact *contact);
 
 /**
  * Takes in where everything is, and searches when needed.
  * @param dt_before  length of the step just made, from t_(n-1) to t_n; 0 in the first [time]
  */
-PINBALL_CONTACT_API int pinball_contact_update(pinball_contact *contact, const pinball_contact_arrays *arrays,
+PINBALL_API int pinball_contact_update(pinball_contact *contact, const pinball_contact_arrays *arrays,
                                                double dt_before);
 /**
  * Adds the contact forces to the force array.
@@ -235,11 +238,11 @@ PINBALL_CONTACT_API int pinball_contact_update(pinball_contact *contact, const p
  *                  it [time]
  * @param result    written unless the call fails; may be null
  */
-PINBALL_CONTACT_API int pinball_contact_add_forces(pinball_contact *contact, const pinball_contact_arrays *arrays,
+PINBALL_API int pinball_contact_add_forces(pinball_contact *contact, const pinball_contact_arrays *arrays,
                                                    double dt_after, pinball_contact_result *result);
 
 /** What the last call on this instance failed with; "" if it did not. Valid until the next call on it. */
-PINBALL_CONTACT_API const char *pinball_contact_message(const pinball_contact *contact);
+PINBALL_API const char *pinball_contact_message(const pinball_contact *contact);
 
 #ifdef __cplusplus
 }

@@ -14,6 +14,7 @@ namespace pinball {
 /// A call that failed; what() is pinball_contact_message.
 class EmbeddedContactError : public std::runtime_error {
  public:
+  /// status: pinball_contact_status.
   EmbeddedContactError(int status, const char* message) : std::runtime_error(message), status_(status) {}
   int status() const { return status_; }  ///< pinball_contact_status
 
@@ -27,11 +28,13 @@ inline pinball_contact_options contact_options() {
   pinball_contact_options_init(&options);
   return options;
 }
+/// The same.
 inline pinball_contact_mesh contact_mesh() {
   pinball_contact_mesh mesh;
   pinball_contact_mesh_init(&mesh);
   return mesh;
 }
+/// The same.
 inline pinball_contact_arrays contact_arrays() {
   pinball_contact_arrays arrays;
   pinball_contact_arrays_init(&arrays);
@@ -63,7 +66,9 @@ class EmbeddedContact {
     throw error;
   }
   ~EmbeddedContact() { pinball_contact_destroy(contact_); }
+  /// Leaves an object that may only be destroyed or assigned to.
   EmbeddedContact(EmbeddedContact&& other) noexcept : contact_(std::exchange(other.contact_, nullptr)) {}
+  /// The other one takes what this one was.
   EmbeddedContact& operator=(EmbeddedContact&& other) noexcept {
     std::swap(contact_, other.contact_);
     return *this;

@@ -8,13 +8,13 @@ import sys
 
 
 def declared(headers):
-    """Names of functions and classes that PINBALL_API, or PINBALL_CONTACT_API, stands before."""
+    """Names of functions and classes that PINBALL_API stands before."""
     names = set()
     for header in headers:
         text = re.sub(r"/\*.*?\*/|//[^\n]*", "", header.read_text(), flags=re.S)
         text = re.sub(r"#\s*define[^\n]*", "", text)
-        names |= set(re.findall(r"(?:class|struct) PINBALL_(?:CONTACT_)?API (\w+)", text))
-        names |= set(re.findall(r"(?<!class )(?<!struct )PINBALL_(?:CONTACT_)?API [^;{(]*?(\w+)\(", text))
+        names |= set(re.findall(r"(?:class|struct) PINBALL_API (\w+)", text))
+        names |= set(re.findall(r"(?<!class )(?<!struct )PINBALL_API [^;{(]*?(\w+)\(", text))
     return names
 
 
