@@ -53,6 +53,7 @@ int main() {
     position[3 * i] = start[i];
   }
 
+  // [create]
   pinball_contact_options options;
   pinball_contact_options_init(&options);
   options.damping = 0;
@@ -67,6 +68,7 @@ int main() {
   const pinball_contact_input where{&position[0], &position[1], &position[2], 3};
   pinball_contact* contact = nullptr;
   check(pinball_contact_create(&options, &mesh, &where, &contact), contact);
+  // [create]
 
   pinball_contact_arrays arrays;
   pinball_contact_arrays_init(&arrays);
