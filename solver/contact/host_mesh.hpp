@@ -23,9 +23,12 @@ struct HostVectors {
   std::array<S, 3> operator[](std::int64_t node) const {
     return {x[node * stride], y[node * stride], z[node * stride]};
   }
+  /// Whether the components of a node lie beside each other; then the number behind those of any node but the last can
+  /// be read.
+  bool are_together() const { return stride >= 3 && y == x + 1 && z == x + 2; }
   /// Whether they lie as node records do (gather.hpp).
   bool are_records() const {
-    return stride == 4 && y == x + 1 && z == x + 2 && reinterpret_cast<std::uintptr_t>(x) % (4 * sizeof(S)) == 0;
+    return stride == 4 && are_together() && reinterpret_cast<std::uintptr_t>(x) % (4 * sizeof(S)) == 0;
   }
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <pinball/contact/faces.hpp>
 #include <pinball/contact/host_error.hpp>
 #include <pinball/contact/host_model.hpp>
@@ -18,6 +19,24 @@ double undeformed_volume(const ContactElement& element) {
   const HexahedronModes<double> modes = to_modes(x);
   return hexahedron_volume(uniform_gradient(modes), modes);
 }
+
+/// Whether some of many records of four are not finite: the zeros summed are numbers no more. Two sums, so that one
+/// need not wait for the other; of whole records, which is one instruction.
+template <class S>
+class FiniteCheck {
+ public:
+  void take(const S (&v)[4], std::int64_t i) {
+    for (std::size_t k = 0; k < 4; ++k) zero_[i & 1][k] += S(0) * v[k];
+  }
+  bool fails() const {
+    S sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) sum += zero_[0][k] + zero_[1][k];
+    return !(sum == S(0));
+  }
+
+ private:
+  S zero_[2][4] = {};
+};
 
 }  // namespace
 
@@ -129,6 +148,7 @@ ContactStart HostModel<S>::start(const pinball_contact_input& where, bool with_h
     if (topology.exposed[slot] != 0) watch(static_cast<std::int64_t>(slot));
   }
   ContactStart start{std::move(topology), with_held ? HeldDirections(mesh_.nodes(), mesh_.held()) : HeldDirections()};
+  std::sort(watched_.begin(), watched_.end());
   this->position = gather(where, positions_, watched_, "position");
   mesh_.forget_arguments();
   return start;
@@ -169,8 +189,10 @@ std::vector<std::int64_t> HostModel<S>::take_alive(const pinball_contact_arrays&
       if (now == 0) eroded.push_back(slot);
     }
   };
+  const std::size_t watched_before = watched_.size();
   take(alive_, 0, mesh_.elements());
   take(sphere_alive_, mesh_.elements(), mesh_.all());
+  if (watched_.size() != watched_before) std::sort(watched_.begin(), watched_.end());
   return eroded;
 }
 
@@ -180,19 +202,27 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
   const HostVectors<S> vectors(from);
   const bool in_place = vectors.are_records();
   if (!in_place && records.empty()) records.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
-  S* const record = records.data();
+  S* const record = in_place ? nullptr : records.data();
+  const std::int32_t last = vectors.are_together() ? mesh_.nodes() - 1 : 0;
   bool wrong = false;
   parallel_reduce(
       "gather nodes", RangePolicy<>{0, static_cast<std::int64_t>(nodes.size())}, wrong,
       [&](std::int64_t begin, std::int64_t end, bool& partial) {
-        S zero = 0;  // turns into one that is not a number with the first that is not finite
+        FiniteCheck<S> check;
         for (std::int64_t i = begin; i < end; ++i) {
           const std::int32_t node = nodes[static_cast<std::size_t>(i)];
-          const std::array<S, 3> v = vectors[node];
-          zero += S(0) * v[0] + S(0) * v[1] + S(0) * v[2];
-          if (!in_place) std::copy(v.begin(), v.end(), record + 4 * std::int64_t{node});
+          S v[4];
+          if (node < last) {
+            std::memcpy(v, vectors.x + node * vectors.stride, sizeof v);
+          } else {
+            const std::array<S, 3> x = vectors[node];
+            std::memcpy(v, x.data(), sizeof x);
+            v[3] = 0;
+          }
+          check.take(v, i);
+          if (record != nullptr) std::memcpy(record + 4 * std::int64_t{node}, v, sizeof v);
         }
-        partial = !(zero == S(0));
+        partial = check.fails();
       },
       [](bool& whole, bool partial) { whole = whole || partial; });
   for (std::size_t i = 0; wrong && i < nodes.size(); ++i) {
@@ -201,7 +231,7 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
     throw HostError(PINBALL_CONTACT_BAD_NUMBER, "arrays->", name, ": node ", nodes[i], " has ", v[0], ", ", v[1], ", ",
                     v[2]);
   }
-  return in_place ? vectors.x : record;
+  return in_place ? vectors.x : records.data();
 }
 
 template <class S>
@@ -240,9 +270,8 @@ void HostModel<S>::take_forces(const pinball_contact_arrays& arrays, const std::
   const HostVectors<S> host({arrays.force.x, arrays.force.y, arrays.force.z, arrays.force.stride});
   for (const std::int32_t node : nodes) {
     const std::array<S, 3> f = host[node];
-    S* const record = this->force + 4 * std::int64_t{node};
-    std::copy(f.begin(), f.end(), record);
-    record[3] = 0;
+    const S record[4] = {f[0], f[1], f[2], 0};
+    std::memcpy(this->force + 4 * std::int64_t{node}, record, sizeof record);
   }
 }
 

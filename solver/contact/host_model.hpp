@@ -54,7 +54,7 @@ class HostModel final : public ContactModel<S> {
   std::vector<S> reference_;           ///< undeformed places, three numbers per node [length]
   std::vector<double> mass_;           ///< of the spheres, and of the elements where the host does not give it [mass]
   std::int32_t masses_from_ = 0;       ///< first element whose mass is in it
-  std::vector<std::int32_t> watched_;  ///< nodes that contact may look at
+  std::vector<std::int32_t> watched_;  ///< nodes that contact may look at, ascending
   std::vector<std::uint8_t> is_watched_;
   std::vector<std::uint8_t> alive_before_;                         ///< per element and sphere
   const std::uint8_t *alive_ = nullptr, *sphere_alive_ = nullptr;  ///< of the host, during a call
