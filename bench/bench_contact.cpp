@@ -8,9 +8,10 @@
 
 #include <cmath>
 #include <numeric>
+#include <pinball/contact/pair_forces.hpp>
+#include <pinball/contact/tile_size.hpp>
 #include <pinball/kernels/spatial_hash.hpp>
 #include <pinball/solver/ordering.hpp>
-#include <pinball/solver/pair_forces.hpp>
 #include <random>
 #include <utility>
 #include <vector>

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <pinball/contact/aligned_array.hpp>
 #include <pinball/kernels/simd.hpp>
-#include <pinball/solver/aligned_array.hpp>
 
 namespace pinball::bench {
 

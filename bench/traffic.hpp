@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <pinball/contact/surface.hpp>
 #include <pinball/solver/model.hpp>
-#include <pinball/solver/surface.hpp>
+#include <pinball/solver/model_contact.hpp>
 
 /// Bytes that a stage of the step has to move at least when nothing stays in a cache: every array that it reads once,
 /// and those that it also writes twice. They follow from the layout of the stores alone.
@@ -28,7 +29,7 @@ double integration_traffic(const Model<S>& model) {
 /// Exposed faces: the segments of a slideline.
 template <class S>
 std::int64_t exposed_faces(const Model<S>& model) {
-  return Surface(model).exposed_faces();
+  return Surface(surface_topology(model)).exposed_faces();
 }
 
 /// Records of four numbers that a stage reads (once) or writes (twice: a line is read before it is written).

@@ -23,12 +23,13 @@ add_library(pinball_codegen INTERFACE)
 # No -ffast-math: NaN and infinity must stay visible, and sums keep their order.
 target_compile_options(pinball_codegen INTERFACE -fno-math-errno -fno-trapping-math -ffp-contract=fast)
 
+# Compilers split 512-bit vectors in two for some processors unless told that they are wanted.
+check_cxx_compiler_flag(-mprefer-vector-width=512 PINBALL_HAS_PREFER_VECTOR_WIDTH)
+
 if(PINBALL_SIMD STREQUAL "avx2")
   target_compile_options(pinball_codegen INTERFACE -march=haswell)
 elseif(PINBALL_NATIVE)
   target_compile_options(pinball_codegen INTERFACE -march=native)
-  # Compilers split 512-bit vectors in two for some processors unless told that they are wanted.
-  check_cxx_compiler_flag(-mprefer-vector-width=512 PINBALL_HAS_PREFER_VECTOR_WIDTH)
   if(PINBALL_HAS_PREFER_VECTOR_WIDTH)
     target_compile_options(pinball_codegen INTERFACE -mprefer-vector-width=512)
   endif()

@@ -36,6 +36,7 @@ BoundaryConditions<S>::BoundaryConditions(const Model<S>& model) : damping_(mode
 template <class S>
 void BoundaryConditions<S>::apply(Model<S>& model, double time, const StepLengths& step, const DueSpans& due) {
   if (!loads_.empty()) add_loads(model, time);
+  if (!host_forces_.empty()) add_host_forces(model);
   if (damping_ > 0) add_damping(model);
   std::fill(reaction_.begin(), reaction_.end(), S(0));
   hold(model, time, step, due);
@@ -65,6 +66,20 @@ void BoundaryConditions<S>::add_loads(Model<S>& model, double time) {
       for (int k = 0; k < 3; ++k) f[k] += load.share[i] * load.present[k];
     }
   }
+}
+
+template <class S>
+AlignedArray<S>& BoundaryConditions<S>::host_forces(const Model<S>& model) {
+  if (host_forces_.empty()) host_forces_.reset(model.nodes.force.size());
+  any_ = acts_ = true;
+  return host_forces_;
+}
+
+template <class S>
+void BoundaryConditions<S>::add_host_forces(Model<S>& model) const {
+  parallel_for("host forces", RangePolicy<>{0, model.nodes.count}, [&](std::int64_t n) {
+    for (std::int64_t k = 4 * n; k < 4 * n + 3; ++k) model.nodes.force.data()[k] += host_forces_.data()[k];
+  });
 }
 
 /// f = -a m v, with the velocity of the middle of the step before.
@@ -155,13 +170,23 @@ ExternalWork BoundaryConditions<S>::work_of_step(const Model<S>& model, const St
         },
         [](ExternalWork& whole, const ExternalWork& partial) { whole.add(partial); });
   }
+  if (!host_forces_.empty()) {
+    parallel_reduce(
+        "work of host forces", RangePolicy<>{0, nodes.count}, sum,
+        [&](std::int64_t begin, std::int64_t end, ExternalWork& partial) {
+          for (std::int64_t n = begin; n < end; ++n) {
+            partial.add(work_on(static_cast<std::int32_t>(n), host_forces_.data() + 4 * n));
+          }
+        },
+        [](ExternalWork& whole, const ExternalWork& partial) { whole.add(partial); });
+  }
   sum.add(walls_.work(model, step));
   return sum;
 }
 
 template <class S>
 std::size_t BoundaryConditions<S>::bytes() const {
-  std::size_t sum = walls_.bytes() + reaction_.size() * sizeof(S);
+  std::size_t sum = walls_.bytes() + reaction_.size() * sizeof(S) + host_forces_.bytes();
   for (const Load& load : loads_) sum += load.nodes.size() * (sizeof(std::int32_t) + sizeof(S));
   return sum;
 }

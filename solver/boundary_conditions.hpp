@@ -1,17 +1,18 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/solver/external_work.hpp>
+#include <pinball/contact/external_work.hpp>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_spans.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/rigid_walls.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {
 
-/// What acts on the nodes from outside: loads, damping, constraints, prescribed velocities and rigid walls, in this
+/// What acts on the nodes from outside: loads (the scene's and the host's), damping, constraints, prescribed velocities
+/// and rigid walls, in this
 /// order, each of them with the last word over those before. All of them act through the force of a node, so that
 /// integration and energies need not know of them.
 template <class S>
@@ -32,6 +33,11 @@ class BoundaryConditions {
   void complete(Model<S>& model, const StepLengths& step);
 
   double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
+  /// Counts work that was done between two steps.
+  void add_work(double work) { done_ += work; }
+  /// Forces that a host adds in every step, in records of four like those of the nodes; zero at first, and then what
+  /// the host writes. They are no part of the state that is saved.
+  AlignedArray<S>& host_forces(const Model<S>& model);
   void persist(StateArchive& archive) {
     archive(done_, last_);
     walls_.persist(archive);
@@ -48,6 +54,7 @@ class BoundaryConditions {
     std::array<S, 3> present{};  ///< total, at the time of the forces [force]
   };
   void add_loads(Model<S>& model, double time);
+  void add_host_forces(Model<S>& model) const;
   void add_damping(Model<S>& model);
   void constrain(Model<S>& model, const DueSpans& due) const;
   void prescribe(Model<S>& model, double time, const StepLengths& step);
@@ -56,7 +63,8 @@ class BoundaryConditions {
   bool any_ = false, acts_ = false;               ///< acts_: does work
   std::vector<std::size_t> constraints_of_span_;  ///< first of each span of nodes; spans + 1 entries
   std::vector<Load> loads_;
-  double damping_ = 0;  ///< [1/time]
+  AlignedArray<S> host_forces_;  ///< empty until asked for [force]
+  double damping_ = 0;           ///< [1/time]
   std::vector<TimeTable> velocity_tables_;
   std::vector<S> reaction_;  ///< per NodePrescription of the model [force]
   RigidWalls<S> walls_;

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <pinball/version.h>
 
 #include <array>
 #include <cstring>

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/scene.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <span>
 #include <string>
 #include <utility>

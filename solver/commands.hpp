@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <pinball/solver/export.hpp>
 #include <pinball/solver/scene.hpp>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ struct SceneOptions {
 };
 
 struct RunOptions : SceneOptions {
-  std::string out;                    ///< folder for the results; empty: out/<scene>, or that of the checkpoint
+  std::string out;                    ///< folder for the results; empty: out/SCENE, or that of the checkpoint
   std::int64_t checkpoint_every = 0;  ///< steps or cycles; 0: no checkpoints
   std::string restart;                ///< checkpoint to go on from, in place of a scene; empty: none
 };
@@ -35,15 +36,15 @@ struct VerifyOptions {
 };
 
 /// Runs a scene, or goes on with a run from its checkpoint, and writes its results.
-int run_command(const RunOptions& options);
+PINBALL_API int run_command(const RunOptions& options);
 
 /// Prints what a scene holds, what will run and what is skipped.
-int info_command(const RunOptions& options);
+PINBALL_API int info_command(const RunOptions& options);
 
 /// Runs a scene with each combination of values, side by side, and prints one table; 1 if a variant fails.
-int compare_command(const CompareOptions& options);
+PINBALL_API int compare_command(const CompareOptions& options);
 
 /// Runs the verification scenes and compares them with their references; 1 if one fails.
-int verify_command(const VerifyOptions& options);
+PINBALL_API int verify_command(const VerifyOptions& options);
 
 }  // namespace pinball

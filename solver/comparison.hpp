@@ -35,7 +35,7 @@ struct ComparisonSettings {
   bool quiet = false;  ///< no progress
 };
 
-/// Runs all variants to their ends; each ends in the state that simulate() gives. Within a repeat all of them are in
+/// Runs all variants to their ends; each ends in the state that a Simulation gives. Within a repeat all of them are in
 /// memory and take turns by a fiftieth of their run (or a few steps, where that is more), in an order that is reversed
 /// from round to round. Times are those of a variant's own steps, from the first on; no files are written.
 /// A variant that fails drops out. Throws RunError if two repeats of one variant differ: see check_repeat.

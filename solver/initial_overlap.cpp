@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <pinball/contact/point.hpp>
 #include <pinball/kernels/hexahedron.hpp>
 #include <pinball/solver/initial_overlap.hpp>
-#include <pinball/solver/point.hpp>
 
 namespace pinball {
 

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <pinball/solver/colouring.hpp>
+#include <pinball/contact/colouring.hpp>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/resting_tiles.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 #include <vector>

@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <pinball/contact/point.hpp>
 #include <vector>
 
 namespace pinball {
-
-using Point = std::array<double, 3>;
 
 /// What a generator or a reader produces: points and hexahedra, nothing else.
 ///

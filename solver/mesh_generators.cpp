@@ -40,6 +40,7 @@ Mesh generate(const MeshSettings& settings) {
     Mesh operator()(const RoundNosedRodMesh& rod) const { return generate_round_nosed_rod(rod); }
     Mesh operator()(const CylinderMesh& cylinder) const { return generate_cylinder(cylinder); }
     Mesh operator()(const SphereMesh& sphere) const { return generate_sphere(sphere); }
+    Mesh operator()(const ArrayMesh& arrays) const { return copy_mesh(arrays); }
     Mesh operator()(const GmshMesh& gmsh) const {
       Mesh mesh = read_gmsh(gmsh.file, gmsh.physical);
       for (Point& node : mesh.nodes)

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <pinball/contact/point.hpp>
 #include <pinball/solver/mesh_quality.hpp>
-#include <pinball/solver/point.hpp>
 
 namespace pinball {
 namespace {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <pinball/contact/point.hpp>
+#include <pinball/contact/tile_size.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/ordering.hpp>
-#include <pinball/solver/point.hpp>
+#include <pinball/solver/scene_rules.hpp>
 #include <pinball/solver/step_levels.hpp>
 #include <random>
 #include <utility>
@@ -31,10 +33,7 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   c.material.erosion_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
   c.material.density = static_cast<S>(material.density);
   c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
-  const double coefficient = scene.element.hourglass_coefficient >= 0
-                                 ? scene.element.hourglass_coefficient
-                                 : default_hourglass_coefficient(scene.element.hourglass);
-  c.hourglass_coefficient = static_cast<S>(coefficient);
+  c.hourglass_coefficient = static_cast<S>(scene.element.hourglass_coefficient);
   c.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass_coefficient);
   c.linear_viscosity = static_cast<S>(scene.element.linear_viscosity);
   c.quadratic_viscosity = static_cast<S>(scene.element.quadratic_viscosity);
@@ -140,7 +139,8 @@ void set_initial_velocity(Model<S>& model) {
 std::size_t material_index(const Scene& scene, const std::string& name) {
   const auto found =
       std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
-  if (found == scene.materials.end()) throw InputError(fmt::format("{}: no material named {}", scene.path, name));
+  if (found == scene.materials.end())
+    throw InputError(fmt::format("{}no material named {}", message_head(scene), name));
   return static_cast<std::size_t>(found - scene.materials.begin());
 }
 
@@ -153,11 +153,16 @@ std::size_t Model<S>::bytes() const {
 }
 
 template <class S>
-Model<S> build_model(const Scene& scene) {
+Model<S> build_model(const Scene& given) {
   constexpr int W = ElementStore<S>::width;
   Model<S> model;
-  model.scene = scene;
+  model.scene = given;
+  complete_scene(model.scene);
+  const Scene& scene = model.scene;
   model.mesh = build_mesh(scene);
+  for (Body& body : model.scene.bodies) {
+    if (std::holds_alternative<ArrayMesh>(body.mesh)) body.mesh = ArrayMesh{};  // the host's arrays may go now
+  }
   const std::size_t count = model.mesh.hexahedra.size();
 
   ElementStoreFeatures store_features;
@@ -233,9 +238,9 @@ Model<S> build_model(const Scene& scene) {
     const S inverse = static_cast<S>(1.0 / model.node_mass[n]);
     if (!(inverse > S(0)) || !std::isfinite(inverse)) {
       throw InputError(
-          fmt::format("{}: a node has the mass {:.6g}, which {} precision cannot divide by: expected another density, "
+          fmt::format("{}a node has the mass {:.6g}, which {} precision cannot divide by: expected another density, "
                       "size of elements or unit of mass",
-                      scene.path, model.node_mass[n], sizeof(S) == sizeof(double) ? "double" : "single"));
+                      message_head(scene), model.node_mass[n], sizeof(S) == sizeof(double) ? "double" : "single"));
     }
     model.nodes.inverse_mass[n] = inverse;
   }

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/solver/colouring.hpp>
+#include <pinball/contact/colouring.hpp>
 #include <pinball/solver/scene.hpp>
 #include <pinball/solver/stores.hpp>
 #include <string>
@@ -77,6 +77,9 @@ struct Model {
   std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
   std::size_t bytes() const;  ///< of all arrays of the size of the mesh
 };
+
+/// How a message about a scene begins: "FILE: ", or nothing for a scene that was made in code.
+std::string message_head(const Scene& scene);
 
 /// Number of the material of that name. Throws InputError if there is none.
 std::size_t material_index(const Scene& scene, const std::string& name);

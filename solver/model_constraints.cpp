@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <pinball/contact/point.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_selection.hpp>
-#include <pinball/solver/point.hpp>
 
 namespace pinball {
 

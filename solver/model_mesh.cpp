@@ -49,16 +49,29 @@ double diameter(const ModelMesh& mesh, const std::array<std::int32_t, 8>& hexahe
   return largest;
 }
 
+/// Files and generators name what is wrong; of arrays only the scene knows to which body they belong.
+Mesh mesh_of(const Body& body) {
+  const auto* arrays = std::get_if<ArrayMesh>(&body.mesh);
+  if (arrays == nullptr) return generate(body.mesh);
+  try {
+    return copy_mesh(*arrays);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("body.{}.{}", body.name, error.what()));
+  }
+}
+
 }  // namespace
+
+std::string message_head(const Scene& scene) { return scene.path.empty() ? "" : scene.path + ": "; }
 
 ModelMesh build_mesh(const Scene& scene) {
   ModelMesh all;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
-    Mesh mesh = generate(body.mesh);
+    Mesh mesh = mesh_of(body);
     place(mesh, body);
     if (all.nodes.size() + mesh.nodes.size() > 2'000'000'000 / 4) {
-      throw InputError(fmt::format("{}: body {}: more than 500 million nodes", scene.path, body.name));
+      throw InputError(fmt::format("{}body {}: more than 500 million nodes", message_head(scene), body.name));
     }
     const auto offset = static_cast<std::int32_t>(all.nodes.size());
     all.nodes.insert(all.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
@@ -69,8 +82,8 @@ ModelMesh build_mesh(const Scene& scene) {
       const double volume = element_volume(all, all.hexahedra.size() - 1);
       // A flat element has a volume of round-off, of either sign.
       if (!(volume > 1e-12 * std::pow(diameter(all, hexahedron), 3))) {
-        throw InputError(fmt::format("{}: body {}: element {} is inverted or flat: its volume is {:.6g}, expected > 0",
-                                     scene.path, body.name, e, volume));
+        throw InputError(fmt::format("{}body {}: element {} is inverted or flat: its volume is {:.6g}, expected > 0",
+                                     message_head(scene), body.name, e, volume));
       }
     }
     all.body.insert(all.body.end(), mesh.hexahedra.size(), static_cast<std::int32_t>(b));

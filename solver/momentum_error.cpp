@@ -1,6 +1,6 @@
 #include <cmath>
+#include <pinball/contact/point.hpp>
 #include <pinball/solver/momentum_error.hpp>
-#include <pinball/solver/point.hpp>
 
 namespace pinball {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <pinball/contact/point.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/node_selection.hpp>
-#include <pinball/solver/point.hpp>
 
 namespace pinball {
 

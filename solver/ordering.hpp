@@ -15,10 +15,6 @@ struct TileOrder {
   std::vector<std::int32_t> offsets;  ///< [tiles + 1], first 0
 };
 
-/// Elements of a tile of a mesh with so many: large enough that few of its nodes belong to other tiles, small enough
-/// that a small scene has several tiles per colour and thread.
-std::int64_t tile_size(std::int64_t elements);
-
 /// Cuts the elements into tiles of at most `largest`, as compact as may be, so that few nodes belong to several tiles:
 /// by halves, each time across the direction with the most layers of elements. Within a tile elements lie in rows, the
 /// rows in layers, so that neighbours in a row share nodes while these are in the nearest cache. Tiles come in the

@@ -8,7 +8,6 @@
 #include <pinball/solver/field_output.hpp>
 #include <pinball/solver/history.hpp>
 #include <pinball/solver/simulation.hpp>
-#include <pinball/solver/solver.hpp>
 #include <string>
 #include <vector>
 
@@ -47,30 +46,39 @@ struct RunRecord {
   void persist(StateArchive& archive) { archive(wall_seconds, history_bytes, fields); }
 };
 
+struct RecordOptions {
+  std::string out;                    ///< folder for the results; empty: nothing is written
+  bool quiet = false;                 ///< no progress
+  std::int64_t checkpoint_every = 0;  ///< steps, or cycles of them with subcycling, between checkpoints; 0: none
+  /// What the scene was read from, unchanged since: checkpoints and a last good state to restart from need it.
+  const SceneSource* source = nullptr;
+  /// The state to go on from; the scene is then that of its source.
+  const Checkpoint* restart = nullptr;
+};
+
 /// What a running scene writes; nothing for an empty folder. Keeps a copy of a state from before any trouble.
-template <class S>
 class Recorder {
  public:
-  /// With options.restart also brings the solver to that state. Throws InputError where it does not fit.
-  Recorder(const Scene& scene, Solver<S>& solver, const SimulationOptions& options);
+  /// With options.restart also brings the simulation to that state. Throws InputError where it does not fit.
+  Recorder(Simulation& simulation, const RecordOptions& options);
 
   /// Called after each step; last: also writes what is not due.
-  void record(Solver<S>& solver, bool last);
+  void record(Simulation& simulation, bool last);
   /// Writes the checkpoint after each options.checkpoint_every calls, and where the run is about to end.
-  void checkpoint(Solver<S>& solver, bool last);
-  /// Writes the state that was kept, for a restart and as a picture, for which the solver goes back to it. Returns a
-  /// sentence that names the files, or nothing.
-  std::string save_last_good(Solver<S>& solver);
+  void checkpoint(Simulation& simulation, bool last);
+  /// Writes the state that was kept, for a restart and as a picture, for which the simulation goes back to it. Returns
+  /// a sentence that names the files, or nothing.
+  std::string save_last_good(Simulation& simulation);
 
   double wall_seconds() const;  ///< of the whole run, also before a restart
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  RunRecord restart(const Checkpoint& checkpoint, Solver<S>& solver);
-  void open_files(const Scene& scene, const Solver<S>& solver, const std::optional<RunRecord>& kept);
-  void save(Solver<S>& solver);
-  void keep_state(Solver<S>& solver);
+  RunRecord restart(const Checkpoint& checkpoint, Simulation& simulation);
+  void open_files(const Simulation& simulation, const std::optional<RunRecord>& kept);
+  void save(Simulation& simulation);
+  void keep_state(Simulation& simulation);
   std::string path(const char* name) const;
 
   std::string folder_;
@@ -81,7 +89,7 @@ class Recorder {
   std::unique_ptr<HistoryWriter> history_;
   std::unique_ptr<FieldWriter> fields_;
   std::optional<CheckpointHead> head_;  ///< only for a scene whose source is known
-  StateBytes last_good_;                ///< RunRecord and Solver
+  StateBytes last_good_;                ///< RunRecord and Simulation
   Clock::time_point start_ = Clock::now(), next_copy_{};
   double wall_seconds_before_ = 0;
   std::int64_t checkpoint_every_, since_checkpoint_ = 0;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <pinball/kernels/exec.hpp>
 #include <pinball/solver/error.hpp>
-#include <pinball/solver/held_directions.hpp>
+#include <pinball/solver/model_contact.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/rigid_walls.hpp>
 
@@ -13,7 +13,7 @@ namespace pinball {
 template <class S>
 RigidWalls<S>::RigidWalls(const Model<S>& model) {
   if (model.scene.rigid_walls.empty()) return;
-  const HeldDirections held(model);
+  const HeldDirections held = held_directions(model);
   const double tolerance = 1e-9 * mesh_size(model.mesh);
   for (const RigidWall& given : model.scene.rigid_walls) {
     Wall wall{};

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/solver/external_work.hpp>
+#include <pinball/contact/external_work.hpp>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/results.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <vector>
 
 namespace pinball {

@@ -6,7 +6,7 @@
 #include <pinball/solver/commands.hpp>
 #include <pinball/solver/doubts.hpp>
 #include <pinball/solver/error.hpp>
-#include <pinball/solver/simulation.hpp>
+#include <pinball/solver/recorded_run.hpp>
 
 namespace pinball {
 
@@ -54,7 +54,7 @@ int restart_command(const RunOptions& options) {
   const std::filesystem::path file(options.restart);
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : std::string{'.'};
   const std::string& out = options.out.empty() ? folder : options.out;
-  print_result(simulate(scene, {out, options.quiet, options.checkpoint_every, &source, &checkpoint}), out);
+  print_result(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &source, &checkpoint}), out);
   return 0;
 }
 
@@ -67,7 +67,7 @@ int run_command(const RunOptions& options) {
   const SceneSource source = read_scene_source(find_scene(options.scene), options.overrides);
   const Scene scene = read_scene(source);
   const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
-  print_result(simulate(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr}), out);
+  print_result(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr}), out);
   return 0;
 }
 

@@ -1,31 +1,25 @@
 #pragma once
 
+#include <pinball/contact/export.h>
+
 #include <cstdint>
 #include <optional>
+#include <pinball/contact/contact_settings.hpp>
+#include <pinball/solver/array_mesh.hpp>
 #include <pinball/solver/mesh.hpp>
 #include <pinball/solver/scene_boundary.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
-/// A scene as the user wrote it: plain data with defaults, no arrays of the size of the mesh.
-/// Every field carries the TOML key that sets it. Units are the scene's own consistent set.
+/// A scene: plain data with defaults, read from a file or filled in by a host; no arrays of the size of the mesh.
+/// Every field carries the TOML key that sets it. Units are the scene's own consistent set. What is called "not set"
+/// below complete_scene() fills in (scene_rules.hpp).
 namespace pinball {
 
 enum class Precision { float32, float64 };
 enum class HourglassControl { none, viscous, stiffness, assumed_strain };
-enum class ContactMethod { none, pinball, slideline };
-enum class Enforcement { penalty, projection, lagrange };
-enum class ContactGap { pinball, face };
-enum class ContactRadius { initial, current };
 enum class NegativeVolume { stop, erode };
-
-/// As in the scene and in summary.json.
-inline const char* enforcement_name(Enforcement enforcement) {
-  return enforcement == Enforcement::penalty      ? "penalty"
-         : enforcement == Enforcement::projection ? "projection"
-                                                  : "lagrange";
-}
 
 /// Of the viscous and stiffness forms; of the assumed strains the factor on what the material gives [-].
 inline double default_hourglass_coefficient(HourglassControl control) {
@@ -46,29 +40,13 @@ struct TimeSettings {
 struct ElementSettings {
   /// element.hourglass = "none" | "viscous" | "stiffness" | "assumed_strain"
   HourglassControl hourglass = HourglassControl::assumed_strain;
-  /// element.hourglass_coefficient; where it is not set read_scene fills in default_hourglass_coefficient [-]
+  /// element.hourglass_coefficient; negative: not set, becomes default_hourglass_coefficient [-]
   double hourglass_coefficient = -1.0;
   bool bulk_viscosity = true;        ///< element.bulk_viscosity = true | false
   double linear_viscosity = 0.06;    ///< element.linear_viscosity: b1 [-]
   double quadratic_viscosity = 1.2;  ///< element.quadratic_viscosity: b2 [-]
   /// element.negative_volume = "stop" | "erode"; default: erode where a material erodes, stop elsewhere
   std::optional<NegativeVolume> negative_volume;
-};
-
-struct ContactSettings {
-  ContactMethod method = ContactMethod::none;       ///< contact.method = "none" | "pinball" | "slideline"
-  Enforcement enforcement = Enforcement::lagrange;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
-  /// contact.gap = "pinball" | "face"; where it is not set read_scene fills in pinball (penalty) or face
-  ContactGap gap = ContactGap::face;
-  double beta = 1.0;      ///< contact.beta: penalty factor of report eq. (3.11) [-]
-  double damping = 0.1;   ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
-  double friction = 0.0;  ///< contact.friction: Coulomb coefficient while sliding [-]
-  double static_friction =
-      0.0;  ///< contact.static_friction: at rest; where it is not set read_scene fills in friction [-]
-  ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
-  double radius_factor = 1.0;                     ///< contact.radius_factor: on the radius of (3.2) [-]
-  bool self = true;                               ///< contact.self: a body may touch itself
-  double skin = 0.5;  ///< contact.skin: scale of what a node may stray before lists are built anew, over its radius [-]
 };
 
 struct SkipSettings {
@@ -158,7 +136,8 @@ struct GmshMesh {
   double scale = 1.0;    ///< multiplies the coordinates
 };
 
-using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh, GmshMesh>;
+/// ArrayMesh has no form in TOML: it is for hosts.
+using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh, GmshMesh, ArrayMesh>;
 
 /// One [[body]] table.
 struct Body {
@@ -192,9 +171,8 @@ struct OutputSettings {
   bool every_step = false;          ///< output.interval = "step": a history row per step
   double field_interval = 0.0;      ///< output.field_interval: between field outputs [time]; 0: none
   std::vector<double> field_times;  ///< output.field_times: field output at these times [time]
-  /// output.fields: which of "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive";
-  /// read_scene fills in all where it is not set
-  std::vector<std::string> fields;
+  /// output.fields: which of these
+  std::vector<std::string> fields{"velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive"};
 };
 
 struct Scene {
@@ -233,7 +211,7 @@ struct SceneOverrides {
 };
 
 /// Reads, overrides and checks a scene. Throws InputError naming file, line, key and what was expected.
-Scene read_scene(const std::string& path, const SceneOverrides& overrides = {});
+PINBALL_API Scene read_scene(const std::string& path, const SceneOverrides& overrides = {});
 
 /// What a scene is read from, mesh files apart: enough to read the same scene again when its file has changed.
 struct SceneSource {
@@ -242,12 +220,12 @@ struct SceneSource {
   SceneOverrides overrides;
 };
 /// Throws InputError where there is no such file.
-SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides = {});
-Scene read_scene(const SceneSource& source);
+PINBALL_API SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides = {});
+PINBALL_API Scene read_scene(const SceneSource& source);
 
 /// A path as given if it is a file, else the scene NAME or NAME.toml in the first of these folders that has it:
 /// $PINBALL_DATA/scenes, data/scenes of the source tree, ../share/pinball/data/scenes beside the program.
 /// Throws InputError that lists the known scenes and names the nearest.
-std::string find_scene(const std::string& name_or_path);
+PINBALL_API std::string find_scene(const std::string& name_or_path);
 
 }  // namespace pinball

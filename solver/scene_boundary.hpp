@@ -26,7 +26,7 @@ struct Box {
 /// Which nodes: those of `body` that fulfil everything given, at their initial places; with `nearest`, the one of them
 /// that is nearest to the point (the first of several).
 struct NodeSelection {
-  std::string where{};           ///< "FILE:LINE:COLUMN: KEY" of the table, for messages
+  std::string where{};           ///< "FILE:LINE:COLUMN: KEY" of the table, for messages; "load.0" in a host's scene
   std::string body{};            ///< body; empty: of all bodies
   std::optional<Plane> plane{};  ///< plane = { point, normal }: on the plane
   std::optional<Line> line{};    ///< line = { point, direction }: on the line

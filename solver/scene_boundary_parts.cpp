@@ -26,10 +26,7 @@ NodeSelection read_selection(const SceneTable& table) {
   if (table.has("box")) {
     const SceneTable box = table.table("box", "box");
     nodes.box = Box{box.point("low", any_number), box.point("high", any_number)};
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (nodes.box->low[k] <= nodes.box->high[k]) continue;
-      box.fail("high", fmt::format("expected numbers >= low, got {} < {}", nodes.box->high[k], nodes.box->low[k]));
-    }
+    box.refuse(problem_of(*nodes.box));
   }
   if (table.has("nearest")) nodes.nearest = table.point("nearest", any_number);
   if (nodes.body.empty() && !nodes.plane && !nodes.line && !nodes.box && !nodes.nearest) {
@@ -40,15 +37,7 @@ NodeSelection read_selection(const SceneTable& table) {
 
 TimeTable read_time_table(const SceneTable& table) {
   TimeTable result{table.numbers("times", any_number), table.numbers("factors", any_number)};
-  if (result.times.size() != result.factors.size()) {
-    table.fail("factors", fmt::format("expected one number for each of the {} times, got {}", result.times.size(),
-                                      result.factors.size()));
-  }
-  for (std::size_t i = 1; i < result.times.size(); ++i) {
-    if (result.times[i] > result.times[i - 1]) continue;
-    table.fail("times",
-               fmt::format("expected increasing times, got {} after {}", result.times[i], result.times[i - 1]));
-  }
+  table.refuse(problem_of(result));
   return result;
 }
 
@@ -81,10 +70,9 @@ RigidWall read_rigid_wall(const SceneTable& table, std::size_t number) {
   RigidWall wall;
   wall.where = where_of(table);
   wall.name = table.has("name") ? table.name("name") : fmt::format("wall_{}", number);
-  wall.plane.point = table.point("point", any_number, wall.plane.point);
+  table.numbers_into(wall);
   wall.plane.normal = read_direction(table, "normal");
   wall.body = table.text("body", "");
-  wall.friction = table.number("friction", not_negative, wall.friction);
   return wall;
 }
 
@@ -107,13 +95,15 @@ PrescribedVelocity read_prescribed_velocity(const SceneTable& table) {
 NodalLoad read_load(const SceneTable& table) {
   NodalLoad load;
   load.nodes = read_selection(table);
-  load.force = table.point("force", any_number);
+  table.numbers_into(load);
   load.table = read_time_table(table);
   return load;
 }
 
 InitialVelocity read_initial_velocity(const SceneTable& table) {
-  return {read_selection(table), table.point("velocity", any_number)};
+  InitialVelocity given{read_selection(table), {}};
+  table.numbers_into(given);
+  return given;
 }
 
 Probe read_probe(const SceneTable& table) {
@@ -122,7 +112,7 @@ Probe read_probe(const SceneTable& table) {
   probe.name = table.name("name");
   probe.kind =
       table.choice<ProbeKind>("kind", {{"node", ProbeKind::node}, {"element", ProbeKind::element}}, probe.kind);
-  probe.point = table.point("point", any_number);
+  table.numbers_into(probe);
   probe.body = table.text("body", "");
   const auto& all = probe_quantities(probe.kind);
   probe.quantities = table.has("quantities") ? table.texts("quantities", all) : all;

@@ -32,11 +32,8 @@ void read_moduli(const SceneTable& table, Material& material) {
 
 Point read_direction(const SceneTable& table, std::string_view key) {
   Point vector = table.point(key, any_number);
+  table.refuse(direction_problem(key, vector));
   const double length = std::hypot(vector[0], vector[1], vector[2]);
-  if (!(length > 0.0) || !std::isfinite(length)) {
-    table.fail(key, fmt::format("expected a vector of non-zero, finite length, got [{}, {}, {}]", vector[0], vector[1],
-                                vector[2]));
-  }
   for (double& component : vector) component /= length;
   return vector;
 }
@@ -45,25 +42,17 @@ Material read_material(const SceneTable& table) {
   Material material;
   material.name = table.name("name");
   material.plastic = table.choice<bool>("model", {{"elastic", false}, {"von_mises", true}});
-  material.density = table.number("density", positive);
+  table.numbers_into(material);
   read_moduli(table, material);
 
   const double infinity = std::numeric_limits<double>::infinity();
-  const double yield_stress =
+  material.yield_stress =
       material.plastic ? table.number("yield_stress", positive) : table.number("yield_stress", positive, 0.0);
-  const double plastic_modulus = table.number("plastic_modulus", not_negative, 0.0);
-  const double ultimate_stress = table.number("ultimate_stress", positive, infinity);
-  const double erosion_strain = table.number("erosion_strain", not_negative, 0.0);
-  if (ultimate_stress < yield_stress) {
-    table.fail("ultimate_stress",
-               fmt::format("expected a number >= yield_stress = {}, got {}", yield_stress, ultimate_stress));
-  }
+  material.ultimate_stress = table.number("ultimate_stress", positive, infinity);
+  table.refuse(problem_of(material));
   // An elastic material may carry these keys, so that model alone turns plasticity off; it does not use them.
-  if (material.plastic) {
-    material.yield_stress = yield_stress;
-    material.plastic_modulus = plastic_modulus;
-    material.ultimate_stress = ultimate_stress;
-    material.erosion_strain = erosion_strain;
+  if (!material.plastic) {
+    material.yield_stress = material.plastic_modulus = material.ultimate_stress = material.erosion_strain = 0;
   }
   return material;
 }
@@ -73,19 +62,16 @@ Body read_body(const SceneTable& table, int refine) {
   body.name = table.name("name");
   body.material = table.text("material");
   body.mesh = read_mesh(table, refine);
-  body.position = table.point("position", any_number, body.position);
+  table.numbers_into(body);
   if (table.has("axis")) body.axis = read_direction(table, "axis");
-  body.velocity = table.point("velocity", any_number, body.velocity);
-  body.angular_velocity = table.point("angular_velocity", any_number, body.angular_velocity);
   body.velocity_gradient = table.matrix("velocity_gradient");
-  body.velocity_noise = table.number("velocity_noise", not_negative, body.velocity_noise);
   return body;
 }
 
 PlaneConstraint read_constraint(const SceneTable& table) {
   PlaneConstraint constraint;
   table.choice<int>("type", {{"symmetry", 0}});
-  constraint.point = table.point("point", any_number, constraint.point);
+  table.numbers_into(constraint);
   constraint.normal = read_direction(table, "normal");
   constraint.body = table.text("body", "");
   return constraint;

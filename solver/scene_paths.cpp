@@ -13,16 +13,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders that may hold scenes, the most particular first: what the user says, the source tree, what was installed.
+/// Folders that may hold scenes, the most particular first: what the user says, what was installed with this program,
+/// the source tree.
 std::vector<fs::path> scene_folders() {
   std::vector<fs::path> folders;
   if (const char* data = std::getenv("PINBALL_DATA"); data && *data) folders.push_back(fs::path(data) / "scenes");
-  folders.push_back(fs::path(PINBALL_SOURCE_DATA) / "scenes");
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
   if (!none) {
     folders.push_back((program.parent_path() / ".." / "share" / "pinball" / "data" / "scenes").lexically_normal());
   }
+  folders.push_back(fs::path(PINBALL_SOURCE_DATA) / "scenes");
   return folders;
 }
 

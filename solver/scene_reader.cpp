@@ -9,7 +9,6 @@
 #include <pinball/solver/scene_override.hpp>
 #include <pinball/solver/scene_parts.hpp>
 #include <pinball/solver/scene_table.hpp>
-#include <pinball/solver/text_distance.hpp>
 #include <sstream>
 
 namespace pinball {
@@ -18,10 +17,9 @@ namespace {
 
 TimeSettings read_time(const SceneTable& table) {
   TimeSettings time;
-  time.end = table.number("end", positive);
-  time.cfl = table.number("cfl", {.low = 0.0, .low_open = true, .high = 1.2}, time.cfl);
+  table.numbers_into(time);
   time.steps = table.integer("steps", -1, time.steps);
-  if (time.steps == 0) table.fail("steps", "expected an integer >= 1, or -1 for no limit, got 0");
+  table.refuse(problem_of(time));
   time.subcycling = table.boolean("subcycling", time.subcycling);
   return time;
 }
@@ -38,15 +36,13 @@ ElementSettings read_element(const SceneTable& table) {
   if (table.has("hourglass_coefficient") && !table.has("hourglass")) {
     table.fail("hourglass_coefficient", "needs hourglass beside it, the form that it is a coefficient of");
   }
-  element.hourglass_coefficient =
-      table.number("hourglass_coefficient", not_negative, default_hourglass_coefficient(element.hourglass));
   element.bulk_viscosity = table.boolean("bulk_viscosity", element.bulk_viscosity);
-  element.linear_viscosity = table.number("linear_viscosity", not_negative, element.linear_viscosity);
-  element.quadratic_viscosity = table.number("quadratic_viscosity", not_negative, element.quadratic_viscosity);
+  table.numbers_into(element);
   if (table.has("negative_volume")) {
     element.negative_volume = table.choice<NegativeVolume>(
         "negative_volume", {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
   }
+  complete(element);
   return element;
 }
 
@@ -60,74 +56,27 @@ ContactSettings read_contact(const SceneTable& table) {
       "enforcement",
       {{"penalty", Enforcement::penalty}, {"projection", Enforcement::projection}, {"lagrange", Enforcement::lagrange}},
       contact.enforcement);
-  const bool penalty = contact.enforcement == Enforcement::penalty;
-  contact.gap = table.choice<ContactGap>("gap", {{"pinball", ContactGap::pinball}, {"face", ContactGap::face}},
-                                         penalty ? ContactGap::pinball : ContactGap::face);
-  if (contact.method != ContactMethod::slideline && penalty && contact.gap == ContactGap::face) {
-    table.fail("gap", "\"face\" needs enforcement = \"projection\" or \"lagrange\" in this version");
-  }
-  contact.beta = table.number("beta", not_negative, contact.beta);
-  contact.damping = table.number("damping", not_negative, contact.damping);
-  contact.friction = table.number("friction", not_negative, contact.friction);
-  contact.static_friction = table.number("static_friction", not_negative, contact.friction);
-  if (contact.static_friction < contact.friction) {
-    table.fail("static_friction", fmt::format("expected a number >= friction = {:.6g}, got {:.6g}", contact.friction,
-                                              contact.static_friction));
-  }
-  if (contact.enforcement == Enforcement::projection && contact.static_friction > contact.friction) {
-    table.fail("static_friction", "another value than friction needs enforcement = \"lagrange\"");
-  }
-  if (penalty && contact.static_friction > 0) {
-    table.fail(table.has("friction") ? "friction" : "static_friction",
-               "expected 0: friction needs enforcement = \"projection\" or \"lagrange\"");
-  }
+  contact.gap =
+      table.choice<ContactGap>("gap", {{"pinball", ContactGap::pinball}, {"face", ContactGap::face}}, contact.gap);
+  table.numbers_into(contact);
   contact.radius = table.choice<ContactRadius>(
       "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
-  contact.radius_factor = table.number("radius_factor", positive, contact.radius_factor);
   contact.self = table.boolean("self", contact.self);
-  contact.skin = table.number("skin", not_negative, contact.skin);
+  complete(contact);
+  table.refuse(problem_of(contact));
   return contact;
 }
 
 OutputSettings read_output(const SceneTable& table) {
   OutputSettings output;
-  if (table.is_text("interval")) {
-    output.every_step = table.choice<bool>("interval", {{"step", true}});
-  } else {
-    output.interval = table.number("interval", not_negative, output.interval);
-  }
-  output.field_interval = table.number("field_interval", not_negative, output.field_interval);
+  output.every_step = table.is_text("interval") && table.choice<bool>("interval", {{"step", true}});
+  visit_numbers(output, [&](std::string_view key, double& value, const Bound& bound) {
+    if (key != "interval" || !output.every_step) value = table.number(key, bound, value);
+  });
   output.field_times = table.numbers("field_times", not_negative);
   std::sort(output.field_times.begin(), output.field_times.end());
-  const std::vector<std::string> all{"velocity",       "contact_force",  "stress",
-                                     "plastic_strain", "pinball_radius", "alive"};
-  output.fields = table.has("fields") ? table.texts("fields", all) : all;
+  if (table.has("fields")) output.fields = table.texts("fields", output.fields);
   return output;
-}
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& items) {
-  std::vector<std::string> names;
-  for (const auto& item : items) names.push_back(item.name);
-  return names;
-}
-
-/// Throws InputError if the text under a key is none of the names of materials or bodies.
-void check_reference(const SceneTable& table, std::string_view key, const std::string& kind,
-                     const std::vector<std::string>& names) {
-  const std::string name = table.text(key);
-  if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  const std::string hint = names.empty() ? fmt::format("the scene has no [[{}]]", kind)
-                                         : fmt::format("nearest is \"{}\"", nearest(name, names));
-  table.fail(key, fmt::format("no {} is named \"{}\", {}", kind, name, hint));
-}
-
-template <class Named>
-void check_unique(const SceneTable& table, const std::string& name, const std::vector<Named>& earlier) {
-  const auto names = names_of(earlier);
-  if (std::find(names.begin(), names.end(), name) != names.end()) {
-    table.fail("name", fmt::format("expected a name of its own, got \"{}\" a second time", name));
-  }
 }
 
 /// A mesh file is named relative to the folder of the scene. Throws InputError if there is none.
@@ -144,7 +93,8 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   const auto tables = [&](std::string_view key) {
     auto all = top.tables(key, key);
     for (const SceneTable& table : all) {
-      if (table.has("body")) check_reference(table, "body", "body", names_of(scene.bodies));
+      if (table.has("body"))
+        table.refuse(reference_problem("body", "body", table.text("body"), names_of(scene.bodies)));
     }
     return all;
   };
@@ -159,7 +109,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   }
   for (const auto& table : tables("rigid_wall")) {
     const RigidWall wall = read_rigid_wall(table, scene.rigid_walls.size());
-    check_unique(table, wall.name, scene.rigid_walls);
+    table.refuse(repetition(wall.name, names_of(scene.rigid_walls)));
     scene.rigid_walls.push_back(wall);
   }
   for (const auto& table : tables("prescribed_velocity")) {
@@ -171,8 +121,8 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   }
   for (const auto& table : tables("probe")) {
     const Probe probe = read_probe(table);
-    check_unique(table, probe.name, scene.probes);
-    check_unique(table, probe.name, scene.bodies);  // their columns in history.csv
+    table.refuse(repetition(probe.name, names_of(scene.probes)));
+    table.refuse(repetition(probe.name, names_of(scene.bodies)));  // their columns in history.csv
     scene.probes.push_back(probe);
   }
 }
@@ -195,14 +145,12 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   scene.skip.contact_search = skip.boolean("contact_search", scene.skip.contact_search);
   scene.skip.resting = skip.boolean("resting", scene.skip.resting);
   const SceneTable guard = top.table("guard", "guard");
-  scene.guard.energy_error = guard.number("energy_error", positive, scene.guard.energy_error);
-  scene.guard.time_step_collapse =
-      guard.number("time_step_collapse", {.low = 0.0, .high = 1.0}, scene.guard.time_step_collapse);
+  guard.numbers_into(scene.guard);
   scene.output = read_output(top.table("output", "output"));
 
   for (const auto& table : top.tables("material", "material")) {
     const Material material = read_material(table);
-    check_unique(table, material.name, scene.materials);
+    table.refuse(repetition(material.name, names_of(scene.materials)));
     scene.materials.push_back(material);
   }
   const auto bodies = top.tables("body", "body");
@@ -210,11 +158,11 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   for (const auto& table : bodies) {
     Body body = read_body(table, overrides.refine);
     if (auto* gmsh = std::get_if<GmshMesh>(&body.mesh)) find_mesh_file(table, *gmsh, path);
-    check_unique(table, body.name, scene.bodies);
-    check_reference(table, "material", "material", names_of(scene.materials));
+    table.refuse(repetition(body.name, names_of(scene.bodies)));
+    table.refuse(reference_problem("material", "material", body.material, names_of(scene.materials)));
     scene.bodies.push_back(body);
   }
-  scene.damping.mass = top.table("damping", "damping").number("mass", not_negative, scene.damping.mass);
+  top.table("damping", "damping").numbers_into(scene.damping);
   read_boundary(top, scene);
   return scene;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <limits>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/scene_table.hpp>
 #include <pinball/solver/text_distance.hpp>
@@ -78,18 +78,6 @@ std::string alternatives(const std::vector<std::string>& texts) {
   return joined;
 }
 
-bool Bound::holds(double value) const {
-  return std::isfinite(value) && (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
-}
-
-std::string Bound::describe() const {
-  std::string text = "a number";
-  if (std::isfinite(low)) text += fmt::format(" {} {}", low_open ? ">" : ">=", low);
-  if (std::isfinite(low) && std::isfinite(high)) text += " and";
-  if (std::isfinite(high)) text += fmt::format(" {} {}", high_open ? "<" : "<=", high);
-  return text == "a number" ? "a finite number" : text;
-}
-
 SceneTable::SceneTable(const toml::table& table, std::string path, std::string where, std::string_view kind)
     : table_(&table), path_(std::move(path)), where_(std::move(where)) {
   const TableKeys& known = keys_of(kind);
@@ -116,6 +104,10 @@ std::string SceneTable::where(std::string_view key) const {
 
 void SceneTable::fail(std::string_view key, const std::string& problem) const {
   pinball::fail(where(key), key_path(key), problem);
+}
+
+void SceneTable::refuse(const std::optional<Problem>& problem) const {
+  if (problem) fail(problem->key, problem->text);
 }
 
 void SceneTable::fail_missing(std::string_view key, const std::string& expected) const {
@@ -180,13 +172,8 @@ std::string SceneTable::text(std::string_view key) const {
 }
 
 std::string SceneTable::name(std::string_view key) const {
-  std::string name = text(key);
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  });
-  if (name.empty() || !plain) {
-    fail(key, fmt::format("expected a name of letters, digits, \"_\" and \"-\", got \"{}\"", name));
-  }
+  const std::string name = text(key);
+  refuse(name_problem(name));
   return name;
 }
 

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <pinball/solver/mesh.hpp>
+#include <pinball/solver/scene_numbers.hpp>
+#include <pinball/solver/scene_rules.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,21 +41,6 @@ std::string describe(const toml::node& node);
 /// The texts in quotes, joined as in: "a", "b" or "c".
 std::string alternatives(const std::vector<std::string>& texts);
 
-/// An interval of numbers that a key accepts.
-struct Bound {
-  double low = -std::numeric_limits<double>::infinity();
-  bool low_open = false;  ///< low itself is not accepted
-  double high = std::numeric_limits<double>::infinity();
-  bool high_open = false;
-
-  bool holds(double value) const;
-  std::string describe() const;  ///< "a number > 0 and <= 1.2"
-};
-
-inline constexpr Bound any_number{};
-inline constexpr Bound positive{.low = 0.0, .low_open = true};
-inline constexpr Bound not_negative{.low = 0.0};
-
 /// One table of the scene. Optional keys take the fallback, required ones are an error where they are missing.
 class SceneTable {
  public:
@@ -70,16 +57,29 @@ class SceneTable {
   /// Location of the value of a key; of the table if the key is missing.
   std::string where(std::string_view key) const;
   [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
+  /// Fails where there is a problem.
+  void refuse(const std::optional<Problem>& problem) const;
   [[noreturn]] void fail_missing(std::string_view key, const std::string& expected) const;
 
   double number(std::string_view key, const Bound& bound, double fallback) const;
   double number(std::string_view key, const Bound& bound) const;  ///< required
   std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t fallback) const;
   std::int64_t integer(std::string_view key, std::int64_t low) const;  ///< required
+  /// All numbers of a kind of table (scene_numbers.hpp); what is missing and not required stays as it is.
+  template <class Settings>
+  void numbers_into(Settings& settings) const {
+    visit_numbers(settings, [this](std::string_view key, auto& value, const Bound& bound, Need need = Need::optional) {
+      if constexpr (std::is_same_v<decltype(value), Point&>) {
+        value = need == Need::required ? point(key, bound) : point(key, bound, value);
+      } else {
+        value = need == Need::required ? number(key, bound) : number(key, bound, value);
+      }
+    });
+  }
   bool boolean(std::string_view key, bool fallback) const;
   std::string text(std::string_view key, const std::string& fallback) const;
   std::string text(std::string_view key) const;  ///< required
-  /// Required; letters, digits, "_" and "-" only, because names are parts of dotted keys and of column headings.
+  /// Required.
   std::string name(std::string_view key) const;
 
   Point point(std::string_view key, const Bound& bound, const Point& fallback) const;

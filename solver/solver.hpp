@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/boundary_conditions.hpp>
-#include <pinball/solver/contact.hpp>
 #include <pinball/solver/initial_overlap.hpp>
 #include <pinball/solver/internal_forces.hpp>
 #include <pinball/solver/model.hpp>
+#include <pinball/solver/model_contact.hpp>
 #include <pinball/solver/probes.hpp>
 #include <pinball/solver/results.hpp>
 #include <pinball/solver/skipped_work.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/subcycling.hpp>
 #include <pinball/solver/symmetry_walls.hpp>
 #include <pinball/solver/timers.hpp>
@@ -43,6 +43,12 @@ class Solver {
     internal_forces_.forget_resting();
     return model_;
   }
+  /// To change velocities before the next step. What that adds to the kinetic energy is work from outside; before the
+  /// first step it is part of what the run begins with. Throws InputError for a scene with subcycling, in which nodes
+  /// have several velocities.
+  AlignedArray<S>& change_velocities();
+  /// Forces that a host adds in every step (BoundaryConditions). Throws InputError where the program has none of them.
+  AlignedArray<S>& host_forces();
   const Contact<S>* contact() const { return contact_.get(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
   const Subcycling<S>* subcycling() const { return subcycling_ ? &*subcycling_ : nullptr; }
@@ -62,6 +68,7 @@ class Solver {
   std::int64_t eroded_elements() const { return eroded_elements_; }
 
   ProgressState progress_state() const;
+  std::vector<BodyResult> body_results() const;
   HistoryRow history_row() const;
   std::vector<std::string> more_columns() const;  ///< names of HistoryRow::more
   FieldSnapshot snapshot() const {
@@ -83,8 +90,10 @@ class Solver {
 
  private:
   void advance(bool last);
+  void take_changed_velocities();
+  double kinetic_energy_now() const;
   void make_step(std::int32_t step_of_cycle, bool last);
-  void search_contact();
+  void search_contact(const ModelContact<S>& contact_model);
   void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
   double integrate(std::int32_t step_of_cycle);
   DueSpans due_nodes(std::int32_t step_of_cycle) const {
@@ -94,7 +103,6 @@ class Solver {
   void check_finite(double energy) const;
   void check_energy() const;
   void check_time_step() const;
-  std::vector<BodyResult> body_results() const;
   std::string element_name(std::int64_t slot) const;
   std::string when() const;  ///< for messages
 
@@ -111,6 +119,7 @@ class Solver {
   std::int64_t steps_ = 0;
   Energies energies_;
   double damped_power_ = 0;
+  std::optional<double> kinetic_before_change_;  ///< velocities may have been changed since [energy]
   double initial_energy_ = 0, external_max_ = 0;
   Point initial_momentum_{};
   std::int64_t eroded_elements_ = 0;
@@ -118,7 +127,8 @@ class Solver {
   double balance_error_max_ = 0, penetration_ratio_max_ = 0;
   double contact_frequency2_ = 0;  ///< largest since the cycle began [1/time^2]
   std::int64_t pairs_ = 0, pairs_max_ = 0;
-  double longest_contact_step_;     ///< infinite without contact [time]
+  double
+      longest_contact_step_;  ///< from the velocities at the start or after a change; infinite without contact [time]
   InitialOverlap initial_overlap_;  ///< only looked for in a scene with contact
   double dt_min_ = 0, dt_max_ = 0;
   std::string dt_limited_by_;

@@ -17,7 +17,7 @@ Solver<S>::Solver(const Scene& scene)
       symmetry_walls_(model_),
       boundary_(model_),
       probes_(model_),
-      contact_(make_contact(model_)),
+      contact_(make_model_contact(model_)),
       longest_contact_step_(contact_ ? longest_contact_step(model_) : std::numeric_limits<double>::infinity()) {
   if (contact_) initial_overlap_ = find_initial_overlap(model_.mesh);
   require_built(model_, boundary_.any());
@@ -30,6 +30,7 @@ Solver<S>::Solver(const Scene& scene)
 
 template <class S>
 void Solver<S>::advance(bool last) {
+  if (kinetic_before_change_) take_changed_velocities();
   if (subcycling_ && steps_ > 0) {
     for (std::int32_t step = 1; step < subcycling_->cycle_steps(); ++step) make_step(step, false);
   }
@@ -54,14 +55,17 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
 
   // 4. Contact forces
   ContactResult contact;
+  const ModelContact<S> contact_model(model_);
   if (touching) {
-    timers_.measure(Phase::pinballs, [&] { contact_->update_surface(model_, internal_forces_.tiles()); });
-    search_contact();
+    timers_.measure(Phase::pinballs,
+                    [&] { contact_->update_surface(contact_model, eroded_slots(model_, internal_forces_.tiles())); });
+    search_contact(contact_model);
     if (contact_->by_impulses()) {
-      timers_.measure(Phase::contact_forces, [&] { contact_->prepare_impulses(model_, dt_); });
+      timers_.measure(Phase::contact_forces, [&] { contact_->prepare_impulses(contact_model, dt_); });
     } else {
-      contact = timers_.measure(Phase::contact_forces, [&] { return contact_->forces(model_, static_cast<S>(dt_)); });
-      timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(model_, contact); });
+      contact =
+          timers_.measure(Phase::contact_forces, [&] { return contact_->forces(contact_model, static_cast<S>(dt_)); });
+      timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(contact_model, contact); });
     }
   }
 
@@ -77,7 +81,7 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
                     [&] { boundary_.apply(model_, time_, step, due_nodes(step_of_cycle)); });
   }
   if (touching && contact_->by_impulses()) {
-    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(model_, step); });
+    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(contact_model, step); });
     timers_.measure(Phase::contact_forces, [&] { boundary_.hold(model_, time_, step, due_nodes(step_of_cycle)); });
   }
   if (bounded) {
@@ -127,10 +131,10 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
 
 /// Lists of what may touch; notes what building them has taken.
 template <class S>
-void Solver<S>::search_contact() {
+void Solver<S>::search_contact(const ModelContact<S>& contact_model) {
   const std::int64_t searches = contact_->searches();
   const double seconds = timers_.seconds(Phase::contact_search);
-  timers_.measure(Phase::contact_search, [&] { contact_->search(model_); });
+  timers_.measure(Phase::contact_search, [&] { contact_->search(contact_model); });
   if (contact_->searches() > searches) counts_.search_seconds += timers_.seconds(Phase::contact_search) - seconds;
 }
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <pinball/contact/faces.hpp>
 #include <pinball/kernels/hexahedron.hpp>
 #include <pinball/kernels/stable_time_step.hpp>
 #include <pinball/solver/exposed_faces.hpp>
-#include <pinball/solver/faces.hpp>
 #include <pinball/solver/node_selection.hpp>
 #include <pinball/solver/step_levels.hpp>
 

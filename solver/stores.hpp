@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <pinball/contact/aligned_array.hpp>
+#include <pinball/contact/packs.hpp>
 #include <pinball/kernels/element_update.hpp>
-#include <pinball/solver/aligned_array.hpp>
 
 /// The hot data: what a step touches, and nothing else. Layouts are those of the kernels' views.
 namespace pinball {
@@ -71,9 +72,7 @@ struct ElementStore {
   }
 
   /// Place of component c of slot s in an array of n components.
-  static std::size_t at(std::int64_t s, int c, int n) {
-    return static_cast<std::size_t>((s / width * n + c) * width + s % width);
-  }
+  static std::size_t at(std::int64_t s, int c, int n) { return place_in_packs<width>(s, c, n); }
 };
 
 }  // namespace pinball

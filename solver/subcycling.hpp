@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/model.hpp>
 #include <pinball/solver/node_spans.hpp>
-#include <pinball/solver/state_archive.hpp>
 #include <pinball/solver/step_levels.hpp>
 #include <pinball/solver/tile_kernels.hpp>
 #include <vector>

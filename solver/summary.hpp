@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pinball/solver/export.hpp>
 #include <pinball/solver/results.hpp>
 #include <string>
 
@@ -7,7 +8,7 @@ namespace pinball {
 
 /// The text of summary.json, indented, with a line break at its end. A number that is NaN or infinite becomes null;
 /// state_hash is a string of 16 hexadecimal digits; element_steps_per_second = elements * steps / wall_seconds.
-std::string summary_json(const RunSummary& summary);
+PINBALL_API std::string summary_json(const RunSummary& summary);
 
 /// Writes FOLDER/summary.json; it appears complete or not at all. Throws RunError that names the file.
 void write_summary(const std::string& folder, const RunSummary& summary);

@@ -113,12 +113,6 @@ class Halving {
 
 }  // namespace
 
-std::int64_t tile_size(std::int64_t elements) {
-  std::int64_t size = 32;
-  while (size < 2048 && size * 64 < elements) size *= 2;
-  return size;
-}
-
 TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Point>& extents,
                         std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple) {
   TileOrder tiles{std::move(elements), {0}};

@@ -3,7 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
-#include <pinball/solver/state_archive.hpp>
+#include <pinball/contact/state_archive.hpp>
 
 namespace pinball {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <pinball/solver/point.hpp>
+#include <pinball/contact/point.hpp>
 #include <pinball/solver/verification.hpp>
 #include <random>
 

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <pinball/version.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <pinball/solver/aligned_array.hpp>
+#include <pinball/contact/aligned_array.hpp>
 #include <utility>
 
 namespace pinball {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <pinball/contact/contact.hpp>
+#include <pinball/contact/faces.hpp>
+#include <pinball/contact/surface.hpp>
 #include <pinball/kernels/hourglass.hpp>
 #include <pinball/kernels/pinball.hpp>
-#include <pinball/solver/contact.hpp>
 #include <pinball/solver/error.hpp>
-#include <pinball/solver/faces.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <pinball/solver/mesh_quality.hpp>
-#include <pinball/solver/surface.hpp>
 #include <pinball/solver/verification.hpp>
 #include <random>
 #include <set>
@@ -169,7 +169,7 @@ TEST(Collapsed, MassOfANodeIsThatOfAllItsCorners) {
 TEST(Collapsed, SurfaceHasTheOuterFacesAlone) {
   const Scene scene = scene_of({wedge_cylinder("a", 30, 3, 4)}, 1.0, false);
   const Model<double> model = build_model<double>(scene);
-  const Surface surface(model);
+  const Surface surface(surface_topology(model));
   int exposed = 0;
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
     for (unsigned bits = surface.exposed(model.slot_of_element[e]); bits != 0; bits &= bits - 1) ++exposed;

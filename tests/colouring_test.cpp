@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <pinball/solver/colouring.hpp>
+#include <pinball/contact/colouring.hpp>
 #include <pinball/solver/error.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <pinball/solver/ordering.hpp>

@@ -9,7 +9,7 @@
 #include <pinball/solver/comparison_report.hpp>
 #include <pinball/solver/comparison_times.hpp>
 #include <pinball/solver/error.hpp>
-#include <pinball/solver/simulation.hpp>
+#include <pinball/solver/recorded_run.hpp>
 #include <pinball/solver/timers.hpp>
 
 #include "output_case.hpp"
@@ -38,7 +38,7 @@ void expect_states_of_single_runs(const std::vector<Variant>& variants) {
     EXPECT_EQ(runs[i].failure, "");
     EXPECT_EQ(runs[i].settings, variants[i].settings);
     ASSERT_EQ(runs[i].repeats.size(), 2);
-    const RunSummary single = simulate(variants[i].scene, {"", true});
+    const RunSummary single = run_recorded(variants[i].scene, {"", true});
     EXPECT_NO_THROW(check_repeat(name_of(variants[i].settings), single, runs[i].repeats[1]));
     EXPECT_EQ(runs[i].repeats[0].state_hash, single.state_hash) << name_of(variants[i].settings);
     EXPECT_GT(runs[i].repeats[0].wall_seconds, 0);
@@ -86,7 +86,7 @@ TEST(Comparison, CommasInQuotesBelongToTheValue) {
 }
 
 TEST(Comparison, ARepeatThatDiffersIsAnError) {
-  RunSummary first = simulate(variants_of("two_blocks", {"time.steps=3"})[0].scene, {"", true});
+  RunSummary first = run_recorded(variants_of("two_blocks", {"time.steps=3"})[0].scene, {"", true});
   RunSummary again = first;
   again.wall_seconds *= 2;
   again.skipped_seconds.searches += 1;

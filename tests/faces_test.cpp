@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <pinball/contact/faces.hpp>
 #include <pinball/solver/error.hpp>
-#include <pinball/solver/faces.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <random>
 #include <set>

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <pinball/solver/faces.hpp>
+#include <pinball/contact/faces.hpp>
 #include <pinball/solver/gmsh_reader.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <pinball/solver/mesh_quality.hpp>

@@ -1,11 +1,12 @@
 # Every header compiles alone and without a warning (included twice: its guard works).
-function(add_header_check target directory)
+# folder: where the headers lie; name: in <pinball/name/header.hpp>.
+function(add_header_check target folder name_of_includes)
   set(sources)
-  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/${directory} ${PROJECT_SOURCE_DIR}/${directory}/*.hpp)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
   foreach(header ${headers})
     get_filename_component(name ${header} NAME_WE)
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${directory}/${name}.cpp)
-    set(line "#include <pinball/${directory}/${header}>\n")
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${name_of_includes}/${name}.cpp)
+    set(line "#include <pinball/${name_of_includes}/${header}>\n")
     file(CONFIGURE OUTPUT ${source} CONTENT "${line}${line}" @ONLY)
     list(APPEND sources ${source})
   endforeach()
@@ -14,17 +15,37 @@ function(add_header_check target directory)
   target_compile_options(${target} PRIVATE -Werror)
 endfunction()
 
-add_header_check(kernel_headers_compile_alone kernels Pinball::kernels)
-add_header_check(solver_headers_compile_alone solver
+add_header_check(kernel_headers_compile_alone kernels kernels Pinball::kernels)
+add_header_check(contact_headers_compile_alone solver/contact contact Pinball::kernels)
+add_header_check(solver_headers_compile_alone solver solver
                  Pinball::kernels fmt::fmt PkgConfig::tomlplusplus nlohmann_json::nlohmann_json)
-target_include_directories(solver_headers_compile_alone PRIVATE  # not the library: it need not be built first
-                           $<TARGET_PROPERTY:pinball_solver,INTERFACE_INCLUDE_DIRECTORIES>)
+foreach(library contact solver)  # their folders, not the libraries: these need not be built first
+  target_include_directories(${library}_headers_compile_alone PRIVATE
+                             $<TARGET_PROPERTY:pinball_${library},INTERFACE_INCLUDE_DIRECTORIES>)
+endforeach()
+target_include_directories(solver_headers_compile_alone PRIVATE
+                           $<TARGET_PROPERTY:pinball_contact,INTERFACE_INCLUDE_DIRECTORIES>)
 
-# Kernels include kernels and a few headers of the language; the second test shows that the first can fail.
+# The C interface as C, by a compiler that knows no later C.
+enable_language(C)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/headers/contact.c CONTENT
+     "#include <pinball/contact/contact.h>\n#include <pinball/contact/contact.h>\n" @ONLY)
+add_library(contact_header_compiles_as_c OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers/contact.c)
+target_include_directories(contact_header_compiles_as_c PRIVATE
+                           $<TARGET_PROPERTY:pinball_contact,INTERFACE_INCLUDE_DIRECTORIES>)
+target_compile_options(contact_header_compiles_as_c PRIVATE -std=c99 -Wall -Wextra -Wpedantic -Werror)
+
+# Kernels include kernels and a few headers of the language, contact those and what moves no file; the tests with
+# "found" show that the others can fail.
 set(check ${CMAKE_CURRENT_SOURCE_DIR}/forbidden_includes.cmake)
-add_test(NAME forbidden_includes COMMAND ${CMAKE_COMMAND} -D DIRECTORY=${PROJECT_SOURCE_DIR}/kernels -P ${check})
-add_test(NAME forbidden_includes_are_found COMMAND ${CMAKE_COMMAND} -D DIRECTORY=${PROJECT_SOURCE_DIR}/solver -P ${check})
-set_tests_properties(forbidden_includes_are_found PROPERTIES WILL_FAIL TRUE)
+function(add_include_test test folder rules)
+  add_test(NAME ${test} COMMAND ${CMAKE_COMMAND} -D DIRECTORY=${PROJECT_SOURCE_DIR}/${folder} -D RULES=${rules} -P ${check})
+endfunction()
+add_include_test(forbidden_includes kernels kernels)
+add_include_test(forbidden_includes_of_contact solver/contact contact)
+add_include_test(forbidden_includes_are_found solver/contact kernels)
+add_include_test(forbidden_includes_of_contact_are_found solver contact)
+set_tests_properties(forbidden_includes_are_found forbidden_includes_of_contact_are_found PROPERTIES WILL_FAIL TRUE)
 
 # The kernels as device code, where a compiler for it is found.
 find_package(CUDAToolkit QUIET)

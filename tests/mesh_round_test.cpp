@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <pinball/contact/faces.hpp>
 #include <pinball/solver/error.hpp>
-#include <pinball/solver/faces.hpp>
 #include <pinball/solver/mesh_generators.hpp>
 #include <pinball/solver/mesh_quality.hpp>
 #include <set>

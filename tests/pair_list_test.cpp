@@ -1,6 +1,7 @@
 #include <functional>
-#include <pinball/solver/pair_list.hpp>
-#include <pinball/solver/surface_motion.hpp>
+#include <pinball/contact/pair_list.hpp>
+#include <pinball/contact/surface_motion.hpp>
+#include <pinball/solver/stores.hpp>
 #include <set>
 #include <utility>
 
@@ -284,7 +285,7 @@ class Straying : public ::testing::Test {
 TEST_F(Straying, AListThatHoldsHasEveryPairThatTouches) {
   constexpr double horizon = 0.7;
   for (const double skin : {0.5, 2.0}) {
-    motion.start(nodes, skin);
+    motion.start(nodes.position.data(), nodes.velocity.data(), skin);
     std::vector<Ball> balls;
     for (int e = 0; e < count; ++e) {
       balls.push_back({mean(nodes.position, e), horizon * mean(nodes.velocity, e),
@@ -308,7 +309,7 @@ TEST_F(Straying, AListThatHoldsHasEveryPairThatTouches) {
 
 TEST_F(Straying, OneNodeTooFarOffEndsIt) {
   for (const int node : {0, 7, 8 * count / 2 + 3, 8 * count - 1}) {
-    motion.start(nodes, 0.5);
+    motion.start(nodes.position.data(), nodes.velocity.data(), 0.5);
     fly(1, 0.9);
     ASSERT_TRUE(motion.holds(nodes.position.data(), 1));
     EXPECT_FALSE(motion.holds(nodes.position.data(), 2)) << "a wrong time is no proof";
@@ -319,19 +320,19 @@ TEST_F(Straying, OneNodeTooFarOffEndsIt) {
     EXPECT_FALSE(motion.holds(nodes.position.data(), 1));
     put(nodes.position, node, x);
   }
-  motion.start(nodes, 0);
+  motion.start(nodes.position.data(), nodes.velocity.data(), 0);
   EXPECT_TRUE(motion.holds(nodes.position.data(), 0));
   put(nodes.position, 11, get(nodes.position, 11) + Vec3<double>{0, 1e-12, 0});
   EXPECT_FALSE(motion.holds(nodes.position.data(), 0)) << "without a skin nothing may stray";
 }
 
 TEST_F(Straying, AllowancesFollowWhatANodeHasStrayed) {
-  motion.start(nodes, 0.5);
+  motion.start(nodes.position.data(), nodes.velocity.data(), 0.5);
   const double at_rest = motion.allowance(all.corners[3]);
   put(nodes.position, 8 * 3, get(nodes.position, 8 * 3) + Vec3<double>{0.1, 0, 0});
   for (int n = 0; n < 8 * count; ++n) put(nodes.position, n, get(nodes.position, n) + get(nodes.velocity, n));
   motion.adapt(nodes.position.data(), 1, 1);
-  motion.start(nodes, 0.5);
+  motion.start(nodes.position.data(), nodes.velocity.data(), 0.5);
   EXPECT_GT(motion.allowance(all.corners[3]), 0.1);
   EXPECT_EQ(motion.allowance(all.corners[4]), at_rest);
 }

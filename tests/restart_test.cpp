@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <pinball/solver/state_archive.hpp>
+#include <pinball/contact/state_archive.hpp>
 #include <pinball/solver/summary.hpp>
 #include <tuple>
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <pinball/solver/slideline_search.hpp>
-#include <pinball/solver/slideline_surface.hpp>
+#include <pinball/contact/slideline_search.hpp>
+#include <pinball/contact/slideline_surface.hpp>
 #include <pinball/solver/verification.hpp>
 #include <random>
 
@@ -200,7 +200,7 @@ TEST_P(Slideline, ANodeThatSlidesOverAnEdgeIsFree) {
 TEST(SlidelineSurface, CountsSegmentsAndSharesOfSlaves) {
   Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1);
   const Model<double> model = build_model<double>(scene);
-  const SlidelineSurface<double> surface(model);
+  const SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 24);
   EXPECT_EQ(surface.slaves().size(), 26);
   double share = 0, stiffness = 0;
@@ -227,7 +227,7 @@ bool erode(Model<double>& model, SlidelineSurface<double>& surface, std::size_t 
   model.elements.mass[static_cast<std::size_t>(model.slot_of_element[element])] = 0;
   std::vector<TileResult<double>> tiles(static_cast<std::size_t>(model.tile_count()));
   for (TileResult<double>& tile : tiles) tile.eroded_count = 1;
-  return surface.remove_eroded(model, tiles);
+  return surface.remove_eroded(eroded_slots(model, tiles));
 }
 
 std::size_t active_segments(const SlidelineSurface<double>& surface) {
@@ -255,24 +255,24 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
   for (const std::size_t e : {upper, centre}) {  // the strain of what lies inside does not count
     model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.5;
   }
-  SlidelineSurface<double> surface(model);
+  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54 + 5);
   EXPECT_EQ(active_segments(surface), 54);
   EXPECT_EQ(surface.slaves().size(), 56 + 4);
   EXPECT_EQ(active_slaves(surface).size(), 56);
-  EXPECT_EQ(surface.surface_elements(), 26);
+  EXPECT_EQ(surface.topology().exposed_count(), 26);
 
   EXPECT_TRUE(erode(model, surface, upper));
-  surface.update(model);
+  surface.update(ModelContact<double>(model));
   EXPECT_TRUE(surface.complete());
   EXPECT_TRUE(surface.changed());
   EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
-  EXPECT_EQ(surface.surface_elements(), 26);
+  EXPECT_EQ(surface.topology().exposed_count(), 26);
 
   // The slaves are those of a surface that is collected anew, to the last bit.
   const auto before = active_slaves(surface);
   EXPECT_EQ(before.size(), 60);
-  surface.collect(model);
+  surface.collect(ModelContact<double>(model));
   EXPECT_FALSE(surface.changed());
   EXPECT_EQ(surface.segments().size(), 54 - 1 + 5 + 5) << "those behind the centre, but for the eroded one, wait now";
   const auto after = active_slaves(surface);
@@ -288,13 +288,13 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
 
 TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
   Model<double> model = eroding_block();
-  SlidelineSurface<double> surface(model);
+  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54);
   EXPECT_TRUE(surface.complete());
   EXPECT_TRUE(erode(model, surface, upper));
   EXPECT_FALSE(surface.complete());
-  surface.collect(model);
-  surface.update(model);
+  surface.collect(ModelContact<double>(model));
+  surface.update(ModelContact<double>(model));
   EXPECT_TRUE(surface.complete());
   EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
 }
@@ -302,14 +302,14 @@ TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
 TEST(SlidelineSurface, KeepsWhatListsAskForUpToDate) {
   // Slave 0 is in the corner that three segments share, and lists the last segment.
   Model<double> model = eroding_block();
-  SlidelineSurface<double> surface(model);
+  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
   std::vector<std::int64_t> first(surface.slaves().size() + 1, 1);
   first[0] = 0;
   const auto last = static_cast<std::int32_t>(surface.segments().size() - 1);
   surface.choose(first, {last});
   for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += 1;
   const std::vector<double> before(surface.sphere().data(), surface.sphere().data() + surface.sphere().size());
-  surface.update(model);
+  surface.update(ModelContact<double>(model));
   int around = 0, stale = 0;
   for (std::size_t s = 0; s < surface.segments().size(); ++s) {
     const auto& node = surface.segments()[s].node;
@@ -343,17 +343,17 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
       x[i] = size * (x[i] + 0.02 * uniform(generator));
       v[i] += 0.3 * speed * uniform(generator);  // so that segments grow
     }
-    SlidelineSurface<double> surface(model);
-    SlidelineSearch<double> search(model);
+    SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+    SlidelineSearch<double> search(ModelContact<double>(model), surface);
     search.count_step(dt);
-    search.build(model, surface, 0.5);
+    search.build(ModelContact<double>(model), surface, 0.5);
     std::int64_t near = 0, near_own = 0;
     for (int step = 1; step < horizon_steps; ++step) {  // the last may be over by round-off
       search.count_step(dt);
       // Straight on, but for less than what every node may stray.
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += dt * v[i] + (step == 5 ? 0.0005 * uniform(generator) : 0);
-      surface.update(model);
-      ASSERT_TRUE(search.holds(model));
+      surface.update(ModelContact<double>(model));
+      ASSERT_TRUE(search.holds(ModelContact<double>(model)));
       for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
         const auto& slave = surface.slaves()[i];
         const double* p = x.data() + 4 * static_cast<std::int64_t>(slave.node);
@@ -371,7 +371,7 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
     EXPECT_GT(near, 1000);
     EXPECT_EQ(near_own > 100, size < 1);
     x[4] += 0.1;
-    EXPECT_FALSE(search.holds(model));
+    EXPECT_FALSE(search.holds(ModelContact<double>(model)));
   }
 }
 

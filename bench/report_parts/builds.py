@@ -68,7 +68,7 @@ def compile_commands(preset):
         if os.path.basename(arguments[0]) == "ccache":
             arguments = arguments[1:]
         target = arguments[arguments.index("-o") + 1]
-        if "pinball_solver.dir/" in target:
+        if re.search("pinball_(contact|solver).dir/", target):
             found[os.path.join(entry["directory"], target)] = (entry["directory"], entry["file"], arguments)
     return found
 

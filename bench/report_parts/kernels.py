@@ -39,7 +39,7 @@ KERNELS = [
     Kernel("list_check", "do the lists still hold", "surface node", "pinball", "list_check",
            [r"SurfaceMotion<double>::holds\("], [r"SurfaceMotionIdE5holds"], contact=True,
            by_hand=lambda work: 14.0,
-           by_hand_text="14: distance of a node from where it is expected (kernels over nodes in solver/surface_motion.cpp)"),
+           by_hand_text="14: distance of a node from where it is expected (kernels over nodes in solver/contact/surface_motion.cpp)"),
     Kernel("list_building", "pair list, when built", "pinball", "pinball", "list_building",
            [r"PairList<double>::(build|collect_references|find|leave_out|leave_out_neighbours|take|mark|number|remember|"
             r"recall)\(", r"(BallTree|MovingBalls|NearBalls)<double>::",

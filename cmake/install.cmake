@@ -1,0 +1,89 @@
+# What cmake --install copies. Components: development (headers, package files, Fortran module), archives, libraries
+# (shared) and program (with its scenes), so that a distribution can make its packages of them.
+include(CMakePackageConfigHelpers)
+
+set(pinball_libraries contact)
+if(PINBALL_SOLVER)
+  list(APPEND pinball_libraries solver)
+endif()
+set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/Pinball)
+set(with_archives TRUE)
+if(BUILD_SHARED_LIBS AND NOT PINBALL_STATIC_AND_SHARED)
+  set(with_archives FALSE)
+endif()
+
+foreach(name IN LISTS pinball_libraries)
+  if(with_archives)
+    install(TARGETS pinball_${name} EXPORT PinballArchives ARCHIVE COMPONENT archives)
+  endif()
+  if(TARGET pinball_${name}_shared)
+    install(TARGETS pinball_${name}_shared EXPORT PinballLibraries
+            LIBRARY COMPONENT libraries)
+  endif()
+  foreach(level IN LISTS PINBALL_HWCAPS)
+    # Only the loader looks here, by the name with the version of the interface.
+    install(TARGETS pinball_${name}_${level}
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps/${level} COMPONENT libraries NAMELINK_SKIP)
+  endforeach()
+endforeach()
+install(TARGETS pinball_kernels EXPORT PinballKernels)  # nothing to copy: names the target
+
+# Headers: the interface, and the kernels, which are templates. No other header is installed: their layouts depend on the
+# instruction set that a host would compile them for.
+install(FILES ${pinball_version_include}/pinball/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernels/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/kernels
+        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+install(FILES ${PROJECT_SOURCE_DIR}/solver/contact/pinball_contact.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/contact
+        COMPONENT development)
+foreach(name IN LISTS pinball_libraries)
+  get_property(headers GLOBAL PROPERTY pinball_${name}_headers)
+  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/${name} COMPONENT development)
+endforeach()
+
+# find_package(Pinball)
+set(exports Kernels)
+if(with_archives)
+  list(APPEND exports Archives)
+endif()
+if(TARGET pinball_contact_shared)
+  list(APPEND exports Libraries)
+endif()
+set(component_of_Kernels development)
+set(component_of_Archives archives)
+set(component_of_Libraries libraries)
+foreach(export IN LISTS exports)
+  install(EXPORT Pinball${export} NAMESPACE Pinball:: DESTINATION ${package_directory} COMPONENT ${component_of_${export}})
+endforeach()
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/PinballConfig.cmake.in ${PROJECT_BINARY_DIR}/PinballConfig.cmake
+                              INSTALL_DESTINATION ${package_directory} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/PinballConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/PinballConfig.cmake ${PROJECT_BINARY_DIR}/PinballConfigVersion.cmake
+        DESTINATION ${package_directory} COMPONENT development)
+
+# pkg-config. Paths count from the file's own folder, so that an installed tree can be moved.
+file(RELATIVE_PATH pc_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+set(pc_contact_requires)
+set(pc_solver_requires)
+set(pc_runtime)
+if(with_archives)
+  set(pc_solver_requires "pinball-contact, fmt, tomlplusplus")
+  list(TRANSFORM OpenMP_CXX_LIB_NAMES PREPEND -l OUTPUT_VARIABLE pc_runtime)
+  list(APPEND pc_runtime -lstdc++ -lm)
+  list(JOIN pc_runtime " " pc_runtime)
+endif()
+foreach(name IN LISTS pinball_libraries)
+  set(pc_name ${name})
+  set(pc_requires ${pc_${name}_requires})
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/pinball.pc.in ${PROJECT_BINARY_DIR}/pinball-${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/pinball-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endforeach()
+
+if(PINBALL_SOLVER)
+  file(RELATIVE_PATH libraries_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(pinball PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_program}")
+  install(TARGETS pinball RUNTIME COMPONENT program)
+  # Where the program looks: ../share/pinball/data from its own folder.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/reference
+          DESTINATION share/pinball/data COMPONENT program)
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/docs/embedding.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)

@@ -1,0 +1,131 @@
+# The libraries of the package.
+#
+#   pinball_library(NAME SOURCES ... [API_SOURCES ...] API_HEADERS ... INCLUDES ... [INTERNALS_OF OTHER] [LINKS ...]
+#                   [COMPILES_WITH ...])
+#
+# compiles the sources once, position independent and with all symbols hidden that are not marked PINBALL_API, and links
+# from these objects
+#   pinball_NAME           an archive (of use to this tree's tests, too: inside an archive nothing is hidden)
+#   pinball_NAME_shared    with BUILD_SHARED_LIBS or PINBALL_STATIC_AND_SHARED
+#   pinball_NAME_LEVEL     for each LEVEL of PINBALL_HWCAPS: the shared library again, compiled for that level, in
+#                          glibc-hwcaps/LEVEL beside the first, where the dynamic loader finds it
+# Pinball::NAME is the archive, or with BUILD_SHARED_LIBS the shared library.
+#
+# INTERNALS_OF is a library whose internals this one uses. The archive links it. A shared library cannot, because they are
+# hidden there: it takes in the objects of its SOURCES. Its API_SOURCES, which define what it exports, it leaves out, so
+# that a symbol is exported by one library only.
+#
+# API_HEADERS are what cmake/install.cmake installs. INCLUDES are the include roots.
+#
+# LINKS are libraries that archives pass on to whoever links them; COMPILES_WITH is of use to the compiler alone.
+if(PINBALL_HWCAPS)
+  if(NOT BUILD_SHARED_LIBS OR PINBALL_NATIVE OR NOT PINBALL_SIMD STREQUAL "native")
+    message(FATAL_ERROR "PINBALL_HWCAPS needs BUILD_SHARED_LIBS=ON, PINBALL_NATIVE=OFF and PINBALL_SIMD=native: the libraries beside those for other levels must run on every machine")
+  endif()
+  foreach(level IN LISTS PINBALL_HWCAPS)
+    if(NOT level MATCHES "^x86-64-v[234]$")
+      message(FATAL_ERROR "PINBALL_HWCAPS has \"${level}\"; it may have x86-64-v2, x86-64-v3, x86-64-v4")
+    endif()
+  endforeach()
+endif()
+
+set(pinball_library_directory ${PROJECT_BINARY_DIR}/lib)
+
+function(pinball_objects target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LEVEL" "SOURCES;COMPILES_WITH")
+  add_library(${target} OBJECT ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE Pinball::kernels pinball_warnings pinball_codegen ${arg_COMPILES_WITH})
+  if(arg_LEVEL)
+    target_compile_options(${target} PRIVATE -march=${arg_LEVEL})
+    if(PINBALL_HAS_PREFER_VECTOR_WIDTH AND arg_LEVEL STREQUAL "x86-64-v4")
+      target_compile_options(${target} PRIVATE -mprefer-vector-width=512)
+    endif()
+  endif()
+  set_target_properties(${target} PROPERTIES
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+
+function(pinball_link_library target name type)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "OBJECTS;LINKS")
+  add_library(${target} ${type})
+  foreach(objects IN LISTS arg_OBJECTS)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
+  endforeach()
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  get_property(includes GLOBAL PROPERTY pinball_${name}_includes)
+  foreach(include IN LISTS includes)
+    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${include}>)
+  endforeach()
+  target_compile_features(${target} INTERFACE cxx_std_20)
+  # Once installed: the OpenMP runtime by name, of the compiler that made the objects, whatever the host compiles with.
+  target_link_libraries(${target} PRIVATE ${arg_LINKS} $<BUILD_INTERFACE:pinball_codegen>
+                        $<BUILD_INTERFACE:OpenMP::OpenMP_CXX> "$<INSTALL_INTERFACE:${OpenMP_CXX_LIB_NAMES}>")
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME pinball-${name} EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  if(type STREQUAL "SHARED")
+    set_target_properties(${target} PROPERTIES
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+      LIBRARY_OUTPUT_DIRECTORY ${pinball_library_directory})
+    if(NOT PINBALL_SANITIZE)
+      # A symbol that is missing shows here, and not in the host. The sanitizers' are the program's to bring.
+      target_link_options(${target} PRIVATE -Wl,--no-undefined)
+    endif()
+  endif()
+endfunction()
+
+function(pinball_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "INTERNALS_OF" "SOURCES;API_SOURCES;API_HEADERS;INCLUDES;LINKS;COMPILES_WITH")
+  if(arg_INTERNALS_OF)
+    get_property(includes GLOBAL PROPERTY pinball_${arg_INTERNALS_OF}_includes)
+    list(APPEND arg_INCLUDES ${includes})
+  endif()
+  set_property(GLOBAL PROPERTY pinball_${name}_includes ${arg_INCLUDES})
+  set_property(GLOBAL PROPERTY pinball_${name}_headers ${arg_API_HEADERS})
+  set(levels none ${PINBALL_HWCAPS})
+  foreach(level IN LISTS levels)
+    set(suffix "_${level}")
+    set(level_option LEVEL ${level})
+    if(level STREQUAL "none")
+      set(suffix "")
+      set(level_option)
+    endif()
+    set(objects)
+    foreach(part objects api_objects)
+      set(sources ${arg_SOURCES})
+      if(part STREQUAL "api_objects")
+        set(sources ${arg_API_SOURCES})
+      endif()
+      if(sources)
+        pinball_objects(pinball_${name}_${part}${suffix} ${level_option} SOURCES ${sources} COMPILES_WITH ${arg_LINKS} ${arg_COMPILES_WITH})
+        target_include_directories(pinball_${name}_${part}${suffix} PRIVATE ${arg_INCLUDES})
+        list(APPEND objects pinball_${name}_${part}${suffix})
+      endif()
+    endforeach()
+    set(shared_objects ${objects})
+    if(arg_INTERNALS_OF)
+      list(APPEND shared_objects pinball_${arg_INTERNALS_OF}_objects${suffix})
+    endif()
+
+    if(level STREQUAL "none")
+      set(other)
+      if(arg_INTERNALS_OF)
+        set(other pinball_${arg_INTERNALS_OF})
+      endif()
+      pinball_link_library(pinball_${name} ${name} STATIC OBJECTS ${objects} LINKS ${other} ${arg_LINKS})
+      if(BUILD_SHARED_LIBS OR PINBALL_STATIC_AND_SHARED)
+        pinball_link_library(pinball_${name}_shared ${name} SHARED OBJECTS ${shared_objects} LINKS ${arg_LINKS})
+      endif()
+    else()
+      pinball_link_library(pinball_${name}${suffix} ${name} SHARED OBJECTS ${shared_objects} LINKS ${arg_LINKS})
+      set_target_properties(pinball_${name}${suffix} PROPERTIES
+        LIBRARY_OUTPUT_DIRECTORY ${pinball_library_directory}/glibc-hwcaps/${level})
+    endif()
+  endforeach()
+  if(BUILD_SHARED_LIBS)
+    add_library(Pinball::${name} ALIAS pinball_${name}_shared)
+    if(NOT PINBALL_STATIC_AND_SHARED)
+      set_target_properties(pinball_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+  else()
+    add_library(Pinball::${name} ALIAS pinball_${name})
+  endif()
+endfunction()

@@ -1,0 +1,33 @@
+#pragma once
+
+namespace pinball {
+
+enum class ContactMethod { none, pinball, slideline };
+enum class Enforcement { penalty, projection, lagrange };
+enum class ContactGap { pinball, face, not_set };
+enum class ContactRadius { initial, current };
+
+/// As in the scene and in summary.json.
+inline const char* enforcement_name(Enforcement enforcement) {
+  return enforcement == Enforcement::penalty      ? "penalty"
+         : enforcement == Enforcement::projection ? "projection"
+                                                  : "lagrange";
+}
+
+/// What can be chosen about contact, with its keys in a scene.
+struct ContactSettings {
+  ContactMethod method = ContactMethod::none;       ///< contact.method = "none" | "pinball" | "slideline"
+  Enforcement enforcement = Enforcement::lagrange;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
+  /// contact.gap = "pinball" | "face"; not set, it becomes pinball (penalty) or face
+  ContactGap gap = ContactGap::not_set;
+  double beta = 1.0;              ///< contact.beta: penalty factor of report eq. (3.11) [-]
+  double damping = 0.1;           ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
+  double friction = 0.0;          ///< contact.friction: Coulomb coefficient while sliding [-]
+  double static_friction = -1.0;  ///< contact.static_friction: at rest; negative: not set, becomes friction [-]
+  ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
+  double radius_factor = 1.0;                     ///< contact.radius_factor: on the radius of (3.2) [-]
+  bool self = true;                               ///< contact.self: a body may touch itself
+  double skin = 0.5;  ///< contact.skin: scale of what a node may stray before lists are built anew, over its radius [-]
+};
+
+}  // namespace pinball

@@ -1,0 +1,3 @@
+#pragma once
+
+#include <pinball/contact/export.h>  // PINBALL_API: the same mark in all libraries

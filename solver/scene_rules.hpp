@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <pinball/solver/export.hpp>
+#include <pinball/solver/scene.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What a scene has to fulfil beyond the bounds of single numbers (scene_numbers.hpp), and the defaults that depend on
+/// other values: one place for scenes read from files and for those that a host makes.
+namespace pinball {
+
+/// What is wrong under a key of a table; whoever asks knows where the table is.
+struct Problem {
+  std::string key;
+  std::string text;  ///< "expected ..., got ..."
+};
+
+/// Fills in what is not set and follows from other settings.
+void complete(ElementSettings& element);
+void complete(ContactSettings& contact);
+/// The same for the whole scene; also brings normals and directions to unit length. A second call changes nothing.
+PINBALL_API void complete_scene(Scene& scene);
+
+/// Of completed settings.
+std::optional<Problem> problem_of(const TimeSettings& time);
+std::optional<Problem> problem_of(const ContactSettings& contact);
+/// yield_stress is given for an elastic material, too, which does not use it; 0: not given.
+std::optional<Problem> problem_of(const Material& material);
+std::optional<Problem> problem_of(const TimeTable& table);
+std::optional<Problem> problem_of(const Box& box);
+
+/// Names are parts of dotted keys and of column headings: letters, digits, "_" and "-" only.
+std::optional<Problem> name_problem(const std::string& name);
+/// A name that an earlier table of the kind has.
+std::optional<Problem> repetition(const std::string& name, const std::vector<std::string>& earlier);
+/// A reference under `key` to a name of `kind` ("material") that the scene does not have.
+std::optional<Problem> reference_problem(std::string_view key, std::string_view kind, const std::string& name,
+                                         const std::vector<std::string>& names);
+/// A vector without a direction.
+std::optional<Problem> direction_problem(std::string_view key, const Point& vector);
+
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
+  return names;
+}
+
+/// Completes a scene and checks all of it but the meshes. Throws InputError: "KEY: expected ..., got ...", the key with
+/// its table as in --set ("material.copper.density").
+PINBALL_API Scene checked_scene(Scene scene);
+
+}  // namespace pinball

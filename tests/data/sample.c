@@ -1,0 +1,7 @@
+int main(void) {
+  /* [loop] */
+  for (;;) {
+    step();
+  }
+  /* [loop] */
+}
