@@ -26,10 +26,12 @@
  * **Ownership.** The host owns all arrays. Those of pinball_contact_mesh marked "kept" are read again whenever an
  * element comes to the surface: they stay where they are, unchanged, until pinball_contact_destroy. All others are read
  * during the call only. Nothing but the force array is written to, and that only by pinball_contact_add_forces, in the
- * first three numbers of nodes in contact (see `force_records`). A call that fails writes to no array of the host.
+ * first three numbers of nodes in contact (see `force_records`). A call that fails with an error of arguments writes to
+ * no array of the host.
  *
  * **Copies.** Positions and velocities that lie in records of four (see pinball_contact_input) are used in place. Of
- * other layouts the nodes of the surface are gathered into such records, once in a step.
+ * other layouts the nodes of the surface are gathered into such records, once in a step; memory for these is that of
+ * 4 numbers per node and array. Undeformed places are kept too, 3 numbers per node.
  *
  * **Threads.** Work runs on the OpenMP threads of the calling thread (option `threads`). There is no global state: calls
  * on different instances may run at the same time; calls on one instance may not. **Determinism**: results do not depend

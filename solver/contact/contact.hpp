@@ -68,6 +68,9 @@ class Contact {
   std::int32_t surface_elements() const { return surface().exposed_count(); }  ///< that take part
   /// Nodes to which scatter() or impulses() add, after forces() or prepare_impulses(); some perhaps several times.
   virtual const std::vector<std::int32_t>& loaded_nodes() = 0;
+  /// The nodes whose velocities are read in a step whose lists hold; null: all of the surface. Their positions are read
+  /// of all of the surface, and lists do not hold where one is not a number.
+  virtual const std::vector<std::int32_t>* listed_nodes() const { return nullptr; }
   virtual ListSize listed() const = 0;
   virtual std::size_t bytes() const = 0;
   /// model: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of

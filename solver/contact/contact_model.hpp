@@ -68,6 +68,9 @@ class ContactModel {
   /// behind such elements is taken in beforehand. If it fails, what is exposed is taken in then, and lists are built
   /// anew.
   virtual bool may_soon_erode(std::int64_t slot) const = 0;
+  /// Called before lists are built on the motion of all nodes of the surface: a host may not have looked at all until
+  /// then. What it throws leaves contact as it was.
+  virtual void before_search() const {}
 
  protected:
   ~ContactModel() = default;

@@ -58,8 +58,8 @@ class HostContactOf final : public HostContact {
     const ThreadCount threads(threads_);
     const std::vector<std::int64_t> eroded = model_.take_alive(*arrays, contact_->surface());
     eroded_.insert(eroded_.end(), eroded.begin(), eroded.end());
-    model_.take_motion(*arrays);
     std::sort(eroded_.begin(), eroded_.end());
+    model_.take_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
     contact_->update_surface(model_, eroded_);
     eroded_.clear();
     contact_->search(model_);

@@ -198,7 +198,7 @@ std::vector<std::int64_t> HostModel<S>::take_alive(const pinball_contact_arrays&
 
 template <class S>
 const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>& records,
-                              const std::vector<std::int32_t>& nodes, const char* name) {
+                              const std::vector<std::int32_t>& nodes, const char* name) const {
   const HostVectors<S> vectors(from);
   const bool in_place = vectors.are_records();
   if (!in_place && records.empty()) records.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
@@ -235,9 +235,23 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
 }
 
 template <class S>
-void HostModel<S>::take_motion(const pinball_contact_arrays& arrays) {
-  this->position = gather(arrays.position, positions_, watched_, "position");
-  this->velocity = gather(arrays.velocity, velocities_, watched_, "velocity");
+void HostModel<S>::take_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed) {
+  const HostVectors<S> where(arrays.position);
+  const bool later = listed != nullptr;
+  // Lists do not hold where a position is not a number: records are looked through before a search only.
+  this->position = later && where.are_records() ? where.x : gather(arrays.position, positions_, watched_, "position");
+  this->velocity = gather(arrays.velocity, velocities_, later ? *listed : watched_, "velocity");
+  waiting_ = later ? &arrays : nullptr;
+}
+
+template <class S>
+void HostModel<S>::before_search() const {
+  if (waiting_ == nullptr) return;
+  if (HostVectors<S>(waiting_->position).are_records()) {
+    AlignedArray<S> none;
+    gather(waiting_->position, none, watched_, "position");
+  }
+  gather(waiting_->velocity, velocities_, watched_, "velocity");
 }
 
 template <class S>

@@ -20,15 +20,17 @@ class HostModel final : public ContactModel<S> {
 
   ContactElement element(std::int64_t slot) const override;
   bool may_soon_erode(std::int64_t slot) const override { return alive_at(slot) == 2; }
+  void before_search() const override;
   /// What contact keeps; asks for what the host has given at creation alone, and takes the positions in.
   ContactStart start(const pinball_contact_input& position, bool with_held);
 
   /// The slots that eroded since the last call of this, given the flags of now. Their neighbours, and those of elements
   /// that may soon erode, are watched from now on.
   std::vector<std::int64_t> take_alive(const pinball_contact_arrays& arrays, const Surface& surface);
-  /// Takes in where the nodes are that contact looks at: in place where they lie in records, else gathered. Throws
-  /// HostError for numbers that are not finite.
-  void take_motion(const pinball_contact_arrays& arrays);
+  /// Takes in where the nodes are that contact looks at: in place where they lie in records, else gathered. listed: the
+  /// nodes whose velocities are asked for unless there is a search, before which the others follow; null: all. Throws
+  /// HostError for numbers that are not finite; so may a search for those that only it looks at.
+  void take_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed);
   /// Tells again where the records of the host are, with what is in them; those that were gathered stay.
   void take_places(const pinball_contact_arrays& arrays);
   /// Takes in velocities and forces of nodes that impulses look at. Throws as take_motion does.
@@ -43,8 +45,9 @@ class HostModel final : public ContactModel<S> {
   void watch(std::int64_t slot);
   void watch_behind(std::int64_t slot, const Surface& surface);
   std::uint8_t alive_at(std::int64_t slot) const;
+  /// The records of nodes: those of the host, or `records`, into which they are copied.
   const S* gather(const pinball_contact_input& from, AlignedArray<S>& records, const std::vector<std::int32_t>& nodes,
-                  const char* name);
+                  const char* name) const;
   HostMesh<S> mesh_;
   std::vector<std::int32_t> element_of_slot_;  ///< -1 for padding
   std::vector<std::int32_t> slot_of_element_;
@@ -58,7 +61,9 @@ class HostModel final : public ContactModel<S> {
   std::vector<std::uint8_t> is_watched_;
   std::vector<std::uint8_t> alive_before_;                         ///< per element and sphere
   const std::uint8_t *alive_ = nullptr, *sphere_alive_ = nullptr;  ///< of the host, during a call
-  AlignedArray<S> positions_, velocities_, forces_;                ///< records, only where the host's are not
+  const pinball_contact_arrays* waiting_ = nullptr;  ///< during update: has motion that was not taken in yet
+  AlignedArray<S> positions_, forces_;               ///< records, only where the host's are not
+  mutable AlignedArray<S> velocities_;               ///< the same; before_search completes it
 };
 
 }  // namespace pinball

@@ -116,6 +116,7 @@ void PinballContact<S>::search(const ContactModel<S>& model) {
     ++this->searches_skipped_;
     return;
   }
+  model.before_search();
   ++this->searches_;
   build_list(model);
   update_geometry(model);

@@ -37,6 +37,7 @@ class PinballContact final : public Contact<S> {
     return this->by_impulses() ? this->impulses_->nodes() : node_;
   }
   ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
+  const std::vector<std::int32_t>* listed_nodes() const override { return &node_; }
   void persist(StateArchive& archive, const ContactModel<S>& model) override;
   std::size_t bytes() const override;
 

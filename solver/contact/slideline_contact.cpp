@@ -85,6 +85,7 @@ void SlidelineContact<S>::search(const ContactModel<S>& model) {
     ++this->searches_skipped_;
     return;
   }
+  model.before_search();
   ++this->searches_;
   if (surface_.changed()) collect_surface(model);  // a good moment to let those behind the new surface wait
   search_.build(model, surface_, reuse ? static_cast<S>(model.settings->skin) : S(0));
