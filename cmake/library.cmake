@@ -65,6 +65,8 @@ function(pinball_link_library target name type)
     set_target_properties(${target} PROPERTIES
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
       LIBRARY_OUTPUT_DIRECTORY ${pinball_library_directory})
+    target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/exported.map)
+    set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exported.map)
     if(NOT PINBALL_SANITIZE)
       # A symbol that is missing shows here, and not in the host. The sanitizers' are the program's to bring.
       target_link_options(${target} PRIVATE -Wl,--no-undefined)

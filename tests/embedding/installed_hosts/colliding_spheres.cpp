@@ -110,11 +110,9 @@ int main() {
   expect_near("velocity of the light sphere", v[1], 2 * centre - speed[1], 1e-3);
   expect_near("energy in springs after the impact", result.stored, 0, 0);
   // The bound on the step is that of the pair's own oscillation.
-  const double reduced = mass[0] * mass[1] / total;
   std::printf("     deepest penetration %.3g, stable step %.3g\n", deepest, shortest_step);
-  expect_near("stable step / that of the deepest penetration", shortest_step / (2 * deepest / ((speed[0] - speed[1]))),
-              1, 0.5);
-  static_cast<void>(reduced);
+  expect_near("stable step / that of the deepest penetration", shortest_step / (2 * deepest / (speed[0] - speed[1])), 1,
+              0.5);
 
   pinball_contact_destroy(contact);
   dWorldDestroy(world);
