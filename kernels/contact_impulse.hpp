@@ -15,9 +15,9 @@
 /// meet than nodes can follow, as in any flat contact; the sweeps below do not mind.
 namespace pinball {
 
-/// Vectors that the sweeps work on have a fourth component of 0: so they are one register, and not three numbers.
-using VectorRegister = Pack<double, 4>;
-inline constexpr int vector_width = width_of<VectorRegister>;  ///< 4, or 1 where nothing is vectorized
+/// Vectors that the sweeps work on have a fourth component of 0: so they fill whole registers.
+inline constexpr int vector_width = native_width<double> < 4 ? native_width<double> : 4;
+using VectorRegister = Pack<double, vector_width>;
 
 struct ImpulseNode {
   alignas(32) double velocity[4];
