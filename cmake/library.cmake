@@ -29,6 +29,7 @@ if(PINBALL_HWCAPS)
   endforeach()
 endif()
 
+set(PINBALL_SLOW_HEADERS <algorithm> <experimental/simd> <functional> <memory> <string> <vector>)
 set(pinball_library_directory ${PROJECT_BINARY_DIR}/lib)
 
 function(pinball_objects target)
@@ -43,6 +44,9 @@ function(pinball_objects target)
   endif()
   set_target_properties(${target} PROPERTIES
     POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  # To read these takes longer than to compile most of the sources; that each source includes what it needs is not
+  # seen to by it: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON does.
+  target_precompile_headers(${target} PRIVATE ${PINBALL_SLOW_HEADERS})
 endfunction()
 
 function(pinball_link_library target name type)
