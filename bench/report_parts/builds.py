@@ -68,7 +68,7 @@ def compile_commands(preset):
         if os.path.basename(arguments[0]) == "ccache":
             arguments = arguments[1:]
         target = arguments[arguments.index("-o") + 1]
-        if re.search("pinball_(contact|solver).dir/", target):
+        if re.search(r"pinball_(contact|solver)(_api)?_objects\.dir/.*\.o$", target):
             found[os.path.join(entry["directory"], target)] = (entry["directory"], entry["file"], arguments)
     return found
 
@@ -132,7 +132,10 @@ def compile_again(preset, path, compiler, options, out):
     if newer(out, path):
         return
     directory, _, (own_compiler, *arguments) = compile_commands(preset)[path]
-    arguments = [a for a in arguments if a != "-Werror"]
+    arguments = [a for a in arguments if a not in ("-Werror", "-Winvalid-pch")]
+    while "-include" in arguments:  # precompiled headers, which are of the build's own compiler and options
+        at = arguments.index("-include")
+        del arguments[at:at + 2]
     arguments[arguments.index("-o") + 1] = out + ".part.o"
     run([compiler or own_compiler, *arguments, "-w", *options], cwd=directory)
     os.replace(out + ".part.o", out)
