@@ -61,7 +61,7 @@ KERNELS = [
     Kernel("node_update", "node update", "node", "pinball", "integration",
            [r"Solver<double>::integrate.*(omp_fn|operator\(\))"], [r"SolverIdE9integrate"]),
     Kernel("segment_update", "slideline: segments", "segment", "slideline", "pinballs",
-           [r"SlidelineSurface<double>::update\(pinball::Model<double> const&\)::\{lambda"],
+           [r"SlidelineSurface<double>::update\(pinball::ContactModel<double> const&\)::\{lambda"],
            [r"SlidelineSurfaceIdE6update"]),
     Kernel("slideline_search", "slideline: lists, when built", "slave node", "slideline", "list_building",
            [r"SlidelineSearch<double>::(build|find|may_touch|move_segments|move_slaves)\(",
