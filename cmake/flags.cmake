@@ -1,9 +1,10 @@
 # Two interface targets carry the compiler flags, so that a host that embeds the library is not forced to share them.
-#   pinball_warnings  for every translation unit of this project
+#   pinball_warnings  for every translation unit of this project: warnings, and where includes of the tree begin
 #   pinball_codegen   instruction set and floating-point contract of the kernels
 include(CheckCXXCompilerFlag)
 
 add_library(pinball_warnings INTERFACE)
+target_include_directories(pinball_warnings INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(pinball_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wunused)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 warns of its own AVX-512 header inlined into our code (GCC bug 105593).
@@ -12,6 +13,13 @@ endif()
 if(PINBALL_WERROR)
   target_compile_options(pinball_warnings INTERFACE -Werror)
 endif()
+
+set(features contact boundary_conditions plasticity erosion bulk_viscosity hourglass resting)
+foreach(feature IN LISTS PINBALL_WITHOUT)
+  if(NOT feature IN_LIST features)
+    message(FATAL_ERROR "PINBALL_WITHOUT has \"${feature}\"; it may have: ${features}")
+  endif()
+endforeach()
 
 set(known_instruction_sets native avx2 scalar)
 if(NOT PINBALL_SIMD IN_LIST known_instruction_sets)
@@ -22,6 +30,11 @@ add_library(pinball_codegen INTERFACE)
 # The same in every build, so that builds differ in the instruction set alone.
 # No -ffast-math: NaN and infinity must stay visible, and sums keep their order.
 target_compile_options(pinball_codegen INTERFACE -fno-math-errno -fno-trapping-math -ffp-contract=fast)
+
+if(PINBALL_WITHOUT)
+  list(JOIN PINBALL_WITHOUT "," left_out)
+  target_compile_definitions(pinball_codegen INTERFACE PINBALL_WITHOUT="${left_out}")
+endif()
 
 # Compilers split 512-bit vectors in two for some processors unless told that they are wanted.
 check_cxx_compiler_flag(-mprefer-vector-width=512 PINBALL_HAS_PREFER_VECTOR_WIDTH)

@@ -28,17 +28,10 @@ foreach(name IN LISTS pinball_libraries)
 endforeach()
 install(TARGETS pinball_kernels EXPORT PinballKernels)  # nothing to copy: names the target
 
-# Headers: the interface, and the kernels, which are templates. No other header is installed: their layouts depend on the
-# instruction set that a host would compile them for.
-install(FILES ${pinball_version_include}/pinball/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernels/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/kernels
-        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+# Public headers: public_headers.cmake. No other header is installed: their layouts depend on the instruction set that a
+# host would compile them for.
 install(FILES ${PROJECT_SOURCE_DIR}/solver/contact/pinball_contact.f90 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/contact
         COMPONENT development)
-foreach(name IN LISTS pinball_libraries)
-  get_property(headers GLOBAL PROPERTY pinball_${name}_headers)
-  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pinball/${name} COMPONENT development)
-endforeach()
 
 # find_package(Pinball)
 set(exports Kernels)
@@ -82,8 +75,16 @@ if(PINBALL_SOLVER)
   file(RELATIVE_PATH libraries_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
   set_target_properties(pinball PROPERTIES INSTALL_RPATH "$ORIGIN/${libraries_from_program}")
   install(TARGETS pinball RUNTIME COMPONENT program)
+  if(BUILD_SHARED_LIBS)
+    install(TARGETS pinball_program_shared LIBRARY COMPONENT program NAMELINK_SKIP)
+    foreach(level IN LISTS PINBALL_HWCAPS)
+      install(TARGETS pinball_program_${level}
+              LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/glibc-hwcaps/${level} COMPONENT program NAMELINK_SKIP)
+    endforeach()
+  endif()
   # Where the program looks: ../share/pinball/data from its own folder.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/reference
           DESTINATION share/pinball/data COMPONENT program)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/docs/embedding.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/docs/embedding.md
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)

@@ -1,7 +1,7 @@
 # The libraries of the package.
 #
-#   pinball_library(NAME SOURCES ... [API_SOURCES ...] API_HEADERS ... INCLUDES ... [INTERNALS_OF OTHER] [LINKS ...]
-#                   [COMPILES_WITH ...])
+#   pinball_library(NAME SOURCES ... [API_SOURCES ...] [INTERNALS_OF OTHER ...] [LINKS ...] [COMPILES_WITH ...]
+#                   [OF_PROGRAM])
 #
 # compiles the sources once, position independent and with all symbols hidden that are not marked PINBALL_API, and links
 # from these objects
@@ -11,11 +11,11 @@
 #                          glibc-hwcaps/LEVEL beside the first, where the dynamic loader finds it
 # Pinball::NAME is the archive, or with BUILD_SHARED_LIBS the shared library.
 #
-# INTERNALS_OF is a library whose internals this one uses. The archive links it. A shared library cannot, because they are
-# hidden there: it takes in the objects of its SOURCES. Its API_SOURCES, which define what it exports, it leaves out, so
-# that a symbol is exported by one library only.
+# INTERNALS_OF are libraries whose internals this one uses. The archive links them. A shared library cannot, because they
+# are hidden there: it takes in the objects of their SOURCES. Their API_SOURCES, which define what they export, it leaves
+# out, so that a symbol is exported by one library only.
 #
-# API_HEADERS are what cmake/install.cmake installs. INCLUDES are the include roots.
+# OF_PROGRAM: no library for hosts, so that there is a shared one only with BUILD_SHARED_LIBS.
 #
 # LINKS are libraries that archives pass on to whoever links them; COMPILES_WITH is of use to the compiler alone.
 if(PINBALL_HWCAPS)
@@ -56,10 +56,7 @@ function(pinball_link_library target name type)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${objects}>)
   endforeach()
   target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  get_property(includes GLOBAL PROPERTY pinball_${name}_includes)
-  foreach(include IN LISTS includes)
-    target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${include}>)
-  endforeach()
+  target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${pinball_host_include}>)
   target_compile_features(${target} INTERFACE cxx_std_20)
   # Once installed: the OpenMP runtime by name, of the compiler that made the objects, whatever the host compiles with.
   target_link_libraries(${target} PRIVATE ${arg_LINKS} $<BUILD_INTERFACE:pinball_codegen>
@@ -79,13 +76,7 @@ function(pinball_link_library target name type)
 endfunction()
 
 function(pinball_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "INTERNALS_OF" "SOURCES;API_SOURCES;API_HEADERS;INCLUDES;LINKS;COMPILES_WITH")
-  if(arg_INTERNALS_OF)
-    get_property(includes GLOBAL PROPERTY pinball_${arg_INTERNALS_OF}_includes)
-    list(APPEND arg_INCLUDES ${includes})
-  endif()
-  set_property(GLOBAL PROPERTY pinball_${name}_includes ${arg_INCLUDES})
-  set_property(GLOBAL PROPERTY pinball_${name}_headers ${arg_API_HEADERS})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OF_PROGRAM" "" "SOURCES;API_SOURCES;INTERNALS_OF;LINKS;COMPILES_WITH")
   set(levels none ${PINBALL_HWCAPS})
   foreach(level IN LISTS levels)
     set(suffix "_${level}")
@@ -102,22 +93,18 @@ function(pinball_library name)
       endif()
       if(sources)
         pinball_objects(pinball_${name}_${part}${suffix} ${level_option} SOURCES ${sources} COMPILES_WITH ${arg_LINKS} ${arg_COMPILES_WITH})
-        target_include_directories(pinball_${name}_${part}${suffix} PRIVATE ${arg_INCLUDES})
         list(APPEND objects pinball_${name}_${part}${suffix})
       endif()
     endforeach()
     set(shared_objects ${objects})
-    if(arg_INTERNALS_OF)
-      list(APPEND shared_objects pinball_${arg_INTERNALS_OF}_objects${suffix})
-    endif()
+    foreach(other IN LISTS arg_INTERNALS_OF)
+      list(APPEND shared_objects pinball_${other}_objects${suffix})
+    endforeach()
 
     if(level STREQUAL "none")
-      set(other)
-      if(arg_INTERNALS_OF)
-        set(other pinball_${arg_INTERNALS_OF})
-      endif()
-      pinball_link_library(pinball_${name} ${name} STATIC OBJECTS ${objects} LINKS ${other} ${arg_LINKS})
-      if(BUILD_SHARED_LIBS OR PINBALL_STATIC_AND_SHARED)
+      list(TRANSFORM arg_INTERNALS_OF PREPEND pinball_ OUTPUT_VARIABLE others)
+      pinball_link_library(pinball_${name} ${name} STATIC OBJECTS ${objects} LINKS ${others} ${arg_LINKS})
+      if(BUILD_SHARED_LIBS OR PINBALL_STATIC_AND_SHARED AND NOT arg_OF_PROGRAM)
         pinball_link_library(pinball_${name}_shared ${name} SHARED OBJECTS ${shared_objects} LINKS ${arg_LINKS})
       endif()
     else()

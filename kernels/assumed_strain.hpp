@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/hourglass.hpp>
+#include "hourglass.hpp"
 
 /// Assumed-strain stabilisation after Belytschko and Bindeman (Comp. Meths. Appl. Mech. Engrg. 105, 225-260, 1993,
 /// "ASQBI"): the hourglass modes resist as the material does in bending and twisting, without a coefficient to tune.

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <pinball/kernels/simd.hpp>
+
+#include "simd.hpp"
 
 /// Bounding boxes over balls that move: which balls may come together while each goes its way in a straight line,
 ///

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/macros.hpp>
+
+#include "macros.hpp"
 
 #if defined(__AVX512VL__) && !defined(__CUDACC__)
 #include <immintrin.h>

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/gather.hpp>
-#include <pinball/kernels/pinball.hpp>
+
+#include "gather.hpp"
+#include "pinball.hpp"
 
 /// Penalty forces of pairs of pinballs, a pack of pairs at a time.
 ///

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/contact_impulse.hpp>
+#include "contact_impulse.hpp"
 
 /// Coulomb friction on contact constraints. Across the direction a of a row its two sides slide past each other with
 ///

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/macros.hpp>
-#include <pinball/kernels/simd.hpp>
+
+#include "macros.hpp"
+#include "simd.hpp"
 
 /// Contact constraints enforced by impulses: find p >= 0 such that
 ///

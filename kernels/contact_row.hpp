@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/pinball.hpp>
+
+#include "pinball.hpp"
 
 /// A contact constraint: one row of the contact matrix G, for enforcement by impulses (projection, Lagrange
 /// multiplier).

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/assumed_strain.hpp>
-#include <pinball/kernels/bulk_viscosity.hpp>
-#include <pinball/kernels/gather.hpp>
-#include <pinball/kernels/hexahedron.hpp>
-#include <pinball/kernels/hourglass.hpp>
-#include <pinball/kernels/material.hpp>
-#include <pinball/kernels/rotation.hpp>
-#include <pinball/kernels/stable_time_step.hpp>
+
+#include "assumed_strain.hpp"
+#include "bulk_viscosity.hpp"
+#include "gather.hpp"
+#include "hexahedron.hpp"
+#include "hourglass.hpp"
+#include "material.hpp"
+#include "rotation.hpp"
+#include "stable_time_step.hpp"
 
 /// One pack of elements through one step: gather, strain, stress, erosion, forces, scatter (report figure 4, 3a-c).
 ///

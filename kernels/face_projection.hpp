@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cmath>
-#include <pinball/kernels/macros.hpp>
-#include <pinball/kernels/simd.hpp>
-#include <pinball/kernels/tensor.hpp>
+
+#include "macros.hpp"
+#include "simd.hpp"
+#include "tensor.hpp"
 
 /// Projection of a slave node onto a master segment: the narrow phase of a slideline (Belytschko and Lin, Comp. Meths.
 /// Appl. Mech. Engrg. 1987; Hallquist, Goudreau and Benson, ibid. 51, 107-137, 1985).

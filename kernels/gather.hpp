@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/simd.hpp>
-#include <pinball/kernels/tensor.hpp>
+
+#include "simd.hpp"
+#include "tensor.hpp"
 
 /// Access to node records by index.
 ///

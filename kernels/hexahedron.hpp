@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pinball/kernels/simd.hpp>
-#include <pinball/kernels/tensor.hpp>
+#include "simd.hpp"
+#include "tensor.hpp"
 
 /// The uniform-strain hexahedron of Flanagan and Belytschko (Internat. J. Numer. Meths. Engrg. 17, 679-706, 1981) in
 /// its modal form.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/hexahedron.hpp>
+#include "hexahedron.hpp"
 
 /// Orthogonal hourglass control of Flanagan and Belytschko (1981).
 ///

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/simd.hpp>
+
+#include "simd.hpp"
 
 /// Accelerations and central-difference integration of one node (report figure 4, 5 and 6):
 ///

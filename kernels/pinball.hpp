@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/hexahedron.hpp>
+#include "hexahedron.hpp"
 
 /// A pinball: the sphere embedded in a surface element (report section 3, equations (3.1) to (3.12)).
 ///

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/gather.hpp>
-#include <pinball/kernels/pinball.hpp>
+
+#include "gather.hpp"
+#include "pinball.hpp"
 
 /// Centres, velocities, normals and (on demand) radii of a pack of pinballs from the corners of their elements
 /// (report figure 3, steps 1 to 3).

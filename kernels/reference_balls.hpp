@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/ball_tree.hpp>
+#include "ball_tree.hpp"
 
 /// Which pairs of balls of one body were close to each other in the undeformed mesh. Such a pair says nothing about
 /// contact: balls of flat elements may overlap from the start.

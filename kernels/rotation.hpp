@@ -1,7 +1,7 @@
 #pragma once
 
-#include <pinball/kernels/simd.hpp>
-#include <pinball/kernels/tensor.hpp>
+#include "simd.hpp"
+#include "tensor.hpp"
 
 /// Incremental rotation of Hughes and Winget (1980): with the spin W dt of the mid-step configuration,
 ///

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
-#include <pinball/kernels/macros.hpp>
+
+#include "macros.hpp"
 
 #if !defined(__CUDACC__)
 #include <experimental/simd>

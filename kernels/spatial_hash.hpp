@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <pinball/kernels/macros.hpp>
+
+#include "macros.hpp"
 
 /// Spatial hash: points are put into the cells of a grid without bounds, cells into buckets by a hash of their three
 /// integer coordinates (report figure 3, steps 4 and 5). Entries of one bucket lie together, in the order of the

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/hexahedron.hpp>
+#include "hexahedron.hpp"
 
 /// Stable step of central differences from a bound on the element's own highest eigenvalue: by Fried's theorem no
 /// eigenvalue of the assembled model is larger than the largest of any element, so that also a single eroded fragment

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <pinball/kernels/simd.hpp>
+#include "simd.hpp"
 
 /// Vectors and tensors of the kernels, over any number type (scalar or pack).
 namespace pinball {

@@ -1,6 +1,6 @@
 #include <pybind11/stl.h>
 
-#include <pinball/solver/results.hpp>
+#include <solver/results.hpp>
 
 #include "bindings.hpp"
 

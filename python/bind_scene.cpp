@@ -1,7 +1,7 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
-#include <pinball/solver/scene_rules.hpp>
+#include <solver/scene_rules.hpp>
 
 #include "bindings.hpp"
 #include "numpy_arrays.hpp"

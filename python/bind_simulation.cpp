@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
-#include <pinball/solver/simulation.hpp>
-#include <pinball/solver/summary.hpp>
+#include <solver/simulation.hpp>
+#include <solver/summary.hpp>
 
 #include "bindings.hpp"
 #include "numpy_arrays.hpp"

@@ -3,7 +3,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl_bind.h>
 
-#include <pinball/solver/scene.hpp>
+#include <solver/scene.hpp>
 
 /// Lists of a scene are objects of their own, so that scene.bodies.append(...) changes the scene. Every file of the
 /// module has to know that.

@@ -1,4 +1,4 @@
-#include <pinball/solver/error.hpp>
+#include <solver/base/error.hpp>
 
 #include "bindings.hpp"
 

@@ -2,10 +2,11 @@
 
 #include <pybind11/numpy.h>
 
-#include <pinball/solver/array_view.hpp>
-#include <pinball/solver/error.hpp>
 #include <string>
 #include <vector>
+
+#include <solver/array_view.hpp>
+#include <solver/base/error.hpp>
 
 /// NumPy arrays and the views of the solver, both ways without copies.
 namespace pinball::python {

@@ -2,8 +2,9 @@
 
 #include <cstdint>
 #include <memory>
-#include <pinball/solver/array_view.hpp>
-#include <pinball/solver/mesh.hpp>
+
+#include "array_view.hpp"
+#include "mesh.hpp"
 
 namespace pinball {
 

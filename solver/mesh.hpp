@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/contact/point.hpp>
 #include <vector>
+
+#include "base/point.hpp"
 
 namespace pinball {
 

@@ -2,9 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <pinball/solver/mesh.hpp>
 #include <string>
 #include <vector>
+
+#include "mesh.hpp"
 
 /// What a run reports: plain data in double, in the order of the scene (not of the solver's internal numbering).
 namespace pinball {

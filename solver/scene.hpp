@@ -1,16 +1,14 @@
 #pragma once
 
-#include <pinball/contact/export.h>
-
 #include <cstdint>
 #include <optional>
-#include <pinball/contact/contact_settings.hpp>
-#include <pinball/solver/array_mesh.hpp>
-#include <pinball/solver/mesh.hpp>
-#include <pinball/solver/scene_boundary.hpp>
 #include <string>
-#include <variant>
 #include <vector>
+
+#include "base/export.h"
+#include "contact/contact_settings.hpp"
+#include "mesh_settings.hpp"
+#include "scene_boundary.hpp"
 
 /// A scene: plain data with defaults, read from a file or filled in by a host; no arrays of the size of the mesh.
 /// Every field carries the TOML key that sets it. Units are the scene's own consistent set. What is called "not set"
@@ -72,72 +70,6 @@ struct Material {
   double ultimate_stress = 0.0;  ///< ultimate_stress: hardening ends here; default: infinite [stress]
   double erosion_strain = 0.0;   ///< erosion_strain: effective plastic strain at which the element is eroded; 0: never
 };
-
-/// Layers of elements of one thickness across a block.
-struct BlockSection {
-  double length = 0.0;
-  int elements = 0;
-};
-
-/// mesh = { type = "block", size = [lx, ly, lz], elements = [nx, ny, nz] }: corner at the origin of the body's frame.
-/// Lists in the places of a size and a number of elements cut that direction into sections.
-struct BlockMesh {
-  Point size{};
-  std::array<int, 3> elements{};
-  std::array<std::vector<BlockSection>, 3> sections{};  ///< empty: elements of one size along that direction
-};
-
-/// mesh = { type = "round_nosed_rod", length, radius, half = true, core = [p, q], ring = b, layers = n }.
-/// The axis is the body's z, the tip of the hemispherical nose at the origin, the rod behind it at z < 0 ... -length;
-/// with half = true only y >= 0 is meshed and the flat cut lies in y = 0.
-struct RoundNosedRodMesh {
-  double length = 0.0;
-  double radius = 0.0;
-  bool half = true;
-  std::array<int, 2> core{2, 2};  ///< elements of the core block along x and along y (of the half section)
-  int ring = 1;                   ///< layers of elements between the core and the lateral surface and nose
-  int layers = 1;                 ///< layers of elements along the axis
-};
-
-/// Part of a body of revolution about z: all of it, y >= 0, x >= 0 and y >= 0, or from y = 0 turned by an angle.
-enum class Section { full, half, quarter, wedge };
-
-/// A wedge has one element around its angle; beyond this [degree] its elements are too blunt.
-inline constexpr double largest_wedge_angle = 60.0;
-
-/// mesh = { type = "cylinder", radius, length, section = "full", core = c, ring = b, layers = n }; with
-/// section = "wedge": angle, radial and layers. The axis is the body's z, from 0 to length.
-struct CylinderMesh {
-  double radius = 0.0;
-  double length = 0.0;
-  Section section = Section::full;
-  double angle = 0.0;  ///< of the wedge [degree]
-  int core = 1;        ///< elements along each side of the full core
-  int ring = 1;        ///< layers of elements between the core and the surface
-  int radial = 1;      ///< elements of the wedge along the radius
-  int layers = 1;      ///< layers of elements along the axis
-};
-
-/// mesh = { type = "sphere", radius, section = "full", core = c, ring = b, grading = 1 }; with section = "wedge":
-/// core = [p, q] and angle. The centre is the origin, wedges are about the body's z axis.
-struct SphereMesh {
-  double radius = 0.0;
-  Section section = Section::full;
-  double angle = 0.0;             ///< of the wedge [degree]
-  std::array<int, 2> core{1, 1};  ///< elements along each side of the full core; of the wedge's along radius and axis
-  int ring = 1;                   ///< layers of elements between the core and the surface
-  double grading = 1.0;           ///< elements at the pole z = -radius are smaller by this factor [-]
-};
-
-/// mesh = { type = "gmsh", file = "part.msh", physical = "name", scale = 1 }.
-struct GmshMesh {
-  std::string file;      ///< as it can be opened; in the scene relative to the folder of the scene file
-  std::string physical;  ///< name of the physical volume; default: all volumes
-  double scale = 1.0;    ///< multiplies the coordinates
-};
-
-/// ArrayMesh has no form in TOML: it is for hosts.
-using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh, GmshMesh, ArrayMesh>;
 
 /// One [[body]] table.
 struct Body {

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <pinball/solver/mesh.hpp>
 #include <string>
 #include <vector>
+
+#include "mesh.hpp"
 
 /// What acts on a scene from outside, and what is watched in it, as the user wrote it.
 /// Every field carries the TOML key that sets it.

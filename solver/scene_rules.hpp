@@ -1,11 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <pinball/solver/export.hpp>
-#include <pinball/solver/scene.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/export.h"
+#include "scene.hpp"
 
 /// What a scene has to fulfil beyond the bounds of single numbers (scene_numbers.hpp), and the defaults that depend on
 /// other values: one place for scenes read from files and for those that a host makes.

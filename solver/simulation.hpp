@@ -3,14 +3,15 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <pinball/contact/state_archive.hpp>
-#include <pinball/solver/array_view.hpp>
-#include <pinball/solver/export.hpp>
-#include <pinball/solver/results.hpp>
-#include <pinball/solver/scene.hpp>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "array_view.hpp"
+#include "base/export.h"
+#include "base/state_archive.hpp"
+#include "results.hpp"
+#include "scene.hpp"
 
 namespace pinball {
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <pinball/solver/export.hpp>
-#include <pinball/solver/results.hpp>
 #include <string>
+
+#include "base/export.h"
+#include "results.hpp"
 
 namespace pinball {
 

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 
-from history_plot import read_history
+from plot.history_plot import read_history
 
 from .builds import NATIVE, program, run
 from .measuring import METHODS

@@ -6,9 +6,9 @@ import subprocess
 import tempfile
 from dataclasses import dataclass
 
-from history_plot import read_history
+from plot.history_plot import read_history
 from report_parts.builds import NATIVE, ROOT, Failed, program
-from vtu import read_pvd, read_vtu
+from plot.vtu import read_pvd, read_vtu
 
 from .variants import PLAIN
 

@@ -44,7 +44,7 @@
 #ifndef PINBALL_CONTACT_H
 #define PINBALL_CONTACT_H
 
-#include <pinball/contact/export.h>
+#include "../base/export.h"
 #include <stddef.h>
 #include <stdint.h>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <pinball/contact/contact.h>
-
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "contact.h"
 
 /// The C interface of contact (contact.h, which explains the life of a step) for C++ hosts. All of it is in this
 /// header, over the C interface: what lies between host and library does not depend on how either was compiled.

@@ -1,0 +1,170 @@
+#include "host_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <kernels/exec.hpp>
+
+#include "host_error.hpp"
+#include "host_options.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// The threads of the calling thread's parallel regions, while this lives.
+class ThreadCount {
+ public:
+  explicit ThreadCount(std::int32_t threads) : before_(DefaultExecutionSpace::concurrency()) {
+    if (threads > 0) DefaultExecutionSpace::set_concurrency(threads);
+  }
+  ~ThreadCount() { DefaultExecutionSpace::set_concurrency(before_); }
+  ThreadCount(const ThreadCount&) = delete;
+  ThreadCount& operator=(const ThreadCount&) = delete;
+
+ private:
+  int before_;
+};
+
+template <class Vectors>
+void require_vectors(const Vectors& vectors, const char* name) {
+  for (const void* component : {static_cast<const void*>(vectors.x), static_cast<const void*>(vectors.y),
+                                static_cast<const void*>(vectors.z)}) {
+    require_pointer(component, name);
+  }
+  if (vectors.stride < 1) {
+    throw HostError(PINBALL_CONTACT_BAD_COUNT, name, ".stride: expected 1 or more, got ", vectors.stride);
+  }
+}
+
+void require_step(double dt, const char* name) {
+  if (dt >= 0 && std::isfinite(dt)) return;
+  throw HostError(PINBALL_CONTACT_BAD_NUMBER, name, ": expected a number >= 0, got ", dt);
+}
+
+template <class S>
+class HostContactOf final : public HostContact {
+ public:
+  HostContactOf(const ContactSettings& settings, const pinball_contact_options& options, HostMesh<S> mesh,
+                const pinball_contact_input& position)
+      : settings_(settings), threads_(options.threads), model_(settings_, options, std::move(mesh), position) {
+    const ThreadCount threads(threads_);
+    contact_ = make_contact<S>(model_, model_.start(position, settings_.enforcement != Enforcement::penalty));
+  }
+
+  void update(const pinball_contact_arrays* arrays, double dt_before) override {
+    check(arrays);
+    require_step(dt_before, "dt_before");
+    if (updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "update: the last one still waits for add_forces");
+    const ThreadCount threads(threads_);
+    const std::vector<std::int64_t> eroded = model_.take_alive(*arrays, contact_->surface());
+    eroded_.insert(eroded_.end(), eroded.begin(), eroded.end());
+    std::sort(eroded_.begin(), eroded_.end());
+    model_.take_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
+    contact_->update_surface(model_, eroded_);
+    eroded_.clear();
+    contact_->search(model_);
+    if (contact_->by_impulses()) contact_->prepare_impulses(model_, dt_before);
+    dt_before_ = dt_before;
+    updated_ = true;
+  }
+
+  pinball_contact_result add_forces(const pinball_contact_arrays* arrays, double dt_after) override {
+    check(arrays);
+    require_vectors(arrays->force, "arrays->force");
+    check_force_records(*arrays);
+    require_step(dt_after, "dt_after");
+    if (!updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "add_forces: expected update before it");
+    const ThreadCount threads(threads_);
+    const ContactResult result = contact_->by_impulses() ? add_impulses(*arrays, dt_after) : add_springs(*arrays);
+    updated_ = false;
+    return told(result);
+  }
+
+  std::int32_t surface_elements() const override { return contact_->surface_elements(); }
+
+ private:
+  static void check(const pinball_contact_arrays* arrays) {
+    require_version(arrays, "arrays");
+    require_vectors(arrays->position, "arrays->position");
+    require_vectors(arrays->velocity, "arrays->velocity");
+  }
+
+  static void check_force_records(const pinball_contact_arrays& arrays) {
+    const pinball_contact_output& f = arrays.force;
+    if (arrays.force_records == 0) return;
+    if (arrays.force_records != 1 || !HostVectors<S>({f.x, f.y, f.z, f.stride}).are_records()) {
+      throw HostError(PINBALL_CONTACT_BAD_OPTION,
+                      "arrays->force_records: expected 0, or 1 where arrays->force are aligned records of four");
+    }
+  }
+
+  ContactResult add_springs(const pinball_contact_arrays& arrays) {
+    model_.take_places(arrays);
+    ContactResult result = contact_->forces(model_, static_cast<S>(dt_before_));
+    if (result.pairs > 0) {
+      const std::vector<std::int32_t>& nodes = contact_->loaded_nodes();
+      model_.take_forces(arrays, nodes);
+      contact_->scatter(model_, result);
+      model_.put_forces(arrays, nodes);
+    }
+    return result;
+  }
+
+  ContactResult add_impulses(const pinball_contact_arrays& arrays, double dt_after) {
+    const std::vector<std::int32_t>& nodes = contact_->loaded_nodes();
+    model_.take_impulse_nodes(arrays, nodes);
+    const ContactResult result = contact_->impulses(model_, {dt_before_, dt_after});
+    model_.put_forces(arrays, nodes);
+    return result;
+  }
+
+  pinball_contact_result told(const ContactResult& now) {
+    dissipated_ += 0.5 * (damped_power_ + now.damped_power) * dt_before_ + now.dissipated;
+    lost_ += now.eroded;
+    damped_power_ = now.damped_power;
+    pinball_contact_result result{};
+    result.stored = now.stored;
+    result.dissipated = dissipated_;
+    result.eroded = lost_;
+    result.damped_power = damped_power_;
+    result.penetration_ratio = now.penetration_ratio;
+    result.pairs = now.pairs;
+    result.listed_pairs = contact_->listed().entries;
+    result.surface_elements = contact_->surface_elements();
+    result.searches = contact_->searches();
+    result.searches_skipped = contact_->searches_skipped();
+    result.frequency2 = now.frequency2;
+    result.stable_step = now.frequency2 > 0 ? 2 / std::sqrt(now.frequency2) : std::numeric_limits<double>::infinity();
+    return result;
+  }
+
+  ContactSettings settings_;
+  std::int32_t threads_;
+  HostModel<S> model_;
+  std::unique_ptr<Contact<S>> contact_;
+  std::vector<std::int64_t> eroded_;  ///< slots that contact has not been told of yet
+  double dt_before_ = 0;
+  bool updated_ = false;  ///< add_forces is due
+  double damped_power_ = 0, dissipated_ = 0, lost_ = 0;
+};
+
+template <class S>
+std::unique_ptr<HostContact> make_of(const ContactSettings& settings, const pinball_contact_options& options,
+                                     const pinball_contact_mesh* mesh, const pinball_contact_input* position) {
+  HostMesh<S> checked(options, mesh, position);
+  return std::make_unique<HostContactOf<S>>(settings, options, std::move(checked), *position);
+}
+
+}  // namespace
+
+std::unique_ptr<HostContact> make_host_contact(const pinball_contact_options* options, const pinball_contact_mesh* mesh,
+                                               const pinball_contact_input* position) {
+  const ContactSettings settings = settings_of(options);
+  return options->number == PINBALL_CONTACT_FLOAT ? make_of<float>(settings, *options, mesh, position)
+                                                  : make_of<double>(settings, *options, mesh, position);
+}
+
+}  // namespace pinball

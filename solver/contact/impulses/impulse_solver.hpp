@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <kernels/contact_friction.hpp>
+#include <kernels/tensor.hpp>
+#include <solver/base/external_work.hpp>
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/surface/held_directions.hpp>
+#include <solver/contact/surface/surface_source.hpp>
+
+namespace pinball {
+
+/// Result of one solution of the contact impulses.
+struct ImpulseResult {
+  double dissipated = 0;         ///< energy taken out since the solution before, see ContactImpulses [energy]
+  double penetration_ratio = 0;  ///< largest penetration over the size of its pair [-]
+  std::int64_t pairs = 0;        ///< pairs that push
+};
+
+/// Two things that may touch within the coming step: a row of the contact matrix (kernels/contact_row.hpp).
+struct ContactPair {
+  std::int32_t first, second;  ///< names that the pair keeps from step to step
+  std::int32_t node[16];       ///< of the node store
+  double weight[16];           ///< negative for the nodes of body 1, positive for those of body 2; each side sums to 1
+  int nodes = 0;
+  Vec3<double> direction;  ///< from body 2 to body 1
+  double depth;            ///< penetration, or negative gap [length]
+  double size;             ///< what the depth is compared with, R1 + R2 [length]
+};
+
+/// Contact by impulses instead of springs: after accelerations are known and before positions move, impulses take out
+/// the velocities v* with which gaps would close within the step (kernels/contact_impulse.hpp). They do not change the
+/// stable step.
+///
+///   lagrange     the coupled system of the step, by sweeps until it is solved;
+///   projection   one sweep over all pairs.
+///
+/// Release (Hughes, Taylor, Sackman, Curnier and Kanoknukulchai, Comp. Meths. Appl. Mech. Engrg. 8, 249-276, 1976): the
+/// first impulse of a contact acts on nodes of half an element, so that it is half of what a step of a steady contact
+/// gives. When a pair separates, its nodes get the other half; without it they ring for ever. It may not return more
+/// energy than the pair has taken out.
+///
+/// Energy: what the impulses take out is the work of their forces, counted as all work is (external_work.hpp).
+///
+/// Friction (kernels/contact_friction.hpp): part of the coupled system, or, with projection, one sweep after that of
+/// the impulses. Its work is counted with that of the impulses.
+///
+/// The rows are solved in double and in one order, so that results do not depend on the number of threads.
+template <class S>
+class ContactImpulses {
+ public:
+  ContactImpulses(const ContactModel<S>& model, HeldDirections held);
+
+  /// Takes all pairs that may touch within the coming step, at the present positions, each once.
+  /// dt: the step just made.
+  void collect(const ContactModel<S>& model, const std::vector<ContactPair>& pairs, double dt);
+
+  /// Solves for the impulses of the coming step and adds the forces that give them to the nodes.
+  /// Loads, constraints and prescribed velocities must already be in the node forces and velocities; what the forces of
+  /// the contact have in held directions is for them to take up again.
+  ImpulseResult solve(const ContactModel<S>& model, const StepLengths& step);
+
+  /// Nodes of the pairs collected, each once.
+  const std::vector<std::int32_t>& nodes() const { return node_; }
+
+  /// Adds the contact forces of the last solution, per node of the store [force].
+  void add_node_forces(std::vector<Point>& node_force) const;
+
+  void persist(StateArchive& archive, const ContactModel<S>& model);
+  std::size_t bytes() const;
+
+ private:
+  /// What outlives a step, by the names of the pair.
+  struct Memory {
+    std::int32_t first, second;
+    double depth;        ///< as far as approach has closed it, see limit_depth [length]
+    double force;        ///< of the last step [force]
+    double lost;         ///< energy that the pair has taken out, but for friction [energy]
+    double friction[3];  ///< of the last step [force]
+    bool slides;         ///< in the last step
+    static bool earlier(const Memory& a, const Memory& b) {
+      return a.first != b.first ? a.first < b.first : a.second < b.second;
+    }
+  };
+  /// What a row of rows_ is besides.
+  struct Pair {
+    double depth;              ///< penetration, or negative gap; see limit_depth [length]
+    double size;               ///< [length]
+    double rate_before;        ///< G v in the middle of the step before [length/time]
+    double rate_free;          ///< G v* [length/time]
+    double force;              ///< of this step [force]
+    double sliding_before[3];  ///< of the middle of the step before, across the direction [length/time]
+    Memory memory;
+  };
+
+  /// Where a node stands last in a row.
+  struct LastEntry {
+    std::size_t row;
+    int entry;
+  };
+
+  void add_row(const ContactPair& contact);
+  void limit_depth(const ContactModel<S>& model, std::size_t i, double dt);
+  void load_nodes(const ContactModel<S>& model, double velocity_step);
+  void set_rates(double velocity_step, double dt);
+  void drop_rows_apart();
+  bool has_friction() const { return friction_at_rest_ > 0; }
+  void begin_friction(double velocity_step);
+  void solve_coupled();
+  void slow_sliding();
+  void count_friction(std::size_t i, const StepLengths& step, ImpulseResult& result);
+  void release(double velocity_step);
+  void remember();
+
+  bool lagrange_ = false;
+  double friction_at_rest_ = 0, friction_sliding_ = 0;  ///< coefficients [-]
+  std::vector<ImpulseRow> rows_;
+  std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
+  std::vector<Pair> pairs_;             ///< one per row
+  std::vector<ImpulseNode> nodes_;
+  std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
+  std::vector<LastEntry> last_entry_;     ///< per entry of node_
+  std::vector<Memory> memory_;            ///< of the last step, sorted by the names
+  std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
+  HeldDirections held_;
+  double pending_ = 0;  ///< energy dissipated by the last impulses in the step after them
+};
+
+}  // namespace pinball

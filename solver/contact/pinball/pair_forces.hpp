@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <kernels/contact_force.hpp>
+
+#include "pair_list.hpp"
+
+namespace pinball {
+
+/// Sums over the pairs in contact.
+template <class S>
+struct PairSums {
+  double stored = 0;        ///< energy of the springs [energy]
+  double damped = 0;        ///< power of the damping [power]
+  S penetration_ratio = 0;  ///< largest g / (R1 + R2) [-]
+  std::int64_t pairs = 0;
+};
+
+/// The penalty forces of the pairs of a list, summed per pinball. Every pinball sums its pairs in the order of the
+/// other pinball's number, so that results depend neither on the number of threads nor on what else is listed.
+template <class S>
+class PairForces {
+ public:
+  /// force: records of all listed pinballs, written: F, sum of p2 [force], [force/length]. dt: the step just made.
+  PairSums<S> compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                      S* force);
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::int64_t pieces = PairList<S>::pieces;
+  static constexpr int W = native_width<S>;
+  using Touch = PairTouch<S, W>;
+  /// A pair whose second pinball belongs to another piece.
+  struct Elsewhere {
+    std::int32_t pinball;
+    S force[4];  ///< on it, and p2
+  };
+  /// Of one piece, kept for their memory.
+  struct Work {
+    std::vector<Touch> touches;  ///< pairs that overlap in full packs; with room for more
+    std::int64_t pairs = 0;      ///< of these, the first
+    std::vector<Elsewhere> elsewhere;
+    PairSums<S> sums;
+  };
+  struct Waiting;
+  static void work_out(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                       std::int64_t piece, Work& work);
+  static void work_out_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                            std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work);
+
+  std::array<Work, pieces> work_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <solver/base/aligned_array.hpp>
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/search/moving_balls.hpp>
+
+#include "surface_pinballs.hpp"
+
+namespace pinball {
+
+/// The pairs of pinballs that may touch in a time to come, each once. Pinballs that may touch none are left out: the
+/// list numbers the others, in the same order. Pairs are sorted by their first pinball, which has the lower number, and
+/// then by their second. Per pair the list keeps what a pair in contact remembers (contact_force.hpp); this survives a
+/// rebuild.
+///
+/// For work in parallel the list comes in pieces: consecutive pinballs and the pairs of which they are the first. Each
+/// piece begins at a whole pack, so that there are places without a pair between pieces.
+template <class S>
+class PairList {
+ public:
+  static constexpr std::int64_t pieces = 64;  ///< what is done by pieces does not depend on the number of threads
+  struct Piece {
+    std::int64_t begin = 0, end = 0;                    ///< pairs
+    std::int32_t pinballs_begin = 0, pinballs_end = 0;  ///< listed
+  };
+
+  /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself.
+  void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self);
+
+  std::int32_t size() const { return static_cast<std::int32_t>(listed_.size()); }  ///< pinballs that have a pair
+  /// Number among all pinballs of each one that is listed.
+  const std::vector<std::int32_t>& listed() const { return listed_; }
+  const Piece& piece(std::int64_t number) const { return piece_[static_cast<std::size_t>(number)]; }
+  std::int64_t pairs() const;
+  std::int64_t places() const { return static_cast<std::int64_t>(first_.size()); }  ///< of pairs, and between pieces
+  /// Listed pinballs of each place; any valid ones where there is no pair.
+  const std::int32_t* first() const { return first_.data(); }
+  const std::int32_t* second() const { return second_.data(); }
+  /// Depth at which each pair began, negative for pairs that are not in contact [length].
+  S* offset() { return offset_.data(); }
+  const S* offset() const { return offset_.data(); }
+  S* stored() { return stored_.data(); }  ///< spring energy of each pair [energy]
+  /// Ends all pairs of which a pinball takes no part any more; returns their spring energy [energy].
+  /// outward: records of the listed pinballs, whose fourth number is B R, or 0.
+  double end_pairs_of_inactive(const S* outward);
+  void persist(StateArchive& archive) { archive(piece_, listed_, slot_, first_, second_, offset_, stored_); }
+  std::size_t bytes() const;
+
+ private:
+  /// A pair in contact, by the slots of its elements: what a rebuild carries over.
+  struct Memory {
+    std::int32_t first, second;
+    S offset, stored;
+  };
+  /// The pairs of which the pinballs of a piece are the first, in the order of the list.
+  struct Found {
+    std::vector<std::int32_t> first, second;  ///< numbers among all pinballs; with room for more
+    std::size_t pairs = 0;
+    std::int32_t pinballs = 0;  ///< of the piece, that have a pair
+  };
+  void remember();
+  void recall();
+  /// Place of a pair of listed pinballs; -1 if it is not listed.
+  std::int64_t find_pair(std::int32_t first, std::int32_t second) const;
+  /// First of all pinballs of a piece.
+  std::int32_t piece_begin(std::int64_t piece) const;
+  void collect_references(const SurfacePinballs<S>& pinballs);
+  void find(const SurfacePinballs<S>& pinballs, bool self);
+  /// What may come near the balls of a group without what is listed already, and without pairs of one body that were
+  /// not apart in the undeformed mesh.
+  void leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const;
+  /// The same without pairs of elements that share a corner.
+  void leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
+                            std::span<typename NearBalls<S>::Group> near) const;
+  void take(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
+  void mark(std::int32_t pinball);
+  void number(const SurfacePinballs<S>& pinballs);
+
+  std::array<Piece, pieces> piece_{};
+  std::vector<std::int32_t> listed_, slot_;
+  AlignedArray<std::int32_t> first_, second_;
+  AlignedArray<S> offset_, stored_;
+  // What follows is kept for its memory alone.
+  BallTree<S> boxes_;
+  AlignedArray<float> reference_;                   ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
+  std::array<std::vector<Memory>, pieces> memory_;  ///< of the pairs of a piece
+  std::array<NearBalls<S>, pieces> near_;
+  std::array<Found, pieces> found_;
+  std::vector<std::uint8_t> has_pair_;  ///< per pinball
+  std::vector<std::int32_t> number_;    ///< in the list, of each pinball that is listed
+};
+
+}  // namespace pinball

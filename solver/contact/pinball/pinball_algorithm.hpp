@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/contact/search/surface_motion.hpp>
+#include <solver/contact/surface/surface.hpp>
+
+#include "pair_forces.hpp"
+#include "pair_list.hpp"
+#include "pinball_store.hpp"
+#include "surface_pinballs.hpp"
+
+namespace pinball {
+
+/// The pinball algorithm (report section 3 and figure 3).
+template <class S>
+class PinballContact final : public Contact<S> {
+ public:
+  PinballContact(const ContactModel<S>& model, ContactStart start);
+
+  /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
+  void update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) override;
+  /// Figure 3, 4: the pairs that may touch, unless the list still holds.
+  void search(const ContactModel<S>& model) override;
+  /// Figure 3, 5-6: penetrating pairs and their penalty forces, one sum per pinball.
+  ContactResult forces(const ContactModel<S>& model, S dt) override;
+  /// Adds an eighth of each pinball's force to the corners of its element, and bounds the contact frequency.
+  void scatter(const ContactModel<S>& model, ContactResult& result) override;
+  void prepare_impulses(const ContactModel<S>& model, double dt) override;
+
+  const char* name() const override { return "pinball"; }
+  void report(const ContactModel<S>& model, std::vector<Point>& node_force,
+              std::vector<double>& slot_radius) const override;
+  const Surface& surface() const override { return surface_; }
+  const std::vector<std::int32_t>& loaded_nodes() override {
+    return this->by_impulses() ? this->impulses_->nodes() : node_;
+  }
+  ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
+  const std::vector<std::int32_t>* listed_nodes() const override { return &node_; }
+  void persist(StateArchive& archive, const ContactModel<S>& model) override;
+  std::size_t bytes() const override;
+
+ private:
+  /// Whether the list still has every pair that may touch.
+  bool list_holds(const ContactModel<S>& model) const;
+  /// Builds the list for a time to come, and the store of the pinballs that are in it.
+  void build_list(const ContactModel<S>& model);
+  void collect_listed(const ContactModel<S>& model);
+  /// Exposed faces of the listed pinballs, and which of them take part.
+  void update_exposure();
+  /// Centres, velocities, normals and (on demand) radii of the listed pinballs.
+  void update_geometry(const ContactModel<S>& model);
+  /// Has the motion of the nodes of all pinballs watched.
+  void take_nodes(const ContactModel<S>& model);
+
+  Surface surface_;
+  std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen
+  SurfacePinballs<S> all_;
+  SurfacePinballs<S> all_before_;  ///< kept for its memory
+  SurfaceMotion<S> motion_;
+  MovingBalls<S> balls_;  ///< one for each of all pinballs
+  PairList<S> list_;
+  PairForces<S> pair_forces_;
+  PinballStore<S> pinballs_;             ///< those in the list
+  std::vector<std::int32_t> node_;       ///< corners of the listed pinballs, each once
+  std::vector<std::uint8_t> is_listed_;  ///< per node of the store: among these
+  std::vector<S> radius_;                ///< of all pinballs, when the list was built; only where radii change [length]
+  PenaltyConstants<S> penalty_;
+  bool list_valid_ = false;
+  bool surface_changed_ = false;  ///< since the pinballs of the surface were chosen
+  ListClock<S> clock_;
+  double lost_energy_ = 0;  ///< of springs whose pinball eroded in this step
+};
+
+}  // namespace pinball

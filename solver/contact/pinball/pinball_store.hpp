@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <kernels/contact_force.hpp>
+#include <kernels/pinball_geometry.hpp>
+#include <solver/base/aligned_array.hpp>
+
+namespace pinball {
+
+/// The pinballs that have neighbours (PinballGeometryView, PinballView), in the order of their slots, so that the
+/// pinballs of a tile of elements are consecutive. Those of elements behind the surface wait with B R = 0 until erosion
+/// exposes them, so that lists and numbers last over many erosions.
+template <class S>
+struct PinballStore {
+  std::int32_t count = 0;
+  AlignedArray<std::int32_t> corner;                 ///< in tiles of W
+  AlignedArray<S> exposed;                           ///< in tiles of W
+  AlignedArray<S> bulk_modulus;                      ///< in tiles of W
+  AlignedArray<S> centre;                            ///< records: C, R
+  AlignedArray<S> velocity;                          ///< records: V, element mass
+  AlignedArray<S> outward;                           ///< records: outward normal, B R
+  AlignedArray<S> two_sided;                         ///< records: two-sided normal, unused
+  AlignedArray<S> force;                             ///< records: F, sum of p2
+  std::vector<std::array<std::int32_t, 8>> corners;  ///< node numbers, per pinball
+  std::vector<std::int32_t> slot;                    ///< of the element
+  std::vector<std::int32_t> tile_first;              ///< first pinball of each tile of elements; tiles + 1 entries
+
+  /// Makes room for n pinballs; all numbers are zero, `slot` and `tile_first` are empty.
+  void reset(std::int32_t n, int width) {
+    count = n;
+    const auto padded = static_cast<std::size_t>((n + width - 1) / width * width);
+    corner.reset(8 * padded);
+    exposed.reset(6 * padded);
+    bulk_modulus.reset(padded);
+    for (AlignedArray<S>* records : {&centre, &velocity, &outward, &two_sided, &force}) records->reset(4 * padded);
+    corners.resize(static_cast<std::size_t>(n));
+    slot.clear();
+    tile_first.clear();
+  }
+
+  PinballView<S> view() const { return {centre.data(), velocity.data(), outward.data(), two_sided.data()}; }
+  PinballGeometryView<S> geometry() {
+    return {corner.data(),   exposed.data(), bulk_modulus.data(), centre.data(),
+            velocity.data(), outward.data(), two_sided.data()};
+  }
+  std::size_t bytes() const {
+    return corner.bytes() + exposed.bytes() + bulk_modulus.bytes() + centre.bytes() + velocity.bytes() +
+           outward.bytes() + two_sided.bytes() + force.bytes() + (slot.capacity() + 8 * corners.capacity()) * 4;
+  }
+};
+
+}  // namespace pinball

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/surface/surface.hpp>
+#include <solver/contact/surface/surface_source.hpp>
+
+namespace pinball {
+
+/// The pinballs of all elements that contact may concern, in the order of their slots: what does not change from step
+/// to step. Elements of the surface, and those behind elements that may soon erode: with these, lists last over
+/// erosions.
+template <class S>
+struct SurfacePinballs {
+  std::int32_t count = 0;
+  std::vector<std::int32_t> slot;                    ///< of the element
+  std::vector<std::int32_t> body;                    ///< of the element
+  std::vector<std::array<std::int32_t, 8>> corners;  ///< node numbers
+  std::vector<std::array<float, 4>> reference;       ///< centre and radius in the undeformed mesh [length]
+  std::vector<S> radius;                             ///< of the undeformed element [length]
+  std::vector<S> mass;                               ///< of the element [mass]
+  std::vector<S> bulk_modulus;                       ///< [stress]
+  std::vector<std::uint8_t> chosen;                  ///< per slot of the element store: is among these
+
+  /// Drops eroded elements; takes in uncovered ones (slots) and those behind elements that may soon erode.
+  /// before: memory for what they are until then.
+  void update(const ContactModel<S>& model, const Surface& surface, const std::vector<std::int32_t>& uncovered,
+              SurfacePinballs& before);
+  void persist(StateArchive& archive, const ContactModel<S>& model);
+  std::size_t bytes() const;
+
+ private:
+  void clear();
+  /// Pinballs `begin` to `end` of others.
+  void append(const SurfacePinballs& others, std::size_t begin, std::size_t end);
+  void append(const ContactModel<S>& model, std::int64_t slot);
+};
+
+}  // namespace pinball

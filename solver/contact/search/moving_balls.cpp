@@ -1,0 +1,166 @@
+#include "moving_balls.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <kernels/compress.hpp>
+#include <kernels/exec.hpp>
+
+namespace pinball {
+
+namespace {
+
+std::int64_t groups_of(std::int64_t count, int group) { return std::max<std::int64_t>(1, (count + group - 1) / group); }
+
+}  // namespace
+
+template <class S>
+void MovingBalls<S>::reset(std::int32_t count) {
+  constexpr int G = ball_group<S>;
+  count_ = count;
+  record_.renew(static_cast<std::size_t>(7 * G * groups_of(count, G)));
+  constexpr S nothing = std::numeric_limits<S>::quiet_NaN();
+  for (std::int64_t i = count; i < groups_of(count, G) * G; ++i) {
+    set(static_cast<std::int32_t>(i), {nothing, nothing, nothing}, {0, 0, 0}, nothing);
+  }
+}
+
+template <class S>
+void MovingBalls<S>::set(std::int32_t i, const std::array<S, 3>& centre, const std::array<S, 3>& way, S radius) {
+  constexpr int G = ball_group<S>;
+  S* ball = record_.data() + static_cast<std::int64_t>(i / G) * 7 * G + i % G;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const S half = S(0.5) * way[k];
+    ball[k * G] = centre[k] + half;
+    ball[(3 + k) * G] = half;
+  }
+  ball[6 * G] = radius;
+}
+
+namespace {
+
+/// Whether a ball of a group makes a way.
+template <class S>
+bool group_moves(const S* ball) {
+  constexpr int G = ball_group<S>;
+  bool moves = false;
+  for (int i = 3 * G; i < 6 * G; ++i) moves = moves || ball[i] != S(0);
+  return moves;
+}
+
+}  // namespace
+
+template <class S>
+void BallTree<S>::build(const MovingBalls<S>& balls) {
+  using T = Pack<S, native_width<S>>;
+  constexpr int G = ball_group<S>;
+  view_.groups = static_cast<std::int32_t>(groups_of(balls.count(), G));
+  view_.ball = balls.data();
+  view_.moves = false;
+  std::int64_t boxes = view_.groups;
+  for (view_.levels = 0; view_.levels == 0 || boxes > 1; ++view_.levels) {
+    const std::int64_t groups = groups_of(boxes, G);
+    AlignedArray<S>& level = box_[static_cast<std::size_t>(view_.levels)];
+    level.renew(static_cast<std::size_t>(groups * 12 * G));
+    view_.box[view_.levels] = level.data();
+    const S* below = view_.levels == 0 ? view_.ball : view_.box[view_.levels - 1];
+    const bool of_balls = view_.levels == 0;
+    parallel_reduce(
+        "boxes", RangePolicy<>{0, groups}, view_.moves,
+        [&, boxes](std::int64_t begin, std::int64_t end, bool& moves) {
+          for (std::int64_t b = begin * G; b < end * G; ++b) {
+            put_box(b >= boxes ? empty_box<S>()
+                    : of_balls ? box_of_balls<T>(below + b * 7 * G)
+                               : box_of_boxes<T>(below + b * 12 * G),
+                    level.data(), b);
+            moves = moves || (of_balls && b < boxes && group_moves(below + b * 7 * G));
+          }
+        },
+        [](bool& whole, bool partial) { whole = whole || partial; });
+    boxes = groups;
+  }
+}
+
+template <class S>
+std::size_t BallTree<S>::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& level : box_) sum += level.bytes();
+  return sum;
+}
+
+template <class S>
+void NearBalls<S>::enter(const BallTreeView<S>& tree, const MovingBox<S>& box, std::int32_t from) {
+  using T = Pack<S, native_width<S>>;
+  part_.clear();
+  if (tree.levels == 1) {
+    part_.push_back(0);
+  } else {
+    for_each_meeting_box<T>(tree, box, 1, from / G, [this](std::int32_t group) { part_.push_back(group); });
+  }
+  const auto parts = static_cast<std::int64_t>(part_.size());
+  part_box_.renew(static_cast<std::size_t>(groups_of(parts, G) * 12 * G));
+  for (std::int64_t p = 0; p < groups_of(parts, G) * G; ++p) {
+    const MovingBox<S> part_box = p >= parts         ? empty_box<S>()
+                                  : tree.levels == 1 ? box_of_boxes<T>(tree.box[0])
+                                                     : get_box(tree.box[1], part_[static_cast<std::size_t>(p)]);
+    put_box(part_box, part_box_.data(), p);
+  }
+  near_part_.resize(part_.size() + G);
+  candidate_.resize(part_.size() * G + G);
+  near_.resize(candidate_.size());
+}
+
+/// No loop here has a branch that depends on what is found: nothing tells the processor which boxes meet.
+template <class S>
+template <bool moves>
+std::size_t NearBalls<S>::find_near(const BallTreeView<S>& tree, const S* own, std::int32_t from) {
+  using T = Pack<S, native_width<S>>;
+  const MovingBox<S> box = box_of_balls<T>(own);
+  const auto parts = static_cast<std::int32_t>(part_.size());
+  std::int32_t* part_end = near_part_.data();
+  for (std::int32_t p = 0; p < parts; p += G) {
+    part_end += write_numbers<G>(meeting_boxes<T, moves>(part_box_.data() + p * 12, box), p, part_end);
+  }
+  std::int32_t* candidate_end = candidate_.data();
+  for (const std::int32_t* p = near_part_.data(); p < part_end; ++p) {
+    const std::int32_t part = part_[static_cast<std::size_t>(*p)];
+    const unsigned bits = meeting_boxes<T, moves>(tree.box[0] + static_cast<std::int64_t>(part) * 12 * G, box);
+    const std::int32_t before = std::clamp(from - part * G, 0, G);  // those that do not count
+    candidate_end += write_numbers<G>(bits >> before << before, part * G, candidate_end);
+  }
+  Group* near_end = near_.data();
+  for (const std::int32_t* candidate = candidate_.data(); candidate < candidate_end; ++candidate) {
+    near_end->number = *candidate;
+    near_end->balls = maybe_meeting_balls<T, moves>(own, tree.ball + static_cast<std::int64_t>(*candidate) * 7 * G);
+    near_end += near_end->balls.any() ? 1 : 0;
+  }
+  return static_cast<std::size_t>(near_end - near_.data());
+}
+
+template <class S>
+std::span<typename NearBalls<S>::Group> NearBalls<S>::find(const BallTreeView<S>& tree, const S* own,
+                                                           std::int32_t from) {
+  return {near_.data(), tree.moves ? find_near<true>(tree, own, from) : find_near<false>(tree, own, from)};
+}
+
+template <class S>
+void NearBalls<S>::leave_out_passing(const BallTreeView<S>& tree, const S* own, std::span<Group> found) {
+  using T = Pack<S, native_width<S>>;
+  if (!tree.moves) return;
+  for (Group& near : found) {
+    const S* others = tree.ball + static_cast<std::int64_t>(near.number) * 7 * G;
+    for (int i = 0; near.balls.any() && i < G; ++i) {
+      const unsigned maybe = near.balls.row(i);
+      if (maybe != 0) near.balls.take_from_row(i, maybe & ~meeting_balls<T>(own, i, others));
+    }
+  }
+}
+
+template class NearBalls<double>;
+template class NearBalls<float>;
+template class MovingBalls<double>;
+template class MovingBalls<float>;
+template class BallTree<double>;
+template class BallTree<float>;
+
+}  // namespace pinball

@@ -1,0 +1,132 @@
+#include "surface_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <kernels/exec.hpp>
+#include <kernels/gather.hpp>
+
+namespace pinball {
+
+namespace {
+
+// Allowances over skin times size. Where little happens a short one keeps neighbours of one surface out of the list.
+constexpr double least = 0.1, most = 2.0;
+
+/// Squares of the distances of a pack of nodes from where they are expected. start: their positions and velocities.
+template <class T>
+PINBALL_FUNCTION T strayed2(const ScalarOf<T>* position, const std::int32_t* node, const ScalarOf<T>* start,
+                            ScalarOf<T> elapsed) {
+  constexpr int W = width_of<T>;
+  const Vec3<T> x = gather_vectors<T>(position, node);
+  const Vec3<T> x0{load<T>(start), load<T>(start + W), load<T>(start + 2 * W)};
+  const Vec3<T> v0{load<T>(start + 3 * W), load<T>(start + 4 * W), load<T>(start + 5 * W)};
+  const Vec3<T> e = x - x0 - T(elapsed) * v0;
+  return dot(e, e);
+}
+
+}  // namespace
+
+template <class S>
+void SurfaceMotion<S>::clear(std::int32_t node_count) {
+  taken_.resize(static_cast<std::size_t>(node_count), 0);
+  allowance_.resize(static_cast<std::size_t>(node_count), 0);
+  for (const std::int32_t node : node_) taken_[static_cast<std::size_t>(node)] = 0;
+  node_.clear();
+  size_.clear();
+}
+
+template <class S>
+void SurfaceMotion<S>::take(std::int32_t node, S size) {
+  std::uint8_t& taken = taken_[static_cast<std::size_t>(node)];
+  if (taken != 0) return;
+  taken = 1;
+  node_.push_back(node);
+  size_.push_back(size);
+}
+
+template <class S>
+void SurfaceMotion<S>::adapt(const S* position, S elapsed, S horizon) {
+  using T = Pack<S, native_width<S>>;
+  constexpr std::size_t W = native_width<S>;
+  if (!(elapsed > S(0))) return;
+  // A steady force makes a node stray with the square of time.
+  const S growth = 2 * std::max(S(1), horizon / elapsed * (horizon / elapsed));
+  parallel_for("allowances", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
+    const std::size_t first = static_cast<std::size_t>(pack) * W;
+    const T strayed = square_root(strayed2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed));
+    for (std::size_t i = 0; i < W; ++i) {
+      float& allowance = allowance_[static_cast<std::size_t>(node_[first + i])];
+      allowance = std::max(0.5F * allowance, static_cast<float>(growth * lane(strayed, static_cast<int>(i))));
+    }
+  });
+}
+
+template <class S>
+void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
+  constexpr std::size_t W = native_width<S>;
+  while (node_.size() % W != 0) {  // padding repeats a node
+    node_.push_back(node_.back());
+    size_.push_back(size_.back());
+  }
+  if (count_ != node_.size()) {
+    count_ = node_.size();
+    start_.reset(6 * count_);
+    allowed2_.reset(count_);
+  }
+  parallel_for("start of nodes", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
+    S* const record = start_.data() + static_cast<std::size_t>(pack) * 6 * W;
+    for (std::size_t lane = 0; lane < W; ++lane) {
+      const std::size_t n = static_cast<std::size_t>(pack) * W + lane;
+      const auto node = static_cast<std::size_t>(node_[n]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        record[k * W + lane] = position[4 * node + k];
+        record[(3 + k) * W + lane] = velocity[4 * node + k];
+      }
+      const S unit = skin * size_[n];
+      const S before = static_cast<S>(allowance_[node]);
+      const S allowance = before > S(least) * unit ? std::min(before, S(most) * unit) : S(least) * unit;
+      allowance_[node] = static_cast<float>(allowance);
+      allowed2_[n] = static_cast<S>(allowance_[node]) * static_cast<S>(allowance_[node]);
+    }
+  });
+}
+
+template <class S>
+bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
+  using T = Pack<S, native_width<S>>;
+  constexpr std::size_t W = native_width<S>;
+  bool strayed = false;
+  parallel_reduce(
+      "strayed nodes", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, strayed,
+      [&](std::int64_t begin, std::int64_t end, bool& partial) {
+        for (auto pack = static_cast<std::size_t>(begin); pack < static_cast<std::size_t>(end); ++pack) {
+          const std::size_t first = pack * W;
+          const T e2 = strayed2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed);
+          partial = partial || any_lane(!(e2 <= load<T>(allowed2_.data() + first)));
+        }
+      },
+      [](bool& whole, bool partial) { whole = whole || partial; });
+  return !strayed;
+}
+
+template <class S>
+void SurfaceMotion<S>::persist(StateArchive& archive) {
+  std::uint64_t count = count_;
+  archive(count, node_, size_, start_, allowed2_, allowance_);
+  if (!archive.reads()) return;
+  count_ = static_cast<std::size_t>(count);
+  taken_.assign(allowance_.size(), 0);  // both are made together
+  for (const std::int32_t node : node_) taken_.at(static_cast<std::size_t>(node)) = 1;
+}
+
+template <class S>
+std::size_t SurfaceMotion<S>::bytes() const {
+  return node_.capacity() * (sizeof(node_[0]) + sizeof(S)) + taken_.capacity() + allowance_.capacity() * sizeof(float) +
+         start_.bytes() + allowed2_.bytes();
+}
+
+template class SurfaceMotion<double>;
+template class SurfaceMotion<float>;
+
+}  // namespace pinball

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <solver/base/aligned_array.hpp>
+#include <solver/base/state_archive.hpp>
+
+namespace pinball {
+
+/// Time since lists were built. The step that is being made is not known yet: it is taken to be as long as the one
+/// before, and what that is wrong by counts as straying.
+template <class S>
+class ListClock {
+ public:
+  /// horizon: time for which lists are built [time].
+  void restart(S horizon) {
+    horizon_ = horizon;
+    known_ = 0;
+    steps_ = 0;
+  }
+  /// Notes the length of the step just made.
+  void count_step(S dt) {
+    if (steps_ > 0) known_ += dt;
+    last_step_ = dt;
+    ++steps_;
+  }
+  void persist(StateArchive& archive) { archive(horizon_, known_, last_step_, steps_); }
+  S elapsed() const { return known_ + last_step_; }
+  S last_step() const { return last_step_; }
+  bool over() const { return elapsed() > horizon_; }
+
+ private:
+  S horizon_ = 0, known_ = 0, last_step_ = 0;
+  std::int64_t steps_ = 0;
+};
+
+/// Steps for which lists are built. Fast pairs are listed along the way that they make in this time.
+inline constexpr int horizon_steps = 20;
+
+/// Where the nodes of the surface are expected to go, and how far they may stray from it before what was built on that
+/// expectation has to be built anew.
+///
+/// A node is expected to keep the velocity v that it had at the start: x(t) = x + v t. The centre of an element is the
+/// mean of its corners, so that it strays no further from its own straight way than the furthest of them. Every node
+/// has its own allowance, which follows what it strayed before: a few violent ones make neither the others' lists
+/// longer nor theirs short-lived, and bodies or fragments in free flight do not stray at all.
+template <class S>
+class SurfaceMotion {
+ public:
+  /// Forgets the nodes; node_count: of the store.
+  void clear(std::int32_t node_count);
+  /// Takes a node; what has been taken stays as it is. size: what its allowance is measured by, the radius of a pinball
+  /// or element that it belongs to [length].
+  void take(std::int32_t node, S size);
+  /// Adapts the allowances to what the nodes have strayed since start(), for a time to come.
+  /// position: of the node store; elapsed: since start(); horizon: the time to come [time].
+  void adapt(const S* position, S elapsed, S horizon);
+  /// Starts from the present positions and velocities, node records, of the nodes taken. skin: scale of the allowances
+  /// over the sizes of the nodes [-]; 0: none may stray.
+  void start(const S* position, const S* velocity, S skin);
+
+  /// Whether no node has strayed further than allowed after this time; false if a position is not a number.
+  bool holds(const S* position, S elapsed) const;
+  /// How far the centre of an element or a face may stray, given its corners [length].
+  template <class Corners>
+  S allowance(const Corners& corners) const {
+    float largest = 0;
+    for (const std::int32_t node : corners) largest = std::max(largest, allowance_[static_cast<std::size_t>(node)]);
+    return static_cast<S>(largest);
+  }
+  void persist(StateArchive& archive);
+  std::size_t bytes() const;
+
+ private:
+  std::size_t count_ = 0;            ///< nodes, padded to whole packs
+  std::vector<std::int32_t> node_;   ///< number in the store
+  std::vector<std::uint8_t> taken_;  ///< per node of the store: in node_
+  std::vector<S> size_;              ///< what the allowance of the node is measured by [length]
+  AlignedArray<S> start_;            ///< in packs, 6 components: position and velocity
+  AlignedArray<S> allowed2_;         ///< square of the allowance [length^2]
+  std::vector<float> allowance_;     ///< per node of the store [length]
+};
+
+}  // namespace pinball

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <kernels/face_projection.hpp>
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/algorithm/contact_algorithm.hpp>
+
+#include "slideline_search.hpp"
+#include "slideline_surface.hpp"
+
+namespace pinball {
+
+/// The algorithm that pinballs replaced (Belytschko and Lin, Comp. Meths. Appl. Mech. Engrg. 1987): slave nodes against
+/// master segments, in both directions. Each slave node is projected onto the segments near it and keeps to the one
+/// that it is nearest to; gap, normal and weights there give
+///
+///   penalty               a spring on the gap, of which each of the two passes has half;
+///   projection, lagrange  a row of the contact matrix, solved as for pinballs (ContactImpulses): projection is the
+///                         momentum-conserving correction of velocities of the 1987 method.
+///
+/// The spring of a node has k = beta/4 (sum over its segments of K A^2/V / 4 + share x K A^2/V of the master): both
+/// passes together resist with the mean stiffness of the elements that meet, and a flat contact under even pressure
+/// gives each node its part. As for pinballs, a penetration that approach does not explain (erosion has exposed a face
+/// deep inside another body) gives no force.
+template <class S>
+class SlidelineContact final : public Contact<S> {
+ public:
+  SlidelineContact(const ContactModel<S>& model, ContactStart start);
+
+  void update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) override;
+  void search(const ContactModel<S>& model) override;
+  ContactResult forces(const ContactModel<S>& model, S dt) override;
+  void scatter(const ContactModel<S>& model, ContactResult& result) override;
+  void prepare_impulses(const ContactModel<S>& model, double dt) override;
+
+  const char* name() const override { return "slideline"; }
+  void report(const ContactModel<S>& model, std::vector<Point>& node_force,
+              std::vector<double>& slot_radius) const override;
+  const Surface& surface() const override { return surface_.topology(); }
+  const std::vector<std::int32_t>& loaded_nodes() override;
+  ListSize listed() const override {
+    const std::int64_t entries = search_.entries();
+    return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
+  }
+  void persist(StateArchive& archive, const ContactModel<S>& model) override;
+  std::size_t bytes() const override;
+  std::int64_t updated_segments() const { return surface_.chosen(); }  ///< in every step
+
+ private:
+  /// What a slave node keeps from step to step.
+  struct State {
+    std::int32_t slot = -1, face = -1;  ///< of the segment that it touches; -1: none
+    S xi{}, eta{};                      ///< of its foot
+    Vec3<S> normal{};
+    S offset{};   ///< part of the depth that stores no energy [length]
+    S elastic{};  ///< depth less offset [length]
+    S stored{};   ///< spring energy [energy]
+    S damping{};  ///< part of the force that is not the spring's [force]
+  };
+  /// A slave node and its segment in this step.
+  struct Touch {
+    std::size_t slave;
+    std::int32_t segment;
+    FaceProjection<S> at;
+    S force = 0;      ///< on the slave, along the normal [force]
+    S stiffness = 0;  ///< [force/length]
+  };
+  struct Sums {
+    double stored = 0, damped = 0, lost = 0;
+    S ratio = 0;
+    std::int64_t pairs = 0;
+  };
+
+  /// The segment that a slave touches or, up to an open gap over the radius of the segment, may touch soon.
+  bool find_segment(const ContactModel<S>& model, std::size_t slave, S open_gap, Touch& touch) const;
+  /// Touches in the order of the slaves: those for which work(touch, sums), called in parallel, returns true.
+  template <class Work>
+  Sums find_touches(const ContactModel<S>& model, S open_gap, const Work& work);
+  bool penalty_force(const ContactModel<S>& model, Touch& touch, S dt, Sums& sums);
+  /// Ends the touches of slaves or segments that are no longer active; returns the energy of their springs.
+  double end_inactive_touches();
+  /// Numbers segments and slaves anew; the slaves keep their states.
+  void collect_surface(const ContactModel<S>& model);
+
+  SlidelineSurface<S> surface_;
+  SlidelineSearch<S> search_;
+  std::vector<State> state_;  ///< per slave
+  std::vector<Touch> touches_;
+  std::vector<std::int32_t> loaded_;  ///< see loaded_nodes, only where that is asked
+  S beta_, damping_;
+  double lost_energy_ = 0;  ///< of springs that went with eroded elements in this step
+};
+
+}  // namespace pinball

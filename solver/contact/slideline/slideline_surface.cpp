@@ -1,0 +1,241 @@
+#include "slideline_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <kernels/exec.hpp>
+#include <kernels/gather.hpp>
+#include <kernels/hexahedron.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// Square of the area of a face of an undeformed element [length^4].
+double squared_area(const ContactElement& element, int face) {
+  Vec3<double> x[4];
+  for (int i = 0; i < 4; ++i) {
+    const Point& p = element.reference[static_cast<std::size_t>(face_nodes[face][i])];
+    x[i] = {p[0], p[1], p[2]};
+  }
+  const Vec3<double> area = 0.5 * cross(x[2] - x[0], x[3] - x[1]);
+  return dot(area, area);
+}
+
+}  // namespace
+
+template <class S>
+bool SlidelineSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded) {
+  if (!topology_.remove_eroded(eroded)) return false;
+  changed_ = true;
+  activate();
+  return true;
+}
+
+template <class S>
+void SlidelineSurface<S>::collect(const ContactModel<S>& model) {
+  changed_ = false;
+  collect_faces(model, exposed_and_waiting(model));
+}
+
+template <class S>
+void SlidelineSurface<S>::collect_faces(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces) {
+  collect_segments(model, faces);
+  collect_slaves(static_cast<std::size_t>(model.node_count));
+
+  constexpr std::size_t W = native_width<S>;
+  const std::size_t packs = (segments_.size() + W - 1) / W;
+  corner_.reset(4 * packs * W);
+  active_.reset(packs * W);
+  sphere_.reset(4 * packs * W);
+  plane_.reset(4 * packs * W);
+  for (std::size_t s = 0; s < packs * W; ++s) {  // padding repeats the last segment
+    const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
+    for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
+  }
+  chosen_.resize(packs);
+  std::iota(chosen_.begin(), chosen_.end(), 0);
+  activate();
+}
+
+template <class S>
+void SlidelineSurface<S>::choose(const std::vector<std::int64_t>& first, const std::vector<std::int32_t>& listed) {
+  constexpr std::size_t W = native_width<S>;
+  std::vector<std::uint8_t> asked_for((segments_.size() + W - 1) / W, 0);  // per pack
+  const auto ask_for = [&](std::int32_t segment) { asked_for[static_cast<std::size_t>(segment) / W] = 1; };
+  for (const std::int32_t segment : listed) ask_for(segment);
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    if (first[i] == first[i + 1]) continue;
+    for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
+      ask_for(around_[static_cast<std::size_t>(a)]);
+    }
+  }
+  chosen_.clear();
+  for (std::size_t pack = 0; pack < asked_for.size(); ++pack) {
+    if (asked_for[pack] != 0) chosen_.push_back(static_cast<std::int32_t>(pack));
+  }
+}
+
+/// Per slot a bit for each face that is to be a segment.
+template <class S>
+std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const ContactModel<S>& model) const {
+  std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
+  for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
+    const std::uint8_t exposed = topology_.exposed(slot);
+    if (exposed == 0) continue;
+    faces[static_cast<std::size_t>(slot)] |= exposed;
+    if (!model.may_soon_erode(slot)) continue;
+    topology_.for_each_face_behind(slot, [&](std::int32_t behind, unsigned face) {
+      faces[static_cast<std::size_t>(behind)] |= static_cast<std::uint8_t>(1U << face);
+    });
+  }
+  return faces;
+}
+
+template <class S>
+void SlidelineSurface<S>::collect_segments(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces) {
+  segments_.clear();
+  for (std::size_t slot = 0; slot < faces.size(); ++slot) {
+    if (faces[slot] == 0) continue;
+    const auto s = static_cast<std::int32_t>(slot);
+    const ContactElement element = model.element(s);
+    for (int f = 0; f < 6; ++f) {
+      if ((faces[slot] >> f & 1U) == 0) continue;
+      Segment segment{};
+      for (int i = 0; i < 4; ++i) segment.node[i] = element.corners[static_cast<std::size_t>(face_nodes[f][i])];
+      segment.slot = s;
+      segment.face = f;
+      segment.body = element.body;
+      segment.radius = static_cast<S>(element.radius);
+      segment.stiffness = static_cast<S>(element.bulk_modulus * squared_area(element, f) / element.volume);
+      segments_.push_back(segment);
+    }
+  }
+}
+
+/// One slave per node, sorted by node, and the segments around it in their order.
+template <class S>
+void SlidelineSurface<S>::collect_slaves(std::size_t nodes) {
+  std::vector<std::int32_t> place(nodes + 1, 0);  // segments around each node, then where the next of them goes
+  for (const Segment& segment : segments_) {
+    for (const std::int32_t node : segment.node) ++place[static_cast<std::size_t>(node) + 1];
+  }
+  slaves_.clear();
+  around_first_.assign(1, 0);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const std::int32_t count = place[n + 1];
+    place[n + 1] += place[n];
+    if (count == 0) continue;
+    slaves_.push_back({static_cast<std::int32_t>(n), 0, S(0), S(0), S(0)});
+    around_first_.push_back(place[n + 1]);
+  }
+  around_.resize(static_cast<std::size_t>(place[nodes]));
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    for (const std::int32_t node : segments_[s].node) {
+      around_[static_cast<std::size_t>(place[static_cast<std::size_t>(node)]++)] = static_cast<std::int32_t>(s);
+    }
+  }
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    const std::int32_t any = around_[static_cast<std::size_t>(around_first_[i])];
+    slaves_[i].body = segments_[static_cast<std::size_t>(any)].body;
+  }
+}
+
+/// The segments whose faces are exposed are active; what they give to their slaves is added up in their order.
+template <class S>
+void SlidelineSurface<S>::activate() {
+  active_segments_ = 0;
+  for (std::size_t s = 0; s < segments_.size(); ++s) {
+    const bool active = exposed(segments_[s].slot, segments_[s].face);
+    active_[s] = active ? S(1) : S(0);
+    active_segments_ += active;
+  }
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    Slave& slave = slaves_[i];
+    slave.share = slave.radius = slave.stiffness = S(0);
+    for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
+      const auto s = static_cast<std::size_t>(around_[static_cast<std::size_t>(a)]);
+      if (!(active_[s] > S(0))) continue;
+      slave.share += S(0.25);
+      slave.radius += segments_[s].radius;
+      slave.stiffness += S(0.25) * segments_[s].stiffness;
+    }
+    if (active(i)) slave.radius /= S(4) * slave.share;
+  }
+}
+
+template <class S>
+bool SlidelineSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const {
+  for (std::int32_t a = around_first_[slave]; a < around_first_[slave + 1]; ++a) {
+    const S* own = plane_.data() + 4 * static_cast<std::int64_t>(around_[static_cast<std::size_t>(a)]);
+    if (own[0] * normal.x + own[1] * normal.y + own[2] * normal.z < S(-0.5)) return true;
+  }
+  return false;
+}
+
+template <class S>
+void SlidelineSurface<S>::update(const ContactModel<S>& model) {
+  using T = Pack<S, native_width<S>>;
+  constexpr int W = width_of<T>;
+  const auto count = static_cast<std::int64_t>(segments_.size());
+  parallel_for("segments", RangePolicy<>{0, static_cast<std::int64_t>(chosen_.size())}, [&](std::int64_t p) {
+    const std::int64_t pack = chosen_[static_cast<std::size_t>(p)];
+    Vec3<T> x[4];
+    for (int i = 0; i < 4; ++i) {
+      x[i] = gather_vectors<T>(model.position, corner_.data() + (pack * 4 + i) * W);
+    }
+    const Vec3<T> centre = number<T>(0.25) * (x[0] + x[1] + x[2] + x[3]);
+    T farthest2(0);
+    for (const Vec3<T>& corner : x) farthest2 = maximum(farthest2, dot(corner - centre, corner - centre));
+    const T farthest = square_root(farthest2);
+    const Vec3<T> area = cross(x[2] - x[0], x[3] - x[1]);
+    const T size2 = dot(area, area);
+    const T active = load<T>(active_.data() + pack * W);
+    const Vec3<T> normal = select(size2 > T(0), active / square_root(size2), T(0)) * area;
+    const T warp = absolute(dot(x[0] - centre, normal));  // the same at all corners, but for its sign
+    for (int i = 0; i < W; ++i) {
+      const std::int64_t s = std::min(pack * W + i, count - 1);
+      S* flat = plane_.data() + 4 * (pack * W + i);
+      flat[0] = lane(normal.x, i);
+      flat[1] = lane(normal.y, i);
+      flat[2] = lane(normal.z, i);
+      flat[3] = lane(warp, i);
+      S* record = sphere_.data() + 4 * (pack * W + i);
+      record[0] = lane(centre.x, i);
+      record[1] = lane(centre.y, i);
+      record[2] = lane(centre.z, i);
+      record[3] = lane(active, i) * (lane(farthest, i) + deepest * segments_[static_cast<std::size_t>(s)].radius);
+    }
+  });
+}
+
+/// Which faces wait was decided when they were collected: they are not what would wait now.
+template <class S>
+void SlidelineSurface<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
+  topology_.persist(archive);
+  std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
+  for (const Segment& s : segments_) {
+    faces[static_cast<std::size_t>(s.slot)] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(s.face));
+  }
+  archive.of_fixed_size(faces);
+  if (archive.reads()) collect_faces(model, faces);
+  archive(chosen_, changed_);
+}
+
+template <class S>
+std::int64_t SlidelineSurface<S>::chosen() const {
+  return static_cast<std::int64_t>(chosen_.size()) * native_width<S>;
+}
+
+template <class S>
+std::size_t SlidelineSurface<S>::bytes() const {
+  return topology_.bytes() + segments_.capacity() * sizeof(Segment) + slaves_.capacity() * sizeof(Slave) +
+         (around_.capacity() + around_first_.capacity() + chosen_.capacity()) * 4 + corner_.bytes() + active_.bytes() +
+         sphere_.bytes() + plane_.bytes();
+}
+
+template class SlidelineSurface<double>;
+template class SlidelineSurface<float>;
+
+}  // namespace pinball

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <kernels/tensor.hpp>
+#include <solver/base/aligned_array.hpp>
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/surface/surface.hpp>
+#include <solver/contact/surface/surface_source.hpp>
+
+namespace pinball {
+
+/// Master segments and slave nodes of the slidelines: every exposed face is a segment, each of its nodes a slave, so
+/// that all bodies are passed both ways. Faces behind elements that may soon erode are segments too, but wait: so lists
+/// of segments and slaves last over erosions.
+template <class S>
+class SlidelineSurface {
+ public:
+  struct Segment {
+    std::int32_t node[4];  ///< of the node store, in the order of face_nodes
+    std::int32_t slot;     ///< of the element
+    std::int32_t face;     ///< in the order of face_nodes
+    std::int32_t body;
+    S radius;     ///< of the ball of the element's volume, report eq. (3.2): its size [length]
+    S stiffness;  ///< K A^2 / V, of the undeformed element (Hallquist, Goudreau and Benson 1985) [force/length]
+  };
+  struct Slave {
+    std::int32_t node;  ///< of the node store
+    std::int32_t body;
+    S share;      ///< number of active segments around it over 4: 1 inside a surface, 1/2 at an edge of it [-]
+    S radius;     ///< mean of the active segments around it [length]
+    S stiffness;  ///< sum of a quarter of each active segment's [force/length]
+  };
+
+  /// Penetration beyond which a node is no longer taken for one that came in through the segment, over its radius [-]:
+  /// a little less than the thickness of a cube, 1.61.
+  static constexpr S deepest = S(1.5);
+
+  SlidelineSurface(const ContactModel<S>& model, SurfaceTopology topology) : topology_(std::move(topology)) {
+    collect(model);
+    update(model);
+  }
+
+  /// Segments of eroded elements end, and those that waited behind them become active; returns whether there are any.
+  /// Nodes that are left without an active segment are slaves no more: they fly on as mass points.
+  bool remove_eroded(const std::vector<std::int64_t>& eroded);
+  /// Whether all exposed faces are segments. If not, those that did not wait take part after the next collect().
+  bool complete() const { return active_segments_ == topology_.exposed_faces(); }
+  /// Whether anything has eroded since the last collect().
+  bool changed() const { return changed_; }
+  /// Numbers segments and slaves anew: without those that have ended, with those that are to wait now. All are
+  /// selected.
+  void collect(const ContactModel<S>& model);
+  /// Chooses the segments that lists name and those around the slaves that have a list: no others are asked for.
+  /// first: of each slave and one more, into listed, which names segments.
+  void choose(const std::vector<std::int64_t>& first, const std::vector<std::int32_t>& listed);
+  /// Spheres and planes of the chosen segments.
+  void update(const ContactModel<S>& model);
+
+  /// Whether a slave has an active segment. Those of waiting segments have not, nor those of ended ones.
+  bool active(std::size_t slave) const { return slaves_[slave].share > S(0); }
+  /// Whether a segment that the slave belongs to looks at a normal within 60 degrees. A node of a flat surface does not
+  /// touch a face that moves along this surface.
+  bool faces(std::size_t slave, const Vec3<S>& normal) const;
+  bool exposed(std::int32_t slot, std::int32_t face) const { return (topology_.exposed(slot) >> face & 1) != 0; }
+  const Surface& topology() const { return topology_; }
+  const std::vector<Segment>& segments() const { return segments_; }
+  const std::vector<Slave>& slaves() const { return slaves_; }  ///< sorted by node
+  /// Records of four per segment: centre, and how far from it a node may be that touches: the distance of the farthest
+  /// corner and deepest radii; 0 where the segment is not active.
+  const AlignedArray<S>& sphere() const { return sphere_; }
+  /// Records of four per segment: mean unit normal, 0 where the segment is not active, and how far the corners are out
+  /// of the plane through the centre.
+  const AlignedArray<S>& plane() const { return plane_; }
+  void persist(StateArchive& archive, const ContactModel<S>& model);
+  std::int64_t chosen() const;  ///< segments that update() sees to, in whole packs
+  std::size_t bytes() const;
+
+ private:
+  std::vector<std::uint8_t> exposed_and_waiting(const ContactModel<S>& model) const;
+  /// collect(), given per slot a bit for each face that is to be a segment.
+  void collect_faces(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces);
+  void collect_segments(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces);
+  void collect_slaves(std::size_t nodes);
+  void activate();
+
+  Surface topology_;
+  std::vector<Segment> segments_;  ///< sorted by slot and face
+  std::vector<Slave> slaves_;
+  std::vector<std::int32_t> around_;        ///< segments around each slave, one after the other
+  std::vector<std::int32_t> around_first_;  ///< per slave and one more: into around_
+  AlignedArray<std::int32_t> corner_;       ///< of the segments, in tiles of W
+  AlignedArray<S> active_;                  ///< per segment, padded: 1 or 0 [-]
+  std::vector<std::int32_t> chosen_;        ///< packs of segments
+  AlignedArray<S> sphere_, plane_;
+  std::int64_t active_segments_ = 0;
+  bool changed_ = false;
+};
+
+}  // namespace pinball

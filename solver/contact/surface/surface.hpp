@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <solver/base/state_archive.hpp>
+
+#include "surface_source.hpp"
+
+namespace pinball {
+
+/// Which faces of which elements are exposed: decided by topology, never by a tolerance on a normal. Erosion exposes
+/// the faces of the neighbours of an eroded element. Indexed by slot of the element store.
+class Surface {
+ public:
+  explicit Surface(SurfaceTopology topology);
+
+  /// Takes elements (slots, ascending) out of the surface, unless they are out already, and exposes what lay behind
+  /// them. Returns whether anything changed.
+  bool remove_eroded(const std::vector<std::int64_t>& slots);
+
+  /// Elements that the last remove_eroded has brought to the surface; some may have eroded in the same step.
+  const std::vector<std::int32_t>& uncovered() const { return uncovered_; }
+  std::int32_t exposed_count() const { return exposed_count_; }  ///< elements with an exposed face
+  std::int64_t exposed_faces() const { return exposed_faces_; }  ///< of all elements
+
+  bool alive(std::int64_t slot) const { return alive_[static_cast<std::size_t>(slot)] != 0; }
+  /// Bit f is set where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) of a living element is exposed.
+  std::uint8_t exposed(std::int64_t slot) const { return exposed_[static_cast<std::size_t>(slot)]; }
+  /// Calls work(slot, face) for every face of a living element that the erosion of an element exposes.
+  template <class Work>
+  void for_each_face_behind(std::int64_t slot, const Work& work) const {
+    for (const std::int32_t behind : neighbour_[static_cast<std::size_t>(slot)]) {
+      if (behind < 0 || !alive(behind)) continue;
+      for (unsigned f = 0; f < 6; ++f) {
+        if (neighbour_[static_cast<std::size_t>(behind)][f] == slot) work(behind, f);
+      }
+    }
+  }
+  void persist(StateArchive& archive) {
+    archive.of_fixed_size(alive_);
+    archive.of_fixed_size(exposed_);
+    archive(exposed_count_, exposed_faces_);
+  }
+  std::int64_t slots() const { return static_cast<std::int64_t>(alive_.size()); }
+  std::size_t bytes() const { return alive_.capacity() * (2 + sizeof(neighbour_[0])); }
+
+ private:
+  void erode(std::int64_t slot);
+
+  std::vector<std::uint8_t> alive_;
+  std::vector<std::uint8_t> exposed_;
+  std::vector<std::array<std::int32_t, 6>> neighbour_;  ///< slot across each face, -1: none
+  std::vector<std::int32_t> uncovered_;
+  std::int32_t exposed_count_ = 0;
+  std::int64_t exposed_faces_ = 0;
+};
+
+}  // namespace pinball

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <kernels/simd.hpp>
+#include <solver/base/colouring.hpp>
+#include <solver/base/packs.hpp>
+#include <solver/base/point.hpp>
+#include <solver/contact/contact_settings.hpp>
+
+#include "held_directions.hpp"
+
+namespace pinball {
+
+/// Radius of the ball of a volume, report eq. (3.2) [length].
+inline double ball_radius(double volume) { return std::cbrt(volume * 3.0 / (4.0 * M_PI)); }
+
+/// What contact asks about an element when it takes it in: what does not change from step to step. A rigid sphere is an
+/// element whose corners are all the same node, with all its faces, which have no area, exposed.
+struct ContactElement {
+  std::array<std::int32_t, 8> corners;  ///< node numbers
+  std::array<Point, 8> reference;       ///< places of the corners in the undeformed mesh [length]
+  std::int32_t body;
+  double mass;          ///< [mass]
+  double volume;        ///< of the undeformed element [length^3]
+  double radius;        ///< of the ball of this volume [length]
+  double bulk_modulus;  ///< [stress]
+  bool sphere = false;
+
+  /// Mean of the corners, undeformed [length].
+  Point centre() const {
+    Point mean{};
+    for (const Point& corner : reference) {
+      for (std::size_t k = 0; k < 3; ++k) mean[k] += corner[k] / 8;
+    }
+    return mean;
+  }
+};
+
+/// All that contact sees of whoever owns nodes and elements, a solver or a host: pointers to their arrays, for one
+/// call; nothing is kept from call to call. Elements have "slots": places in packs of `width`, some of them padding, in
+/// tiles of whole packs.
+template <class S>
+class ContactModel {
+ public:
+  static constexpr int width = native_width<S>;
+
+  const ContactSettings* settings = nullptr;
+  bool lists_last = true;  ///< lists of what may touch serve more than one step
+
+  // Records of four numbers per node (gather.hpp), aligned to four numbers.
+  std::int32_t node_count = 0;
+  const S* position = nullptr;      ///< x, y, z, unused [length]
+  const S* velocity = nullptr;      ///< at the middle of the last step, unused [length/time]
+  S* force = nullptr;               ///< force, contact stiffness [force], [force/length]; stiffness zero between steps
+  const S* inverse_mass = nullptr;  ///< one per node [1/mass]
+
+  std::int64_t slots = 0;
+  std::span<const std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
+  const Colouring* tile_colours = nullptr;
+
+  /// slot: one that is not padding.
+  virtual ContactElement element(std::int64_t slot) const = 0;
+  /// Whether an element of the surface may soon erode. A guess, for lists that are to last over erosions: what lies
+  /// behind such elements is taken in beforehand. If it fails, what is exposed is taken in then, and lists are built
+  /// anew.
+  virtual bool may_soon_erode(std::int64_t slot) const = 0;
+  /// Called before lists are built on the motion of all nodes of the surface: a host may not have looked at all until
+  /// then. What it throws leaves contact as it was.
+  virtual void before_search() const {}
+
+ protected:
+  ~ContactModel() = default;
+};
+
+/// How the elements lie to each other when contact begins; per slot.
+struct SurfaceTopology {
+  std::vector<std::uint8_t> alive;                     ///< 0 for padding
+  std::vector<std::uint8_t> exposed;                   ///< bit f is set where face f is on the surface
+  std::vector<std::array<std::int32_t, 6>> neighbour;  ///< slot across each face, negative: none
+
+  explicit SurfaceTopology(std::int64_t slots)
+      : alive(static_cast<std::size_t>(slots), 0),
+        exposed(alive.size(), 0),
+        neighbour(alive.size(), {-1, -1, -1, -1, -1, -1}) {}
+};
+
+/// What contact is given once, to keep.
+struct ContactStart {
+  SurfaceTopology topology;
+  HeldDirections held;  ///< asked for by impulses only: empty for penalty contact
+};
+
+}  // namespace pinball

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <solver/model/model.hpp>
+
+namespace pinball {
+
+/// first ... end - 1
+struct NodeRange {
+  std::int32_t first, end;
+};
+
+/// Tiles without any stress whose nodes all have one velocity: at rest or in free uniform flight. The Walsh sums of
+/// equal numbers vanish exactly (hexahedron.hpp), and with them strain and hourglass rates; so do stresses, forces and
+/// work, to the bit, whatever the geometry. Working such a tile changes nothing.
+///
+/// Whatever reaches a tile (a wave, contact, a load, a rigid wall) gives some of its nodes another velocity than the
+/// others. From then on the tile is worked, for good.
+template <class S>
+class RestingTiles {
+ public:
+  /// The tiles that rest now. They are to be worked once, in the geometry in which they are found at rest: from then
+  /// on they keep the stable step of that, because round-off of positions in flight would change its last bits.
+  explicit RestingTiles(const Model<S>& model);
+
+  /// The tiles that rested when a state was saved; rests: as of flags().
+  RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests);
+
+  /// Drops the tiles whose nodes no longer have one velocity. Returns whether there were any.
+  bool wake(const NodeStore<S>& nodes);
+
+  bool rests(std::int32_t tile) const { return rests_[static_cast<std::size_t>(tile)] != 0; }
+  const std::vector<std::uint8_t>& flags() const { return rests_; }  ///< per tile of the model: whether it rests
+  std::int64_t elements() const { return elements_; }                ///< of the tiles that rest
+  std::size_t bytes() const;
+
+ private:
+  struct Tile {
+    std::int32_t number = 0;
+    std::int32_t elements = 0;
+    std::vector<NodeRange> nodes;  ///< few: nodes are in the order of their elements
+  };
+
+  void drop_awake();
+
+  std::vector<Tile> tiles_;          ///< those that rest
+  std::vector<std::uint8_t> rests_;  ///< per tile of the model
+  std::int64_t elements_ = 0;
+};
+
+}  // namespace pinball

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include <kernels/element_update.hpp>
+
+namespace pinball {
+
+/// What one tile of elements reports; combined in the order of the tiles.
+template <class S>
+struct TileResult {
+  double internal = 0, hourglass = 0, viscous = 0, eroded = 0;  ///< energy increments of the step
+  S time_step = 0;                                              ///< smallest stable step [time]
+  std::int64_t time_step_slot = -1;                             ///< slot of the element that sets it
+  std::int32_t eroded_count = 0;
+  std::int32_t inverted_count = 0;
+};
+
+/// Works the packs first_pack ... last_pack - 1 of one tile through a step.
+template <class S>
+using TileKernel = void (*)(const ElementView<S>&, const NodeView<S>&, const ElementConstants<S>&,
+                            const ElementStep<S>&, std::int64_t first_pack, std::int64_t last_pack, TileResult<S>&);
+
+/// The kernel for a combination of features: each is compiled for itself, the choice is made once, at the start.
+template <class S>
+TileKernel<S> choose_tile_kernel(const ElementFeatures& features);
+
+}  // namespace pinball

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <kernels/element_update.hpp>
+#include <solver/base/built_features.hpp>
+
+#include "tile_kernels.hpp"
+
+/// The kernels behind choose_tile_kernel. Included by one source file per precision, because compiling them takes long.
+namespace pinball {
+
+/// Asks the caches for a pack in eight parts, of each the nodes of one corner and some of the element state. Where
+/// nodes lie nothing but the corner numbers says, so that the processor cannot foresee it; element state it can, but
+/// not beyond a page of memory, which is five packs.
+///
+/// All is inlined by force: GCC 12 takes a function that only prefetches for one that does nothing, and drops the call.
+template <class T, ElementFeatures features>
+class PackAhead {
+  using S = ScalarOf<T>;
+  static constexpr int W = width_of<T>;
+  static constexpr int line = 64 / static_cast<int>(sizeof(S));  ///< scalars of a cache line
+
+ public:
+  /// there: whether the tile has such a pack. Small tiles have few, in small meshes, which lie in the caches anyway.
+  PackAhead(const ElementView<S>& elements, const NodeView<S>& nodes, std::int64_t pack, bool there)
+      : elements_(elements), nodes_(nodes), pack_(pack), there_(there) {}
+
+  PINBALL_FUNCTION void operator()(int part) const {
+    if (!there_) return;
+    ask_for_nodes(elements_.corner + (pack_ * 8 + part) * W);
+    if (part < 2) ask_for_state(elements_.stress, 6, 3 * part, 3);
+    if constexpr (keeps_hourglass_force(features.hourglass)) {
+      if (part >= 2 && part < 6) ask_for_state(elements_.hourglass_force, 12, 3 * (part - 2), 3);
+    }
+    if (part == 6) {
+      ask_for_state(elements_.mass, 1, 0, 1);
+      if constexpr (features.plastic) ask_for_state(elements_.plastic_strain, 1, 0, 1);
+    }
+    if (part == 7) {
+      if constexpr (features.bulk_viscosity) ask_for_state(elements_.viscous_stress, 1, 0, 1);
+      if constexpr (features.erosion) ask_for_state(elements_.internal_energy, 1, 0, 1);
+    }
+  }
+
+ private:
+  PINBALL_FUNCTION void ask_for_nodes(const std::int32_t* corner) const {
+    PINBALL_UNROLL
+    for (int i = 0; i < W; i += line / 4) {  // elements of a row have records side by side, line / 4 of them in a line
+      const std::int64_t record = 4 * static_cast<std::int64_t>(corner[i]);
+      __builtin_prefetch(nodes_.position + record);
+      __builtin_prefetch(nodes_.velocity + record);
+      __builtin_prefetch(nodes_.force + record);
+    }
+  }
+
+  /// Components first ... first + count - 1 of an array of N components.
+  PINBALL_FUNCTION void ask_for_state(const S* array, int n, int first, int count) const {
+    const S* begin = array + (pack_ * n + first) * W;
+    PINBALL_UNROLL
+    for (int i = 0; i < count * W; i += line) __builtin_prefetch(begin + i);
+  }
+
+  const ElementView<S>& elements_;
+  const NodeView<S>& nodes_;
+  std::int64_t pack_;
+  bool there_;
+};
+
+template <class S, ElementFeatures features>
+void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const ElementConstants<S>& constants,
+                 const ElementStep<S>& step, std::int64_t first_pack, std::int64_t last_pack, TileResult<S>& result) {
+  using T = Pack<S, native_width<S>>;
+  ElementSums<T> sums;
+  for (std::int64_t pack = first_pack; pack < last_pack; ++pack) {
+    const PackAhead<T, features> ahead(elements, nodes, pack + 3, pack + 3 < last_pack);
+    update_element_pack<T, features>(elements, nodes, constants, step, pack, static_cast<int>(pack - first_pack), sums,
+                                     ahead);
+  }
+  result.internal = static_cast<double>(lane_sum(sums.internal));
+  result.hourglass = static_cast<double>(lane_sum(sums.hourglass));
+  result.viscous = static_cast<double>(lane_sum(sums.viscous));
+  result.eroded = static_cast<double>(lane_sum(sums.eroded));
+  result.eroded_count = sums.eroded_count;
+  result.inverted_count = sums.inverted_count;
+  S rate = 0;
+  result.time_step_slot = -1;
+  for (int i = 0; i < width_of<T>; ++i) {
+    if (lane(sums.stable_rate, i) > rate) {
+      rate = lane(sums.stable_rate, i);
+      const auto pack = first_pack + static_cast<std::int64_t>(lane(sums.stable_rate_pack, i));
+      result.time_step_slot = pack * width_of<T> + i;
+    }
+  }
+  result.time_step = S(2) / rate;  // infinite for a tile without living elements
+}
+
+template <class S, bool plastic, bool erosion, bool viscosity>
+TileKernel<S> choose_hourglass([[maybe_unused]] HourglassKind kind) {
+  if constexpr (built::hourglass) {
+    switch (kind) {
+      case HourglassKind::stiffness:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness}>;
+      case HourglassKind::assumed_strain:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::assumed_strain}>;
+      case HourglassKind::viscous:
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous}>;
+      case HourglassKind::none:
+        break;
+    }
+  }
+  return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::none}>;
+}
+
+template <class S, bool plastic, bool erosion>
+TileKernel<S> choose_viscosity(const ElementFeatures& f) {
+  if constexpr (built::bulk_viscosity) {
+    if (f.bulk_viscosity) return choose_hourglass<S, plastic, erosion, true>(f.hourglass);
+  }
+  return choose_hourglass<S, plastic, erosion, false>(f.hourglass);
+}
+
+template <class S>
+TileKernel<S> choose_tile_kernel(const ElementFeatures& f) {
+  if constexpr (built::plasticity && built::erosion) {
+    if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
+  }
+  if constexpr (built::plasticity) {
+    if (f.plastic) return choose_viscosity<S, true, false>(f);
+  }
+  return choose_viscosity<S, false, false>(f);
+}
+
+}  // namespace pinball

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "model.hpp"
+
+namespace pinball {
+
+/// Per element of a mesh its exposed faces: bit f is set where nothing is on the other side of face f (xi-, xi+, eta-,
+/// eta+, zeta-, zeta+). A face in a plane of symmetry is not exposed: the mirror image of the body continues there.
+/// neighbours: what face_neighbours gives for the mesh.
+std::vector<std::uint8_t> find_exposed_faces(const ModelMesh& mesh, const std::vector<PlaneConstraint>& symmetry,
+                                             const std::vector<std::array<std::int32_t, 6>>& neighbours);
+
+}  // namespace pinball

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <solver/base/colouring.hpp>
+#include <solver/scene.hpp>
+
+#include "stores.hpp"
+
+namespace pinball {
+
+/// The meshes of all bodies together, in the order of the scene; cold.
+struct ModelMesh {
+  std::vector<Point> nodes;
+  std::vector<std::array<std::int32_t, 8>> hexahedra;
+  std::vector<std::int32_t> body;          ///< per element
+  std::vector<std::int32_t> body_of_node;  ///< per node
+  std::vector<std::string> body_names;
+};
+
+/// Elements of one material: consecutive tiles, worked by one specialised kernel.
+struct Part {
+  std::int32_t material = 0;
+  ElementFeatures features{};
+};
+
+/// One constrained direction of one node.
+template <class S>
+struct NodeConstraint {
+  std::int32_t node;
+  S normal[3];
+};
+
+/// One direction of one node, along which its velocity is given.
+template <class S>
+struct NodePrescription {
+  std::int32_t node;
+  S normal[3];
+  S speed;             ///< along the normal, where the factor is 1 [length/time]
+  std::int32_t table;  ///< number of the [[prescribed_velocity]], whose times and factors it follows
+};
+
+/// Steps that a tile may make where elements have steps of their own (step_levels.hpp).
+struct TileLevels {
+  std::uint8_t highest;  ///< level of all its elements
+  std::uint8_t own;      ///< lowest level that its elements would have by themselves
+};
+
+/// A scene made ready to run: stores, tiles and colours, and the maps between the order of the scene and that of the
+/// stores. Elements are sorted by material, with subcycling also by their steps, and into tiles; nodes follow their
+/// elements.
+template <class S>
+struct Model {
+  Scene scene;
+  ModelMesh mesh;
+
+  NodeStore<S> nodes;
+  ElementStore<S> elements;
+  std::vector<ElementConstants<S>> constants;  ///< per material
+  std::vector<Part> parts;
+  std::vector<NodeConstraint<S>> constraints;   ///< orthonormal per node
+  std::vector<NodePrescription<S>> prescribed;  ///< orthonormal per node, with the constraints
+
+  std::vector<std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
+  std::vector<std::int32_t> tile_part;   ///< per tile
+  Colouring tile_colours;
+  std::vector<TileLevels> tile_levels;  ///< per tile; empty without subcycling
+
+  std::vector<std::int32_t> element_of_slot;     ///< scene number of the element, -1 for padding
+  std::vector<std::int64_t> slot_of_element;     ///< per element of the scene
+  std::vector<std::int32_t> node_of_scene_node;  ///< store number per node of the scene
+  std::vector<double> element_mass;              ///< initial, per element of the scene [mass]
+  std::vector<double> node_mass;                 ///< per node of the store [mass]
+
+  std::int64_t element_count() const { return static_cast<std::int64_t>(mesh.hexahedra.size()); }
+  std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
+  std::size_t bytes() const;  ///< of all arrays of the size of the mesh
+};
+
+/// How a message about a scene begins: "FILE: ", or nothing for a scene that was made in code.
+std::string message_head(const Scene& scene);
+
+/// Number of the material of that name. Throws InputError if there is none.
+std::size_t material_index(const Scene& scene, const std::string& name);
+
+/// Generates and places the meshes of all bodies. Throws InputError for an inverted or flat element, naming it.
+ModelMesh build_mesh(const Scene& scene);
+
+/// Exact volume of an element [length^3].
+double element_volume(const ModelMesh& mesh, std::size_t element);
+
+/// Mean of an element's eight nodes [length].
+Point element_centre(const ModelMesh& mesh, std::size_t element);
+/// Edges of the box around an element [length].
+Point element_extent(const ModelMesh& mesh, std::size_t element);
+
+/// Fills in constraints and prescribed velocities. Throws InputError for a selection without nodes.
+template <class S>
+void add_constraints(Model<S>& model);
+
+/// Builds the stores. Throws InputError for what only the mesh shows to be wrong.
+template <class S>
+Model<S> build_model(const Scene& scene);
+
+}  // namespace pinball

@@ -1,0 +1,112 @@
+#include "model_surface.hpp"
+
+#include <algorithm>
+
+#include <solver/base/built_features.hpp>
+#include <solver/base/faces.hpp>
+
+#include "exposed_faces.hpp"
+
+namespace pinball {
+
+namespace {
+
+template <class S>
+std::size_t part_of(const Model<S>& model, std::int64_t slot) {
+  const auto tile = std::upper_bound(model.tile_packs.begin(), model.tile_packs.end(), slot / ElementStore<S>::width);
+  return static_cast<std::size_t>(model.tile_part[static_cast<std::size_t>(tile - model.tile_packs.begin() - 1)]);
+}
+
+}  // namespace
+
+template <class S>
+ModelContact<S>::ModelContact(const Model<S>& model, S* node_force) : model_(model) {
+  this->settings = &model.scene.contact;
+  this->lists_last = model.scene.skip.contact_search;
+  this->node_count = model.nodes.count;
+  this->position = model.nodes.position.data();
+  this->velocity = model.nodes.velocity.data();
+  this->force = node_force;
+  this->inverse_mass = model.nodes.inverse_mass.data();
+  this->slots = model.elements.slots;
+  this->tile_packs = model.tile_packs;
+  this->tile_colours = &model.tile_colours;
+}
+
+template <class S>
+ContactElement ModelContact<S>::element(std::int64_t slot) const {
+  const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
+  const Material& material = model_.scene.materials[part_of(model_, slot)];
+  ContactElement element{};
+  for (int i = 0; i < 8; ++i) {
+    const auto corner = static_cast<std::size_t>(i);
+    element.corners[corner] = model_.elements.corner[ElementStore<S>::at(slot, i, 8)];
+    element.reference[corner] = model_.mesh.nodes[static_cast<std::size_t>(model_.mesh.hexahedra[e][corner])];
+  }
+  element.body = model_.mesh.body[e];
+  element.mass = model_.element_mass[e];
+  element.volume = model_.element_mass[e] / material.density;
+  element.radius = ball_radius(element.volume);
+  element.bulk_modulus = material.bulk_modulus;
+  return element;
+}
+
+template <class S>
+bool ModelContact<S>::may_soon_erode(std::int64_t slot) const {
+  const std::size_t part = part_of(model_, slot);
+  if (!model_.parts[part].features.erosion) return false;
+  const S limit = std::min(S(1), model_.constants[part].material.erosion_strain);
+  return model_.elements.plastic_strain[static_cast<std::size_t>(slot)] > S(0.1) * limit;
+}
+
+template <class S>
+HeldDirections held_directions(const Model<S>& model) {
+  std::vector<HeldDirection> held;
+  const auto hold = [&held](std::int32_t node, const S* n) {
+    held.push_back({node, {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])}});
+  };
+  for (const NodeConstraint<S>& c : model.constraints) hold(c.node, c.normal);
+  for (const NodePrescription<S>& p : model.prescribed) hold(p.node, p.normal);
+  return {model.nodes.count, held};
+}
+
+template <class S>
+SurfaceTopology surface_topology(const Model<S>& model) {
+  SurfaceTopology topology(model.elements.slots);
+  const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(model.mesh.hexahedra);
+  const std::vector<std::uint8_t> exposed = find_exposed_faces(model.mesh, model.scene.constraints, neighbours);
+  for (std::size_t e = 0; e < neighbours.size(); ++e) {
+    const auto slot = static_cast<std::size_t>(model.slot_of_element[e]);
+    topology.alive[slot] = 1;
+    topology.exposed[slot] = exposed[e];
+    for (std::size_t f = 0; f < 6; ++f) {
+      if (neighbours[e][f] < 0) continue;
+      topology.neighbour[slot][f] =
+          static_cast<std::int32_t>(model.slot_of_element[static_cast<std::size_t>(neighbours[e][f])]);
+    }
+  }
+  return topology;
+}
+
+template <class S>
+std::unique_ptr<Contact<S>> make_model_contact([[maybe_unused]] const Model<S>& model) {
+  if constexpr (built::contact) {
+    const ContactSettings& settings = model.scene.contact;
+    if (settings.method == ContactMethod::none) return nullptr;
+    const bool by_impulses = settings.enforcement != Enforcement::penalty;
+    return make_contact(ModelContact<S>(model),
+                        {surface_topology(model), by_impulses ? held_directions(model) : HeldDirections()});
+  }
+  return nullptr;
+}
+
+template class ModelContact<double>;
+template class ModelContact<float>;
+template HeldDirections held_directions(const Model<double>&);
+template HeldDirections held_directions(const Model<float>&);
+template SurfaceTopology surface_topology(const Model<double>&);
+template SurfaceTopology surface_topology(const Model<float>&);
+template std::unique_ptr<Contact<double>> make_model_contact(const Model<double>&);
+template std::unique_ptr<Contact<float>> make_model_contact(const Model<float>&);
+
+}  // namespace pinball

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ordering.hpp"
+
+namespace pinball {
+namespace {
+
+using Layers = std::array<std::int32_t, 3>;
+
+/// Cuts ranges of elements into halves until they are tiles.
+class Halving {
+ public:
+  Halving(const std::vector<Point>& centres, const std::vector<Point>& extents, std::int64_t largest,
+          std::int64_t multiple, TileOrder& tiles)
+      : centres_(centres),
+        extents_(extents),
+        largest_(largest),
+        multiple_(multiple),
+        layer_(centres.size()),
+        tiles_(tiles) {}
+
+  void cut(std::int64_t begin, std::int64_t end) {
+    const Layers layers = count_layers(begin, end);
+    if (end - begin <= largest_) {
+      sort_rows(begin, end, layers);
+      tiles_.offsets.push_back(static_cast<std::int32_t>(end));
+      return;
+    }
+    const auto axis = static_cast<std::size_t>(std::max_element(layers.begin(), layers.end()) - layers.begin());
+    const std::int64_t middle = begin + half(begin, end, axis, layers[axis]);
+    const std::array<std::size_t, 3> axes{axis, (axis + 1) % 3, (axis + 2) % 3};
+    std::nth_element(at(begin), at(middle), at(end),
+                     [&](std::int32_t a, std::int32_t b) { return before(a, b, axes); });
+    cut(begin, middle);
+    cut(middle, end);
+  }
+
+ private:
+  std::vector<std::int32_t>::iterator at(std::int64_t i) { return tiles_.order.begin() + i; }
+
+  /// Numbers the layers of elements in each direction, of a thickness that is the mean of the elements'.
+  Layers count_layers(std::int64_t begin, std::int64_t end) {
+    Point low, high, thickness{};
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+    for (auto e = at(begin); e != at(end); ++e) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double c = centres_[static_cast<std::size_t>(*e)][k];
+        low[k] = std::min(low[k], c);
+        high[k] = std::max(high[k], c);
+        thickness[k] += extents_[static_cast<std::size_t>(*e)][k] / static_cast<double>(end - begin);
+      }
+    }
+    // Not more layers than elements, however far small bodies are apart.
+    for (std::size_t k = 0; k < 3; ++k) {
+      thickness[k] = std::max(thickness[k], (high[k] - low[k]) / static_cast<double>(end - begin));
+    }
+    Layers count{1, 1, 1};
+    for (auto e = at(begin); e != at(end); ++e) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double height = centres_[static_cast<std::size_t>(*e)][k] - low[k];
+        const auto number = height > 0 ? static_cast<std::int32_t>(std::lround(height / thickness[k])) : 0;
+        layer_[static_cast<std::size_t>(*e)][k] = number;
+        count[k] = std::max(count[k], number + 1);
+      }
+    }
+    return count;
+  }
+
+  bool before(std::int32_t a, std::int32_t b, const std::array<std::size_t, 3>& axes) const {
+    const Layers& la = layer_[static_cast<std::size_t>(a)];
+    const Layers& lb = layer_[static_cast<std::size_t>(b)];
+    for (const std::size_t k : axes) {
+      if (la[k] != lb[k]) return la[k] < lb[k];
+    }
+    return a < b;
+  }
+
+  /// Elements of the first half: as many as are in the layers up to the one nearest to the middle, in whole packs.
+  std::int64_t half(std::int64_t begin, std::int64_t end, std::size_t axis, std::int32_t layers) {
+    std::vector<std::int64_t> of_layer(static_cast<std::size_t>(layers), 0);
+    for (auto e = at(begin); e != at(end); ++e) {
+      ++of_layer[static_cast<std::size_t>(layer_[static_cast<std::size_t>(*e)][axis])];
+    }
+    const std::int64_t n = end - begin;
+    std::int64_t best = 0, sum = 0;
+    for (const std::int64_t count : of_layer) {
+      sum += count;
+      if (std::abs(2 * sum - n) < std::abs(2 * best - n)) best = sum;
+    }
+    if (4 * best < n || 4 * best > 3 * n) best = n / 2;  // nearly all are in one layer
+    best = (best + multiple_ / 2) / multiple_ * multiple_;
+    return std::clamp(best, std::min(multiple_, n - 1), n - 1);
+  }
+
+  /// Rows along the direction with the most layers; the direction with the fewest comes next, so that a layer of rows
+  /// is small.
+  void sort_rows(std::int64_t begin, std::int64_t end, const Layers& layers) {
+    std::array<std::size_t, 3> axes{0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) { return layers[a] > layers[b]; });
+    const std::array<std::size_t, 3> slowest_first{axes[1], axes[2], axes[0]};
+    std::sort(at(begin), at(end), [&](std::int32_t a, std::int32_t b) { return before(a, b, slowest_first); });
+  }
+
+  const std::vector<Point>& centres_;
+  const std::vector<Point>& extents_;
+  std::int64_t largest_, multiple_;
+  std::vector<Layers> layer_;
+  TileOrder& tiles_;
+};
+
+}  // namespace
+
+TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Point>& extents,
+                        std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple) {
+  TileOrder tiles{std::move(elements), {0}};
+  const auto n = static_cast<std::int64_t>(tiles.order.size());
+  if (n > 0) Halving(centres, extents, largest, multiple, tiles).cut(0, n);
+  return tiles;
+}
+
+}  // namespace pinball

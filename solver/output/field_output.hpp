@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <solver/results.hpp>
+
+namespace pinball {
+
+/// Writes field output for ParaView: FOLDER/BASE_0000.vtu, _0001, ... and FOLDER/BASE.pvd, which lists them with their
+/// times. The list is renewed after every write and each file appears complete, so ParaView opens a running job.
+///
+/// Point data: velocity (3 components), contact_force (3). Cell data: stress (xx yy zz xy yz zx) with von_mises,
+/// plastic_strain, pinball_radius, and always alive (UInt8) and body (Int32): eroded elements stay in the file, with
+/// alive = 0, and are hidden with a threshold on it. Positions are Float64, fields Float32. The scene's unit names are
+/// in a comment at the head of each file.
+class FieldWriter {
+ public:
+  using Written = std::vector<std::pair<double, std::string>>;  ///< time, file name
+
+  /// Makes the folder and removes BASE.pvd and BASE_<digits>.vtu that an earlier run left there, but for the files
+  /// that are `kept`: the list begins with those of them that are there.
+  /// `fields`: names as in OutputSettings::fields, empty for all; a field whose array in the snapshot is empty (the run
+  /// did not need it) is left out. `units`: the scene's string.
+  /// Throws InputError for an unknown name, RunError where the folder cannot be made.
+  FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields = {}, std::string units = {},
+              const Written& kept = {});
+
+  /// Writes one file and renews the list. Throws RunError that names the file where it cannot be written.
+  void write(const FieldSnapshot& snapshot);
+
+  /// Number of files written.
+  std::size_t count() const { return written_.size(); }
+  const Written& written() const { return written_; }
+
+ private:
+  void write_list() const;
+
+  std::string folder_, base_name_;
+  std::vector<std::string> fields_;
+  std::string units_;
+  Written written_;
+  std::size_t next_number_ = 0;
+};
+
+/// Writes one snapshot with all its fields as `path` (a .vtu file). Throws RunError that names the file.
+void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std::vector<std::string>& fields = {},
+               const std::string& units = {});
+
+/// Writes FOLDER/last_good.vtu, a picture of the last state before a run failed, and returns its path. Throws RunError.
+std::string write_last_good_state(const std::string& folder, const FieldSnapshot& snapshot,
+                                  const std::string& units = {});
+
+}  // namespace pinball

@@ -1,0 +1,115 @@
+#include "history.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include <solver/base/error.hpp>
+#include <solver/results/units.hpp>
+
+#include "output_file.hpp"
+
+namespace pinball {
+namespace {
+
+/// A name as a CSV cell: quoted where it holds a separator.
+std::string cell(const std::string& name) {
+  if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
+  std::string quoted = "\"";
+  for (const char c : name) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+void add_number(std::string& line, double value) {
+  // The sign of a NaN says nothing and not every reader takes "-nan".
+  line += std::isnan(value) ? std::string(",nan") : fmt::format(",{:.17g}", value);
+}
+
+}  // namespace
+
+HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies,
+                             const std::string& units, const std::vector<std::string>& more,
+                             const std::optional<std::uint64_t>& kept)
+    : path_((std::filesystem::path(folder) / "history.csv").string()), bodies_(bodies.size()), more_(more.size()) {
+  make_folder(folder);
+  std::string head = fmt::format("# {}\n", units_line(units));
+  head +=
+      "step,time,dt,kinetic,internal,hourglass,bulk_viscosity,contact_stored,contact_damped,eroded,external,total,"
+      "balance_error,momentum_x,momentum_y,momentum_z";
+  for (const std::string& body : bodies) {
+    for (const std::string_view quantity :
+         {"velocity_x", "velocity_y", "velocity_z", "mass_remaining", "eroded_elements", "max_plastic_strain"}) {
+      head += ',' + cell(fmt::format("{}_{}", body, quantity));
+    }
+  }
+  for (const std::string& column : more) head += ',' + cell(column);
+  head += '\n';
+  if (kept) cut(head, *kept);
+  file_ = std::fopen(path_.c_str(), kept ? "ab" : "wb");
+  if (file_ == nullptr) throw_write_error(path_, errno);
+  if (kept) return;
+  try {
+    append(head);
+  } catch (...) {
+    std::fclose(file_);
+    throw;
+  }
+}
+
+/// Cuts off what an earlier run has written after the state that this one goes on from.
+void HistoryWriter::cut(const std::string& head, std::uint64_t kept) {
+  std::string present(head.size(), '\0');
+  std::ifstream file(path_, std::ios::binary | std::ios::ate);
+  const bool long_enough = file && static_cast<std::uint64_t>(file.tellg()) >= kept && kept >= head.size();
+  file.seekg(0);
+  file.read(present.data(), static_cast<std::streamsize>(present.size()));
+  if (!long_enough || present != head) {
+    throw InputError(fmt::format(
+        "{}: expected the rows up to the time of the checkpoint; with --out the results go to another folder", path_));
+  }
+  std::error_code error;
+  std::filesystem::resize_file(path_, kept, error);
+  if (error) throw_write_error(path_, error.value());
+  written_ = kept;
+}
+
+HistoryWriter::~HistoryWriter() { std::fclose(file_); }
+
+void HistoryWriter::write(const HistoryRow& row) {
+  if (row.bodies.size() != bodies_ || row.more.size() != more_) {
+    throw RunError(fmt::format("cannot write {}: the row has {} bodies and {} further values, the columns {} and {}",
+                               path_, row.bodies.size(), row.more.size(), bodies_, more_));
+  }
+  std::string line = fmt::format("{}", row.step);
+  const Energies& e = row.energy;
+  for (const double value :
+       {row.time, row.dt, e.kinetic, e.internal, e.hourglass, e.bulk_viscosity, e.contact_stored, e.contact_damped,
+        e.eroded, e.external, e.total(), row.balance_error, row.momentum[0], row.momentum[1], row.momentum[2]}) {
+    add_number(line, value);
+  }
+  for (const BodyResult& body : row.bodies) {
+    for (const double velocity : body.velocity) add_number(line, velocity);
+    add_number(line, body.mass_remaining);
+    line += fmt::format(",{}", body.eroded_elements);
+    add_number(line, body.max_plastic_strain);
+  }
+  for (const double value : row.more) add_number(line, value);
+  append(line + '\n');
+}
+
+void HistoryWriter::append(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0) {
+    throw_write_error(path_, errno);
+  }
+  written_ += text.size();
+}
+
+}  // namespace pinball

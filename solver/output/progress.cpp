@@ -1,0 +1,97 @@
+#include "progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/results/units.hpp>
+
+namespace pinball {
+
+std::string readable_duration(double seconds) {
+  if (!std::isfinite(seconds) || seconds > 1e9) return "?";
+  const auto total = static_cast<std::int64_t>(std::llround(std::max(seconds, 0.0)));
+  if (total < 60) return fmt::format("{} s", total);
+  if (total < 3600) return fmt::format("{} min {:02} s", total / 60, total % 60);
+  return fmt::format("{} h {:02} min", total / 3600, total / 60 % 60);
+}
+
+double fraction_done(const ProgressSettings& settings, const ProgressState& state) {
+  double done = settings.end_time > 0.0 ? state.time / settings.end_time : 0.0;
+  if (settings.steps > 0) done = std::max(done, static_cast<double>(state.step) / static_cast<double>(settings.steps));
+  return done >= 0.0 ? std::min(done, 1.0) : 0.0;  // false for NaN
+}
+
+Progress::Progress(ProgressSettings settings, std::FILE* stream)
+    : settings_(std::move(settings)),
+      time_unit_(parse_units(settings_.units).time),
+      stream_(stream),
+      terminal_(!settings_.quiet && isatty(fileno(stream)) != 0),
+      start_(Clock::now()),
+      last_shown_(start_) {}
+
+Progress::~Progress() {
+  if (!line_open_) return;
+  std::fputc('\n', stream_);
+  std::fflush(stream_);
+}
+
+void Progress::update(const ProgressState& state) {
+  if (settings_.quiet) return;
+  if (terminal_) {
+    const Clock::time_point now = Clock::now();
+    if (now - last_shown_ < std::chrono::milliseconds(100)) return;
+    last_shown_ = now;
+    show(state, fraction_done(settings_, state));
+  } else {
+    const double done = fraction_done(settings_, state);
+    const double tenths = done * 10.0 + 1e-9;  // 0.1 itself may have been rounded down
+    if (tenths < next_tenth_) return;
+    next_tenth_ = static_cast<int>(tenths) + 1;
+    show(state, done);
+  }
+}
+
+void Progress::finish(const ProgressState& state) {
+  if (settings_.quiet) return;
+  if (terminal_) {
+    show(state, fraction_done(settings_, state));
+    std::fputc('\n', stream_);
+    std::fflush(stream_);
+    line_open_ = false;
+  } else if (next_tenth_ <= 10) {
+    next_tenth_ = 11;
+    show(state, fraction_done(settings_, state));
+  }
+}
+
+void Progress::show(const ProgressState& state, double done) {
+  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+  const std::string unit = time_unit_.empty() ? "" : " " + time_unit_;
+  std::string line =
+      fmt::format("{:5.1f} %  time {:.4g}{}  dt {:.3g}{}  energy error {:.2g} %  {} elements  ", 100.0 * done,
+                  state.time, unit, state.dt, unit, 100.0 * state.balance_error, state.active_elements);
+  if (done < 1.0) {
+    line += "ETA " + (done > 0.0 ? readable_duration(elapsed * (1.0 - done) / done) : "?");
+  } else {
+    line += "took " + readable_duration(elapsed);
+  }
+  if (terminal_) {
+    winsize size{};
+    // A line longer than the window would wrap, and then not be rewritten in place.
+    if (ioctl(fileno(stream_), TIOCGWINSZ, &size) == 0 && size.ws_col > 1) {
+      line.resize(std::min<std::size_t>(line.size(), size.ws_col - 1U));
+    }
+    line = "\r" + line + "\x1b[K";
+    line_open_ = true;
+  } else {
+    line += '\n';
+  }
+  std::fputs(line.c_str(), stream_);  // a failure is no reason to end the run
+  std::fflush(stream_);
+}
+
+}  // namespace pinball

@@ -1,0 +1,39 @@
+#include <solver/base/error.hpp>
+#include <solver/recorded_run.hpp>
+#include <solver/summary.hpp>
+
+#include "progress.hpp"
+#include "recorder.hpp"
+
+namespace pinball {
+
+RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
+  Simulation simulation(scene);
+  Recorder recorder(simulation, options);
+  Progress progress({scene.time.end, scene.time.steps, scene.units, options.quiet});
+  simulation.on_step([&](Simulation& s) {
+    recorder.record(s, s.complete());
+    if (!s.complete()) recorder.checkpoint(s, s.at_end());
+    if (s.complete()) {
+      progress.finish(s.progress());
+    } else {
+      progress.update(s.progress());
+    }
+    return AfterStep::go_on;
+  });
+  const auto finish_summary = [&] {
+    RunSummary summary = simulation.summary();
+    summary.wall_seconds = recorder.wall_seconds();
+    if (!options.out.empty()) write_summary(options.out, summary);
+    return summary;
+  };
+  try {
+    simulation.run();
+  } catch (const RunError& error) {
+    finish_summary();
+    throw RunError(error.what() + recorder.save_last_good(simulation));
+  }
+  return finish_summary();
+}
+
+}  // namespace pinball

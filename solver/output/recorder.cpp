@@ -1,0 +1,183 @@
+#include "recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include <solver/base/error.hpp>
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+
+namespace {
+
+constexpr const char* checkpoint_name = "checkpoint.pinball";
+constexpr const char* last_good_name = "last_good.pinball";
+
+/// A copy of the state is made as often as takes this share of the time.
+constexpr double share_of_copies = 0.005;
+/// ... while the error of the energy balance is below this share of its bound: beyond it the trouble may have begun.
+constexpr double share_of_energy_error = 0.2;
+
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error);
+}
+
+double history_interval(const Scene& scene) {
+  return scene.output.interval > 0 ? scene.output.interval : scene.time.end / 200;
+}
+
+/// What a restart asks for has to lie ahead.
+void check_limits(const Simulation& simulation) {
+  const TimeSettings& limits = simulation.scene().time;
+  if (limits.end < simulation.time() * (1 - 1e-12)) {
+    throw InputError(fmt::format("time.end: expected at least {:.9g}, the time of the checkpoint, got {:.9g}",
+                                 simulation.time(), limits.end));
+  }
+  if (limits.steps >= 0 && limits.steps < simulation.steps()) {
+    throw InputError(fmt::format("time.steps: expected at least {}, the step of the checkpoint, got {}",
+                                 simulation.steps(), limits.steps));
+  }
+}
+
+}  // namespace
+
+Recorder::Recorder(Simulation& simulation, const RecordOptions& options)
+    : folder_(options.out),
+      history_times_(history_interval(simulation.scene()), {}),
+      every_step_(simulation.scene().output.every_step),
+      field_times_(simulation.scene().output.field_interval, simulation.scene().output.field_times),
+      units_(simulation.scene().units),
+      checkpoint_every_(options.checkpoint_every) {
+  if (options.source != nullptr) {
+    head_ = checkpoint_head(*options.source, simulation.scene());
+    head_->fingerprint = simulation.fingerprint();
+  } else if (checkpoint_every_ > 0) {
+    throw InputError("a checkpoint needs the source of the scene");
+  }
+  std::optional<RunRecord> kept;
+  if (options.restart != nullptr) {
+    const Checkpoint& checkpoint = *options.restart;
+    kept = restart(checkpoint, simulation);
+    const auto folder = std::filesystem::absolute(checkpoint.path).parent_path();
+    if (!same_file(folder, folder_)) kept.reset();  // its files are elsewhere
+  }
+  if (folder_.empty()) return;
+  std::filesystem::create_directories(folder_);
+  for (const char* name : {"last_good.vtu", last_good_name, checkpoint_name, "checkpoint.pinball.part"}) {
+    if (options.restart != nullptr && name == checkpoint_name) continue;
+    if (options.restart != nullptr && same_file(options.restart->path, path(name))) continue;
+    std::filesystem::remove(path(name));
+  }
+  open_files(simulation, kept);
+  if (simulation.steps() > 0) {
+    history_times_.passed(simulation.state_time());
+    field_times_.passed(simulation.state_time());
+  }
+  keep_state(simulation);
+  start_ = Clock::now();
+}
+
+RunRecord Recorder::restart(const Checkpoint& checkpoint, Simulation& simulation) {
+  const auto refuse = [&checkpoint](const std::string& reason) {
+    throw InputError(fmt::format("{}: {}", checkpoint.path, reason));
+  };
+  const CheckpointHead& head = checkpoint.head;
+  if (head.simd_width != simulation.simd_width()) {
+    refuse(fmt::format("written by pinball {} with packs of {}, this one has packs of {}", head.version,
+                       head.simd_width, simulation.simd_width()));
+  }
+  if (head.fingerprint != simulation.fingerprint()) refuse("this program makes another mesh of the scene");
+  RunRecord record;
+  StateArchive archive = StateArchive::reading(checkpoint.state);
+  try {
+    record.persist(archive);
+    simulation.persist(archive);
+    if (archive.left() > 0) StateArchive::throw_foreign();
+  } catch (const InputError& error) {
+    refuse(error.what());
+  }
+  check_limits(simulation);
+  wall_seconds_before_ = record.wall_seconds;
+  return record;
+}
+
+void Recorder::open_files(const Simulation& simulation, const std::optional<RunRecord>& kept) {
+  std::optional<std::uint64_t> rows;
+  if (kept) rows = kept->history_bytes;
+  history_ = std::make_unique<HistoryWriter>(folder_, names_of(simulation.scene().bodies), units_,
+                                             simulation.history_columns(), rows);
+  const OutputSettings& output = simulation.scene().output;
+  if (output.field_interval > 0 || !output.field_times.empty()) {
+    fields_ = std::make_unique<FieldWriter>(folder_, "fields", output.fields, units_,
+                                            kept ? kept->fields : FieldWriter::Written{});
+  }
+}
+
+void Recorder::record(Simulation& simulation, bool last) {
+  if (!history_) return;
+  const double time = simulation.state_time();
+  const bool fields_due = fields_ && field_times_.due(time);
+  if (last || every_step_ || history_times_.due(time)) {
+    history_->write(simulation.history_row());
+    history_times_.passed(time);
+    if (!last && !fields_due) keep_state(simulation);
+  }
+  if (!fields_due) return;
+  last_good_ = {};  // never two copies: this one is as large as the arrays of the step
+  fields_->write(simulation.snapshot());
+  field_times_.passed(time);
+  if (!last) save(simulation);
+}
+
+void Recorder::save(Simulation& simulation) {
+  RunRecord record{wall_seconds(), history_->bytes(), fields_ ? fields_->written() : FieldWriter::Written{}};
+  StateArchive::save(last_good_, [&](StateArchive& archive) {
+    record.persist(archive);
+    simulation.persist(archive);
+  });
+}
+
+void Recorder::keep_state(Simulation& simulation) {
+  const auto start = Clock::now();
+  const double most = share_of_energy_error * simulation.scene().guard.energy_error;
+  if (start < next_copy_ || std::abs(simulation.balance_error()) > most) return;
+  save(simulation);
+  const auto end = Clock::now();
+  next_copy_ = end + std::chrono::duration_cast<Clock::duration>((end - start) / share_of_copies);
+}
+
+void Recorder::checkpoint(Simulation& simulation, bool last) {
+  if (checkpoint_every_ <= 0 || (++since_checkpoint_ < checkpoint_every_ && !last)) return;
+  since_checkpoint_ = 0;
+  save(simulation);
+  write_checkpoint(path(checkpoint_name), *head_, last_good_);
+}
+
+std::string Recorder::save_last_good(Simulation& simulation) {
+  if (last_good_.empty()) return "";
+  RunRecord record;
+  StateArchive archive = StateArchive::reading({last_good_.data(), last_good_.size()});
+  record.persist(archive);
+  simulation.persist(archive);
+  const auto sentence = [&simulation](const std::string& file) {
+    return fmt::format("; the last good state, of step {}, is in {}", simulation.steps(), file);
+  };
+  std::string restart;
+  if (head_) {
+    write_checkpoint(path(last_good_name), *head_, last_good_);
+    restart = fmt::format(" and, for --restart, in {}", path(last_good_name));
+  }
+  last_good_ = {};
+  return sentence(write_last_good_state(folder_, simulation.snapshot(), units_)) + restart;
+}
+
+double Recorder::wall_seconds() const {
+  return wall_seconds_before_ + std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+std::string Recorder::path(const char* name) const { return (std::filesystem::path(folder_) / name).string(); }
+
+}  // namespace pinball

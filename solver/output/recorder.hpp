@@ -1,0 +1,91 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <solver/recorded_run.hpp>
+#include <solver/simulation.hpp>
+
+#include "checkpoint.hpp"
+#include "field_output.hpp"
+#include "history.hpp"
+
+namespace pinball {
+
+/// The next of a sequence of output times: every interval, or a list.
+class Schedule {
+ public:
+  Schedule(double interval, std::vector<double> times) : interval_(interval), times_(std::move(times)) {}
+
+  bool due(double time) const {
+    const double tolerance = 1e-9 * interval_;
+    return (interval_ > 0 && time >= static_cast<double>(count_) * interval_ - tolerance) ||
+           (next_ < times_.size() && time >= times_[next_]);
+  }
+  void passed(double time) {
+    if (interval_ > 0) {
+      while (time >= static_cast<double>(count_) * interval_ - 1e-9 * interval_) ++count_;
+    }
+    while (next_ < times_.size() && time >= times_[next_]) ++next_;
+  }
+
+ private:
+  double interval_;
+  std::vector<double> times_;
+  std::int64_t count_ = 0;
+  std::size_t next_ = 0;
+};
+
+/// What a run has written and taken when a state was saved: with the state of the solver what a run goes on from.
+struct RunRecord {
+  double wall_seconds = 0;
+  std::uint64_t history_bytes = 0;
+  FieldWriter::Written fields;
+
+  void persist(StateArchive& archive) { archive(wall_seconds, history_bytes, fields); }
+};
+
+/// What a running scene writes; nothing for an empty folder. Keeps a copy of a state from before any trouble.
+class Recorder {
+ public:
+  /// With options.restart also brings the simulation to that state. Throws InputError where it does not fit.
+  Recorder(Simulation& simulation, const RecordOptions& options);
+
+  /// Called after each step; last: also writes what is not due.
+  void record(Simulation& simulation, bool last);
+  /// Writes the checkpoint after each options.checkpoint_every calls, and where the run is about to end.
+  void checkpoint(Simulation& simulation, bool last);
+  /// Writes the state that was kept, for a restart and as a picture, for which the simulation goes back to it. Returns
+  /// a sentence that names the files, or nothing.
+  std::string save_last_good(Simulation& simulation);
+
+  double wall_seconds() const;  ///< of the whole run, also before a restart
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  RunRecord restart(const Checkpoint& checkpoint, Simulation& simulation);
+  void open_files(const Simulation& simulation, const std::optional<RunRecord>& kept);
+  void save(Simulation& simulation);
+  void keep_state(Simulation& simulation);
+  std::string path(const char* name) const;
+
+  std::string folder_;
+  Schedule history_times_;
+  bool every_step_;
+  Schedule field_times_;
+  std::string units_;
+  std::unique_ptr<HistoryWriter> history_;
+  std::unique_ptr<FieldWriter> fields_;
+  std::optional<CheckpointHead> head_;  ///< only for a scene whose source is known
+  StateBytes last_good_;                ///< RunRecord and Simulation
+  Clock::time_point start_ = Clock::now(), next_copy_{};
+  double wall_seconds_before_ = 0;
+  std::int64_t checkpoint_every_, since_checkpoint_ = 0;
+};
+
+}  // namespace pinball

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include <solver/results/warnings.hpp>
+#include <solver/summary.hpp>
+
+#include "output_file.hpp"
+
+namespace pinball {
+namespace {
+
+using Json = nlohmann::ordered_json;  // keys stay in the order in which a reader looks for them
+
+Json energy_json(const RunSummary& s) {
+  const Energies& e = s.energy;
+  return {{"kinetic", e.kinetic},
+          {"internal", e.internal},
+          {"hourglass", e.hourglass},
+          {"bulk_viscosity", e.bulk_viscosity},
+          {"contact", e.contact()},
+          {"contact_stored", e.contact_stored},
+          {"contact_damped", e.contact_damped},
+          {"eroded", e.eroded},
+          {"external", e.external},
+          {"initial_total", s.initial_total},
+          {"final_total", s.final_total},
+          {"balance_error_max", s.balance_error_max}};
+}
+
+Json body_json(const BodyResult& body) {
+  return {{"name", body.name},
+          {"elements", body.elements},
+          {"eroded_elements", body.eroded_elements},
+          {"mass_initial", body.mass_initial},
+          {"mass_remaining", body.mass_remaining},
+          {"velocity", body.velocity},
+          {"max_plastic_strain", body.max_plastic_strain}};
+}
+
+Json wall_json(const WallResult& wall) {
+  return {{"name", wall.name}, {"impulse", wall.impulse}, {"force_max", wall.force_max}};
+}
+
+Json probe_json(const ProbeResult& probe) {
+  Json values = Json::object();
+  for (const ProbeValue& v : probe.values) values[v.quantity] = v.value;
+  return {{"name", probe.name},   {"kind", probe.element ? "element" : "node"},
+          {"body", probe.body},   {"number", probe.number},
+          {"point", probe.point}, {"values", values}};
+}
+
+}  // namespace
+
+std::string summary_json(const RunSummary& s) {
+  Json phases = Json::object();
+  for (const PhaseSeconds& phase : s.phases) phases[phase.name] = phases.value(phase.name, 0.0) + phase.seconds;
+  Json bodies = Json::array();
+  for (const BodyResult& body : s.bodies) bodies.push_back(body_json(body));
+  Json walls = Json::array(), probes = Json::array();
+  for (const WallResult& wall : s.walls) walls.push_back(wall_json(wall));
+  for (const ProbeResult& probe : s.probes) probes.push_back(probe_json(probe));
+  const double element_steps = static_cast<double>(s.elements) * static_cast<double>(s.steps);
+
+  const Json json = {
+      {"scene", s.scene},
+      {"title", s.title},
+      {"units", s.units},
+      {"version", s.version},
+      {"precision", s.precision},
+      {"threads", s.threads},
+      {"simd_width", s.simd_width},
+      {"elements", s.elements},
+      {"nodes", s.nodes},
+      {"steps", s.steps},
+      {"end_time", s.end_time},
+      {"dt", {{"min", s.dt_min}, {"max", s.dt_max}, {"limited_by", s.dt_limited_by}}},
+      {"wall_seconds", s.wall_seconds},
+      {"phase_seconds", phases},
+      {"element_steps", s.element_steps},
+      {"element_steps_skipped", s.element_steps_eroded + s.element_steps_resting + s.element_steps_subcycled},
+      {"element_steps_eroded", s.element_steps_eroded},
+      {"element_steps_resting", s.element_steps_resting},
+      {"element_steps_subcycled", s.element_steps_subcycled},
+      {"element_steps_per_second", element_steps / s.wall_seconds},  // no wall time: null
+      {"energy", energy_json(s)},
+      {"momentum", {{"initial", s.momentum_initial}, {"final", s.momentum_final}}},
+      {"bodies", bodies},
+      {"rigid_walls", walls},
+      {"contact",
+       {{"method", s.contact_method},
+        {"enforcement", s.contact_enforcement},
+        {"pinballs", s.pinballs},
+        {"pairs_max", s.pairs_max},
+        {"searches", s.searches},
+        {"searches_skipped", s.searches_skipped},
+        {"max_penetration_ratio", s.max_penetration_ratio}}},
+      {"skipped",
+       {{"resting_element_steps", s.element_steps_resting},
+        {"subcycled_element_steps", s.element_steps_subcycled},
+        {"searches", s.searches_skipped},
+        {"inner_element_steps", s.inner_element_steps},
+        {"bytes_not_stored", s.bytes_not_stored}}},
+      {"skipped_seconds",
+       {{"resting", s.skipped_seconds.resting},
+        {"subcycling", s.skipped_seconds.subcycling},
+        {"searches", s.skipped_seconds.searches},
+        {"inner_elements", s.skipped_seconds.inner_elements}}},
+      {"state_hash", fmt::format("{:016x}", s.state_hash)},
+      {"bytes_per_element", s.bytes_per_element},
+      {"probes", probes},
+      {"warnings", doubts(s)},
+  };
+  // dump() turns NaN and infinity into null; bytes that are no UTF-8 (a title) are replaced, not thrown over.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void write_summary(const std::string& folder, const RunSummary& summary) {
+  make_folder(folder);
+  OutputFile file((std::filesystem::path(folder) / "summary.json").string());
+  file.write(summary_json(summary));
+  file.commit();
+}
+
+}  // namespace pinball

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <solver/base/export.h>
+#include <solver/scene.hpp>
+
+/// What the program does, one function per subcommand. Each returns the exit status (0 or 1) and throws InputError or
+/// RunError. (Where libraries are shared, so is this part of the program: for that alone they are exported.)
+namespace pinball {
+
+/// What all that runs a scene has in common.
+struct SceneOptions {
+  std::string scene;  ///< name or path, not yet looked up
+  SceneOverrides overrides;
+  int threads = 0;     ///< 0: what OpenMP takes by default
+  bool quiet = false;  ///< no progress on the terminal
+};
+
+struct RunOptions : SceneOptions {
+  std::string out;                    ///< folder for the results; empty: out/SCENE, or that of the checkpoint
+  std::int64_t checkpoint_every = 0;  ///< steps or cycles; 0: no checkpoints
+  std::string restart;                ///< checkpoint to go on from, in place of a scene; empty: none
+};
+
+struct CompareOptions : SceneOptions {
+  std::vector<std::string> vary;  ///< "KEY=V1,V2,..."; empty: contact.method=pinball,slideline
+  int repeats = 3;
+  std::string json;  ///< file for the table of results; empty: none
+};
+
+struct VerifyOptions {
+  std::vector<std::string> scenes;  ///< empty: all verification scenes
+  std::string json;                 ///< file for the table of results; empty: none
+};
+
+/// Runs a scene, or goes on with a run from its checkpoint, and writes its results.
+PINBALL_API int run_command(const RunOptions& options);
+
+/// Prints what a scene holds, what will run and what is skipped.
+PINBALL_API int info_command(const RunOptions& options);
+
+/// Runs a scene with each combination of values, side by side, and prints one table; 1 if a variant fails.
+PINBALL_API int compare_command(const CompareOptions& options);
+
+/// Runs the verification scenes and compares them with their references; 1 if one fails.
+PINBALL_API int verify_command(const VerifyOptions& options);
+
+}  // namespace pinball

@@ -1,0 +1,184 @@
+#include "comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include <solver/base/error.hpp>
+#include <solver/output/progress.hpp>
+#include <solver/step/solver.hpp>
+#include <solver/summary.hpp>
+
+#include "momentum_error.hpp"
+
+namespace pinball {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double shortest_turn = 1.0 / 50;  ///< of a run
+constexpr double fewest_steps = 4;          ///< of a turn: at its begin the caches hold another variant's data
+
+/// A solver of either precision.
+class AnySolver {
+ public:
+  virtual ~AnySolver() = default;
+  virtual bool at_end() const = 0;
+  virtual void step() = 0;
+  virtual void finish() = 0;
+  virtual ProgressState state() const = 0;
+  virtual void fill_summary(RunSummary& summary) const = 0;
+};
+
+template <class S>
+class SolverOf final : public AnySolver {
+ public:
+  explicit SolverOf(const Scene& scene) : solver_(scene) {}
+  bool at_end() const override { return solver_.at_end(); }
+  void step() override { solver_.step(); }
+  void finish() override { solver_.finish(); }
+  ProgressState state() const override { return solver_.progress_state(); }
+  void fill_summary(RunSummary& summary) const override { solver_.fill_summary(summary); }
+
+ private:
+  Solver<S> solver_;
+};
+
+std::unique_ptr<AnySolver> make_solver(const Scene& scene) {
+  if (scene.precision == Precision::float32) return std::make_unique<SolverOf<float>>(scene);
+  return std::make_unique<SolverOf<double>>(scene);
+}
+
+/// One variant on its way to its end.
+class RunningVariant {
+ public:
+  explicit RunningVariant(const Scene& scene)
+      : solver_(make_solver(scene)), limits_{scene.time.end, scene.time.steps, scene.units, false} {}
+
+  bool active() const { return active_; }
+  ProgressState state() const { return solver_->state(); }
+  double done() const { return fraction_done(limits_, solver_->state()); }
+  /// Mean part of the run that a step has been.
+  double done_per_step() const {
+    const std::int64_t steps = solver_->state().step;
+    return steps > 0 ? done() / static_cast<double>(steps) : 0.0;
+  }
+
+  /// Its turn: steps until this part of the run is done.
+  void advance(double part) {
+    const Clock::time_point start = Clock::now();
+    try {
+      while (!solver_->at_end() && done() < part) solver_->step();
+      if (solver_->at_end()) {
+        solver_->finish();
+        active_ = false;
+      }
+    } catch (const RunError& error) {
+      failure_ = error.what();
+      active_ = false;
+    }
+    seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
+  }
+
+  const std::string& failure() const { return failure_; }
+  RunSummary summary() const {
+    RunSummary summary;
+    summary.wall_seconds = seconds_;
+    solver_->fill_summary(summary);
+    return summary;
+  }
+
+ private:
+  std::unique_ptr<AnySolver> solver_;
+  ProgressSettings limits_;
+  bool active_ = true;
+  double seconds_ = 0;
+  std::string failure_;
+};
+
+/// Runs all variants to their ends, side by side.
+class Race {
+ public:
+  explicit Race(const std::vector<Variant>& variants) {
+    for (const Variant& variant : variants) {
+      try {
+        runs_.emplace_back(variant.scene);
+      } catch (const InputError& error) {  // what only the mesh shows to be wrong
+        throw InputError(fmt::format("{} (with {})", error.what(), name_of(variant.settings)));
+      }
+    }
+  }
+
+  void run(Progress& progress) {
+    bool forwards = true;
+    for (double part = 0; active(); forwards = !forwards) {
+      part += turn();
+      for (std::size_t i = 0; i < runs_.size(); ++i) {
+        RunningVariant& run = runs_[forwards ? i : runs_.size() - 1 - i];
+        if (run.active()) run.advance(part);
+      }
+      progress.update(runs_.front().state());
+    }
+    progress.finish(runs_.front().state());
+  }
+
+  const std::vector<RunningVariant>& runs() const { return runs_; }
+
+ private:
+  bool active() const {
+    return std::any_of(runs_.begin(), runs_.end(), [](const RunningVariant& run) { return run.active(); });
+  }
+
+  /// The part of a run that is each variant's turn.
+  double turn() const {
+    double longest_step = 0;
+    for (const RunningVariant& run : runs_) {
+      if (run.active()) longest_step = std::max(longest_step, run.done_per_step());
+    }
+    return std::max(shortest_turn, fewest_steps * longest_step);
+  }
+
+  std::vector<RunningVariant> runs_;
+};
+
+}  // namespace
+
+std::string name_of(const std::vector<std::string>& settings) { return fmt::format("{}", fmt::join(settings, ", ")); }
+
+void check_repeat(const std::string& variant, const RunSummary& first, const RunSummary& again) {
+  const auto without_times = [](RunSummary s) {
+    s.wall_seconds = 0;
+    s.phases.clear();
+    s.skipped_seconds = {};
+    return summary_json(s);
+  };
+  if (without_times(first) == without_times(again)) return;
+  throw RunError(
+      fmt::format("{}: a repeated run gave another result, state {:016x} after {} steps in place of {:016x} after {}",
+                  variant, again.state_hash, again.steps, first.state_hash, first.steps));
+}
+
+std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, const ComparisonSettings& settings) {
+  std::vector<VariantRuns> results;
+  for (const Variant& variant : variants) results.push_back({variant.settings, {}, {}, ""});
+  for (int repeat = 0; repeat < settings.repeats; ++repeat) {
+    Race race(variants);
+    // All are at the same part of their runs: the first one speaks for all.
+    const Scene& first = variants.front().scene;
+    Progress progress({first.time.end, first.time.steps, first.units, settings.quiet});
+    race.run(progress);
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      VariantRuns& result = results[i];
+      result.repeats.push_back(race.runs()[i].summary());
+      result.momentum_error = momentum_error(variants[i].scene, result.repeats.back());
+      result.failure = race.runs()[i].failure();
+      check_repeat(name_of(result.settings), result.repeats.front(), result.repeats.back());
+    }
+  }
+  return results;
+}
+
+}  // namespace pinball

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <solver/model/model.hpp>
+#include <solver/results/units.hpp>
+
+namespace pinball {
+
+/// Prints a line for each kind of boundary condition that the model has ("pinball info").
+template <class S>
+void print_boundary_conditions(const Model<S>& model, const Units& units);
+
+}  // namespace pinball

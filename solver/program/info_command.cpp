@@ -1,0 +1,249 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <kernels/exec.hpp>
+#include <solver/mesh/generators.hpp>
+#include <solver/mesh/quality.hpp>
+#include <solver/output/progress.hpp>
+#include <solver/results/units.hpp>
+#include <solver/step/solver.hpp>
+
+#include "commands.hpp"
+#include "info_boundary.hpp"
+#include "info_skipped.hpp"
+
+namespace pinball {
+
+namespace {
+
+std::string with_unit(double value, const std::string& unit) {
+  return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
+}
+
+/// Of a mass that is itself a force times time squared over length: its "/in" becomes "/in^4".
+std::string density_unit(const Units& units) {
+  if (units.mass.empty()) return "";
+  return units.mass.ends_with("/" + units.length) ? units.mass + "^4" : units.mass + "/" + units.length + "^3";
+}
+
+std::string readable_bytes(double bytes) {
+  if (bytes < 1e6) return fmt::format("{:.3g} kB", bytes / 1e3);
+  if (bytes < 1e9) return fmt::format("{:.3g} MB", bytes / 1e6);
+  return fmt::format("{:.3g} GB", bytes / 1e9);
+}
+
+template <class S>
+void print_bodies(const Model<S>& model, const Units& units) {
+  fmt::print("bodies\n");
+  for (std::size_t b = 0; b < model.scene.bodies.size(); ++b) {
+    const Body& body = model.scene.bodies[b];
+    const auto number = static_cast<std::int32_t>(b);
+    double mass = 0;
+    for (std::size_t e = 0; e < model.mesh.body.size(); ++e)
+      mass += model.mesh.body[e] == number ? model.element_mass[e] : 0;
+    fmt::print("  {}: {} elements, {} nodes, mass {}, of {}\n", body.name,
+               std::count(model.mesh.body.begin(), model.mesh.body.end(), number),
+               std::count(model.mesh.body_of_node.begin(), model.mesh.body_of_node.end(), number),
+               with_unit(mass, units.mass), body.material);
+    const MeshQuality q = measure_quality(generate(body.mesh));
+    fmt::print(
+        "    mesh: edges {:.4g} to {}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on "
+        "average\n",
+        q.min_edge, with_unit(q.max_edge, units.length), q.max_aspect_ratio, q.min_scaled_jacobian,
+        q.mean_scaled_jacobian);
+    fmt::print("    velocity ({:.6g}, {:.6g}, {:.6g}){}\n", body.velocity[0], body.velocity[1], body.velocity[2],
+               units.velocity.empty() ? "" : " " + units.velocity);
+  }
+}
+
+void print_materials(const Scene& scene, const Units& units) {
+  fmt::print("materials\n");
+  for (const Material& m : scene.materials) {
+    const double wave_modulus = m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
+    fmt::print("  {} ({}): density {}, bulk modulus {}, shear modulus {}\n", m.name,
+               m.plastic ? "von Mises" : "elastic", with_unit(m.density, density_unit(units)),
+               with_unit(m.bulk_modulus, units.stress), with_unit(m.shear_modulus, units.stress));
+    fmt::print("    velocity of longitudinal waves {}\n",
+               with_unit(std::sqrt(wave_modulus / m.density), units.velocity));
+    if (!m.plastic) continue;
+    fmt::print("    yield stress {}, plastic modulus {}", with_unit(m.yield_stress, units.stress),
+               with_unit(m.plastic_modulus, units.stress));
+    if (m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress))
+      fmt::print(", ultimate stress {}", with_unit(m.ultimate_stress, units.stress));
+    fmt::print("\n");
+  }
+}
+
+std::string hourglass_text(const Scene& scene, HourglassKind kind) {
+  const double coefficient = scene.element.hourglass_coefficient;
+  if (kind == HourglassKind::assumed_strain) {
+    return coefficient == 1 ? "assumed-strain hourglass control"
+                            : fmt::format("assumed-strain hourglass control, factor {:.4g}", coefficient);
+  }
+  const char* form = kind == HourglassKind::stiffness ? "stiffness" : "viscous";
+  return coefficient >= 0 ? fmt::format("hourglass control, {} form, coefficient {:.4g}", form, coefficient)
+                          : fmt::format("hourglass control, {} form", form);
+}
+
+std::string output_text(const Scene& scene, const Units& units) {
+  const OutputSettings& o = scene.output;
+  const double interval = o.interval > 0 ? o.interval : scene.time.end / 200;
+  std::string text = o.every_step ? "summary, history of every step"
+                                  : fmt::format("summary, history every {}", with_unit(interval, units.time));
+  if (!scene.probes.empty()) {
+    text += fmt::format(" with {} probe{}", scene.probes.size(), scene.probes.size() == 1 ? "" : "s");
+  }
+  std::string when;
+  if (o.field_interval > 0) when = fmt::format("every {}", with_unit(o.field_interval, units.time));
+  if (!o.field_times.empty()) {
+    when += fmt::format("{}at {} given time{}", when.empty() ? "" : " and ", o.field_times.size(),
+                        o.field_times.size() == 1 ? "" : "s");
+  }
+  if (when.empty()) return text;
+  std::string fields;
+  for (const std::string& field : o.fields) fields += (fields.empty() ? "" : ", ") + field;
+  return text + fmt::format(", fields {} ({})", when, fields);
+}
+
+template <class S>
+void print_contact(const Contact<S>& contact, const ContactSettings& c, std::int64_t elements) {
+  const bool pinball = c.method == ContactMethod::pinball;
+  std::string how;
+  if (c.enforcement == Enforcement::penalty) {
+    how = fmt::format(", beta {:.4g}, damping {:.4g} of critical", c.beta, c.damping);
+  } else if (pinball) {
+    how = fmt::format(", gap between {}", c.gap == ContactGap::face ? "faces" : "pinballs");
+  }
+  if (pinball) how += c.radius == ContactRadius::initial ? ", initial radius" : ", current radius";
+  if (c.static_friction > c.friction) {
+    how += fmt::format(", friction {:.4g} at rest and {:.4g} sliding", c.static_friction, c.friction);
+  } else if (c.friction > 0) {
+    how += fmt::format(", friction {:.4g}", c.friction);
+  }
+  if (c.self) how += ", bodies may touch themselves";
+  fmt::print("  contact: {} on {} of {} elements, {} enforcement{}\n",
+             pinball ? "pinballs" : "slideline: nodes against faces", contact.surface_elements(), elements,
+             enforcement_name(c.enforcement), how);
+}
+
+/// Elements by the steps that they make.
+template <class S>
+void print_steps(const Subcycling<S>& subcycling) {
+  const std::vector<std::int64_t> elements = subcycling.elements_of_levels();
+  std::string text;
+  double all = 0, worked = 0;
+  for (std::size_t level = 0; level < elements.size(); ++level) {
+    all += static_cast<double>(elements[level]);
+    worked += std::ldexp(static_cast<double>(elements[level]), -static_cast<int>(level));
+    if (elements[level] == 0) continue;
+    text += fmt::format("{}{} elements make {}", text.empty() ? "" : ", ", elements[level],
+                        level == 0 ? "the smallest step" : fmt::format("{} times it", 1 << level));
+  }
+  fmt::print("  steps: {}; {:.3g} % of the element steps are worked\n", text, 100 * worked / all);
+}
+
+template <class S>
+void print_what_runs(const Solver<S>& solver, const Units& units) {
+  const Model<S>& model = solver.model();
+  const Scene& scene = model.scene;
+  fmt::print("what will run\n");
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    const ElementFeatures& f = model.parts[p].features;
+    const Material& material = scene.materials[p];
+    fmt::print("  elements of {}: {}", material.name, material.plastic ? "plasticity" : "elasticity");
+    if (material.plastic && material.erosion_strain > 0) {
+      fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
+    }
+    if (model.constants[p].erode_negative_volume) fmt::print(", erosion of inverted elements");
+    if (f.hourglass != HourglassKind::none) fmt::print(", {}", hourglass_text(scene, f.hourglass));
+    if (f.bulk_viscosity) {
+      fmt::print(", bulk viscosity (linear {:.4g}, quadratic {:.4g})", scene.element.linear_viscosity,
+                 scene.element.quadratic_viscosity);
+    }
+    fmt::print("\n");
+  }
+  if (solver.subcycling() != nullptr) print_steps(*solver.subcycling());
+  if (solver.contact() != nullptr) {
+    print_contact(*solver.contact(), scene.contact, model.element_count());
+    if (scene.skip.contact_search) {
+      fmt::print("  contact search: when a node has strayed from its straight way, skin {:.4g} radii\n",
+                 scene.contact.skin);
+    } else {
+      fmt::print("  contact search: at every step\n");
+    }
+  }
+  print_boundary_conditions(model, units);
+  fmt::print("  output: {}\n", output_text(scene, units));
+}
+
+/// Takes a few steps, for at most half a second, and extrapolates.
+template <class S>
+void print_estimates(Solver<S>& solver, const Units& units) {
+  using Clock = std::chrono::steady_clock;
+  const Scene& scene = solver.model().scene;
+  const Model<S>& model = solver.model();
+  fmt::print("cost\n");
+  fmt::print("  {} tiles of elements in {} colours, {} elements per pack (SIMD), {} thread{}\n", model.tile_count(),
+             model.tile_colours.colour_offsets.size() - 1, ElementStore<S>::width, DefaultExecutionSpace::concurrency(),
+             DefaultExecutionSpace::concurrency() == 1 ? "" : "s");
+  solver.step();
+  const double first = solver.dt();
+  const auto contact_bytes = solver.contact() != nullptr ? solver.contact()->bytes() : 0;
+  const auto bytes = static_cast<double>(model.bytes() + contact_bytes);
+  fmt::print("  memory of the stores: {}, {:.0f} bytes per element\n", readable_bytes(bytes),
+             bytes / static_cast<double>(model.element_count()));
+  double steps = std::max(1.0, std::ceil(scene.time.end / first));
+  const bool limited = scene.time.steps >= 0 && static_cast<double>(scene.time.steps) < steps;
+  if (limited) steps = static_cast<double>(scene.time.steps);
+  fmt::print("  first step {} (time.cfl {:.3g}), {:.0f} steps {}\n", with_unit(first, units.time), scene.time.cfl,
+             steps,
+             limited ? "(time.steps)"
+                     : fmt::format("to {} if the step stays so; it shrinks with squeezed elements",
+                                   with_unit(scene.time.end, units.time)));
+  const auto start = Clock::now();
+  const auto elapsed = [&start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const std::int64_t before = solver.steps();
+  for (int i = 0; elapsed() < 0.5 && i < 20 && solver.time() < scene.time.end; ++i) solver.step();
+  const auto timed = static_cast<double>(solver.steps() - before);
+  if (timed > 0) {
+    const double per_step = elapsed() / timed, run_time = per_step * steps;
+    fmt::print("  run time about {} ({:.3g} ms per step, {:.3g} million element steps per second, without output)\n",
+               run_time < 60 ? fmt::format("{:.2g} s", run_time) : readable_duration(run_time), 1e3 * per_step,
+               1e-6 * static_cast<double>(model.element_count()) / per_step);
+  }
+}
+
+template <class S>
+void print_info(const Scene& scene) {
+  const Units units = parse_units(scene.units);
+  Solver<S> solver(scene);
+  fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
+  fmt::print("  {}; {} precision", units_line(scene.units), sizeof(S) == sizeof(double) ? "double" : "float");
+  if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
+  fmt::print("\n  {} elements, {} nodes, {} bod{}, end at {}\n", solver.model().element_count(),
+             solver.model().mesh.nodes.size(), scene.bodies.size(), scene.bodies.size() == 1 ? "y" : "ies",
+             with_unit(scene.time.end, units.time));
+  print_bodies(solver.model(), units);
+  print_materials(scene, units);
+  print_what_runs(solver, units);
+  print_what_is_skipped(solver, units);
+  print_estimates(solver, units);
+}
+
+}  // namespace
+
+int info_command(const RunOptions& options) {
+  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
+  const Scene scene = read_scene(find_scene(options.scene), options.overrides);
+  if (scene.precision == Precision::float32) {
+    print_info<float>(scene);
+  } else {
+    print_info<double>(scene);
+  }
+  return 0;
+}
+
+}  // namespace pinball

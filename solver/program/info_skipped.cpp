@@ -1,0 +1,164 @@
+#include "info_skipped.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <solver/results/skipped_work.hpp>
+
+namespace pinball {
+
+namespace {
+
+void skip(const std::string& what, const std::string& why) { fmt::print("  {}: {}\n", what, why); }
+
+/// Where the nodes of a body are, and the bounds of their velocities.
+struct MovingBox {
+  Point low, high, slowest, fastest;
+  double margin = 0;  ///< longest edge of the box around an element: no pinball reaches further out [length]
+};
+
+template <class S>
+std::vector<MovingBox> boxes_of_bodies(const Model<S>& model) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  MovingBox none;
+  none.low.fill(infinite), none.slowest.fill(infinite);
+  none.high.fill(-infinite), none.fastest.fill(-infinite);
+  std::vector<MovingBox> boxes(model.mesh.body_names.size(), none);
+  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
+    MovingBox& box = boxes[static_cast<std::size_t>(model.mesh.body_of_node[n])];
+    const std::size_t place = 4 * static_cast<std::size_t>(model.node_of_scene_node[n]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<double>(model.nodes.velocity[place + k]);
+      box.low[k] = std::min(box.low[k], model.mesh.nodes[n][k]);
+      box.high[k] = std::max(box.high[k], model.mesh.nodes[n][k]);
+      box.slowest[k] = std::min(box.slowest[k], v);
+      box.fastest[k] = std::max(box.fastest[k], v);
+    }
+  }
+  for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
+    double& margin = boxes[static_cast<std::size_t>(model.mesh.body[e])].margin;
+    for (const double edge : element_extent(model.mesh, e)) margin = std::max(margin, edge);
+  }
+  return boxes;
+}
+
+/// Before this time the boxes cannot overlap, as long as nothing changes the velocities; 0 if they may at once.
+double first_meeting(const MovingBox& a, const MovingBox& b) {
+  double time = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto until = [k](const MovingBox& below, const MovingBox& above) {
+      const double gap = above.low[k] - above.margin - below.high[k] - below.margin;
+      const double closing = below.fastest[k] - above.slowest[k];
+      if (gap <= 0) return 0.0;
+      return closing > 0 ? gap / closing : std::numeric_limits<double>::infinity();
+    };
+    time = std::max({time, until(a, b), until(b, a)});
+  }
+  return time;
+}
+
+template <class S>
+void print_bodies_apart(const Model<S>& model, const Units& units) {
+  const std::vector<MovingBox> boxes = boxes_of_bodies(model);
+  for (std::size_t a = 0; a < boxes.size(); ++a) {
+    for (std::size_t b = a + 1; b < boxes.size(); ++b) {
+      const double time = first_meeting(boxes[a], boxes[b]);
+      if (time <= 0) continue;
+      skip(fmt::format("pairs of {} and {}", model.mesh.body_names[a], model.mesh.body_names[b]),
+           std::isfinite(time) ? fmt::format("not listed or tested as long as they cannot meet, until {:.3g}{}", time,
+                                             units.time.empty() ? "" : " " + units.time)
+                               : "not listed or tested as long as they do not near each other");
+    }
+  }
+}
+
+template <class S>
+void print_element_features(const Model<S>& model) {
+  const Scene& scene = model.scene;
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    const Material& material = scene.materials[p];
+    const ElementFeatures& f = model.parts[p].features;
+    if (!material.plastic) skip(fmt::format("plasticity of {}", material.name), "its model is elastic");
+    if (!f.erosion) {
+      skip(fmt::format("erosion of {}", material.name),
+           material.plastic ? "it has no erosion_strain and an inverted element stops the run"
+                            : "its model is elastic and an inverted element stops the run");
+    }
+  }
+  if (!scene.element.bulk_viscosity) skip("bulk viscosity", "off in the scene (element.bulk_viscosity)");
+  if (scene.element.hourglass == HourglassControl::none)
+    skip("hourglass control", "off in the scene (element.hourglass)");
+  const ElementStore<S>& store = model.elements;
+  if (store.plastic_strain.empty()) skip("plastic strain array", "no material is plastic, none is eroded");
+  if (store.internal_energy.empty()) skip("energy per element", "no material is eroded");
+  if (store.viscous_stress.empty()) skip("viscous stress array", "no bulk viscosity");
+  if (store.hourglass_force.empty()) skip("hourglass force array", "no hourglass control that keeps forces");
+  if (const double bytes = bytes_not_stored(store); bytes > 0) {
+    skip("memory of these arrays", fmt::format("{:.0f} bytes per element, neither stored nor read",
+                                               bytes / static_cast<double>(model.element_count())));
+  }
+}
+
+template <class S>
+void print_contact_parts(const Solver<S>& solver, const Units& units) {
+  const Model<S>& model = solver.model();
+  const ContactSettings& contact = model.scene.contact;
+  if (solver.contact() == nullptr) {
+    skip("contact", "off in the scene (contact.method = none)");
+    return;
+  }
+  const std::int64_t inner = model.element_count() - solver.contact()->surface_elements();
+  if (inner > 0) skip(fmt::format("contact of {} elements", inner), "none of their faces is exposed");
+  if (model.scene.skip.contact_search) {
+    skip("search of most steps", "its lists are used again until a node has strayed from its straight way");
+  }
+  print_bodies_apart(model, units);
+  if (!contact.self) skip("contact of a body with itself", "off in the scene (contact.self)");
+  if (contact.method == ContactMethod::pinball && contact.radius == ContactRadius::initial)
+    skip("update of the pinball radii", "contact.radius = initial");
+  if (contact.enforcement == Enforcement::penalty && contact.damping == 0) {
+    skip("contact damping", "contact.damping = 0");
+  }
+}
+
+template <class S>
+void print_boundary_parts(const Solver<S>& solver) {
+  const Model<S>& model = solver.model();
+  const Scene& scene = model.scene;
+  if (scene.constraints.empty() && scene.fixed_constraints.empty()) {
+    skip("constraints", "the scene has none");
+  } else if (model.constraints.empty()) {
+    skip("constraints", "no node lies on a plane of the scene");
+  }
+  if (!solver.boundary().any()) skip("boundary conditions", "no constraints, loads, damping or rigid walls");
+}
+
+}  // namespace
+
+template <class S>
+void print_what_is_skipped(const Solver<S>& solver, const Units& units) {
+  const Model<S>& model = solver.model();
+  const OutputSettings& output = model.scene.output;
+  fmt::print("what is skipped\n");
+  print_element_features(model);
+  if (const std::int64_t resting = RestingTiles<S>(model).elements();
+      model.scene.skip.resting && resting > 0 && solver.subcycling() == nullptr) {
+    skip(fmt::format("stresses and forces of {} elements", resting),
+         "at rest or in free uniform flight, until something reaches their tile");
+  }
+  print_contact_parts(solver, units);
+  print_boundary_parts(solver);
+  if (output.field_interval <= 0 && output.field_times.empty()) {
+    skip("field output", "no output.field_interval and no output.field_times");
+  }
+}
+
+template void print_what_is_skipped(const Solver<double>&, const Units&);
+template void print_what_is_skipped(const Solver<float>&, const Units&);
+
+}  // namespace pinball

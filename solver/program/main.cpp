@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+
+#include <solver/base/error.hpp>
+#include <solver/base/version.h>
+
+#include "commands.hpp"
+
+/// The command line: parses it and calls the library. Exit status: 0 done, 1 the run failed, 2 bad input.
+namespace {
+
+constexpr int run_failed = 1;
+constexpr int bad_input = 2;
+
+int report(const std::exception& error, int status) {
+  fmt::print(stderr, "pinball: error: {}\n", error.what());
+  return status;
+}
+
+/// What `run`, `info` and `compare` have in common.
+CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
+  CLI::Option* scene =
+      command.add_option("SCENE", options.scene, "TOML file, or name of a scene in data/scenes")->required();
+  command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_option("--threads", options.threads, "number of threads; 0: as many as OpenMP takes by default")
+      ->check(CLI::Range(0, 4096));
+  command.add_option("--refine", options.overrides.refine, "multiplies the element counts of generated meshes")
+      ->check(CLI::Range(1, 1000));
+  command
+      .add_option_function<std::string>(
+          "--precision",
+          [&options](const std::string& name) {
+            options.overrides.precision = name == "float" ? pinball::Precision::float32 : pinball::Precision::float64;
+          },
+          "float or double (default: as the scene says)")
+      ->check(CLI::IsMember({"float", "double"}));
+  command.add_flag("--quiet", options.quiet, "no progress");
+  return scene;
+}
+
+void add_info_options(CLI::App& command, pinball::RunOptions& options) {
+  add_scene_options(command, options);
+  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)");
+}
+
+void add_run_options(CLI::App& command, pinball::RunOptions& options) {
+  add_scene_options(command, options)->required(false);
+  command.add_option("--out", options.out,
+                     "folder for the results (default: out/<scene>; with --restart the folder of FILE)");
+  command
+      .add_option("--checkpoint-every", options.checkpoint_every,
+                  "writes checkpoint.pinball after each N steps (with time.subcycling: cycles), and before the end")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()));
+  command
+      .add_option("--restart", options.restart,
+                  "in place of SCENE: goes on from a checkpoint.pinball or last_good.pinball with the same bits; --set "
+                  "then takes time.end, time.steps, time.cfl, output.* and guard.*")
+      ->type_name("FILE");
+}
+
+void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
+  add_scene_options(command, options);
+  command
+      .add_option("--vary", options.vary,
+                  "KEY=V1,V2,...: runs the scene with each value; several --vary: with all combinations, the first one "
+                  "being what the others are compared with (default: contact.method=pinball,slideline)")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+  command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3)")
+      ->check(CLI::Range(1, 1000));
+  command.add_option("--json", options.json, "write the table, and the times of each repeat, to this file");
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App app("Pinball: explicit dynamics of solids in contact and impact", "pinball");
+  app.set_version_flag("--version", "pinball " PINBALL_VERSION);
+  app.require_subcommand(1);
+
+  pinball::RunOptions options;
+  auto* run = app.add_subcommand("run", "run a scene");
+  add_run_options(*run, options);
+  auto* info = app.add_subcommand("info", "what a scene holds, what will run, what is skipped");
+  add_info_options(*info, options);
+
+  pinball::VerifyOptions verification;
+  auto* verify = app.add_subcommand("verify", "compare the verification scenes with their references");
+  verify->add_option("SCENE", verification.scenes, "only these scenes");
+  verify->add_option("--json", verification.json, "write the table of results to this file");
+
+  pinball::CompareOptions comparison;
+  auto* compare = app.add_subcommand(
+      "compare", "run a scene with several values of a key, taking turns, and compare their times and results");
+  add_compare_options(*compare, comparison);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    report(error, bad_input);
+    fmt::print(stderr, "Run with --help for more information.\n");
+    return bad_input;
+  }
+
+  if (*run) return pinball::run_command(options);
+  if (*info) return pinball::info_command(options);
+  if (*verify) return pinball::verify_command(verification);
+  return pinball::compare_command(comparison);
+}
+
+/// GCC's OpenMP threads wait for each other by spinning for milliseconds before they sleep, and a step has tens of such
+/// waits of microseconds each. Where another process wants a core, a thread that spins keeps its sibling from running.
+/// A short spin costs nothing where the machine is free. Measured with rod_plate (1842 elements, 468 steps) and 2
+/// threads on 2 cores, wall time:
+///
+///     GOMP_SPINCOUNT                           0          1000       3000       unset (300000)
+///     nothing else runs (real-time priority)   0.82 s     0.77 s     0.75 s     0.86 s
+///     one busy loop and compilers beside it    1.5-2.2 s  1.9-2.1 s  1.8-2.1 s  14-36 s
+///
+/// OpenMP reads its environment before main() begins, so the program starts itself again, once, with the variable set;
+/// whoever has set a policy keeps it. This is for the program alone: a host that embeds the library decides for itself.
+void let_threads_sleep(char** argv) {
+  if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  std::array<char, 4096> program{};
+  if (readlink("/proc/self/exe", program.data(), program.size() - 1) <= 0) return;
+  if (setenv("GOMP_SPINCOUNT", "1000", 1) != 0) return;
+  execv(program.data(), argv);  // returns only if it fails; then the program runs as it is
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  let_threads_sleep(argv);
+  try {
+    return run_program(argc, argv);
+  } catch (const pinball::InputError& error) {
+    return report(error, bad_input);
+  } catch (const std::exception& error) {  // RunError, and what nobody foresaw
+    return report(error, run_failed);
+  }
+}

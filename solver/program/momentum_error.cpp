@@ -1,0 +1,51 @@
+#include "momentum_error.hpp"
+
+#include <cmath>
+
+#include <solver/base/point.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// An orthonormal basis of the directions in which something acts from outside.
+std::vector<Point> directions_acted_on(const Scene& scene) {
+  std::vector<Point> basis;
+  const auto add = [&basis](Point direction) {
+    const double before = std::sqrt(dot(direction, direction));
+    if (make_orthogonal(direction, basis) > 1e-6 * before) basis.push_back(direction);
+  };
+  const auto add_all = [&add] {
+    for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) add(axis);
+  };
+  for (const PlaneConstraint& plane : scene.constraints) add(plane.normal);
+  for (const RigidWall& wall : scene.rigid_walls) {
+    add(wall.plane.normal);
+    if (wall.friction > 0) add_all();
+  }
+  for (const NodalLoad& load : scene.loads) add(load.force);
+  for (const FixedConstraint& fixed : scene.fixed_constraints) {
+    if (fixed.frame == Frame::cylindrical) add_all();  // they turn with the place
+    for (const Point& direction : fixed.directions) add(direction);
+  }
+  for (const PrescribedVelocity& given : scene.prescribed_velocities) {
+    if (given.direction) add(*given.direction);
+    if (!given.direction) add_all();
+  }
+  if (scene.damping.mass > 0) add_all();
+  return basis;
+}
+
+}  // namespace
+
+std::optional<double> momentum_error(const Scene& scene, const RunSummary& summary) {
+  const std::vector<Point> acted_on = directions_acted_on(scene);
+  double mass = 0;
+  for (const BodyResult& body : summary.bodies) mass += body.mass_initial;
+  const double largest = std::sqrt(2 * mass * summary.initial_total);
+  if (acted_on.size() == 3 || !(largest > 0)) return std::nullopt;
+  Point change = minus(summary.momentum_final, summary.momentum_initial);
+  return make_orthogonal(change, acted_on) / largest;
+}
+
+}  // namespace pinball

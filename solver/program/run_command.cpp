@@ -1,0 +1,76 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include <kernels/exec.hpp>
+#include <solver/base/error.hpp>
+#include <solver/output/checkpoint.hpp>
+#include <solver/recorded_run.hpp>
+#include <solver/results/warnings.hpp>
+
+#include "commands.hpp"
+
+namespace pinball {
+
+namespace {
+
+void print_result(const RunSummary& s, const std::string& out) {
+  const Energies& e = s.energy;
+  fmt::print(
+      "{}: {} elements, {} steps to t = {:.6g} in {:.3g} s ({:.3g} million element steps per second, {} thread{})\n",
+      s.scene, s.elements, s.steps, s.end_time, s.wall_seconds,
+      static_cast<double>(s.elements) * static_cast<double>(s.steps) / s.wall_seconds * 1e-6, s.threads,
+      s.threads == 1 ? "" : "s");
+  fmt::print(
+      "  energy: kinetic {:.4g}, internal {:.4g}, hourglass {:.3g}, bulk viscosity {:.3g}, contact {:.3g}, "
+      "eroded {:.3g}; largest balance error {:.3g} %\n",
+      e.kinetic, e.internal, e.hourglass, e.bulk_viscosity, e.contact(), e.eroded, 100 * s.balance_error_max);
+  if (e.external != 0) fmt::print("  work done from outside: {:.4g}\n", e.external);
+  for (const WallResult& w : s.walls) {
+    fmt::print("  rigid wall {}: impulse {:.6g}, largest force {:.4g}\n", w.name, w.impulse, w.force_max);
+  }
+  for (const BodyResult& b : s.bodies) {
+    fmt::print(
+        "  {}: mass {:.4g} of {:.4g}, {} of {} elements eroded, velocity ({:.6g}, {:.6g}, {:.6g}), largest "
+        "plastic strain {:.3g}\n",
+        b.name, b.mass_remaining, b.mass_initial, b.eroded_elements, b.elements, b.velocity[0], b.velocity[1],
+        b.velocity[2], b.max_plastic_strain);
+  }
+  fmt::print("  state {:016x}; results in {}\n", s.state_hash, out);
+  for (const std::string& doubt : doubts(s)) fmt::print(stderr, "pinball: warning: {}\n", doubt);
+}
+
+/// Goes on with the scene of the checkpoint, which is read from there.
+int restart_command(const RunOptions& options) {
+  if (!options.scene.empty()) {
+    throw InputError(fmt::format("run {}: with --restart expected no SCENE, it is in the checkpoint", options.scene));
+  }
+  if (options.overrides.refine != 1 || options.overrides.precision) {
+    throw InputError("--restart: expected neither --refine nor --precision, they are in the checkpoint");
+  }
+  const Checkpoint checkpoint = read_checkpoint(options.restart);
+  SceneSource source = checkpoint.head.source;
+  change_scene(source, options.overrides.set);
+  check_mesh_files(checkpoint.head);
+  const Scene scene = read_scene(source);
+  const std::filesystem::path file(options.restart);
+  const std::string folder = file.has_parent_path() ? file.parent_path().string() : std::string{'.'};
+  const std::string& out = options.out.empty() ? folder : options.out;
+  print_result(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &source, &checkpoint}), out);
+  return 0;
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
+  if (!options.restart.empty()) return restart_command(options);
+  if (options.scene.empty()) throw InputError("run: expected a SCENE, or --restart FILE");
+  const SceneSource source = read_scene_source(find_scene(options.scene), options.overrides);
+  const Scene scene = read_scene(source);
+  const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
+  print_result(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr}), out);
+  return 0;
+}
+
+}  // namespace pinball

@@ -1,0 +1,28 @@
+#include "text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pinball {
+
+std::string text_table(const std::vector<std::vector<std::string>>& lines, const std::vector<Align>& align) {
+  std::vector<std::size_t> width(align.size(), 0);
+  for (const auto& line : lines) {
+    for (std::size_t c = 0; c < line.size(); ++c) width[c] = std::max(width[c], line[c].size());
+  }
+  std::string text;
+  for (const auto& line : lines) {
+    std::string row;
+    for (std::size_t c = 0; c < line.size(); ++c) {
+      if (c > 0) row += "  ";
+      row += align[c] == Align::right ? fmt::format("{:>{}}", line[c], width[c])
+                                      : fmt::format("{:<{}}", line[c], width[c]);
+    }
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + '\n';
+  }
+  return text;
+}
+
+}  // namespace pinball

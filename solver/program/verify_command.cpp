@@ -1,0 +1,91 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include <kernels/exec.hpp>
+#include <solver/base/error.hpp>
+#include <solver/base/text_distance.hpp>
+#include <solver/base/version.h>
+#include <solver/output/output_file.hpp>
+#include <solver/verification/verification.hpp>
+
+#include "commands.hpp"
+#include "text_table.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// The cases asked for, in the order in which they were; all of them if none was.
+std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& scenes) {
+  const std::vector<VerificationCase>& all = verification_cases();
+  if (scenes.empty()) return all;
+  std::vector<VerificationCase> chosen;
+  for (const std::string& scene : scenes) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const VerificationCase& c) { return c.scene == scene; });
+    if (found == all.end()) {
+      std::vector<std::string> names;
+      std::string list;
+      for (const VerificationCase& c : all) {
+        names.push_back(c.scene);
+        list += (list.empty() ? "" : ", ") + c.scene;
+      }
+      throw InputError(fmt::format("{}: no such verification scene, nearest is {}; known scenes: {}", scene,
+                                   nearest(scene, names), list));
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+/// The source comes last, so that long ones spoil nothing.
+void print_table(const std::vector<VerificationRow>& rows) {
+  std::vector<std::vector<std::string>> table{
+      {"scene", "quantity", "value", "reference", "error", "tolerance", "", "source"}};
+  for (const VerificationRow& r : rows) {
+    table.push_back({r.scene, r.quantity, fmt::format("{:.8g}", r.value), fmt::format("{:.8g}", r.reference),
+                     fmt::format("{:.2e}", r.error), fmt::format("{:.0e}", r.tolerance), r.pass ? "pass" : "FAIL",
+                     r.source});
+  }
+  constexpr Align left = Align::left, right = Align::right;
+  fmt::print("{}", text_table(table, {left, left, right, right, right, right, left, left}));
+}
+
+void write_json(const std::string& path, const std::vector<VerificationRow>& rows, bool pass) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const VerificationRow& r : rows) {
+    list.push_back({{"scene", r.scene},
+                    {"quantity", r.quantity},
+                    {"value", r.value},
+                    {"reference", r.reference},
+                    {"source", r.source},
+                    {"error", r.error},
+                    {"tolerance", r.tolerance},
+                    {"pass", r.pass}});
+  }
+  const nlohmann::ordered_json json{{"version", PINBALL_VERSION}, {"pass", pass}, {"rows", list}};
+  OutputFile file(path);
+  file.write(json.dump(2) + '\n');
+  file.commit();
+}
+
+}  // namespace
+
+int verify_command(const VerifyOptions& options) {
+  // Small scenes of many steps: threads would wait for each other most of the time.
+  DefaultExecutionSpace::set_concurrency(1);
+  std::vector<VerificationRow> rows;
+  for (const VerificationCase& verification : chosen_cases(options.scenes)) {
+    const std::vector<VerificationRow> more = verify_scene(verification);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const VerificationRow& r) { return !r.pass; });
+  print_table(rows);
+  fmt::print("{} of {} pass\n", static_cast<std::ptrdiff_t>(rows.size()) - failed, rows.size());
+  if (!options.json.empty()) write_json(options.json, rows, failed == 0);
+  return failed == 0 ? 0 : 1;
+}
+
+}  // namespace pinball

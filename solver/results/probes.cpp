@@ -1,0 +1,127 @@
+#include "probes.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pinball {
+
+namespace {
+
+/// Columns that a quantity takes, without the name of the probe.
+std::vector<std::string> columns_of(const std::string& quantity) {
+  if (quantity == "stress") return {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx"};
+  if (quantity == "effective_stress" || quantity == "plastic_strain") return {quantity};
+  return {quantity + "_x", quantity + "_y", quantity + "_z"};
+}
+
+double square_of_distance(const Point& a, const Point& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
+}
+
+/// sqrt(3/2 s:s) of xx yy zz xy yz zx.
+double effective_stress(const double* s) {
+  const double direct = (s[0] - s[1]) * (s[0] - s[1]) + (s[1] - s[2]) * (s[1] - s[2]) + (s[2] - s[0]) * (s[2] - s[0]);
+  return std::sqrt(0.5 * direct + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+}  // namespace
+
+template <class S>
+Probes<S>::Probes(const Model<S>& model) {
+  const ModelMesh& mesh = model.mesh;
+  for (const Probe& probe : model.scene.probes) {
+    Watched best{probe, 0, "", {}};
+    double nearest = std::numeric_limits<double>::infinity();
+    const bool node = probe.kind == ProbeKind::node;
+    const auto& body_of = node ? mesh.body_of_node : mesh.body;
+    for (std::size_t i = 0; i < body_of.size(); ++i) {
+      const std::string& body = mesh.body_names[static_cast<std::size_t>(body_of[i])];
+      if (!probe.body.empty() && probe.body != body) continue;
+      const Point place = node ? mesh.nodes[i] : element_centre(mesh, i);
+      const double distance = square_of_distance(place, probe.point);
+      if (!(distance < nearest)) continue;
+      nearest = distance;
+      best = {probe, i, body, place};
+    }
+    watched_.push_back(best);
+  }
+}
+
+template <class S>
+std::vector<std::string> Probes<S>::columns() const {
+  std::vector<std::string> columns;
+  for (const Watched& w : watched_) {
+    for (const std::string& quantity : w.probe.quantities) {
+      for (const std::string& column : columns_of(quantity)) {
+        columns.push_back(fmt::format("{}_{}", w.probe.name, column));
+      }
+    }
+  }
+  return columns;
+}
+
+template <class S>
+void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_ahead,
+                           std::vector<double>& values) const {
+  double stress[6] = {}, plastic_strain = 0;
+  std::size_t record = 0;  // of the node
+  if (w.probe.kind == ProbeKind::element) {
+    const std::int64_t slot = model.slot_of_element[w.number];
+    for (int c = 0; c < 6; ++c) {
+      stress[c] = static_cast<double>(model.elements.stress[ElementStore<S>::at(slot, c, 6)]);
+    }
+    const auto& strains = model.elements.plastic_strain;
+    if (!strains.empty()) plastic_strain = static_cast<double>(strains[static_cast<std::size_t>(slot)]);
+  } else {
+    record = 4 * static_cast<std::size_t>(model.node_of_scene_node[w.number]);
+  }
+  for (const std::string& quantity : w.probe.quantities) {
+    if (quantity == "stress") {
+      values.insert(values.end(), stress, stress + 6);
+    } else if (quantity == "effective_stress") {
+      values.push_back(effective_stress(stress));
+    } else if (quantity == "plastic_strain") {
+      values.push_back(plastic_strain);
+    } else {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto velocity = static_cast<double>(model.nodes.velocity[record + k]);
+        const double position = static_cast<double>(model.nodes.position[record + k]) - time_ahead * velocity;
+        values.push_back(quantity == "velocity" ? velocity : quantity == "position" ? position : position - w.start[k]);
+      }
+    }
+  }
+}
+
+template <class S>
+std::vector<double> Probes<S>::values(const Model<S>& model, double time_ahead) const {
+  std::vector<double> values;
+  for (const Watched& w : watched_) add_values(model, w, time_ahead, values);
+  return values;
+}
+
+template <class S>
+std::vector<ProbeResult> Probes<S>::results(const Model<S>& model, double time_ahead) const {
+  std::vector<ProbeResult> results;
+  for (const Watched& w : watched_) {
+    ProbeResult result{w.probe.name, w.body, static_cast<std::int64_t>(w.number), w.probe.kind == ProbeKind::element,
+                       w.start,      {}};
+    std::vector<double> values;
+    add_values(model, w, time_ahead, values);
+    for (const std::string& quantity : w.probe.quantities) {
+      for (const std::string& column : columns_of(quantity)) {
+        result.values.push_back({column, values[result.values.size()]});
+      }
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+template class Probes<double>;
+template class Probes<float>;
+
+}  // namespace pinball

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <solver/model/model.hpp>
+#include <solver/results.hpp>
+
+namespace pinball {
+
+/// The nodes and elements that [[probe]] tables watch: chosen once by their initial places, read when a row is written.
+template <class S>
+class Probes {
+ public:
+  explicit Probes(const Model<S>& model);
+
+  /// Names of the columns, PROBE_QUANTITY, in the order of values().
+  std::vector<std::string> columns() const;
+  /// time_ahead: how far the positions are ahead of the stresses [time].
+  std::vector<double> values(const Model<S>& model, double time_ahead) const;
+  std::vector<ProbeResult> results(const Model<S>& model, double time_ahead) const;
+
+ private:
+  struct Watched {
+    Probe probe;
+    std::size_t number = 0;  ///< of the node or element in the scene
+    std::string body;
+    Point start{};  ///< of the node, or of the centre of the element [length]
+  };
+  void add_values(const Model<S>& model, const Watched& watched, double time_ahead, std::vector<double>& values) const;
+
+  std::vector<Watched> watched_;
+};
+
+}  // namespace pinball

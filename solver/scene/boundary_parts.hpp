@@ -1,0 +1,19 @@
+#pragma once
+
+#include <solver/scene_boundary.hpp>
+
+#include "table.hpp"
+
+/// The tables that say what acts on a scene from outside, and what is watched in it. Each function throws InputError on
+/// a missing key or a bad value. Whether a body exists is not checked.
+namespace pinball {
+
+FixedConstraint read_fixed_constraint(const SceneTable& table);
+/// `number`: of the wall in the file, for its default name.
+RigidWall read_rigid_wall(const SceneTable& table, std::size_t number);
+PrescribedVelocity read_prescribed_velocity(const SceneTable& table);
+NodalLoad read_load(const SceneTable& table);
+InitialVelocity read_initial_velocity(const SceneTable& table);
+Probe read_probe(const SceneTable& table);
+
+}  // namespace pinball

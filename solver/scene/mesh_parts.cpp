@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "machine.hpp"
+#include "parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// Counts times `refine`, as int. Throws InputError if that overflows.
+std::vector<int> refined(const SceneTable& table, std::string_view key, const std::vector<std::int64_t>& counts,
+                         int refine) {
+  std::vector<int> result;
+  for (const auto count : counts) {
+    if (count > std::numeric_limits<int>::max() / refine) {
+      table.fail(key, fmt::format("{} elements in one direction are more than a mesh can hold",
+                                  static_cast<double>(count) * refine));
+    }
+    result.push_back(static_cast<int>(count) * refine);
+  }
+  return result;
+}
+
+/// A mesh that could never be run. `elements` is a product that may not fit an integer.
+void check_count(const SceneTable& table, std::string_view key, double elements) {
+  constexpr double most = 5e8;  // nodes are numbered with 32 bits, and have four numbers each
+  if (elements > most) table.fail(key, fmt::format("{:.3g} elements are more than a mesh can hold", elements));
+  constexpr double least_bytes = 400;  // of an element with its nodes, in single precision and without contact
+  const double memory = memory_bytes(), needed = elements * least_bytes;
+  if (memory > 0 && needed > memory) {
+    table.fail(key, fmt::format("{:.3g} elements are more than this machine's memory can hold: expected at most {:.3g} "
+                                "for {:.3g} GiB",
+                                elements, memory / least_bytes, memory / 1073741824.0));
+  }
+}
+
+MeshSettings read_block(const SceneTable& table, int refine) {
+  BlockMesh mesh;
+  const auto lengths = table.lists("size", positive);
+  const auto elements = table.integer_lists("elements", 1);
+  double count = 1.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (lengths[k].size() != elements[k].size()) {
+      table.fail("elements", fmt::format("expected as many sections as of size along {}, {}, got {}", "xyz"[k],
+                                         lengths[k].size(), elements[k].size()));
+    }
+    const std::vector<int> counts = refined(table, "elements", elements[k], refine);
+    double along = 0.0;
+    for (std::size_t s = 0; s < counts.size(); ++s) {
+      mesh.size[k] += lengths[k][s];
+      along += counts[s];
+      if (counts.size() > 1) mesh.sections[k].push_back({lengths[k][s], counts[s]});
+    }
+    count *= along;
+    check_count(table, "elements", count);
+    mesh.elements[k] = static_cast<int>(along);
+  }
+  return mesh;
+}
+
+MeshSettings read_rod(const SceneTable& table, int refine) {
+  RoundNosedRodMesh mesh;
+  mesh.radius = table.number("radius", positive);
+  mesh.length = table.number("length", positive);
+  if (mesh.length <= mesh.radius) {
+    table.fail("length",
+               fmt::format("expected a number > radius = {}, the depth of the nose, got {}", mesh.radius, mesh.length));
+  }
+  mesh.half = table.boolean("half", mesh.half);
+  std::vector<std::int64_t> core(mesh.core.begin(), mesh.core.end());
+  if (table.has("core")) core = table.integers("core", 2, 1);
+  const auto core_counts = refined(table, "core", core, refine);
+  std::copy_n(core_counts.begin(), 2, mesh.core.begin());
+  mesh.ring = refined(table, "ring", {table.integer("ring", 1, mesh.ring)}, refine)[0];
+  mesh.layers = refined(table, "layers", {table.integer("layers", 1)}, refine)[0];
+  const double across = (static_cast<double>(mesh.core[0]) + 2.0 * mesh.ring) * (mesh.core[1] + 2.0 * mesh.ring);
+  check_count(table, "layers", across * (static_cast<double>(mesh.layers) + mesh.ring));
+  return mesh;
+}
+
+int refined_count(const SceneTable& table, std::string_view key, int fallback, int refine) {
+  const std::int64_t count = fallback > 0 ? table.integer(key, 1, fallback) : table.integer(key, 1);
+  return refined(table, key, {count}, refine)[0];
+}
+
+Section read_section(const SceneTable& table) {
+  return table.choice<Section>(
+      "section",
+      {{"full", Section::full}, {"half", Section::half}, {"quarter", Section::quarter}, {"wedge", Section::wedge}},
+      Section::full);
+}
+
+/// Keys that only wedges or only the other sections have are an error elsewhere.
+void refuse_keys(const SceneTable& table, std::initializer_list<std::string_view> keys, std::string_view reason) {
+  for (const auto key : keys)
+    if (table.has(key)) table.fail(key, fmt::format("not used {}", reason));
+}
+
+double read_angle(const SceneTable& table) {
+  return table.number("angle", {.low = 0.0, .low_open = true, .high = largest_wedge_angle});
+}
+
+/// Elements along a side of the full core; a cut goes between two of them.
+int read_core(const SceneTable& table, Section section, int refine) {
+  const std::int64_t count = table.integer("core", 1);
+  if (section != Section::full && count % 2 != 0)
+    table.fail("core", fmt::format("expected an even integer, since the section is cut through it, got {}", count));
+  return refined(table, "core", {count}, refine)[0];
+}
+
+MeshSettings read_cylinder(const SceneTable& table, int refine) {
+  CylinderMesh mesh;
+  mesh.radius = table.number("radius", positive);
+  mesh.length = table.number("length", positive);
+  mesh.section = read_section(table);
+  mesh.layers = refined_count(table, "layers", 0, refine);
+  double section = 0.0;
+  if (mesh.section == Section::wedge) {
+    refuse_keys(table, {"core", "ring"}, "where section = \"wedge\", which has radial");
+    mesh.angle = read_angle(table);
+    mesh.radial = refined_count(table, "radial", 0, refine);
+    section = mesh.radial;
+  } else {
+    refuse_keys(table, {"angle", "radial"}, "where section is not \"wedge\"");
+    mesh.core = read_core(table, mesh.section, refine);
+    mesh.ring = refined_count(table, "ring", 1, refine);
+    section = mesh.core * (mesh.core + 4.0 * mesh.ring);
+  }
+  check_count(table, "layers", section * mesh.layers);
+  return mesh;
+}
+
+MeshSettings read_sphere(const SceneTable& table, int refine) {
+  SphereMesh mesh;
+  mesh.radius = table.number("radius", positive);
+  mesh.section = read_section(table);
+  mesh.ring = refined_count(table, "ring", 1, refine);
+  mesh.grading = table.number("grading", {.low = 0.0, .low_open = true, .high = 1.0}, mesh.grading);
+  double elements = 0.0;
+  if (mesh.section == Section::wedge) {
+    mesh.angle = read_angle(table);
+    const auto core = refined(table, "core", table.integers("core", 2, 1), refine);
+    std::copy_n(core.begin(), 2, mesh.core.begin());
+    elements = (mesh.core[0] + static_cast<double>(mesh.ring)) * (mesh.core[1] + 2.0 * mesh.ring);
+  } else {
+    refuse_keys(table, {"angle"}, "where section is not \"wedge\"");
+    const int core = read_core(table, mesh.section, refine);
+    mesh.core = {core, core};
+    elements = static_cast<double>(core) * core * (core + 6.0 * mesh.ring);
+  }
+  check_count(table, "core", elements);
+  return mesh;
+}
+
+MeshSettings read_gmsh(const SceneTable& table, int refine) {
+  GmshMesh mesh;
+  mesh.file = table.text("file");
+  mesh.physical = table.text("physical", "");
+  mesh.scale = table.number("scale", positive, mesh.scale);
+  if (refine > 1)
+    table.fail("file", fmt::format("--refine {}: expected 1, a mesh from a file cannot be refined; Gmsh itself can "
+                                   "(gmsh -refine)",
+                                   refine));
+  return mesh;
+}
+
+}  // namespace
+
+MeshSettings read_mesh(const SceneTable& body, int refine) {
+  if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
+  using Reader = MeshSettings (*)(const SceneTable&, int);
+  const std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},
+                                                            {"round_nosed_rod", read_rod},
+                                                            {"cylinder", read_cylinder},
+                                                            {"sphere", read_sphere},
+                                                            {"gmsh", read_gmsh}};
+  const SceneTable any = body.table("mesh", "mesh");
+  const Reader reader = any.choice<Reader>("type", readers);
+  // Read again as that kind, so that the keys of the others are unknown.
+  return reader(body.table("mesh", any.text("type")), refine);
+}
+
+}  // namespace pinball

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include <solver/base/error.hpp>
+#include <solver/base/text_distance.hpp>
+#include <solver/scene.hpp>
+
+namespace pinball {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Folders that may hold scenes, the most particular first: what the user says, what was installed with this program,
+/// the source tree.
+std::vector<fs::path> scene_folders() {
+  std::vector<fs::path> folders;
+  if (const char* data = std::getenv("PINBALL_DATA"); data && *data) folders.push_back(fs::path(data) / "scenes");
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  if (!none) {
+    folders.push_back((program.parent_path() / ".." / "share" / "pinball" / "data" / "scenes").lexically_normal());
+  }
+  folders.push_back(fs::path(PINBALL_SOURCE_DATA) / "scenes");
+  return folders;
+}
+
+/// Throws nothing: a folder that cannot be read holds no scenes.
+std::set<std::string> scenes_in(const std::vector<fs::path>& folders) {
+  std::set<std::string> names;
+  for (const auto& folder : folders) {
+    std::error_code problem;
+    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+      if (entry->path().extension() == ".toml") names.insert(entry->path().stem().string());
+    }
+  }
+  return names;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code problem;
+  return fs::exists(path, problem) && !fs::is_directory(path, problem);
+}
+
+}  // namespace
+
+std::string find_scene(const std::string& name_or_path) {
+  if (name_or_path.empty()) throw InputError("expected a scene, got an empty name");
+  if (is_file(name_or_path)) return name_or_path;
+  const auto folders = scene_folders();
+  for (const auto& folder : folders) {
+    for (const auto& candidate : {folder / name_or_path, folder / (name_or_path + ".toml")}) {
+      if (is_file(candidate)) return candidate.string();
+    }
+  }
+  const auto names = scenes_in(folders);
+  if (names.empty()) {
+    throw InputError(
+        fmt::format("{}: no such scene, and none are found beside the program; "
+                    "PINBALL_DATA may name the folder that holds \"scenes\"",
+                    name_or_path));
+  }
+  const std::vector<std::string> known(names.begin(), names.end());
+  std::string list;
+  for (const auto& name : known) list += (list.empty() ? "" : ", ") + name;
+  throw InputError(fmt::format("{}: no such scene, nearest is {}; known scenes: {}", name_or_path,
+                               nearest(fs::path(name_or_path).stem().string(), known), list));
+}
+
+}  // namespace pinball

@@ -1,0 +1,271 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <solver/base/error.hpp>
+#include <solver/scene.hpp>
+
+#include "boundary_parts.hpp"
+#include "overrides.hpp"
+#include "parts.hpp"
+#include "table.hpp"
+
+namespace pinball {
+
+namespace {
+
+TimeSettings read_time(const SceneTable& table) {
+  TimeSettings time;
+  table.numbers_into(time);
+  time.steps = table.integer("steps", -1, time.steps);
+  table.refuse(problem_of(time));
+  time.subcycling = table.boolean("subcycling", time.subcycling);
+  return time;
+}
+
+ElementSettings read_element(const SceneTable& table) {
+  ElementSettings element;
+  element.hourglass = table.choice<HourglassControl>("hourglass",
+                                                     {{"none", HourglassControl::none},
+                                                      {"viscous", HourglassControl::viscous},
+                                                      {"stiffness", HourglassControl::stiffness},
+                                                      {"assumed_strain", HourglassControl::assumed_strain}},
+                                                     element.hourglass);
+  // A coefficient that was meant for one form would mean something else to another.
+  if (table.has("hourglass_coefficient") && !table.has("hourglass")) {
+    table.fail("hourglass_coefficient", "needs hourglass beside it, the form that it is a coefficient of");
+  }
+  element.bulk_viscosity = table.boolean("bulk_viscosity", element.bulk_viscosity);
+  table.numbers_into(element);
+  if (table.has("negative_volume")) {
+    element.negative_volume = table.choice<NegativeVolume>(
+        "negative_volume", {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
+  }
+  complete(element);
+  return element;
+}
+
+ContactSettings read_contact(const SceneTable& table) {
+  ContactSettings contact;
+  contact.method = table.choice<ContactMethod>(
+      "method",
+      {{"none", ContactMethod::none}, {"pinball", ContactMethod::pinball}, {"slideline", ContactMethod::slideline}},
+      contact.method);
+  contact.enforcement = table.choice<Enforcement>(
+      "enforcement",
+      {{"penalty", Enforcement::penalty}, {"projection", Enforcement::projection}, {"lagrange", Enforcement::lagrange}},
+      contact.enforcement);
+  contact.gap =
+      table.choice<ContactGap>("gap", {{"pinball", ContactGap::pinball}, {"face", ContactGap::face}}, contact.gap);
+  table.numbers_into(contact);
+  contact.radius = table.choice<ContactRadius>(
+      "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
+  contact.self = table.boolean("self", contact.self);
+  complete(contact);
+  table.refuse(problem_of(contact));
+  return contact;
+}
+
+OutputSettings read_output(const SceneTable& table) {
+  OutputSettings output;
+  output.every_step = table.is_text("interval") && table.choice<bool>("interval", {{"step", true}});
+  visit_numbers(output, [&](std::string_view key, double& value, const Bound& bound) {
+    if (key != "interval" || !output.every_step) value = table.number(key, bound, value);
+  });
+  output.field_times = table.numbers("field_times", not_negative);
+  std::sort(output.field_times.begin(), output.field_times.end());
+  if (table.has("fields")) output.fields = table.texts("fields", output.fields);
+  return output;
+}
+
+/// A mesh file is named relative to the folder of the scene. Throws InputError if there is none.
+void find_mesh_file(const SceneTable& body, GmshMesh& mesh, const std::string& scene_path) {
+  const auto path = std::filesystem::path(scene_path).parent_path() / mesh.file;
+  if (!std::filesystem::is_regular_file(path)) {
+    body.table("mesh", "gmsh").fail("file", fmt::format("expected a Gmsh file, there is no {}", path.string()));
+  }
+  mesh.file = path.string();
+}
+
+/// What acts from outside, and probes; bodies are known by now.
+void read_boundary(const SceneTable& top, Scene& scene) {
+  const auto tables = [&](std::string_view key) {
+    auto all = top.tables(key, key);
+    for (const SceneTable& table : all) {
+      if (table.has("body"))
+        table.refuse(reference_problem("body", "body", table.text("body"), names_of(scene.bodies)));
+    }
+    return all;
+  };
+  for (const auto& any : tables("constraint")) {
+    const auto type = any.choice<std::string>("type", {{"symmetry", "symmetry"}, {"fixed", "fixed"}});
+    const SceneTable table = any.as(type);
+    if (type == "symmetry") {
+      scene.constraints.push_back(read_constraint(table));
+    } else {
+      scene.fixed_constraints.push_back(read_fixed_constraint(table));
+    }
+  }
+  for (const auto& table : tables("rigid_wall")) {
+    const RigidWall wall = read_rigid_wall(table, scene.rigid_walls.size());
+    table.refuse(repetition(wall.name, names_of(scene.rigid_walls)));
+    scene.rigid_walls.push_back(wall);
+  }
+  for (const auto& table : tables("prescribed_velocity")) {
+    scene.prescribed_velocities.push_back(read_prescribed_velocity(table));
+  }
+  for (const auto& table : tables("load")) scene.loads.push_back(read_load(table));
+  for (const auto& table : tables("initial_velocity")) {
+    scene.initial_velocities.push_back(read_initial_velocity(table));
+  }
+  for (const auto& table : tables("probe")) {
+    const Probe probe = read_probe(table);
+    table.refuse(repetition(probe.name, names_of(scene.probes)));
+    table.refuse(repetition(probe.name, names_of(scene.bodies)));  // their columns in history.csv
+    scene.probes.push_back(probe);
+  }
+}
+
+Scene read_tables(const toml::table& root, const std::string& path, const SceneOverrides& overrides) {
+  const SceneTable top(root, "", path + ":1:1", "scene");
+  Scene scene;
+  scene.path = path;
+  scene.name = std::filesystem::path(path).stem().string();
+  scene.refine = overrides.refine;
+  scene.title = top.text("title", "");
+  scene.units = top.text("units", "");
+  scene.precision = top.choice<Precision>("precision", {{"double", Precision::float64}, {"float", Precision::float32}},
+                                          scene.precision);
+  if (overrides.precision) scene.precision = *overrides.precision;
+  scene.time = read_time(top.table("time", "time"));
+  scene.element = read_element(top.table("element", "element"));
+  scene.contact = read_contact(top.table("contact", "contact"));
+  const SceneTable skip = top.table("skip", "skip");
+  scene.skip.contact_search = skip.boolean("contact_search", scene.skip.contact_search);
+  scene.skip.resting = skip.boolean("resting", scene.skip.resting);
+  const SceneTable guard = top.table("guard", "guard");
+  guard.numbers_into(scene.guard);
+  scene.output = read_output(top.table("output", "output"));
+
+  for (const auto& table : top.tables("material", "material")) {
+    const Material material = read_material(table);
+    table.refuse(repetition(material.name, names_of(scene.materials)));
+    scene.materials.push_back(material);
+  }
+  const auto bodies = top.tables("body", "body");
+  if (bodies.empty()) top.fail("body", "missing, expected at least one [[body]]");
+  for (const auto& table : bodies) {
+    Body body = read_body(table, overrides.refine);
+    if (auto* gmsh = std::get_if<GmshMesh>(&body.mesh)) find_mesh_file(table, *gmsh, path);
+    table.refuse(repetition(body.name, names_of(scene.bodies)));
+    table.refuse(reference_problem("material", "material", body.material, names_of(scene.materials)));
+    scene.bodies.push_back(body);
+  }
+  top.table("damping", "damping").numbers_into(scene.damping);
+  read_boundary(top, scene);
+  return scene;
+}
+
+std::string read_text(const std::string& path) {
+  std::error_code problem;
+  if (std::filesystem::is_directory(path, problem)) throw InputError(path + ": expected a scene file, got a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": no such file, or it cannot be read");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+toml::table parse(const std::string& text, const std::string& path) {
+  try {
+    return toml::parse(text, path);
+  } catch (const toml::parse_error& error) {
+    throw InputError(fmt::format("{}: not valid TOML: {}", location(error.source(), path), error.description()));
+  }
+}
+
+/// A change that the command line asks for.
+struct Change {
+  std::string option;
+  std::string text;  ///< KEY=VALUE, or the name of a variant
+};
+
+struct Changes {
+  std::vector<Change> variants;  ///< applied before keys
+  std::vector<Change> keys;
+};
+
+void sort_changes(const std::string& option, const std::vector<std::string>& texts, Changes& changes) {
+  for (const auto& text : texts) {
+    const Override change = parse_override(option, text);
+    if (change.key != "variant") {
+      changes.keys.push_back({option, text});
+    } else if (const auto name = change.value["value"].value_exact<std::string>()) {
+      const auto same = [&name](const Change& earlier) { return earlier.text == *name; };
+      if (std::none_of(changes.variants.begin(), changes.variants.end(), same)) {
+        changes.variants.push_back({option, *name});
+      }
+    } else {
+      fail(change.where(), "variant", "expected the name of a variant");
+    }
+  }
+}
+
+/// The text with variants and keys applied, read and checked.
+Scene read_changed(const std::string& text, const std::string& path, const Changes& changes,
+                   const SceneOverrides& overrides) {
+  // Parsed anew each time: tables cannot be copied without losing where their values were written.
+  toml::table root = parse(text, path);
+  for (const auto& [option, name] : changes.variants) {
+    apply_variant(root, name, fmt::format("{} variant={}", option, name));
+  }
+  for (const auto& [option, key_value] : changes.keys) apply_override(root, parse_override(option, key_value));
+  return read_tables(root, path, overrides);
+}
+
+/// A variant must fit the scene even if nobody asks for it now. A file that is complete only with some keys of the
+/// command line is checked with these.
+void check_variants(const std::string& text, const std::string& path, const std::vector<std::string>& names,
+                    const std::vector<Change>& keys) {
+  std::vector<Change> needed;
+  try {
+    read_changed(text, path, {}, {});
+  } catch (const InputError&) {
+    needed = keys;
+  }
+  for (const auto& name : names) {
+    try {
+      read_changed(text, path, {{{"--set", name}}, needed}, {});
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{} (in variant {})", error.what(), name));
+    }
+  }
+}
+
+}  // namespace
+
+SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides) {
+  return {path, read_text(path), overrides};
+}
+
+Scene read_scene(const std::string& path, const SceneOverrides& overrides) {
+  return read_scene(read_scene_source(path, overrides));
+}
+
+Scene read_scene(const SceneSource& source) {
+  const auto& [path, text, overrides] = source;
+  if (overrides.refine < 1) {
+    throw InputError(fmt::format("--refine {}: expected an integer >= 1, got {}", overrides.refine, overrides.refine));
+  }
+  Changes changes;
+  sort_changes("--set", overrides.set, changes);
+  sort_changes("--vary", overrides.vary, changes);
+  Scene scene = read_changed(text, path, changes, overrides);
+  check_variants(text, path, variant_names(parse(text, path), path), changes.keys);
+  return scene;
+}
+
+}  // namespace pinball

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/base/text_distance.hpp>
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+
+void complete(ElementSettings& element) {
+  if (element.hourglass_coefficient < 0) {
+    element.hourglass_coefficient = default_hourglass_coefficient(element.hourglass);
+  }
+}
+
+void complete(ContactSettings& contact) {
+  if (contact.gap == ContactGap::not_set) {
+    contact.gap = contact.enforcement == Enforcement::penalty ? ContactGap::pinball : ContactGap::face;
+  }
+  if (contact.static_friction < 0) contact.static_friction = contact.friction;
+}
+
+namespace {
+
+/// A vector that is one to round-off stays as it is, bit by bit.
+void make_unit(Point& vector) {
+  const double length = std::hypot(vector[0], vector[1], vector[2]);
+  if (!(length > 0) || !std::isfinite(length) || std::abs(length - 1) < 1e-14) return;
+  for (double& component : vector) component /= length;
+}
+
+void make_unit(NodeSelection& nodes) {
+  if (nodes.plane) make_unit(nodes.plane->normal);
+  if (nodes.line) make_unit(nodes.line->direction);
+}
+
+}  // namespace
+
+void complete_scene(Scene& scene) {
+  complete(scene.element);
+  complete(scene.contact);
+  for (Body& body : scene.bodies) {
+    if (body.axis) make_unit(*body.axis);
+  }
+  for (PlaneConstraint& plane : scene.constraints) make_unit(plane.normal);
+  for (FixedConstraint& fixed : scene.fixed_constraints) {
+    make_unit(fixed.nodes);
+    make_unit(fixed.axis.direction);
+    for (Point& direction : fixed.directions) make_unit(direction);
+  }
+  for (std::size_t w = 0; w < scene.rigid_walls.size(); ++w) {
+    make_unit(scene.rigid_walls[w].plane.normal);
+    if (scene.rigid_walls[w].name.empty()) scene.rigid_walls[w].name = fmt::format("wall_{}", w);
+  }
+  for (PrescribedVelocity& given : scene.prescribed_velocities) {
+    make_unit(given.nodes);
+    if (given.direction) make_unit(*given.direction);
+  }
+  for (NodalLoad& load : scene.loads) make_unit(load.nodes);
+  for (InitialVelocity& given : scene.initial_velocities) make_unit(given.nodes);
+  for (Probe& probe : scene.probes) {
+    if (probe.quantities.empty()) probe.quantities = probe_quantities(probe.kind);
+  }
+}
+
+std::optional<Problem> problem_of(const TimeSettings& time) {
+  if (time.steps == 0) return Problem{"steps", "expected an integer >= 1, or -1 for no limit, got 0"};
+  return {};
+}
+
+std::optional<Problem> problem_of(const ContactSettings& contact) {
+  const bool penalty = contact.enforcement == Enforcement::penalty;
+  if (contact.method != ContactMethod::slideline && penalty && contact.gap == ContactGap::face) {
+    return Problem{"gap", "\"face\" needs enforcement = \"projection\" or \"lagrange\" in this version"};
+  }
+  if (contact.static_friction < contact.friction) {
+    return Problem{"static_friction", fmt::format("expected a number >= friction = {:.6g}, got {:.6g}",
+                                                  contact.friction, contact.static_friction)};
+  }
+  if (contact.enforcement == Enforcement::projection && contact.static_friction > contact.friction) {
+    return Problem{"static_friction", "another value than friction needs enforcement = \"lagrange\""};
+  }
+  if (penalty && contact.static_friction > 0) {
+    return Problem{contact.friction > 0 ? "friction" : "static_friction",
+                   "expected 0: friction needs enforcement = \"projection\" or \"lagrange\""};
+  }
+  return {};
+}
+
+std::optional<Problem> problem_of(const Material& material) {
+  if (material.ultimate_stress > 0 && material.ultimate_stress < material.yield_stress) {
+    return Problem{"ultimate_stress", fmt::format("expected a number >= yield_stress = {}, got {}",
+                                                  material.yield_stress, material.ultimate_stress)};
+  }
+  return {};
+}
+
+std::optional<Problem> problem_of(const TimeTable& table) {
+  if (table.times.size() != table.factors.size()) {
+    return Problem{"factors", fmt::format("expected one number for each of the {} times, got {}", table.times.size(),
+                                          table.factors.size())};
+  }
+  for (std::size_t i = 1; i < table.times.size(); ++i) {
+    if (table.times[i] > table.times[i - 1]) continue;
+    return Problem{"times",
+                   fmt::format("expected increasing times, got {} after {}", table.times[i], table.times[i - 1])};
+  }
+  return {};
+}
+
+std::optional<Problem> problem_of(const Box& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.low[k] <= box.high[k]) continue;
+    return Problem{"high", fmt::format("expected numbers >= low, got {} < {}", box.high[k], box.low[k])};
+  }
+  return {};
+}
+
+std::optional<Problem> name_problem(const std::string& name) {
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  if (plain && !name.empty()) return {};
+  return Problem{"name", fmt::format("expected a name of letters, digits, \"_\" and \"-\", got \"{}\"", name)};
+}
+
+std::optional<Problem> repetition(const std::string& name, const std::vector<std::string>& earlier) {
+  if (std::find(earlier.begin(), earlier.end(), name) == earlier.end()) return {};
+  return Problem{"name", fmt::format("expected a name of its own, got \"{}\" a second time", name)};
+}
+
+std::optional<Problem> reference_problem(std::string_view key, std::string_view kind, const std::string& name,
+                                         const std::vector<std::string>& names) {
+  if (std::find(names.begin(), names.end(), name) != names.end()) return {};
+  const std::string hint = names.empty() ? fmt::format("the scene has no [[{}]]", kind)
+                                         : fmt::format("nearest is \"{}\"", nearest(name, names));
+  return Problem{std::string(key), fmt::format("no {} is named \"{}\", {}", kind, name, hint)};
+}
+
+std::optional<Problem> direction_problem(std::string_view key, const Point& vector) {
+  const double length = std::hypot(vector[0], vector[1], vector[2]);
+  if (length > 0.0 && std::isfinite(length)) return {};
+  return Problem{std::string(key), fmt::format("expected a vector of non-zero, finite length, got [{}, {}, {}]",
+                                               vector[0], vector[1], vector[2])};
+}
+
+}  // namespace pinball

@@ -1,0 +1,331 @@
+#include "table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include <solver/base/error.hpp>
+#include <solver/base/text_distance.hpp>
+
+namespace pinball {
+
+namespace {
+
+const TableKeys& keys_of(std::string_view kind) {
+  const auto& all = scene_keys();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const TableKeys& keys) { return keys.kind == kind; });
+  assert(found != all.end());
+  return *found;
+}
+
+std::string join(std::string_view path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+/// A slip inside the same table is likelier than a key in the wrong table, which is likelier than two slips.
+std::string nearest_key(std::string_view key, std::string_view path, const TableKeys& own) {
+  std::string best;
+  int lowest = std::numeric_limits<int>::max();
+  auto consider = [&](std::string_view table, std::string_view candidate, int penalty) {
+    const int cost = 2 * edit_distance(key, candidate) + penalty;
+    if (cost < lowest) {
+      lowest = cost;
+      best = join(table, candidate);
+    }
+  };
+  for (const auto candidate : own.keys) consider(path, candidate, 0);
+  for (const auto& other : scene_keys()) {
+    // The other kinds of mesh share their place with this one: their keys would be just as wrong here.
+    if (other.shown == own.shown) continue;
+    for (const auto candidate : other.keys) consider(other.shown, candidate, 1);
+  }
+  return best;
+}
+
+std::string element_path(const std::string& key, std::size_t index) { return fmt::format("{}[{}]", key, index); }
+
+}  // namespace
+
+std::string location(const toml::source_region& source, const std::string& fallback) {
+  if (!source.path || !source.begin) return fallback;
+  if (source.path->starts_with("--")) return *source.path;  // of the command line
+  return fmt::format("{}:{}:{}", *source.path, source.begin.line, source.begin.column);
+}
+
+void fail(const std::string& where, const std::string& key, const std::string& problem) {
+  const bool named = where.starts_with("--set " + key + "=") || where.starts_with("--vary " + key + "=");
+  if (key.empty() || named) throw InputError(where + ": " + problem);
+  throw InputError(where + ": " + key + ": " + problem);
+}
+
+std::string describe(const toml::node& node) {
+  if (const auto* text = node.as_string()) return fmt::format("\"{}\"", text->get());
+  if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
+  if (const auto* array = node.as_array()) {
+    return fmt::format("an array of {} value{}", array->size(), array->size() == 1 ? "" : "s");
+  }
+  return node.is_table() ? "a table" : "a date or time";
+}
+
+std::string alternatives(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (i > 0) joined += i + 1 == texts.size() ? " or " : ", ";
+    joined += '"' + texts[i] + '"';
+  }
+  return joined;
+}
+
+SceneTable::SceneTable(const toml::table& table, std::string path, std::string where, std::string_view kind)
+    : table_(&table), path_(std::move(path)), where_(std::move(where)) {
+  const TableKeys& known = keys_of(kind);
+  // The first unknown key in the file's order, not in the alphabet's.
+  const toml::key* unknown = nullptr;
+  for (const auto& [key, value] : table) {
+    if (std::find(known.keys.begin(), known.keys.end(), key.str()) != known.keys.end()) continue;
+    if (!unknown || key.source().begin < unknown->source().begin) unknown = &key;
+  }
+  if (unknown) {
+    pinball::fail(location(unknown->source(), where_), key_path(unknown->str()),
+                  "unknown key, nearest is " + nearest_key(unknown->str(), path_, known));
+  }
+}
+
+std::string SceneTable::key_path(std::string_view key) const { return join(path_, key); }
+
+const toml::node* SceneTable::find(std::string_view key) const { return table_->get(key); }
+
+std::string SceneTable::where(std::string_view key) const {
+  const toml::node* node = find(key);
+  return node ? location(node->source(), where_) : where_;
+}
+
+void SceneTable::fail(std::string_view key, const std::string& problem) const {
+  pinball::fail(where(key), key_path(key), problem);
+}
+
+void SceneTable::refuse(const std::optional<Problem>& problem) const {
+  if (problem) fail(problem->key, problem->text);
+}
+
+void SceneTable::fail_missing(std::string_view key, const std::string& expected) const {
+  fail(key, "missing, expected " + expected);
+}
+
+double SceneTable::number_of(const toml::node& node, const std::string& key, const Bound& bound) const {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value || !bound.holds(*value)) {
+    pinball::fail(location(node.source(), where_), key,
+                  fmt::format("expected {}, got {}", bound.describe(), pinball::describe(node)));
+  }
+  return *value;
+}
+
+double SceneTable::number(std::string_view key, const Bound& bound, double fallback) const {
+  const toml::node* node = find(key);
+  return node ? number_of(*node, key_path(key), bound) : fallback;
+}
+
+double SceneTable::number(std::string_view key, const Bound& bound) const {
+  if (!has(key)) fail_missing(key, bound.describe());
+  return number(key, bound, 0.0);
+}
+
+std::int64_t SceneTable::integer_of(const toml::node& node, const std::string& key, std::int64_t low) const {
+  const auto* value = node.as_integer();
+  if (!value || value->get() < low) {
+    pinball::fail(location(node.source(), where_), key,
+                  fmt::format("expected an integer >= {}, got {}", low, pinball::describe(node)));
+  }
+  return value->get();
+}
+
+std::int64_t SceneTable::integer(std::string_view key, std::int64_t low, std::int64_t fallback) const {
+  const toml::node* node = find(key);
+  return node ? integer_of(*node, key_path(key), low) : fallback;
+}
+
+std::int64_t SceneTable::integer(std::string_view key, std::int64_t low) const {
+  if (!has(key)) fail_missing(key, fmt::format("an integer >= {}", low));
+  return integer(key, low, low);
+}
+
+bool SceneTable::boolean(std::string_view key, bool fallback) const {
+  const toml::node* node = find(key);
+  if (!node) return fallback;
+  if (!node->is_boolean()) fail(key, "expected true or false, got " + pinball::describe(*node));
+  return node->as_boolean()->get();
+}
+
+std::string SceneTable::text(std::string_view key, const std::string& fallback) const {
+  const toml::node* node = find(key);
+  if (!node) return fallback;
+  if (!node->is_string()) fail(key, "expected a text in quotes, got " + pinball::describe(*node));
+  return node->as_string()->get();
+}
+
+std::string SceneTable::text(std::string_view key) const {
+  if (!has(key)) fail_missing(key, "a text in quotes");
+  return text(key, "");
+}
+
+std::string SceneTable::name(std::string_view key) const {
+  const std::string name = text(key);
+  refuse(name_problem(name));
+  return name;
+}
+
+const toml::array& SceneTable::array_of(const toml::node& node, const std::string& key, const std::string& expected,
+                                        std::optional<std::size_t> count) const {
+  const auto* array = node.as_array();
+  if (!array || (count && array->size() != *count)) {
+    pinball::fail(location(node.source(), where_), key,
+                  fmt::format("expected {}, got {}", expected, pinball::describe(node)));
+  }
+  return *array;
+}
+
+Point SceneTable::point_of(const toml::node& node, const std::string& key, const Bound& bound) const {
+  const auto& array = array_of(node, key, "an array of 3 numbers", 3);
+  Point point{};
+  for (std::size_t i = 0; i < 3; ++i) point[i] = number_of(*array.get(i), element_path(key, i), bound);
+  return point;
+}
+
+Point SceneTable::point(std::string_view key, const Bound& bound, const Point& fallback) const {
+  const toml::node* node = find(key);
+  return node ? point_of(*node, key_path(key), bound) : fallback;
+}
+
+Point SceneTable::point(std::string_view key, const Bound& bound) const {
+  if (!has(key)) fail_missing(key, "an array of 3 numbers");
+  return point(key, bound, Point{});
+}
+
+std::array<Point, 3> SceneTable::matrix(std::string_view key) const {
+  std::array<Point, 3> matrix{};
+  const toml::node* node = find(key);
+  if (!node) return matrix;
+  const auto& rows = array_of(*node, key_path(key), "an array of 3 rows of 3 numbers", 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    matrix[i] = point_of(*rows.get(i), element_path(key_path(key), i), any_number);
+  }
+  return matrix;
+}
+
+std::vector<double> SceneTable::numbers(std::string_view key, const Bound& bound) const {
+  std::vector<double> values;
+  const toml::node* node = find(key);
+  if (!node) return values;
+  const auto& array = array_of(*node, key_path(key), "an array of numbers", std::nullopt);
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    values.push_back(number_of(*array.get(i), element_path(key_path(key), i), bound));
+  }
+  return values;
+}
+
+std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::size_t count, std::int64_t low) const {
+  const std::string expected = fmt::format("an array of {} integers >= {}", count, low);
+  const toml::node* node = find(key);
+  if (!node) fail_missing(key, expected);
+  const auto& array = array_of(*node, key_path(key), expected, count);
+  std::vector<std::int64_t> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    values.push_back(integer_of(*array.get(i), element_path(key_path(key), i), low));
+  }
+  return values;
+}
+
+template <class Value, class Read>
+std::array<std::vector<Value>, 3> SceneTable::lists_of(std::string_view key, const std::string& expected,
+                                                       const Read& read) const {
+  const toml::node* node = find(key);
+  if (!node) fail_missing(key, expected);
+  const auto& array = array_of(*node, key_path(key), expected, 3);
+  std::array<std::vector<Value>, 3> lists;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string path = element_path(key_path(key), i);
+    const auto* list = array.get(i)->as_array();
+    if (!list) {
+      lists[i].push_back(read(*array.get(i), path));
+      continue;
+    }
+    if (list->empty()) pinball::fail(location(list->source(), where_), path, "expected at least one number, got none");
+    for (std::size_t j = 0; j < list->size(); ++j) lists[i].push_back(read(*list->get(j), element_path(path, j)));
+  }
+  return lists;
+}
+
+std::array<std::vector<double>, 3> SceneTable::lists(std::string_view key, const Bound& bound) const {
+  return lists_of<double>(key, "an array of 3 numbers", [&](const toml::node& node, const std::string& path) {
+    return number_of(node, path, bound);
+  });
+}
+
+std::array<std::vector<std::int64_t>, 3> SceneTable::integer_lists(std::string_view key, std::int64_t low) const {
+  return lists_of<std::int64_t>(
+      key, fmt::format("an array of 3 integers >= {}", low),
+      [&](const toml::node& node, const std::string& path) { return integer_of(node, path, low); });
+}
+
+std::vector<std::string> SceneTable::texts(std::string_view key, const std::vector<std::string>& allowed) const {
+  std::vector<std::string> values;
+  const toml::node* node = find(key);
+  if (!node) return values;
+  const auto& array = array_of(*node, key_path(key), "an array of texts", std::nullopt);
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const toml::node& element = *array.get(i);
+    const auto value = element.value_exact<std::string>();
+    if (!value || std::find(allowed.begin(), allowed.end(), *value) == allowed.end()) {
+      pinball::fail(location(element.source(), where_), element_path(key_path(key), i),
+                    fmt::format("expected {}, got {}", alternatives(allowed), pinball::describe(element)));
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::size_t SceneTable::choice_index(std::string_view key, const toml::node& node,
+                                     const std::vector<std::string>& names,
+                                     const std::vector<std::string>& later) const {
+  if (const auto* text = node.as_string()) {
+    const auto found = std::find(names.begin(), names.end(), text->get());
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    if (std::find(later.begin(), later.end(), text->get()) != later.end()) {
+      fail(key, fmt::format("\"{}\" is not available in this version, expected {}", text->get(), alternatives(names)));
+    }
+  }
+  fail(key, fmt::format("expected {}, got {}", alternatives(names), pinball::describe(node)));
+}
+
+SceneTable SceneTable::table(std::string_view key, std::string_view kind) const {
+  static const toml::table empty;
+  const toml::node* node = find(key);
+  if (node && !node->is_table()) fail(key, "expected a table, got " + pinball::describe(*node));
+  return SceneTable(node ? *node->as_table() : empty, key_path(key), where(key), kind);
+}
+
+std::vector<SceneTable> SceneTable::tables(std::string_view key, std::string_view kind) const {
+  std::vector<SceneTable> tables;
+  const toml::node* node = find(key);
+  if (!node) return tables;
+  const std::string expected = fmt::format("tables [[{}]]", key);
+  const auto& array = array_of(*node, key_path(key), expected, std::nullopt);
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const auto* element = array.get_as<toml::table>(i);
+    if (!element) {
+      pinball::fail(location(array.get(i)->source(), where_), element_path(key_path(key), i),
+                    fmt::format("expected {}, got {}", expected, pinball::describe(*array.get(i))));
+    }
+    const auto name = (*element)["name"].value_exact<std::string>();
+    tables.emplace_back(*element, fmt::format("{}.{}", key_path(key), name ? *name : std::to_string(i)),
+                        location(element->source(), where_), kind);
+  }
+  return tables;
+}
+
+}  // namespace pinball

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <solver/mesh.hpp>
+#include <solver/scene_rules.hpp>
+
+#include "numbers.hpp"
+
+/// Typed access to the tables of a scene file. Every error is an InputError that reads
+/// "FILE:LINE:COLUMN: KEY: expected ..., got ...", or "--set KEY=VALUE: expected ..., got ...", with --vary as with
+/// --set.
+namespace pinball {
+
+/// The keys that one kind of table may hold.
+struct TableKeys {
+  std::string_view kind;               ///< "body"
+  std::string_view shown;              ///< how a message names such a table: "body.NAME"; empty for the top level
+  std::vector<std::string_view> keys;  ///< in the order of the scene format
+};
+
+/// All kinds of tables of the scene format: the one list against which unknown keys are found.
+const std::vector<TableKeys>& scene_keys();
+
+/// Where something was written: "FILE:LINE:COLUMN", or "--set KEY=VALUE"; `fallback` if the source is not known.
+std::string location(const toml::source_region& source, const std::string& fallback);
+
+/// Throws InputError "WHERE: KEY: PROBLEM". A KEY that WHERE, being "--set KEY=...", already names is left out.
+[[noreturn]] void fail(const std::string& where, const std::string& key, const std::string& problem);
+
+/// A value as a message shows it after "got": -1, "text", true, an array of 2 values, a table.
+std::string describe(const toml::node& node);
+
+/// The texts in quotes, joined as in: "a", "b" or "c".
+std::string alternatives(const std::vector<std::string>& texts);
+
+/// One table of the scene. Optional keys take the fallback, required ones are an error where they are missing.
+class SceneTable {
+ public:
+  /// `path` is the dotted name of the table, "" for the top level; `where` its location, used for missing keys.
+  /// Throws InputError if the table holds a key that its kind does not know.
+  SceneTable(const toml::table& table, std::string path, std::string where, std::string_view kind);
+
+  const std::string& path() const { return path_; }
+  const std::string& where() const { return where_; }
+  bool has(std::string_view key) const { return table_->contains(key); }
+  bool is_text(std::string_view key) const { return has(key) && find(key)->is_string(); }
+  std::string key_path(std::string_view key) const;
+
+  /// Location of the value of a key; of the table if the key is missing.
+  std::string where(std::string_view key) const;
+  [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
+  /// Fails where there is a problem.
+  void refuse(const std::optional<Problem>& problem) const;
+  [[noreturn]] void fail_missing(std::string_view key, const std::string& expected) const;
+
+  double number(std::string_view key, const Bound& bound, double fallback) const;
+  double number(std::string_view key, const Bound& bound) const;  ///< required
+  std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t fallback) const;
+  std::int64_t integer(std::string_view key, std::int64_t low) const;  ///< required
+  /// All numbers of a kind of table (scene_numbers.hpp); what is missing and not required stays as it is.
+  template <class Settings>
+  void numbers_into(Settings& settings) const {
+    visit_numbers(settings, [this](std::string_view key, auto& value, const Bound& bound, Need need = Need::optional) {
+      if constexpr (std::is_same_v<decltype(value), Point&>) {
+        value = need == Need::required ? point(key, bound) : point(key, bound, value);
+      } else {
+        value = need == Need::required ? number(key, bound) : number(key, bound, value);
+      }
+    });
+  }
+  bool boolean(std::string_view key, bool fallback) const;
+  std::string text(std::string_view key, const std::string& fallback) const;
+  std::string text(std::string_view key) const;  ///< required
+  /// Required.
+  std::string name(std::string_view key) const;
+
+  Point point(std::string_view key, const Bound& bound, const Point& fallback) const;
+  Point point(std::string_view key, const Bound& bound) const;  ///< required
+  std::array<Point, 3> matrix(std::string_view key) const;      ///< 3 x 3, rows; default zero
+  std::vector<double> numbers(std::string_view key, const Bound& bound) const;
+  std::vector<std::string> texts(std::string_view key, const std::vector<std::string>& allowed) const;
+  /// Unit vectors, each given as one of the three names or by its components: ["x", [0, 1, 1]]; "all" stands for the
+  /// three of the names. Required, at least one.
+  std::vector<Point> directions(std::string_view key, const std::array<const char*, 3>& names) const;
+  /// `count` integers >= low; required.
+  std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t low) const;
+  /// Three numbers, or lists of numbers in their places: [1, 1, [0.4, 0.2, 0.4]]; required.
+  std::array<std::vector<double>, 3> lists(std::string_view key, const Bound& bound) const;
+  /// The same of integers >= low.
+  std::array<std::vector<std::int64_t>, 3> integer_lists(std::string_view key, std::int64_t low) const;
+
+  /// One of the named values; `later` names those that the format has and this version has not.
+  template <class Value>
+  Value choice(std::string_view key, const std::vector<std::pair<std::string, Value>>& values, const Value& fallback,
+               const std::vector<std::string>& later = {}) const {
+    const toml::node* node = find(key);
+    if (!node) return fallback;
+    std::vector<std::string> names;
+    for (const auto& value : values) names.push_back(value.first);
+    return values[choice_index(key, *node, names, later)].second;
+  }
+  /// The same for a required key.
+  template <class Value>
+  Value choice(std::string_view key, const std::vector<std::pair<std::string, Value>>& values) const {
+    if (!has(key)) {
+      std::vector<std::string> names;
+      for (const auto& value : values) names.push_back(value.first);
+      fail_missing(key, alternatives(names));
+    }
+    return choice(key, values, values.front().second);
+  }
+  /// This table, checked once more as one of a narrower kind.
+  SceneTable as(std::string_view kind) const { return SceneTable(*table_, path_, where_, kind); }
+  /// Table under a key; an empty one with this table's location if the key is missing.
+  SceneTable table(std::string_view key, std::string_view kind) const;
+  /// Elements of an array of tables, each with the path KEY.NAME, or KEY.NUMBER where it has no name.
+  std::vector<SceneTable> tables(std::string_view key, std::string_view kind) const;
+
+ private:
+  const toml::node* find(std::string_view key) const;
+  std::size_t choice_index(std::string_view key, const toml::node& node, const std::vector<std::string>& names,
+                           const std::vector<std::string>& later) const;
+  double number_of(const toml::node& node, const std::string& key, const Bound& bound) const;
+  std::int64_t integer_of(const toml::node& node, const std::string& key, std::int64_t low) const;
+  Point point_of(const toml::node& node, const std::string& key, const Bound& bound) const;
+  template <class Value, class Read>
+  std::array<std::vector<Value>, 3> lists_of(std::string_view key, const std::string& expected, const Read& read) const;
+  const toml::array& array_of(const toml::node& node, const std::string& key, const std::string& expected,
+                              std::optional<std::size_t> count) const;
+
+  const toml::table* table_;
+  std::string path_;
+  std::string where_;
+};
+
+}  // namespace pinball

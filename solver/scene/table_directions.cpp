@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "table.hpp"
+
+namespace pinball {
+
+std::vector<Point> SceneTable::directions(std::string_view key, const std::array<const char*, 3>& names) const {
+  std::vector<Point> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::string expected = fmt::format(
+      "\"all\" or an array of directions, each \"{}\", \"{}\", \"{}\" or 3 numbers", names[0], names[1], names[2]);
+  const toml::node* node = find(key);
+  if (!node) fail_missing(key, expected);
+  if (is_text(key) && text(key) == "all") return axes;
+  const auto& array = array_of(*node, key_path(key), expected, std::nullopt);
+  if (array.empty()) fail(key, fmt::format("expected {}, got none", expected));
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const toml::node& element = *array.get(i);
+    if (const auto name = element.value_exact<std::string>()) {
+      const auto found = std::find(names.begin(), names.end(), *name);
+      if (found == names.end()) {
+        pinball::fail(location(element.source(), where_), key_path(key),
+                      fmt::format("expected {}, got \"{}\"", expected, *name));
+      }
+      result.push_back(axes[static_cast<std::size_t>(found - names.begin())]);
+      continue;
+    }
+    Point d = point_of(element, fmt::format("{}[{}]", key_path(key), i), any_number);
+    const double length = std::hypot(d[0], d[1], d[2]);
+    if (!(length > 0) || !std::isfinite(length)) {
+      pinball::fail(location(element.source(), where_), key_path(key),
+                    "expected a vector of non-zero, finite length, got [0, 0, 0]");
+    }
+    for (double& c : d) c /= length;
+    result.push_back(d);
+  }
+  return result;
+}
+
+}  // namespace pinball

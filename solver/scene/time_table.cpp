@@ -1,0 +1,32 @@
+#include <algorithm>
+
+#include <solver/scene_boundary.hpp>
+
+namespace pinball {
+
+double TimeTable::value(double time) const {
+  if (times.empty()) return 1.0;
+  const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
+  if (after == 0) return factors.front();
+  const auto i = static_cast<std::size_t>(after);
+  if (i == times.size()) return factors.back();
+  const double part = (time - times[i - 1]) / (times[i] - times[i - 1]);
+  return factors[i - 1] + part * (factors[i] - factors[i - 1]);
+}
+
+double TimeTable::integral(double time) const {
+  if (times.empty()) return time;
+  // From the first point on; then the same for time 0, whichever comes first.
+  const auto from_first = [this](double t) {
+    if (t <= times.front()) return (t - times.front()) * factors.front();
+    double sum = 0;
+    for (std::size_t i = 1; i < times.size() && times[i - 1] < t; ++i) {
+      const double end = std::min(t, times[i]);
+      sum += 0.5 * (value(times[i - 1]) + value(end)) * (end - times[i - 1]);
+    }
+    return sum + std::max(0.0, t - times.back()) * factors.back();
+  };
+  return from_first(time) - from_first(0.0);
+}
+
+}  // namespace pinball

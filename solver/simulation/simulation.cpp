@@ -1,0 +1,168 @@
+#include <chrono>
+
+#include <kernels/exec.hpp>
+#include <solver/base/error.hpp>
+
+#include "simulation_implementation.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// Sets the threads of the calling thread's parallel regions and puts the number back.
+class Threads {
+ public:
+  explicit Threads(int wanted) : before_(DefaultExecutionSpace::concurrency()), changed_(wanted > 0) {
+    if (changed_) DefaultExecutionSpace::set_concurrency(wanted);
+  }
+  ~Threads() {
+    if (changed_) DefaultExecutionSpace::set_concurrency(before_);
+  }
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+ private:
+  int before_;
+  bool changed_;
+};
+
+/// Adds the time of its life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
+  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+Simulation::Simulation(const Scene& given, const SimulationOptions& options)
+    : implementation_(std::make_unique<Implementation>()) {
+  if (options.threads < 0) throw InputError("threads: expected an integer >= 0");
+  const Threads threads(options.threads);
+  const Scene scene = checked_scene(given);
+  implementation_->options = options;
+  if (scene.precision == Precision::float32) {
+    implementation_->solver = std::make_unique<Solver<float>>(scene);
+  } else {
+    implementation_->solver = std::make_unique<Solver<double>>(scene);
+  }
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+bool Simulation::step() {
+  Implementation& own = *implementation_;
+  if (own.complete) return false;
+  const Threads threads(own.options.threads);
+  const Stopwatch watch(own.wall_seconds);
+  own.change([&own](auto& solver) {
+    if (solver.at_end()) {
+      solver.finish();
+      own.complete = true;
+    } else {
+      solver.step();
+    }
+  });
+  bool stops = false;
+  own.change([&](auto& solver) {
+    solver.timers().measure(Phase::output, [&] {
+      for (std::size_t c = 0; c < own.callbacks.size(); ++c) {  // a callback may add others
+        const StepCallback callback = own.callbacks[c];
+        stops |= callback(*this) == AfterStep::stop;
+      }
+    });
+  });
+  return !own.complete && !stops;
+}
+
+bool Simulation::run_until(double time) {
+  while (this->time() < time * (1 - 1e-12)) {
+    if (!step()) return false;
+  }
+  return !complete();
+}
+
+bool Simulation::run() {
+  while (step()) {
+  }
+  return complete();
+}
+
+void Simulation::on_step(StepCallback callback) {
+  if (!callback) throw InputError("on_step: expected a function, got none");
+  implementation_->callbacks.push_back(std::move(callback));
+}
+
+bool Simulation::complete() const { return implementation_->complete; }
+bool Simulation::at_end() const {
+  return implementation_->read([](const auto& solver) { return solver.at_end(); });
+}
+double Simulation::time() const {
+  return implementation_->read([](const auto& solver) { return solver.time(); });
+}
+double Simulation::state_time() const {
+  return implementation_->read([](const auto& solver) { return solver.force_time(); });
+}
+double Simulation::dt() const {
+  return implementation_->read([](const auto& solver) { return solver.dt(); });
+}
+std::int64_t Simulation::steps() const {
+  return implementation_->read([](const auto& solver) { return solver.steps(); });
+}
+
+const Scene& Simulation::scene() const {
+  return *implementation_->read([](const auto& solver) { return &solver.model().scene; });
+}
+const Energies& Simulation::energies() const {
+  return *implementation_->read([](const auto& solver) { return &solver.energies(); });
+}
+double Simulation::balance_error() const {
+  return implementation_->read([](const auto& solver) { return solver.balance_error(); });
+}
+std::vector<BodyResult> Simulation::bodies() const {
+  return implementation_->read([](const auto& solver) { return solver.body_results(); });
+}
+ProgressState Simulation::progress() const {
+  return implementation_->read([](const auto& solver) { return solver.progress_state(); });
+}
+HistoryRow Simulation::history_row() const {
+  return implementation_->read([](const auto& solver) { return solver.history_row(); });
+}
+std::vector<std::string> Simulation::history_columns() const {
+  return implementation_->read([](const auto& solver) { return solver.more_columns(); });
+}
+RunSummary Simulation::summary() const {
+  const Threads threads(implementation_->options.threads);
+  RunSummary summary;
+  summary.wall_seconds = implementation_->wall_seconds;
+  implementation_->read([&summary](const auto& solver) { solver.fill_summary(summary); });
+  return summary;
+}
+std::uint64_t Simulation::state_hash() const {
+  return implementation_->read([](const auto& solver) { return solver.state_hash(); });
+}
+FieldSnapshot Simulation::snapshot() const {
+  return implementation_->read([](const auto& solver) { return solver.snapshot(); });
+}
+
+void Simulation::persist(StateArchive& archive) {
+  implementation_->change([&archive](auto& solver) { solver.persist(archive); });
+  if (archive.reads()) implementation_->complete = false;
+}
+std::uint64_t Simulation::fingerprint() const {
+  return implementation_->read([](const auto& solver) { return solver.fingerprint(); });
+}
+int Simulation::simd_width() const {
+  return implementation_->read([](const auto& solver) { return solver.model().elements.width; });
+}
+
+}  // namespace pinball

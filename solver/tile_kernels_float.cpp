@@ -1,7 +1,0 @@
-#include <pinball/solver/tile_kernels_instances.hpp>
-
-namespace pinball {
-
-template TileKernel<float> choose_tile_kernel<float>(const ElementFeatures&);
-
-}  // namespace pinball

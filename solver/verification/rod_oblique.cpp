@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "verification.hpp"
+
+/// The report's problem 4, an oblique rod: what is left of it.
+namespace pinball {
+
+namespace {
+
+struct Outcome {
+  double balance_error = 0;   ///< largest
+  double momentum_drift = 0;  ///< along the plane of symmetry, relative
+  double mass_left = 0;       ///< of the rod, relative
+};
+
+Outcome run_rod(const Scene& scene) {
+  Solver<double> solver(scene);
+  const Point before = solver.momentum();
+  Outcome result;
+  run_to_end(solver, [&] { result.balance_error = std::max(result.balance_error, std::abs(solver.balance_error())); });
+  const Point after = solver.momentum();
+  const double scale = std::hypot(before[0], before[2]);
+  result.momentum_drift = std::max(std::abs(after[0] - before[0]), std::abs(after[2] - before[2])) / scale;
+  const BodyResult rod = solver.history_row().bodies[0];
+  result.mass_left = rod.mass_remaining / rod.mass_initial;
+  return result;
+}
+
+}  // namespace
+
+std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
+  const Outcome penalty = run_rod(scene);
+  Scene old = scene;
+  old.contact.method = ContactMethod::slideline;
+  old.contact.enforcement = Enforcement::projection;
+  const Outcome slideline = run_rod(old);
+  // The shot is little above the ballistic limit, and round-off decides which elements erode: one run says little
+  // about the mass that is left, runs that differ in the length of the step alone have their mean.
+  Outcome lagrange;
+  const std::vector<std::string> cfl{"0.90", "0.89", "0.88"};
+  for (const std::string& fraction : cfl) {
+    SceneOverrides finer;
+    finer.set = {"contact.enforcement=lagrange", "time.cfl=" + fraction};
+    finer.refine = 2;
+    const Outcome one = run_rod(read_scene(scene.path, finer));
+    lagrange.balance_error = std::max(lagrange.balance_error, one.balance_error);
+    lagrange.momentum_drift = std::max(lagrange.momentum_drift, one.momentum_drift);
+    lagrange.mass_left += one.mass_left / static_cast<double>(cfl.size());
+  }
+  return {
+      compare_with_zero("penalty: drift of momentum", penalty.momentum_drift, 1e-10, "conservation"),
+      compare_with_zero("penalty: largest error of the energy balance", penalty.balance_error, 1e-2, "conservation"),
+      compare_with_zero("slideline, projection: drift of momentum", slideline.momentum_drift, 1e-10, "conservation"),
+      compare_with_zero("slideline, projection: largest error of the energy balance", slideline.balance_error, 1e-3,
+                        "conservation"),
+      compare_with_zero("lagrange, --refine 2: drift of momentum", lagrange.momentum_drift, 1e-10, "conservation"),
+      compare_with_zero("lagrange, --refine 2: largest error of the energy balance", lagrange.balance_error, 1e-3,
+                        "conservation"),
+      // Ten points. Single runs leave 36 to 53 %, that of the scene as it stands 53 %: README, the oblique rod.
+      compare("lagrange, --refine 2: mass of the rod left / initial, mean of three", lagrange.mass_left, 0.42,
+              0.10 / 0.42, "report, problem 4"),
+  };
+}
+
+}  // namespace pinball

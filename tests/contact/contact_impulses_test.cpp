@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/verification/verification.hpp>
+
+#include "impact_case.hpp"
+
+/// Contact by impulses (projection, Lagrange multiplier) of whole bodies, through the solver.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+struct Variant {
+  Enforcement enforcement;
+  ContactGap gap;
+};
+
+class ContactByImpulses : public testing::TestWithParam<Variant> {
+ protected:
+  Scene impulses(Scene scene) const {
+    scene.contact.enforcement = GetParam().enforcement;
+    scene.contact.gap = GetParam().gap;
+    return scene;
+  }
+  /// A little more than the distance of two flat faces, over the size of their elements, at which contact begins.
+  double just_apart() const { return GetParam().gap == ContactGap::face ? 0.01 : 1.01 * touching_gap; }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, ContactByImpulses,
+                         testing::Values(Variant{Enforcement::projection, ContactGap::face},
+                                         Variant{Enforcement::projection, ContactGap::pinball},
+                                         Variant{Enforcement::lagrange, ContactGap::face},
+                                         Variant{Enforcement::lagrange, ContactGap::pinball}),
+                         [](const auto& test) {
+                           return std::string(enforcement_name(test.param.enforcement)) +
+                                  (test.param.gap == ContactGap::face ? "_face" : "_pinball");
+                         });
+
+TEST_P(ContactByImpulses, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
+  Solver<double> solver(impulses(head_on_impact(just_apart())));
+  double worst = 0;
+  run_to_end(solver, [&] {
+    worst = std::max(worst, std::abs(solver.balance_error()));
+    for (const double p : solver.momentum()) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
+  });
+  // What the impulses take out is counted exactly; what remains is that of the elements.
+  EXPECT_LT(worst, 2e-3);
+  EXPECT_GT(solver.energies().contact_damped, 0);
+  // Not above the speed of approach. The impulses of balls move whole elements at once: so few elements keep less of
+  // it.
+  EXPECT_LT(velocity_of_body(solver, 0)[2], GetParam().gap == ContactGap::face ? -7 : -4);
+  EXPECT_GT(velocity_of_body(solver, 0)[2], -10);
+  EXPECT_NEAR(velocity_of_body(solver, 0)[2], -velocity_of_body(solver, 1)[2], 1e-9);
+}
+
+TEST_P(ContactByImpulses, ObliqueImpactsKeepMomentumAndEnergy) {
+  const auto with = [this](const Scene& scene) { return impulses(scene); };
+  expect_oblique_impacts_conserve(with, 0.01, [](const Solver<double>& solver, double /*energy*/) {
+    EXPECT_GT(solver.energies().contact_damped, 0) << "they are to touch";
+  });
+}
+
+TEST_P(ContactByImpulses, BodiesAtRestStayAtRest) {
+  const double h = 0.1;
+  Solver<double> solver(
+      impulses(scene_of({block("a", {2, 2, 2}, h, {0, 0, 0}), block("b", {3, 3, 1}, 0.07, {0.01, 0.02, 0.2})}, 1e-4)));
+  run_to_end(solver);
+  EXPECT_EQ(kinetic_energy(solver), 0);
+}
+
+TEST_P(ContactByImpulses, StaysWithinAPlaneOfSymmetry) {
+  // An impact beside the plane y = 0, whose nodes have no mobility along y.
+  const double h = 0.1;
+  Scene scene = impulses(scene_of(
+      {block("a", {4, 2, 2}, h, {0, 0, 0}), block("b", {2, 2, 2}, h, {0.05, 0, (2 + just_apart()) * h}, {0, 5, -50})},
+      3e-4));
+  scene.constraints.push_back({{0, 0, 0}, {0, 1, 0}, ""});
+  Solver<double> solver(scene);
+  run_to_end(solver);
+  EXPECT_GT(solver.energies().contact_damped, 0);
+  EXPECT_LT(std::abs(solver.balance_error()), 0.01);
+  const ModelMesh& mesh = solver.model().mesh;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    if (mesh.nodes[n][1] == 0) {
+      EXPECT_EQ(position_of(solver, n)[1], 0);
+    }
+  }
+}
+
+TEST(ContactImpulses, FacesStayApartByTheirOwnGap) {
+  // A block thrown flat onto a wider one of another mesh, between planes of symmetry all around: the faces touch, and
+  // not the balls that stick out of them.
+  const double h = 0.1;
+  Scene scene =
+      scene_of({block("a", {4, 4, 4}, h, {0, 0, 0}), block("b", {3, 3, 3}, 0.4 / 3, {0, 0, 0.402}, {0, 0, -20})}, 3e-4);
+  scene.contact.gap = ContactGap::face;
+  for (const Enforcement enforcement : {Enforcement::projection, Enforcement::lagrange}) {
+    scene.contact.enforcement = enforcement;
+    Solver<double> solver(scene);
+    double least = 1, when_pressed = 1;
+    run_to_end(solver, [&] {
+      double top = 0, bottom = 0;
+      int tops = 0, bottoms = 0;
+      const ModelMesh& mesh = solver.model().mesh;
+      for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+        const double z = position_of(solver, n)[2];
+        if (mesh.body_of_node[n] == 0 && mesh.nodes[n][2] > 0.399) top += z, ++tops;
+        if (mesh.body_of_node[n] == 1 && mesh.nodes[n][2] < 0.403) bottom += z, ++bottoms;
+      }
+      least = std::min(least, bottom / bottoms - top / tops);
+      if (solver.energies().contact_damped > 0) when_pressed = std::min(when_pressed, bottom / bottoms - top / tops);
+    });
+    EXPECT_GT(least, -0.01 * h);
+    EXPECT_LT(when_pressed, 0.01 * h);
+  }
+}
+
+}  // namespace
+}  // namespace pinball

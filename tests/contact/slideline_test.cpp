@@ -1,0 +1,381 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <solver/contact/slideline/slideline_search.hpp>
+#include <solver/contact/slideline/slideline_surface.hpp>
+#include <solver/elements/internal_forces.hpp>
+#include <solver/verification/verification.hpp>
+
+#include "impact_case.hpp"
+
+/// Contact of slave nodes with master segments, through the solver and piece by piece.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+class Slideline : public testing::TestWithParam<Enforcement> {
+ protected:
+  Scene slideline(Scene scene) const {
+    scene.contact.method = ContactMethod::slideline;
+    scene.contact.enforcement = GetParam();
+    return scene;
+  }
+  bool penalty() const { return GetParam() == Enforcement::penalty; }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Slideline,
+                         testing::Values(Enforcement::penalty, Enforcement::projection, Enforcement::lagrange),
+                         [](const auto& test) { return std::string(enforcement_name(test.param)); });
+
+TEST_P(Slideline, HeadOnImpactKeepsMomentumAndClosesItsBalance) {
+  const Scene scene = slideline(head_on_impact(0.01));
+  Solver<double> solver(scene);
+  EXPECT_STREQ(solver.contact()->name(), "slideline");
+  double worst = 0;
+  run_to_end(solver, [&] {
+    worst = std::max(worst, std::abs(solver.balance_error()));
+    for (const double p : solver.momentum()) ASSERT_NEAR(p, 0, 1e-12 * 7850 * 0.027 * 10);
+  });
+  if (penalty()) {
+    // The first and the last force of a spring work over whole steps, of which it touches for a part.
+    Scene fine = scene;
+    fine.time.cfl = 0.1;
+    Solver<double> fine_solver(fine);
+    double fine_worst = 0;
+    run_to_end(fine_solver, [&] { fine_worst = std::max(fine_worst, std::abs(fine_solver.balance_error())); });
+    EXPECT_LT(fine_worst, 1e-2);  // the damping begins at once: first order
+    EXPECT_LT(fine_worst, 0.2 * worst);
+  } else {
+    EXPECT_LT(worst, 2e-3);
+  }
+  EXPECT_LT(velocity_of_body(solver, 0)[2], -7);
+  EXPECT_GT(velocity_of_body(solver, 0)[2], -10);
+  EXPECT_NEAR(velocity_of_body(solver, 0)[2], -velocity_of_body(solver, 1)[2], 1e-9);
+}
+
+TEST_P(Slideline, ObliqueImpactsKeepMomentumAndEnergy) {
+  const auto with = [this](const Scene& scene) { return slideline(scene); };
+  expect_oblique_impacts_conserve(with, 0.01, [](const Solver<double>& solver, double energy) {
+    EXPECT_GT(std::abs(solver.energies().contact_damped), 1e-6 * energy) << "they are to touch";
+    EXPECT_EQ(solver.contact_pairs(), 0) << "they separate";
+  });
+}
+
+TEST_P(Slideline, ImpactsAreTheSameFarFromTheOrigin) {
+  const auto rebound = [this](const Point& place) {
+    Scene scene = slideline(head_on_impact(0.01));
+    for (Body& body : scene.bodies) {
+      for (std::size_t k = 0; k < 3; ++k) body.position[k] += place[k];
+    }
+    Solver<double> solver(scene);
+    run_to_end(solver);
+    return velocity_of_body(solver, 1)[2];
+  };
+  const double here = rebound({0, 0, 0});
+  EXPECT_NEAR(rebound({123.4567, 98.76, 45.67}), here, 1e-3 * here);
+}
+
+TEST_P(Slideline, BodiesThatTouchAtRestStayAtRest) {
+  Scene scene =
+      slideline(scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}), block("b", {2, 2, 2}, 0.15, {0, 0, 0.3})}, 1e-3));
+  Solver<double> solver(scene);
+  run_to_end(solver);
+  EXPECT_EQ(kinetic_energy(solver), 0);
+}
+
+TEST_P(Slideline, APlateOneElementThickIsHitFromBothSides) {
+  const auto plate_velocity = [&](double sign) {
+    Solver<double> solver(slideline(impact_on_plate(sign, 0.01)));
+    run_to_end(solver);
+    EXPECT_LT(std::abs(solver.balance_error()), 0.03);
+    EXPECT_GT(sign * (velocity_of_body(solver, 1)[2] - velocity_of_body(solver, 0)[2]), 0) << "they separate";
+    return velocity_of_body(solver, 0)[2];
+  };
+  const double from_above = plate_velocity(1), from_below = plate_velocity(-1);
+  EXPECT_LT(from_above, -1);
+  // Nodes on the common edge of two segments belong to one of them, which round-off decides.
+  EXPECT_NEAR(from_below, -from_above, 0.01 * from_below);
+}
+
+TEST_P(Slideline, ABodyStopsAtTheSurfaceThatErosionHasExposed) {
+  const double h = impact_h;
+  Solver<double> solver(slideline(impact_on_eroding_target(0.5)));
+  solver.step();
+  EXPECT_EQ(solver.contact()->surface_elements(), 64 - 8 + 8);
+  erode_upper_layer(solver);
+  const Point before = solver.momentum();
+  solver.step();
+  EXPECT_EQ(solver.eroded_elements(), 16);
+  EXPECT_EQ(solver.contact()->surface_elements(), 48 - 4 + 8);
+  double lowest = 1;
+  run_to_end(solver, [&] {
+    for (std::size_t n = 125; n < 125 + 9; ++n) lowest = std::min(lowest, position_of(solver, n)[2]);
+  });
+  EXPECT_GT(lowest, 2.8 * h) << "stopped by the layer below";
+  EXPECT_LT(lowest, 3.2 * h) << "not by the nodes of what has eroded";
+  EXPECT_GT(velocity_of_body(solver, 1)[2], velocity_of_body(solver, 0)[2]);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(solver.momentum()[k], before[k], 1e-9 * std::abs(before[2]));
+}
+
+TEST_P(Slideline, ListsLastOverErosionsAndMissNothing) {
+  const double h = 0.1;
+  Scene scene = slideline(scene_of(
+      {block("plate", {8, 8, 3}, h, {0, 0, 0}), block("rod", {2, 2, 8}, h, {0.27, 0.31, 3.1 * h}, {300, 0, -2000})},
+      4e-4));
+  scene.materials = {plastic_material("steel", 1e9, 0.6)};
+  const auto outcome = [&](bool keep_lists, std::int64_t& searches, std::int64_t& erosions) {
+    scene.skip.contact_search = keep_lists;
+    Solver<double> solver(scene);
+    std::int64_t eroded = 0;
+    run_to_end(solver, [&] {
+      erosions += solver.eroded_elements() != eroded;
+      eroded = solver.eroded_elements();
+    });
+    searches = solver.contact()->searches();
+    return solver.state_hash();
+  };
+  std::int64_t searches = 0, erosions = 0, searches_each_step = 0, erosions_each_step = 0;
+  const std::uint64_t kept = outcome(true, searches, erosions);
+  EXPECT_EQ(outcome(false, searches_each_step, erosions_each_step), kept);
+  EXPECT_GT(erosions, 20) << "steps in which elements erode";
+  EXPECT_EQ(erosions, erosions_each_step);
+  EXPECT_LT(searches, erosions);
+}
+
+/// A block is pressed on a held one of another mesh and slides over it for three of its elements. Returns how much its
+/// height varies, over the size of an element.
+double bumps(Scene scene) {
+  const double h = 0.1;
+  scene.bodies = {block("floor", {16, 6, 1}, h, {-0.3, -0.3, -h}),
+                  block("slider", {3, 3, 2}, 0.8 * h, {-0.12, -0.12, 0}, {100, 0, 0})};
+  FixedConstraint floor;
+  floor.nodes.body = "floor";
+  floor.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.fixed_constraints = {floor};
+  NodalLoad load;
+  load.nodes.body = "slider";
+  load.force = {0, 0, -2e5};
+  scene.loads = {load};
+  scene.damping.mass = 500;
+  scene.time.end = 5e-3;
+  Solver<double> solver(scene);
+  double low = 1, high = -1;
+  run_to_end(solver, [&] {
+    if (solver.time() < 2e-3) return;  // it has come to rest in height
+    double sum = 0;
+    int count = 0;
+    const ModelMesh& mesh = solver.model().mesh;
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      if (mesh.body_of_node[n] == 1) sum += position_of(solver, n)[2], ++count;
+    }
+    low = std::min(low, sum / count);
+    high = std::max(high, sum / count);
+  });
+  return (high - low) / h;
+}
+
+TEST_P(Slideline, SlidesSmoothlyOverAFlatSurface) {
+  // What balls cannot do: the report says that their surface is bumpy.
+  const double slideline_bumps = bumps(slideline(scene_of({}, 1)));
+  EXPECT_LT(slideline_bumps, 2e-3);
+  if (penalty()) {
+    EXPECT_GT(bumps(scene_of({}, 1)), 10 * slideline_bumps);
+  }
+}
+
+TEST_P(Slideline, ANodeThatSlidesOverAnEdgeIsFree) {
+  // A block moves along the top of another until it hangs over its edge: nothing may hold it back.
+  const double h = 0.1;
+  Scene scene = slideline(
+      scene_of({block("a", {3, 3, 3}, h, {0, 0, 0}), block("b", {2, 2, 2}, h, {0.05, 0.05, 0.3}, {150, 0, -2})}, 3e-3));
+  Solver<double> solver(scene);
+  const double before = velocity_of_body(solver, 1)[0];
+  run_to_end(solver);
+  EXPECT_GT(position_of(solver, 64)[0], 0.4) << "it is to have left";
+  EXPECT_NEAR(velocity_of_body(solver, 1)[0], before, 0.01 * before);
+}
+
+TEST(SlidelineSurface, CountsSegmentsAndSharesOfSlaves) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1);
+  const Model<double> model = build_model<double>(scene);
+  const SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  EXPECT_EQ(surface.segments().size(), 24);
+  EXPECT_EQ(surface.slaves().size(), 26);
+  double share = 0, stiffness = 0;
+  for (const auto& slave : surface.slaves()) {
+    share += slave.share;
+    stiffness += slave.stiffness;
+    EXPECT_NEAR(slave.radius, 0.1 * std::cbrt(3 / (4 * M_PI)), 1e-15);
+  }
+  EXPECT_NEAR(share, 24, 1e-13);
+  EXPECT_NEAR(stiffness, 24 * model.scene.materials[0].bulk_modulus * 0.1, 1e-3);  // K A^2 / V = K h
+}
+
+/// A block whose elements erode at a plastic strain of 1.
+Model<double> eroding_block() {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0})}, 1);
+  scene.materials = {plastic_material("steel", 1e9, 1.0)};
+  return build_model<double>(scene);
+}
+
+/// In the middle of the upper face of the block, and the one behind it: they share one face.
+constexpr std::size_t upper = 22, centre = 13;
+
+bool erode(Model<double>& model, SlidelineSurface<double>& surface, std::size_t element) {
+  model.elements.mass[static_cast<std::size_t>(model.slot_of_element[element])] = 0;
+  std::vector<TileResult<double>> tiles(static_cast<std::size_t>(model.tile_count()));
+  for (TileResult<double>& tile : tiles) tile.eroded_count = 1;
+  return surface.remove_eroded(eroded_slots(model, tiles));
+}
+
+std::size_t active_segments(const SlidelineSurface<double>& surface) {
+  std::size_t count = 0;
+  for (std::size_t s = 0; s < surface.segments().size(); ++s) {
+    const double* plane = surface.plane().data() + 4 * s;
+    const bool active = surface.sphere()[4 * s + 3] > 0;
+    EXPECT_NEAR(std::hypot(plane[0], plane[1], plane[2]), active ? 1 : 0, 1e-12);
+    EXPECT_EQ(active, surface.exposed(surface.segments()[s].slot, surface.segments()[s].face));
+    count += active;
+  }
+  return count;
+}
+
+std::vector<SlidelineSurface<double>::Slave> active_slaves(const SlidelineSurface<double>& surface) {
+  std::vector<SlidelineSurface<double>::Slave> slaves;
+  for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
+    if (surface.active(i)) slaves.push_back(surface.slaves()[i]);
+  }
+  return slaves;
+}
+
+TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
+  Model<double> model = eroding_block();
+  for (const std::size_t e : {upper, centre}) {  // the strain of what lies inside does not count
+    model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.5;
+  }
+  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  EXPECT_EQ(surface.segments().size(), 54 + 5);
+  EXPECT_EQ(active_segments(surface), 54);
+  EXPECT_EQ(surface.slaves().size(), 56 + 4);
+  EXPECT_EQ(active_slaves(surface).size(), 56);
+  EXPECT_EQ(surface.topology().exposed_count(), 26);
+
+  EXPECT_TRUE(erode(model, surface, upper));
+  surface.update(ModelContact<double>(model));
+  EXPECT_TRUE(surface.complete());
+  EXPECT_TRUE(surface.changed());
+  EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
+  EXPECT_EQ(surface.topology().exposed_count(), 26);
+
+  // The slaves are those of a surface that is collected anew, to the last bit.
+  const auto before = active_slaves(surface);
+  EXPECT_EQ(before.size(), 60);
+  surface.collect(ModelContact<double>(model));
+  EXPECT_FALSE(surface.changed());
+  EXPECT_EQ(surface.segments().size(), 54 - 1 + 5 + 5) << "those behind the centre, but for the eroded one, wait now";
+  const auto after = active_slaves(surface);
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    EXPECT_EQ(after[i].node, before[i].node);
+    EXPECT_EQ(after[i].body, before[i].body);
+    EXPECT_EQ(after[i].share, before[i].share);
+    EXPECT_EQ(after[i].radius, before[i].radius);
+    EXPECT_EQ(after[i].stiffness, before[i].stiffness);
+  }
+}
+
+TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
+  Model<double> model = eroding_block();
+  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  EXPECT_EQ(surface.segments().size(), 54);
+  EXPECT_TRUE(surface.complete());
+  EXPECT_TRUE(erode(model, surface, upper));
+  EXPECT_FALSE(surface.complete());
+  surface.collect(ModelContact<double>(model));
+  surface.update(ModelContact<double>(model));
+  EXPECT_TRUE(surface.complete());
+  EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
+}
+
+TEST(SlidelineSurface, KeepsWhatListsAskForUpToDate) {
+  // Slave 0 is in the corner that three segments share, and lists the last segment.
+  Model<double> model = eroding_block();
+  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  std::vector<std::int64_t> first(surface.slaves().size() + 1, 1);
+  first[0] = 0;
+  const auto last = static_cast<std::int32_t>(surface.segments().size() - 1);
+  surface.choose(first, {last});
+  for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += 1;
+  const std::vector<double> before(surface.sphere().data(), surface.sphere().data() + surface.sphere().size());
+  surface.update(ModelContact<double>(model));
+  int around = 0, stale = 0;
+  for (std::size_t s = 0; s < surface.segments().size(); ++s) {
+    const auto& node = surface.segments()[s].node;
+    const bool of_slave = std::count(node, node + 4, surface.slaves()[0].node) > 0;
+    around += of_slave;
+    const double moved = surface.sphere()[4 * s] - before[4 * s];
+    if (of_slave || static_cast<std::int32_t>(s) == last) {
+      EXPECT_NEAR(moved, 1, 1e-12);
+    }
+    stale += moved == 0;
+  }
+  EXPECT_EQ(around, 3);
+  EXPECT_GT(stale, 0) << "no needless work";
+  EXPECT_GE(surface.chosen(), 4);
+  EXPECT_LT(surface.chosen(), 54);
+}
+
+TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const double dt = 1e-4;
+  // Squeezed, nodes come near segments of their own body too.
+  for (const auto& [speed, size] : {std::pair{0.0, 1.0}, {5.0, 1.0}, {50.0, 1.0}, {5.0, 0.4}}) {
+    Scene scene = scene_of(
+        {block("a", {4, 3, 2}, 0.1, {0, 0, 0}, {0, 0, speed}),
+         block("b", {3, 3, 3}, 0.07, {0.05, 0.1, 0.21}, {speed, 0, -speed}), block("c", {1, 1, 1}, 0.3, {-0.31, 0, 0})},
+        1);
+    Model<double> model = build_model<double>(scene);
+    AlignedArray<double>&x = model.nodes.position, &v = model.nodes.velocity;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] = size * (x[i] + 0.02 * uniform(generator));
+      v[i] += 0.3 * speed * uniform(generator);  // so that segments grow
+    }
+    SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+    SlidelineSearch<double> search(ModelContact<double>(model), surface);
+    search.count_step(dt);
+    search.build(ModelContact<double>(model), surface, 0.5);
+    std::int64_t near = 0, near_own = 0;
+    for (int step = 1; step < horizon_steps; ++step) {  // the last may be over by round-off
+      search.count_step(dt);
+      // Straight on, but for less than what every node may stray.
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += dt * v[i] + (step == 5 ? 0.0005 * uniform(generator) : 0);
+      surface.update(ModelContact<double>(model));
+      ASSERT_TRUE(search.holds(ModelContact<double>(model)));
+      for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
+        const auto& slave = surface.slaves()[i];
+        const double* p = x.data() + 4 * static_cast<std::int64_t>(slave.node);
+        const std::int32_t* first = search.candidates(i);
+        for (std::size_t s = 0; s < surface.segments().size(); ++s) {
+          if (!search.may_touch(slave, surface.segments()[s])) continue;
+          const double* sphere = surface.sphere().data() + 4 * s;
+          if (std::hypot(p[0] - sphere[0], p[1] - sphere[1], p[2] - sphere[2]) >= sphere[3]) continue;
+          ++near;
+          near_own += surface.segments()[s].body == slave.body;
+          EXPECT_EQ(std::count(first, first + search.count(i), static_cast<std::int32_t>(s)), 1);
+        }
+      }
+    }
+    EXPECT_GT(near, 1000);
+    EXPECT_EQ(near_own > 100, size < 1);
+    x[4] += 0.1;
+    EXPECT_FALSE(search.holds(ModelContact<double>(model)));
+  }
+}
+
+}  // namespace
+}  // namespace pinball

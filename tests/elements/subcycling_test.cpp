@@ -1,0 +1,243 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <solver/model/step_levels.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// Elements that make steps of their own: which, what is conserved, and that the answer stays the same.
+namespace pinball {
+namespace {
+
+using namespace test;
+using testing::Each;
+using testing::ElementsAre;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TEST(StepLevels, ArePowersOfTwoBelowTheStableStep) {
+  EXPECT_THAT(choose_levels({{1, 100}, {2, 100}, {3, 100}, {4.5, 100}, {70, 100}}, 0), ElementsAre(0, 1, 1, 2, 6));
+  EXPECT_THAT(choose_levels({{1, 10}, {8, 100, 2}}, 0), ElementsAre(0, 2));
+}
+
+TEST(StepLevels, ASmallerSmallestStepMayLetManyElementsOnToTheNextLevel) {
+  const std::vector<StepGroup> groups = {{1, 10}, {7.9, 1000}};
+  EXPECT_THAT(choose_levels(groups, 0), ElementsAre(0, 3));
+  EXPECT_DOUBLE_EQ(smallest_step(groups, {0, 3}), 7.9 / 8);
+  EXPECT_DOUBLE_EQ(work_per_time(groups, {0, 3}, 5), (5 + 10 + 1000 / 8.0) / (7.9 / 8));
+}
+
+TEST(StepLevels, AreLowerWhereEachStepCostsMuch) {
+  EXPECT_THAT(choose_levels({{1, 10}, {1.3, 10}}, 1000), ElementsAre(0, 0));
+}
+
+TEST(StepLevels, GroupsWithoutElementsLimitNothing) {
+  EXPECT_THAT(choose_levels({{infinite, 0}, {4, 10}, {8, 10}}, 0)[2], 1);
+  EXPECT_THAT(choose_levels({{infinite, 0}}, 0), ElementsAre(0));
+}
+
+/// A bar of cubes of size 1 along x with a thin section in its middle.
+Scene bar_with_thin_section(double end, int across = 2) {
+  constexpr int along = 12, thin = 8;
+  Body bar = block("bar", {2 * along + thin, across, across}, 1, {0, 0, 0});
+  auto& mesh = std::get<BlockMesh>(bar.mesh);
+  mesh.size[0] = 2 * along + 1;
+  mesh.sections[0] = {{static_cast<double>(along), along}, {1, thin}, {static_cast<double>(along), along}};
+  Scene scene = scene_of({bar}, end, false);
+  scene.time.subcycling = true;
+  return scene;
+}
+
+TEST(StepLevels, AnElementAtASmallOneMakesItsStep) {
+  const Scene scene = bar_with_thin_section(1);
+  const ElementLevels levels = element_step_levels(scene, build_mesh(scene));
+  for (int x = 0; x < 32; ++x) {
+    const auto e = static_cast<std::size_t>(x);
+    const bool thin = x >= 12 && x < 20;
+    EXPECT_EQ(levels.own[e] == 0, thin) << x;
+    EXPECT_EQ(levels.level[e] == 0, x >= 11 && x < 21) << x;
+    EXPECT_LE(levels.level[e], levels.own[e]);
+  }
+}
+
+TEST(StepLevels, TheStableStepIsTheOneOfTheKernel) {
+  Scene scene = bar_with_thin_section(1);
+  scene.time.subcycling = false;
+  scene.time.cfl = 1;
+  Solver<double> solver(scene);
+  solver.step();
+  const double thin = element_stable_step(solver.model().mesh, 15, scene.materials[0]);
+  EXPECT_NEAR(solver.dt() / thin, 1, 1e-4);  // the end of time is divided into equal steps
+}
+
+/// Free, elastic, without viscosity, spinning and shaken: nothing takes energy out.
+Scene shaken_bar(double steps_of_cubes) {
+  Scene scene = bar_with_thin_section(1);
+  scene.bodies[0].angular_velocity = {3, -5, 20};
+  scene.bodies[0].velocity = {10, -20, 30};
+  scene.bodies[0].velocity_noise = 1;
+  scene.element.hourglass = HourglassControl::stiffness;
+  scene.time.end = steps_of_cubes * 1e-4;
+  return scene;
+}
+
+TEST(Subcycling, LeavesElementsOut) {
+  Solver<double> solver(shaken_bar(50));
+  ASSERT_NE(solver.subcycling(), nullptr);
+  EXPECT_THAT(solver.subcycling()->elements_of_levels(), ElementsAre(40, 0, 88));
+  run(solver);
+  RunSummary summary;
+  solver.fill_summary(summary);
+  EXPECT_EQ(summary.steps % 4, 0);
+  EXPECT_EQ(summary.element_steps_subcycled, summary.steps / 4 * 3 * 88);
+  EXPECT_EQ(summary.element_steps + summary.element_steps_subcycled, summary.steps * 128);
+  EXPECT_GT(summary.skipped_seconds.subcycling, 0);
+  EXPECT_NEAR(solver.time(), solver.model().scene.time.end, 1e-12 * solver.time());
+}
+
+TEST(Subcycling, ConservesMomentumAndAngularMomentum) {
+  Solver<double> solver(shaken_bar(200));
+  const Point before = solver.momentum(), spin = angular_momentum(solver);
+  run(solver);
+  EXPECT_GT(solver.steps(), 1000);
+  const Point after = solver.momentum(), spin_after = angular_momentum(solver);
+  const double scale = std::hypot(before[0], before[1], before[2]);
+  const double spin_scale = std::hypot(spin[0], spin[1], spin[2]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(after[k], before[k], 1e-12 * scale);
+    // Of the smaller steps in the middle of which a velocity is known, nothing remains when the last one ends.
+    EXPECT_NEAR(spin_after[k], spin[k], 1e-11 * spin_scale);
+  }
+}
+
+TEST(Subcycling, KeepsTheEnergyOfALongRun) {
+  Solver<double> solver(shaken_bar(1500));
+  double early = 0, late = 0;
+  const double initial = [&] {
+    solver.step();
+    return solver.initial_energy();
+  }();
+  ASSERT_GT(initial, 0);
+  while (!solver.at_end()) {
+    solver.step();
+    double& largest = solver.time() < 0.1 * solver.model().scene.time.end ? early : late;
+    largest = std::max(largest, std::abs(solver.balance_error()));
+  }
+  EXPECT_LT(early, 0.01);
+  EXPECT_LT(late, 2 * early + 1e-6);  // strays, but does not drift
+}
+
+TEST(Subcycling, UniformMotionStaysExact) {
+  Scene scene = bar_with_thin_section(1e-2);
+  scene.bodies[0].velocity = {0.1, -0.7, 0.3};
+  Solver<double> solver(scene);
+  run(solver);
+  for (std::size_t e = 0; e < 128; ++e) EXPECT_THAT(stress_of(solver, e), Each(0.0)) << e;
+  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+    EXPECT_EQ(velocity_of(solver, n), scene.bodies[0].velocity);
+  }
+}
+
+TEST(Subcycling, ChangesNothingWhereAllElementsAreAlike) {
+  Scene scene = scene_of({block("block", {6, 6, 6}, 0.1, {0, 0, 0})}, 2e-4, false);
+  scene.bodies[0].velocity_noise = 5;
+  Solver<double> without(scene);
+  scene.time.subcycling = true;
+  Solver<double> with(scene);
+  run(without);
+  run(with);
+  EXPECT_EQ(with.steps(), without.steps());
+  EXPECT_EQ(with.state_hash(), without.state_hash());
+}
+
+TEST(Subcycling, SameBitsForAnyNumberOfThreads) {
+  std::uint64_t hash = 0;
+  for (const int threads : {1, 2, 3, 8}) {
+    DefaultExecutionSpace::set_concurrency(threads);
+    Solver<double> solver(shaken_bar(30));
+    run(solver);
+    DefaultExecutionSpace::set_concurrency(1);
+    if (threads == 1) hash = solver.state_hash();
+    EXPECT_EQ(solver.state_hash(), hash) << threads;
+  }
+}
+
+/// Mean distance of two runs' velocities over that of one of them from zero.
+double distance(const Solver<double>& a, const Solver<double>& b) {
+  double difference = 0, size = 0;
+  for (std::size_t n = 0; n < a.model().mesh.nodes.size(); ++n) {
+    const Point u = velocity_of(a, n), v = velocity_of(b, n);
+    for (std::size_t k = 0; k < 3; ++k) {
+      difference += std::abs(u[k] - v[k]);
+      size += std::abs(v[k]);
+    }
+  }
+  return difference / size;
+}
+
+TEST(Subcycling, ComesToTheSameAnswer) {
+  // A long wave that runs once through the bar: converges with the square of the step.
+  std::vector<double> distances;
+  for (const double cfl : {0.4, 0.2}) {
+    Scene scene = bar_with_thin_section(5e-3);
+    scene.bodies[0].velocity_gradient[0][0] = 1;
+    scene.time.cfl = cfl;
+    Solver<double> with(scene);
+    scene.time.subcycling = false;
+    Solver<double> without(scene);
+    run(with);
+    run(without);
+    distances.push_back(distance(with, without));
+  }
+  EXPECT_LT(distances[0], 0.02);
+  EXPECT_LT(distances[1], 0.3 * distances[0]);
+}
+
+TEST(Subcycling, GoesWithContact) {
+  // The surface makes the smallest step: nine of 25 elements across are behind it.
+  Scene scene = bar_with_thin_section(2e-3, 5);
+  scene.bodies.push_back(block("anvil", {2, 5, 5}, 1, {25 + touching_gap, 0, 0}, {-20, 0, 0}));
+  scene.contact.method = ContactMethod::pinball;
+  Solver<double> solver(scene);
+  EXPECT_THAT(solver.subcycling()->elements_of_levels(), ElementsAre(32 * 25 + 50 - 20 * 9, 0, 20 * 9));
+  const Point before = solver.momentum();
+  run(solver);
+  RunSummary summary;
+  solver.fill_summary(summary);
+  EXPECT_GT(summary.pairs_max, 0);
+  EXPECT_GT(summary.element_steps_subcycled, 0);
+  EXPECT_NEAR(solver.momentum()[0], before[0], 1e-12 * std::abs(before[0]));
+  EXPECT_LT(summary.balance_error_max, 0.03);
+}
+
+TEST(Subcycling, ContactLimitsTheStepsOfElementsAtTheSurfaceAlone) {
+  Scene scene = bar_with_thin_section(1, 5);
+  scene.contact.method = ContactMethod::pinball;
+  const Model<double> model = build_model<double>(scene);
+  const Subcycling<double> subcycling(model, false);
+  std::vector<TileResult<double>> tiles(static_cast<std::size_t>(model.tile_count()));
+  for (std::size_t t = 0; t < tiles.size(); ++t) tiles[t].time_step = std::ldexp(1.0, model.tile_levels[t].highest);
+  EXPECT_DOUBLE_EQ(subcycling.stable_step(tiles, 0).step, 1);
+  // Of the surface 2 / sqrt(4/1 + w^2). Elements behind it would allow less with the same w: 2 / sqrt(4/4^2 + w^2) / 4.
+  EXPECT_DOUBLE_EQ(subcycling.stable_step(tiles, 0.25).step, 2 / std::sqrt(4.25));
+}
+
+TEST(Subcycling, GoesWithErosion) {
+  Scene scene = bar_with_thin_section(4e-3);
+  scene.materials = {plastic_material("steel", 1e8, 0.02)};
+  scene.bodies[0].velocity_gradient[0][0] = 20;  // torn apart
+  Solver<double> solver(scene);
+  run(solver);
+  RunSummary summary;
+  solver.fill_summary(summary);
+  EXPECT_GT(summary.bodies[0].eroded_elements, 0);
+  EXPECT_GT(summary.element_steps_subcycled, 0);
+  EXPECT_EQ(summary.element_steps + summary.element_steps_subcycled + summary.element_steps_eroded,
+            summary.steps * 128);
+  EXPECT_LT(summary.balance_error_max, 0.02);
+}
+
+}  // namespace
+}  // namespace pinball

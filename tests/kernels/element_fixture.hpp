@@ -1,0 +1,240 @@
+#pragma once
+
+#include <kernels/element_update.hpp>
+#include <tests/support/support.hpp>
+
+/// Elements and nodes in plain double precision, and one step of the element kernel over them in any number type.
+namespace pinball::support {
+
+struct ElementState {
+  double mass = 0;
+  Symmetric<double> stress{0, 0, 0, 0, 0, 0};
+  double plastic_strain = 0;
+  std::array<Vec3<double>, 4> hourglass_force{};
+  double viscous_stress = 0;
+  double internal_energy = 0;
+};
+
+struct ElementScene {
+  std::vector<Vec3<double>> position, velocity;
+  std::vector<std::array<std::int32_t, 8>> corner;
+  std::vector<ElementState> element;
+  ElementConstants<double> constants{};
+  double dt = 0.01;
+  double padding = std::numeric_limits<double>::quiet_NaN();  ///< what the state of padding elements holds
+
+  void add(const Corners& x, const Corners& v, const ElementState& state) {
+    std::array<std::int32_t, 8> nodes;
+    for (std::size_t i = 0; i < 8; ++i) {
+      nodes[i] = static_cast<std::int32_t>(position.size());
+      position.push_back(x[i]);
+      velocity.push_back(v[i]);
+    }
+    corner.push_back(nodes);
+    element.push_back(state);
+  }
+};
+
+struct ElementOutcome {
+  std::vector<ElementState> element;
+  std::vector<Vec3<double>> force;
+  double internal = 0, hourglass = 0, viscous = 0, eroded = 0, time_step = 0;
+  int smallest_element = 0, eroded_count = 0, inverted_count = 0;
+};
+
+/// Lambda 150, mu 80, density 3, elastic unless changed; no viscosity.
+inline ElementConstants<double> element_constants() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ElementConstants<double> c{};
+  c.material = {150, 80, infinity, 10, infinity, infinity, 3, std::sqrt(310.0 / 3)};
+  return c;
+}
+
+template <class S>
+ElementConstants<S> converted(const ElementConstants<double>& c) {
+  const MaterialConstants<double>& m = c.material;
+  return {{S(m.lambda), S(m.mu), S(m.yield_stress), S(m.plastic_modulus), S(m.ultimate_stress), S(m.erosion_strain),
+           S(m.density), S(m.sound_speed)},
+          S(c.hourglass_coefficient),
+          S(c.linear_viscosity),
+          S(c.quadratic_viscosity),
+          c.erode_negative_volume,
+          assumed_strain_moduli(S(m.lambda), S(m.mu), S(c.hourglass_coefficient))};
+}
+
+template <class T, ElementFeatures features>
+ElementOutcome advance(const ElementScene& scene) {
+  using S = ScalarOf<T>;
+  constexpr std::size_t W = width_of<T>;
+  const std::size_t count = scene.element.size(), packs = (count + W - 1) / W;
+
+  // Store: entry c of element e at [(e / W) N + c] W + e % W; padding repeats the nodes of element 0 with mass 0.
+  AlignedVector<S> position, velocity, force(4 * scene.position.size(), S(0));
+  for (std::size_t n = 0; n < scene.position.size(); ++n) {
+    for (const double c : {scene.position[n].x, scene.position[n].y, scene.position[n].z, 1e30}) {
+      position.push_back(S(c));
+    }
+    for (const double c : {scene.velocity[n].x, scene.velocity[n].y, scene.velocity[n].z, 1e30}) {
+      velocity.push_back(S(c));
+    }
+  }
+  const S padding(scene.padding);
+  AlignedVector<std::int32_t> corner(8 * packs * W);
+  AlignedVector<S> mass(packs * W, S(0)), stress(6 * packs * W, padding), plastic_strain(packs * W, padding);
+  AlignedVector<S> hourglass(12 * packs * W, padding), viscous(packs * W, padding), energy(packs * W, padding);
+  const auto place = [](std::size_t e, std::size_t c, std::size_t n) { return ((e / W) * n + c) * W + e % W; };
+  for (std::size_t e = 0; e < packs * W; ++e) {
+    const std::size_t real = e < count ? e : 0;
+    for (std::size_t i = 0; i < 8; ++i) corner[place(e, i, 8)] = scene.corner[real][i];
+    if (e >= count) continue;
+    const ElementState& s = scene.element[e];
+    mass[e] = S(s.mass), plastic_strain[e] = S(s.plastic_strain);
+    viscous[e] = S(s.viscous_stress), energy[e] = S(s.internal_energy);
+    const double components[6] = {s.stress.xx, s.stress.yy, s.stress.zz, s.stress.xy, s.stress.yz, s.stress.zx};
+    for (std::size_t c = 0; c < 6; ++c) stress[place(e, c, 6)] = S(components[c]);
+    for (std::size_t a = 0; a < 4; ++a) {
+      hourglass[place(e, 3 * a, 12)] = S(s.hourglass_force[a].x);
+      hourglass[place(e, 3 * a + 1, 12)] = S(s.hourglass_force[a].y);
+      hourglass[place(e, 3 * a + 2, 12)] = S(s.hourglass_force[a].z);
+    }
+  }
+
+  const ElementView<S> elements{corner.data(),    mass.data(),    stress.data(), plastic_strain.data(),
+                                hourglass.data(), viscous.data(), energy.data()};
+  const NodeView<S> nodes{position.data(), velocity.data(), force.data()};
+  ElementSums<T> sums;
+  for (std::size_t p = 0; p < packs; ++p) {
+    update_element_pack<T, features>(elements, nodes, converted<S>(scene.constants), ElementStep<S>{S(scene.dt)},
+                                     std::int64_t(p), int(p), sums);
+  }
+
+  ElementOutcome out;
+  for (std::size_t e = 0; e < packs * W; ++e) {
+    if (e >= count) {
+      EXPECT_EQ(mass[e], S(0)) << "padding became an element";
+      continue;
+    }
+    ElementState s;
+    s.mass = mass[e], s.plastic_strain = plastic_strain[e], s.viscous_stress = viscous[e];
+    s.internal_energy = energy[e];
+    s.stress = {stress[place(e, 0, 6)], stress[place(e, 1, 6)], stress[place(e, 2, 6)],
+                stress[place(e, 3, 6)], stress[place(e, 4, 6)], stress[place(e, 5, 6)]};
+    for (std::size_t a = 0; a < 4; ++a) {
+      s.hourglass_force[a] = {hourglass[place(e, 3 * a, 12)], hourglass[place(e, 3 * a + 1, 12)],
+                              hourglass[place(e, 3 * a + 2, 12)]};
+    }
+    out.element.push_back(s);
+  }
+  for (std::size_t n = 0; n < scene.position.size(); ++n) {
+    out.force.push_back({force[4 * n], force[4 * n + 1], force[4 * n + 2]});
+    EXPECT_EQ(force[4 * n + 3], S(0));
+  }
+  out.internal = lane_sum(sums.internal), out.hourglass = lane_sum(sums.hourglass);
+  out.viscous = lane_sum(sums.viscous), out.eroded = lane_sum(sums.eroded);
+  out.time_step = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < int(W); ++i) {
+    const double rate = lane(sums.stable_rate, i);
+    if (2 / rate < out.time_step) {
+      out.time_step = 2 / rate;
+      out.smallest_element = int(lane(sums.stable_rate_pack, i)) * int(W) + i;
+    }
+  }
+  out.eroded_count = sums.eroded_count, out.inverted_count = sums.inverted_count;
+  return out;
+}
+
+/// 27 elements that share nodes, jittered, with random velocities and states; some erode, one is eroded already; and an
+/// inverted element by itself. 28 elements leave padding in every pack of 8 and 16.
+inline ElementScene random_element_scene() {
+  Random random(121);
+  ElementScene scene;
+  constexpr int n = 3, m = n + 1;
+  for (int k = 0; k < m; ++k) {
+    for (int j = 0; j < m; ++j) {
+      for (int i = 0; i < m; ++i) {
+        scene.position.push_back(Vec3<double>{double(i), double(j), double(k)} + random_vector(random, 0.15));
+        scene.velocity.push_back(random_vector(random));
+      }
+    }
+  }
+  const auto random_state = [&random] {
+    ElementState s;
+    s.mass = uniform(random, 2, 4);
+    s.stress = random_symmetric(random, 3);
+    s.plastic_strain = uniform(random, 0, 0.1);
+    for (Vec3<double>& q : s.hourglass_force) q = random_vector(random, 0.5);
+    s.viscous_stress = uniform(random, -1, 1);
+    s.internal_energy = uniform(random, 0, 2);
+    return s;
+  };
+  for (int k = 0; k < n; ++k) {
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        std::array<std::int32_t, 8> nodes;
+        for (std::size_t c = 0; c < 8; ++c) {
+          nodes[c] = (i + (parent[c][0] > 0)) + m * ((j + (parent[c][1] > 0)) + m * (k + (parent[c][2] > 0)));
+        }
+        scene.corner.push_back(nodes);
+        scene.element.push_back(random_state());
+      }
+    }
+  }
+  for (const std::size_t e : {3, 4, 17}) scene.element[e].plastic_strain = 2;  // will erode
+  scene.element[9] = {};                                                       // eroded already
+  Corners inverted = box(1, 1, 1), velocity;
+  for (std::size_t i = 0; i < 4; ++i) std::swap(inverted[i], inverted[i + 4]);
+  for (Vec3<double>& v : velocity) v = random_vector(random);
+  for (Vec3<double>& x : inverted) x = x + Vec3<double>{10, 0, 0};
+  scene.add(inverted, velocity, random_state());
+
+  scene.constants = element_constants();
+  scene.constants.material.yield_stress = 4;
+  scene.constants.material.ultimate_stress = 4.5;
+  scene.constants.material.erosion_strain = 1;
+  scene.constants.hourglass_coefficient = 0.05;
+  scene.constants.linear_viscosity = 0.06;
+  scene.constants.quadratic_viscosity = 1.2;
+  scene.constants.erode_negative_volume = true;
+  scene.dt = 0.01;
+  return scene;
+}
+
+/// compare: which arrays the features keep; the others are left as they were.
+inline void expect_equal(const ElementOutcome& found, const ElementOutcome& expected, ElementFeatures compare,
+                         double tolerance) {
+  ASSERT_EQ(found.element.size(), expected.element.size());
+  for (std::size_t e = 0; e < expected.element.size(); ++e) {
+    SCOPED_TRACE(e);
+    const ElementState &a = found.element[e], &b = expected.element[e];
+    EXPECT_NEAR(a.mass, b.mass, tolerance);
+    EXPECT_EQ(a.mass == 0, b.mass == 0);
+    EXPECT_SYMMETRIC_NEAR(a.stress, b.stress, 10 * tolerance);
+    if (compare.plastic) {
+      EXPECT_NEAR(a.plastic_strain, b.plastic_strain, tolerance);
+    }
+    if (compare.erosion) {
+      EXPECT_NEAR(a.internal_energy, b.internal_energy, 10 * tolerance);
+    }
+    if (compare.bulk_viscosity) {
+      EXPECT_NEAR(a.viscous_stress, b.viscous_stress, 10 * tolerance);
+    }
+    for (std::size_t m = 0; m < 4; ++m) {
+      if (keeps_hourglass_force(compare.hourglass)) {
+        EXPECT_VECTOR_NEAR(a.hourglass_force[m], b.hourglass_force[m], tolerance);
+      }
+    }
+  }
+  for (std::size_t n = 0; n < expected.force.size(); ++n) {
+    EXPECT_VECTOR_NEAR(found.force[n], expected.force[n], 20 * tolerance);
+  }
+  EXPECT_NEAR(found.internal, expected.internal, 20 * tolerance);
+  EXPECT_NEAR(found.hourglass, expected.hourglass, 20 * tolerance);
+  EXPECT_NEAR(found.viscous, expected.viscous, 20 * tolerance);
+  EXPECT_NEAR(found.eroded, expected.eroded, 20 * tolerance);
+  EXPECT_NEAR(found.time_step, expected.time_step, tolerance);
+  EXPECT_EQ(found.smallest_element, expected.smallest_element);
+  EXPECT_EQ(found.eroded_count, expected.eroded_count);
+  EXPECT_EQ(found.inverted_count, expected.inverted_count);
+}
+
+}  // namespace pinball::support

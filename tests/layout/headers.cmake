@@ -1,0 +1,50 @@
+# Every header compiles alone and without a warning (included twice: its guard works).
+set(sources)
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
+     ${PROJECT_SOURCE_DIR}/kernels/*.hpp ${PROJECT_SOURCE_DIR}/solver/*.hpp)
+foreach(header ${headers})
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/headers/${header}.cpp)
+  set(line "#include <${header}>\n")
+  file(CONFIGURE OUTPUT ${source} CONTENT "${line}${line}" @ONLY)
+  list(APPEND sources ${source})
+endforeach()
+add_library(headers_compile_alone OBJECT ${sources})
+target_link_libraries(headers_compile_alone PRIVATE Pinball::kernels fmt::fmt PkgConfig::tomlplusplus nlohmann_json::nlohmann_json
+                      pinball_warnings pinball_codegen)
+target_compile_options(headers_compile_alone PRIVATE -Werror)
+# Nearly all headers end up reading this one, which takes four fifths of the time. What it includes itself, <functional>
+# above all, is not missed where a header forgets it; the rest and our own headers are.
+target_precompile_headers(headers_compile_alone PRIVATE <experimental/simd>)
+
+# All public headers by the paths that hosts use, with nothing else of the tree in reach.
+get_property(headers GLOBAL PROPERTY pinball_public_headers)
+list(TRANSFORM headers REPLACE "^${PROJECT_SOURCE_DIR}/(.*)$" "#include <pinball/\\1>")
+list(JOIN headers "\n" lines)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/headers/hosts.cpp CONTENT
+     "${lines}\n#include <pinball/contact/contact.h>\n#include <pinball/contact/embedded_contact.hpp>\n#include <pinball/version.h>\n" @ONLY)
+add_library(public_headers_compile_for_hosts OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers/hosts.cpp)
+target_link_libraries(public_headers_compile_for_hosts PRIVATE Pinball::solver pinball_codegen)
+
+# The C interface as C, by a compiler that knows no later C.
+enable_language(C)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/headers/contact.c CONTENT
+     "#include <pinball/contact/contact.h>\n#include <pinball/contact/contact.h>\n#include <pinball/version.h>\n" @ONLY)
+add_library(contact_header_compiles_as_c OBJECT ${CMAKE_CURRENT_BINARY_DIR}/headers/contact.c)
+target_include_directories(contact_header_compiles_as_c PRIVATE ${pinball_host_include})
+target_compile_options(contact_header_compiles_as_c PRIVATE -std=c99 -Wall -Wextra -Wpedantic -Werror)
+
+# Includes go down from room to room; the test plants others, which have to be found.
+add_test(NAME rooms COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/rooms_test.py)
+
+# The kernels as device code, where a compiler for it is found.
+find_package(CUDAToolkit QUIET)
+if(CUDAToolkit_NVCC_EXECUTABLE)
+  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/kernels/*.hpp)
+  list(TRANSFORM headers PREPEND "#include <")
+  list(JOIN headers ">\n" all_headers)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/device/kernel_headers.hpp CONTENT "${all_headers}>\n" @ONLY)
+  add_test(NAME kernels_compile_with_nvcc
+    COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -ccbin ${CMAKE_CXX_COMPILER} -Werror all-warnings
+            -I${PROJECT_SOURCE_DIR} -I${CMAKE_CURRENT_BINARY_DIR}/device
+            -c ${CMAKE_CURRENT_SOURCE_DIR}/kernels/kernels_on_device.cu -o ${CMAKE_CURRENT_BINARY_DIR}/device/kernels.o)
+endif()

@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include <solver/base/faces.hpp>
+#include <solver/mesh/generators.hpp>
+#include <solver/mesh/gmsh_reader.hpp>
+#include <solver/mesh/quality.hpp>
+#include <solver/model/model.hpp>
+#include <tests/support/scene_fixture.hpp>
+
+/// tests/data/two_volumes_*.msh: "left part", two hexahedra in x = 0 ... 2, and "right", two prisms in x = 2 ... 3;
+/// with a point and a surface, numbers with gaps and, in format 4.1, nodes with parametric coordinates.
+namespace pinball {
+namespace {
+
+std::string text_of(const std::string& version) {
+  std::ifstream file(PINBALL_SOURCE_DIR "/tests/data/two_volumes_" + version + ".msh");
+  std::ostringstream text;
+  text << file.rdbuf();
+  EXPECT_FALSE(text.str().empty());
+  return text.str();
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string error_of(const std::string& text, const std::string& physical = "") {
+  try {
+    parse_gmsh(text, "a.msh", physical);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class Gmsh : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Formats, Gmsh, testing::Values("22", "41"),
+                         [](const auto& format) { return "Format" + format.param; });
+
+TEST_P(Gmsh, ReadsHexahedraAndPrisms) {
+  const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", "");
+  EXPECT_EQ(mesh.hexahedra.size(), 4u);
+  EXPECT_EQ(mesh.nodes.size(), 16u);
+  const MeshQuality quality = measure_quality(mesh);
+  EXPECT_NEAR(quality.volume, 1.5, 1e-14);
+  EXPECT_EQ(quality.inverted, 0);
+  const auto neighbours = face_neighbours(mesh.hexahedra);
+  int exposed = 0;
+  for (const auto& element : neighbours) exposed += static_cast<int>(std::count(element.begin(), element.end(), -1));
+  EXPECT_EQ(exposed, 5 + 4 + (5 - 2) + (5 - 1));
+}
+
+TEST_P(Gmsh, TakesThePhysicalVolumeAsked) {
+  const Mesh left = parse_gmsh(text_of(GetParam()), "a.msh", "left part");
+  EXPECT_EQ(left.hexahedra.size(), 2u);
+  EXPECT_EQ(left.nodes.size(), 12u);
+  EXPECT_NEAR(measure_quality(left).volume, 1.0, 1e-14);
+  const Mesh right = parse_gmsh(text_of(GetParam()), "a.msh", "right");
+  EXPECT_EQ(right.hexahedra.size(), 2u);
+  EXPECT_EQ(right.nodes.size(), 8u);
+  EXPECT_NEAR(measure_quality(right).volume, 0.5, 1e-14);
+  for (const auto& prism : right.hexahedra) {
+    EXPECT_EQ(prism[2], prism[3]);
+    EXPECT_EQ(prism[6], prism[7]);
+  }
+}
+
+TEST_P(Gmsh, BothFormatsHoldTheSamePoints) {
+  const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", ""), other = parse_gmsh(text_of("22"), "a.msh", "");
+  for (std::size_t e = 0; e < 4; ++e)
+    for (std::size_t i = 0; i < 8; ++i)
+      EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[e][i])],
+                other.nodes[static_cast<std::size_t>(other.hexahedra[e][i])]);
+}
+
+TEST_P(Gmsh, EveryFileCutShortIsAnError) {
+  const std::string text = text_of(GetParam());
+  const std::size_t whole = text.find_last_not_of('\n') + 1;
+  for (std::size_t length = 0; length < whole; ++length)
+    EXPECT_NE(error_of(text.substr(0, length)), "no error") << length;
+  EXPECT_EQ(error_of(text.substr(0, whole)), "no error");
+}
+
+TEST_P(Gmsh, DamagedFilesNeverCrash) {
+  const std::string text = text_of(GetParam());
+  std::mt19937 random(3);
+  const std::string alphabet = "0123456789 -.e$\"\nEN\xff";
+  int refused = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::string damaged = text;
+    for (unsigned k = random() % 3 + 1; k > 0; --k)
+      damaged[random() % text.size()] = alphabet[random() % alphabet.size()];
+    if (trial % 3 == 0) damaged.erase(random() % text.size(), random() % 20);
+    refused += error_of(damaged, trial % 2 ? "right" : "") != "no error";
+  }
+  EXPECT_GT(refused, 10000);
+}
+
+TEST_P(Gmsh, NamesAreNamedWhereTheyAreNotFound) {
+  const std::string text = text_of(GetParam());
+  EXPECT_EQ(error_of(text, "lefd part"), "a.msh: no physical volume is named \"lefd part\": nearest is \"left part\"");
+  EXPECT_EQ(error_of(text, "clamped end"),
+            "a.msh: no physical volume is named \"clamped end\": it is a group of surfaces, curves or points; nearest "
+            "is \"left part\"");
+  EXPECT_EQ(error_of(replaced(replaced(text, "3 1 \"left", "2 1 \"left"), "3 2 \"right", "2 2 \"right"), "left"),
+            "a.msh: no physical volume is named \"left\": it has none with a name");
+}
+
+TEST_P(Gmsh, OtherVersionsAndBinaryFilesAreRefused) {
+  const std::string text = text_of(GetParam()), version = GetParam() == "22" ? "2.2" : "4.1";
+  EXPECT_EQ(error_of(replaced(text, version + " 0", "4 0")),
+            "a.msh:2: expected format 2.2 or 4.1 (gmsh -format msh41 or msh22 writes them), got \"4\"");
+  EXPECT_EQ(error_of(replaced(text, " 0 8", " 1 8")),
+            "a.msh:2: expected 0 for a text file (gmsh writes one with Mesh.Binary = 0), got \"1\"");
+  EXPECT_EQ(error_of("solid x\n"), "a.msh:1: expected $MeshFormat, got \"solid\"");
+  EXPECT_EQ(error_of(""), "a.msh:1: expected $MeshFormat, got the end of the file");
+}
+
+TEST_P(Gmsh, LineEndsOfWindowsAndOtherSectionsDoNotMatter) {
+  std::string text = text_of(GetParam()), windows;
+  text += "$Periodic\n0\n$EndPeriodic\n";
+  for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(parse_gmsh(windows, "a.msh", "right").nodes, parse_gmsh(text_of(GetParam()), "a.msh", "right").nodes);
+  EXPECT_EQ(error_of(text_of(GetParam()) + "$Periodic\n0\n"),
+            "a.msh:" + std::to_string(std::count(text.begin(), text.end(), '\n')) +
+                ": expected $EndPeriodic, got the end of the file");
+}
+
+TEST_P(Gmsh, ReadsWhatGmshWrites) {  // see tests/data/wedge.geo
+  const Mesh mesh = read_gmsh(PINBALL_SOURCE_DIR "/tests/data/wedge_" + GetParam() + ".msh", "wedge");
+  EXPECT_EQ(mesh.hexahedra.size(), 12u);
+  EXPECT_EQ(mesh.nodes.size(), 36u);
+  const MeshQuality quality = measure_quality(mesh);
+  EXPECT_NEAR(quality.volume, 1.0, 1e-12);  // half of 2 x 2 sin(30 degrees), times a height of 1
+  EXPECT_EQ(quality.inverted, 0);
+  int prisms = 0;
+  for (const auto& element : face_neighbours(mesh.hexahedra))
+    prisms += static_cast<int>(std::count(element.begin(), element.end(), collapsed_face));
+  EXPECT_EQ(prisms, 3);
+}
+
+TEST(GmshFormat22, NamesTheLineOfABadElement) {
+  const std::string text = text_of("22");
+  EXPECT_EQ(error_of(replaced(text, "5 6 2 2 2 90 ", "5 6 2 2 2 33 ")),
+            "a.msh:35: expected nodes of the file, got 33, which is not there");
+  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 4 2 2 2")),
+            "a.msh:36: expected 8-node hexahedra (type 5) or 6-node prisms (type 6), got 4-node tetrahedra (type 4)");
+  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 4 2 2 2"), "left part"), "no error");  // not of this volume
+  EXPECT_EQ(error_of(replaced(text, "\n2 1 0 0\n", "\n2 1 nan 0\n")),
+            "a.msh:13: expected a coordinate of node 2, got \"nan\"");
+  EXPECT_EQ(error_of(replaced(text, "\n3 1 1 0\n", "\n2 1 1 0\n")),
+            "a.msh:14: expected a node of its own, got \"2 again\"");
+}
+
+TEST(GmshFormat22, ElementsOfSeveralGroupsAreTakenOnce) {
+  std::string text = replaced(text_of("22"), "$Elements\n6", "$Elements\n7");
+  const auto begin = text.find("\n4 5 2 1 1 ") + 1;
+  std::string twice = text.substr(begin, text.find('\n', begin) + 1 - begin);
+  twice = replaced(twice, "4 5 2 1 1 ", "7 5 2 2 1 ");
+  text.insert(text.find("$EndElements"), twice);
+  EXPECT_EQ(parse_gmsh(text, "a.msh", "").hexahedra.size(), 4u);
+  EXPECT_EQ(parse_gmsh(text, "a.msh", "left part").hexahedra.size(), 2u);
+  EXPECT_EQ(parse_gmsh(text, "a.msh", "right").hexahedra.size(), 3u);
+}
+
+TEST(GmshFormat41, CountsMustAgree) {
+  EXPECT_THAT(error_of(replaced(text_of("41"), "4 16 1", "4 17 1")),
+              testing::HasSubstr("expected 17 nodes in the blocks, got \"16\""));
+  EXPECT_THAT(error_of(replaced(text_of("41"), "4 6 1 6\n0 1 15 1", "3 6 1 6\n0 1 15 1")),
+              testing::HasSubstr("expected $EndElements, got \"3\""));
+}
+
+TEST(GmshMesh, WithoutVolumesIsAnError) {
+  const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+  EXPECT_EQ(error_of(head), "a.msh:4: expected a section $Nodes, got the end of the file");
+  EXPECT_EQ(error_of(head + "$Nodes\n0\n$EndNodes\n"),
+            "a.msh:7: expected a section $Elements, got the end of the file");
+  EXPECT_EQ(error_of(head + "$Nodes\n0\n$EndNodes\n$Elements\n0\n$EndElements"),
+            "a.msh: expected hexahedra or prisms, got none");
+}
+
+class GmshScene : public SceneTest {
+ protected:
+  void write(const std::string& text) { std::ofstream(folder_ / "part.msh") << text; }
+  std::vector<std::string> scene(const std::string& more = "") {
+    return with(14, "mesh = { type = \"gmsh\", file = \"part.msh\"" + more + " }");
+  }
+};
+
+TEST_F(GmshScene, FindsTheFileBesideTheScene) {
+  write(text_of("41"));
+  const Scene scene = read(this->scene(", physical = \"right\", scale = 2"));
+  EXPECT_NEAR(measure_quality(generate(scene.bodies[0].mesh)).volume, 4.0, 1e-13);
+  EXPECT_EQ(build_mesh(scene).hexahedra.size(), 2u);
+}
+
+TEST_F(GmshScene, SaysWhatIsWrong) {
+  EXPECT_EQ(error(scene()),
+            "14:32: body.bar.mesh.file: expected a Gmsh file, there is no " + (folder_ / "part.msh").string());
+  write(text_of("41"));
+  EXPECT_THAT(error(scene(), {.refine = 2}), testing::HasSubstr("--refine 2: expected 1, a mesh from a file"));
+  EXPECT_THAT(error(scene(", scale = 0")), testing::HasSubstr("mesh.scale: expected a number > 0, got 0"));
+}
+
+TEST_F(GmshScene, AFlatOrInvertedElementIsRefused) {
+  const auto build_error = [this](const std::string& text) -> std::string {
+    write(text);
+    try {
+      build_mesh(read(scene(", physical = \"right\"")));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const std::string text = text_of("22");
+  EXPECT_EQ(build_error(text), "no error");
+  // The last prism is from (3, 0), (3, 1), (2, 1): with (3, 1) moved onto the line of the others it is flat.
+  std::string flat = replaced(text, " 3 1 0\n", " 2.5 0.5 0\n");
+  EXPECT_THAT(build_error(replaced(flat, " 3 1 0.5\n", " 2.5 0.5 0.5\n")),
+              testing::HasSubstr("body bar: element 1 is inverted or flat: its volume is"));
+  flat = replaced(text, " 3 1 0\n", " 2.2 0.2 0\n");
+  EXPECT_THAT(build_error(replaced(flat, " 3 1 0.5\n", " 2.2 0.2 0.5\n")),
+              testing::HasSubstr("body bar: element 1 is inverted or flat: its volume is -"));
+}
+
+}  // namespace
+}  // namespace pinball

@@ -1,0 +1,319 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <vector>
+
+#include <solver/base/error.hpp>
+#include <solver/output/checkpoint.hpp>
+#include <tests/support/output_case.hpp>
+#include <tests/support/program.hpp>
+
+/// Checkpoints of the program: what a restart gives, what is refused, and what a killed or failed run leaves.
+namespace pinball {
+namespace {
+
+using test::content;
+using test::Finished;
+using test::run;
+using testing::HasSubstr;
+
+class Checkpoints : public testing::Test {
+ protected:
+  /// Runs and expects it to end well.
+  static void expect_done(const std::string& arguments) {
+    const Finished f = run("run --quiet " + arguments);
+    EXPECT_EQ(f.status, 0) << arguments << '\n' << f.text;
+  }
+  static void expect_refused(const std::string& arguments, const std::string& message) {
+    const Finished f = run("run --quiet " + arguments);
+    EXPECT_EQ(f.status, 2) << arguments << '\n' << f.text;
+    EXPECT_THAT(f.text, HasSubstr(message));
+  }
+  /// summary.json but for times, threads and the memory that arrays happened to take.
+  static std::string result(const std::string& folder) {
+    auto json = nlohmann::json::parse(content(folder + "/summary.json"));
+    for (const char* key : {"wall_seconds", "phase_seconds", "element_steps_per_second", "skipped_seconds", "threads",
+                            "bytes_per_element"}) {
+      json.erase(key);
+    }
+    return json.dump(1);
+  }
+  static void expect_same_results(const std::string& folder, const std::string& other) {
+    EXPECT_EQ(result(folder), result(other));
+    for (const char* name : {"/history.csv", "/fields.pvd"}) EXPECT_EQ(content(folder + name), content(other + name));
+  }
+  static bool exists(const std::string& path) { return std::filesystem::exists(path); }
+  /// The same scene stopped early: a checkpoint of its middle.
+  void leave_checkpoint(const std::string& scene, int steps) {
+    expect_done(scene + " --checkpoint-every 1000000 --set time.steps=" + std::to_string(steps) + " --out " + half_);
+  }
+
+  test::TemporaryFolder folder_{testing::UnitTest::GetInstance()->current_test_info()->name()};
+  std::string whole_ = folder_ / "whole", half_ = folder_ / "half", other_ = folder_ / "other";
+  std::string file_ = half_ + "/checkpoint.pinball";
+};
+
+TEST_F(Checkpoints, ARestartGoesOnInTheFolderOfItsCheckpoint) {
+  const std::string scene = "two_blocks --set output.field_interval=3e-5";
+  expect_done(scene + " --threads 2 --out " + whole_);
+  leave_checkpoint(scene, 25);
+  EXPECT_NE(content(half_ + "/history.csv"), content(whole_ + "/history.csv"));
+  expect_done("--restart " + file_ + " --threads 1 --set time.steps=-1");
+  expect_same_results(half_, whole_);
+  EXPECT_EQ(content(half_ + "/fields_0003.vtu"), content(whole_ + "/fields_0003.vtu"));
+  expect_done("--restart " + file_ + " --set time.steps=-1");  // once more: later rows and files are cut off
+  expect_same_results(half_, whole_);
+}
+
+TEST_F(Checkpoints, WritingThemChangesNothing) {
+  expect_done("two_blocks --out " + whole_);
+  expect_done("two_blocks --checkpoint-every 3 --out " + half_);
+  expect_same_results(half_, whole_);
+  expect_done("--restart " + file_);  // of the end: only what finishes the run is left
+  expect_same_results(half_, whole_);
+}
+
+TEST_F(Checkpoints, ARestartInAnotherFolderLeavesTheFirstAlone) {
+  expect_done("two_blocks --out " + whole_);
+  leave_checkpoint("two_blocks", 25);
+  const std::string history = content(half_ + "/history.csv");
+  expect_done("--restart " + file_ + " --set time.steps=-1 --out " + other_);
+  EXPECT_EQ(result(other_), result(whole_));
+  EXPECT_EQ(content(half_ + "/history.csv"), history);
+  const std::string rows = content(other_ + "/history.csv"), all = content(whole_ + "/history.csv");
+  const auto last_row = all.rfind('\n', all.size() - 2);
+  EXPECT_TRUE(rows.ends_with(all.substr(last_row)));
+  EXPECT_LT(rows.size(), all.size());
+}
+
+TEST_F(Checkpoints, ARestartNeedsNeitherTheSceneFileNorItsFolder) {
+  const std::string path = folder_ / "scene.toml";
+  std::filesystem::copy_file(std::string(PINBALL_SOURCE_DIR) + "/data/scenes/two_blocks.toml", path);
+  expect_done(path + " --set contact.beta=0.5 --refine 2 --out " + whole_);
+  leave_checkpoint(path + " --set contact.beta=0.5 --refine 2", 25);
+  std::filesystem::remove(path);
+  expect_done("--restart " + file_ + " --set time.steps=-1");
+  expect_same_results(half_, whole_);
+}
+
+TEST_F(Checkpoints, ARunCanBeMadeLonger) {
+  leave_checkpoint("two_blocks --set time.end=1e-4", 1000000);
+  expect_done("--restart " + file_ + " --set time.end=1.5e-4");
+  EXPECT_DOUBLE_EQ(nlohmann::json::parse(content(half_ + "/summary.json"))["end_time"].get<double>(), 1.5e-4);
+  expect_refused("--restart " + file_ + " --set time.end=0.5e-4", "time.end: expected at least");
+}
+
+TEST_F(Checkpoints, KeysThatTheStateDependsOnAreRefused) {
+  leave_checkpoint("two_blocks", 10);
+  for (const char* change : {"contact.beta=2", "variant=fast", "output=1", "element.negative_volume=erode"}) {
+    expect_refused("--restart " + file_ + " --set " + change, "with --restart expected time.end");
+  }
+  expect_refused("--restart " + file_ + " --set output.intervall=1", "nearest is output.interval");
+  expect_refused("--restart " + file_ + " --refine 2", "neither --refine");
+  expect_refused("two_blocks --restart " + file_, "expected no SCENE");
+  expect_refused("", "expected a SCENE");
+  expect_refused("two_blocks --checkpoint-every 0", "--checkpoint-every");
+  expect_refused("--restart " + file_ + "s", "no such file");
+  expect_refused("--restart " + half_, "got a folder");
+  expect_refused("--restart " + half_ + "/history.csv", "expected a checkpoint of pinball");
+}
+
+TEST_F(Checkpoints, AHistoryThatDoesNotBelongToTheCheckpointIsRefused) {
+  leave_checkpoint("two_blocks", 25);
+  std::ofstream(half_ + "/history.csv") << "# short\n";
+  expect_refused("--restart " + file_, "history.csv: expected the rows up to the time of the checkpoint");
+  expect_done("--restart " + file_ + " --out " + other_);
+}
+
+TEST_F(Checkpoints, AChangedMeshFileIsAnError) {
+  const std::string mesh = folder_ / "part.msh";
+  std::string text = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0 0 1
+6 1 0 1
+7 1 1 1
+8 0 1 1
+$EndNodes
+$Elements
+1
+1 5 2 0 1 1 2 3 4 5 6 7 8
+$EndElements
+)";
+  std::ofstream(mesh) << text;
+  std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
+[time]
+end = 1e-2
+[[material]]
+name = "steel"
+model = "elastic"
+density = 7850
+young_modulus = 2.1e11
+poisson_ratio = 0.3
+[[body]]
+name = "cube"
+material = "steel"
+velocity_noise = 1.0
+mesh = { type = "gmsh", file = "part.msh" }
+)";
+  leave_checkpoint(folder_ / "scene.toml", 5);
+  expect_done("--restart " + file_ + " --set time.steps=8");
+  text.replace(text.find("7 1 1 1"), 7, "7 1 1 2");
+  std::ofstream(mesh) << text;
+  expect_refused("--restart " + file_, "part.msh: is not what it was");
+}
+
+TEST_F(Checkpoints, DamagedFilesAreRefused) {
+  leave_checkpoint("two_blocks", 25);
+  const std::string whole = content(file_), damaged = folder_ / "damaged.pinball";
+  EXPECT_NO_THROW(read_checkpoint(file_));
+  const auto expect_error = [&](const std::string& bytes, const std::string& what) {
+    std::ofstream(damaged, std::ios::binary) << bytes;
+    EXPECT_THROW(read_checkpoint(damaged), InputError) << what;
+  };
+  std::mt19937 random(7);
+  for (std::size_t length = 0; length < 64; ++length) expect_error(whole.substr(0, length), std::to_string(length));
+  for (int i = 0; i < 100; ++i) {
+    const std::size_t length = random() % whole.size();
+    expect_error(whole.substr(0, length), "cut off at " + std::to_string(length));
+  }
+  for (int i = 0; i < 300; ++i) {
+    std::string bytes = whole;
+    const std::size_t place = i < 32 ? static_cast<std::size_t>(i) : random() % whole.size();
+    bytes[place] = static_cast<char>(bytes[place] ^ (1 << random() % 8));
+    expect_error(bytes, "flipped at " + std::to_string(place));
+  }
+  expect_error(whole + 'x', "longer");
+  expect_refused("--restart " + damaged, "damaged");
+}
+
+/// Starts the program; returns its process.
+pid_t start(const std::vector<std::string>& arguments) {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  std::vector<char*> argv{const_cast<char*>("pinball")};
+  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+  argv.push_back(nullptr);
+  ::execv(PINBALL_PROGRAM, argv.data());
+  ::_exit(127);
+}
+
+TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
+  const std::vector<std::string> scene{"run", "rod_plate", "--set", "time.end=16e-6", "--quiet", "--checkpoint-every"};
+  expect_done("rod_plate --set time.end=16e-6 --threads 2 --out " + whole_);
+  std::mt19937 random(3);
+  using Time = std::filesystem::file_time_type;
+  const auto written = [&] { return exists(file_) ? std::filesystem::last_write_time(file_) : Time{}; };
+  int kills = 0, restarts = 0;
+  for (bool done = false; !done;) {
+    std::vector<std::string> arguments = scene;
+    if (exists(file_)) {
+      ASSERT_NO_THROW(read_checkpoint(file_));
+      arguments = {"run", "--restart", file_, "--quiet", "--checkpoint-every"};
+      ++restarts;
+    }
+    const std::string threads = std::to_string(1 + random() % 2);
+    for (const std::string& more : {std::string("3"), std::string("--out"), half_, std::string("--threads"), threads}) {
+      arguments.push_back(more);
+    }
+    const Time before = written();
+    const pid_t child = start(arguments);
+    int status = 0;
+    bool ended = false;
+    const auto look = [&](int how) { ended = ended || ::waitpid(child, &status, how) == child; };
+    if (kills < 12) {
+      // However slow the machine is, each start gets as far as its first checkpoint.
+      for (; written() == before && !ended; look(WNOHANG)) ::usleep(500);
+      if (!ended) {
+        ::usleep(static_cast<useconds_t>(random() % 40000));
+        ::kill(child, SIGKILL);
+        ++kills;
+      }
+    }
+    look(0);
+    done = WIFEXITED(status);
+    if (done) {
+      EXPECT_EQ(WEXITSTATUS(status), 0);
+    }
+  }
+  EXPECT_GT(restarts, 3);
+  expect_same_results(half_, whole_);
+  EXPECT_FALSE(exists(file_ + ".part"));
+}
+
+/// A cube alone, whose steps are unstable above a cfl of 1.
+class FailedRuns : public Checkpoints {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
+[time]
+end = 1e-2
+cfl = 1.2
+[element]
+bulk_viscosity = false
+[[material]]
+name = "steel"
+model = "elastic"
+density = 7850
+young_modulus = 2.1e11
+poisson_ratio = 0.3
+[[body]]
+name = "cube"
+material = "steel"
+velocity_noise = 1.0
+mesh = { type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1] }
+)";
+  }
+  /// Expects a run to fail, and its last good state to go on with these changes.
+  void expect_failure(const std::string& arguments, const std::string& message, const std::string& changes) {
+    const Finished f = run("run --quiet " + (folder_ / "scene.toml") + ' ' + arguments + " --out " + half_);
+    EXPECT_EQ(f.status, 1) << f.text;
+    EXPECT_THAT(f.text, HasSubstr(message));
+    EXPECT_THAT(f.text, HasSubstr("in step"));
+    EXPECT_THAT(f.text, HasSubstr(": try "));
+    EXPECT_THAT(f.text, HasSubstr("last_good.vtu and, for --restart, in " + half_ + "/last_good.pinball"));
+    EXPECT_TRUE(exists(half_ + "/last_good.vtu"));
+    const std::string last_good = "--restart " + half_ + "/last_good.pinball ";
+    const Finished again = run("run --quiet " + last_good + "--out " + other_);  // the same bits, the same failure
+    EXPECT_EQ(again.status, 1) << again.text;
+    EXPECT_EQ(again.text.substr(0, again.text.find(';')), f.text.substr(0, f.text.find(';')));
+    expect_done(last_good + changes);
+    EXPECT_FALSE(exists(half_ + "/last_good.vtu"));
+  }
+};
+
+TEST_F(FailedRuns, EnergyBalance) { expect_failure("", "energy balance", "--set time.cfl=0.9"); }
+TEST_F(FailedRuns, NegativeVolume) {
+  expect_failure("--set guard.energy_error=1e30", "no volume", "--set time.steps=9");
+}
+TEST_F(FailedRuns, NotFinite) {
+  const std::string load = R"(
+[[load]]
+body = "cube"
+force = [1e308, 0, 0]
+times = [1e-3, 1.1e-3]
+factors = [0, 1e10]
+)";
+  std::ofstream(folder_ / "scene.toml", std::ios::app) << load;
+  expect_failure("--set time.cfl=0.5 --set output.interval=3e-4",
+                 "a node of element 0 of body cube has a velocity that is not finite", "--set time.end=0.95e-3");
+}
+TEST_F(FailedRuns, CollapsedStep) {
+  expect_failure("--set time.cfl=0.5 --set guard.time_step_collapse=1", "collapsed",
+                 "--set guard.time_step_collapse=0");
+}
+
+}  // namespace
+}  // namespace pinball

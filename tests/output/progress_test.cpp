@@ -1,0 +1,95 @@
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <solver/output/progress.hpp>
+#include <solver/results/units.hpp>
+
+namespace pinball {
+namespace {
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+std::string content(std::FILE* file) {
+  std::rewind(file);
+  std::string text;
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+  return text;
+}
+
+std::string run_of_1000_steps(const ProgressSettings& settings) {
+  const File file(std::tmpfile(), std::fclose);
+  Progress progress(settings, file.get());
+  for (int i = 1; i <= 1000; ++i) progress.update({i, 5.4e-5 * i / 1000, 5.4e-8, -1.25e-3, 1842});
+  progress.finish({1000, 5.4e-5, 5.4e-8, -1.25e-3, 1842});
+  return content(file.get());
+}
+
+TEST(Progress, WritesALineAtEveryTenthToALogFile) {
+  const std::string text = run_of_1000_steps({.end_time = 5.4e-5, .units = "in-lbf-s"});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+  EXPECT_THAT(text,
+              testing::StartsWith(" 10.0 %  time 5.4e-06 s  dt 5.4e-08 s  energy error -0.12 %  1842 elements  ETA "));
+  EXPECT_THAT(text, testing::HasSubstr("100.0 %  time 5.4e-05 s"));
+}
+
+TEST(Progress, CountsStepsWhereTheyEndTheRun) {
+  const std::string text = run_of_1000_steps({.end_time = 1.0, .steps = 1000, .units = "free units"});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+  EXPECT_THAT(text, testing::HasSubstr("time 5.4e-06  dt"));
+}
+
+TEST(Progress, IsQuietWhenAsked) { EXPECT_EQ(run_of_1000_steps({.end_time = 5.4e-5, .units = "", .quiet = true}), ""); }
+
+TEST(Progress, RewritesOneLineOnATerminal) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) GTEST_SKIP() << "no pseudo-terminal";
+  const File stream(fdopen(open(ptsname(terminal), O_RDWR | O_NOCTTY), "w"), std::fclose);
+  {
+    Progress progress({.end_time = 1.0, .units = "m-kg-s"}, stream.get());
+    for (int i = 1; i <= 1000; ++i) progress.update({i, i * 1e-4, 1e-4, 0.0, 8});  // too fast to be shown
+    std::this_thread::sleep_for(std::chrono::milliseconds(120));
+    progress.update({1001, 0.25, 1e-4, 0.0, 8});
+  }  // a run that fails here
+  char buffer[4096];
+  const auto length = read(terminal, buffer, sizeof buffer);
+  close(terminal);
+  ASSERT_GT(length, 0);
+  const std::string text(buffer, static_cast<std::size_t>(length));
+  EXPECT_THAT(text, testing::StartsWith("\r 25.0 %  time 0.25 s"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '%'), 2) << text;
+  EXPECT_EQ(text.back(), '\n');
+}
+
+TEST(Progress, NamesDurations) {
+  EXPECT_EQ(readable_duration(0.4), "0 s");
+  EXPECT_EQ(readable_duration(59.6), "1 min 00 s");
+  EXPECT_EQ(readable_duration(185.0), "3 min 05 s");
+  EXPECT_EQ(readable_duration(7800.0), "2 h 10 min");
+  EXPECT_EQ(readable_duration(std::numeric_limits<double>::quiet_NaN()), "?");
+}
+
+TEST(Units, AreDerivedFromForceOrMass) {
+  const Units force = parse_units("in-lbf-s");
+  EXPECT_EQ(force.stress, "lbf/in^2");
+  EXPECT_EQ(force.mass, "lbf s^2/in");
+  const Units mass = parse_units("m-kg-s");
+  EXPECT_EQ(mass.stress, "kg/(m s^2)");
+  EXPECT_EQ(mass.force, "kg m/s^2");
+  EXPECT_EQ(parse_units("kg-mm-ms").length, "mm");
+  EXPECT_EQ(parse_units("SI").time, "");
+  EXPECT_EQ(parse_units("in--s").time, "");
+  EXPECT_EQ(units_line(""), "units: not named");
+}
+
+}  // namespace
+}  // namespace pinball

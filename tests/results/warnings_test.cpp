@@ -1,0 +1,46 @@
+#include <gmock/gmock.h>
+
+#include <solver/results/warnings.hpp>
+
+namespace pinball {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+RunSummary sound() {
+  RunSummary s;
+  s.contact_method = "pinball";
+  s.balance_error_max = 0.1;
+  s.max_penetration_ratio = 0.25;
+  s.bodies.resize(2);
+  return s;
+}
+
+TEST(Doubts, ASoundRunHasNone) { EXPECT_THAT(doubts(sound()), IsEmpty()); }
+
+TEST(Doubts, EnergyBalance) {
+  RunSummary s = sound();
+  s.balance_error_max = 0.4;
+  EXPECT_THAT(doubts(s), ElementsAre(HasSubstr("off by up to 40 %: try a smaller time.cfl or contact.beta")));
+  s.contact_method = "none";
+  EXPECT_THAT(doubts(s), ElementsAre(testing::EndsWith("time.cfl")));
+}
+
+TEST(Doubts, PenetrationUnlessSomethingEroded) {
+  RunSummary s = sound();
+  s.max_penetration_ratio = 0.6;
+  EXPECT_THAT(doubts(s), ElementsAre(HasSubstr("into each other by up to 60 %")));
+  s.bodies[1].eroded_elements = 1;
+  EXPECT_THAT(doubts(s), IsEmpty());
+}
+
+TEST(Doubts, Overlap) {
+  RunSummary s = sound();
+  s.overlapping_bodies = "a and b";
+  EXPECT_THAT(doubts(s), ElementsAre(HasSubstr("bodies a and b overlap at the start")));
+}
+
+}  // namespace
+}  // namespace pinball

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/summary.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// A solver that goes on from the saved state of another one makes the same bits, with any number of threads.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+template <class S>
+void save(Solver<S>& solver, StateBytes& bytes) {
+  StateArchive::save(bytes, [&](StateArchive& archive) { solver.persist(archive); });
+}
+
+template <class S>
+void load(Solver<S>& solver, const StateBytes& bytes) {
+  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+  solver.persist(archive);
+  EXPECT_EQ(archive.left(), 0U);
+}
+
+/// What a run has come to, but for times, threads and the memory that arrays happened to take.
+template <class S>
+std::string outcome(Solver<S>& solver) {
+  while (!solver.at_end()) solver.step();
+  solver.finish();
+  RunSummary summary;
+  solver.fill_summary(summary);
+  summary.threads = 0;
+  summary.phases.clear();
+  summary.skipped_seconds = {};
+  summary.bytes_per_element = 0;
+  return summary_json(summary);
+}
+
+/// Saves before the first step and after parts of the run, and goes on from there in solvers of their own.
+template <class S>
+void expect_same_after_restart(const Scene& scene, const std::vector<double>& parts = {0, 0.35, 0.8}) {
+  DefaultExecutionSpace::set_concurrency(1);
+  Solver<S> whole(scene);
+  std::vector<StateBytes> states;
+  for (const double part : parts) {
+    while (whole.time() < part * scene.time.end && !whole.at_end()) whole.step();
+    ASSERT_FALSE(whole.at_end());
+    save(whole, states.emplace_back());
+  }
+  const FieldSnapshot there = whole.snapshot();
+  const std::string expected = outcome(whole);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    DefaultExecutionSpace::set_concurrency(static_cast<int>(1 + i));
+    Solver<S> rest(scene);
+    EXPECT_EQ(rest.fingerprint(), whole.fingerprint());
+    load(rest, states[i]);
+    if (i + 1 == states.size()) {  // the picture of a state is that of the run
+      const FieldSnapshot again = rest.snapshot();
+      EXPECT_EQ(again.position, there.position);
+      EXPECT_EQ(again.stress, there.stress);
+      EXPECT_EQ(again.contact_force, there.contact_force);
+      EXPECT_EQ(again.pinball_radius, there.pinball_radius);
+    }
+    EXPECT_EQ(outcome(rest), expected) << "from " << parts[i] << " of the run";
+  }
+  // A solver that has gone further goes back.
+  DefaultExecutionSpace::set_concurrency(1);
+  load(whole, states.back());
+  EXPECT_EQ(outcome(whole), expected);
+}
+
+Scene rod_plate() {
+  Scene scene = read_scene(find_scene("rod_plate"));
+  scene.time.end = 16e-6;  // late enough for the first elements to erode
+  return scene;
+}
+
+TEST(Restart, RodPlateWithErosion) {
+  const Scene scene = rod_plate();
+  expect_same_after_restart<double>(scene, {0.3, 0.75, 0.95});
+  Solver<double> solver(scene);
+  while (solver.time() < 0.95 * scene.time.end) solver.step();
+  EXPECT_GT(solver.eroded_elements(), 0) << "the test is to cover erosion before the state is saved";
+}
+
+TEST(Restart, RodPlateInFloatWithPresentRadii) {
+  Scene scene = rod_plate();
+  scene.contact.radius = ContactRadius::current;
+  expect_same_after_restart<float>(scene, {0.9});
+}
+
+TEST(Restart, RodPlateByImpulses) {
+  Scene scene = rod_plate();
+  scene.contact.gap = ContactGap::face;
+  scene.contact.enforcement = Enforcement::lagrange;
+  expect_same_after_restart<double>(scene, {0.9});
+}
+
+TEST(Restart, RodPlateBySlideline) {
+  Scene scene = rod_plate();
+  scene.contact.method = ContactMethod::slideline;
+  expect_same_after_restart<double>(scene, {0.5, 0.95});
+  scene.contact.enforcement = Enforcement::lagrange;
+  expect_same_after_restart<double>(scene, {0.9});
+}
+
+TEST(Restart, EveryKindOfBoundaryCondition) {
+  Scene scene = pressed_blocks(4e-4);
+  expect_same_after_restart<double>(scene);
+  scene.contact.enforcement = Enforcement::projection;
+  expect_same_after_restart<float>(scene, {0.5});
+}
+
+TEST(Restart, SphereAtAWall) {
+  Scene scene = read_scene(find_scene("sphere_wall"));
+  scene.time.end *= 0.05;
+  expect_same_after_restart<double>(scene);
+}
+
+TEST(Restart, TilesAtRest) {
+  Scene scene = scene_of({block("a", {4, 4, 200}, 0.1, {0, 0, 0})}, 1e-3, false);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.bodies[0].velocity = {0, 0, -10};
+  expect_same_after_restart<double>(scene);
+  Solver<double> solver(scene);
+  RunSummary summary;
+  run(solver);
+  solver.fill_summary(summary);
+  EXPECT_GT(summary.element_steps_resting, 0);
+}
+
+TEST(Restart, Subcycling) {
+  Scene scene = read_scene(find_scene("refined_layer"));
+  scene.time.end *= 0.1;
+  expect_same_after_restart<double>(scene, {0.5});
+}
+
+TEST(Restart, SubcyclingWithErosionAndContact) {
+  Body bar = block("bar", {32, 2, 2}, 1, {0, 0, 0}, {}, "soft");
+  auto& mesh = std::get<BlockMesh>(bar.mesh);
+  mesh.size[0] = 25;
+  mesh.sections[0] = {{12.0, 12}, {1, 8}, {12.0, 12}};
+  Scene scene = scene_of({bar, block("striker", {3, 2, 2}, 1, {-3.3, 0, 0}, {600, 0, 0}, "soft")}, 4e-3);
+  scene.materials = {plastic_material("soft", 2e8, 0.3)};
+  scene.time.subcycling = true;
+  expect_same_after_restart<double>(scene, {0.3, 0.7});
+}
+
+TEST(StateArchive, GivesBackWhatItTook) {
+  std::vector<std::pair<double, std::string>> pairs{{0.5, "half"}, {-1, ""}};
+  std::vector<std::string> texts{"a", "long text with\nbreaks"};
+  std::array<int, 3> numbers{1, 2, 3};
+  bool flag = true;
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { archive(pairs, texts, numbers, flag); });
+  auto expected = std::tuple(pairs, texts, numbers, flag);
+  decltype(expected) read;
+  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+  archive(std::get<0>(read), std::get<1>(read), std::get<2>(read), std::get<3>(read));
+  EXPECT_EQ(read, expected);
+  EXPECT_EQ(archive.left(), 0U);
+}
+
+TEST(StateArchive, RefusesSizesThatTheBytesCannotHold) {
+  std::vector<double> numbers{1, 2, 3};
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { archive(numbers); });
+  for (const std::uint64_t size : {std::uint64_t{4}, std::uint64_t{1} << 40, ~std::uint64_t{0}}) {
+    std::memcpy(bytes.data(), &size, sizeof size);
+    StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+    EXPECT_THROW(archive(numbers), InputError) << size;
+  }
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    StateArchive archive = StateArchive::reading({bytes.data(), length});
+    EXPECT_THROW(archive(numbers), InputError) << length;
+  }
+}
+
+TEST(StateArchive, RefusesTheStateOfAnotherMesh) {
+  Solver<double> two(scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1e-4));
+  Solver<double> three(scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0})}, 1e-4));
+  EXPECT_NE(two.fingerprint(), three.fingerprint());
+  StateBytes bytes;
+  save(two, bytes);
+  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+  EXPECT_THROW(three.persist(archive), InputError);
+}
+
+}  // namespace
+}  // namespace pinball
