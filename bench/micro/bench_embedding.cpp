@@ -106,7 +106,7 @@ void embedding(benchmark::State& state) {
   Solver<S> solver(scene);
   Model<S> model = build_model<S>(scene);  // where the state of the solver is worked on
   const HostMeshOf mesh(model);
-  const std::unique_ptr<Contact<S>> own = make_model_contact(model);
+  const std::unique_ptr<ContactAlgorithm<S>> own = make_model_contact(model);
   EmbeddedContact with_records = mesh.contact(model), with_vectors = mesh.contact(model);
   Interleaved vectors(model.node_mass.size());
   std::array<std::vector<double>, 3> seconds;
@@ -121,9 +121,9 @@ void embedding(benchmark::State& state) {
       const ModelContact<S> of_model(model);
       own->update_surface(of_model, eroded_slots(model, no_erosion));
       own->search(of_model);
-      ContactResult result = own->forces(of_model, dt);
-      own->scatter(of_model, result);
-      pairs[0] = result.pairs;
+      ContactWork work = own->before_step(of_model, dt);
+      own->add_forces(of_model, work);
+      pairs[0] = work.pairs;
     } else {
       EmbeddedContact& contact = which == 1 ? with_records : with_vectors;
       const pinball_contact_arrays host = which == 1 ? records_of(model.nodes) : vectors.host();

@@ -54,7 +54,7 @@ KERNELS = [
            by_hand=pair_operations,
            by_hand_text="13 for the test of a listed pair (distance, reach), about 170 for a pair in contact"),
     Kernel("contact_scatter", "contact scatter", "listed pinball", "pinball", "contact_scatter",
-           [r"PinballContact<double>::scatter.*(omp_fn|operator\(\))"], [r"PinballContactIdE7scatter"], contact=True,
+           [r"PinballContact<double>::add_spring_forces.*(omp_fn|operator\(\))"], [r"PinballContactIdE17add_spring_forces"], contact=True,
            by_hand=lambda work: 72.0 * min(1.0, work["touching"] / work["items"]),
            by_hand_text="8 nodes x (4 products and sums of the force, 1 product of the bound on the frequency), 72, of each "
                         "pinball in contact"),
@@ -70,7 +70,7 @@ KERNELS = [
             r"(BallTree|MovingBalls|NearBalls)IdE", r"SurfaceMotionIdE(5adapt|5start)E"],
            by_hand=meeting_operations, by_hand_text=MEETING_TEXT),
     Kernel("narrow_phase", "slideline: projection and forces", "candidate", "slideline", "contact_forces",
-           [r"find_touches<pinball::SlidelineContact<double>::forces", r"SlidelineContact<double>::(find_segment|"
+           [r"find_touches<pinball::SlidelineContact<double>::spring_forces", r"SlidelineContact<double>::(find_segment|"
             r"penalty_force)\("],
            [r"SlidelineContactIdE(12find_touches|12find_segment|13penalty_force)"],
            by_hand=lambda work: 9.0 + 550.0 * work["pairs_in_contact"] / work["items"],

@@ -89,7 +89,7 @@ SurfaceTopology surface_topology(const Model<S>& model) {
 }
 
 template <class S>
-std::unique_ptr<Contact<S>> make_model_contact([[maybe_unused]] const Model<S>& model) {
+std::unique_ptr<ContactAlgorithm<S>> make_model_contact([[maybe_unused]] const Model<S>& model) {
   if constexpr (built::contact) {
     const ContactSettings& settings = model.scene.contact;
     if (settings.method == ContactMethod::none) return nullptr;
@@ -106,7 +106,7 @@ template HeldDirections held_directions(const Model<double>&);
 template HeldDirections held_directions(const Model<float>&);
 template SurfaceTopology surface_topology(const Model<double>&);
 template SurfaceTopology surface_topology(const Model<float>&);
-template std::unique_ptr<Contact<double>> make_model_contact(const Model<double>&);
-template std::unique_ptr<Contact<float>> make_model_contact(const Model<float>&);
+template std::unique_ptr<ContactAlgorithm<double>> make_model_contact(const Model<double>&);
+template std::unique_ptr<ContactAlgorithm<float>> make_model_contact(const Model<float>&);
 
 }  // namespace pinball

@@ -37,6 +37,6 @@ SurfaceTopology surface_topology(const Model<S>& model);
 
 /// The contact that the scene names; nothing for a scene without contact.
 template <class S>
-std::unique_ptr<Contact<S>> make_model_contact(const Model<S>& model);
+std::unique_ptr<ContactAlgorithm<S>> make_model_contact(const Model<S>& model);
 
 }  // namespace pinball

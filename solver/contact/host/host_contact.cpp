@@ -66,7 +66,7 @@ class HostContactOf final : public HostContact {
     contact_->update_surface(model_, eroded_);
     eroded_.clear();
     contact_->search(model_);
-    if (contact_->by_impulses()) contact_->prepare_impulses(model_, dt_before);
+    springs_ = contact_->before_step(model_, dt_before);
     dt_before_ = dt_before;
     updated_ = true;
   }
@@ -78,9 +78,11 @@ class HostContactOf final : public HostContact {
     require_step(dt_after, "dt_after");
     if (!updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "add_forces: expected update before it");
     const ThreadCount threads(threads_);
-    const ContactResult result = contact_->by_impulses() ? add_impulses(*arrays, dt_after) : add_springs(*arrays);
+    ContactWork work = springs_;
+    if (work.pairs > 0) add_springs(*arrays, work);
+    work += add_impulses(*arrays, dt_after);
     updated_ = false;
-    return told(result);
+    return told(work);
   }
 
   std::int32_t surface_elements() const override { return contact_->surface_elements(); }
@@ -101,27 +103,22 @@ class HostContactOf final : public HostContact {
     }
   }
 
-  ContactResult add_springs(const pinball_contact_arrays& arrays) {
-    model_.take_places(arrays);
-    ContactResult result = contact_->forces(model_, static_cast<S>(dt_before_));
-    if (result.pairs > 0) {
-      const std::vector<std::int32_t>& nodes = contact_->loaded_nodes();
-      model_.take_forces(arrays, nodes);
-      contact_->scatter(model_, result);
-      model_.put_forces(arrays, nodes);
-    }
-    return result;
-  }
-
-  ContactResult add_impulses(const pinball_contact_arrays& arrays, double dt_after) {
-    const std::vector<std::int32_t>& nodes = contact_->loaded_nodes();
-    model_.take_impulse_nodes(arrays, nodes);
-    const ContactResult result = contact_->impulses(model_, {dt_before_, dt_after});
+  void add_springs(const pinball_contact_arrays& arrays, ContactWork& work) {
+    const std::vector<std::int32_t>& nodes = contact_->spring_nodes();
+    model_.take_forces(arrays, nodes);
+    contact_->add_forces(model_, work);
     model_.put_forces(arrays, nodes);
-    return result;
   }
 
-  pinball_contact_result told(const ContactResult& now) {
+  ContactWork add_impulses(const pinball_contact_arrays& arrays, double dt_after) {
+    const std::vector<std::int32_t>& nodes = contact_->impulse_nodes();
+    model_.take_impulse_nodes(arrays, nodes);
+    const ContactWork work = contact_->after_constraints(model_, {dt_before_, dt_after});
+    model_.put_forces(arrays, nodes);
+    return work;
+  }
+
+  pinball_contact_result told(const ContactWork& now) {
     dissipated_ += 0.5 * (damped_power_ + now.damped_power) * dt_before_ + now.dissipated;
     lost_ += now.eroded;
     damped_power_ = now.damped_power;
@@ -144,8 +141,9 @@ class HostContactOf final : public HostContact {
   ContactSettings settings_;
   std::int32_t threads_;
   HostModel<S> model_;
-  std::unique_ptr<Contact<S>> contact_;
+  std::unique_ptr<ContactAlgorithm<S>> contact_;
   std::vector<std::int64_t> eroded_;  ///< slots that contact has not been told of yet
+  ContactWork springs_;               ///< of update, whose forces add_forces adds
   double dt_before_ = 0;
   bool updated_ = false;  ///< add_forces is due
   double damped_power_ = 0, dissipated_ = 0, lost_ = 0;

@@ -258,15 +258,8 @@ void HostModel<S>::before_search() const {
 }
 
 template <class S>
-void HostModel<S>::take_places(const pinball_contact_arrays& arrays) {
-  const HostVectors<S> where(arrays.position), how_fast(arrays.velocity);
-  if (where.are_records()) this->position = where.x;
-  if (how_fast.are_records()) this->velocity = how_fast.x;
-}
-
-template <class S>
 void HostModel<S>::take_impulse_nodes(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
-  take_places(arrays);
+  if (nodes.empty()) return;
   this->velocity = gather(arrays.velocity, velocities_, nodes, "velocity");
   take_forces(arrays, nodes);
   for (const std::int32_t node : nodes) {

@@ -33,9 +33,8 @@ class HostModel final : public ContactModel<S> {
   /// nodes whose velocities are asked for unless there is a search, before which the others follow; null: all. Throws
   /// HostError for numbers that are not finite; so may a search for those that only it looks at.
   void take_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed);
-  /// Tells again where the records of the host are, with what is in them; those that were gathered stay.
-  void take_places(const pinball_contact_arrays& arrays);
-  /// Takes in velocities and forces of nodes that impulses look at. Throws as take_motion does.
+  /// Takes in velocities, as constraints have left them, and forces of nodes that impulses look at. Throws as
+  /// take_motion does.
   void take_impulse_nodes(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);
   /// Takes in the forces of nodes: in place where the host says so, else gathered.
   void take_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);

@@ -42,7 +42,7 @@ S current_radius(const ContactModel<S>& model, const std::array<std::int32_t, 8>
 
 template <class S>
 PinballContact<S>::PinballContact(const ContactModel<S>& model, ContactStart start)
-    : Contact<S>(model, std::move(start.held)), surface_(std::move(start.topology)) {
+    : ContactAlgorithm<S>(model, std::move(start.held)), surface_(std::move(start.topology)) {
   const ContactSettings& contact = *model.settings;
   penalty_ = {static_cast<S>(contact.beta), static_cast<S>(contact.damping)};
   std::vector<std::int32_t> exposed;
@@ -142,7 +142,7 @@ void PinballContact<S>::build_list(const ContactModel<S>& model) {
   const bool current = model.settings->radius == ContactRadius::current;
   radius_.resize(current ? all_.radius.size() : 0);
   // Where each ball may be, and what the rounding of single precision adds.
-  const S factor = static_cast<S>(1.0001 * (this->by_impulses() ? pinball_pair_margin(model.settings->gap) : 1.0) *
+  const S factor = static_cast<S>(1.0001 * (this->impulses_ ? pinball_pair_margin(model.settings->gap) : 1.0) *
                                   (current && reuse ? radius_growth : 1.0));
   balls_.reset(all_.count);
   parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
@@ -198,27 +198,27 @@ void PinballContact<S>::collect_listed(const ContactModel<S>& model) {
 }
 
 template <class S>
-void PinballContact<S>::prepare_impulses(const ContactModel<S>& model, double dt) {
+void PinballContact<S>::collect_impulses(const ContactModel<S>& model, double dt) {
   clock_.count_step(static_cast<S>(dt));
   this->impulses_->collect(model, pinball_pairs(model, pinballs_, list_, surface_), dt);
 }
 
 template <class S>
-ContactResult PinballContact<S>::forces(const ContactModel<S>& /*model*/, S dt) {
+ContactWork PinballContact<S>::spring_forces(const ContactModel<S>& /*model*/, S dt) {
   clock_.count_step(dt);
   const PairSums<S> sums = pair_forces_.compute(pinballs_.view(), penalty_, list_, dt, pinballs_.force.data());
-  ContactResult result;
-  result.stored = sums.stored;
-  result.eroded = lost_energy_;
-  result.damped_power = sums.damped;
-  result.penetration_ratio = static_cast<double>(sums.penetration_ratio);
-  result.pairs = sums.pairs;
-  return result;
+  ContactWork work;
+  work.stored = sums.stored;
+  work.eroded = lost_energy_;
+  work.damped_power = sums.damped;
+  work.penetration_ratio = static_cast<double>(sums.penetration_ratio);
+  work.pairs = sums.pairs;
+  return work;
 }
 
 template <class S>
-void PinballContact<S>::scatter(const ContactModel<S>& model, ContactResult& result) {
-  if (result.pairs == 0) return;
+void PinballContact<S>::add_spring_forces(const ContactModel<S>& model, ContactWork& work) {
+  if (work.pairs == 0) return;
   const Colouring& colours = *model.tile_colours;
   const S* force = pinballs_.force.data();
   S* nodal_force = model.force;
@@ -249,7 +249,7 @@ void PinballContact<S>::scatter(const ContactModel<S>& model, ContactResult& res
         }
       },
       [](S& whole, const S& partial) { whole = partial > whole ? partial : whole; });
-  result.frequency2 = this->damping_factor_ * static_cast<double>(largest);
+  work.frequency2 = this->damping_factor_ * static_cast<double>(largest);
 }
 
 template <class S>
@@ -269,12 +269,12 @@ void PinballContact<S>::report(const ContactModel<S>& model, std::vector<Point>&
       }
     }
   }
-  if (this->by_impulses()) this->impulses_->add_node_forces(node_force);
+  if (this->impulses_) this->impulses_->add_node_forces(node_force);
 }
 
 template <class S>
 void PinballContact<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
-  Contact<S>::persist(archive, model);
+  ContactAlgorithm<S>::persist(archive, model);
   surface_.persist(archive);
   all_.persist(archive, model);
   motion_.persist(archive);
@@ -291,8 +291,7 @@ template <class S>
 std::size_t PinballContact<S>::bytes() const {
   return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() +
          all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +
-         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
-         (this->by_impulses() ? this->impulses_->bytes() : 0);
+         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() + (this->impulses_ ? this->impulses_->bytes() : 0);
 }
 
 template class PinballContact<double>;

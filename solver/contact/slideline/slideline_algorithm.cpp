@@ -33,7 +33,7 @@ S closing_rate(const S* velocity, std::int32_t slave, const std::int32_t (&node)
 
 template <class S>
 SlidelineContact<S>::SlidelineContact(const ContactModel<S>& model, ContactStart start)
-    : Contact<S>(model, std::move(start.held)),
+    : ContactAlgorithm<S>(model, std::move(start.held)),
       surface_(model, std::move(start.topology)),
       search_(model, surface_),
       state_(surface_.slaves().size()),
@@ -239,21 +239,21 @@ bool SlidelineContact<S>::penalty_force(const ContactModel<S>& model, Touch& tou
 }
 
 template <class S>
-ContactResult SlidelineContact<S>::forces(const ContactModel<S>& model, S dt) {
+ContactWork SlidelineContact<S>::spring_forces(const ContactModel<S>& model, S dt) {
   search_.count_step(dt);
   const Sums sums = find_touches(model, S(0.25),
                                  [&](Touch& touch, Sums& partial) { return penalty_force(model, touch, dt, partial); });
-  ContactResult result;
-  result.stored = sums.stored;
-  result.eroded = lost_energy_;
-  result.dissipated = sums.damped + sums.lost;
-  result.penetration_ratio = static_cast<double>(sums.ratio);
-  result.pairs = sums.pairs;
-  return result;
+  ContactWork work;
+  work.stored = sums.stored;
+  work.eroded = lost_energy_;
+  work.dissipated = sums.damped + sums.lost;
+  work.penetration_ratio = static_cast<double>(sums.ratio);
+  work.pairs = sums.pairs;
+  return work;
 }
 
 template <class S>
-void SlidelineContact<S>::scatter(const ContactModel<S>& model, ContactResult& result) {
+void SlidelineContact<S>::add_spring_forces(const ContactModel<S>& model, ContactWork& work) {
   // One after the other: two slaves may share nodes of their segments.
   for (const Touch& touch : touches_) {
     const auto add = [&](std::int32_t node, S weight) {
@@ -276,12 +276,11 @@ void SlidelineContact<S>::scatter(const ContactModel<S>& model, ContactResult& r
     row(surface_.slaves()[touch.slave].node);
     for (const std::int32_t node : surface_.segments()[static_cast<std::size_t>(touch.segment)].node) row(node);
   }
-  result.frequency2 = this->damping_factor_ * static_cast<double>(largest);
+  work.frequency2 = this->damping_factor_ * static_cast<double>(largest);
 }
 
 template <class S>
-const std::vector<std::int32_t>& SlidelineContact<S>::loaded_nodes() {
-  if (this->by_impulses()) return this->impulses_->nodes();
+const std::vector<std::int32_t>& SlidelineContact<S>::nodes_of_springs() {
   loaded_.clear();
   for (const Touch& touch : touches_) {
     const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
@@ -292,7 +291,7 @@ const std::vector<std::int32_t>& SlidelineContact<S>::loaded_nodes() {
 }
 
 template <class S>
-void SlidelineContact<S>::prepare_impulses(const ContactModel<S>& model, double dt) {
+void SlidelineContact<S>::collect_impulses(const ContactModel<S>& model, double dt) {
   search_.count_step(static_cast<S>(dt));
   find_touches(model, S(0.5), [](Touch&, Sums&) { return true; });
   std::vector<ContactPair> pairs;
@@ -322,7 +321,7 @@ void SlidelineContact<S>::prepare_impulses(const ContactModel<S>& model, double 
 template <class S>
 void SlidelineContact<S>::report(const ContactModel<S>& /*model*/, std::vector<Point>& node_force,
                                  std::vector<double>& /*slot_radius*/) const {
-  if (this->by_impulses()) {
+  if (this->impulses_) {
     this->impulses_->add_node_forces(node_force);
     return;
   }
@@ -342,7 +341,7 @@ void SlidelineContact<S>::report(const ContactModel<S>& /*model*/, std::vector<P
 
 template <class S>
 void SlidelineContact<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
-  Contact<S>::persist(archive, model);
+  ContactAlgorithm<S>::persist(archive, model);
   surface_.persist(archive, model);
   search_.persist(archive);
   archive(state_, touches_);  // touches: for the report alone
@@ -352,7 +351,7 @@ void SlidelineContact<S>::persist(StateArchive& archive, const ContactModel<S>& 
 template <class S>
 std::size_t SlidelineContact<S>::bytes() const {
   return surface_.bytes() + search_.bytes() + state_.capacity() * sizeof(State) + touches_.capacity() * sizeof(Touch) +
-         loaded_.capacity() * sizeof(loaded_[0]) + (this->by_impulses() ? this->impulses_->bytes() : 0);
+         loaded_.capacity() * sizeof(loaded_[0]) + (this->impulses_ ? this->impulses_->bytes() : 0);
 }
 
 template class SlidelineContact<double>;

@@ -25,21 +25,17 @@ namespace pinball {
 /// gives each node its part. As for pinballs, a penetration that approach does not explain (erosion has exposed a face
 /// deep inside another body) gives no force.
 template <class S>
-class SlidelineContact final : public Contact<S> {
+class SlidelineContact final : public ContactAlgorithm<S> {
  public:
   SlidelineContact(const ContactModel<S>& model, ContactStart start);
 
   void update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) override;
   void search(const ContactModel<S>& model) override;
-  ContactResult forces(const ContactModel<S>& model, S dt) override;
-  void scatter(const ContactModel<S>& model, ContactResult& result) override;
-  void prepare_impulses(const ContactModel<S>& model, double dt) override;
 
   const char* name() const override { return "slideline"; }
   void report(const ContactModel<S>& model, std::vector<Point>& node_force,
               std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
-  const std::vector<std::int32_t>& loaded_nodes() override;
   ListSize listed() const override {
     const std::int64_t entries = search_.entries();
     return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
@@ -49,6 +45,11 @@ class SlidelineContact final : public Contact<S> {
   std::int64_t updated_segments() const { return surface_.chosen(); }  ///< in every step
 
  private:
+  ContactWork spring_forces(const ContactModel<S>& model, S dt) override;
+  void add_spring_forces(const ContactModel<S>& model, ContactWork& work) override;
+  const std::vector<std::int32_t>& nodes_of_springs() override;
+  void collect_impulses(const ContactModel<S>& model, double dt) override;
+
   /// What a slave node keeps from step to step.
   struct State {
     std::int32_t slot = -1, face = -1;  ///< of the segment that it touches; -1: none
@@ -88,7 +89,7 @@ class SlidelineContact final : public Contact<S> {
   SlidelineSearch<S> search_;
   std::vector<State> state_;  ///< per slave
   std::vector<Touch> touches_;
-  std::vector<std::int32_t> loaded_;  ///< see loaded_nodes, only where that is asked
+  std::vector<std::int32_t> loaded_;  ///< see nodes_of_springs, only where that is asked
   S beta_, damping_;
   double lost_energy_ = 0;  ///< of springs that went with eroded elements in this step
 };

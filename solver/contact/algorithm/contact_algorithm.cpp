@@ -1,0 +1,60 @@
+#include "contact_algorithm.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace pinball {
+
+namespace {
+
+const std::vector<std::int32_t> no_nodes;
+
+}  // namespace
+
+template <class S>
+ContactAlgorithm<S>::ContactAlgorithm(const ContactModel<S>& model, HeldDirections held) {
+  // A damped spring is stable for dt <= 2/w (sqrt(1 + xi^2) - xi): as an undamped one of the higher frequency.
+  const double xi = model.settings->damping;
+  damping_factor_ = 1.0 / std::pow(std::sqrt(1 + xi * xi) - xi, 2);
+  if (model.settings->enforcement != Enforcement::penalty) {
+    impulses_ = std::make_unique<ContactImpulses<S>>(model, std::move(held));
+  }
+}
+
+template <class S>
+ContactWork ContactAlgorithm<S>::before_step(const ContactModel<S>& model, double dt) {
+  if (!impulses_) return spring_forces(model, static_cast<S>(dt));
+  collect_impulses(model, dt);
+  return {};
+}
+
+template <class S>
+void ContactAlgorithm<S>::add_forces(const ContactModel<S>& model, ContactWork& work) {
+  if (!impulses_) add_spring_forces(model, work);
+}
+
+template <class S>
+ContactWork ContactAlgorithm<S>::after_constraints(const ContactModel<S>& model, const StepLengths& step) {
+  ContactWork work;
+  if (!impulses_) return work;
+  const ImpulseResult solved = impulses_->solve(model, step);
+  work.dissipated = solved.dissipated;
+  work.penetration_ratio = solved.penetration_ratio;
+  work.pairs = solved.pairs;
+  return work;
+}
+
+template <class S>
+const std::vector<std::int32_t>& ContactAlgorithm<S>::spring_nodes() {
+  return impulses_ ? no_nodes : nodes_of_springs();
+}
+
+template <class S>
+const std::vector<std::int32_t>& ContactAlgorithm<S>::impulse_nodes() const {
+  return impulses_ ? impulses_->nodes() : no_nodes;
+}
+
+template class ContactAlgorithm<double>;
+template class ContactAlgorithm<float>;
+
+}  // namespace pinball
