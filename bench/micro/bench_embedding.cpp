@@ -31,7 +31,7 @@ struct HostMeshOf {
   std::vector<S> bulk_modulus;
 
   explicit HostMeshOf(const Model<S>& model) {
-    const ModelContact<S> of_model(model);
+    const ModelSurface<S> of_model(model);
     for (std::size_t slot = 0; slot < model.element_of_slot.size(); ++slot) {
       if (model.element_of_slot[slot] < 0) continue;
       const ContactElement element = of_model.element(static_cast<std::int64_t>(slot));
@@ -118,7 +118,7 @@ void embedding(benchmark::State& state) {
   const auto clear_forces = [&] { std::fill_n(model.nodes.force.data(), model.nodes.force.size(), S(0)); };
   const auto work = [&](int which) {
     if (which == 0) {
-      const ModelContact<S> of_model(model);
+      const ModelSurface<S> of_model(model);
       own->update_surface(of_model, eroded_slots(model, no_erosion));
       own->search(of_model);
       ContactWork work = own->before_step(of_model, dt);

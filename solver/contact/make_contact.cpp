@@ -7,14 +7,14 @@
 namespace pinball {
 
 template <class S>
-std::unique_ptr<ContactAlgorithm<S>> make_contact(const ContactModel<S>& model, ContactStart start) {
-  if (model.settings->method == ContactMethod::slideline) {
-    return std::make_unique<SlidelineContact<S>>(model, std::move(start));
+std::unique_ptr<ContactAlgorithm<S>> make_contact(const SurfaceSource<S>& source, InitialSurface start) {
+  if (source.settings->method == ContactMethod::slideline) {
+    return std::make_unique<SlidelineAlgorithm<S>>(source, std::move(start));
   }
-  return std::make_unique<PinballContact<S>>(model, std::move(start));
+  return std::make_unique<PinballAlgorithm<S>>(source, std::move(start));
 }
 
-template std::unique_ptr<ContactAlgorithm<double>> make_contact(const ContactModel<double>&, ContactStart);
-template std::unique_ptr<ContactAlgorithm<float>> make_contact(const ContactModel<float>&, ContactStart);
+template std::unique_ptr<ContactAlgorithm<double>> make_contact(const SurfaceSource<double>&, InitialSurface);
+template std::unique_ptr<ContactAlgorithm<float>> make_contact(const SurfaceSource<float>&, InitialSurface);
 
 }  // namespace pinball

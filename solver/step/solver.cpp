@@ -58,7 +58,7 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
 
   // 4. Contact forces
   ContactWork contact;
-  const ModelContact<S> contact_model(model_);
+  const ModelSurface<S> contact_model(model_);
   if (touching) {
     timers_.measure(Phase::pinballs,
                     [&] { contact_->update_surface(contact_model, eroded_slots(model_, internal_forces_.tiles())); });
@@ -129,7 +129,7 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
 
 /// Lists of what may touch; notes what building them has taken.
 template <class S>
-void Solver<S>::search_contact(const ModelContact<S>& contact_model) {
+void Solver<S>::search_contact(const ModelSurface<S>& contact_model) {
   const std::int64_t searches = contact_->searches();
   const double seconds = timers_.seconds(Phase::contact_search);
   timers_.measure(Phase::contact_search, [&] { contact_->search(contact_model); });

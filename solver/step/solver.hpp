@@ -94,7 +94,7 @@ class Solver {
   void take_changed_velocities();
   double kinetic_energy_now() const;
   void make_step(std::int32_t step_of_cycle, bool last);
-  void search_contact(const ModelContact<S>& contact_model);
+  void search_contact(const ModelSurface<S>& contact_model);
   void choose_time_step(const InternalForceResult<S>& internal, const ContactWork& contact, bool last);
   double integrate(std::int32_t step_of_cycle);
   DueSpans due_nodes(std::int32_t step_of_cycle) const {

@@ -257,7 +257,7 @@ class Straying : public ::testing::Test {
     }
     motion.clear(nodes.count);
     for (const auto& corners : all.corners) {
-      for (const std::int32_t node : corners) motion.take(node, 1);
+      for (const std::int32_t node : corners) motion.watch(node, 1);
     }
   }
   static void put(AlignedArray<double>& records, int n, const Vec3<double>& v) {

@@ -12,32 +12,32 @@ const std::vector<std::int32_t> no_nodes;
 }  // namespace
 
 template <class S>
-ContactAlgorithm<S>::ContactAlgorithm(const ContactModel<S>& model, HeldDirections held) {
+ContactAlgorithm<S>::ContactAlgorithm(const SurfaceSource<S>& source, HeldDirections held) {
   // A damped spring is stable for dt <= 2/w (sqrt(1 + xi^2) - xi): as an undamped one of the higher frequency.
-  const double xi = model.settings->damping;
+  const double xi = source.settings->damping;
   damping_factor_ = 1.0 / std::pow(std::sqrt(1 + xi * xi) - xi, 2);
-  if (model.settings->enforcement != Enforcement::penalty) {
-    impulses_ = std::make_unique<ContactImpulses<S>>(model, std::move(held));
+  if (source.settings->enforcement != Enforcement::penalty) {
+    impulses_ = std::make_unique<ImpulseSolver<S>>(source, std::move(held));
   }
 }
 
 template <class S>
-ContactWork ContactAlgorithm<S>::before_step(const ContactModel<S>& model, double dt) {
-  if (!impulses_) return spring_forces(model, static_cast<S>(dt));
-  collect_impulses(model, dt);
+ContactWork ContactAlgorithm<S>::before_step(const SurfaceSource<S>& source, double dt) {
+  if (!impulses_) return spring_forces(source, static_cast<S>(dt));
+  collect_impulses(source, dt);
   return {};
 }
 
 template <class S>
-void ContactAlgorithm<S>::add_forces(const ContactModel<S>& model, ContactWork& work) {
-  if (!impulses_) add_spring_forces(model, work);
+void ContactAlgorithm<S>::add_forces(const SurfaceSource<S>& source, ContactWork& work) {
+  if (!impulses_) add_spring_forces(source, work);
 }
 
 template <class S>
-ContactWork ContactAlgorithm<S>::after_constraints(const ContactModel<S>& model, const StepLengths& step) {
+ContactWork ContactAlgorithm<S>::after_constraints(const SurfaceSource<S>& source, const StepLengths& step) {
   ContactWork work;
   if (!impulses_) return work;
-  const ImpulseResult solved = impulses_->solve(model, step);
+  const ImpulseResult solved = impulses_->solve(source, step);
   work.dissipated = solved.dissipated;
   work.penetration_ratio = solved.penetration_ratio;
   work.pairs = solved.pairs;

@@ -45,7 +45,7 @@ struct ListSize {
   std::int64_t places = 0;   ///< of pairs: entries, and the padding to whole packs
 };
 
-/// An algorithm of contact, for whoever fills a ContactModel. Each step calls its stages in this order:
+/// An algorithm of contact, for whoever fills a SurfaceSource. Each step calls its stages in this order:
 ///
 ///     update_surface, search, before_step, add_forces      then loads, constraints and the length of the coming step,
 ///     after_constraints                                    then accelerations.
@@ -56,32 +56,32 @@ struct ListSize {
 template <class S>
 class ContactAlgorithm {
  public:
-  ContactAlgorithm(const ContactModel<S>& model, HeldDirections held);
+  ContactAlgorithm(const SurfaceSource<S>& source, HeldDirections held);
   virtual ~ContactAlgorithm() = default;
   ContactAlgorithm(const ContactAlgorithm&) = delete;
   ContactAlgorithm& operator=(const ContactAlgorithm&) = delete;
 
   /// Takes eroded elements out and brings up to date what the other stages read of the surface. eroded: slots of those
   /// that eroded since the last call, ascending; padding and elements that are out already may be among them.
-  virtual void update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) = 0;
+  virtual void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) = 0;
   /// Lists of what may touch, unless the lists still hold.
-  virtual void search(const ContactModel<S>& model) = 0;
+  virtual void search(const SurfaceSource<S>& source) = 0;
 
   /// Springs: the forces of all pairs in contact, for add_forces. Impulses: the constraints of the coming step.
   /// dt: the step just made.
-  ContactWork before_step(const ContactModel<S>& model, double dt);
+  ContactWork before_step(const SurfaceSource<S>& source, double dt);
   /// Springs: adds their forces to the nodes and bounds the contact frequency. work: of before_step.
-  void add_forces(const ContactModel<S>& model, ContactWork& work);
+  void add_forces(const SurfaceSource<S>& source, ContactWork& work);
   /// Impulses: adds the forces that keep gaps from closing in the coming step; after all other forces and the
   /// constraints.
-  ContactWork after_constraints(const ContactModel<S>& model, const StepLengths& step);
+  ContactWork after_constraints(const SurfaceSource<S>& source, const StepLengths& step);
   /// Whether after_constraints adds forces: what it adds in held directions the constraints have to take up again.
   bool acts_on_velocities() const { return impulses_ != nullptr; }
 
   virtual const char* name() const = 0;
   /// Adds the contact force of the last step on each node of the store [force]; radius of the pinball of each slot
   /// [length], where there is one. For output.
-  virtual void report(const ContactModel<S>& model, std::vector<Point>& node_force,
+  virtual void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
                       std::vector<double>& slot_radius) const = 0;
   virtual const Surface& surface() const = 0;
   std::int32_t surface_elements() const { return surface().exposed_count(); }  ///< that take part
@@ -95,28 +95,28 @@ class ContactAlgorithm {
   virtual const std::vector<std::int32_t>* listed_nodes() const { return nullptr; }
   virtual ListSize listed() const = 0;
   virtual std::size_t bytes() const = 0;
-  /// model: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of
+  /// source: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of
   /// another time has other pairs, over which energies are summed in another order, and lasts for another time.
-  virtual void persist(StateArchive& archive, const ContactModel<S>& model) {
+  virtual void persist(StateArchive& archive, const SurfaceSource<S>& source) {
     archive(searches_, searches_skipped_);
-    if (impulses_) impulses_->persist(archive, model);
+    if (impulses_) impulses_->persist(archive, source);
   }
   std::int64_t searches() const { return searches_; }
   std::int64_t searches_skipped() const { return searches_skipped_; }
 
  protected:
-  virtual ContactWork spring_forces(const ContactModel<S>& model, S dt) = 0;
-  virtual void add_spring_forces(const ContactModel<S>& model, ContactWork& work) = 0;
+  virtual ContactWork spring_forces(const SurfaceSource<S>& source, S dt) = 0;
+  virtual void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) = 0;
   virtual const std::vector<std::int32_t>& nodes_of_springs() = 0;
-  virtual void collect_impulses(const ContactModel<S>& model, double dt) = 0;
+  virtual void collect_impulses(const SurfaceSource<S>& source, double dt) = 0;
 
-  std::unique_ptr<ContactImpulses<S>> impulses_;  ///< only with enforcement by impulses
-  double damping_factor_ = 1;                     ///< of the squared frequency of the springs, for their damping
+  std::unique_ptr<ImpulseSolver<S>> impulses_;  ///< only with enforcement by impulses
+  double damping_factor_ = 1;                   ///< of the squared frequency of the springs, for their damping
   std::int64_t searches_ = 0, searches_skipped_ = 0;
 };
 
 /// The algorithm that the settings name, which may not be none.
 template <class S>
-std::unique_ptr<ContactAlgorithm<S>> make_contact(const ContactModel<S>& model, ContactStart start);
+std::unique_ptr<ContactAlgorithm<S>> make_contact(const SurfaceSource<S>& source, InitialSurface start);
 
 }  // namespace pinball

@@ -49,9 +49,9 @@ class HostContactOf final : public HostContact {
  public:
   HostContactOf(const ContactSettings& settings, const pinball_contact_options& options, HostMesh<S> mesh,
                 const pinball_contact_input& position)
-      : settings_(settings), threads_(options.threads), model_(settings_, options, std::move(mesh), position) {
+      : settings_(settings), threads_(options.threads), source_(settings_, options, std::move(mesh), position) {
     const ThreadCount threads(threads_);
-    contact_ = make_contact<S>(model_, model_.start(position, settings_.enforcement != Enforcement::penalty));
+    contact_ = make_contact<S>(source_, source_.start(position, settings_.enforcement != Enforcement::penalty));
   }
 
   void update(const pinball_contact_arrays* arrays, double dt_before) override {
@@ -59,14 +59,14 @@ class HostContactOf final : public HostContact {
     require_step(dt_before, "dt_before");
     if (updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "update: the last one still waits for add_forces");
     const ThreadCount threads(threads_);
-    const std::vector<std::int64_t> eroded = model_.take_alive(*arrays, contact_->surface());
+    const std::vector<std::int64_t> eroded = source_.update_alive(*arrays, contact_->surface());
     eroded_.insert(eroded_.end(), eroded.begin(), eroded.end());
     std::sort(eroded_.begin(), eroded_.end());
-    model_.take_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
-    contact_->update_surface(model_, eroded_);
+    source_.gather_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
+    contact_->update_surface(source_, eroded_);
     eroded_.clear();
-    contact_->search(model_);
-    springs_ = contact_->before_step(model_, dt_before);
+    contact_->search(source_);
+    springs_ = contact_->before_step(source_, dt_before);
     dt_before_ = dt_before;
     updated_ = true;
   }
@@ -82,7 +82,7 @@ class HostContactOf final : public HostContact {
     if (work.pairs > 0) add_springs(*arrays, work);
     work += add_impulses(*arrays, dt_after);
     updated_ = false;
-    return told(work);
+    return result_of(work);
   }
 
   std::int32_t surface_elements() const override { return contact_->surface_elements(); }
@@ -105,20 +105,20 @@ class HostContactOf final : public HostContact {
 
   void add_springs(const pinball_contact_arrays& arrays, ContactWork& work) {
     const std::vector<std::int32_t>& nodes = contact_->spring_nodes();
-    model_.take_forces(arrays, nodes);
-    contact_->add_forces(model_, work);
-    model_.put_forces(arrays, nodes);
+    source_.gather_forces(arrays, nodes);
+    contact_->add_forces(source_, work);
+    source_.scatter_forces(arrays, nodes);
   }
 
   ContactWork add_impulses(const pinball_contact_arrays& arrays, double dt_after) {
     const std::vector<std::int32_t>& nodes = contact_->impulse_nodes();
-    model_.take_impulse_nodes(arrays, nodes);
-    const ContactWork work = contact_->after_constraints(model_, {dt_before_, dt_after});
-    model_.put_forces(arrays, nodes);
+    source_.gather_impulse_nodes(arrays, nodes);
+    const ContactWork work = contact_->after_constraints(source_, {dt_before_, dt_after});
+    source_.scatter_forces(arrays, nodes);
     return work;
   }
 
-  pinball_contact_result told(const ContactWork& now) {
+  pinball_contact_result result_of(const ContactWork& now) {
     dissipated_ += 0.5 * (damped_power_ + now.damped_power) * dt_before_ + now.dissipated;
     lost_ += now.eroded;
     damped_power_ = now.damped_power;
@@ -140,7 +140,7 @@ class HostContactOf final : public HostContact {
 
   ContactSettings settings_;
   std::int32_t threads_;
-  HostModel<S> model_;
+  HostSurface<S> source_;
   std::unique_ptr<ContactAlgorithm<S>> contact_;
   std::vector<std::int64_t> eroded_;  ///< slots that contact has not been told of yet
   ContactWork springs_;               ///< of update, whose forces add_forces adds

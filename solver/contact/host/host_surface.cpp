@@ -28,7 +28,7 @@ double undeformed_volume(const ContactElement& element) {
 template <class S>
 class FiniteCheck {
  public:
-  void take(const S (&v)[4], std::int64_t i) {
+  void add(const S (&v)[4], std::int64_t i) {
     for (std::size_t k = 0; k < 4; ++k) zero_[i & 1][k] += S(0) * v[k];
   }
   bool fails() const {
@@ -44,8 +44,8 @@ class FiniteCheck {
 }  // namespace
 
 template <class S>
-HostModel<S>::HostModel(const ContactSettings& given, const pinball_contact_options& options, HostMesh<S> mesh,
-                        const pinball_contact_input& where)
+HostSurface<S>::HostSurface(const ContactSettings& given, const pinball_contact_options& options, HostMesh<S> mesh,
+                            const pinball_contact_input& where)
     : mesh_(std::move(mesh)) {
   this->settings = &given;
   this->lists_last = options.keep_lists == 1;
@@ -80,7 +80,7 @@ HostModel<S>::HostModel(const ContactSettings& given, const pinball_contact_opti
 }
 
 template <class S>
-void HostModel<S>::cut_tiles() {
+void HostSurface<S>::cut_tiles() {
   constexpr std::int64_t W = native_width<S>;
   const std::vector<std::int32_t> tiles = mesh_.tiles();
   std::vector<std::array<std::int32_t, 8>> corners;
@@ -101,7 +101,7 @@ void HostModel<S>::cut_tiles() {
 }
 
 template <class S>
-ContactElement HostModel<S>::element(std::int64_t slot) const {
+ContactElement HostSurface<S>::element(std::int64_t slot) const {
   const std::int32_t e = element_of_slot_[static_cast<std::size_t>(slot)];
   ContactElement element{};
   element.corners = mesh_.corners(e);
@@ -127,7 +127,7 @@ ContactElement HostModel<S>::element(std::int64_t slot) const {
 }
 
 template <class S>
-ContactStart HostModel<S>::start(const pinball_contact_input& where, bool with_held) {
+InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool with_held) {
   SurfaceTopology topology(this->slots);
   std::vector<std::array<std::int32_t, 8>> hexahedra;
   for (std::int32_t e = 0; e < mesh_.elements(); ++e) hexahedra.push_back(mesh_.corners(e));
@@ -150,7 +150,7 @@ ContactStart HostModel<S>::start(const pinball_contact_input& where, bool with_h
     }
     if (topology.exposed[slot] != 0) watch(static_cast<std::int64_t>(slot));
   }
-  ContactStart start{std::move(topology), with_held ? HeldDirections(mesh_.nodes(), mesh_.held()) : HeldDirections()};
+  InitialSurface start{std::move(topology), with_held ? HeldDirections(mesh_.nodes(), mesh_.held()) : HeldDirections()};
   std::sort(watched_.begin(), watched_.end());
   this->position = gather(where, positions_, watched_, "position");
   mesh_.forget_arguments();
@@ -158,7 +158,7 @@ ContactStart HostModel<S>::start(const pinball_contact_input& where, bool with_h
 }
 
 template <class S>
-void HostModel<S>::watch(std::int64_t slot) {
+void HostSurface<S>::watch(std::int64_t slot) {
   for (const std::int32_t node : mesh_.corners(element_of_slot_[static_cast<std::size_t>(slot)])) {
     std::uint8_t& watched = is_watched_[static_cast<std::size_t>(node)];
     if (watched == 0) watched_.push_back(node);
@@ -167,18 +167,18 @@ void HostModel<S>::watch(std::int64_t slot) {
 }
 
 template <class S>
-std::uint8_t HostModel<S>::alive_at(std::int64_t slot) const {
+std::uint8_t HostSurface<S>::alive_at(std::int64_t slot) const {
   const std::int32_t e = element_of_slot_[static_cast<std::size_t>(slot)], sphere = e - mesh_.elements();
   if (sphere >= 0) return sphere_alive_ != nullptr ? sphere_alive_[sphere] : 1;
   return alive_ != nullptr ? alive_[e] : 1;
 }
 
 template <class S>
-std::vector<std::int64_t> HostModel<S>::take_alive(const pinball_contact_arrays& arrays, const Surface& surface) {
+std::vector<std::int64_t> HostSurface<S>::update_alive(const pinball_contact_arrays& arrays, const Surface& surface) {
   alive_ = arrays.alive;
   sphere_alive_ = arrays.sphere_alive;
   std::vector<std::int64_t> eroded;
-  const auto take = [&](const std::uint8_t* alive, std::int32_t begin, std::int32_t end) {
+  const auto update = [&](const std::uint8_t* alive, std::int32_t begin, std::int32_t end) {
     std::uint8_t* before = alive_before_.data() + begin;
     if (alive == nullptr || std::equal(before, before + (end - begin), alive)) return;
     for (std::int32_t e = begin; e < end; ++e) {
@@ -193,15 +193,15 @@ std::vector<std::int64_t> HostModel<S>::take_alive(const pinball_contact_arrays&
     }
   };
   const std::size_t watched_before = watched_.size();
-  take(alive_, 0, mesh_.elements());
-  take(sphere_alive_, mesh_.elements(), mesh_.all());
+  update(alive_, 0, mesh_.elements());
+  update(sphere_alive_, mesh_.elements(), mesh_.all());
   if (watched_.size() != watched_before) std::sort(watched_.begin(), watched_.end());
   return eroded;
 }
 
 template <class S>
-const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>& records,
-                              const std::vector<std::int32_t>& nodes, const char* name) const {
+const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<S>& records,
+                                const std::vector<std::int32_t>& nodes, const char* name) const {
   const HostVectors<S> vectors(from);
   const bool in_place = vectors.are_records();
   if (!in_place && records.empty()) records.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
@@ -222,7 +222,7 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
             std::memcpy(v, x.data(), sizeof x);
             v[3] = 0;
           }
-          check.take(v, i);
+          check.add(v, i);
           if (record != nullptr) std::memcpy(record + 4 * std::int64_t{node}, v, sizeof v);
         }
         partial = check.fails();
@@ -238,7 +238,7 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
 }
 
 template <class S>
-void HostModel<S>::take_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed) {
+void HostSurface<S>::gather_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed) {
   const HostVectors<S> where(arrays.position);
   const bool later = listed != nullptr;
   // Lists do not hold where a position is not a number: records are looked through before a search only.
@@ -248,7 +248,7 @@ void HostModel<S>::take_motion(const pinball_contact_arrays& arrays, const std::
 }
 
 template <class S>
-void HostModel<S>::before_search() const {
+void HostSurface<S>::before_search() const {
   if (waiting_ == nullptr) return;
   if (HostVectors<S>(waiting_->position).are_records()) {
     AlignedArray<S> none;
@@ -258,10 +258,11 @@ void HostModel<S>::before_search() const {
 }
 
 template <class S>
-void HostModel<S>::take_impulse_nodes(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
+void HostSurface<S>::gather_impulse_nodes(const pinball_contact_arrays& arrays,
+                                          const std::vector<std::int32_t>& nodes) {
   if (nodes.empty()) return;
   this->velocity = gather(arrays.velocity, velocities_, nodes, "velocity");
-  take_forces(arrays, nodes);
+  gather_forces(arrays, nodes);
   for (const std::int32_t node : nodes) {
     const S* const f = this->force + 4 * std::int64_t{node};
     if (std::isfinite(f[0]) && std::isfinite(f[1]) && std::isfinite(f[2])) continue;
@@ -270,7 +271,7 @@ void HostModel<S>::take_impulse_nodes(const pinball_contact_arrays& arrays, cons
 }
 
 template <class S>
-void HostModel<S>::take_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
+void HostSurface<S>::gather_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
   if (arrays.force_records == 1) {
     this->force = static_cast<S*>(arrays.force.x);
     return;
@@ -286,7 +287,7 @@ void HostModel<S>::take_forces(const pinball_contact_arrays& arrays, const std::
 }
 
 template <class S>
-void HostModel<S>::put_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
+void HostSurface<S>::scatter_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
   if (arrays.force_records == 1) return;
   S *const x = static_cast<S*>(arrays.force.x), *const y = static_cast<S*>(arrays.force.y),
            *const z = static_cast<S*>(arrays.force.z);
@@ -299,7 +300,7 @@ void HostModel<S>::put_forces(const pinball_contact_arrays& arrays, const std::v
   }
 }
 
-template class HostModel<double>;
-template class HostModel<float>;
+template class HostSurface<double>;
+template class HostSurface<float>;
 
 }  // namespace pinball

@@ -15,7 +15,7 @@ namespace pinball {
 
 /// Result of one solution of the contact impulses.
 struct ImpulseResult {
-  double dissipated = 0;         ///< energy taken out since the solution before, see ContactImpulses [energy]
+  double dissipated = 0;         ///< energy taken out since the solution before, see ImpulseSolver [energy]
   double penetration_ratio = 0;  ///< largest penetration over the size of its pair [-]
   std::int64_t pairs = 0;        ///< pairs that push
 };
@@ -50,18 +50,18 @@ struct ContactPair {
 ///
 /// The rows are solved in double and in one order, so that results do not depend on the number of threads.
 template <class S>
-class ContactImpulses {
+class ImpulseSolver {
  public:
-  ContactImpulses(const ContactModel<S>& model, HeldDirections held);
+  ImpulseSolver(const SurfaceSource<S>& source, HeldDirections held);
 
   /// Takes all pairs that may touch within the coming step, at the present positions, each once.
   /// dt: the step just made.
-  void collect(const ContactModel<S>& model, const std::vector<ContactPair>& pairs, double dt);
+  void collect(const SurfaceSource<S>& source, const std::vector<ContactPair>& pairs, double dt);
 
   /// Solves for the impulses of the coming step and adds the forces that give them to the nodes.
   /// Loads, constraints and prescribed velocities must already be in the node forces and velocities; what the forces of
   /// the contact have in held directions is for them to take up again.
-  ImpulseResult solve(const ContactModel<S>& model, const StepLengths& step);
+  ImpulseResult solve(const SurfaceSource<S>& source, const StepLengths& step);
 
   /// Nodes of the pairs collected, each once.
   const std::vector<std::int32_t>& nodes() const { return node_; }
@@ -69,19 +69,19 @@ class ContactImpulses {
   /// Adds the contact forces of the last solution, per node of the store [force].
   void add_node_forces(std::vector<Point>& node_force) const;
 
-  void persist(StateArchive& archive, const ContactModel<S>& model);
+  void persist(StateArchive& archive, const SurfaceSource<S>& source);
   std::size_t bytes() const;
 
  private:
   /// What outlives a step, by the names of the pair.
-  struct Memory {
+  struct PairMemory {
     std::int32_t first, second;
     double depth;        ///< as far as approach has closed it, see limit_depth [length]
     double force;        ///< of the last step [force]
     double lost;         ///< energy that the pair has taken out, but for friction [energy]
     double friction[3];  ///< of the last step [force]
     bool slides;         ///< in the last step
-    static bool earlier(const Memory& a, const Memory& b) {
+    static bool earlier(const PairMemory& a, const PairMemory& b) {
       return a.first != b.first ? a.first < b.first : a.second < b.second;
     }
   };
@@ -93,7 +93,7 @@ class ContactImpulses {
     double rate_free;          ///< G v* [length/time]
     double force;              ///< of this step [force]
     double sliding_before[3];  ///< of the middle of the step before, across the direction [length/time]
-    Memory memory;
+    PairMemory memory;
   };
 
   /// Where a node stands last in a row.
@@ -103,8 +103,8 @@ class ContactImpulses {
   };
 
   void add_row(const ContactPair& contact);
-  void limit_depth(const ContactModel<S>& model, std::size_t i, double dt);
-  void load_nodes(const ContactModel<S>& model, double velocity_step);
+  void limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt);
+  void load_nodes(const SurfaceSource<S>& source, double velocity_step);
   void set_rates(double velocity_step, double dt);
   void drop_rows_apart();
   bool has_friction() const { return friction_at_rest_ > 0; }
@@ -123,7 +123,7 @@ class ContactImpulses {
   std::vector<ImpulseNode> nodes_;
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
   std::vector<LastEntry> last_entry_;     ///< per entry of node_
-  std::vector<Memory> memory_;            ///< of the last step, sorted by the names
+  std::vector<PairMemory> memory_;        ///< of the last step, sorted by the names
   std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
   HeldDirections held_;
   double pending_ = 0;  ///< energy dissipated by the last impulses in the step after them

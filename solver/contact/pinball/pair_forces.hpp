@@ -46,10 +46,10 @@ class PairForces {
     PairSums<S> sums;
   };
   struct Waiting;
-  static void work_out(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                       std::int64_t piece, Work& work);
-  static void work_out_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                            std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work);
+  static void compute_piece(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                            std::int64_t piece, Work& work);
+  static void compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                           std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work);
 
   std::array<Work, pieces> work_;
 };

@@ -76,7 +76,7 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
       leave_out(self, group, groups);
       NearBalls<S>::leave_out_passing(tree, own, groups);
       leave_out_neighbours(pinballs, group, groups);
-      take(group, groups, found);
+      append(group, groups, found);
     }
   });
 }
@@ -89,7 +89,7 @@ void PairList<S>::leave_out(bool self, std::int32_t group, std::span<typename Ne
   };
   for (auto& other : near) {
     if (other.number == group) {  // each pair once
-      for (int i = 0; i < G; ++i) other.balls.take_from_row(i, (2U << i) - 1);
+      for (int i = 0; i < G; ++i) other.balls.clear_in_row(i, (2U << i) - 1);
     }
     other.same = balls_of_one_body<S>(reference(group), reference(other.number));
     if (!other.same.any()) continue;
@@ -112,14 +112,14 @@ void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::
         const int bit = 64 * w + __builtin_ctzll(bits);
         const auto a = static_cast<std::size_t>(group * G + bit / G);
         const auto b = static_cast<std::size_t>(other.number * G + bit % G);
-        if (share_corner(pinballs.corners[a], pinballs.corners[b])) other.balls.take_from_row(bit / G, 1U << bit % G);
+        if (share_corner(pinballs.corners[a], pinballs.corners[b])) other.balls.clear_in_row(bit / G, 1U << bit % G);
       }
     }
   }
 }
 
 template <class S>
-void PairList<S>::take(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found) {
+void PairList<S>::append(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found) {
   constexpr int G = ball_group<S>;
   const std::size_t most = found.pairs + (near.size() + 1) * G * G;  // and room to write more than there is
   if (found.second.size() < most) {
@@ -199,7 +199,7 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
 template <class S>
 void PairList<S>::remember() {
   parallel_for("pairs in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
-    std::vector<Memory>& memory = memory_[static_cast<std::size_t>(p)];
+    std::vector<PairMemory>& memory = memory_[static_cast<std::size_t>(p)];
     memory.clear();
     for (auto i = static_cast<std::size_t>(piece(p).begin); i < static_cast<std::size_t>(piece(p).end); ++i) {
       if (offset_[i] < S(0)) continue;
@@ -234,7 +234,7 @@ void PairList<S>::recall() {
     return found != slot_.end() && *found == slot ? static_cast<std::int32_t>(found - slot_.begin()) : -1;
   };
   parallel_for("pairs still in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
-    for (const Memory& m : memory_[static_cast<std::size_t>(p)]) {
+    for (const PairMemory& m : memory_[static_cast<std::size_t>(p)]) {
       const std::int32_t first = number_of_slot(m.first), second = number_of_slot(m.second);
       if (first < 0 || second < 0) continue;
       const std::int64_t place = find_pair(first, second);
@@ -271,7 +271,7 @@ std::size_t PairList<S>::bytes() const {
   std::size_t sum = of(listed_) + of(slot_) + of(has_pair_) + of(number_) + first_.bytes() + second_.bytes() +
                     offset_.bytes() + stored_.bytes() + boxes_.bytes() + reference_.bytes();
   for (const NearBalls<S>& near : near_) sum += near.bytes();
-  for (const std::vector<Memory>& memory : memory_) sum += of(memory);
+  for (const std::vector<PairMemory>& memory : memory_) sum += of(memory);
   for (const Found& found : found_) sum += of(found.first) + of(found.second);
   return sum;
 }

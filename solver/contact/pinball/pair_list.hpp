@@ -53,7 +53,7 @@ class PairList {
 
  private:
   /// A pair in contact, by the slots of its elements: what a rebuild carries over.
-  struct Memory {
+  struct PairMemory {
     std::int32_t first, second;
     S offset, stored;
   };
@@ -77,7 +77,7 @@ class PairList {
   /// The same without pairs of elements that share a corner.
   void leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
                             std::span<typename NearBalls<S>::Group> near) const;
-  void take(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
+  void append(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
   void mark(std::int32_t pinball);
   void number(const SurfacePinballs<S>& pinballs);
 
@@ -87,8 +87,8 @@ class PairList {
   AlignedArray<S> offset_, stored_;
   // What follows is kept for its memory alone.
   BallTree<S> boxes_;
-  AlignedArray<float> reference_;                   ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
-  std::array<std::vector<Memory>, pieces> memory_;  ///< of the pairs of a piece
+  AlignedArray<float> reference_;  ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
+  std::array<std::vector<PairMemory>, pieces> memory_;  ///< of the pairs of a piece
   std::array<NearBalls<S>, pieces> near_;
   std::array<Found, pieces> found_;
   std::vector<std::uint8_t> has_pair_;  ///< per pinball

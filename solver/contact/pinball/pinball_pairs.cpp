@@ -21,23 +21,23 @@ PinballNormal<double> normal_of(const PinballStore<S>& pinballs, std::int32_t p)
 }
 
 template <class S>
-ContactFace face_of(const ContactModel<S>& model, const std::array<std::int32_t, 8>& nodes, unsigned exposed,
+ContactFace face_of(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& nodes, unsigned exposed,
                     const Vec3<double>& direction) {
   Vec3<double> x[8];
-  for (std::size_t i = 0; i < 8; ++i) x[i] = vector_at(model.position, nodes[i]);
+  for (std::size_t i = 0; i < 8; ++i) x[i] = vector_at(source.position, nodes[i]);
   return face_towards(x, exposed, direction);
 }
 
 /// The row of two pinballs that may be near each other; without nodes where they cannot touch.
 /// d: C1 - C2; reach: R1 + R2.
 template <class S>
-ContactRow row_of(const ContactModel<S>& model, const PinballStore<S>& pinballs, const Surface& surface, std::int32_t p,
-                  std::int32_t q, const Vec3<double>& d, double reach) {
+ContactRow row_of(const SurfaceSource<S>& source, const PinballStore<S>& pinballs, const Surface& surface,
+                  std::int32_t p, std::int32_t q, const Vec3<double>& d, double reach) {
   const auto i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
   ContactRow row;
-  if (model.settings->gap == ContactGap::face) {
-    const ContactFace face1 = face_of(model, pinballs.corners[i], surface.exposed(pinballs.slot[i]), (-1.0) * d);
-    const ContactFace face2 = face_of(model, pinballs.corners[j], surface.exposed(pinballs.slot[j]), d);
+  if (source.settings->gap == ContactGap::face) {
+    const ContactFace face1 = face_of(source, pinballs.corners[i], surface.exposed(pinballs.slot[i]), (-1.0) * d);
+    const ContactFace face2 = face_of(source, pinballs.corners[j], surface.exposed(pinballs.slot[j]), d);
     row = face_row(face1, face2);
     // Faces that look at each other are told by their own gap alone; edges and corners by the balls.
     if (row.nodes1 == 0 && face1.face >= 0 && face2.face >= 0 && dot(face1.normal, face2.normal) <= -0.5) return row;
@@ -82,9 +82,9 @@ double pinball_pair_margin(ContactGap gap) {
 }
 
 template <class S>
-std::vector<ContactPair> pinball_pairs(const ContactModel<S>& model, const PinballStore<S>& pinballs,
+std::vector<ContactPair> pinball_pairs(const SurfaceSource<S>& source, const PinballStore<S>& pinballs,
                                        const PairList<S>& list, const Surface& surface) {
-  const double margin = pinball_pair_margin(model.settings->gap);
+  const double margin = pinball_pair_margin(source.settings->gap);
   const auto takes_part = [&pinballs](std::int32_t p) {
     return pinballs.outward[4 * static_cast<std::size_t>(p) + 3] > S(0);
   };
@@ -97,7 +97,7 @@ std::vector<ContactPair> pinball_pairs(const ContactModel<S>& model, const Pinba
       const auto reach = static_cast<double>(pinballs.centre[4 * static_cast<std::size_t>(p) + 3] +
                                              pinballs.centre[4 * static_cast<std::size_t>(q) + 3]);
       if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
-      const ContactRow row = row_of(model, pinballs, surface, p, q, d, reach);
+      const ContactRow row = row_of(source, pinballs, surface, p, q, d, reach);
       if (row.nodes1 > 0) found[static_cast<std::size_t>(piece)].push_back(pair_of(pinballs, p, q, row, reach));
     }
   });
@@ -106,9 +106,9 @@ std::vector<ContactPair> pinball_pairs(const ContactModel<S>& model, const Pinba
   return pairs;
 }
 
-template std::vector<ContactPair> pinball_pairs(const ContactModel<double>&, const PinballStore<double>&,
+template std::vector<ContactPair> pinball_pairs(const SurfaceSource<double>&, const PinballStore<double>&,
                                                 const PairList<double>&, const Surface&);
-template std::vector<ContactPair> pinball_pairs(const ContactModel<float>&, const PinballStore<float>&,
+template std::vector<ContactPair> pinball_pairs(const SurfaceSource<float>&, const PinballStore<float>&,
                                                 const PairList<float>&, const Surface&);
 
 }  // namespace pinball

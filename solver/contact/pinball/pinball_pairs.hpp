@@ -16,7 +16,7 @@ double pinball_pair_margin(ContactGap gap);
 /// Pairs of listed pinballs that may touch within the coming step, for enforcement by impulses: each pair once, named
 /// by the slots of its elements, with the gap that the scene chooses (kernels/contact_row.hpp).
 template <class S>
-std::vector<ContactPair> pinball_pairs(const ContactModel<S>& model, const PinballStore<S>& pinballs,
+std::vector<ContactPair> pinball_pairs(const SurfaceSource<S>& source, const PinballStore<S>& pinballs,
                                        const PairList<S>& list, const Surface& surface);
 
 }  // namespace pinball

@@ -151,7 +151,7 @@ void NearBalls<S>::leave_out_passing(const BallTreeView<S>& tree, const S* own, 
     const S* others = tree.ball + static_cast<std::int64_t>(near.number) * 7 * G;
     for (int i = 0; near.balls.any() && i < G; ++i) {
       const unsigned maybe = near.balls.row(i);
-      if (maybe != 0) near.balls.take_from_row(i, maybe & ~meeting_balls<T>(own, i, others));
+      if (maybe != 0) near.balls.clear_in_row(i, maybe & ~meeting_balls<T>(own, i, others));
     }
   }
 }

@@ -8,17 +8,17 @@
 namespace pinball {
 
 template <class S>
-SlidelineSearch<S>::SlidelineSearch(const ContactModel<S>& model, const SlidelineSurface<S>& surface)
-    : self_(model.settings->self),
-      reference_node_(static_cast<std::size_t>(model.node_count)),
-      reference_centre_(static_cast<std::size_t>(model.slots)) {
+SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface)
+    : self_(source.settings->self),
+      reference_node_(static_cast<std::size_t>(source.node_count)),
+      reference_centre_(static_cast<std::size_t>(source.slots)) {
   for (auto& node : reference_node_) node[3] = std::numeric_limits<float>::max();
   const auto single = [](const Point& p) {
     return std::array{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
   };
-  for (std::int64_t slot = 0; slot < model.slots; ++slot) {
+  for (std::int64_t slot = 0; slot < source.slots; ++slot) {
     if (!surface.topology().alive(slot)) continue;
-    const ContactElement element = model.element(slot);
+    const ContactElement element = source.element(slot);
     reference_centre_[static_cast<std::size_t>(slot)] = single(element.centre());
     const auto radius = static_cast<float>(element.radius);
     for (std::size_t i = 0; i < 8; ++i) {
@@ -43,18 +43,18 @@ bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own
 }
 
 template <class S>
-void SlidelineSearch<S>::watch_nodes(const ContactModel<S>& model, const SlidelineSurface<S>& surface) {
-  motion_.clear(model.node_count);
-  for (const Slave& slave : surface.slaves()) motion_.take(slave.node, least_radius(slave));
+void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface) {
+  motion_.clear(source.node_count);
+  for (const Slave& slave : surface.slaves()) motion_.watch(slave.node, least_radius(slave));
 }
 
 /// Balls that hold whatever may touch the segments. The farthest corner goes straight relative to the centre, so that
 /// its distance is largest at the beginning or at the end; both may stray.
 template <class S>
-void SlidelineSearch<S>::move_segments(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S horizon) {
+void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.segments().size());
-  const S* position = model.position;
-  const S* velocity = model.velocity;
+  const S* position = source.position;
+  const S* velocity = source.velocity;
   segments_.reset(count);
   parallel_for("segments", RangePolicy<>{0, count}, [&](std::int64_t s) {
     const auto& segment = surface.segments()[static_cast<std::size_t>(s)];
@@ -83,29 +83,29 @@ void SlidelineSearch<S>::move_segments(const ContactModel<S>& model, const Slide
 }
 
 template <class S>
-void SlidelineSearch<S>::move_slaves(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S horizon) {
+void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.slaves().size());
   slaves_.reset(count);
   parallel_for("slaves", RangePolicy<>{0, count}, [&](std::int64_t i) {
     const std::int32_t node = surface.slaves()[static_cast<std::size_t>(i)].node;
-    const S* x = model.position + 4 * static_cast<std::int64_t>(node);
-    const S* v = model.velocity + 4 * static_cast<std::int64_t>(node);
+    const S* x = source.position + 4 * static_cast<std::int64_t>(node);
+    const S* v = source.velocity + 4 * static_cast<std::int64_t>(node);
     slaves_.set(static_cast<std::int32_t>(i), {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
                 motion_.allowance(std::array{node}));
   });
 }
 
 template <class S>
-void SlidelineSearch<S>::build(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S skin) {
+void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S skin) {
   const S horizon = skin > S(0) ? horizon_steps * clock_.last_step() : S(0);
-  if (watched_) motion_.adapt(model.position, clock_.elapsed(), horizon);
-  if (!valid_) watch_nodes(model, surface);
+  if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
+  if (!valid_) watch_nodes(source, surface);
   watched_ = true;
-  motion_.start(model.position, model.velocity, skin);
+  motion_.start(source.position, source.velocity, skin);
   clock_.restart(horizon);
   valid_ = true;
-  move_segments(model, surface, horizon);
-  move_slaves(model, surface, horizon);
+  move_segments(source, surface, horizon);
+  move_slaves(source, surface, horizon);
   boxes_.build(segments_);
   find(surface);
 }

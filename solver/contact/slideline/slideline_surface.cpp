@@ -34,15 +34,15 @@ bool SlidelineSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded)
 }
 
 template <class S>
-void SlidelineSurface<S>::collect(const ContactModel<S>& model) {
+void SlidelineSurface<S>::collect(const SurfaceSource<S>& source) {
   changed_ = false;
-  collect_faces(model, exposed_and_waiting(model));
+  collect_faces(source, exposed_and_waiting(source));
 }
 
 template <class S>
-void SlidelineSurface<S>::collect_faces(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces) {
-  collect_segments(model, faces);
-  collect_slaves(static_cast<std::size_t>(model.node_count));
+void SlidelineSurface<S>::collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
+  collect_segments(source, faces);
+  collect_slaves(static_cast<std::size_t>(source.node_count));
 
   constexpr std::size_t W = native_width<S>;
   const std::size_t packs = (segments_.size() + W - 1) / W;
@@ -79,13 +79,13 @@ void SlidelineSurface<S>::choose(const std::vector<std::int64_t>& first, const s
 
 /// Per slot a bit for each face that is to be a segment.
 template <class S>
-std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const ContactModel<S>& model) const {
+std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const SurfaceSource<S>& source) const {
   std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
   for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
     const std::uint8_t exposed = topology_.exposed(slot);
     if (exposed == 0) continue;
     faces[static_cast<std::size_t>(slot)] |= exposed;
-    if (!model.may_soon_erode(slot)) continue;
+    if (!source.may_soon_erode(slot)) continue;
     topology_.for_each_face_behind(slot, [&](std::int32_t behind, unsigned face) {
       faces[static_cast<std::size_t>(behind)] |= static_cast<std::uint8_t>(1U << face);
     });
@@ -94,12 +94,12 @@ std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const Contact
 }
 
 template <class S>
-void SlidelineSurface<S>::collect_segments(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces) {
+void SlidelineSurface<S>::collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
   segments_.clear();
   for (std::size_t slot = 0; slot < faces.size(); ++slot) {
     if (faces[slot] == 0) continue;
     const auto s = static_cast<std::int32_t>(slot);
-    const ContactElement element = model.element(s);
+    const ContactElement element = source.element(s);
     for (int f = 0; f < 6; ++f) {
       if ((faces[slot] >> f & 1U) == 0) continue;
       Segment segment{};
@@ -175,7 +175,7 @@ bool SlidelineSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const 
 }
 
 template <class S>
-void SlidelineSurface<S>::update(const ContactModel<S>& model) {
+void SlidelineSurface<S>::update(const SurfaceSource<S>& source) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
   const auto count = static_cast<std::int64_t>(segments_.size());
@@ -183,7 +183,7 @@ void SlidelineSurface<S>::update(const ContactModel<S>& model) {
     const std::int64_t pack = chosen_[static_cast<std::size_t>(p)];
     Vec3<T> x[4];
     for (int i = 0; i < 4; ++i) {
-      x[i] = gather_vectors<T>(model.position, corner_.data() + (pack * 4 + i) * W);
+      x[i] = gather_vectors<T>(source.position, corner_.data() + (pack * 4 + i) * W);
     }
     const Vec3<T> centre = number<T>(0.25) * (x[0] + x[1] + x[2] + x[3]);
     T farthest2(0);
@@ -212,14 +212,14 @@ void SlidelineSurface<S>::update(const ContactModel<S>& model) {
 
 /// Which faces wait was decided when they were collected: they are not what would wait now.
 template <class S>
-void SlidelineSurface<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
+void SlidelineSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   topology_.persist(archive);
   std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
   for (const Segment& s : segments_) {
     faces[static_cast<std::size_t>(s.slot)] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(s.face));
   }
   archive.of_fixed_size(faces);
-  if (archive.reads()) collect_faces(model, faces);
+  if (archive.reads()) collect_faces(source, faces);
   archive(chosen_, changed_);
 }
 

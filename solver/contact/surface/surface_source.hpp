@@ -46,7 +46,7 @@ struct ContactElement {
 /// call; nothing is kept from call to call. Elements have "slots": places in packs of `width`, some of them padding, in
 /// tiles of whole packs.
 template <class S>
-class ContactModel {
+class SurfaceSource {
  public:
   static constexpr int width = native_width<S>;
 
@@ -75,7 +75,7 @@ class ContactModel {
   virtual void before_search() const {}
 
  protected:
-  ~ContactModel() = default;
+  ~SurfaceSource() = default;
 };
 
 /// How the elements lie to each other when contact begins; per slot.
@@ -91,7 +91,7 @@ struct SurfaceTopology {
 };
 
 /// What contact is given once, to keep.
-struct ContactStart {
+struct InitialSurface {
   SurfaceTopology topology;
   HeldDirections held;  ///< asked for by impulses only: empty for penalty contact
 };
