@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <kernels/exec.hpp>
+#include <solver/contact/algorithm/contact_ledger.hpp>
 
 #include "host_error.hpp"
 #include "host_options.hpp"
@@ -81,6 +82,7 @@ class HostContactOf final : public HostContact {
     ContactWork work = springs_;
     if (work.pairs > 0) add_springs(*arrays, work);
     work += add_impulses(*arrays, dt_after);
+    ledger_.book(work, dt_before_);
     updated_ = false;
     return result_of(work);
   }
@@ -118,15 +120,13 @@ class HostContactOf final : public HostContact {
     return work;
   }
 
-  pinball_contact_result result_of(const ContactWork& now) {
-    dissipated_ += 0.5 * (damped_power_ + now.damped_power) * dt_before_ + now.dissipated;
-    lost_ += now.eroded;
-    damped_power_ = now.damped_power;
+  /// What a host is told of a step that is booked.
+  pinball_contact_result result_of(const ContactWork& now) const {
     pinball_contact_result result{};
     result.stored = now.stored;
-    result.dissipated = dissipated_;
-    result.eroded = lost_;
-    result.damped_power = damped_power_;
+    result.dissipated = ledger_.dissipated();
+    result.eroded = ledger_.eroded();
+    result.damped_power = ledger_.damped_power();
     result.penetration_ratio = now.penetration_ratio;
     result.pairs = now.pairs;
     result.listed_pairs = contact_->listed().entries;
@@ -146,7 +146,7 @@ class HostContactOf final : public HostContact {
   ContactWork springs_;               ///< of update, whose forces add_forces adds
   double dt_before_ = 0;
   bool updated_ = false;  ///< add_forces is due
-  double damped_power_ = 0, dissipated_ = 0, lost_ = 0;
+  ContactLedger ledger_;
 };
 
 template <class S>
