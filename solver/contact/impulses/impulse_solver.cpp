@@ -34,50 +34,34 @@ ImpulseSolver<S>::ImpulseSolver(const SurfaceSource<S>& source, HeldDirections h
       held_(std::move(held)) {}
 
 template <class S>
-void ImpulseSolver<S>::collect(const SurfaceSource<S>& source, const std::vector<ContactPair>& pairs, double dt) {
+void ImpulseSolver<S>::begin_rows() {
   rows_.clear();
   pairs_.clear();
   nodes_.clear();
   node_.clear();
   last_entry_.clear();
-  for (const ContactPair& pair : pairs) add_row(pair);
-  for (const std::int32_t n : node_) node_place_[static_cast<std::size_t>(n)] = -1;
-  for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(source, i, dt);
 }
 
 template <class S>
-void ImpulseSolver<S>::add_row(const ContactPair& contact) {
-  ImpulseRow row{};
-  for (int k = 0; k < contact.nodes; ++k) {
-    std::int32_t& place = node_place_[static_cast<std::size_t>(contact.node[k])];
-    if (place < 0) {
-      place = static_cast<std::int32_t>(node_.size());
-      node_.push_back(contact.node[k]);
-      last_entry_.push_back({rows_.size(), -1});
-    }
-    // Collapsed elements and spheres have a node at several corners: its weights add up.
-    LastEntry& last = last_entry_[static_cast<std::size_t>(place)];
-    if (last.row == rows_.size() && last.entry >= 0) {
-      row.weight[last.entry] += contact.weight[k];
-      continue;
-    }
-    last = {rows_.size(), row.nodes};
-    row.node[row.nodes] = place;
-    row.weight[row.nodes] = contact.weight[k];
-    ++row.nodes;
-  }
-  row.direction[0] = contact.direction.x;
-  row.direction[1] = contact.direction.y;
-  row.direction[2] = contact.direction.z;
-  Pair pair{};
-  pair.depth = contact.depth;
-  pair.size = contact.size;
-  pair.memory.first = contact.first;
-  pair.memory.second = contact.second;
+void ImpulseSolver<S>::add_row(std::int32_t first, std::int32_t second, const Vec3<double>& direction, double depth,
+                               double size) {
+  ImpulseRow& row = rows_.emplace_back();
+  row.direction[0] = direction.x;
+  row.direction[1] = direction.y;
+  row.direction[2] = direction.z;
+  Pair& pair = pairs_.emplace_back();
+  pair.depth = depth;
+  pair.size = size;
+  pair.memory.first = first;
+  pair.memory.second = second;
   const auto before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, PairMemory::earlier);
   if (before != memory_.end() && !PairMemory::earlier(pair.memory, *before)) pair.memory = *before;
-  rows_.push_back(row);
-  pairs_.push_back(pair);
+}
+
+template <class S>
+void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
+  for (const std::int32_t n : node_) node_place_[static_cast<std::size_t>(n)] = -1;
+  for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(source, i, dt);
 }
 
 /// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element

@@ -6,7 +6,7 @@
 
 #include <kernels/exec.hpp>
 
-#include "pinball_pairs.hpp"
+#include "pinball_rows.hpp"
 
 namespace pinball {
 
@@ -200,7 +200,9 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
 template <class S>
 void PinballAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   clock_.count_step(static_cast<S>(dt));
-  this->impulses_->collect(source, pinball_pairs(source, pinballs_, list_, surface_), dt);
+  this->impulses_->begin_rows();
+  add_pinball_rows(source, pinballs_, list_, surface_, *this->impulses_);
+  this->impulses_->finish_rows(source, dt);
 }
 
 template <class S>

@@ -294,28 +294,19 @@ template <class S>
 void SlidelineAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   search_.count_step(static_cast<S>(dt));
   find_touches(source, S(0.5), [](Touch&, Sums&) { return true; });
-  std::vector<ContactPair> pairs;
-  pairs.reserve(touches_.size());
+  ImpulseSolver<S>& impulses = *this->impulses_;
+  impulses.begin_rows();
   for (const Touch& touch : touches_) {
     const auto& slave = surface_.slaves()[touch.slave];
     const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
-    ContactPair pair;
-    pair.first = slave.node;
-    pair.second = -1;  // a node has one segment: what it remembers goes with it from one to the next
-    pair.nodes = 5;
-    pair.node[0] = slave.node;
-    pair.weight[0] = -1;
-    for (int i = 0; i < 4; ++i) {
-      pair.node[i + 1] = segment.node[i];
-      pair.weight[i + 1] = static_cast<double>(touch.at.weight[i]);
-    }
     const Vec3<S>& n = touch.at.normal;
-    pair.direction = {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
-    pair.depth = -static_cast<double>(touch.at.gap);
-    pair.size = static_cast<double>(slave.radius + segment.radius);
-    pairs.push_back(pair);
+    // Named by the slave alone, which has one segment: what it remembers goes with it from one to the next.
+    impulses.add_row(slave.node, -1, {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)},
+                     -static_cast<double>(touch.at.gap), static_cast<double>(slave.radius + segment.radius));
+    impulses.add_node(slave.node, -1);
+    for (int i = 0; i < 4; ++i) impulses.add_node(segment.node[i], static_cast<double>(touch.at.weight[i]));
   }
-  this->impulses_->collect(source, pairs, dt);
+  impulses.finish_rows(source, dt);
 }
 
 template <class S>

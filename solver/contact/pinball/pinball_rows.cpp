@@ -1,6 +1,7 @@
-#include "pinball_pairs.hpp"
+#include "pinball_rows.hpp"
 
 #include <array>
+#include <vector>
 
 #include <kernels/contact_row.hpp>
 #include <kernels/exec.hpp>
@@ -51,27 +52,12 @@ ContactRow row_of(const SurfaceSource<S>& source, const PinballStore<S>& pinball
   return row;
 }
 
-template <class S>
-ContactPair pair_of(const PinballStore<S>& pinballs, std::int32_t p, std::int32_t q, const ContactRow& row,
-                    double reach) {
-  const auto i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
-  ContactPair pair;
-  pair.first = pinballs.slot[i];
-  pair.second = pinballs.slot[j];
-  pair.nodes = row.nodes1 + row.nodes2;
-  for (int k = 0; k < row.nodes1; ++k) {
-    pair.node[k] = pinballs.corners[i][static_cast<std::size_t>(row.corner1[k])];
-    pair.weight[k] = -row.weight1[k];
-  }
-  for (int k = 0; k < row.nodes2; ++k) {
-    pair.node[row.nodes1 + k] = pinballs.corners[j][static_cast<std::size_t>(row.corner2[k])];
-    pair.weight[row.nodes1 + k] = row.weight2[k];
-  }
-  pair.direction = row.direction;
-  pair.depth = row.depth;
-  pair.size = reach;
-  return pair;
-}
+/// Two listed pinballs that may touch, and their row.
+struct PinballRow {
+  std::int32_t p, q;
+  double reach;
+  ContactRow row;
+};
 
 }  // namespace
 
@@ -82,14 +68,14 @@ double pinball_pair_margin(ContactGap gap) {
 }
 
 template <class S>
-std::vector<ContactPair> pinball_pairs(const SurfaceSource<S>& source, const PinballStore<S>& pinballs,
-                                       const PairList<S>& list, const Surface& surface) {
+void add_pinball_rows(const SurfaceSource<S>& source, const PinballStore<S>& pinballs, const PairList<S>& list,
+                      const Surface& surface, ImpulseSolver<S>& impulses) {
   const double margin = pinball_pair_margin(source.settings->gap);
   const auto takes_part = [&pinballs](std::int32_t p) {
     return pinballs.outward[4 * static_cast<std::size_t>(p) + 3] > S(0);
   };
   constexpr std::int64_t pieces = PairList<S>::pieces;
-  std::array<std::vector<ContactPair>, pieces> found;
+  std::array<std::vector<PinballRow>, pieces> found;
   parallel_for("contact pairs", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
     for (std::int64_t place = list.piece(piece).begin; place < list.piece(piece).end; ++place) {
       const std::int32_t p = list.first()[place], q = list.second()[place];
@@ -98,17 +84,26 @@ std::vector<ContactPair> pinball_pairs(const SurfaceSource<S>& source, const Pin
                                              pinballs.centre[4 * static_cast<std::size_t>(q) + 3]);
       if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
       const ContactRow row = row_of(source, pinballs, surface, p, q, d, reach);
-      if (row.nodes1 > 0) found[static_cast<std::size_t>(piece)].push_back(pair_of(pinballs, p, q, row, reach));
+      if (row.nodes1 > 0) found[static_cast<std::size_t>(piece)].push_back({p, q, reach, row});
     }
   });
-  std::vector<ContactPair> pairs;
-  for (const std::vector<ContactPair>& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-  return pairs;
+  for (const std::vector<PinballRow>& some : found) {
+    for (const auto& [p, q, reach, row] : some) {
+      const auto i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
+      impulses.add_row(pinballs.slot[i], pinballs.slot[j], row.direction, row.depth, reach);
+      for (int k = 0; k < row.nodes1; ++k) {
+        impulses.add_node(pinballs.corners[i][static_cast<std::size_t>(row.corner1[k])], -row.weight1[k]);
+      }
+      for (int k = 0; k < row.nodes2; ++k) {
+        impulses.add_node(pinballs.corners[j][static_cast<std::size_t>(row.corner2[k])], row.weight2[k]);
+      }
+    }
+  }
 }
 
-template std::vector<ContactPair> pinball_pairs(const SurfaceSource<double>&, const PinballStore<double>&,
-                                                const PairList<double>&, const Surface&);
-template std::vector<ContactPair> pinball_pairs(const SurfaceSource<float>&, const PinballStore<float>&,
-                                                const PairList<float>&, const Surface&);
+template void add_pinball_rows(const SurfaceSource<double>&, const PinballStore<double>&, const PairList<double>&,
+                               const Surface&, ImpulseSolver<double>&);
+template void add_pinball_rows(const SurfaceSource<float>&, const PinballStore<float>&, const PairList<float>&,
+                               const Surface&, ImpulseSolver<float>&);
 
 }  // namespace pinball
