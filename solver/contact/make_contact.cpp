@@ -7,14 +7,17 @@
 namespace pinball {
 
 template <class S>
-std::unique_ptr<ContactAlgorithm<S>> make_contact(const SurfaceSource<S>& source, InitialSurface start) {
-  if (source.settings->method == ContactMethod::slideline) {
-    return std::make_unique<SlidelineAlgorithm<S>>(source, std::move(start));
+std::unique_ptr<ContactAlgorithm<S>> make_contact(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                                  InitialSurface start) {
+  if (settings.method == ContactMethod::slideline) {
+    return std::make_unique<SlidelineAlgorithm<S>>(settings, source, std::move(start));
   }
-  return std::make_unique<PinballAlgorithm<S>>(source, std::move(start));
+  return std::make_unique<PinballAlgorithm<S>>(settings, source, std::move(start));
 }
 
-template std::unique_ptr<ContactAlgorithm<double>> make_contact(const SurfaceSource<double>&, InitialSurface);
-template std::unique_ptr<ContactAlgorithm<float>> make_contact(const SurfaceSource<float>&, InitialSurface);
+template std::unique_ptr<ContactAlgorithm<double>> make_contact(const ContactSettings&, const SurfaceSource<double>&,
+                                                                InitialSurface);
+template std::unique_ptr<ContactAlgorithm<float>> make_contact(const ContactSettings&, const SurfaceSource<float>&,
+                                                               InitialSurface);
 
 }  // namespace pinball

@@ -21,7 +21,6 @@ std::size_t part_of(const Model<S>& model, std::int64_t slot) {
 
 template <class S>
 ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(model) {
-  this->settings = &model.scene.contact;
   this->lists_last = model.scene.skip.contact_search;
   this->node_count = model.nodes.count;
   this->position = model.nodes.position.data();
@@ -94,7 +93,7 @@ std::unique_ptr<ContactAlgorithm<S>> make_model_contact([[maybe_unused]] const M
     const ContactSettings& settings = model.scene.contact;
     if (settings.method == ContactMethod::none) return nullptr;
     const bool by_impulses = settings.enforcement != Enforcement::penalty;
-    return make_contact(ModelSurface<S>(model),
+    return make_contact(settings, ModelSurface<S>(model),
                         {surface_topology(model), by_impulses ? held_directions(model) : HeldDirections()});
   }
   return nullptr;

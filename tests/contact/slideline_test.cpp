@@ -346,7 +346,7 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
       v[i] += 0.3 * speed * uniform(generator);  // so that segments grow
     }
     SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
-    SlidelineSearch<double> search(ModelSurface<double>(model), surface);
+    SlidelineSearch<double> search(ModelSurface<double>(model), surface, true);
     search.count_step(dt);
     search.build(ModelSurface<double>(model), surface, 0.5);
     std::int64_t near = 0, near_own = 0;

@@ -12,12 +12,14 @@ const std::vector<std::int32_t> no_nodes;
 }  // namespace
 
 template <class S>
-ContactAlgorithm<S>::ContactAlgorithm(const SurfaceSource<S>& source, HeldDirections held) {
+ContactAlgorithm<S>::ContactAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                      HeldDirections held)
+    : settings_(settings) {
   // A damped spring is stable for dt <= 2/w (sqrt(1 + xi^2) - xi): as an undamped one of the higher frequency.
-  const double xi = source.settings->damping;
+  const double xi = settings.damping;
   damping_factor_ = 1.0 / std::pow(std::sqrt(1 + xi * xi) - xi, 2);
-  if (source.settings->enforcement != Enforcement::penalty) {
-    impulses_ = std::make_unique<ImpulseSolver<S>>(source, std::move(held));
+  if (settings.enforcement != Enforcement::penalty) {
+    impulses_ = std::make_unique<ImpulseSolver<S>>(settings, source.node_count, std::move(held));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/contact/contact_settings.hpp>
 #include <solver/contact/impulses/impulse_solver.hpp>
 #include <solver/contact/surface/surface.hpp>
 #include <solver/contact/surface/surface_source.hpp>
@@ -56,7 +57,8 @@ struct ListSize {
 template <class S>
 class ContactAlgorithm {
  public:
-  ContactAlgorithm(const SurfaceSource<S>& source, HeldDirections held);
+  /// settings: those of all steps; a copy is kept.
+  ContactAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, HeldDirections held);
   virtual ~ContactAlgorithm() = default;
   ContactAlgorithm(const ContactAlgorithm&) = delete;
   ContactAlgorithm& operator=(const ContactAlgorithm&) = delete;
@@ -110,6 +112,7 @@ class ContactAlgorithm {
   virtual const std::vector<std::int32_t>& nodes_of_springs() = 0;
   virtual void collect_impulses(const SurfaceSource<S>& source, double dt) = 0;
 
+  const ContactSettings settings_;
   std::unique_ptr<ImpulseSolver<S>> impulses_;  ///< only with enforcement by impulses
   double damping_factor_ = 1;                   ///< of the squared frequency of the springs, for their damping
   std::int64_t searches_ = 0, searches_skipped_ = 0;
@@ -117,6 +120,7 @@ class ContactAlgorithm {
 
 /// The algorithm that the settings name, which may not be none.
 template <class S>
-std::unique_ptr<ContactAlgorithm<S>> make_contact(const SurfaceSource<S>& source, InitialSurface start);
+std::unique_ptr<ContactAlgorithm<S>> make_contact(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                                  InitialSurface start);
 
 }  // namespace pinball

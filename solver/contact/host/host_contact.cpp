@@ -50,9 +50,10 @@ class HostContactOf final : public HostContact {
  public:
   HostContactOf(const ContactSettings& settings, const pinball_contact_options& options, HostMesh<S> mesh,
                 const pinball_contact_input& position)
-      : settings_(settings), threads_(options.threads), source_(settings_, options, std::move(mesh), position) {
+      : threads_(options.threads), source_(options, std::move(mesh), position) {
     const ThreadCount threads(threads_);
-    contact_ = make_contact<S>(source_, source_.start(position, settings_.enforcement != Enforcement::penalty));
+    contact_ =
+        make_contact<S>(settings, source_, source_.start(position, settings.enforcement != Enforcement::penalty));
   }
 
   void update(const pinball_contact_arrays* arrays, double dt_before) override {
@@ -138,7 +139,6 @@ class HostContactOf final : public HostContact {
     return result;
   }
 
-  ContactSettings settings_;
   std::int32_t threads_;
   HostSurface<S> source_;
   std::unique_ptr<ContactAlgorithm<S>> contact_;

@@ -44,10 +44,9 @@ class FiniteCheck {
 }  // namespace
 
 template <class S>
-HostSurface<S>::HostSurface(const ContactSettings& given, const pinball_contact_options& options, HostMesh<S> mesh,
+HostSurface<S>::HostSurface(const pinball_contact_options& options, HostMesh<S> mesh,
                             const pinball_contact_input& where)
     : mesh_(std::move(mesh)) {
-  this->settings = &given;
   this->lists_last = options.keep_lists == 1;
   this->node_count = mesh_.nodes();
   const auto n = static_cast<std::size_t>(mesh_.nodes());

@@ -16,9 +16,7 @@ namespace pinball {
 template <class S>
 class HostSurface final : public SurfaceSource<S> {
  public:
-  /// settings: to outlive this.
-  HostSurface(const ContactSettings& settings, const pinball_contact_options& options, HostMesh<S> mesh,
-              const pinball_contact_input& position);
+  HostSurface(const pinball_contact_options& options, HostMesh<S> mesh, const pinball_contact_input& position);
 
   ContactElement element(std::int64_t slot) const override;
   bool may_soon_erode(std::int64_t slot) const override { return alive_at(slot) == 2; }

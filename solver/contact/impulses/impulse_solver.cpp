@@ -26,11 +26,11 @@ constexpr double tolerance = 1e-4;
 }  // namespace
 
 template <class S>
-ImpulseSolver<S>::ImpulseSolver(const SurfaceSource<S>& source, HeldDirections held)
-    : lagrange_(source.settings->enforcement == Enforcement::lagrange),
-      friction_at_rest_(source.settings->static_friction),
-      friction_sliding_(source.settings->friction),
-      node_place_(static_cast<std::size_t>(source.node_count), -1),
+ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held)
+    : lagrange_(settings.enforcement == Enforcement::lagrange),
+      friction_at_rest_(settings.static_friction),
+      friction_sliding_(settings.friction),
+      node_place_(static_cast<std::size_t>(node_count), -1),
       held_(std::move(held)) {}
 
 template <class S>

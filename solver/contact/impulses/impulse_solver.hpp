@@ -8,6 +8,7 @@
 #include <kernels/tensor.hpp>
 #include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/contact/contact_settings.hpp>
 #include <solver/contact/surface/held_directions.hpp>
 #include <solver/contact/surface/surface_source.hpp>
 
@@ -41,7 +42,7 @@ struct ImpulseResult {
 template <class S>
 class ImpulseSolver {
  public:
-  ImpulseSolver(const SurfaceSource<S>& source, HeldDirections held);
+  ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held);
 
   /// Begins the rows of the coming step (kernels/contact_row.hpp); those of the step before are gone.
   void begin_rows();

@@ -41,15 +41,15 @@ S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 
 }  // namespace
 
 template <class S>
-PinballAlgorithm<S>::PinballAlgorithm(const SurfaceSource<S>& source, InitialSurface start)
-    : ContactAlgorithm<S>(source, std::move(start.held)), surface_(std::move(start.topology)) {
-  const ContactSettings& contact = *source.settings;
-  penalty_ = {static_cast<S>(contact.beta), static_cast<S>(contact.damping)};
+PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                      InitialSurface start)
+    : ContactAlgorithm<S>(settings, source, std::move(start.held)), surface_(std::move(start.topology)) {
+  penalty_ = {static_cast<S>(settings.beta), static_cast<S>(settings.damping)};
   std::vector<std::int32_t> exposed;
   for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
     if (surface_.exposed(slot) != 0) exposed.push_back(static_cast<std::int32_t>(slot));
   }
-  all_.update(source, surface_, exposed, all_before_);
+  all_.update(source, settings.radius_factor, surface_, exposed, all_before_);
   watch_nodes(source);
 }
 
@@ -95,7 +95,7 @@ void PinballAlgorithm<S>::update_geometry(const SurfaceSource<S>& source) {
   const S* position = source.position;
   const S* velocity = source.velocity;
   const RangePolicy<> packs{0, (pinballs_.count + width_of<T> - 1) / width_of<T>};
-  if (source.settings->radius == ContactRadius::current) {
+  if (this->settings_.radius == ContactRadius::current) {
     parallel_for("pinballs", packs,
                  [&](std::int64_t pack) { update_pinball_pack<T, true>(view, position, velocity, pack); });
   } else {
@@ -131,18 +131,18 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
   const S horizon = reuse ? horizon_steps * clock_.last_step() : S(0);
   motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (surface_changed_) {  // a good moment to take in the elements behind the new surface
-    all_.update(source, surface_, uncovered_, all_before_);
+    all_.update(source, this->settings_.radius_factor, surface_, uncovered_, all_before_);
     watch_nodes(source);
     uncovered_.clear();
     surface_changed_ = false;
   }
-  motion_.start(source.position, source.velocity, reuse ? static_cast<S>(source.settings->skin) : S(0));
+  motion_.start(source.position, source.velocity, reuse ? static_cast<S>(this->settings_.skin) : S(0));
   clock_.restart(horizon);
 
-  const bool current = source.settings->radius == ContactRadius::current;
+  const bool current = this->settings_.radius == ContactRadius::current;
   radius_.resize(current ? all_.radius.size() : 0);
   // Where each ball may be, and what the rounding of single precision adds.
-  const S factor = static_cast<S>(1.0001 * (this->impulses_ ? pinball_pair_margin(source.settings->gap) : 1.0) *
+  const S factor = static_cast<S>(1.0001 * (this->impulses_ ? pinball_pair_margin(this->settings_.gap) : 1.0) *
                                   (current && reuse ? radius_growth : 1.0));
   balls_.reset(all_.count);
   parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
@@ -154,7 +154,7 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
     balls_.set(static_cast<std::int32_t>(i), centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
   });
-  list_.build(all_, balls_, source.settings->self);
+  list_.build(all_, balls_, this->settings_.self);
   list_valid_ = true;
   collect_listed(source);
 }
@@ -201,7 +201,7 @@ template <class S>
 void PinballAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   clock_.count_step(static_cast<S>(dt));
   this->impulses_->begin_rows();
-  add_pinball_rows(source, pinballs_, list_, surface_, *this->impulses_);
+  add_pinball_rows(source, this->settings_.gap, pinballs_, list_, surface_, *this->impulses_);
   this->impulses_->finish_rows(source, dt);
 }
 
@@ -257,7 +257,7 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
 template <class S>
 void PinballAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
                                  std::vector<double>& slot_radius) const {
-  const bool current = source.settings->radius == ContactRadius::current;
+  const bool current = this->settings_.radius == ContactRadius::current;
   for (std::size_t p = 0; p < all_.slot.size(); ++p) {
     if (surface_.exposed(all_.slot[p]) == 0) continue;  // behind the surface, or eroded
     slot_radius[static_cast<std::size_t>(all_.slot[p])] =
@@ -278,7 +278,7 @@ template <class S>
 void PinballAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   ContactAlgorithm<S>::persist(archive, source);
   surface_.persist(archive);
-  all_.persist(archive, source);
+  all_.persist(archive, source, this->settings_.radius_factor);
   motion_.persist(archive);
   list_.persist(archive);
   clock_.persist(archive);

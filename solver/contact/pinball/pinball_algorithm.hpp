@@ -19,7 +19,7 @@ namespace pinball {
 template <class S>
 class PinballAlgorithm final : public ContactAlgorithm<S> {
  public:
-  PinballAlgorithm(const SurfaceSource<S>& source, InitialSurface start);
+  PinballAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start);
 
   /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
   void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;

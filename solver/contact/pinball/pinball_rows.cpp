@@ -32,11 +32,11 @@ ContactFace face_of(const SurfaceSource<S>& source, const std::array<std::int32_
 /// The row of two pinballs that may be near each other; without nodes where they cannot touch.
 /// d: C1 - C2; reach: R1 + R2.
 template <class S>
-ContactRow row_of(const SurfaceSource<S>& source, const PinballStore<S>& pinballs, const Surface& surface,
-                  std::int32_t p, std::int32_t q, const Vec3<double>& d, double reach) {
+ContactRow row_of(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
+                  const Surface& surface, std::int32_t p, std::int32_t q, const Vec3<double>& d, double reach) {
   const auto i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
   ContactRow row;
-  if (source.settings->gap == ContactGap::face) {
+  if (gap == ContactGap::face) {
     const ContactFace face1 = face_of(source, pinballs.corners[i], surface.exposed(pinballs.slot[i]), (-1.0) * d);
     const ContactFace face2 = face_of(source, pinballs.corners[j], surface.exposed(pinballs.slot[j]), d);
     row = face_row(face1, face2);
@@ -68,9 +68,9 @@ double pinball_pair_margin(ContactGap gap) {
 }
 
 template <class S>
-void add_pinball_rows(const SurfaceSource<S>& source, const PinballStore<S>& pinballs, const PairList<S>& list,
-                      const Surface& surface, ImpulseSolver<S>& impulses) {
-  const double margin = pinball_pair_margin(source.settings->gap);
+void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
+                      const PairList<S>& list, const Surface& surface, ImpulseSolver<S>& impulses) {
+  const double margin = pinball_pair_margin(gap);
   const auto takes_part = [&pinballs](std::int32_t p) {
     return pinballs.outward[4 * static_cast<std::size_t>(p) + 3] > S(0);
   };
@@ -83,7 +83,7 @@ void add_pinball_rows(const SurfaceSource<S>& source, const PinballStore<S>& pin
       const auto reach = static_cast<double>(pinballs.centre[4 * static_cast<std::size_t>(p) + 3] +
                                              pinballs.centre[4 * static_cast<std::size_t>(q) + 3]);
       if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
-      const ContactRow row = row_of(source, pinballs, surface, p, q, d, reach);
+      const ContactRow row = row_of(source, gap, pinballs, surface, p, q, d, reach);
       if (row.nodes1 > 0) found[static_cast<std::size_t>(piece)].push_back({p, q, reach, row});
     }
   });
@@ -101,9 +101,9 @@ void add_pinball_rows(const SurfaceSource<S>& source, const PinballStore<S>& pin
   }
 }
 
-template void add_pinball_rows(const SurfaceSource<double>&, const PinballStore<double>&, const PairList<double>&,
-                               const Surface&, ImpulseSolver<double>&);
-template void add_pinball_rows(const SurfaceSource<float>&, const PinballStore<float>&, const PairList<float>&,
-                               const Surface&, ImpulseSolver<float>&);
+template void add_pinball_rows(const SurfaceSource<double>&, ContactGap, const PinballStore<double>&,
+                               const PairList<double>&, const Surface&, ImpulseSolver<double>&);
+template void add_pinball_rows(const SurfaceSource<float>&, ContactGap, const PinballStore<float>&,
+                               const PairList<float>&, const Surface&, ImpulseSolver<float>&);
 
 }  // namespace pinball

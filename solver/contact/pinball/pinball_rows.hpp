@@ -12,9 +12,9 @@ namespace pinball {
 double pinball_pair_margin(ContactGap gap);
 
 /// Adds a row for each pair of listed pinballs that may touch within the coming step, in the order of the list: named
-/// by the slots of their elements, with the gap that the settings choose (kernels/contact_row.hpp).
+/// by the slots of their elements, with a gap of the kind asked for (kernels/contact_row.hpp).
 template <class S>
-void add_pinball_rows(const SurfaceSource<S>& source, const PinballStore<S>& pinballs, const PairList<S>& list,
-                      const Surface& surface, ImpulseSolver<S>& impulses);
+void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
+                      const PairList<S>& list, const Surface& surface, ImpulseSolver<S>& impulses);
 
 }  // namespace pinball

@@ -6,7 +6,7 @@
 namespace pinball {
 
 template <class S>
-void SurfacePinballs<S>::update(const SurfaceSource<S>& source, const Surface& surface,
+void SurfacePinballs<S>::update(const SurfaceSource<S>& source, double radius_factor, const Surface& surface,
                                 const std::vector<std::int32_t>& uncovered, SurfacePinballs& before) {
   chosen.resize(static_cast<std::size_t>(surface.slots()), 0);
   std::vector<std::int32_t> added;
@@ -33,7 +33,7 @@ void SurfacePinballs<S>::update(const SurfaceSource<S>& source, const Surface& s
   auto next = added.begin();
   const std::size_t count_before = before.slot.size();
   for (std::size_t i = 0; i < count_before;) {
-    for (; next != added.end() && *next < before.slot[i]; ++next) append(source, *next);
+    for (; next != added.end() && *next < before.slot[i]; ++next) append(source, radius_factor, *next);
     std::size_t end = i;  // of those that stay together
     while (end < count_before && surface.alive(before.slot[end]) &&
            !(next != added.end() && *next < before.slot[end])) {
@@ -46,7 +46,7 @@ void SurfacePinballs<S>::update(const SurfaceSource<S>& source, const Surface& s
     }
     i = end;
   }
-  for (; next != added.end(); ++next) append(source, *next);
+  for (; next != added.end(); ++next) append(source, radius_factor, *next);
 }
 
 template <class S>
@@ -76,13 +76,13 @@ void SurfacePinballs<S>::append(const SurfacePinballs& others, std::size_t begin
 }
 
 template <class S>
-void SurfacePinballs<S>::append(const SurfaceSource<S>& source, std::int64_t s) {
+void SurfacePinballs<S>::append(const SurfaceSource<S>& source, double radius_factor, std::int64_t s) {
   const ContactElement element = source.element(s);
   ++count;
   slot.push_back(static_cast<std::int32_t>(s));
   body.push_back(element.body);
   corners.push_back(element.corners);
-  radius.push_back(static_cast<S>((element.sphere ? 1.0 : source.settings->radius_factor) * element.radius));
+  radius.push_back(static_cast<S>((element.sphere ? 1.0 : radius_factor) * element.radius));
   mass.push_back(static_cast<S>(element.mass));
   bulk_modulus.push_back(static_cast<S>(element.bulk_modulus));
   const Point c = element.centre();
@@ -91,7 +91,7 @@ void SurfacePinballs<S>::append(const SurfaceSource<S>& source, std::int64_t s) 
 }
 
 template <class S>
-void SurfacePinballs<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
+void SurfacePinballs<S>::persist(StateArchive& archive, const SurfaceSource<S>& source, double radius_factor) {
   std::vector<std::int32_t> slots = slot;
   archive(slots);
   if (!archive.reads()) return;
@@ -99,7 +99,7 @@ void SurfacePinballs<S>::persist(StateArchive& archive, const SurfaceSource<S>& 
   chosen.assign(static_cast<std::size_t>(source.slots), 0);
   for (const std::int32_t s : slots) {
     chosen.at(static_cast<std::size_t>(s)) = 1;
-    append(source, s);
+    append(source, radius_factor, s);
   }
 }
 

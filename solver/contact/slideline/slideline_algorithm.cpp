@@ -32,13 +32,14 @@ S closing_rate(const S* velocity, std::int32_t slave, const std::int32_t (&node)
 }  // namespace
 
 template <class S>
-SlidelineAlgorithm<S>::SlidelineAlgorithm(const SurfaceSource<S>& source, InitialSurface start)
-    : ContactAlgorithm<S>(source, std::move(start.held)),
+SlidelineAlgorithm<S>::SlidelineAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                          InitialSurface start)
+    : ContactAlgorithm<S>(settings, source, std::move(start.held)),
       surface_(source, std::move(start.topology)),
-      search_(source, surface_),
+      search_(source, surface_, settings.self),
       memory_(surface_.slaves().size()),
-      beta_(static_cast<S>(source.settings->beta)),
-      damping_(static_cast<S>(source.settings->damping)) {}
+      beta_(static_cast<S>(settings.beta)),
+      damping_(static_cast<S>(settings.damping)) {}
 
 template <class S>
 double SlidelineAlgorithm<S>::end_inactive_touches() {
@@ -90,7 +91,7 @@ void SlidelineAlgorithm<S>::search(const SurfaceSource<S>& source) {
   source.before_search();
   ++this->searches_;
   if (surface_.changed()) collect_surface(source);  // a good moment to let those behind the new surface wait
-  search_.build(source, surface_, reuse ? static_cast<S>(source.settings->skin) : S(0));
+  search_.build(source, surface_, reuse ? static_cast<S>(this->settings_.skin) : S(0));
   surface_.choose(search_.first(), search_.listed());
   surface_.update(source);
 }

@@ -27,7 +27,7 @@ namespace pinball {
 template <class S>
 class SlidelineAlgorithm final : public ContactAlgorithm<S> {
  public:
-  SlidelineAlgorithm(const SurfaceSource<S>& source, InitialSurface start);
+  SlidelineAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start);
 
   void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
   void search(const SurfaceSource<S>& source) override;

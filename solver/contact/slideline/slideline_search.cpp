@@ -8,8 +8,8 @@
 namespace pinball {
 
 template <class S>
-SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface)
-    : self_(source.settings->self),
+SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, bool self)
+    : self_(self),
       reference_node_(static_cast<std::size_t>(source.node_count)),
       reference_centre_(static_cast<std::size_t>(source.slots)) {
   for (auto& node : reference_node_) node[3] = std::numeric_limits<float>::max();

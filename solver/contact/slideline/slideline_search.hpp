@@ -20,7 +20,8 @@ class SlidelineSearch {
   using Slave = typename SlidelineSurface<S>::Slave;
   using Segment = typename SlidelineSurface<S>::Segment;
 
-  SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface);
+  /// self: a body may touch itself.
+  SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, bool self);
 
   /// Builds the lists from nothing, for all segments and slaves: those that wait are listed beforehand. skin: scale of
   /// what nodes may stray, over the radius of their smallest elements; 0: the lists are for the present positions only.

@@ -11,7 +11,6 @@
 #include <solver/base/colouring.hpp>
 #include <solver/base/packs.hpp>
 #include <solver/base/point.hpp>
-#include <solver/contact/contact_settings.hpp>
 
 #include "held_directions.hpp"
 
@@ -50,7 +49,6 @@ class SurfaceSource {
  public:
   static constexpr int width = native_width<S>;
 
-  const ContactSettings* settings = nullptr;
   bool lists_last = true;  ///< lists of what may touch serve more than one step
 
   // Records of four numbers per node (gather.hpp), aligned to four numbers.
