@@ -111,7 +111,7 @@ template <class S>
 PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
                                    S dt, S* force) {
   const auto work_of = [this](std::int64_t piece) -> Work& { return work_[static_cast<std::size_t>(piece)]; };
-  parallel_for("contact forces", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  parallel_for("contact forces", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     compute_piece(view, constants, list, dt, piece, work_of(piece));
     const auto& range = list.piece(piece);
     std::fill(force + 4 * static_cast<std::int64_t>(range.pinballs_begin),
@@ -123,7 +123,7 @@ PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyCons
       for (int k = 0; k < 4; ++k) force[4 * static_cast<std::int64_t>(e.pinball) + k] += e.force[k];
     }
   }
-  parallel_for("contact force sums", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  parallel_for("contact force sums", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const Work& work = work_of(piece);
     for (std::int64_t i = 0; i < work.pairs; i += W) {
       const auto pairs = static_cast<int>(std::min<std::int64_t>(W, work.pairs - i));

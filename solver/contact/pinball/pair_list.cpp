@@ -34,7 +34,7 @@ void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>
 
 template <class S>
 std::int32_t PairList<S>::piece_begin(std::int64_t piece) const {
-  const std::int64_t begin = boxes_.view().groups * piece / pieces * ball_group<S>;
+  const std::int64_t begin = boxes_.view().groups * piece / fixed_pieces * ball_group<S>;
   return static_cast<std::int32_t>(std::min(begin, static_cast<std::int64_t>(has_pair_.size())));
 }
 
@@ -61,7 +61,7 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
-  parallel_for("neighbours", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  parallel_for("neighbours", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     Found& found = found_[static_cast<std::size_t>(piece)];
     found.pairs = 0;
     NearBalls<S>& near = near_[static_cast<std::size_t>(piece)];
@@ -151,13 +151,13 @@ template <class S>
 void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   constexpr std::int64_t W = native_width<S>;
   const auto found = [this](std::int64_t p) -> Found& { return found_[static_cast<std::size_t>(p)]; };
-  parallel_for("listed pinballs", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+  parallel_for("listed pinballs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     found(p).pinballs = static_cast<std::int32_t>(
         std::count(has_pair_.begin() + piece_begin(p), has_pair_.begin() + piece_begin(p + 1), 1));
   });
   std::int64_t places = 0;
   std::int32_t listed = 0;
-  for (std::int64_t p = 0; p < pieces; ++p) {
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) {
     const std::int64_t end = places + static_cast<std::int64_t>(found(p).pairs);
     piece_[static_cast<std::size_t>(p)] = {places, end, listed, listed + found(p).pinballs};
     places = (end + W - 1) / W * W;
@@ -166,7 +166,7 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   number_.resize(has_pair_.size());
   listed_.resize(static_cast<std::size_t>(listed));
   slot_.resize(static_cast<std::size_t>(listed));
-  parallel_for("numbers", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+  parallel_for("numbers", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     auto next = static_cast<std::size_t>(piece(p).pinballs_begin);
     for (std::int32_t i = piece_begin(p); i < piece_begin(p + 1); ++i) {
       const auto a = static_cast<std::size_t>(i);
@@ -181,10 +181,10 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   second_.renew(static_cast<std::size_t>(places));
   offset_.renew(static_cast<std::size_t>(places));
   stored_.renew(static_cast<std::size_t>(places));
-  parallel_for("pairs", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+  parallel_for("pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     const auto number_of = [this](std::int32_t pinball) { return number_[static_cast<std::size_t>(pinball)]; };
     const auto begin = static_cast<std::size_t>(piece(p).begin);
-    const auto end = p + 1 < pieces ? static_cast<std::size_t>(piece(p + 1).begin) : first_.size();
+    const auto end = p + 1 < fixed_pieces ? static_cast<std::size_t>(piece(p + 1).begin) : first_.size();
     const std::size_t pairs = found(p).pairs, place = begin + pairs;
     const std::int32_t *first = found(p).first.data(), *second = found(p).second.data();
     std::transform(first, first + pairs, first_.data() + begin, number_of);
@@ -198,7 +198,7 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
 
 template <class S>
 void PairList<S>::remember() {
-  parallel_for("pairs in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+  parallel_for("pairs in contact", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     std::vector<PairMemory>& memory = memory_[static_cast<std::size_t>(p)];
     memory.clear();
     for (auto i = static_cast<std::size_t>(piece(p).begin); i < static_cast<std::size_t>(piece(p).end); ++i) {
@@ -233,7 +233,7 @@ void PairList<S>::recall() {
     const auto found = std::lower_bound(slot_.begin(), slot_.end(), slot);  // pinballs are in the order of slots
     return found != slot_.end() && *found == slot ? static_cast<std::int32_t>(found - slot_.begin()) : -1;
   };
-  parallel_for("pairs still in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+  parallel_for("pairs still in contact", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     for (const PairMemory& m : memory_[static_cast<std::size_t>(p)]) {
       const std::int32_t first = number_of_slot(m.first), second = number_of_slot(m.second);
       if (first < 0 || second < 0) continue;

@@ -74,9 +74,8 @@ void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const Pinb
   const auto takes_part = [&pinballs](std::int32_t p) {
     return pinballs.outward[4 * static_cast<std::size_t>(p) + 3] > S(0);
   };
-  constexpr std::int64_t pieces = PairList<S>::pieces;
-  std::array<std::vector<PinballRow>, pieces> found;
-  parallel_for("contact pairs", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  std::array<std::vector<PinballRow>, fixed_pieces> found;
+  parallel_for("contact pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     for (std::int64_t place = list.piece(piece).begin; place < list.piece(piece).end; ++place) {
       const std::int32_t p = list.first()[place], q = list.second()[place];
       const Vec3<double> d = vector_at(pinballs.centre.data(), p) - vector_at(pinballs.centre.data(), q);

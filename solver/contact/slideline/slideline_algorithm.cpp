@@ -148,14 +148,13 @@ template <class S>
 template <class Work>
 typename SlidelineAlgorithm<S>::Sums SlidelineAlgorithm<S>::find_touches(const SurfaceSource<S>& source, S open_gap,
                                                                          const Work& work) {
-  constexpr std::int64_t pieces = 64;  // fixed, so that sums and lists do not depend on the threads
   const auto n = static_cast<std::int64_t>(surface_.slaves().size());
-  std::array<std::vector<Touch>, pieces> found;
-  std::array<Sums, pieces> sums;
-  parallel_for("slave nodes", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  std::array<std::vector<Touch>, fixed_pieces> found;
+  std::array<Sums, fixed_pieces> sums;
+  parallel_for("slave nodes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const auto p = static_cast<std::size_t>(piece);
-    for (auto i = static_cast<std::size_t>(n * piece / pieces); i < static_cast<std::size_t>(n * (piece + 1) / pieces);
-         ++i) {
+    for (auto i = static_cast<std::size_t>(n * piece / fixed_pieces);
+         i < static_cast<std::size_t>(n * (piece + 1) / fixed_pieces); ++i) {
       PairMemory& memory = memory_[i];
       Touch touch{};
       if (surface_.active(i) && find_segment(source, i, open_gap, touch)) {
@@ -177,7 +176,7 @@ typename SlidelineAlgorithm<S>::Sums SlidelineAlgorithm<S>::find_touches(const S
   });
   touches_.clear();
   Sums whole;
-  for (std::size_t p = 0; p < pieces; ++p) {
+  for (std::size_t p = 0; p < fixed_pieces; ++p) {
     touches_.insert(touches_.end(), found[p].begin(), found[p].end());
     whole.stored += sums[p].stored;
     whole.damped += sums[p].damped;

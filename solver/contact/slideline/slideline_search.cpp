@@ -118,12 +118,11 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
   const std::int64_t groups = (slaves_.count() + G - 1) / G;
   start_.assign(static_cast<std::size_t>(slaves_.count()) + 1, 0);
   // Slaves are worked in fixed pieces, each with a list of its own; the lists are joined in order.
-  constexpr std::int64_t pieces = 64;
-  std::array<std::vector<std::int32_t>, pieces> found;
-  parallel_for("slave candidates", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  std::array<std::vector<std::int32_t>, fixed_pieces> found;
+  parallel_for("slave candidates", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     std::vector<std::int32_t>& list = found[static_cast<std::size_t>(piece)];
     NearBalls<S> near;
-    const std::int64_t begin = groups * piece / pieces, end = groups * (piece + 1) / pieces;
+    const std::int64_t begin = groups * piece / fixed_pieces, end = groups * (piece + 1) / fixed_pieces;
     for (std::int64_t group = begin; group < end; ++group) {
       const S* own = slaves_.data() + group * 7 * G;
       near.enter(tree, box_of_balls<T>(own), 0);
