@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include <kernels/exec.hpp>
+#include <solver/base/thread_count.hpp>
 #include <solver/contact/algorithm/contact_ledger.hpp>
 
 #include "host_error.hpp"
@@ -14,20 +14,6 @@
 namespace pinball {
 
 namespace {
-
-/// The threads of the calling thread's parallel regions, while this lives.
-class ThreadCount {
- public:
-  explicit ThreadCount(std::int32_t threads) : before_(DefaultExecutionSpace::concurrency()) {
-    if (threads > 0) DefaultExecutionSpace::set_concurrency(threads);
-  }
-  ~ThreadCount() { DefaultExecutionSpace::set_concurrency(before_); }
-  ThreadCount(const ThreadCount&) = delete;
-  ThreadCount& operator=(const ThreadCount&) = delete;
-
- private:
-  int before_;
-};
 
 template <class Vectors>
 void require_vectors(const Vectors& vectors, const char* name) {
