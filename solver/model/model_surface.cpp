@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <kernels/pinball.hpp>
 #include <solver/base/built_features.hpp>
 #include <solver/base/faces.hpp>
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <kernels/exec.hpp>
-#include <kernels/hexahedron.hpp>
+#include <kernels/pinball.hpp>
 #include <solver/base/faces.hpp>
 
 #include "host_error.hpp"

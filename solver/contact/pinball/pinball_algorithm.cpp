@@ -25,7 +25,7 @@ std::array<S, 3> centre_of(const S* records, const std::array<std::int32_t, 8>& 
   return {S(0.125) * sum[0], S(0.125) * sum[1], S(0.125) * sum[2]};
 }
 
-/// Radius of the ball of the element's present volume, as in update_pinball_pack.
+/// Radius of the ball of the element's present volume, as in update_pinball_pack but for the rounding of the cube root.
 template <class S>
 S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& corners) {
   Vec3<S> x[8];
@@ -34,8 +34,7 @@ S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 
     x[i] = {p[0], p[1], p[2]};
   }
   const HexahedronModes<S> modes = to_modes(x);
-  return S(0.62035049089940009) *
-         static_cast<S>(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes))));
+  return ball_radius_of_cube(static_cast<S>(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes)))));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,9 +14,6 @@
 #include "held_directions.hpp"
 
 namespace pinball {
-
-/// Radius of the ball of a volume, report eq. (3.2) [length].
-inline double ball_radius(double volume) { return std::cbrt(volume * 3.0 / (4.0 * M_PI)); }
 
 /// What contact asks about an element when it takes it in: what does not change from step to step. A rigid sphere is an
 /// element whose corners are all the same node, with all its faces, which have no area, exposed.
