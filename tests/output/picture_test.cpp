@@ -54,7 +54,7 @@ TEST(picture, ReadsWhatWasWritten) {
   const test::TemporaryFolder folder("picture_check");
   write_case(folder);
   EXPECT_EQ(
-      run("/usr/bin/python3 '" PINBALL_SOURCE_DIR "/tests/picture_check.py' '" + bench + "' " + folder.path.string()),
+      run("/usr/bin/python3 '" PINBALL_SOURCE_DIR "/tests/output/picture_check.py' '" + bench + "' " + folder.path.string()),
       0);
 }
 
