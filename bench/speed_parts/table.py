@@ -38,21 +38,45 @@ def rows(samples):
     return found
 
 
-def sources(samples):
-    """Where the published figures in the table are from, each once."""
-    figures = [figure_for(*sample.series[:4]) for sample in samples]
+def read(folder):
+    """The rows that write() has left there."""
+    with open(os.path.join(folder, "table.csv"), newline="", encoding="utf-8") as file:
+        return [[float(line[name]) if name in SPREAD else int(line[name]) if name in NUMBERS else line[name] for name in HEAD]
+                for line in csv.DictReader(file)]
+
+
+def sources(found):
+    """Where the published figures of these rows are from, each once."""
+    figures = [figure_for(*row[:4]) for row in found]
     return list(dict.fromkeys(figure.source for figure in figures if figure))
 
 
-def text(samples):
+def head(machine):
+    """machine: as machine.json has it."""
+    return (f"{machine['cpu']}, {machine['cores']} cores, {machine['memory_gib']} GiB; {machine['compiler']}; "
+            f"revision {machine['revision']}; load {machine['load_average']} at the start")
+
+
+def as_shown(found):
+    """The names of the columns and the rows as text."""
+    return [[name.replace("_", " ") for name in HEAD],
+            *([three_digits(cell) if name in SPREAD else f"{cell:,}" if isinstance(cell, int) else cell
+               for name, cell in zip(HEAD, row)] for row in found)]
+
+
+def text(found):
     """Columns with as many spaces as they need."""
-    lines = [[name.replace("_", " ") for name in HEAD]]
-    for row in rows(samples):
-        lines.append([three_digits(cell) if name in SPREAD else f"{cell:,}" if isinstance(cell, int) else cell
-                      for name, cell in zip(HEAD, row)])
+    lines = as_shown(found)
     widths = [max(len(line[column]) for line in lines) for column in range(len(HEAD))]
     return "\n".join("  ".join(cell.rjust(width) if name in NUMBERS else cell.ljust(width)
                                for name, cell, width in zip(HEAD, line, widths)).rstrip() for line in lines)
+
+
+def markdown(machine, found):
+    """The same as a page, as bench/results keeps it."""
+    names, *lines = ["| " + " | ".join(cells) + " |" for cells in as_shown(found)]
+    published = [f"- published: {source}" for source in sources(found)]
+    return "\n".join(["# All figures of speed", "", head(machine), "", names, "|---" * len(HEAD) + "|", *lines, "", *published])
 
 
 def write(measured, ratios, shown, folder):

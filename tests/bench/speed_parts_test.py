@@ -1,6 +1,8 @@
 """What bench/speed makes of measurements, on made-up ones: speed_parts_test.py."""
 
 import csv
+import glob
+import json
 import os
 import sys
 import tempfile
@@ -8,7 +10,8 @@ import unittest
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
+BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench")
+sys.path.insert(0, BENCH)
 
 from report_parts import measuring
 from speed_parts import contact, published, samples, scenes, shuffled_mesh, table, whole_steps
@@ -171,7 +174,7 @@ class Table(unittest.TestCase):
         self.assertEqual(second[7:], [1235.5, 1234.5, 1235.0, 1236.0, "", ""])
 
     def test_columns_of_the_text_are_aligned(self):
-        head, *lines = table.text(self.SAMPLES).splitlines()
+        head, *lines = table.text(table.rows(self.SAMPLES)).splitlines()
         self.assertEqual(len(lines), 2)
         end = head.index("median") + len("median")
         self.assertEqual([line[:end].split()[-1] for line in lines], ["0.3", "1,236"])
@@ -186,7 +189,24 @@ class Table(unittest.TestCase):
         self.assertEqual([(row["value"], row["round"]) for row in rows], [("0.2", "0"), ("1234.5", "0"), ("1236.5", "1"), ("0.4", "1")])
 
     def test_sources_once(self):
-        self.assertEqual(table.sources(self.SAMPLES), [published.RADIOSS_ROD])
+        self.assertEqual(table.sources(table.rows(self.SAMPLES)), [published.RADIOSS_ROD])
+
+    def test_markdown_is_made_of_the_file(self):
+        with tempfile.TemporaryDirectory() as where:
+            table.write(self.SAMPLES, [], self.SAMPLES, where)
+            read = table.read(where)
+        self.assertEqual(read, table.rows(self.SAMPLES))
+        machine = dict.fromkeys(("cpu", "cores", "memory_gib", "compiler", "revision", "load_average"), "x")
+        self.assertIn("| rod_plate: time | 1,842 | double | 1 | AVX2 | 1/s | 2 | 0.3 | 0.2 | 0.25 | 0.35 | 0.66 | 2.2 |\n",
+                      table.markdown(machine, read))
+
+    def test_kept_results_are_those_of_their_files(self):
+        kept = glob.glob(os.path.join(BENCH, "results", "*", "speed.md"))
+        self.assertTrue(kept)
+        for path in kept:
+            where = os.path.dirname(path)
+            with open(path, encoding="utf-8") as file, open(os.path.join(where, "machine.json"), encoding="utf-8") as machine:
+                self.assertEqual(file.read(), table.markdown(json.load(machine), table.read(where)) + "\n", path)
 
 
 class ShuffledMesh(unittest.TestCase):

@@ -34,6 +34,11 @@ class Calls(bench_command.Calls, unittest.TestCase):
             self.assertEqual(done.returncode, 2)
             self.assertIn(said, done.stderr)
 
+    def test_markdown_of_nothing(self):
+        done = self.call("--markdown", "--out", os.path.join(OUT, "nothing"))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("machine.json", done.stderr)
+
 
 class SmallForm(unittest.TestCase):
     @classmethod

@@ -1,5 +1,6 @@
 """How bench/stress judges, on made-up runs; how it changes scenes: stress_parts_test.py."""
 
+import glob
 import math
 import os
 import sys
@@ -8,7 +9,8 @@ import unittest
 
 import numpy as np
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
+BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench")
+sys.path.insert(0, BENCH)
 
 from stress_parts import case, invariance, judge, page, program, random_scenes, scene
 from stress_parts.judge import ACCURATE, CRASHES, HANGS, REFUSES, STOPS, UNCLEAR, WARNS, WRONG
@@ -134,6 +136,15 @@ class Rows(unittest.TestCase):
         self.assertIn("&lt;worse&gt;", page.render(results))
         self.assertIn("| group: title | accurate |", page.markdown(results))
         self.assertIn("| **CRASHES** |", page.markdown(results))
+        self.assertIn("2 rows, 1 wrong;", page.markdown(results))
+
+    def test_kept_results_are_whole(self):
+        kept = glob.glob(os.path.join(BENCH, "results", "*", "stress.md"))
+        self.assertTrue(kept)
+        for path in kept:
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            self.assertIn(f"\n{text.count(chr(10) + '| ') - 1} rows, 0 wrong;", text, path)  # but the names of the columns
 
 
 class Scenes(unittest.TestCase):

@@ -124,9 +124,13 @@ class Derived(unittest.TestCase):
         self.assertIn("two_bars, float, 40", said)
 
     def test_markdown_has_the_same_numbers(self):
-        text = markdown.render({"studies": [self.part], "precision": precision.derive([self.part]), "ensemble": None})
+        text = markdown.render({"studies": [self.part], "precision": precision.derive([self.part]), "ensemble": None, "form": "full",
+                                "rounds": 3, "seconds": 9.6, "machine": {"cpu": "a processor", "revision": "abc"}})
+        self.assertIn("full form, 3 rounds, 10 s; a processor; revision abc\n", text)
         self.assertIn("| better | 4 % | 1.1 |", text)
         self.assertIn("better, at most 1.1 s", text)
+        self.assertIn("## Single precision\n", text)
+        self.assertNotIn("oblique", text)  # nothing of what was not measured
 
 
 class Variants(unittest.TestCase):

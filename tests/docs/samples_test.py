@@ -13,11 +13,10 @@ LOADER.exec_module(samples)
 
 class Pages(unittest.TestCase):
     def test_show_the_code_of_the_files(self):
-        self.assertGreaterEqual(len(samples.PAGES), 2)
+        self.assertGreaterEqual(sum("<!-- sample: " in page.read_text() for page in samples.PAGES), 2)
         for page in samples.PAGES:
             with self.subTest(page.name):
                 text = page.read_text()
-                self.assertGreaterEqual(text.count("<!-- sample: "), 1)
                 self.assertEqual(samples.check(text), (text, []))
 
 
