@@ -68,7 +68,7 @@ HostSurface<S>::HostSurface(const pinball_contact_options& options, HostMesh<S> 
     const std::array<std::int32_t, 8> corners = mesh_.corners(e);
     double mass = e < mesh_.elements() ? 0 : mesh_.mass(corners[0]);
     for (std::size_t i = 0; e < mesh_.elements() && i < 8; ++i) {
-      mass += mesh_.mass(corners[i]) / around[static_cast<std::size_t>(corners[i])];
+      mass += mesh_.mass(corners[i]) / around[corners[i]];
     }
     mass_.push_back(mass);
   }
@@ -101,7 +101,7 @@ void HostSurface<S>::cut_tiles() {
 
 template <class S>
 ContactElement HostSurface<S>::element(std::int64_t slot) const {
-  const std::int32_t e = element_of_slot_[static_cast<std::size_t>(slot)];
+  const std::int32_t e = element_of_slot_[slot];
   ContactElement element{};
   element.corners = mesh_.corners(e);
   for (std::size_t i = 0; i < 8; ++i) {
@@ -112,8 +112,7 @@ ContactElement HostSurface<S>::element(std::int64_t slot) const {
   element.body = mesh_.body(e);
   element.bulk_modulus = mesh_.bulk_modulus(e);
   element.sphere = e >= mesh_.elements();
-  element.mass =
-      e < masses_from_ ? mesh_.number(mesh_.element_masses(), e) : mass_[static_cast<std::size_t>(e - masses_from_)];
+  element.mass = e < masses_from_ ? mesh_.number(mesh_.element_masses(), e) : mass_[e - masses_from_];
   if (element.sphere) {
     element.radius = mesh_.sphere_radius(e - mesh_.elements());
     element.volume = 4.0 / 3.0 * M_PI * element.radius * element.radius * element.radius;
@@ -132,7 +131,7 @@ InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool wi
   for (std::int32_t e = 0; e < mesh_.elements(); ++e) hexahedra.push_back(mesh_.corners(e));
   const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(hexahedra);
   for (std::int32_t e = 0; e < mesh_.all(); ++e) {
-    const auto slot = static_cast<std::size_t>(slot_of_element_[static_cast<std::size_t>(e)]);
+    const auto slot = static_cast<std::size_t>(slot_of_element_[e]);
     topology.alive[slot] = 1;
     if (e >= mesh_.elements()) {
       topology.exposed[slot] = 0x3F;
@@ -142,8 +141,8 @@ InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool wi
       }
       const unsigned hidden = mesh_.hidden_faces() != nullptr ? mesh_.hidden_faces()[e] : 0U;
       for (unsigned f = 0; f < 6; ++f) {
-        const std::int32_t beyond = neighbours[static_cast<std::size_t>(e)][f];
-        if (beyond >= 0) topology.neighbour[slot][f] = slot_of_element_[static_cast<std::size_t>(beyond)];
+        const std::int32_t beyond = neighbours[e][f];
+        if (beyond >= 0) topology.neighbour[slot][f] = slot_of_element_[beyond];
         if (beyond == -1 && (hidden >> f & 1U) == 0) topology.exposed[slot] |= static_cast<std::uint8_t>(1U << f);
       }
     }
@@ -158,8 +157,8 @@ InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool wi
 
 template <class S>
 void HostSurface<S>::watch(std::int64_t slot) {
-  for (const std::int32_t node : mesh_.corners(element_of_slot_[static_cast<std::size_t>(slot)])) {
-    std::uint8_t& watched = is_watched_[static_cast<std::size_t>(node)];
+  for (const std::int32_t node : mesh_.corners(element_of_slot_[slot])) {
+    std::uint8_t& watched = is_watched_[node];
     if (watched == 0) watched_.push_back(node);
     watched = 1;
   }
@@ -167,7 +166,7 @@ void HostSurface<S>::watch(std::int64_t slot) {
 
 template <class S>
 std::uint8_t HostSurface<S>::alive_at(std::int64_t slot) const {
-  const std::int32_t e = element_of_slot_[static_cast<std::size_t>(slot)], sphere = e - mesh_.elements();
+  const std::int32_t e = element_of_slot_[slot], sphere = e - mesh_.elements();
   if (sphere >= 0) return sphere_alive_ != nullptr ? sphere_alive_[sphere] : 1;
   return alive_ != nullptr ? alive_[e] : 1;
 }
@@ -182,11 +181,11 @@ std::vector<std::int64_t> HostSurface<S>::update_alive(const pinball_contact_arr
     if (alive == nullptr || std::equal(before, before + (end - begin), alive)) return;
     for (std::int32_t e = begin; e < end; ++e) {
       const std::uint8_t now = alive[e - begin];
-      std::uint8_t& last = alive_before_[static_cast<std::size_t>(e)];
+      std::uint8_t& last = alive_before_[e];
       if (now == last || last == 0) continue;
       last = now;
       if (now == 1) continue;
-      const std::int64_t slot = slot_of_element_[static_cast<std::size_t>(e)];
+      const std::int64_t slot = slot_of_element_[e];
       surface.for_each_face_behind(slot, [this](std::int32_t behind, unsigned /*face*/) { watch(behind); });
       if (now == 0) eroded.push_back(slot);
     }
@@ -204,7 +203,7 @@ const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<
   const HostVectors<S> vectors(from);
   const bool in_place = vectors.are_records();
   if (!in_place && records.empty()) records.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
-  S* const record = in_place ? nullptr : records.data();
+  S* const gathered = in_place ? nullptr : records.data();
   const std::int32_t last = vectors.are_together() ? mesh_.nodes() - 1 : 0;
   bool wrong = false;
   parallel_reduce(
@@ -212,7 +211,7 @@ const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<
       [&](std::int64_t begin, std::int64_t end, bool& partial) {
         FiniteCheck<S> check;
         for (std::int64_t i = begin; i < end; ++i) {
-          const std::int32_t node = nodes[static_cast<std::size_t>(i)];
+          const std::int32_t node = nodes[i];
           S v[4];
           if (node < last) {
             std::memcpy(v, vectors.x + node * vectors.stride, sizeof v);
@@ -222,7 +221,7 @@ const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<
             v[3] = 0;
           }
           check.add(v, i);
-          if (record != nullptr) std::memcpy(record + 4 * std::int64_t{node}, v, sizeof v);
+          if (gathered != nullptr) std::memcpy(record(gathered, node), v, sizeof v);
         }
         partial = check.fails();
       },
@@ -263,7 +262,7 @@ void HostSurface<S>::gather_impulse_nodes(const pinball_contact_arrays& arrays,
   this->velocity = gather(arrays.velocity, velocities_, nodes, "velocity");
   gather_forces(arrays, nodes);
   for (const std::int32_t node : nodes) {
-    const S* const f = this->force + 4 * std::int64_t{node};
+    const S* const f = this->f(node);
     if (std::isfinite(f[0]) && std::isfinite(f[1]) && std::isfinite(f[2])) continue;
     throw HostError(PINBALL_CONTACT_BAD_NUMBER, "arrays->force: node ", node, " has ", f[0], ", ", f[1], ", ", f[2]);
   }
@@ -280,8 +279,8 @@ void HostSurface<S>::gather_forces(const pinball_contact_arrays& arrays, const s
   const HostVectors<S> host({arrays.force.x, arrays.force.y, arrays.force.z, arrays.force.stride});
   for (const std::int32_t node : nodes) {
     const std::array<S, 3> f = host[node];
-    const S record[4] = {f[0], f[1], f[2], 0};
-    std::memcpy(this->force + 4 * std::int64_t{node}, record, sizeof record);
+    const S start[4] = {f[0], f[1], f[2], 0};
+    std::memcpy(this->f(node), start, sizeof start);
   }
 }
 
@@ -291,11 +290,11 @@ void HostSurface<S>::scatter_forces(const pinball_contact_arrays& arrays, const 
   S *const x = static_cast<S*>(arrays.force.x), *const y = static_cast<S*>(arrays.force.y),
            *const z = static_cast<S*>(arrays.force.z);
   for (const std::int32_t node : nodes) {
-    const S* const record = forces_.data() + 4 * std::int64_t{node};
+    const S* const force = record(forces_.data(), node);
     const std::int64_t at = node * arrays.force.stride;
-    x[at] = record[0];
-    y[at] = record[1];
-    z[at] = record[2];
+    x[at] = force[0];
+    y[at] = force[1];
+    z[at] = force[2];
   }
 }
 

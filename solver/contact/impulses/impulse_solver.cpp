@@ -60,7 +60,7 @@ void ImpulseSolver<S>::add_row(std::int32_t first, std::int32_t second, const Ve
 
 template <class S>
 void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
-  for (const std::int32_t n : node_) node_place_[static_cast<std::size_t>(n)] = -1;
+  for (const std::int32_t n : node_) node_place_[n] = -1;
   for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(source, i, dt);
 }
 
@@ -72,9 +72,9 @@ void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& source, std::size_t i
   Pair& pair = pairs_[i];
   pair.rate_before = 0;
   for (int k = 0; k < row.nodes; ++k) {
-    const auto place = 4 * static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
+    const S* const velocity = source.v(node_[row.node[k]]);
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto v = static_cast<double>(source.velocity[place + c]);
+      const auto v = static_cast<double>(velocity[c]);
       pair.rate_before += row.weight[k] * row.direction[c] * v;
       if (has_friction()) pair.sliding_before[c] += row.weight[k] * v;
     }
@@ -89,7 +89,7 @@ template <class S>
 void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocity_step) {
   nodes_.assign(node_.size(), {});
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto n = static_cast<std::size_t>(node_[i]);
+    const std::int32_t n = node_[i];
     const auto m = static_cast<double>(source.inverse_mass[n]);
     double* a = nodes_[i].inverse_mass;
     a[0] = a[1] = a[2] = m;
@@ -102,8 +102,8 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
       a[5] -= m * z * x;
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      nodes_[i].velocity[c] = static_cast<double>(source.velocity[4 * n + c]) +
-                              velocity_step * m * static_cast<double>(source.force[4 * n + c]);
+      nodes_[i].velocity[c] =
+          static_cast<double>(source.v(n)[c]) + velocity_step * m * static_cast<double>(source.f(n)[c]);
     }
   }
 }
@@ -239,7 +239,7 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
     if (has_friction()) count_friction(i, step, result);
     if (!(pair.force > 0)) continue;
     for (int k = 0; k < row.nodes; ++k) {
-      S* force = source.force + 4 * static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
+      S* const force = source.f(node_[row.node[k]]);
       for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * row.direction[c]);
       if (!has_friction()) continue;
       for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
@@ -271,7 +271,7 @@ void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const ImpulseRow& row = rows_[i];
     for (int k = 0; k < row.nodes; ++k) {
-      Point& force = node_force[static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])])];
+      Point& force = node_force[node_[row.node[k]]];
       for (std::size_t c = 0; c < 3; ++c) {
         force[c] -= row.weight[k] * (pairs_[i].force * row.direction[c] + pairs_[i].memory.friction[c]);
       }

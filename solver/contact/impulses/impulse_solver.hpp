@@ -131,13 +131,13 @@ template <class S>
 inline void ImpulseSolver<S>::add_node(std::int32_t node, double weight) {
   const std::size_t number = rows_.size() - 1;
   ImpulseRow& row = rows_[number];
-  std::int32_t& place = node_place_[static_cast<std::size_t>(node)];
+  std::int32_t& place = node_place_[node];
   if (place < 0) {
     place = static_cast<std::int32_t>(node_.size());
     node_.push_back(node);
     last_entry_.push_back({number, -1});
   }
-  LastEntry& last = last_entry_[static_cast<std::size_t>(place)];
+  LastEntry& last = last_entry_[place];
   if (last.row == number && last.entry >= 0) {
     row.weight[last.entry] += weight;
     return;

@@ -110,25 +110,23 @@ void PairForces<S>::compute_piece(const PinballView<S>& view, const PenaltyConst
 template <class S>
 PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
                                    S dt, S* force) {
-  const auto work_of = [this](std::int64_t piece) -> Work& { return work_[static_cast<std::size_t>(piece)]; };
+  const auto work_of = [this](std::int64_t piece) -> Work& { return work_[piece]; };
   parallel_for("contact forces", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     compute_piece(view, constants, list, dt, piece, work_of(piece));
     const auto& range = list.piece(piece);
-    std::fill(force + 4 * static_cast<std::int64_t>(range.pinballs_begin),
-              force + 4 * static_cast<std::int64_t>(range.pinballs_end), S(0));
+    std::fill(record(force, range.pinballs_begin), record(force, range.pinballs_end), S(0));
   });
   // Second pinballs of other pieces: these pairs come before all that begin with the pinball's own piece.
   for (const Work& work : work_) {
     for (const Elsewhere& e : work.elsewhere) {
-      for (int k = 0; k < 4; ++k) force[4 * static_cast<std::int64_t>(e.pinball) + k] += e.force[k];
+      for (int k = 0; k < 4; ++k) record(force, e.pinball)[k] += e.force[k];
     }
   }
   parallel_for("contact force sums", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const Work& work = work_of(piece);
     for (std::int64_t i = 0; i < work.pairs; i += W) {
       const auto pairs = static_cast<int>(std::min<std::int64_t>(W, work.pairs - i));
-      add_to_pinballs<Pack<S, W>>(work.touches[static_cast<std::size_t>(i / W)], pairs, list.piece(piece).pinballs_end,
-                                  force);
+      add_to_pinballs<Pack<S, W>>(work.touches[i / W], pairs, list.piece(piece).pinballs_end, force);
     }
   });
   PairSums<S> sums;

@@ -49,7 +49,7 @@ void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
     for (std::int64_t i = 0; i < G; ++i) {
       const std::int64_t last = pinballs.count - 1;
       const auto p = static_cast<std::size_t>(std::min(group * G + i, last));  // padding repeats the last
-      for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][static_cast<std::size_t>(c)];
+      for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][c];
       reference[4 * G + i] = static_cast<float>(pinballs.body[p]);
     }
   });
@@ -62,9 +62,9 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
   const BallTreeView<S>& tree = boxes_.view();
   has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
   parallel_for("neighbours", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    Found& found = found_[static_cast<std::size_t>(piece)];
+    Found& found = found_[piece];
     found.pairs = 0;
-    NearBalls<S>& near = near_[static_cast<std::size_t>(piece)];
+    NearBalls<S>& near = near_[piece];
     const std::int32_t begin = piece_begin(piece) / G, end = (piece_begin(piece + 1) + G - 1) / G;
     for (std::int32_t group = begin; group < end; ++group) {
       // Groups of one box have much the same part of the tree near them: it is looked for once.
@@ -143,14 +143,14 @@ void PairList<S>::append(std::int32_t group, std::span<const typename NearBalls<
 /// A pinball has a pair: several pieces may say this at the same time.
 template <class S>
 void PairList<S>::mark(std::int32_t pinball) {
-  std::atomic_ref(has_pair_[static_cast<std::size_t>(pinball)]).store(1, std::memory_order_relaxed);
+  std::atomic_ref(has_pair_[pinball]).store(1, std::memory_order_relaxed);
 }
 
 /// Numbers the pinballs that have a pair, and puts the pairs one after the other.
 template <class S>
 void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   constexpr std::int64_t W = native_width<S>;
-  const auto found = [this](std::int64_t p) -> Found& { return found_[static_cast<std::size_t>(p)]; };
+  const auto found = [this](std::int64_t p) -> Found& { return found_[p]; };
   parallel_for("listed pinballs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     found(p).pinballs = static_cast<std::int32_t>(
         std::count(has_pair_.begin() + piece_begin(p), has_pair_.begin() + piece_begin(p + 1), 1));
@@ -159,7 +159,7 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   std::int32_t listed = 0;
   for (std::int64_t p = 0; p < fixed_pieces; ++p) {
     const std::int64_t end = places + static_cast<std::int64_t>(found(p).pairs);
-    piece_[static_cast<std::size_t>(p)] = {places, end, listed, listed + found(p).pinballs};
+    piece_[p] = {places, end, listed, listed + found(p).pinballs};
     places = (end + W - 1) / W * W;
     listed += found(p).pinballs;
   }
@@ -169,11 +169,10 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   parallel_for("numbers", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     auto next = static_cast<std::size_t>(piece(p).pinballs_begin);
     for (std::int32_t i = piece_begin(p); i < piece_begin(p + 1); ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      if (has_pair_[a] == 0) continue;
-      number_[a] = static_cast<std::int32_t>(next);
+      if (has_pair_[i] == 0) continue;
+      number_[i] = static_cast<std::int32_t>(next);
       listed_[next] = i;
-      slot_[next] = pinballs.slot[a];
+      slot_[next] = pinballs.slot[i];
       ++next;
     }
   });
@@ -182,7 +181,7 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   offset_.renew(static_cast<std::size_t>(places));
   stored_.renew(static_cast<std::size_t>(places));
   parallel_for("pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
-    const auto number_of = [this](std::int32_t pinball) { return number_[static_cast<std::size_t>(pinball)]; };
+    const auto number_of = [this](std::int32_t pinball) { return number_[pinball]; };
     const auto begin = static_cast<std::size_t>(piece(p).begin);
     const auto end = p + 1 < fixed_pieces ? static_cast<std::size_t>(piece(p + 1).begin) : first_.size();
     const std::size_t pairs = found(p).pairs, place = begin + pairs;
@@ -199,12 +198,11 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
 template <class S>
 void PairList<S>::remember() {
   parallel_for("pairs in contact", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
-    std::vector<PairMemory>& memory = memory_[static_cast<std::size_t>(p)];
+    std::vector<PairMemory>& memory = memory_[p];
     memory.clear();
-    for (auto i = static_cast<std::size_t>(piece(p).begin); i < static_cast<std::size_t>(piece(p).end); ++i) {
+    for (std::int64_t i = piece(p).begin; i < piece(p).end; ++i) {
       if (offset_[i] < S(0)) continue;
-      memory.push_back({slot_[static_cast<std::size_t>(first_[i])], slot_[static_cast<std::size_t>(second_[i])],
-                        offset_[i], stored_[i]});
+      memory.push_back({slot_[first_[i]], slot_[second_[i]], offset_[i], stored_[i]});
     }
   });
 }
@@ -216,15 +214,13 @@ std::int64_t PairList<S>::find_pair(std::int32_t first, std::int32_t second) con
   std::int64_t low = piece->begin, high = piece->end;
   while (low < high) {
     const std::int64_t middle = (low + high) / 2;
-    const auto m = static_cast<std::size_t>(middle);
-    if (first_[m] < first || (first_[m] == first && second_[m] < second)) {
+    if (first_[middle] < first || (first_[middle] == first && second_[middle] < second)) {
       low = middle + 1;
     } else {
       high = middle;
     }
   }
-  const auto l = static_cast<std::size_t>(low);
-  return low < piece->end && first_[l] == first && second_[l] == second ? low : -1;
+  return low < piece->end && first_[low] == first && second_[low] == second ? low : -1;
 }
 
 template <class S>
@@ -234,20 +230,20 @@ void PairList<S>::recall() {
     return found != slot_.end() && *found == slot ? static_cast<std::int32_t>(found - slot_.begin()) : -1;
   };
   parallel_for("pairs still in contact", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
-    for (const PairMemory& m : memory_[static_cast<std::size_t>(p)]) {
+    for (const PairMemory& m : memory_[p]) {
       const std::int32_t first = number_of_slot(m.first), second = number_of_slot(m.second);
       if (first < 0 || second < 0) continue;
       const std::int64_t place = find_pair(first, second);
       if (place < 0) continue;
-      offset_[static_cast<std::size_t>(place)] = m.offset;
-      stored_[static_cast<std::size_t>(place)] = m.stored;
+      offset_[place] = m.offset;
+      stored_[place] = m.stored;
     }
   });
 }
 
 template <class S>
 double PairList<S>::end_pairs_of_inactive(const S* outward) {
-  const auto inactive = [outward](std::int32_t p) { return !(outward[4 * static_cast<std::int64_t>(p) + 3] > S(0)); };
+  const auto inactive = [outward](std::int32_t p) { return !(record(outward, p)[3] > S(0)); };
   double sum = 0;
   for (std::size_t i = 0; i < offset_.size(); ++i) {
     if (offset_[i] < S(0) || !(inactive(first_[i]) || inactive(second_[i]))) continue;

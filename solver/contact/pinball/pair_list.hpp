@@ -35,7 +35,7 @@ class PairList {
   std::int32_t size() const { return static_cast<std::int32_t>(listed_.size()); }  ///< pinballs that have a pair
   /// Number among all pinballs of each one that is listed.
   const std::vector<std::int32_t>& listed() const { return listed_; }
-  const Piece& piece(std::int64_t number) const { return piece_[static_cast<std::size_t>(number)]; }
+  const Piece& piece(std::int64_t number) const { return piece_[number]; }
   std::int64_t pairs() const;
   std::int64_t places() const { return static_cast<std::int64_t>(first_.size()); }  ///< of pairs, and between pieces
   /// Listed pinballs of each place; any valid ones where there is no pair.

@@ -20,7 +20,7 @@ template <class S>
 std::array<S, 3> centre_of(const S* records, const std::array<std::int32_t, 8>& corners) {
   std::array<S, 3> sum{};
   for (const std::int32_t node : corners) {
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += records[4 * static_cast<std::size_t>(node) + k];
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += record(records, node)[k];
   }
   return {S(0.125) * sum[0], S(0.125) * sum[1], S(0.125) * sum[2]};
 }
@@ -30,8 +30,7 @@ template <class S>
 S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& corners) {
   Vec3<S> x[8];
   for (std::size_t i = 0; i < 8; ++i) {
-    const S* p = source.position + 4 * static_cast<std::int64_t>(corners[i]);
-    x[i] = {p[0], p[1], p[2]};
+    x[i] = vector_of(source.x(corners[i]));
   }
   const HexahedronModes<S> modes = to_modes(x);
   return ball_radius_of_cube(static_cast<S>(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes)))));
@@ -63,12 +62,12 @@ void PinballAlgorithm<S>::watch_nodes(const SurfaceSource<S>& source) {
 template <class S>
 void PinballAlgorithm<S>::update_exposure() {
   for (std::int32_t p = 0; p < pinballs_.count; ++p) {
-    const auto i = static_cast<std::size_t>(p);
-    const std::uint8_t exposed = surface_.exposed(pinballs_.slot[i]);
+    const std::uint8_t exposed = surface_.exposed(pinballs_.slot[p]);
     for (int f = 0; f < 6; ++f) {
       pinballs_.exposed[place_in_packs<native_width<S>>(p, f, 6)] = (exposed >> f & 1) != 0 ? S(1) : S(0);
     }
-    pinballs_.outward[4 * i + 3] = exposed != 0 ? pinballs_.bulk_modulus[i] * pinballs_.centre[4 * i + 3] : S(0);
+    const S radius = record(pinballs_.centre.data(), p)[3];
+    record(pinballs_.outward.data(), p)[3] = exposed != 0 ? pinballs_.bulk_modulus[p] * radius : S(0);
   }
 }
 
@@ -81,7 +80,7 @@ void PinballAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const s
     lost_energy_ = list_.end_pairs_of_inactive(pinballs_.outward.data());
     for (const std::int32_t slot : surface_.uncovered()) {
       uncovered_.push_back(slot);
-      list_valid_ = list_valid_ && all_.chosen[static_cast<std::size_t>(slot)] != 0;
+      list_valid_ = list_valid_ && all_.chosen[slot] != 0;
     }
   }
   update_geometry(source);
@@ -164,13 +163,12 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   const std::int32_t n = list_.size();
   pinballs_.reset(n, W);
   for (std::int32_t p = 0; p < n; ++p) {
-    const auto i = static_cast<std::size_t>(p);
-    const auto a = static_cast<std::size_t>(list_.listed()[i]);
+    const std::int32_t a = list_.listed()[p];
     pinballs_.slot.push_back(all_.slot[a]);
-    pinballs_.corners[i] = all_.corners[a];
-    pinballs_.bulk_modulus[i] = all_.bulk_modulus[a];
-    pinballs_.centre[4 * i + 3] = all_.radius[a];
-    pinballs_.velocity[4 * i + 3] = all_.mass[a];
+    pinballs_.corners[p] = all_.corners[a];
+    pinballs_.bulk_modulus[p] = all_.bulk_modulus[a];
+    record(pinballs_.centre.data(), p)[3] = all_.radius[a];
+    record(pinballs_.velocity.data(), p)[3] = all_.mass[a];
   }
   auto next = pinballs_.slot.begin();
   for (const std::int64_t pack : source.tile_packs) {
@@ -179,17 +177,16 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   }
   const std::int32_t padded = (n + W - 1) / W * W;
   for (std::int32_t p = 0; p < padded; ++p) {  // padding repeats the corners of the last pinball
-    const std::array<std::int32_t, 8>& corners = pinballs_.corners[static_cast<std::size_t>(std::min(p, n - 1))];
-    for (int i = 0; i < 8; ++i)
-      pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)] = corners[static_cast<std::size_t>(i)];
+    const std::array<std::int32_t, 8>& corners = pinballs_.corners[std::min(p, n - 1)];
+    for (int i = 0; i < 8; ++i) pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)] = corners[i];
   }
   update_exposure();
-  for (const std::int32_t node : node_) is_listed_[static_cast<std::size_t>(node)] = 0;
+  for (const std::int32_t node : node_) is_listed_[node] = 0;
   node_.clear();
   is_listed_.resize(static_cast<std::size_t>(source.node_count), 0);
   for (const auto& corners : pinballs_.corners) {
     for (const std::int32_t node : corners) {
-      std::uint8_t& listed = is_listed_[static_cast<std::size_t>(node)];
+      std::uint8_t& listed = is_listed_[node];
       if (listed == 0) node_.push_back(node);
       listed = 1;
     }
@@ -229,12 +226,11 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
   parallel_for_coloured("contact scatter", DefaultExecutionSpace{}, colours.colour_offsets.data(),
                         static_cast<std::int32_t>(colours.colour_offsets.size()) - 1, colours.items.data(),
                         [&](std::int32_t tile) {
-                          const auto t = static_cast<std::size_t>(tile);
-                          for (std::int32_t p = pinballs_.tile_first[t]; p < pinballs_.tile_first[t + 1]; ++p) {
-                            const S* f = force + 4 * static_cast<std::int64_t>(p);
+                          for (std::int32_t p = pinballs_.tile_first[tile]; p < pinballs_.tile_first[tile + 1]; ++p) {
+                            const S* f = record(force, p);
                             if (!(f[3] > S(0))) continue;
                             for (int i = 0; i < 8; ++i) {
-                              add_to_node(nodal_force + 4 * static_cast<std::int64_t>(corner(p, i)), f);
+                              add_to_node(record(nodal_force, corner(p, i)), f);
                             }
                           }
                         });
@@ -244,8 +240,8 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
       "contact frequency", RangePolicy<>{0, static_cast<std::int64_t>(node_.size())}, largest,
       [&](std::int64_t begin, std::int64_t end, S& partial) {
         for (std::int64_t n = begin; n < end; ++n) {
-          const auto node = static_cast<std::size_t>(node_[static_cast<std::size_t>(n)]);
-          const S row = nodal_force[4 * node + 3] * source.inverse_mass[node];
+          const std::int32_t node = node_[n];
+          const S row = record(nodal_force, node)[3] * source.inverse_mass[node];
           partial = row > partial ? row : partial;
         }
       },
@@ -259,14 +255,13 @@ void PinballAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Poi
   const bool current = this->settings_.radius == ContactRadius::current;
   for (std::size_t p = 0; p < all_.slot.size(); ++p) {
     if (surface_.exposed(all_.slot[p]) == 0) continue;  // behind the surface, or eroded
-    slot_radius[static_cast<std::size_t>(all_.slot[p])] =
-        static_cast<double>(current ? current_radius(source, all_.corners[p]) : all_.radius[p]);
+    slot_radius[all_.slot[p]] = static_cast<double>(current ? current_radius(source, all_.corners[p]) : all_.radius[p]);
   }
   for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs_.count); ++p) {
     if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;
     for (const std::int32_t node : pinballs_.corners[p]) {
       for (std::size_t k = 0; k < 3; ++k) {
-        node_force[static_cast<std::size_t>(node)][k] += static_cast<double>(pinballs_.force[4 * p + k]) / 8;
+        node_force[node][k] += static_cast<double>(pinballs_.force[4 * p + k]) / 8;
       }
     }
   }

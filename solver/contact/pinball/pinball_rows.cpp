@@ -11,21 +11,15 @@ namespace pinball {
 namespace {
 
 template <class S>
-Vec3<double> vector_at(const S* records, std::int32_t p) {
-  const S* r = records + 4 * static_cast<std::int64_t>(p);
-  return {static_cast<double>(r[0]), static_cast<double>(r[1]), static_cast<double>(r[2])};
-}
-
-template <class S>
 PinballNormal<double> normal_of(const PinballStore<S>& pinballs, std::int32_t p) {
-  return {vector_at(pinballs.outward.data(), p), vector_at(pinballs.two_sided.data(), p)};
+  return {double_vector_of(record(pinballs.outward.data(), p)), double_vector_of(record(pinballs.two_sided.data(), p))};
 }
 
 template <class S>
 ContactFace face_of(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& nodes, unsigned exposed,
                     const Vec3<double>& direction) {
   Vec3<double> x[8];
-  for (std::size_t i = 0; i < 8; ++i) x[i] = vector_at(source.position, nodes[i]);
+  for (std::size_t i = 0; i < 8; ++i) x[i] = double_vector_of(source.x(nodes[i]));
   return face_towards(x, exposed, direction);
 }
 
@@ -34,11 +28,10 @@ ContactFace face_of(const SurfaceSource<S>& source, const std::array<std::int32_
 template <class S>
 ContactRow row_of(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
                   const Surface& surface, std::int32_t p, std::int32_t q, const Vec3<double>& d, double reach) {
-  const auto i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
   ContactRow row;
   if (gap == ContactGap::face) {
-    const ContactFace face1 = face_of(source, pinballs.corners[i], surface.exposed(pinballs.slot[i]), (-1.0) * d);
-    const ContactFace face2 = face_of(source, pinballs.corners[j], surface.exposed(pinballs.slot[j]), d);
+    const ContactFace face1 = face_of(source, pinballs.corners[p], surface.exposed(pinballs.slot[p]), (-1.0) * d);
+    const ContactFace face2 = face_of(source, pinballs.corners[q], surface.exposed(pinballs.slot[q]), d);
     row = face_row(face1, face2);
     // Faces that look at each other are told by their own gap alone; edges and corners by the balls.
     if (row.nodes1 == 0 && face1.face >= 0 && face2.face >= 0 && dot(face1.normal, face2.normal) <= -0.5) return row;
@@ -71,30 +64,27 @@ template <class S>
 void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
                       const PairList<S>& list, const Surface& surface, ImpulseSolver<S>& impulses) {
   const double margin = pinball_pair_margin(gap);
-  const auto takes_part = [&pinballs](std::int32_t p) {
-    return pinballs.outward[4 * static_cast<std::size_t>(p) + 3] > S(0);
-  };
+  const auto takes_part = [&pinballs](std::int32_t p) { return record(pinballs.outward.data(), p)[3] > S(0); };
   std::array<std::vector<PinballRow>, fixed_pieces> found;
   parallel_for("contact pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     for (std::int64_t place = list.piece(piece).begin; place < list.piece(piece).end; ++place) {
       const std::int32_t p = list.first()[place], q = list.second()[place];
-      const Vec3<double> d = vector_at(pinballs.centre.data(), p) - vector_at(pinballs.centre.data(), q);
-      const auto reach = static_cast<double>(pinballs.centre[4 * static_cast<std::size_t>(p) + 3] +
-                                             pinballs.centre[4 * static_cast<std::size_t>(q) + 3]);
+      const S *const ball1 = record(pinballs.centre.data(), p), *const ball2 = record(pinballs.centre.data(), q);
+      const Vec3<double> d = double_vector_of(ball1) - double_vector_of(ball2);
+      const auto reach = static_cast<double>(ball1[3] + ball2[3]);
       if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
       const ContactRow row = row_of(source, gap, pinballs, surface, p, q, d, reach);
-      if (row.nodes1 > 0) found[static_cast<std::size_t>(piece)].push_back({p, q, reach, row});
+      if (row.nodes1 > 0) found[piece].push_back({p, q, reach, row});
     }
   });
   for (const std::vector<PinballRow>& some : found) {
     for (const auto& [p, q, reach, row] : some) {
-      const auto i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
-      impulses.add_row(pinballs.slot[i], pinballs.slot[j], row.direction, row.depth, reach);
+      impulses.add_row(pinballs.slot[p], pinballs.slot[q], row.direction, row.depth, reach);
       for (int k = 0; k < row.nodes1; ++k) {
-        impulses.add_node(pinballs.corners[i][static_cast<std::size_t>(row.corner1[k])], -row.weight1[k]);
+        impulses.add_node(pinballs.corners[p][row.corner1[k]], -row.weight1[k]);
       }
       for (int k = 0; k < row.nodes2; ++k) {
-        impulses.add_node(pinballs.corners[j][static_cast<std::size_t>(row.corner2[k])], row.weight2[k]);
+        impulses.add_node(pinballs.corners[q][row.corner2[k]], row.weight2[k]);
       }
     }
   }

@@ -11,7 +11,7 @@ void SurfacePinballs<S>::update(const SurfaceSource<S>& source, double radius_fa
   chosen.resize(static_cast<std::size_t>(surface.slots()), 0);
   std::vector<std::int32_t> added;
   const auto choose = [&](std::int32_t s) {
-    std::uint8_t& mark = chosen[static_cast<std::size_t>(s)];
+    std::uint8_t& mark = chosen[s];
     if (mark == 0) added.push_back(s);
     mark = 1;
   };
@@ -41,7 +41,7 @@ void SurfacePinballs<S>::update(const SurfaceSource<S>& source, double radius_fa
     }
     append(before, i, end);
     if (end < count_before && !surface.alive(before.slot[end])) {
-      chosen[static_cast<std::size_t>(before.slot[end])] = 0;
+      chosen[before.slot[end]] = 0;
       ++end;
     }
     i = end;

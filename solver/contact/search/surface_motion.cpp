@@ -5,6 +5,7 @@
 
 #include <kernels/exec.hpp>
 #include <kernels/gather.hpp>
+#include <solver/base/records.hpp>
 
 namespace pinball {
 
@@ -31,14 +32,14 @@ template <class S>
 void SurfaceMotion<S>::clear(std::int32_t node_count) {
   is_watched_.resize(static_cast<std::size_t>(node_count), 0);
   allowance_.resize(static_cast<std::size_t>(node_count), 0);
-  for (const std::int32_t node : node_) is_watched_[static_cast<std::size_t>(node)] = 0;
+  for (const std::int32_t node : node_) is_watched_[node] = 0;
   node_.clear();
   size_.clear();
 }
 
 template <class S>
 void SurfaceMotion<S>::watch(std::int32_t node, S size) {
-  std::uint8_t& watched = is_watched_[static_cast<std::size_t>(node)];
+  std::uint8_t& watched = is_watched_[node];
   if (watched != 0) return;
   watched = 1;
   node_.push_back(node);
@@ -56,7 +57,7 @@ void SurfaceMotion<S>::adapt(const S* position, S elapsed, S horizon) {
     const std::size_t first = static_cast<std::size_t>(pack) * W;
     const T deviation = square_root(deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed));
     for (std::size_t i = 0; i < W; ++i) {
-      float& allowance = allowance_[static_cast<std::size_t>(node_[first + i])];
+      float& allowance = allowance_[node_[first + i]];
       allowance = std::max(0.5F * allowance, static_cast<float>(growth * lane(deviation, static_cast<int>(i))));
     }
   });
@@ -75,13 +76,13 @@ void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
     allowed2_.reset(count_);
   }
   parallel_for("start of nodes", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
-    S* const record = start_.data() + static_cast<std::size_t>(pack) * 6 * W;
+    S* const started = start_.data() + static_cast<std::size_t>(pack) * 6 * W;
     for (std::size_t lane = 0; lane < W; ++lane) {
       const std::size_t n = static_cast<std::size_t>(pack) * W + lane;
-      const auto node = static_cast<std::size_t>(node_[n]);
+      const std::int32_t node = node_[n];
       for (std::size_t k = 0; k < 3; ++k) {
-        record[k * W + lane] = position[4 * node + k];
-        record[(3 + k) * W + lane] = velocity[4 * node + k];
+        started[k * W + lane] = record(position, node)[k];
+        started[(3 + k) * W + lane] = record(velocity, node)[k];
       }
       const S unit = skin * size_[n];
       const S before = static_cast<S>(allowance_[node]);

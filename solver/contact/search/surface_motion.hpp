@@ -67,7 +67,7 @@ class SurfaceMotion {
   template <class Corners>
   S allowance(const Corners& corners) const {
     float largest = 0;
-    for (const std::int32_t node : corners) largest = std::max(largest, allowance_[static_cast<std::size_t>(node)]);
+    for (const std::int32_t node : corners) largest = std::max(largest, allowance_[node]);
     return static_cast<S>(largest);
   }
   void persist(StateArchive& archive);

@@ -15,17 +15,12 @@ namespace {
 /// How far beyond an edge a foot may lie, over the radius of the segment: round-off on a common edge.
 constexpr double edge_margin = 1e-3;
 
-template <class S>
-Vec3<S> vector_at(const S* records, std::int32_t node) {
-  const S* r = records + 4 * static_cast<std::int64_t>(node);
-  return {r[0], r[1], r[2]};
-}
-
 /// Rate at which the gap of a node closes [length/time].
 template <class S>
-S closing_rate(const S* velocity, std::int32_t slave, const std::int32_t (&node)[4], const FaceProjection<S>& at) {
-  Vec3<S> v = S(-1) * vector_at(velocity, slave);
-  for (int i = 0; i < 4; ++i) v = v + at.weight[i] * vector_at(velocity, node[i]);
+S closing_rate(const NodeRecords<S>& nodes, std::int32_t slave, const std::int32_t (&node)[4],
+               const FaceProjection<S>& at) {
+  Vec3<S> v = S(-1) * vector_of(nodes.v(slave));
+  for (int i = 0; i < 4; ++i) v = v + at.weight[i] * vector_of(nodes.v(node[i]));
   return dot(v, at.normal);
 }
 
@@ -102,18 +97,18 @@ bool SlidelineAlgorithm<S>::find_segment(const SurfaceSource<S>& source, std::si
   const std::int32_t* candidate = search_.candidates(slave);
   const std::int64_t count = search_.count(slave);
   const auto& own = surface_.slaves()[slave];
-  const Vec3<S> x = vector_at(source.position, own.node);
+  const Vec3<S> x = vector_of(source.x(own.node));
   const PairMemory& memory = memory_[slave];
   const S* sphere = surface_.sphere().data();
   const S* plane = surface_.plane().data();
   bool found = false, found_like_before = false;
   for (std::int64_t c = 0; c < count; ++c) {
-    const S* record = sphere + 4 * static_cast<std::int64_t>(candidate[c]);
-    const Vec3<S> d = x - Vec3<S>{record[0], record[1], record[2]};
-    if (!(dot(d, d) < record[3] * record[3])) continue;
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(candidate[c])];
-    const S* flat = plane + 4 * static_cast<std::int64_t>(candidate[c]);
-    const Vec3<S> normal{flat[0], flat[1], flat[2]};
+    const S* ball = record(sphere, candidate[c]);
+    const Vec3<S> d = x - vector_of(ball);
+    if (!(dot(d, d) < ball[3] * ball[3])) continue;
+    const auto& segment = surface_.segments()[candidate[c]];
+    const S* flat = record(plane, candidate[c]);
+    const Vec3<S> normal = vector_of(flat);
     const S height = dot(d, normal);  // over the mean plane: most are well outside
     if (height > open_gap * segment.radius + flat[3] ||
         height < S(0) - SlidelineSurface<S>::deepest * segment.radius - flat[3] || !surface_.faces(slave, normal) ||
@@ -121,7 +116,7 @@ bool SlidelineAlgorithm<S>::find_segment(const SurfaceSource<S>& source, std::si
       continue;
     }
     Vec3<S> corner[4];
-    for (int i = 0; i < 4; ++i) corner[i] = vector_at(source.position, segment.node[i]);
+    for (int i = 0; i < 4; ++i) corner[i] = vector_of(source.x(segment.node[i]));
     const bool same = memory.slot == segment.slot && memory.face == segment.face;
     const FaceProjection<S> at = project_onto_face(corner, x, same ? memory.xi : S(0), same ? memory.eta : S(0));
     // A node in contact stays with the side that it came in from, also where two segments meet in a valley and its foot
@@ -159,7 +154,7 @@ typename SlidelineAlgorithm<S>::Sums SlidelineAlgorithm<S>::find_touches(const S
       Touch touch{};
       if (surface_.active(i) && find_segment(source, i, open_gap, touch)) {
         if (work(touch, sums[p])) found[p].push_back(touch);
-        const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+        const auto& segment = surface_.segments()[touch.segment];
         if (touch.at.gap <= S(0)) {
           memory.slot = segment.slot;
           memory.face = segment.face;
@@ -190,13 +185,13 @@ typename SlidelineAlgorithm<S>::Sums SlidelineAlgorithm<S>::find_touches(const S
 template <class S>
 bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch& touch, S dt, Sums& sums) {
   const auto& slave = surface_.slaves()[touch.slave];
-  const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+  const auto& segment = surface_.segments()[touch.segment];
   PairMemory& memory = memory_[touch.slave];
   // Faces that rest on each other have gaps of round-off, which differ with the segment that a node finds.
   const S round_off = S(4096) * std::numeric_limits<S>::epsilon() * segment.radius;
   const S depth = S(0) - touch.at.gap - round_off;
   if (!(depth > S(0)) && memory.slot < 0) return false;
-  const S rate = closing_rate(source.velocity, slave.node, segment.node, touch.at);
+  const S rate = closing_rate<S>(source, slave.node, segment.node, touch.at);
   sums.damped += static_cast<double>(S(0.5) * memory.damping * rate * dt);  // the second half of the last one's work
   if (!(depth > S(0))) {  // open within round-off: the node keeps its segment
     memory.offset = memory.elastic = memory.stored = memory.damping = S(0);
@@ -216,10 +211,9 @@ bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch&
   memory.elastic = elastic;
   memory.stored = S(0.5) * stiffness * elastic * elastic;
 
-  S inverse_mass = source.inverse_mass[static_cast<std::size_t>(slave.node)];
+  S inverse_mass = source.inverse_mass[slave.node];
   for (int i = 0; i < 4; ++i) {
-    inverse_mass +=
-        touch.at.weight[i] * touch.at.weight[i] * source.inverse_mass[static_cast<std::size_t>(segment.node[i])];
+    inverse_mass += touch.at.weight[i] * touch.at.weight[i] * source.inverse_mass[segment.node[i]];
   }
   const S p1 = S(2) * damping_ * square_root(stiffness / inverse_mass);
   // In the first and in the last step of a contact the spring works over a part of the step only. With the mean of 1
@@ -257,24 +251,23 @@ void SlidelineAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Co
   // One after the other: two slaves may share nodes of their segments.
   for (const Touch& touch : touches_) {
     const auto add = [&](std::int32_t node, S weight) {
-      S* f = source.force + 4 * static_cast<std::int64_t>(node);
+      S* f = source.f(node);
       f[0] += weight * touch.force * touch.at.normal.x;
       f[1] += weight * touch.force * touch.at.normal.y;
       f[2] += weight * touch.force * touch.at.normal.z;
       f[3] += S(2) * absolute(weight) * touch.stiffness;  // Gershgorin: sum of a row of k G G^T
     };
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    const auto& segment = surface_.segments()[touch.segment];
     add(surface_.slaves()[touch.slave].node, S(1));
     for (int i = 0; i < 4; ++i) add(segment.node[i], S(0) - touch.at.weight[i]);
   }
   S largest = 0;
   const auto row = [&](std::int32_t node) {
-    const auto n = static_cast<std::size_t>(node);
-    largest = maximum(largest, source.force[4 * n + 3] * source.inverse_mass[n]);
+    largest = maximum(largest, source.f(node)[3] * source.inverse_mass[node]);
   };
   for (const Touch& touch : touches_) {
     row(surface_.slaves()[touch.slave].node);
-    for (const std::int32_t node : surface_.segments()[static_cast<std::size_t>(touch.segment)].node) row(node);
+    for (const std::int32_t node : surface_.segments()[touch.segment].node) row(node);
   }
   work.frequency2 = this->damping_factor_ * static_cast<double>(largest);
 }
@@ -283,7 +276,7 @@ template <class S>
 const std::vector<std::int32_t>& SlidelineAlgorithm<S>::nodes_of_springs() {
   loaded_.clear();
   for (const Touch& touch : touches_) {
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    const auto& segment = surface_.segments()[touch.segment];
     loaded_.push_back(surface_.slaves()[touch.slave].node);
     loaded_.insert(loaded_.end(), std::begin(segment.node), std::end(segment.node));
   }
@@ -298,7 +291,7 @@ void SlidelineAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, dou
   impulses.begin_rows();
   for (const Touch& touch : touches_) {
     const auto& slave = surface_.slaves()[touch.slave];
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    const auto& segment = surface_.segments()[touch.segment];
     const Vec3<S>& n = touch.at.normal;
     // Named by the slave alone, which has one segment: what it remembers goes with it from one to the next.
     impulses.add_row(slave.node, -1, {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)},
@@ -319,13 +312,13 @@ void SlidelineAlgorithm<S>::report(const SurfaceSource<S>& /*source*/, std::vect
   for (const Touch& touch : touches_) {
     const auto add = [&](std::int32_t node, S weight) {
       const double f = static_cast<double>(weight * touch.force);
-      Point& sum = node_force[static_cast<std::size_t>(node)];
+      Point& sum = node_force[node];
       sum[0] += f * static_cast<double>(touch.at.normal.x);
       sum[1] += f * static_cast<double>(touch.at.normal.y);
       sum[2] += f * static_cast<double>(touch.at.normal.z);
     };
     add(surface_.slaves()[touch.slave].node, S(1));
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    const auto& segment = surface_.segments()[touch.segment];
     for (int i = 0; i < 4; ++i) add(segment.node[i], S(0) - touch.at.weight[i]);
   }
 }

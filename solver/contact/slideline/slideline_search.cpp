@@ -19,10 +19,10 @@ SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const Slidel
   for (std::int64_t slot = 0; slot < source.slots; ++slot) {
     if (!surface.topology().alive(slot)) continue;
     const ContactElement element = source.element(slot);
-    reference_centre_[static_cast<std::size_t>(slot)] = single(element.centre());
+    reference_centre_[slot] = single(element.centre());
     const auto radius = static_cast<float>(element.radius);
     for (std::size_t i = 0; i < 8; ++i) {
-      std::array<float, 4>& node = reference_node_[static_cast<std::size_t>(element.corners[i])];
+      std::array<float, 4>& node = reference_node_[element.corners[i]];
       const std::array<float, 3> place = single(element.reference[i]);
       node = {place[0], place[1], place[2], std::min(node[3], radius)};
     }
@@ -33,8 +33,8 @@ template <class S>
 bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own_radius) const {
   if (own.body != other.body) return true;
   if (!self_) return false;
-  const std::array<float, 4>& p = reference_node_[static_cast<std::size_t>(own.node)];
-  const std::array<float, 3>& q = reference_centre_[static_cast<std::size_t>(other.slot)];
+  const std::array<float, 4>& p = reference_node_[own.node];
+  const std::array<float, 3>& q = reference_centre_[other.slot];
   float d2 = 0;
   for (std::size_t k = 0; k < 3; ++k) d2 += (p[k] - q[k]) * (p[k] - q[k]);
   // Two and a half elements: from a node of a cube to the centre of the one after the next.
@@ -53,24 +53,22 @@ void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const Slide
 template <class S>
 void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.segments().size());
-  const S* position = source.position;
-  const S* velocity = source.velocity;
   segments_.reset(count);
   parallel_for("segments", RangePolicy<>{0, count}, [&](std::int64_t s) {
-    const auto& segment = surface.segments()[static_cast<std::size_t>(s)];
+    const auto& segment = surface.segments()[s];
     std::array<S, 3> centre{}, way{};
     for (const std::int32_t node : segment.node) {
       for (std::size_t k = 0; k < 3; ++k) {
-        centre[k] += S(0.25) * position[4 * static_cast<std::size_t>(node) + k];
-        way[k] += S(0.25) * horizon * velocity[4 * static_cast<std::size_t>(node) + k];
+        centre[k] += S(0.25) * source.x(node)[k];
+        way[k] += S(0.25) * horizon * source.v(node)[k];
       }
     }
     S farthest2 = 0;
     for (const std::int32_t node : segment.node) {
       S now2 = 0, then2 = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const S now = position[4 * static_cast<std::size_t>(node) + k] - centre[k];
-        const S then = now + horizon * velocity[4 * static_cast<std::size_t>(node) + k] - way[k];
+        const S now = source.x(node)[k] - centre[k];
+        const S then = now + horizon * source.v(node)[k] - way[k];
         now2 += now * now;
         then2 += then * then;
       }
@@ -87,9 +85,9 @@ void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const Slide
   const auto count = static_cast<std::int32_t>(surface.slaves().size());
   slaves_.reset(count);
   parallel_for("slaves", RangePolicy<>{0, count}, [&](std::int64_t i) {
-    const std::int32_t node = surface.slaves()[static_cast<std::size_t>(i)].node;
-    const S* x = source.position + 4 * static_cast<std::int64_t>(node);
-    const S* v = source.velocity + 4 * static_cast<std::int64_t>(node);
+    const std::int32_t node = surface.slaves()[i].node;
+    const S* x = source.x(node);
+    const S* v = source.v(node);
     slaves_.set(static_cast<std::int32_t>(i), {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
                 motion_.allowance(std::array{node}));
   });
@@ -120,7 +118,7 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
   // Slaves are worked in fixed pieces, each with a list of its own; the lists are joined in order.
   std::array<std::vector<std::int32_t>, fixed_pieces> found;
   parallel_for("slave candidates", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    std::vector<std::int32_t>& list = found[static_cast<std::size_t>(piece)];
+    std::vector<std::int32_t>& list = found[piece];
     NearBalls<S> near;
     const std::int64_t begin = groups * piece / fixed_pieces, end = groups * (piece + 1) / fixed_pieces;
     for (std::int64_t group = begin; group < end; ++group) {
@@ -136,7 +134,7 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
         for (const auto& other : near_groups) {
           for (unsigned bits = other.balls.row(i); bits != 0; bits &= bits - 1) {
             const std::int32_t s = other.number * G + __builtin_ctz(bits);
-            if (may_touch(own_slave, surface.segments()[static_cast<std::size_t>(s)], least)) list.push_back(s);
+            if (may_touch(own_slave, surface.segments()[s], least)) list.push_back(s);
           }
         }
         start_[slave + 1] = static_cast<std::int64_t>(list.size() - before);

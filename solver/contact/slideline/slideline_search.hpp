@@ -52,9 +52,7 @@ class SlidelineSearch {
   std::size_t bytes() const;
 
  private:
-  S least_radius(const Slave& own) const {
-    return static_cast<S>(reference_node_[static_cast<std::size_t>(own.node)][3]);
-  }
+  S least_radius(const Slave& own) const { return static_cast<S>(reference_node_[own.node][3]); }
   bool may_touch(const Slave& own, const Segment& other, S own_radius) const;
   void watch_nodes(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface);
   void move_segments(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon);

@@ -10,6 +10,7 @@
 #include <solver/base/colouring.hpp>
 #include <solver/base/packs.hpp>
 #include <solver/base/point.hpp>
+#include <solver/base/records.hpp>
 
 #include "held_directions.hpp"
 
@@ -41,17 +42,13 @@ struct ContactElement {
 /// call; nothing is kept from call to call. Elements have "slots": places in packs of `width`, some of them padding, in
 /// tiles of whole packs.
 template <class S>
-class SurfaceSource {
+class SurfaceSource : public NodeRecords<S> {
  public:
   static constexpr int width = native_width<S>;
 
   bool lists_last = true;  ///< lists of what may touch serve more than one step
 
-  // Records of four numbers per node (gather.hpp), aligned to four numbers.
   std::int32_t node_count = 0;
-  const S* position = nullptr;      ///< x, y, z, unused [length]
-  const S* velocity = nullptr;      ///< at the middle of the last step, unused [length/time]
-  S* force = nullptr;               ///< force, contact stiffness [force], [force/length]; stiffness zero between steps
   const S* inverse_mass = nullptr;  ///< one per node [1/mass]
 
   std::int64_t slots = 0;
