@@ -176,7 +176,7 @@ struct BallBits {
   PINBALL_FUNCTION void add_to_row(int i, unsigned bits) {
     word[i * G / 64] |= static_cast<std::uint64_t>(bits) << i * G % 64;
   }
-  PINBALL_FUNCTION void take_from_row(int i, unsigned bits) {
+  PINBALL_FUNCTION void clear_in_row(int i, unsigned bits) {
     word[i * G / 64] &= ~(static_cast<std::uint64_t>(bits) << i * G % 64);
   }
 };

@@ -23,7 +23,7 @@ using VectorRegister = Pack<double, vector_width>;
 struct ImpulseNode {
   alignas(32) double velocity[4];
   double inverse_mass[6];  ///< xx yy zz xy yz zx [1/mass]
-  double crowd;            ///< scratch: sum of |w| over the rows that close
+  double row_share;        ///< scratch: sum of |w| over the rows that close
 };
 
 struct ImpulseRow {
@@ -112,7 +112,7 @@ PINBALL_FUNCTION void project_velocities(ImpulseRow* rows, std::int64_t count, I
     ImpulseRow& row = rows[i];
     row.impulse = maximum(0.0, closing_rate(row, nodes) + row.position_rate);  // for now: its closing velocity
     if (!(row.impulse > 0)) continue;
-    for (int k = 0; k < row.nodes; ++k) nodes[row.node[k]].crowd += absolute(row.weight[k]);
+    for (int k = 0; k < row.nodes; ++k) nodes[row.node[k]].row_share += absolute(row.weight[k]);
   }
   for (std::int64_t i = 0; i < count; ++i) {
     ImpulseRow& row = rows[i];
@@ -121,7 +121,7 @@ PINBALL_FUNCTION void project_velocities(ImpulseRow* rows, std::int64_t count, I
     for (int k = 0; k < row.nodes; ++k) {
       const double* push = row.push[k];
       const double length = square_root(push[0] * push[0] + push[1] * push[1] + push[2] * push[2]);
-      sum += nodes[row.node[k]].crowd * length;
+      sum += nodes[row.node[k]].row_share * length;
     }
     row.impulse /= sum;
   }

@@ -32,6 +32,9 @@ using OpenMP = Serial;
 using DefaultExecutionSpace = Serial;
 #endif
 
+/// Sums and lists that are made in this many pieces, and joined in order, do not depend on the number of threads.
+inline constexpr std::int64_t fixed_pieces = 64;
+
 /// Half-open range of indices on an execution space.
 template <class Space = DefaultExecutionSpace>
 struct RangePolicy {
@@ -50,11 +53,10 @@ void parallel_for(const char* /*name*/, RangePolicy<Serial> range, const Body& b
 template <class Value, class Body, class Join>
 void parallel_reduce(const char* /*name*/, RangePolicy<Serial> range, Value& result, const Body& body,
                      const Join& join) {
-  constexpr std::int64_t pieces = 64;
   const std::int64_t count = range.end - range.begin;
-  for (std::int64_t p = 0; p < pieces; ++p) {
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) {
     Value partial{};
-    body(range.begin + count * p / pieces, range.begin + count * (p + 1) / pieces, partial);
+    body(range.begin + count * p / fixed_pieces, range.begin + count * (p + 1) / fixed_pieces, partial);
     join(result, partial);
   }
 }
@@ -78,14 +80,13 @@ void parallel_for(const char* /*name*/, RangePolicy<OpenMP> range, const Body& b
 template <class Value, class Body, class Join>
 void parallel_reduce(const char* /*name*/, RangePolicy<OpenMP> range, Value& result, const Body& body,
                      const Join& join) {
-  constexpr std::int64_t pieces = 64;
   const std::int64_t count = range.end - range.begin;
-  Value partial[pieces]{};
+  Value partial[fixed_pieces]{};
 #pragma omp parallel for schedule(static)
-  for (std::int64_t p = 0; p < pieces; ++p) {
-    body(range.begin + count * p / pieces, range.begin + count * (p + 1) / pieces, partial[p]);
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) {
+    body(range.begin + count * p / fixed_pieces, range.begin + count * (p + 1) / fixed_pieces, partial[p]);
   }
-  for (std::int64_t p = 0; p < pieces; ++p) join(result, partial[p]);
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) join(result, partial[p]);
 }
 
 template <class Body>

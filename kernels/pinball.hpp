@@ -15,6 +15,16 @@
 /// The report's n is not of unit length, which (3.8) and (3.10) need; here it is normalised first.
 namespace pinball {
 
+/// Radius of the ball of a volume, (3.2), for what is computed once [length].
+PINBALL_FUNCTION double ball_radius(double volume) { return ::cbrt(volume * 3.0 / (4.0 * M_PI)); }
+
+/// The same of the volume of a cube, given its edge: for radii that follow the present volumes, in the precision of S.
+/// It rounds otherwise than ball_radius, and how the cube root is rounded is for the caller to choose.
+template <class S>
+PINBALL_FUNCTION S ball_radius_of_cube(S edge) {
+  return S(0.62035049089940009) * edge;
+}
+
 /// Normals of a pinball [length^2]. `outward` is the sum of the area vectors of those exposed faces whose opposite face
 /// is not exposed. An element exposed on two opposite sides (a plate one element thick, or what erosion leaves) has no
 /// net normal across them: `two_sided` is the area vector of that pair of faces, whose sign each partner chooses. With

@@ -53,7 +53,7 @@ PINBALL_FUNCTION void update_pinball_pack(const PinballGeometryView<ScalarOf<T>>
     view.centre[p + 2] = lane(centre.z, i);
     if constexpr (update_radius) {
       const S v_abs = absolute(lane(volume, i));
-      view.centre[p + 3] = S(0.62035049089940009) * static_cast<S>(::cbrt(v_abs));  // (3.2)
+      view.centre[p + 3] = ball_radius_of_cube(static_cast<S>(::cbrt(v_abs)));  // (3.2)
       const S takes_part = view.outward[p + 3] > S(0) ? S(1) : S(0);
       view.outward[p + 3] = takes_part * view.bulk_modulus[pack * W + i] * view.centre[p + 3];
     }

@@ -31,7 +31,7 @@ struct HostMeshOf {
   std::vector<S> bulk_modulus;
 
   explicit HostMeshOf(const Model<S>& model) {
-    const ModelContact<S> of_model(model);
+    const ModelSurface<S> of_model(model);
     for (std::size_t slot = 0; slot < model.element_of_slot.size(); ++slot) {
       if (model.element_of_slot[slot] < 0) continue;
       const ContactElement element = of_model.element(static_cast<std::int64_t>(slot));
@@ -106,7 +106,7 @@ void embedding(benchmark::State& state) {
   Solver<S> solver(scene);
   Model<S> model = build_model<S>(scene);  // where the state of the solver is worked on
   const HostMeshOf mesh(model);
-  const std::unique_ptr<Contact<S>> own = make_model_contact(model);
+  const std::unique_ptr<ContactAlgorithm<S>> own = make_model_contact(model);
   EmbeddedContact with_records = mesh.contact(model), with_vectors = mesh.contact(model);
   Interleaved vectors(model.node_mass.size());
   std::array<std::vector<double>, 3> seconds;
@@ -118,12 +118,12 @@ void embedding(benchmark::State& state) {
   const auto clear_forces = [&] { std::fill_n(model.nodes.force.data(), model.nodes.force.size(), S(0)); };
   const auto work = [&](int which) {
     if (which == 0) {
-      const ModelContact<S> of_model(model);
+      const ModelSurface<S> of_model(model);
       own->update_surface(of_model, eroded_slots(model, no_erosion));
       own->search(of_model);
-      ContactResult result = own->forces(of_model, dt);
-      own->scatter(of_model, result);
-      pairs[0] = result.pairs;
+      ContactWork work = own->before_step(of_model, dt);
+      own->add_forces(of_model, work);
+      pairs[0] = work.pairs;
     } else {
       EmbeddedContact& contact = which == 1 ? with_records : with_vectors;
       const pinball_contact_arrays host = which == 1 ? records_of(model.nodes) : vectors.host();

@@ -57,7 +57,7 @@ void count_work(benchmark::State& state, const Solver<S>& solver, ContactMethod 
     count("contact_scatter", owners, scatter_traffic<S>(owners, touched_nodes), 0);
   } else {
     count("list_building", owners, slideline_search_traffic<S>(faces, owners, entries), 0);
-    const auto& slideline = static_cast<const SlidelineContact<S>&>(*solver.contact());
+    const auto& slideline = static_cast<const SlidelineAlgorithm<S>&>(*solver.contact());
     const auto segments = static_cast<double>(slideline.updated_segments());
     count("pinballs", segments, segment_traffic<S>(segments, segments), 1);  // a surface has as many nodes
     count("contact_forces", entries, narrow_traffic<S>(entries, segments, owners), 0);

@@ -7,8 +7,8 @@
  * the last step, forces to t_n. Between pinball_contact_create and pinball_contact_destroy each step is
  *
  *  1. clear the nodal forces and add the internal ones;
- *  2. pinball_contact_update: takes in positions, velocities and alive flags, and searches when the lists of what may
- *     touch no longer hold;
+ *  2. pinball_contact_update: takes in positions, velocities and alive flags, searches when the lists of what may touch
+ *     no longer hold, and computes what follows from these: the forces of springs, or the constraints of impulses;
  *  3. with PINBALL_CONTACT_PENALTY: pinball_contact_add_forces, whose `frequency2` bounds the coming step together with
  *     the elements'; then choose that step, add loads and apply constraints.
  *     With PINBALL_CONTACT_PROJECTION or PINBALL_CONTACT_LAGRANGE: choose the coming step (the contact does not bound

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <kernels/pinball.hpp>
 #include <solver/base/built_features.hpp>
 #include <solver/base/faces.hpp>
 
@@ -20,8 +21,7 @@ std::size_t part_of(const Model<S>& model, std::int64_t slot) {
 }  // namespace
 
 template <class S>
-ModelContact<S>::ModelContact(const Model<S>& model, S* node_force) : model_(model) {
-  this->settings = &model.scene.contact;
+ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(model) {
   this->lists_last = model.scene.skip.contact_search;
   this->node_count = model.nodes.count;
   this->position = model.nodes.position.data();
@@ -34,7 +34,7 @@ ModelContact<S>::ModelContact(const Model<S>& model, S* node_force) : model_(mod
 }
 
 template <class S>
-ContactElement ModelContact<S>::element(std::int64_t slot) const {
+ContactElement ModelSurface<S>::element(std::int64_t slot) const {
   const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
   const Material& material = model_.scene.materials[part_of(model_, slot)];
   ContactElement element{};
@@ -52,7 +52,7 @@ ContactElement ModelContact<S>::element(std::int64_t slot) const {
 }
 
 template <class S>
-bool ModelContact<S>::may_soon_erode(std::int64_t slot) const {
+bool ModelSurface<S>::may_soon_erode(std::int64_t slot) const {
   const std::size_t part = part_of(model_, slot);
   if (!model_.parts[part].features.erosion) return false;
   const S limit = std::min(S(1), model_.constants[part].material.erosion_strain);
@@ -89,24 +89,24 @@ SurfaceTopology surface_topology(const Model<S>& model) {
 }
 
 template <class S>
-std::unique_ptr<Contact<S>> make_model_contact([[maybe_unused]] const Model<S>& model) {
+std::unique_ptr<ContactAlgorithm<S>> make_model_contact([[maybe_unused]] const Model<S>& model) {
   if constexpr (built::contact) {
     const ContactSettings& settings = model.scene.contact;
     if (settings.method == ContactMethod::none) return nullptr;
     const bool by_impulses = settings.enforcement != Enforcement::penalty;
-    return make_contact(ModelContact<S>(model),
+    return make_contact(settings, ModelSurface<S>(model),
                         {surface_topology(model), by_impulses ? held_directions(model) : HeldDirections()});
   }
   return nullptr;
 }
 
-template class ModelContact<double>;
-template class ModelContact<float>;
+template class ModelSurface<double>;
+template class ModelSurface<float>;
 template HeldDirections held_directions(const Model<double>&);
 template HeldDirections held_directions(const Model<float>&);
 template SurfaceTopology surface_topology(const Model<double>&);
 template SurfaceTopology surface_topology(const Model<float>&);
-template std::unique_ptr<Contact<double>> make_model_contact(const Model<double>&);
-template std::unique_ptr<Contact<float>> make_model_contact(const Model<float>&);
+template std::unique_ptr<ContactAlgorithm<double>> make_model_contact(const Model<double>&);
+template std::unique_ptr<ContactAlgorithm<float>> make_model_contact(const Model<float>&);
 
 }  // namespace pinball

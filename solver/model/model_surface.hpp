@@ -13,17 +13,17 @@ namespace pinball {
 
 /// A model as contact sees it: nothing is copied. It is cheap to make, and good until the model moves in memory.
 template <class S>
-class ModelContact final : public ContactModel<S> {
+class ModelSurface final : public SurfaceSource<S> {
  public:
-  explicit ModelContact(Model<S>& model) : ModelContact(model, model.nodes.force.data()) {}
+  explicit ModelSurface(Model<S>& model) : ModelSurface(model, model.nodes.force.data()) {}
   /// For who adds no forces.
-  explicit ModelContact(const Model<S>& model) : ModelContact(model, nullptr) {}
+  explicit ModelSurface(const Model<S>& model) : ModelSurface(model, nullptr) {}
 
   ContactElement element(std::int64_t slot) const override;
   bool may_soon_erode(std::int64_t slot) const override;
 
  private:
-  ModelContact(const Model<S>& model, S* node_force);
+  ModelSurface(const Model<S>& model, S* node_force);
 
   const Model<S>& model_;
 };
@@ -37,6 +37,6 @@ SurfaceTopology surface_topology(const Model<S>& model);
 
 /// The contact that the scene names; nothing for a scene without contact.
 template <class S>
-std::unique_ptr<Contact<S>> make_model_contact(const Model<S>& model);
+std::unique_ptr<ContactAlgorithm<S>> make_model_contact(const Model<S>& model);
 
 }  // namespace pinball

@@ -109,7 +109,7 @@ std::string output_text(const Scene& scene, const Units& units) {
 }
 
 template <class S>
-void print_contact(const Contact<S>& contact, const ContactSettings& c, std::int64_t elements) {
+void print_contact(const ContactAlgorithm<S>& contact, const ContactSettings& c, std::int64_t elements) {
   const bool pinball = c.method == ContactMethod::pinball;
   std::string how;
   if (c.enforcement == Enforcement::penalty) {

@@ -1,30 +1,13 @@
 #include <chrono>
 
-#include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/thread_count.hpp>
 
 #include "simulation_implementation.hpp"
 
 namespace pinball {
 
 namespace {
-
-/// Sets the threads of the calling thread's parallel regions and puts the number back.
-class Threads {
- public:
-  explicit Threads(int wanted) : before_(DefaultExecutionSpace::concurrency()), changed_(wanted > 0) {
-    if (changed_) DefaultExecutionSpace::set_concurrency(wanted);
-  }
-  ~Threads() {
-    if (changed_) DefaultExecutionSpace::set_concurrency(before_);
-  }
-  Threads(const Threads&) = delete;
-  Threads& operator=(const Threads&) = delete;
-
- private:
-  int before_;
-  bool changed_;
-};
 
 /// Adds the time of its life to a sum.
 class Stopwatch {
@@ -45,7 +28,7 @@ class Stopwatch {
 Simulation::Simulation(const Scene& given, const SimulationOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
   if (options.threads < 0) throw InputError("threads: expected an integer >= 0");
-  const Threads threads(options.threads);
+  const ThreadCount threads(options.threads);
   const Scene scene = checked_scene(given);
   implementation_->options = options;
   if (scene.precision == Precision::float32) {
@@ -62,7 +45,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 bool Simulation::step() {
   Implementation& own = *implementation_;
   if (own.complete) return false;
-  const Threads threads(own.options.threads);
+  const ThreadCount threads(own.options.threads);
   const Stopwatch watch(own.wall_seconds);
   own.change([&own](auto& solver) {
     if (solver.at_end()) {
@@ -141,7 +124,7 @@ std::vector<std::string> Simulation::history_columns() const {
   return implementation_->read([](const auto& solver) { return solver.more_columns(); });
 }
 RunSummary Simulation::summary() const {
-  const Threads threads(implementation_->options.threads);
+  const ThreadCount threads(implementation_->options.threads);
   RunSummary summary;
   summary.wall_seconds = implementation_->wall_seconds;
   implementation_->read([&summary](const auto& solver) { solver.fill_summary(summary); });

@@ -57,19 +57,14 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
   });
 
   // 4. Contact forces
-  ContactResult contact;
-  const ModelContact<S> contact_model(model_);
+  ContactWork contact;
+  const ModelSurface<S> contact_model(model_);
   if (touching) {
     timers_.measure(Phase::pinballs,
                     [&] { contact_->update_surface(contact_model, eroded_slots(model_, internal_forces_.tiles())); });
     search_contact(contact_model);
-    if (contact_->by_impulses()) {
-      timers_.measure(Phase::contact_forces, [&] { contact_->prepare_impulses(contact_model, dt_); });
-    } else {
-      contact =
-          timers_.measure(Phase::contact_forces, [&] { return contact_->forces(contact_model, static_cast<S>(dt_)); });
-      timers_.measure(Phase::contact_scatter, [&] { contact_->scatter(contact_model, contact); });
-    }
+    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->before_step(contact_model, dt_); });
+    timers_.measure(Phase::contact_scatter, [&] { contact_->add_forces(contact_model, contact); });
   }
 
   // The largest step that elements and contact allow, for the whole cycle
@@ -83,8 +78,8 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
     timers_.measure(Phase::boundary_conditions,
                     [&] { boundary_.apply(model_, time_, step, due_nodes(step_of_cycle)); });
   }
-  if (touching && contact_->by_impulses()) {
-    contact = timers_.measure(Phase::contact_forces, [&] { return contact_->impulses(contact_model, step); });
+  if (touching && contact_->acts_on_velocities()) {
+    contact += timers_.measure(Phase::contact_forces, [&] { return contact_->after_constraints(contact_model, step); });
     timers_.measure(Phase::contact_forces, [&] { boundary_.hold(model_, time_, step, due_nodes(step_of_cycle)); });
   }
   if (bounded) {
@@ -134,7 +129,7 @@ void Solver<S>::make_step(std::int32_t step_of_cycle, bool last) {
 
 /// Lists of what may touch; notes what building them has taken.
 template <class S>
-void Solver<S>::search_contact(const ModelContact<S>& contact_model) {
+void Solver<S>::search_contact(const ModelSurface<S>& contact_model) {
   const std::int64_t searches = contact_->searches();
   const double seconds = timers_.seconds(Phase::contact_search);
   timers_.measure(Phase::contact_search, [&] { contact_->search(contact_model); });
@@ -143,7 +138,7 @@ void Solver<S>::search_contact(const ModelContact<S>& contact_model) {
 
 /// Sets dt_ for the coming step or cycle of steps.
 template <class S>
-void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last) {
+void Solver<S>::choose_time_step(const InternalForceResult<S>& internal, const ContactWork& contact, bool last) {
   if (last) {
     dt_ = 0;
     return;

@@ -50,7 +50,7 @@ class Solver {
   AlignedArray<S>& change_velocities();
   /// Forces that a host adds in every step (BoundaryConditions). Throws InputError where the program has none of them.
   AlignedArray<S>& host_forces();
-  const Contact<S>* contact() const { return contact_.get(); }
+  const ContactAlgorithm<S>* contact() const { return contact_.get(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
   const Subcycling<S>* subcycling() const { return subcycling_ ? &*subcycling_ : nullptr; }
 
@@ -94,8 +94,8 @@ class Solver {
   void take_changed_velocities();
   double kinetic_energy_now() const;
   void make_step(std::int32_t step_of_cycle, bool last);
-  void search_contact(const ModelContact<S>& contact_model);
-  void choose_time_step(const InternalForceResult<S>& internal, const ContactResult& contact, bool last);
+  void search_contact(const ModelSurface<S>& contact_model);
+  void choose_time_step(const InternalForceResult<S>& internal, const ContactWork& contact, bool last);
   double integrate(std::int32_t step_of_cycle);
   DueSpans due_nodes(std::int32_t step_of_cycle) const {
     return subcycling_ ? subcycling_->due_nodes(step_of_cycle) : DueSpans{};
@@ -112,8 +112,8 @@ class Solver {
   SymmetryWalls<S> symmetry_walls_;
   BoundaryConditions<S> boundary_;
   Probes<S> probes_;
-  std::unique_ptr<Contact<S>> contact_;      ///< only in a scene with contact
-  std::optional<Subcycling<S>> subcycling_;  ///< only where the scene asks for it
+  std::unique_ptr<ContactAlgorithm<S>> contact_;  ///< only in a scene with contact
+  std::optional<Subcycling<S>> subcycling_;       ///< only where the scene asks for it
   Timers timers_;
 
   double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;

@@ -149,7 +149,7 @@ void Solver<S>::snapshot(FieldSnapshot& s) const {
   if (contact_) {
     std::vector<Point> force(nodes, Point{});
     std::vector<double> radius(static_cast<std::size_t>(model_.elements.slots), 0.0);
-    contact_->report(ModelContact<S>(model_), force, radius);
+    contact_->report(ModelSurface<S>(model_), force, radius);
     for (std::size_t n = 0; n < nodes; ++n) {
       s.contact_force[n] = force[static_cast<std::size_t>(model_.node_of_scene_node[n])];
     }

@@ -24,7 +24,7 @@ void Solver<S>::persist(StateArchive& archive) {
   persist_stores(archive, model_);
   internal_forces_.persist(archive, model_);
   boundary_.persist(archive);
-  if (contact_) contact_->persist(archive, ModelContact<S>(model_));
+  if (contact_) contact_->persist(archive, ModelSurface<S>(model_));
   if (subcycling_) subcycling_->persist(archive, model_);
   timers_.persist(archive);
   archive(time_, force_time_, dt_, dt_before_, steps_, energies_, damped_power_, initial_energy_, external_max_,

@@ -90,7 +90,7 @@ TEST_P(ContactByImpulses, StaysWithinAPlaneOfSymmetry) {
   }
 }
 
-TEST(ContactImpulses, FacesStayApartByTheirOwnGap) {
+TEST(ImpulseSolver, FacesStayApartByTheirOwnGap) {
   // A block thrown flat onto a wider one of another mesh, between planes of symmetry all around: the faces touch, and
   // not the balls that stick out of them.
   const double h = 0.1;

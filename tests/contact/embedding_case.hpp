@@ -81,7 +81,7 @@ class EmbeddingHost {
  private:
   EmbeddedContact make(std::int32_t first_index, std::int32_t threads) {
     const SurfaceTopology topology = surface_topology(model_);
-    const ModelContact<S> of_model(model_);
+    const ModelSurface<S> of_model(model_);
     for (std::size_t slot = 0; slot < model_.element_of_slot.size(); ++slot) {
       if (slot % static_cast<std::size_t>(native_width<S>) == 0 &&
           model_.tile_packs[tile_first_.size()] * native_width<S> == static_cast<std::int64_t>(slot)) {
@@ -125,7 +125,7 @@ class EmbeddingHost {
   }
 
   void flag_elements() {
-    const ModelContact<S> of_model(model_);
+    const ModelSurface<S> of_model(model_);
     eroded_ = 0;
     for (std::size_t i = 0; i < slots_.size(); ++i) {
       const auto slot = static_cast<std::size_t>(slots_[i]);

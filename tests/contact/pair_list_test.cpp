@@ -54,7 +54,7 @@ Pairs listed_pairs(const PairList<S>& list) {
   std::set<std::int32_t> pinballs;
   std::int32_t pinballs_end = 0;
   std::int64_t end = 0;
-  for (std::int64_t p = 0; p < PairList<S>::pieces; ++p) {
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) {
     const auto& piece = list.piece(p);
     EXPECT_EQ(piece.pinballs_begin, pinballs_end);
     EXPECT_EQ(piece.begin % native_width<S>, 0);
@@ -201,7 +201,7 @@ TEST(PairList, RemembersPairsOverARebuild) {
   PairList<double> list;
   list.build(all, moving<double>(balls), true);
   const auto visit = [&](const std::function<void(std::int32_t, std::int32_t, double&, double&)>& visitor) {
-    for (std::int64_t p = 0; p < PairList<double>::pieces; ++p) {
+    for (std::int64_t p = 0; p < fixed_pieces; ++p) {
       for (std::int64_t i = list.piece(p).begin; i < list.piece(p).end; ++i) {
         visitor(list.listed()[std::size_t(list.first()[i])], list.listed()[std::size_t(list.second()[i])],
                 list.offset()[i], list.stored()[i]);
@@ -257,7 +257,7 @@ class Straying : public ::testing::Test {
     }
     motion.clear(nodes.count);
     for (const auto& corners : all.corners) {
-      for (const std::int32_t node : corners) motion.take(node, 1);
+      for (const std::int32_t node : corners) motion.watch(node, 1);
     }
   }
   static void put(AlignedArray<double>& records, int n, const Vec3<double>& v) {

@@ -202,7 +202,7 @@ TEST_P(Slideline, ANodeThatSlidesOverAnEdgeIsFree) {
 TEST(SlidelineSurface, CountsSegmentsAndSharesOfSlaves) {
   Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1);
   const Model<double> model = build_model<double>(scene);
-  const SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  const SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 24);
   EXPECT_EQ(surface.slaves().size(), 26);
   double share = 0, stiffness = 0;
@@ -257,7 +257,7 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
   for (const std::size_t e : {upper, centre}) {  // the strain of what lies inside does not count
     model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.5;
   }
-  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54 + 5);
   EXPECT_EQ(active_segments(surface), 54);
   EXPECT_EQ(surface.slaves().size(), 56 + 4);
@@ -265,7 +265,7 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
   EXPECT_EQ(surface.topology().exposed_count(), 26);
 
   EXPECT_TRUE(erode(model, surface, upper));
-  surface.update(ModelContact<double>(model));
+  surface.update(ModelSurface<double>(model));
   EXPECT_TRUE(surface.complete());
   EXPECT_TRUE(surface.changed());
   EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
@@ -274,7 +274,7 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
   // The slaves are those of a surface that is collected anew, to the last bit.
   const auto before = active_slaves(surface);
   EXPECT_EQ(before.size(), 60);
-  surface.collect(ModelContact<double>(model));
+  surface.collect(ModelSurface<double>(model));
   EXPECT_FALSE(surface.changed());
   EXPECT_EQ(surface.segments().size(), 54 - 1 + 5 + 5) << "those behind the centre, but for the eroded one, wait now";
   const auto after = active_slaves(surface);
@@ -290,13 +290,13 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
 
 TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
   Model<double> model = eroding_block();
-  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54);
   EXPECT_TRUE(surface.complete());
   EXPECT_TRUE(erode(model, surface, upper));
   EXPECT_FALSE(surface.complete());
-  surface.collect(ModelContact<double>(model));
-  surface.update(ModelContact<double>(model));
+  surface.collect(ModelSurface<double>(model));
+  surface.update(ModelSurface<double>(model));
   EXPECT_TRUE(surface.complete());
   EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
 }
@@ -304,14 +304,14 @@ TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
 TEST(SlidelineSurface, KeepsWhatListsAskForUpToDate) {
   // Slave 0 is in the corner that three segments share, and lists the last segment.
   Model<double> model = eroding_block();
-  SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
+  SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   std::vector<std::int64_t> first(surface.slaves().size() + 1, 1);
   first[0] = 0;
   const auto last = static_cast<std::int32_t>(surface.segments().size() - 1);
   surface.choose(first, {last});
   for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += 1;
   const std::vector<double> before(surface.sphere().data(), surface.sphere().data() + surface.sphere().size());
-  surface.update(ModelContact<double>(model));
+  surface.update(ModelSurface<double>(model));
   int around = 0, stale = 0;
   for (std::size_t s = 0; s < surface.segments().size(); ++s) {
     const auto& node = surface.segments()[s].node;
@@ -345,17 +345,17 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
       x[i] = size * (x[i] + 0.02 * uniform(generator));
       v[i] += 0.3 * speed * uniform(generator);  // so that segments grow
     }
-    SlidelineSurface<double> surface(ModelContact<double>(model), surface_topology(model));
-    SlidelineSearch<double> search(ModelContact<double>(model), surface);
+    SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
+    SlidelineSearch<double> search(ModelSurface<double>(model), surface, true);
     search.count_step(dt);
-    search.build(ModelContact<double>(model), surface, 0.5);
+    search.build(ModelSurface<double>(model), surface, 0.5);
     std::int64_t near = 0, near_own = 0;
     for (int step = 1; step < horizon_steps; ++step) {  // the last may be over by round-off
       search.count_step(dt);
       // Straight on, but for less than what every node may stray.
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += dt * v[i] + (step == 5 ? 0.0005 * uniform(generator) : 0);
-      surface.update(ModelContact<double>(model));
-      ASSERT_TRUE(search.holds(ModelContact<double>(model)));
+      surface.update(ModelSurface<double>(model));
+      ASSERT_TRUE(search.holds(ModelSurface<double>(model)));
       for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
         const auto& slave = surface.slaves()[i];
         const double* p = x.data() + 4 * static_cast<std::int64_t>(slave.node);
@@ -373,7 +373,7 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
     EXPECT_GT(near, 1000);
     EXPECT_EQ(near_own > 100, size < 1);
     x[4] += 0.1;
-    EXPECT_FALSE(search.holds(ModelContact<double>(model)));
+    EXPECT_FALSE(search.holds(ModelSurface<double>(model)));
   }
 }
 

@@ -117,7 +117,7 @@ TEST(BallBits, AreRowsOfAGroup) {
   const auto check = [](auto bits, int group) {
     EXPECT_FALSE(bits.any());
     for (int i = 0; i < group; ++i) bits.add_to_row(i, unsigned(i) + 1);
-    bits.take_from_row(2, 1);
+    bits.clear_in_row(2, 1);
     for (int i = 0; i < group; ++i) EXPECT_EQ(bits.row(i), i == 2 ? 2U : unsigned(i) + 1);
     EXPECT_TRUE(bits.any());
   };

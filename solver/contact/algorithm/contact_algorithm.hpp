@@ -1,19 +1,21 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/contact/contact_settings.hpp>
 #include <solver/contact/impulses/impulse_solver.hpp>
 #include <solver/contact/surface/surface.hpp>
 #include <solver/contact/surface/surface_source.hpp>
 
 namespace pinball {
 
-/// Result of the contact stage of one step.
-struct ContactResult {
+/// What contact has done in a step or in a stage of it.
+struct ContactWork {
   double stored = 0;        ///< energy in the penalty springs [energy]
   double eroded = 0;        ///< energy of the springs that went with eroded elements [energy]
   double damped_power = 0;  ///< power of the damping between pinballs [power]
@@ -23,6 +25,18 @@ struct ContactResult {
   double penetration_ratio = 0;  ///< largest penetration over the size of the pair, R1 + R2 [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
+
+  /// Of two stages of one step together.
+  ContactWork& operator+=(const ContactWork& other) {
+    stored += other.stored;
+    eroded += other.eroded;
+    damped_power += other.damped_power;
+    dissipated += other.dissipated;
+    penetration_ratio = std::max(penetration_ratio, other.penetration_ratio);
+    pairs += other.pairs;
+    frequency2 = std::max(frequency2, other.frequency2);
+    return *this;
+  }
 };
 
 /// Lists of what may touch.
@@ -32,65 +46,81 @@ struct ListSize {
   std::int64_t places = 0;   ///< of pairs: entries, and the padding to whole packs
 };
 
-/// An algorithm of contact, of whoever fills a ContactModel. Its stages are called one by one by the step, in this
-/// order; a scene enforces its contact either through springs, with forces() and scatter(), or through impulses, with
-/// prepare_impulses() and impulses().
+/// An algorithm of contact, for whoever fills a SurfaceSource. Each step calls its stages in this order:
+///
+///     update_surface, search, before_step, add_forces      then loads, constraints and the length of the coming step,
+///     after_constraints                                    then accelerations.
+///
+/// Contact is enforced either by springs, whose forces follow from positions and from velocities before the step, or by
+/// impulses, which act on the velocities that all other forces leave for it. The stage that is not due does nothing and
+/// returns zeros, so that a step need not know which it is.
 template <class S>
-class Contact {
+class ContactAlgorithm {
  public:
-  Contact(const ContactModel<S>& model, HeldDirections held);
-  virtual ~Contact() = default;
-  Contact(const Contact&) = delete;
-  Contact& operator=(const Contact&) = delete;
+  /// settings: those of all steps; a copy is kept.
+  ContactAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, HeldDirections held);
+  virtual ~ContactAlgorithm() = default;
+  ContactAlgorithm(const ContactAlgorithm&) = delete;
+  ContactAlgorithm& operator=(const ContactAlgorithm&) = delete;
 
   /// Takes eroded elements out and brings up to date what the other stages read of the surface. eroded: slots of those
   /// that eroded since the last call, ascending; padding and elements that are out already may be among them.
-  virtual void update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) = 0;
+  virtual void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) = 0;
   /// Lists of what may touch, unless the lists still hold.
-  virtual void search(const ContactModel<S>& model) = 0;
+  virtual void search(const SurfaceSource<S>& source) = 0;
 
-  /// Penalty forces of what has penetrated; dt: the step just made.
-  virtual ContactResult forces(const ContactModel<S>& model, S dt) = 0;
-  /// Adds the forces to the nodes, and bounds the contact frequency.
-  virtual void scatter(const ContactModel<S>& model, ContactResult& result) = 0;
-
-  bool by_impulses() const { return impulses_ != nullptr; }
-  /// The constraints of the coming step; dt: the step just made.
-  virtual void prepare_impulses(const ContactModel<S>& model, double dt) = 0;
-  /// Forces on the nodes that keep gaps from closing in the coming step; after all other forces and the constraints.
-  ContactResult impulses(const ContactModel<S>& model, const StepLengths& step);
+  /// Springs: the forces of all pairs in contact, for add_forces. Impulses: the constraints of the coming step.
+  /// dt: the step just made.
+  ContactWork before_step(const SurfaceSource<S>& source, double dt);
+  /// Springs: adds their forces to the nodes and bounds the contact frequency. work: of before_step.
+  void add_forces(const SurfaceSource<S>& source, ContactWork& work);
+  /// Impulses: adds the forces that keep gaps from closing in the coming step; after all other forces and the
+  /// constraints.
+  ContactWork after_constraints(const SurfaceSource<S>& source, const StepLengths& step);
+  /// Whether after_constraints adds forces: what it adds in held directions the constraints have to take up again.
+  bool acts_on_velocities() const { return impulses_ != nullptr; }
 
   virtual const char* name() const = 0;
   /// Adds the contact force of the last step on each node of the store [force]; radius of the pinball of each slot
   /// [length], where there is one. For output.
-  virtual void report(const ContactModel<S>& model, std::vector<Point>& node_force,
+  virtual void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
                       std::vector<double>& slot_radius) const = 0;
   virtual const Surface& surface() const = 0;
   std::int32_t surface_elements() const { return surface().exposed_count(); }  ///< that take part
-  /// Nodes to which scatter() or impulses() add, after forces() or prepare_impulses(); some perhaps several times.
-  virtual const std::vector<std::int32_t>& loaded_nodes() = 0;
+  /// Nodes to which add_forces adds after a before_step with pairs in contact, some perhaps several times; none with
+  /// impulses.
+  const std::vector<std::int32_t>& spring_nodes();
+  /// Nodes to which after_constraints adds, each once; none with springs.
+  const std::vector<std::int32_t>& impulse_nodes() const;
   /// The nodes whose velocities are read in a step whose lists hold; null: all of the surface. Their positions are read
   /// of all of the surface, and lists do not hold where one is not a number.
   virtual const std::vector<std::int32_t>* listed_nodes() const { return nullptr; }
   virtual ListSize listed() const = 0;
   virtual std::size_t bytes() const = 0;
-  /// model: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of
+  /// source: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of
   /// another time has other pairs, over which energies are summed in another order, and lasts for another time.
-  virtual void persist(StateArchive& archive, const ContactModel<S>& model) {
+  virtual void persist(StateArchive& archive, const SurfaceSource<S>& source) {
     archive(searches_, searches_skipped_);
-    if (impulses_) impulses_->persist(archive, model);
+    if (impulses_) impulses_->persist(archive, source);
   }
   std::int64_t searches() const { return searches_; }
   std::int64_t searches_skipped() const { return searches_skipped_; }
 
  protected:
-  std::unique_ptr<ContactImpulses<S>> impulses_;  ///< only with enforcement by impulses
-  double damping_factor_ = 1;                     ///< of the squared frequency of the springs, for their damping
+  virtual ContactWork spring_forces(const SurfaceSource<S>& source, S dt) = 0;
+  virtual void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) = 0;
+  virtual const std::vector<std::int32_t>& nodes_of_springs() = 0;
+  virtual void collect_impulses(const SurfaceSource<S>& source, double dt) = 0;
+
+  const ContactSettings settings_;
+  std::unique_ptr<ImpulseSolver<S>> impulses_;  ///< only with enforcement by impulses
+  double damping_factor_ = 1;                   ///< of the squared frequency of the springs, for their damping
   std::int64_t searches_ = 0, searches_skipped_ = 0;
 };
 
 /// The algorithm that the settings name, which may not be none.
 template <class S>
-std::unique_ptr<Contact<S>> make_contact(const ContactModel<S>& model, ContactStart start);
+std::unique_ptr<ContactAlgorithm<S>> make_contact(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                                  InitialSurface start);
 
 }  // namespace pinball

@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include <kernels/exec.hpp>
+#include <solver/base/thread_count.hpp>
+#include <solver/contact/algorithm/contact_ledger.hpp>
 
 #include "host_error.hpp"
 #include "host_options.hpp"
@@ -13,20 +14,6 @@
 namespace pinball {
 
 namespace {
-
-/// The threads of the calling thread's parallel regions, while this lives.
-class ThreadCount {
- public:
-  explicit ThreadCount(std::int32_t threads) : before_(DefaultExecutionSpace::concurrency()) {
-    if (threads > 0) DefaultExecutionSpace::set_concurrency(threads);
-  }
-  ~ThreadCount() { DefaultExecutionSpace::set_concurrency(before_); }
-  ThreadCount(const ThreadCount&) = delete;
-  ThreadCount& operator=(const ThreadCount&) = delete;
-
- private:
-  int before_;
-};
 
 template <class Vectors>
 void require_vectors(const Vectors& vectors, const char* name) {
@@ -49,9 +36,10 @@ class HostContactOf final : public HostContact {
  public:
   HostContactOf(const ContactSettings& settings, const pinball_contact_options& options, HostMesh<S> mesh,
                 const pinball_contact_input& position)
-      : settings_(settings), threads_(options.threads), model_(settings_, options, std::move(mesh), position) {
+      : threads_(options.threads), source_(options, std::move(mesh), position) {
     const ThreadCount threads(threads_);
-    contact_ = make_contact<S>(model_, model_.start(position, settings_.enforcement != Enforcement::penalty));
+    contact_ =
+        make_contact<S>(settings, source_, source_.start(position, settings.enforcement != Enforcement::penalty));
   }
 
   void update(const pinball_contact_arrays* arrays, double dt_before) override {
@@ -59,14 +47,14 @@ class HostContactOf final : public HostContact {
     require_step(dt_before, "dt_before");
     if (updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "update: the last one still waits for add_forces");
     const ThreadCount threads(threads_);
-    const std::vector<std::int64_t> eroded = model_.take_alive(*arrays, contact_->surface());
+    const std::vector<std::int64_t> eroded = source_.update_alive(*arrays, contact_->surface());
     eroded_.insert(eroded_.end(), eroded.begin(), eroded.end());
     std::sort(eroded_.begin(), eroded_.end());
-    model_.take_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
-    contact_->update_surface(model_, eroded_);
+    source_.gather_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
+    contact_->update_surface(source_, eroded_);
     eroded_.clear();
-    contact_->search(model_);
-    if (contact_->by_impulses()) contact_->prepare_impulses(model_, dt_before);
+    contact_->search(source_);
+    springs_ = contact_->before_step(source_, dt_before);
     dt_before_ = dt_before;
     updated_ = true;
   }
@@ -78,9 +66,12 @@ class HostContactOf final : public HostContact {
     require_step(dt_after, "dt_after");
     if (!updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "add_forces: expected update before it");
     const ThreadCount threads(threads_);
-    const ContactResult result = contact_->by_impulses() ? add_impulses(*arrays, dt_after) : add_springs(*arrays);
+    ContactWork work = springs_;
+    if (work.pairs > 0) add_springs(*arrays, work);
+    work += add_impulses(*arrays, dt_after);
+    ledger_.book(work, dt_before_);
     updated_ = false;
-    return told(result);
+    return result_of(work);
   }
 
   std::int32_t surface_elements() const override { return contact_->surface_elements(); }
@@ -101,35 +92,28 @@ class HostContactOf final : public HostContact {
     }
   }
 
-  ContactResult add_springs(const pinball_contact_arrays& arrays) {
-    model_.take_places(arrays);
-    ContactResult result = contact_->forces(model_, static_cast<S>(dt_before_));
-    if (result.pairs > 0) {
-      const std::vector<std::int32_t>& nodes = contact_->loaded_nodes();
-      model_.take_forces(arrays, nodes);
-      contact_->scatter(model_, result);
-      model_.put_forces(arrays, nodes);
-    }
-    return result;
+  void add_springs(const pinball_contact_arrays& arrays, ContactWork& work) {
+    const std::vector<std::int32_t>& nodes = contact_->spring_nodes();
+    source_.gather_forces(arrays, nodes);
+    contact_->add_forces(source_, work);
+    source_.scatter_forces(arrays, nodes);
   }
 
-  ContactResult add_impulses(const pinball_contact_arrays& arrays, double dt_after) {
-    const std::vector<std::int32_t>& nodes = contact_->loaded_nodes();
-    model_.take_impulse_nodes(arrays, nodes);
-    const ContactResult result = contact_->impulses(model_, {dt_before_, dt_after});
-    model_.put_forces(arrays, nodes);
-    return result;
+  ContactWork add_impulses(const pinball_contact_arrays& arrays, double dt_after) {
+    const std::vector<std::int32_t>& nodes = contact_->impulse_nodes();
+    source_.gather_impulse_nodes(arrays, nodes);
+    const ContactWork work = contact_->after_constraints(source_, {dt_before_, dt_after});
+    source_.scatter_forces(arrays, nodes);
+    return work;
   }
 
-  pinball_contact_result told(const ContactResult& now) {
-    dissipated_ += 0.5 * (damped_power_ + now.damped_power) * dt_before_ + now.dissipated;
-    lost_ += now.eroded;
-    damped_power_ = now.damped_power;
+  /// What a host is told of a step that is booked.
+  pinball_contact_result result_of(const ContactWork& now) const {
     pinball_contact_result result{};
     result.stored = now.stored;
-    result.dissipated = dissipated_;
-    result.eroded = lost_;
-    result.damped_power = damped_power_;
+    result.dissipated = ledger_.dissipated();
+    result.eroded = ledger_.eroded();
+    result.damped_power = ledger_.damped_power();
     result.penetration_ratio = now.penetration_ratio;
     result.pairs = now.pairs;
     result.listed_pairs = contact_->listed().entries;
@@ -141,14 +125,14 @@ class HostContactOf final : public HostContact {
     return result;
   }
 
-  ContactSettings settings_;
   std::int32_t threads_;
-  HostModel<S> model_;
-  std::unique_ptr<Contact<S>> contact_;
+  HostSurface<S> source_;
+  std::unique_ptr<ContactAlgorithm<S>> contact_;
   std::vector<std::int64_t> eroded_;  ///< slots that contact has not been told of yet
+  ContactWork springs_;               ///< of update, whose forces add_forces adds
   double dt_before_ = 0;
   bool updated_ = false;  ///< add_forces is due
-  double damped_power_ = 0, dissipated_ = 0, lost_ = 0;
+  ContactLedger ledger_;
 };
 
 template <class S>

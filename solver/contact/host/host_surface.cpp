@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <kernels/exec.hpp>
-#include <kernels/hexahedron.hpp>
+#include <kernels/pinball.hpp>
 #include <solver/base/faces.hpp>
 
 #include "host_error.hpp"
@@ -28,7 +28,7 @@ double undeformed_volume(const ContactElement& element) {
 template <class S>
 class FiniteCheck {
  public:
-  void take(const S (&v)[4], std::int64_t i) {
+  void add(const S (&v)[4], std::int64_t i) {
     for (std::size_t k = 0; k < 4; ++k) zero_[i & 1][k] += S(0) * v[k];
   }
   bool fails() const {
@@ -44,10 +44,9 @@ class FiniteCheck {
 }  // namespace
 
 template <class S>
-HostModel<S>::HostModel(const ContactSettings& given, const pinball_contact_options& options, HostMesh<S> mesh,
-                        const pinball_contact_input& where)
+HostSurface<S>::HostSurface(const pinball_contact_options& options, HostMesh<S> mesh,
+                            const pinball_contact_input& where)
     : mesh_(std::move(mesh)) {
-  this->settings = &given;
   this->lists_last = options.keep_lists == 1;
   this->node_count = mesh_.nodes();
   const auto n = static_cast<std::size_t>(mesh_.nodes());
@@ -69,7 +68,7 @@ HostModel<S>::HostModel(const ContactSettings& given, const pinball_contact_opti
     const std::array<std::int32_t, 8> corners = mesh_.corners(e);
     double mass = e < mesh_.elements() ? 0 : mesh_.mass(corners[0]);
     for (std::size_t i = 0; e < mesh_.elements() && i < 8; ++i) {
-      mass += mesh_.mass(corners[i]) / around[static_cast<std::size_t>(corners[i])];
+      mass += mesh_.mass(corners[i]) / around[corners[i]];
     }
     mass_.push_back(mass);
   }
@@ -80,7 +79,7 @@ HostModel<S>::HostModel(const ContactSettings& given, const pinball_contact_opti
 }
 
 template <class S>
-void HostModel<S>::cut_tiles() {
+void HostSurface<S>::cut_tiles() {
   constexpr std::int64_t W = native_width<S>;
   const std::vector<std::int32_t> tiles = mesh_.tiles();
   std::vector<std::array<std::int32_t, 8>> corners;
@@ -101,8 +100,8 @@ void HostModel<S>::cut_tiles() {
 }
 
 template <class S>
-ContactElement HostModel<S>::element(std::int64_t slot) const {
-  const std::int32_t e = element_of_slot_[static_cast<std::size_t>(slot)];
+ContactElement HostSurface<S>::element(std::int64_t slot) const {
+  const std::int32_t e = element_of_slot_[slot];
   ContactElement element{};
   element.corners = mesh_.corners(e);
   for (std::size_t i = 0; i < 8; ++i) {
@@ -113,8 +112,7 @@ ContactElement HostModel<S>::element(std::int64_t slot) const {
   element.body = mesh_.body(e);
   element.bulk_modulus = mesh_.bulk_modulus(e);
   element.sphere = e >= mesh_.elements();
-  element.mass =
-      e < masses_from_ ? mesh_.number(mesh_.element_masses(), e) : mass_[static_cast<std::size_t>(e - masses_from_)];
+  element.mass = e < masses_from_ ? mesh_.number(mesh_.element_masses(), e) : mass_[e - masses_from_];
   if (element.sphere) {
     element.radius = mesh_.sphere_radius(e - mesh_.elements());
     element.volume = 4.0 / 3.0 * M_PI * element.radius * element.radius * element.radius;
@@ -127,13 +125,13 @@ ContactElement HostModel<S>::element(std::int64_t slot) const {
 }
 
 template <class S>
-ContactStart HostModel<S>::start(const pinball_contact_input& where, bool with_held) {
+InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool with_held) {
   SurfaceTopology topology(this->slots);
   std::vector<std::array<std::int32_t, 8>> hexahedra;
   for (std::int32_t e = 0; e < mesh_.elements(); ++e) hexahedra.push_back(mesh_.corners(e));
   const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(hexahedra);
   for (std::int32_t e = 0; e < mesh_.all(); ++e) {
-    const auto slot = static_cast<std::size_t>(slot_of_element_[static_cast<std::size_t>(e)]);
+    const auto slot = static_cast<std::size_t>(slot_of_element_[e]);
     topology.alive[slot] = 1;
     if (e >= mesh_.elements()) {
       topology.exposed[slot] = 0x3F;
@@ -143,14 +141,14 @@ ContactStart HostModel<S>::start(const pinball_contact_input& where, bool with_h
       }
       const unsigned hidden = mesh_.hidden_faces() != nullptr ? mesh_.hidden_faces()[e] : 0U;
       for (unsigned f = 0; f < 6; ++f) {
-        const std::int32_t beyond = neighbours[static_cast<std::size_t>(e)][f];
-        if (beyond >= 0) topology.neighbour[slot][f] = slot_of_element_[static_cast<std::size_t>(beyond)];
+        const std::int32_t beyond = neighbours[e][f];
+        if (beyond >= 0) topology.neighbour[slot][f] = slot_of_element_[beyond];
         if (beyond == -1 && (hidden >> f & 1U) == 0) topology.exposed[slot] |= static_cast<std::uint8_t>(1U << f);
       }
     }
     if (topology.exposed[slot] != 0) watch(static_cast<std::int64_t>(slot));
   }
-  ContactStart start{std::move(topology), with_held ? HeldDirections(mesh_.nodes(), mesh_.held()) : HeldDirections()};
+  InitialSurface start{std::move(topology), with_held ? HeldDirections(mesh_.nodes(), mesh_.held()) : HeldDirections()};
   std::sort(watched_.begin(), watched_.end());
   this->position = gather(where, positions_, watched_, "position");
   mesh_.forget_arguments();
@@ -158,54 +156,54 @@ ContactStart HostModel<S>::start(const pinball_contact_input& where, bool with_h
 }
 
 template <class S>
-void HostModel<S>::watch(std::int64_t slot) {
-  for (const std::int32_t node : mesh_.corners(element_of_slot_[static_cast<std::size_t>(slot)])) {
-    std::uint8_t& watched = is_watched_[static_cast<std::size_t>(node)];
+void HostSurface<S>::watch(std::int64_t slot) {
+  for (const std::int32_t node : mesh_.corners(element_of_slot_[slot])) {
+    std::uint8_t& watched = is_watched_[node];
     if (watched == 0) watched_.push_back(node);
     watched = 1;
   }
 }
 
 template <class S>
-std::uint8_t HostModel<S>::alive_at(std::int64_t slot) const {
-  const std::int32_t e = element_of_slot_[static_cast<std::size_t>(slot)], sphere = e - mesh_.elements();
+std::uint8_t HostSurface<S>::alive_at(std::int64_t slot) const {
+  const std::int32_t e = element_of_slot_[slot], sphere = e - mesh_.elements();
   if (sphere >= 0) return sphere_alive_ != nullptr ? sphere_alive_[sphere] : 1;
   return alive_ != nullptr ? alive_[e] : 1;
 }
 
 template <class S>
-std::vector<std::int64_t> HostModel<S>::take_alive(const pinball_contact_arrays& arrays, const Surface& surface) {
+std::vector<std::int64_t> HostSurface<S>::update_alive(const pinball_contact_arrays& arrays, const Surface& surface) {
   alive_ = arrays.alive;
   sphere_alive_ = arrays.sphere_alive;
   std::vector<std::int64_t> eroded;
-  const auto take = [&](const std::uint8_t* alive, std::int32_t begin, std::int32_t end) {
+  const auto update = [&](const std::uint8_t* alive, std::int32_t begin, std::int32_t end) {
     std::uint8_t* before = alive_before_.data() + begin;
     if (alive == nullptr || std::equal(before, before + (end - begin), alive)) return;
     for (std::int32_t e = begin; e < end; ++e) {
       const std::uint8_t now = alive[e - begin];
-      std::uint8_t& last = alive_before_[static_cast<std::size_t>(e)];
+      std::uint8_t& last = alive_before_[e];
       if (now == last || last == 0) continue;
       last = now;
       if (now == 1) continue;
-      const std::int64_t slot = slot_of_element_[static_cast<std::size_t>(e)];
+      const std::int64_t slot = slot_of_element_[e];
       surface.for_each_face_behind(slot, [this](std::int32_t behind, unsigned /*face*/) { watch(behind); });
       if (now == 0) eroded.push_back(slot);
     }
   };
   const std::size_t watched_before = watched_.size();
-  take(alive_, 0, mesh_.elements());
-  take(sphere_alive_, mesh_.elements(), mesh_.all());
+  update(alive_, 0, mesh_.elements());
+  update(sphere_alive_, mesh_.elements(), mesh_.all());
   if (watched_.size() != watched_before) std::sort(watched_.begin(), watched_.end());
   return eroded;
 }
 
 template <class S>
-const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>& records,
-                              const std::vector<std::int32_t>& nodes, const char* name) const {
+const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<S>& records,
+                                const std::vector<std::int32_t>& nodes, const char* name) const {
   const HostVectors<S> vectors(from);
   const bool in_place = vectors.are_records();
   if (!in_place && records.empty()) records.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
-  S* const record = in_place ? nullptr : records.data();
+  S* const gathered = in_place ? nullptr : records.data();
   const std::int32_t last = vectors.are_together() ? mesh_.nodes() - 1 : 0;
   bool wrong = false;
   parallel_reduce(
@@ -213,7 +211,7 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
       [&](std::int64_t begin, std::int64_t end, bool& partial) {
         FiniteCheck<S> check;
         for (std::int64_t i = begin; i < end; ++i) {
-          const std::int32_t node = nodes[static_cast<std::size_t>(i)];
+          const std::int32_t node = nodes[i];
           S v[4];
           if (node < last) {
             std::memcpy(v, vectors.x + node * vectors.stride, sizeof v);
@@ -222,8 +220,8 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
             std::memcpy(v, x.data(), sizeof x);
             v[3] = 0;
           }
-          check.take(v, i);
-          if (record != nullptr) std::memcpy(record + 4 * std::int64_t{node}, v, sizeof v);
+          check.add(v, i);
+          if (gathered != nullptr) std::memcpy(record(gathered, node), v, sizeof v);
         }
         partial = check.fails();
       },
@@ -238,7 +236,7 @@ const S* HostModel<S>::gather(const pinball_contact_input& from, AlignedArray<S>
 }
 
 template <class S>
-void HostModel<S>::take_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed) {
+void HostSurface<S>::gather_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed) {
   const HostVectors<S> where(arrays.position);
   const bool later = listed != nullptr;
   // Lists do not hold where a position is not a number: records are looked through before a search only.
@@ -248,7 +246,7 @@ void HostModel<S>::take_motion(const pinball_contact_arrays& arrays, const std::
 }
 
 template <class S>
-void HostModel<S>::before_search() const {
+void HostSurface<S>::before_search() const {
   if (waiting_ == nullptr) return;
   if (HostVectors<S>(waiting_->position).are_records()) {
     AlignedArray<S> none;
@@ -258,26 +256,20 @@ void HostModel<S>::before_search() const {
 }
 
 template <class S>
-void HostModel<S>::take_places(const pinball_contact_arrays& arrays) {
-  const HostVectors<S> where(arrays.position), how_fast(arrays.velocity);
-  if (where.are_records()) this->position = where.x;
-  if (how_fast.are_records()) this->velocity = how_fast.x;
-}
-
-template <class S>
-void HostModel<S>::take_impulse_nodes(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
-  take_places(arrays);
+void HostSurface<S>::gather_impulse_nodes(const pinball_contact_arrays& arrays,
+                                          const std::vector<std::int32_t>& nodes) {
+  if (nodes.empty()) return;
   this->velocity = gather(arrays.velocity, velocities_, nodes, "velocity");
-  take_forces(arrays, nodes);
+  gather_forces(arrays, nodes);
   for (const std::int32_t node : nodes) {
-    const S* const f = this->force + 4 * std::int64_t{node};
+    const S* const f = this->f(node);
     if (std::isfinite(f[0]) && std::isfinite(f[1]) && std::isfinite(f[2])) continue;
     throw HostError(PINBALL_CONTACT_BAD_NUMBER, "arrays->force: node ", node, " has ", f[0], ", ", f[1], ", ", f[2]);
   }
 }
 
 template <class S>
-void HostModel<S>::take_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
+void HostSurface<S>::gather_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
   if (arrays.force_records == 1) {
     this->force = static_cast<S*>(arrays.force.x);
     return;
@@ -287,26 +279,26 @@ void HostModel<S>::take_forces(const pinball_contact_arrays& arrays, const std::
   const HostVectors<S> host({arrays.force.x, arrays.force.y, arrays.force.z, arrays.force.stride});
   for (const std::int32_t node : nodes) {
     const std::array<S, 3> f = host[node];
-    const S record[4] = {f[0], f[1], f[2], 0};
-    std::memcpy(this->force + 4 * std::int64_t{node}, record, sizeof record);
+    const S start[4] = {f[0], f[1], f[2], 0};
+    std::memcpy(this->f(node), start, sizeof start);
   }
 }
 
 template <class S>
-void HostModel<S>::put_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
+void HostSurface<S>::scatter_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
   if (arrays.force_records == 1) return;
   S *const x = static_cast<S*>(arrays.force.x), *const y = static_cast<S*>(arrays.force.y),
            *const z = static_cast<S*>(arrays.force.z);
   for (const std::int32_t node : nodes) {
-    const S* const record = forces_.data() + 4 * std::int64_t{node};
+    const S* const force = record(forces_.data(), node);
     const std::int64_t at = node * arrays.force.stride;
-    x[at] = record[0];
-    y[at] = record[1];
-    z[at] = record[2];
+    x[at] = force[0];
+    y[at] = force[1];
+    z[at] = force[2];
   }
 }
 
-template class HostModel<double>;
-template class HostModel<float>;
+template class HostSurface<double>;
+template class HostSurface<float>;
 
 }  // namespace pinball

@@ -14,33 +14,30 @@ namespace pinball {
 /// The nodes and elements of a host as contact sees them. Elements lie in slots in the order of the host, the spheres
 /// after them; each tile begins with a whole pack.
 template <class S>
-class HostModel final : public ContactModel<S> {
+class HostSurface final : public SurfaceSource<S> {
  public:
-  /// settings: to outlive this.
-  HostModel(const ContactSettings& settings, const pinball_contact_options& options, HostMesh<S> mesh,
-            const pinball_contact_input& position);
+  HostSurface(const pinball_contact_options& options, HostMesh<S> mesh, const pinball_contact_input& position);
 
   ContactElement element(std::int64_t slot) const override;
   bool may_soon_erode(std::int64_t slot) const override { return alive_at(slot) == 2; }
   void before_search() const override;
   /// What contact keeps; asks for what the host has given at creation alone, and takes the positions in.
-  ContactStart start(const pinball_contact_input& position, bool with_held);
+  InitialSurface start(const pinball_contact_input& position, bool with_held);
 
   /// The slots that eroded since the last call of this, given the flags of now. Their neighbours, and those of elements
   /// that may soon erode, are watched from now on.
-  std::vector<std::int64_t> take_alive(const pinball_contact_arrays& arrays, const Surface& surface);
+  std::vector<std::int64_t> update_alive(const pinball_contact_arrays& arrays, const Surface& surface);
   /// Takes in where the nodes are that contact looks at: in place where they lie in records, else gathered. listed: the
   /// nodes whose velocities are asked for unless there is a search, before which the others follow; null: all. Throws
   /// HostError for numbers that are not finite; so may a search for those that only it looks at.
-  void take_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed);
-  /// Tells again where the records of the host are, with what is in them; those that were gathered stay.
-  void take_places(const pinball_contact_arrays& arrays);
-  /// Takes in velocities and forces of nodes that impulses look at. Throws as take_motion does.
-  void take_impulse_nodes(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);
+  void gather_motion(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>* listed);
+  /// Takes in velocities, as constraints have left them, and forces of nodes that impulses look at. Throws as
+  /// gather_motion does.
+  void gather_impulse_nodes(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);
   /// Takes in the forces of nodes: in place where the host says so, else gathered.
-  void take_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);
-  /// Puts back what take_forces has gathered.
-  void put_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);
+  void gather_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);
+  /// Puts back what gather_forces has gathered.
+  void scatter_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes);
 
  private:
   void cut_tiles();
@@ -53,9 +50,9 @@ class HostModel final : public ContactModel<S> {
   HostMesh<S> mesh_;
   std::vector<std::int32_t> element_of_slot_;  ///< -1 for padding
   std::vector<std::int32_t> slot_of_element_;
-  std::vector<std::int64_t> packs_;  ///< ContactModel::tile_packs
+  std::vector<std::int64_t> packs_;  ///< SurfaceSource::tile_packs
   Colouring colours_;
-  AlignedArray<S> inverse_;            ///< ContactModel::inverse_mass
+  AlignedArray<S> inverse_;            ///< SurfaceSource::inverse_mass
   std::vector<S> reference_;           ///< undeformed places, three numbers per node [length]
   std::vector<double> mass_;           ///< of the spheres, and of the elements where the host does not give it [mass]
   std::int32_t masses_from_ = 0;       ///< first element whose mass is in it

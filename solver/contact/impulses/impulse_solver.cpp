@@ -26,71 +26,55 @@ constexpr double tolerance = 1e-4;
 }  // namespace
 
 template <class S>
-ContactImpulses<S>::ContactImpulses(const ContactModel<S>& model, HeldDirections held)
-    : lagrange_(model.settings->enforcement == Enforcement::lagrange),
-      friction_at_rest_(model.settings->static_friction),
-      friction_sliding_(model.settings->friction),
-      node_place_(static_cast<std::size_t>(model.node_count), -1),
+ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held)
+    : lagrange_(settings.enforcement == Enforcement::lagrange),
+      friction_at_rest_(settings.static_friction),
+      friction_sliding_(settings.friction),
+      node_place_(static_cast<std::size_t>(node_count), -1),
       held_(std::move(held)) {}
 
 template <class S>
-void ContactImpulses<S>::collect(const ContactModel<S>& model, const std::vector<ContactPair>& pairs, double dt) {
+void ImpulseSolver<S>::begin_rows() {
   rows_.clear();
   pairs_.clear();
   nodes_.clear();
   node_.clear();
   last_entry_.clear();
-  for (const ContactPair& pair : pairs) add_row(pair);
-  for (const std::int32_t n : node_) node_place_[static_cast<std::size_t>(n)] = -1;
-  for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(model, i, dt);
 }
 
 template <class S>
-void ContactImpulses<S>::add_row(const ContactPair& contact) {
-  ImpulseRow row{};
-  for (int k = 0; k < contact.nodes; ++k) {
-    std::int32_t& place = node_place_[static_cast<std::size_t>(contact.node[k])];
-    if (place < 0) {
-      place = static_cast<std::int32_t>(node_.size());
-      node_.push_back(contact.node[k]);
-      last_entry_.push_back({rows_.size(), -1});
-    }
-    // Collapsed elements and spheres have a node at several corners: its weights add up.
-    LastEntry& last = last_entry_[static_cast<std::size_t>(place)];
-    if (last.row == rows_.size() && last.entry >= 0) {
-      row.weight[last.entry] += contact.weight[k];
-      continue;
-    }
-    last = {rows_.size(), row.nodes};
-    row.node[row.nodes] = place;
-    row.weight[row.nodes] = contact.weight[k];
-    ++row.nodes;
-  }
-  row.direction[0] = contact.direction.x;
-  row.direction[1] = contact.direction.y;
-  row.direction[2] = contact.direction.z;
-  Pair pair{};
-  pair.depth = contact.depth;
-  pair.size = contact.size;
-  pair.memory.first = contact.first;
-  pair.memory.second = contact.second;
-  const auto before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, Memory::earlier);
-  if (before != memory_.end() && !Memory::earlier(pair.memory, *before)) pair.memory = *before;
-  rows_.push_back(row);
-  pairs_.push_back(pair);
+void ImpulseSolver<S>::add_row(std::int32_t first, std::int32_t second, const Vec3<double>& direction, double depth,
+                               double size) {
+  ImpulseRow& row = rows_.emplace_back();
+  row.direction[0] = direction.x;
+  row.direction[1] = direction.y;
+  row.direction[2] = direction.z;
+  Pair& pair = pairs_.emplace_back();
+  pair.depth = depth;
+  pair.size = size;
+  pair.memory.first = first;
+  pair.memory.second = second;
+  const auto before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, PairMemory::earlier);
+  if (before != memory_.end() && !PairMemory::earlier(pair.memory, *before)) pair.memory = *before;
+}
+
+template <class S>
+void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
+  for (const std::int32_t n : node_) node_place_[n] = -1;
+  for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(source, i, dt);
 }
 
 /// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element
 /// turns another face to its partner: such depths are not pushed out.
 template <class S>
-void ContactImpulses<S>::limit_depth(const ContactModel<S>& model, std::size_t i, double dt) {
+void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt) {
   const ImpulseRow& row = rows_[i];
   Pair& pair = pairs_[i];
   pair.rate_before = 0;
   for (int k = 0; k < row.nodes; ++k) {
-    const auto place = 4 * static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
+    const S* const velocity = source.v(node_[row.node[k]]);
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto v = static_cast<double>(model.velocity[place + c]);
+      const auto v = static_cast<double>(velocity[c]);
       pair.rate_before += row.weight[k] * row.direction[c] * v;
       if (has_friction()) pair.sliding_before[c] += row.weight[k] * v;
     }
@@ -102,11 +86,11 @@ void ContactImpulses<S>::limit_depth(const ContactModel<S>& model, std::size_t i
 
 /// Velocities v* and what held directions leave of the inverse masses.
 template <class S>
-void ContactImpulses<S>::load_nodes(const ContactModel<S>& model, double velocity_step) {
+void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocity_step) {
   nodes_.assign(node_.size(), {});
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const auto n = static_cast<std::size_t>(node_[i]);
-    const auto m = static_cast<double>(model.inverse_mass[n]);
+    const std::int32_t n = node_[i];
+    const auto m = static_cast<double>(source.inverse_mass[n]);
     double* a = nodes_[i].inverse_mass;
     a[0] = a[1] = a[2] = m;
     for (const auto& [x, y, z] : held_.of(node_[i])) {
@@ -118,15 +102,15 @@ void ContactImpulses<S>::load_nodes(const ContactModel<S>& model, double velocit
       a[5] -= m * z * x;
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      nodes_[i].velocity[c] = static_cast<double>(model.velocity[4 * n + c]) +
-                              velocity_step * m * static_cast<double>(model.force[4 * n + c]);
+      nodes_[i].velocity[c] =
+          static_cast<double>(source.v(n)[c]) + velocity_step * m * static_cast<double>(source.f(n)[c]);
     }
   }
 }
 
 /// Rows that nothing drives together only cost time.
 template <class S>
-void ContactImpulses<S>::drop_rows_apart() {
+void ImpulseSolver<S>::drop_rows_apart() {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Pair& pair = pairs_[i];
@@ -142,7 +126,7 @@ void ContactImpulses<S>::drop_rows_apart() {
 
 /// Begins with the friction of the step before, turned into the plane across the direction of now.
 template <class S>
-void ContactImpulses<S>::begin_friction(double velocity_step) {
+void ImpulseSolver<S>::begin_friction(double velocity_step) {
   if (!has_friction()) return;
   frictions_.assign(rows_.size(), {});
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -155,7 +139,7 @@ void ContactImpulses<S>::begin_friction(double velocity_step) {
 }
 
 template <class S>
-void ContactImpulses<S>::solve_coupled() {
+void ImpulseSolver<S>::solve_coupled() {
   double scale = 0;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     scale = std::max({scale, pairs_[i].rate_free + rows_[i].position_rate, pairs_[i].rate_before});
@@ -175,13 +159,13 @@ void ContactImpulses<S>::solve_coupled() {
 
 /// Friction after a projection: that of the step before, as corrected by each row in turn.
 template <class S>
-void ContactImpulses<S>::slow_sliding() {
+void ImpulseSolver<S>::slow_sliding() {
   for (std::size_t i = 0; i < frictions_.size(); ++i) apply_friction(rows_[i], frictions_[i].impulse, nodes_.data());
   for (std::size_t i = 0; i < frictions_.size(); ++i) update_friction(rows_[i], frictions_[i], nodes_.data());
 }
 
 template <class S>
-void ContactImpulses<S>::release(double velocity_step) {
+void ImpulseSolver<S>::release(double velocity_step) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     ImpulseRow& row = rows_[i];
     Pair& pair = pairs_[i];
@@ -199,7 +183,7 @@ void ContactImpulses<S>::release(double velocity_step) {
 
 /// What each row may still close or has to push out, and its closing velocity without impulses.
 template <class S>
-void ContactImpulses<S>::set_rates(double velocity_step, double dt) {
+void ImpulseSolver<S>::set_rates(double velocity_step, double dt) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     ImpulseRow& row = rows_[i];
     Pair& pair = pairs_[i];
@@ -218,7 +202,7 @@ void ContactImpulses<S>::set_rates(double velocity_step, double dt) {
 }
 
 template <class S>
-ImpulseResult ContactImpulses<S>::solve(const ContactModel<S>& model, const StepLengths& step) {
+ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const StepLengths& step) {
   ImpulseResult result;
   result.dissipated = pending_;
   pending_ = 0;
@@ -230,7 +214,7 @@ ImpulseResult ContactImpulses<S>::solve(const ContactModel<S>& model, const Step
   for (const Pair& pair : pairs_) {
     result.penetration_ratio = std::max(result.penetration_ratio, pair.depth / pair.size);
   }
-  load_nodes(model, velocity_step);
+  load_nodes(source, velocity_step);
   set_rates(velocity_step, step.after);
   drop_rows_apart();
   begin_friction(velocity_step);
@@ -255,7 +239,7 @@ ImpulseResult ContactImpulses<S>::solve(const ContactModel<S>& model, const Step
     if (has_friction()) count_friction(i, step, result);
     if (!(pair.force > 0)) continue;
     for (int k = 0; k < row.nodes; ++k) {
-      S* force = model.force + 4 * static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])]);
+      S* const force = source.f(node_[row.node[k]]);
       for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * row.direction[c]);
       if (!has_friction()) continue;
       for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
@@ -267,7 +251,7 @@ ImpulseResult ContactImpulses<S>::solve(const ContactModel<S>& model, const Step
 
 /// Force of the friction of a row, and its work.
 template <class S>
-void ContactImpulses<S>::count_friction(std::size_t i, const StepLengths& step, ImpulseResult& result) {
+void ImpulseSolver<S>::count_friction(std::size_t i, const StepLengths& step, ImpulseResult& result) {
   Pair& pair = pairs_[i];
   double after[3];
   sliding_rate(rows_[i], nodes_.data(), after);
@@ -283,11 +267,11 @@ void ContactImpulses<S>::count_friction(std::size_t i, const StepLengths& step, 
 }
 
 template <class S>
-void ContactImpulses<S>::add_node_forces(std::vector<Point>& node_force) const {
+void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const ImpulseRow& row = rows_[i];
     for (int k = 0; k < row.nodes; ++k) {
-      Point& force = node_force[static_cast<std::size_t>(node_[static_cast<std::size_t>(row.node[k])])];
+      Point& force = node_force[node_[row.node[k]]];
       for (std::size_t c = 0; c < 3; ++c) {
         force[c] -= row.weight[k] * (pairs_[i].force * row.direction[c] + pairs_[i].memory.friction[c]);
       }
@@ -297,28 +281,28 @@ void ContactImpulses<S>::add_node_forces(std::vector<Point>& node_force) const {
 
 /// Rows, their pairs and nodes are for the report of forces alone.
 template <class S>
-void ContactImpulses<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
+void ImpulseSolver<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   archive(memory_, pending_, rows_, pairs_, node_);
-  if (archive.reads()) node_place_.assign(static_cast<std::size_t>(model.node_count), -1);
+  if (archive.reads()) node_place_.assign(static_cast<std::size_t>(source.node_count), -1);
 }
 
 template <class S>
-void ContactImpulses<S>::remember() {
+void ImpulseSolver<S>::remember() {
   memory_.clear();
   for (const Pair& pair : pairs_) {
     if (pair.memory.force > 0 || pair.memory.depth > 0) memory_.push_back(pair.memory);
   }
-  std::sort(memory_.begin(), memory_.end(), Memory::earlier);
+  std::sort(memory_.begin(), memory_.end(), PairMemory::earlier);
 }
 
 template <class S>
-std::size_t ContactImpulses<S>::bytes() const {
+std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return of(rows_) + of(frictions_) + of(pairs_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) +
          of(node_place_) + held_.bytes();
 }
 
-template class ContactImpulses<double>;
-template class ContactImpulses<float>;
+template class ImpulseSolver<double>;
+template class ImpulseSolver<float>;
 
 }  // namespace pinball

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,6 +8,7 @@
 #include <kernels/tensor.hpp>
 #include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/contact/contact_settings.hpp>
 #include <solver/contact/surface/held_directions.hpp>
 #include <solver/contact/surface/surface_source.hpp>
 
@@ -15,20 +16,9 @@ namespace pinball {
 
 /// Result of one solution of the contact impulses.
 struct ImpulseResult {
-  double dissipated = 0;         ///< energy taken out since the solution before, see ContactImpulses [energy]
+  double dissipated = 0;         ///< energy taken out since the solution before, see ImpulseSolver [energy]
   double penetration_ratio = 0;  ///< largest penetration over the size of its pair [-]
   std::int64_t pairs = 0;        ///< pairs that push
-};
-
-/// Two things that may touch within the coming step: a row of the contact matrix (kernels/contact_row.hpp).
-struct ContactPair {
-  std::int32_t first, second;  ///< names that the pair keeps from step to step
-  std::int32_t node[16];       ///< of the node store
-  double weight[16];           ///< negative for the nodes of body 1, positive for those of body 2; each side sums to 1
-  int nodes = 0;
-  Vec3<double> direction;  ///< from body 2 to body 1
-  double depth;            ///< penetration, or negative gap [length]
-  double size;             ///< what the depth is compared with, R1 + R2 [length]
 };
 
 /// Contact by impulses instead of springs: after accelerations are known and before positions move, impulses take out
@@ -50,38 +40,47 @@ struct ContactPair {
 ///
 /// The rows are solved in double and in one order, so that results do not depend on the number of threads.
 template <class S>
-class ContactImpulses {
+class ImpulseSolver {
  public:
-  ContactImpulses(const ContactModel<S>& model, HeldDirections held);
+  ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held);
 
-  /// Takes all pairs that may touch within the coming step, at the present positions, each once.
-  /// dt: the step just made.
-  void collect(const ContactModel<S>& model, const std::vector<ContactPair>& pairs, double dt);
+  /// Begins the rows of the coming step (kernels/contact_row.hpp); those of the step before are gone.
+  void begin_rows();
+  /// Adds the row of two things that may touch within the coming step; its nodes follow. Each pair has one row.
+  /// first, second: names that the pair keeps from step to step; direction: from body 2 to body 1; depth: penetration
+  /// at the present positions, or negative gap [length]; size: what the depth is compared with, R1 + R2 [length].
+  void add_row(std::int32_t first, std::int32_t second, const Vec3<double>& direction, double depth, double size);
+  /// Adds a node of the store to the last row, up to 16 times. weight: negative for the nodes of body 1, positive for
+  /// those of body 2; each side sums to 1. Collapsed elements and spheres have a node at several corners: its weights
+  /// add up.
+  void add_node(std::int32_t node, double weight);
+  /// All rows are there. dt: the step just made.
+  void finish_rows(const SurfaceSource<S>& source, double dt);
 
   /// Solves for the impulses of the coming step and adds the forces that give them to the nodes.
   /// Loads, constraints and prescribed velocities must already be in the node forces and velocities; what the forces of
   /// the contact have in held directions is for them to take up again.
-  ImpulseResult solve(const ContactModel<S>& model, const StepLengths& step);
+  ImpulseResult solve(const SurfaceSource<S>& source, const StepLengths& step);
 
-  /// Nodes of the pairs collected, each once.
+  /// Nodes of the rows, each once.
   const std::vector<std::int32_t>& nodes() const { return node_; }
 
   /// Adds the contact forces of the last solution, per node of the store [force].
   void add_node_forces(std::vector<Point>& node_force) const;
 
-  void persist(StateArchive& archive, const ContactModel<S>& model);
+  void persist(StateArchive& archive, const SurfaceSource<S>& source);
   std::size_t bytes() const;
 
  private:
   /// What outlives a step, by the names of the pair.
-  struct Memory {
+  struct PairMemory {
     std::int32_t first, second;
     double depth;        ///< as far as approach has closed it, see limit_depth [length]
     double force;        ///< of the last step [force]
     double lost;         ///< energy that the pair has taken out, but for friction [energy]
     double friction[3];  ///< of the last step [force]
     bool slides;         ///< in the last step
-    static bool earlier(const Memory& a, const Memory& b) {
+    static bool earlier(const PairMemory& a, const PairMemory& b) {
       return a.first != b.first ? a.first < b.first : a.second < b.second;
     }
   };
@@ -93,7 +92,7 @@ class ContactImpulses {
     double rate_free;          ///< G v* [length/time]
     double force;              ///< of this step [force]
     double sliding_before[3];  ///< of the middle of the step before, across the direction [length/time]
-    Memory memory;
+    PairMemory memory;
   };
 
   /// Where a node stands last in a row.
@@ -102,9 +101,8 @@ class ContactImpulses {
     int entry;
   };
 
-  void add_row(const ContactPair& contact);
-  void limit_depth(const ContactModel<S>& model, std::size_t i, double dt);
-  void load_nodes(const ContactModel<S>& model, double velocity_step);
+  void limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt);
+  void load_nodes(const SurfaceSource<S>& source, double velocity_step);
   void set_rates(double velocity_step, double dt);
   void drop_rows_apart();
   bool has_friction() const { return friction_at_rest_ > 0; }
@@ -123,10 +121,31 @@ class ContactImpulses {
   std::vector<ImpulseNode> nodes_;
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
   std::vector<LastEntry> last_entry_;     ///< per entry of node_
-  std::vector<Memory> memory_;            ///< of the last step, sorted by the names
+  std::vector<PairMemory> memory_;        ///< of the last step, sorted by the names
   std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
   HeldDirections held_;
   double pending_ = 0;  ///< energy dissipated by the last impulses in the step after them
 };
+
+template <class S>
+inline void ImpulseSolver<S>::add_node(std::int32_t node, double weight) {
+  const std::size_t number = rows_.size() - 1;
+  ImpulseRow& row = rows_[number];
+  std::int32_t& place = node_place_[node];
+  if (place < 0) {
+    place = static_cast<std::int32_t>(node_.size());
+    node_.push_back(node);
+    last_entry_.push_back({number, -1});
+  }
+  LastEntry& last = last_entry_[place];
+  if (last.row == number && last.entry >= 0) {
+    row.weight[last.entry] += weight;
+    return;
+  }
+  last = {number, row.nodes};
+  row.node[row.nodes] = place;
+  row.weight[row.nodes] = weight;
+  ++row.nodes;
+}
 
 }  // namespace pinball

@@ -16,7 +16,7 @@ struct PairForces<S>::Waiting {
   alignas(64) S offset[most + 2 * W];
 
   /// Takes the pairs of a pack of the list that the mask tells.
-  void take(unsigned bits, std::int32_t place_of_first, const PairList<S>& list, std::int64_t from) {
+  void append(unsigned bits, std::int32_t place_of_first, const PairList<S>& list, std::int64_t from) {
     write_lanes<W>(bits, list.first() + from, first + count);
     write_lanes<W>(bits, list.second() + from, second + count);
     write_lanes<W>(bits, list.offset() + from, offset + count);
@@ -44,8 +44,8 @@ struct PairForces<S>::Waiting {
 };
 
 template <class S>
-void PairForces<S>::work_out_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
-                                  S dt, std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work) {
+void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
+                                 S dt, std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work) {
   using T = Pack<S, W>;
   const auto number = static_cast<std::size_t>(work.pairs / W);
   if (number == work.touches.size()) work.touches.resize(std::max<std::size_t>(16, 2 * number));
@@ -84,8 +84,8 @@ void PairForces<S>::work_out_pack(const PinballView<S>& view, const PenaltyConst
 }
 
 template <class S>
-void PairForces<S>::work_out(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                             std::int64_t piece, Work& work) {
+void PairForces<S>::compute_piece(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
+                                  S dt, std::int64_t piece, Work& work) {
   using T = Pack<S, W>;
   work.pairs = 0;
   work.elsewhere.clear();
@@ -95,40 +95,38 @@ void PairForces<S>::work_out(const PinballView<S>& view, const PenaltyConstants<
   for (std::int64_t place = first; place < end; place += W) {
     unsigned bits = touching_pairs<T>(view.centre, list.first() + place, list.second() + place, list.offset() + place);
     if (place + W > end) bits &= (1U << (end - place)) - 1;
-    waiting.take(bits, static_cast<std::int32_t>(place - first), list, place);
+    waiting.append(bits, static_cast<std::int32_t>(place - first), list, place);
     if (waiting.count < Waiting::most) continue;
     const int full = waiting.count / W * W;
-    for (int i = 0; i < full; i += W) work_out_pack(view, constants, list, dt, piece, waiting, i, W, work);
+    for (int i = 0; i < full; i += W) compute_pack(view, constants, list, dt, piece, waiting, i, W, work);
     waiting.drop(full);
   }
   waiting.pad();
   for (int i = 0; i < waiting.count; i += W) {
-    work_out_pack(view, constants, list, dt, piece, waiting, i, std::min(W, waiting.count - i), work);
+    compute_pack(view, constants, list, dt, piece, waiting, i, std::min(W, waiting.count - i), work);
   }
 }
 
 template <class S>
 PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
                                    S dt, S* force) {
-  const auto work_of = [this](std::int64_t piece) -> Work& { return work_[static_cast<std::size_t>(piece)]; };
-  parallel_for("contact forces", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
-    work_out(view, constants, list, dt, piece, work_of(piece));
+  const auto work_of = [this](std::int64_t piece) -> Work& { return work_[piece]; };
+  parallel_for("contact forces", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    compute_piece(view, constants, list, dt, piece, work_of(piece));
     const auto& range = list.piece(piece);
-    std::fill(force + 4 * static_cast<std::int64_t>(range.pinballs_begin),
-              force + 4 * static_cast<std::int64_t>(range.pinballs_end), S(0));
+    std::fill(record(force, range.pinballs_begin), record(force, range.pinballs_end), S(0));
   });
   // Second pinballs of other pieces: these pairs come before all that begin with the pinball's own piece.
   for (const Work& work : work_) {
     for (const Elsewhere& e : work.elsewhere) {
-      for (int k = 0; k < 4; ++k) force[4 * static_cast<std::int64_t>(e.pinball) + k] += e.force[k];
+      for (int k = 0; k < 4; ++k) record(force, e.pinball)[k] += e.force[k];
     }
   }
-  parallel_for("contact force sums", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  parallel_for("contact force sums", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const Work& work = work_of(piece);
     for (std::int64_t i = 0; i < work.pairs; i += W) {
       const auto pairs = static_cast<int>(std::min<std::int64_t>(W, work.pairs - i));
-      add_to_pinballs<Pack<S, W>>(work.touches[static_cast<std::size_t>(i / W)], pairs, list.piece(piece).pinballs_end,
-                                  force);
+      add_to_pinballs<Pack<S, W>>(work.touches[i / W], pairs, list.piece(piece).pinballs_end, force);
     }
   });
   PairSums<S> sums;

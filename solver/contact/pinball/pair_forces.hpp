@@ -30,7 +30,6 @@ class PairForces {
   std::size_t bytes() const;
 
  private:
-  static constexpr std::int64_t pieces = PairList<S>::pieces;
   static constexpr int W = native_width<S>;
   using Touch = PairTouch<S, W>;
   /// A pair whose second pinball belongs to another piece.
@@ -46,12 +45,12 @@ class PairForces {
     PairSums<S> sums;
   };
   struct Waiting;
-  static void work_out(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                       std::int64_t piece, Work& work);
-  static void work_out_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
-                            std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work);
+  static void compute_piece(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                            std::int64_t piece, Work& work);
+  static void compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
+                           std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work);
 
-  std::array<Work, pieces> work_;
+  std::array<Work, fixed_pieces> work_;
 };
 
 }  // namespace pinball

@@ -34,7 +34,7 @@ void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>
 
 template <class S>
 std::int32_t PairList<S>::piece_begin(std::int64_t piece) const {
-  const std::int64_t begin = boxes_.view().groups * piece / pieces * ball_group<S>;
+  const std::int64_t begin = boxes_.view().groups * piece / fixed_pieces * ball_group<S>;
   return static_cast<std::int32_t>(std::min(begin, static_cast<std::int64_t>(has_pair_.size())));
 }
 
@@ -49,7 +49,7 @@ void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
     for (std::int64_t i = 0; i < G; ++i) {
       const std::int64_t last = pinballs.count - 1;
       const auto p = static_cast<std::size_t>(std::min(group * G + i, last));  // padding repeats the last
-      for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][static_cast<std::size_t>(c)];
+      for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][c];
       reference[4 * G + i] = static_cast<float>(pinballs.body[p]);
     }
   });
@@ -61,10 +61,10 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
-  parallel_for("neighbours", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
-    Found& found = found_[static_cast<std::size_t>(piece)];
+  parallel_for("neighbours", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    Found& found = found_[piece];
     found.pairs = 0;
-    NearBalls<S>& near = near_[static_cast<std::size_t>(piece)];
+    NearBalls<S>& near = near_[piece];
     const std::int32_t begin = piece_begin(piece) / G, end = (piece_begin(piece + 1) + G - 1) / G;
     for (std::int32_t group = begin; group < end; ++group) {
       // Groups of one box have much the same part of the tree near them: it is looked for once.
@@ -76,7 +76,7 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
       leave_out(self, group, groups);
       NearBalls<S>::leave_out_passing(tree, own, groups);
       leave_out_neighbours(pinballs, group, groups);
-      take(group, groups, found);
+      append(group, groups, found);
     }
   });
 }
@@ -89,7 +89,7 @@ void PairList<S>::leave_out(bool self, std::int32_t group, std::span<typename Ne
   };
   for (auto& other : near) {
     if (other.number == group) {  // each pair once
-      for (int i = 0; i < G; ++i) other.balls.take_from_row(i, (2U << i) - 1);
+      for (int i = 0; i < G; ++i) other.balls.clear_in_row(i, (2U << i) - 1);
     }
     other.same = balls_of_one_body<S>(reference(group), reference(other.number));
     if (!other.same.any()) continue;
@@ -112,14 +112,14 @@ void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::
         const int bit = 64 * w + __builtin_ctzll(bits);
         const auto a = static_cast<std::size_t>(group * G + bit / G);
         const auto b = static_cast<std::size_t>(other.number * G + bit % G);
-        if (share_corner(pinballs.corners[a], pinballs.corners[b])) other.balls.take_from_row(bit / G, 1U << bit % G);
+        if (share_corner(pinballs.corners[a], pinballs.corners[b])) other.balls.clear_in_row(bit / G, 1U << bit % G);
       }
     }
   }
 }
 
 template <class S>
-void PairList<S>::take(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found) {
+void PairList<S>::append(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found) {
   constexpr int G = ball_group<S>;
   const std::size_t most = found.pairs + (near.size() + 1) * G * G;  // and room to write more than there is
   if (found.second.size() < most) {
@@ -143,37 +143,36 @@ void PairList<S>::take(std::int32_t group, std::span<const typename NearBalls<S>
 /// A pinball has a pair: several pieces may say this at the same time.
 template <class S>
 void PairList<S>::mark(std::int32_t pinball) {
-  std::atomic_ref(has_pair_[static_cast<std::size_t>(pinball)]).store(1, std::memory_order_relaxed);
+  std::atomic_ref(has_pair_[pinball]).store(1, std::memory_order_relaxed);
 }
 
 /// Numbers the pinballs that have a pair, and puts the pairs one after the other.
 template <class S>
 void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   constexpr std::int64_t W = native_width<S>;
-  const auto found = [this](std::int64_t p) -> Found& { return found_[static_cast<std::size_t>(p)]; };
-  parallel_for("listed pinballs", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+  const auto found = [this](std::int64_t p) -> Found& { return found_[p]; };
+  parallel_for("listed pinballs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     found(p).pinballs = static_cast<std::int32_t>(
         std::count(has_pair_.begin() + piece_begin(p), has_pair_.begin() + piece_begin(p + 1), 1));
   });
   std::int64_t places = 0;
   std::int32_t listed = 0;
-  for (std::int64_t p = 0; p < pieces; ++p) {
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) {
     const std::int64_t end = places + static_cast<std::int64_t>(found(p).pairs);
-    piece_[static_cast<std::size_t>(p)] = {places, end, listed, listed + found(p).pinballs};
+    piece_[p] = {places, end, listed, listed + found(p).pinballs};
     places = (end + W - 1) / W * W;
     listed += found(p).pinballs;
   }
   number_.resize(has_pair_.size());
   listed_.resize(static_cast<std::size_t>(listed));
   slot_.resize(static_cast<std::size_t>(listed));
-  parallel_for("numbers", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
+  parallel_for("numbers", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     auto next = static_cast<std::size_t>(piece(p).pinballs_begin);
     for (std::int32_t i = piece_begin(p); i < piece_begin(p + 1); ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      if (has_pair_[a] == 0) continue;
-      number_[a] = static_cast<std::int32_t>(next);
+      if (has_pair_[i] == 0) continue;
+      number_[i] = static_cast<std::int32_t>(next);
       listed_[next] = i;
-      slot_[next] = pinballs.slot[a];
+      slot_[next] = pinballs.slot[i];
       ++next;
     }
   });
@@ -181,10 +180,10 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   second_.renew(static_cast<std::size_t>(places));
   offset_.renew(static_cast<std::size_t>(places));
   stored_.renew(static_cast<std::size_t>(places));
-  parallel_for("pairs", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
-    const auto number_of = [this](std::int32_t pinball) { return number_[static_cast<std::size_t>(pinball)]; };
+  parallel_for("pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
+    const auto number_of = [this](std::int32_t pinball) { return number_[pinball]; };
     const auto begin = static_cast<std::size_t>(piece(p).begin);
-    const auto end = p + 1 < pieces ? static_cast<std::size_t>(piece(p + 1).begin) : first_.size();
+    const auto end = p + 1 < fixed_pieces ? static_cast<std::size_t>(piece(p + 1).begin) : first_.size();
     const std::size_t pairs = found(p).pairs, place = begin + pairs;
     const std::int32_t *first = found(p).first.data(), *second = found(p).second.data();
     std::transform(first, first + pairs, first_.data() + begin, number_of);
@@ -198,13 +197,12 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
 
 template <class S>
 void PairList<S>::remember() {
-  parallel_for("pairs in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
-    std::vector<Memory>& memory = memory_[static_cast<std::size_t>(p)];
+  parallel_for("pairs in contact", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
+    std::vector<PairMemory>& memory = memory_[p];
     memory.clear();
-    for (auto i = static_cast<std::size_t>(piece(p).begin); i < static_cast<std::size_t>(piece(p).end); ++i) {
+    for (std::int64_t i = piece(p).begin; i < piece(p).end; ++i) {
       if (offset_[i] < S(0)) continue;
-      memory.push_back({slot_[static_cast<std::size_t>(first_[i])], slot_[static_cast<std::size_t>(second_[i])],
-                        offset_[i], stored_[i]});
+      memory.push_back({slot_[first_[i]], slot_[second_[i]], offset_[i], stored_[i]});
     }
   });
 }
@@ -216,15 +214,13 @@ std::int64_t PairList<S>::find_pair(std::int32_t first, std::int32_t second) con
   std::int64_t low = piece->begin, high = piece->end;
   while (low < high) {
     const std::int64_t middle = (low + high) / 2;
-    const auto m = static_cast<std::size_t>(middle);
-    if (first_[m] < first || (first_[m] == first && second_[m] < second)) {
+    if (first_[middle] < first || (first_[middle] == first && second_[middle] < second)) {
       low = middle + 1;
     } else {
       high = middle;
     }
   }
-  const auto l = static_cast<std::size_t>(low);
-  return low < piece->end && first_[l] == first && second_[l] == second ? low : -1;
+  return low < piece->end && first_[low] == first && second_[low] == second ? low : -1;
 }
 
 template <class S>
@@ -233,21 +229,21 @@ void PairList<S>::recall() {
     const auto found = std::lower_bound(slot_.begin(), slot_.end(), slot);  // pinballs are in the order of slots
     return found != slot_.end() && *found == slot ? static_cast<std::int32_t>(found - slot_.begin()) : -1;
   };
-  parallel_for("pairs still in contact", RangePolicy<>{0, pieces}, [&](std::int64_t p) {
-    for (const Memory& m : memory_[static_cast<std::size_t>(p)]) {
+  parallel_for("pairs still in contact", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
+    for (const PairMemory& m : memory_[p]) {
       const std::int32_t first = number_of_slot(m.first), second = number_of_slot(m.second);
       if (first < 0 || second < 0) continue;
       const std::int64_t place = find_pair(first, second);
       if (place < 0) continue;
-      offset_[static_cast<std::size_t>(place)] = m.offset;
-      stored_[static_cast<std::size_t>(place)] = m.stored;
+      offset_[place] = m.offset;
+      stored_[place] = m.stored;
     }
   });
 }
 
 template <class S>
 double PairList<S>::end_pairs_of_inactive(const S* outward) {
-  const auto inactive = [outward](std::int32_t p) { return !(outward[4 * static_cast<std::int64_t>(p) + 3] > S(0)); };
+  const auto inactive = [outward](std::int32_t p) { return !(record(outward, p)[3] > S(0)); };
   double sum = 0;
   for (std::size_t i = 0; i < offset_.size(); ++i) {
     if (offset_[i] < S(0) || !(inactive(first_[i]) || inactive(second_[i]))) continue;
@@ -271,7 +267,7 @@ std::size_t PairList<S>::bytes() const {
   std::size_t sum = of(listed_) + of(slot_) + of(has_pair_) + of(number_) + first_.bytes() + second_.bytes() +
                     offset_.bytes() + stored_.bytes() + boxes_.bytes() + reference_.bytes();
   for (const NearBalls<S>& near : near_) sum += near.bytes();
-  for (const std::vector<Memory>& memory : memory_) sum += of(memory);
+  for (const std::vector<PairMemory>& memory : memory_) sum += of(memory);
   for (const Found& found : found_) sum += of(found.first) + of(found.second);
   return sum;
 }

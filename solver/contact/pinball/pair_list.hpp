@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <kernels/exec.hpp>
 #include <solver/base/aligned_array.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/search/moving_balls.hpp>
@@ -18,12 +19,11 @@ namespace pinball {
 /// then by their second. Per pair the list keeps what a pair in contact remembers (contact_force.hpp); this survives a
 /// rebuild.
 ///
-/// For work in parallel the list comes in pieces: consecutive pinballs and the pairs of which they are the first. Each
-/// piece begins at a whole pack, so that there are places without a pair between pieces.
+/// For work in parallel the list comes in fixed_pieces: consecutive pinballs and the pairs of which they are the first.
+/// Each piece begins at a whole pack, so that there are places without a pair between pieces.
 template <class S>
 class PairList {
  public:
-  static constexpr std::int64_t pieces = 64;  ///< what is done by pieces does not depend on the number of threads
   struct Piece {
     std::int64_t begin = 0, end = 0;                    ///< pairs
     std::int32_t pinballs_begin = 0, pinballs_end = 0;  ///< listed
@@ -35,7 +35,7 @@ class PairList {
   std::int32_t size() const { return static_cast<std::int32_t>(listed_.size()); }  ///< pinballs that have a pair
   /// Number among all pinballs of each one that is listed.
   const std::vector<std::int32_t>& listed() const { return listed_; }
-  const Piece& piece(std::int64_t number) const { return piece_[static_cast<std::size_t>(number)]; }
+  const Piece& piece(std::int64_t number) const { return piece_[number]; }
   std::int64_t pairs() const;
   std::int64_t places() const { return static_cast<std::int64_t>(first_.size()); }  ///< of pairs, and between pieces
   /// Listed pinballs of each place; any valid ones where there is no pair.
@@ -53,7 +53,7 @@ class PairList {
 
  private:
   /// A pair in contact, by the slots of its elements: what a rebuild carries over.
-  struct Memory {
+  struct PairMemory {
     std::int32_t first, second;
     S offset, stored;
   };
@@ -77,20 +77,20 @@ class PairList {
   /// The same without pairs of elements that share a corner.
   void leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
                             std::span<typename NearBalls<S>::Group> near) const;
-  void take(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
+  void append(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
   void mark(std::int32_t pinball);
   void number(const SurfacePinballs<S>& pinballs);
 
-  std::array<Piece, pieces> piece_{};
+  std::array<Piece, fixed_pieces> piece_{};
   std::vector<std::int32_t> listed_, slot_;
   AlignedArray<std::int32_t> first_, second_;
   AlignedArray<S> offset_, stored_;
   // What follows is kept for its memory alone.
   BallTree<S> boxes_;
-  AlignedArray<float> reference_;                   ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
-  std::array<std::vector<Memory>, pieces> memory_;  ///< of the pairs of a piece
-  std::array<NearBalls<S>, pieces> near_;
-  std::array<Found, pieces> found_;
+  AlignedArray<float> reference_;  ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
+  std::array<std::vector<PairMemory>, fixed_pieces> memory_;  ///< of the pairs of a piece
+  std::array<NearBalls<S>, fixed_pieces> near_;
+  std::array<Found, fixed_pieces> found_;
   std::vector<std::uint8_t> has_pair_;  ///< per pinball
   std::vector<std::int32_t> number_;    ///< in the list, of each pinball that is listed
 };

@@ -6,7 +6,7 @@
 
 #include <kernels/exec.hpp>
 
-#include "pinball_pairs.hpp"
+#include "pinball_rows.hpp"
 
 namespace pinball {
 
@@ -20,61 +20,59 @@ template <class S>
 std::array<S, 3> centre_of(const S* records, const std::array<std::int32_t, 8>& corners) {
   std::array<S, 3> sum{};
   for (const std::int32_t node : corners) {
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += records[4 * static_cast<std::size_t>(node) + k];
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += record(records, node)[k];
   }
   return {S(0.125) * sum[0], S(0.125) * sum[1], S(0.125) * sum[2]};
 }
 
-/// Radius of the ball of the element's present volume, as in update_pinball_pack.
+/// Radius of the ball of the element's present volume, as in update_pinball_pack but for the rounding of the cube root.
 template <class S>
-S current_radius(const ContactModel<S>& model, const std::array<std::int32_t, 8>& corners) {
+S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& corners) {
   Vec3<S> x[8];
   for (std::size_t i = 0; i < 8; ++i) {
-    const S* p = model.position + 4 * static_cast<std::int64_t>(corners[i]);
-    x[i] = {p[0], p[1], p[2]};
+    x[i] = vector_of(source.x(corners[i]));
   }
   const HexahedronModes<S> modes = to_modes(x);
-  return S(0.62035049089940009) *
-         static_cast<S>(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes))));
+  return ball_radius_of_cube(static_cast<S>(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes)))));
 }
 
 }  // namespace
 
 template <class S>
-PinballContact<S>::PinballContact(const ContactModel<S>& model, ContactStart start)
-    : Contact<S>(model, std::move(start.held)), surface_(std::move(start.topology)) {
-  const ContactSettings& contact = *model.settings;
-  penalty_ = {static_cast<S>(contact.beta), static_cast<S>(contact.damping)};
+PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                      InitialSurface start)
+    : ContactAlgorithm<S>(settings, source, std::move(start.held)), surface_(std::move(start.topology)) {
+  penalty_ = {static_cast<S>(settings.beta), static_cast<S>(settings.damping)};
   std::vector<std::int32_t> exposed;
   for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
     if (surface_.exposed(slot) != 0) exposed.push_back(static_cast<std::int32_t>(slot));
   }
-  all_.update(model, surface_, exposed, all_before_);
-  take_nodes(model);
+  all_.update(source, settings.radius_factor, surface_, exposed, all_before_);
+  watch_nodes(source);
 }
 
 template <class S>
-void PinballContact<S>::take_nodes(const ContactModel<S>& model) {
-  motion_.clear(model.node_count);
+void PinballAlgorithm<S>::watch_nodes(const SurfaceSource<S>& source) {
+  motion_.clear(source.node_count);
   for (std::size_t p = 0; p < all_.corners.size(); ++p) {
-    for (const std::int32_t node : all_.corners[p]) motion_.take(node, all_.radius[p]);
+    for (const std::int32_t node : all_.corners[p]) motion_.watch(node, all_.radius[p]);
   }
 }
 
 template <class S>
-void PinballContact<S>::update_exposure() {
+void PinballAlgorithm<S>::update_exposure() {
   for (std::int32_t p = 0; p < pinballs_.count; ++p) {
-    const auto i = static_cast<std::size_t>(p);
-    const std::uint8_t exposed = surface_.exposed(pinballs_.slot[i]);
+    const std::uint8_t exposed = surface_.exposed(pinballs_.slot[p]);
     for (int f = 0; f < 6; ++f) {
       pinballs_.exposed[place_in_packs<native_width<S>>(p, f, 6)] = (exposed >> f & 1) != 0 ? S(1) : S(0);
     }
-    pinballs_.outward[4 * i + 3] = exposed != 0 ? pinballs_.bulk_modulus[i] * pinballs_.centre[4 * i + 3] : S(0);
+    const S radius = record(pinballs_.centre.data(), p)[3];
+    record(pinballs_.outward.data(), p)[3] = exposed != 0 ? pinballs_.bulk_modulus[p] * radius : S(0);
   }
 }
 
 template <class S>
-void PinballContact<S>::update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) {
+void PinballAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) {
   lost_energy_ = 0;
   if (surface_.remove_eroded(eroded)) {
     surface_changed_ = true;
@@ -82,20 +80,20 @@ void PinballContact<S>::update_surface(const ContactModel<S>& model, const std::
     lost_energy_ = list_.end_pairs_of_inactive(pinballs_.outward.data());
     for (const std::int32_t slot : surface_.uncovered()) {
       uncovered_.push_back(slot);
-      list_valid_ = list_valid_ && all_.chosen[static_cast<std::size_t>(slot)] != 0;
+      list_valid_ = list_valid_ && all_.chosen[slot] != 0;
     }
   }
-  update_geometry(model);
+  update_geometry(source);
 }
 
 template <class S>
-void PinballContact<S>::update_geometry(const ContactModel<S>& model) {
+void PinballAlgorithm<S>::update_geometry(const SurfaceSource<S>& source) {
   using T = Pack<S, native_width<S>>;
   const PinballGeometryView<S> view = pinballs_.geometry();
-  const S* position = model.position;
-  const S* velocity = model.velocity;
+  const S* position = source.position;
+  const S* velocity = source.velocity;
   const RangePolicy<> packs{0, (pinballs_.count + width_of<T> - 1) / width_of<T>};
-  if (model.settings->radius == ContactRadius::current) {
+  if (this->settings_.radius == ContactRadius::current) {
     parallel_for("pinballs", packs,
                  [&](std::int64_t pack) { update_pinball_pack<T, true>(view, position, velocity, pack); });
   } else {
@@ -105,92 +103,90 @@ void PinballContact<S>::update_geometry(const ContactModel<S>& model) {
 }
 
 template <class S>
-bool PinballContact<S>::list_holds(const ContactModel<S>& model) const {
-  if (!list_valid_ || clock_.over() || !motion_.holds(model.position, clock_.elapsed())) return false;
+bool PinballAlgorithm<S>::list_holds(const SurfaceSource<S>& source) const {
+  if (!list_valid_ || clock_.over() || !motion_.holds(source.position, clock_.elapsed())) return false;
   for (std::size_t p = 0; p < radius_.size(); ++p) {
-    if (!(current_radius(model, all_.corners[p]) <= static_cast<S>(radius_growth) * radius_[p])) return false;
+    if (!(current_radius(source, all_.corners[p]) <= static_cast<S>(radius_growth) * radius_[p])) return false;
   }
   return true;
 }
 
 template <class S>
-void PinballContact<S>::search(const ContactModel<S>& model) {
-  if (model.lists_last && list_holds(model)) {
+void PinballAlgorithm<S>::search(const SurfaceSource<S>& source) {
+  if (source.lists_last && list_holds(source)) {
     ++this->searches_skipped_;
     return;
   }
-  model.before_search();
+  source.before_search();
   ++this->searches_;
-  build_list(model);
-  update_geometry(model);
+  build_list(source);
+  update_geometry(source);
 }
 
 template <class S>
-void PinballContact<S>::build_list(const ContactModel<S>& model) {
-  const bool reuse = model.lists_last;
+void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
+  const bool reuse = source.lists_last;
   const S horizon = reuse ? horizon_steps * clock_.last_step() : S(0);
-  motion_.adapt(model.position, clock_.elapsed(), horizon);
+  motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (surface_changed_) {  // a good moment to take in the elements behind the new surface
-    all_.update(model, surface_, uncovered_, all_before_);
-    take_nodes(model);
+    all_.update(source, this->settings_.radius_factor, surface_, uncovered_, all_before_);
+    watch_nodes(source);
     uncovered_.clear();
     surface_changed_ = false;
   }
-  motion_.start(model.position, model.velocity, reuse ? static_cast<S>(model.settings->skin) : S(0));
+  motion_.start(source.position, source.velocity, reuse ? static_cast<S>(this->settings_.skin) : S(0));
   clock_.restart(horizon);
 
-  const bool current = model.settings->radius == ContactRadius::current;
+  const bool current = this->settings_.radius == ContactRadius::current;
   radius_.resize(current ? all_.radius.size() : 0);
   // Where each ball may be, and what the rounding of single precision adds.
-  const S factor = static_cast<S>(1.0001 * (this->by_impulses() ? pinball_pair_margin(model.settings->gap) : 1.0) *
+  const S factor = static_cast<S>(1.0001 * (this->impulses_ ? pinball_pair_margin(this->settings_.gap) : 1.0) *
                                   (current && reuse ? radius_growth : 1.0));
   balls_.reset(all_.count);
   parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
     const auto p = static_cast<std::size_t>(i);
-    std::array<S, 3> way = centre_of(model.velocity, all_.corners[p]);
+    std::array<S, 3> way = centre_of(source.velocity, all_.corners[p]);
     for (S& w : way) w *= horizon;
-    if (current) radius_[p] = current_radius(model, all_.corners[p]);
+    if (current) radius_[p] = current_radius(source, all_.corners[p]);
     const S radius = current ? radius_[p] : all_.radius[p];
-    balls_.set(static_cast<std::int32_t>(i), centre_of(model.position, all_.corners[p]), way,
+    balls_.set(static_cast<std::int32_t>(i), centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
   });
-  list_.build(all_, balls_, model.settings->self);
+  list_.build(all_, balls_, this->settings_.self);
   list_valid_ = true;
-  collect_listed(model);
+  collect_listed(source);
 }
 
 template <class S>
-void PinballContact<S>::collect_listed(const ContactModel<S>& model) {
+void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   constexpr int W = native_width<S>;
   const std::int32_t n = list_.size();
   pinballs_.reset(n, W);
   for (std::int32_t p = 0; p < n; ++p) {
-    const auto i = static_cast<std::size_t>(p);
-    const auto a = static_cast<std::size_t>(list_.listed()[i]);
+    const std::int32_t a = list_.listed()[p];
     pinballs_.slot.push_back(all_.slot[a]);
-    pinballs_.corners[i] = all_.corners[a];
-    pinballs_.bulk_modulus[i] = all_.bulk_modulus[a];
-    pinballs_.centre[4 * i + 3] = all_.radius[a];
-    pinballs_.velocity[4 * i + 3] = all_.mass[a];
+    pinballs_.corners[p] = all_.corners[a];
+    pinballs_.bulk_modulus[p] = all_.bulk_modulus[a];
+    record(pinballs_.centre.data(), p)[3] = all_.radius[a];
+    record(pinballs_.velocity.data(), p)[3] = all_.mass[a];
   }
   auto next = pinballs_.slot.begin();
-  for (const std::int64_t pack : model.tile_packs) {
+  for (const std::int64_t pack : source.tile_packs) {
     while (next != pinballs_.slot.end() && *next < pack * W) ++next;
     pinballs_.tile_first.push_back(static_cast<std::int32_t>(next - pinballs_.slot.begin()));
   }
   const std::int32_t padded = (n + W - 1) / W * W;
   for (std::int32_t p = 0; p < padded; ++p) {  // padding repeats the corners of the last pinball
-    const std::array<std::int32_t, 8>& corners = pinballs_.corners[static_cast<std::size_t>(std::min(p, n - 1))];
-    for (int i = 0; i < 8; ++i)
-      pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)] = corners[static_cast<std::size_t>(i)];
+    const std::array<std::int32_t, 8>& corners = pinballs_.corners[std::min(p, n - 1)];
+    for (int i = 0; i < 8; ++i) pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)] = corners[i];
   }
   update_exposure();
-  for (const std::int32_t node : node_) is_listed_[static_cast<std::size_t>(node)] = 0;
+  for (const std::int32_t node : node_) is_listed_[node] = 0;
   node_.clear();
-  is_listed_.resize(static_cast<std::size_t>(model.node_count), 0);
+  is_listed_.resize(static_cast<std::size_t>(source.node_count), 0);
   for (const auto& corners : pinballs_.corners) {
     for (const std::int32_t node : corners) {
-      std::uint8_t& listed = is_listed_[static_cast<std::size_t>(node)];
+      std::uint8_t& listed = is_listed_[node];
       if (listed == 0) node_.push_back(node);
       listed = 1;
     }
@@ -198,42 +194,43 @@ void PinballContact<S>::collect_listed(const ContactModel<S>& model) {
 }
 
 template <class S>
-void PinballContact<S>::prepare_impulses(const ContactModel<S>& model, double dt) {
+void PinballAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   clock_.count_step(static_cast<S>(dt));
-  this->impulses_->collect(model, pinball_pairs(model, pinballs_, list_, surface_), dt);
+  this->impulses_->begin_rows();
+  add_pinball_rows(source, this->settings_.gap, pinballs_, list_, surface_, *this->impulses_);
+  this->impulses_->finish_rows(source, dt);
 }
 
 template <class S>
-ContactResult PinballContact<S>::forces(const ContactModel<S>& /*model*/, S dt) {
+ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& /*source*/, S dt) {
   clock_.count_step(dt);
   const PairSums<S> sums = pair_forces_.compute(pinballs_.view(), penalty_, list_, dt, pinballs_.force.data());
-  ContactResult result;
-  result.stored = sums.stored;
-  result.eroded = lost_energy_;
-  result.damped_power = sums.damped;
-  result.penetration_ratio = static_cast<double>(sums.penetration_ratio);
-  result.pairs = sums.pairs;
-  return result;
+  ContactWork work;
+  work.stored = sums.stored;
+  work.eroded = lost_energy_;
+  work.damped_power = sums.damped;
+  work.penetration_ratio = static_cast<double>(sums.penetration_ratio);
+  work.pairs = sums.pairs;
+  return work;
 }
 
 template <class S>
-void PinballContact<S>::scatter(const ContactModel<S>& model, ContactResult& result) {
-  if (result.pairs == 0) return;
-  const Colouring& colours = *model.tile_colours;
+void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) {
+  if (work.pairs == 0) return;
+  const Colouring& colours = *source.tile_colours;
   const S* force = pinballs_.force.data();
-  S* nodal_force = model.force;
+  S* nodal_force = source.force;
   const auto corner = [this](std::int32_t p, int i) {
     return pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)];
   };
   parallel_for_coloured("contact scatter", DefaultExecutionSpace{}, colours.colour_offsets.data(),
                         static_cast<std::int32_t>(colours.colour_offsets.size()) - 1, colours.items.data(),
                         [&](std::int32_t tile) {
-                          const auto t = static_cast<std::size_t>(tile);
-                          for (std::int32_t p = pinballs_.tile_first[t]; p < pinballs_.tile_first[t + 1]; ++p) {
-                            const S* f = force + 4 * static_cast<std::int64_t>(p);
+                          for (std::int32_t p = pinballs_.tile_first[tile]; p < pinballs_.tile_first[tile + 1]; ++p) {
+                            const S* f = record(force, p);
                             if (!(f[3] > S(0))) continue;
                             for (int i = 0; i < 8; ++i) {
-                              add_to_node(nodal_force + 4 * static_cast<std::int64_t>(corner(p, i)), f);
+                              add_to_node(record(nodal_force, corner(p, i)), f);
                             }
                           }
                         });
@@ -243,59 +240,57 @@ void PinballContact<S>::scatter(const ContactModel<S>& model, ContactResult& res
       "contact frequency", RangePolicy<>{0, static_cast<std::int64_t>(node_.size())}, largest,
       [&](std::int64_t begin, std::int64_t end, S& partial) {
         for (std::int64_t n = begin; n < end; ++n) {
-          const auto node = static_cast<std::size_t>(node_[static_cast<std::size_t>(n)]);
-          const S row = nodal_force[4 * node + 3] * model.inverse_mass[node];
+          const std::int32_t node = node_[n];
+          const S row = record(nodal_force, node)[3] * source.inverse_mass[node];
           partial = row > partial ? row : partial;
         }
       },
       [](S& whole, const S& partial) { whole = partial > whole ? partial : whole; });
-  result.frequency2 = this->damping_factor_ * static_cast<double>(largest);
+  work.frequency2 = this->damping_factor_ * static_cast<double>(largest);
 }
 
 template <class S>
-void PinballContact<S>::report(const ContactModel<S>& model, std::vector<Point>& node_force,
-                               std::vector<double>& slot_radius) const {
-  const bool current = model.settings->radius == ContactRadius::current;
+void PinballAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
+                                 std::vector<double>& slot_radius) const {
+  const bool current = this->settings_.radius == ContactRadius::current;
   for (std::size_t p = 0; p < all_.slot.size(); ++p) {
     if (surface_.exposed(all_.slot[p]) == 0) continue;  // behind the surface, or eroded
-    slot_radius[static_cast<std::size_t>(all_.slot[p])] =
-        static_cast<double>(current ? current_radius(model, all_.corners[p]) : all_.radius[p]);
+    slot_radius[all_.slot[p]] = static_cast<double>(current ? current_radius(source, all_.corners[p]) : all_.radius[p]);
   }
   for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs_.count); ++p) {
     if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;
     for (const std::int32_t node : pinballs_.corners[p]) {
       for (std::size_t k = 0; k < 3; ++k) {
-        node_force[static_cast<std::size_t>(node)][k] += static_cast<double>(pinballs_.force[4 * p + k]) / 8;
+        node_force[node][k] += static_cast<double>(pinballs_.force[4 * p + k]) / 8;
       }
     }
   }
-  if (this->by_impulses()) this->impulses_->add_node_forces(node_force);
+  if (this->impulses_) this->impulses_->add_node_forces(node_force);
 }
 
 template <class S>
-void PinballContact<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
-  Contact<S>::persist(archive, model);
+void PinballAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
+  ContactAlgorithm<S>::persist(archive, source);
   surface_.persist(archive);
-  all_.persist(archive, model);
+  all_.persist(archive, source, this->settings_.radius_factor);
   motion_.persist(archive);
   list_.persist(archive);
   clock_.persist(archive);
   archive(uncovered_, radius_, list_valid_, surface_changed_);
-  if (archive.reads()) collect_listed(model);
+  if (archive.reads()) collect_listed(source);
   archive.of_fixed_size(pinballs_.centre);
   archive.of_fixed_size(pinballs_.outward);
   archive.of_fixed_size(pinballs_.force);  // for the report alone
 }
 
 template <class S>
-std::size_t PinballContact<S>::bytes() const {
+std::size_t PinballAlgorithm<S>::bytes() const {
   return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() +
          all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +
-         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
-         (this->by_impulses() ? this->impulses_->bytes() : 0);
+         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() + (this->impulses_ ? this->impulses_->bytes() : 0);
 }
 
-template class PinballContact<double>;
-template class PinballContact<float>;
+template class PinballAlgorithm<double>;
+template class PinballAlgorithm<float>;
 
 }  // namespace pinball

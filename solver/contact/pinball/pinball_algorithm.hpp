@@ -17,44 +17,42 @@ namespace pinball {
 
 /// The pinball algorithm (report section 3 and figure 3).
 template <class S>
-class PinballContact final : public Contact<S> {
+class PinballAlgorithm final : public ContactAlgorithm<S> {
  public:
-  PinballContact(const ContactModel<S>& model, ContactStart start);
+  PinballAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start);
 
   /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
-  void update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) override;
+  void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
   /// Figure 3, 4: the pairs that may touch, unless the list still holds.
-  void search(const ContactModel<S>& model) override;
-  /// Figure 3, 5-6: penetrating pairs and their penalty forces, one sum per pinball.
-  ContactResult forces(const ContactModel<S>& model, S dt) override;
-  /// Adds an eighth of each pinball's force to the corners of its element, and bounds the contact frequency.
-  void scatter(const ContactModel<S>& model, ContactResult& result) override;
-  void prepare_impulses(const ContactModel<S>& model, double dt) override;
+  void search(const SurfaceSource<S>& source) override;
 
   const char* name() const override { return "pinball"; }
-  void report(const ContactModel<S>& model, std::vector<Point>& node_force,
+  void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
               std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_; }
-  const std::vector<std::int32_t>& loaded_nodes() override {
-    return this->by_impulses() ? this->impulses_->nodes() : node_;
-  }
   ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
   const std::vector<std::int32_t>* listed_nodes() const override { return &node_; }
-  void persist(StateArchive& archive, const ContactModel<S>& model) override;
+  void persist(StateArchive& archive, const SurfaceSource<S>& source) override;
   std::size_t bytes() const override;
 
  private:
+  /// Figure 3, 5-6: penetrating pairs and their penalty forces, one sum per pinball.
+  ContactWork spring_forces(const SurfaceSource<S>& source, S dt) override;
+  /// Adds an eighth of each pinball's force to the corners of its element, and bounds the contact frequency.
+  void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) override;
+  const std::vector<std::int32_t>& nodes_of_springs() override { return node_; }
+  void collect_impulses(const SurfaceSource<S>& source, double dt) override;
   /// Whether the list still has every pair that may touch.
-  bool list_holds(const ContactModel<S>& model) const;
+  bool list_holds(const SurfaceSource<S>& source) const;
   /// Builds the list for a time to come, and the store of the pinballs that are in it.
-  void build_list(const ContactModel<S>& model);
-  void collect_listed(const ContactModel<S>& model);
+  void build_list(const SurfaceSource<S>& source);
+  void collect_listed(const SurfaceSource<S>& source);
   /// Exposed faces of the listed pinballs, and which of them take part.
   void update_exposure();
   /// Centres, velocities, normals and (on demand) radii of the listed pinballs.
-  void update_geometry(const ContactModel<S>& model);
+  void update_geometry(const SurfaceSource<S>& source);
   /// Has the motion of the nodes of all pinballs watched.
-  void take_nodes(const ContactModel<S>& model);
+  void watch_nodes(const SurfaceSource<S>& source);
 
   Surface surface_;
   std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen

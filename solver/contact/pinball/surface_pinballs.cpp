@@ -6,17 +6,17 @@
 namespace pinball {
 
 template <class S>
-void SurfacePinballs<S>::update(const ContactModel<S>& model, const Surface& surface,
+void SurfacePinballs<S>::update(const SurfaceSource<S>& source, double radius_factor, const Surface& surface,
                                 const std::vector<std::int32_t>& uncovered, SurfacePinballs& before) {
   chosen.resize(static_cast<std::size_t>(surface.slots()), 0);
   std::vector<std::int32_t> added;
   const auto choose = [&](std::int32_t s) {
-    std::uint8_t& mark = chosen[static_cast<std::size_t>(s)];
+    std::uint8_t& mark = chosen[s];
     if (mark == 0) added.push_back(s);
     mark = 1;
   };
   const auto choose_behind = [&](std::int32_t s) {
-    if (!(surface.exposed(s) != 0 && model.may_soon_erode(s))) return;
+    if (!(surface.exposed(s) != 0 && source.may_soon_erode(s))) return;
     surface.for_each_face_behind(s, [&](std::int32_t behind, unsigned /*face*/) { choose(behind); });
   };
   for (const std::int32_t s : uncovered) {
@@ -33,7 +33,7 @@ void SurfacePinballs<S>::update(const ContactModel<S>& model, const Surface& sur
   auto next = added.begin();
   const std::size_t count_before = before.slot.size();
   for (std::size_t i = 0; i < count_before;) {
-    for (; next != added.end() && *next < before.slot[i]; ++next) append(model, *next);
+    for (; next != added.end() && *next < before.slot[i]; ++next) append(source, radius_factor, *next);
     std::size_t end = i;  // of those that stay together
     while (end < count_before && surface.alive(before.slot[end]) &&
            !(next != added.end() && *next < before.slot[end])) {
@@ -41,12 +41,12 @@ void SurfacePinballs<S>::update(const ContactModel<S>& model, const Surface& sur
     }
     append(before, i, end);
     if (end < count_before && !surface.alive(before.slot[end])) {
-      chosen[static_cast<std::size_t>(before.slot[end])] = 0;
+      chosen[before.slot[end]] = 0;
       ++end;
     }
     i = end;
   }
-  for (; next != added.end(); ++next) append(model, *next);
+  for (; next != added.end(); ++next) append(source, radius_factor, *next);
 }
 
 template <class S>
@@ -76,13 +76,13 @@ void SurfacePinballs<S>::append(const SurfacePinballs& others, std::size_t begin
 }
 
 template <class S>
-void SurfacePinballs<S>::append(const ContactModel<S>& model, std::int64_t s) {
-  const ContactElement element = model.element(s);
+void SurfacePinballs<S>::append(const SurfaceSource<S>& source, double radius_factor, std::int64_t s) {
+  const ContactElement element = source.element(s);
   ++count;
   slot.push_back(static_cast<std::int32_t>(s));
   body.push_back(element.body);
   corners.push_back(element.corners);
-  radius.push_back(static_cast<S>((element.sphere ? 1.0 : model.settings->radius_factor) * element.radius));
+  radius.push_back(static_cast<S>((element.sphere ? 1.0 : radius_factor) * element.radius));
   mass.push_back(static_cast<S>(element.mass));
   bulk_modulus.push_back(static_cast<S>(element.bulk_modulus));
   const Point c = element.centre();
@@ -91,15 +91,15 @@ void SurfacePinballs<S>::append(const ContactModel<S>& model, std::int64_t s) {
 }
 
 template <class S>
-void SurfacePinballs<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
+void SurfacePinballs<S>::persist(StateArchive& archive, const SurfaceSource<S>& source, double radius_factor) {
   std::vector<std::int32_t> slots = slot;
   archive(slots);
   if (!archive.reads()) return;
   clear();
-  chosen.assign(static_cast<std::size_t>(model.slots), 0);
+  chosen.assign(static_cast<std::size_t>(source.slots), 0);
   for (const std::int32_t s : slots) {
     chosen.at(static_cast<std::size_t>(s)) = 1;
-    append(model, s);
+    append(source, radius_factor, s);
   }
 }
 

@@ -26,17 +26,17 @@ struct SurfacePinballs {
   std::vector<std::uint8_t> chosen;                  ///< per slot of the element store: is among these
 
   /// Drops eroded elements; takes in uncovered ones (slots) and those behind elements that may soon erode.
-  /// before: memory for what they are until then.
-  void update(const ContactModel<S>& model, const Surface& surface, const std::vector<std::int32_t>& uncovered,
-              SurfacePinballs& before);
-  void persist(StateArchive& archive, const ContactModel<S>& model);
+  /// radius_factor: on the radii of the elements, but not of spheres [-]; before: memory for what they are until then.
+  void update(const SurfaceSource<S>& source, double radius_factor, const Surface& surface,
+              const std::vector<std::int32_t>& uncovered, SurfacePinballs& before);
+  void persist(StateArchive& archive, const SurfaceSource<S>& source, double radius_factor);
   std::size_t bytes() const;
 
  private:
   void clear();
   /// Pinballs `begin` to `end` of others.
   void append(const SurfacePinballs& others, std::size_t begin, std::size_t end);
-  void append(const ContactModel<S>& model, std::int64_t slot);
+  void append(const SurfaceSource<S>& source, double radius_factor, std::int64_t slot);
 };
 
 }  // namespace pinball

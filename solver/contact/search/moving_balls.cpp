@@ -60,7 +60,7 @@ void BallTree<S>::build(const MovingBalls<S>& balls) {
   std::int64_t boxes = view_.groups;
   for (view_.levels = 0; view_.levels == 0 || boxes > 1; ++view_.levels) {
     const std::int64_t groups = groups_of(boxes, G);
-    AlignedArray<S>& level = box_[static_cast<std::size_t>(view_.levels)];
+    AlignedArray<S>& level = box_[view_.levels];
     level.renew(static_cast<std::size_t>(groups * 12 * G));
     view_.box[view_.levels] = level.data();
     const S* below = view_.levels == 0 ? view_.ball : view_.box[view_.levels - 1];
@@ -102,7 +102,7 @@ void NearBalls<S>::enter(const BallTreeView<S>& tree, const MovingBox<S>& box, s
   for (std::int64_t p = 0; p < groups_of(parts, G) * G; ++p) {
     const MovingBox<S> part_box = p >= parts         ? empty_box<S>()
                                   : tree.levels == 1 ? box_of_boxes<T>(tree.box[0])
-                                                     : get_box(tree.box[1], part_[static_cast<std::size_t>(p)]);
+                                                     : get_box(tree.box[1], part_[p]);
     put_box(part_box, part_box_.data(), p);
   }
   near_part_.resize(part_.size() + G);
@@ -123,7 +123,7 @@ std::size_t NearBalls<S>::find_near(const BallTreeView<S>& tree, const S* own, s
   }
   std::int32_t* candidate_end = candidate_.data();
   for (const std::int32_t* p = near_part_.data(); p < part_end; ++p) {
-    const std::int32_t part = part_[static_cast<std::size_t>(*p)];
+    const std::int32_t part = part_[*p];
     const unsigned bits = meeting_boxes<T, moves>(tree.box[0] + static_cast<std::int64_t>(part) * 12 * G, box);
     const std::int32_t before = std::clamp(from - part * G, 0, G);  // those that do not count
     candidate_end += write_numbers<G>(bits >> before << before, part * G, candidate_end);
@@ -151,7 +151,7 @@ void NearBalls<S>::leave_out_passing(const BallTreeView<S>& tree, const S* own, 
     const S* others = tree.ball + static_cast<std::int64_t>(near.number) * 7 * G;
     for (int i = 0; near.balls.any() && i < G; ++i) {
       const unsigned maybe = near.balls.row(i);
-      if (maybe != 0) near.balls.take_from_row(i, maybe & ~meeting_balls<T>(own, i, others));
+      if (maybe != 0) near.balls.clear_in_row(i, maybe & ~meeting_balls<T>(own, i, others));
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <kernels/exec.hpp>
 #include <kernels/gather.hpp>
+#include <solver/base/records.hpp>
 
 namespace pinball {
 
@@ -15,8 +16,8 @@ constexpr double least = 0.1, most = 2.0;
 
 /// Squares of the distances of a pack of nodes from where they are expected. start: their positions and velocities.
 template <class T>
-PINBALL_FUNCTION T strayed2(const ScalarOf<T>* position, const std::int32_t* node, const ScalarOf<T>* start,
-                            ScalarOf<T> elapsed) {
+PINBALL_FUNCTION T deviation2(const ScalarOf<T>* position, const std::int32_t* node, const ScalarOf<T>* start,
+                              ScalarOf<T> elapsed) {
   constexpr int W = width_of<T>;
   const Vec3<T> x = gather_vectors<T>(position, node);
   const Vec3<T> x0{load<T>(start), load<T>(start + W), load<T>(start + 2 * W)};
@@ -29,18 +30,18 @@ PINBALL_FUNCTION T strayed2(const ScalarOf<T>* position, const std::int32_t* nod
 
 template <class S>
 void SurfaceMotion<S>::clear(std::int32_t node_count) {
-  taken_.resize(static_cast<std::size_t>(node_count), 0);
+  is_watched_.resize(static_cast<std::size_t>(node_count), 0);
   allowance_.resize(static_cast<std::size_t>(node_count), 0);
-  for (const std::int32_t node : node_) taken_[static_cast<std::size_t>(node)] = 0;
+  for (const std::int32_t node : node_) is_watched_[node] = 0;
   node_.clear();
   size_.clear();
 }
 
 template <class S>
-void SurfaceMotion<S>::take(std::int32_t node, S size) {
-  std::uint8_t& taken = taken_[static_cast<std::size_t>(node)];
-  if (taken != 0) return;
-  taken = 1;
+void SurfaceMotion<S>::watch(std::int32_t node, S size) {
+  std::uint8_t& watched = is_watched_[node];
+  if (watched != 0) return;
+  watched = 1;
   node_.push_back(node);
   size_.push_back(size);
 }
@@ -54,10 +55,10 @@ void SurfaceMotion<S>::adapt(const S* position, S elapsed, S horizon) {
   const S growth = 2 * std::max(S(1), horizon / elapsed * (horizon / elapsed));
   parallel_for("allowances", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
     const std::size_t first = static_cast<std::size_t>(pack) * W;
-    const T strayed = square_root(strayed2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed));
+    const T deviation = square_root(deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed));
     for (std::size_t i = 0; i < W; ++i) {
-      float& allowance = allowance_[static_cast<std::size_t>(node_[first + i])];
-      allowance = std::max(0.5F * allowance, static_cast<float>(growth * lane(strayed, static_cast<int>(i))));
+      float& allowance = allowance_[node_[first + i]];
+      allowance = std::max(0.5F * allowance, static_cast<float>(growth * lane(deviation, static_cast<int>(i))));
     }
   });
 }
@@ -75,13 +76,13 @@ void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
     allowed2_.reset(count_);
   }
   parallel_for("start of nodes", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
-    S* const record = start_.data() + static_cast<std::size_t>(pack) * 6 * W;
+    S* const started = start_.data() + static_cast<std::size_t>(pack) * 6 * W;
     for (std::size_t lane = 0; lane < W; ++lane) {
       const std::size_t n = static_cast<std::size_t>(pack) * W + lane;
-      const auto node = static_cast<std::size_t>(node_[n]);
+      const std::int32_t node = node_[n];
       for (std::size_t k = 0; k < 3; ++k) {
-        record[k * W + lane] = position[4 * node + k];
-        record[(3 + k) * W + lane] = velocity[4 * node + k];
+        started[k * W + lane] = record(position, node)[k];
+        started[(3 + k) * W + lane] = record(velocity, node)[k];
       }
       const S unit = skin * size_[n];
       const S before = static_cast<S>(allowance_[node]);
@@ -96,18 +97,18 @@ template <class S>
 bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
   using T = Pack<S, native_width<S>>;
   constexpr std::size_t W = native_width<S>;
-  bool strayed = false;
+  bool deviates = false;
   parallel_reduce(
-      "strayed nodes", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, strayed,
+      "deviations", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, deviates,
       [&](std::int64_t begin, std::int64_t end, bool& partial) {
         for (auto pack = static_cast<std::size_t>(begin); pack < static_cast<std::size_t>(end); ++pack) {
           const std::size_t first = pack * W;
-          const T e2 = strayed2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed);
+          const T e2 = deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed);
           partial = partial || any_lane(!(e2 <= load<T>(allowed2_.data() + first)));
         }
       },
       [](bool& whole, bool partial) { whole = whole || partial; });
-  return !strayed;
+  return !deviates;
 }
 
 template <class S>
@@ -116,14 +117,14 @@ void SurfaceMotion<S>::persist(StateArchive& archive) {
   archive(count, node_, size_, start_, allowed2_, allowance_);
   if (!archive.reads()) return;
   count_ = static_cast<std::size_t>(count);
-  taken_.assign(allowance_.size(), 0);  // both are made together
-  for (const std::int32_t node : node_) taken_.at(static_cast<std::size_t>(node)) = 1;
+  is_watched_.assign(allowance_.size(), 0);  // both are made together
+  for (const std::int32_t node : node_) is_watched_.at(static_cast<std::size_t>(node)) = 1;
 }
 
 template <class S>
 std::size_t SurfaceMotion<S>::bytes() const {
-  return node_.capacity() * (sizeof(node_[0]) + sizeof(S)) + taken_.capacity() + allowance_.capacity() * sizeof(float) +
-         start_.bytes() + allowed2_.bytes();
+  return node_.capacity() * (sizeof(node_[0]) + sizeof(S)) + is_watched_.capacity() +
+         allowance_.capacity() * sizeof(float) + start_.bytes() + allowed2_.bytes();
 }
 
 template class SurfaceMotion<double>;

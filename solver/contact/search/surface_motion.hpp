@@ -51,14 +51,14 @@ class SurfaceMotion {
  public:
   /// Forgets the nodes; node_count: of the store.
   void clear(std::int32_t node_count);
-  /// Takes a node; what has been taken stays as it is. size: what its allowance is measured by, the radius of a pinball
-  /// or element that it belongs to [length].
-  void take(std::int32_t node, S size);
+  /// Adds a node to those watched; one that is among them stays as it is. size: what its allowance is measured by, the
+  /// radius of a pinball or element that it belongs to [length].
+  void watch(std::int32_t node, S size);
   /// Adapts the allowances to what the nodes have strayed since start(), for a time to come.
   /// position: of the node store; elapsed: since start(); horizon: the time to come [time].
   void adapt(const S* position, S elapsed, S horizon);
-  /// Starts from the present positions and velocities, node records, of the nodes taken. skin: scale of the allowances
-  /// over the sizes of the nodes [-]; 0: none may stray.
+  /// Starts from the present positions and velocities, node records, of the nodes watched. skin: scale of the
+  /// allowances over the sizes of the nodes [-]; 0: none may stray.
   void start(const S* position, const S* velocity, S skin);
 
   /// Whether no node has strayed further than allowed after this time; false if a position is not a number.
@@ -67,20 +67,20 @@ class SurfaceMotion {
   template <class Corners>
   S allowance(const Corners& corners) const {
     float largest = 0;
-    for (const std::int32_t node : corners) largest = std::max(largest, allowance_[static_cast<std::size_t>(node)]);
+    for (const std::int32_t node : corners) largest = std::max(largest, allowance_[node]);
     return static_cast<S>(largest);
   }
   void persist(StateArchive& archive);
   std::size_t bytes() const;
 
  private:
-  std::size_t count_ = 0;            ///< nodes, padded to whole packs
-  std::vector<std::int32_t> node_;   ///< number in the store
-  std::vector<std::uint8_t> taken_;  ///< per node of the store: in node_
-  std::vector<S> size_;              ///< what the allowance of the node is measured by [length]
-  AlignedArray<S> start_;            ///< in packs, 6 components: position and velocity
-  AlignedArray<S> allowed2_;         ///< square of the allowance [length^2]
-  std::vector<float> allowance_;     ///< per node of the store [length]
+  std::size_t count_ = 0;                 ///< nodes, padded to whole packs
+  std::vector<std::int32_t> node_;        ///< number in the store
+  std::vector<std::uint8_t> is_watched_;  ///< per node of the store: in node_
+  std::vector<S> size_;                   ///< what the allowance of the node is measured by [length]
+  AlignedArray<S> start_;                 ///< in packs, 6 components: position and velocity
+  AlignedArray<S> allowed2_;              ///< square of the allowance [length^2]
+  std::vector<float> allowance_;          ///< per node of the store [length]
 };
 
 }  // namespace pinball

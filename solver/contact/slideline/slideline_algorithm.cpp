@@ -15,60 +15,56 @@ namespace {
 /// How far beyond an edge a foot may lie, over the radius of the segment: round-off on a common edge.
 constexpr double edge_margin = 1e-3;
 
-template <class S>
-Vec3<S> vector_at(const S* records, std::int32_t node) {
-  const S* r = records + 4 * static_cast<std::int64_t>(node);
-  return {r[0], r[1], r[2]};
-}
-
 /// Rate at which the gap of a node closes [length/time].
 template <class S>
-S closing_rate(const S* velocity, std::int32_t slave, const std::int32_t (&node)[4], const FaceProjection<S>& at) {
-  Vec3<S> v = S(-1) * vector_at(velocity, slave);
-  for (int i = 0; i < 4; ++i) v = v + at.weight[i] * vector_at(velocity, node[i]);
+S closing_rate(const NodeRecords<S>& nodes, std::int32_t slave, const std::int32_t (&node)[4],
+               const FaceProjection<S>& at) {
+  Vec3<S> v = S(-1) * vector_of(nodes.v(slave));
+  for (int i = 0; i < 4; ++i) v = v + at.weight[i] * vector_of(nodes.v(node[i]));
   return dot(v, at.normal);
 }
 
 }  // namespace
 
 template <class S>
-SlidelineContact<S>::SlidelineContact(const ContactModel<S>& model, ContactStart start)
-    : Contact<S>(model, std::move(start.held)),
-      surface_(model, std::move(start.topology)),
-      search_(model, surface_),
-      state_(surface_.slaves().size()),
-      beta_(static_cast<S>(model.settings->beta)),
-      damping_(static_cast<S>(model.settings->damping)) {}
+SlidelineAlgorithm<S>::SlidelineAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
+                                          InitialSurface start)
+    : ContactAlgorithm<S>(settings, source, std::move(start.held)),
+      surface_(source, std::move(start.topology)),
+      search_(source, surface_, settings.self),
+      memory_(surface_.slaves().size()),
+      beta_(static_cast<S>(settings.beta)),
+      damping_(static_cast<S>(settings.damping)) {}
 
 template <class S>
-double SlidelineContact<S>::end_inactive_touches() {
+double SlidelineAlgorithm<S>::end_inactive_touches() {
   double lost = 0;
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    State& state = state_[i];
-    if (state.slot < 0 || (surface_.active(i) && surface_.exposed(state.slot, state.face))) continue;
-    lost += static_cast<double>(state.stored);
-    state = {};
+  for (std::size_t i = 0; i < memory_.size(); ++i) {
+    PairMemory& memory = memory_[i];
+    if (memory.slot < 0 || (surface_.active(i) && surface_.exposed(memory.slot, memory.face))) continue;
+    lost += static_cast<double>(memory.stored);
+    memory = {};
   }
   return lost;
 }
 
 template <class S>
-void SlidelineContact<S>::collect_surface(const ContactModel<S>& model) {
+void SlidelineAlgorithm<S>::collect_surface(const SurfaceSource<S>& source) {
   const std::vector<typename SlidelineSurface<S>::Slave> before = surface_.slaves();
-  const std::vector<State> old = std::move(state_);
-  surface_.collect(model);
-  state_.assign(surface_.slaves().size(), {});
+  const std::vector<PairMemory> old = std::move(memory_);
+  surface_.collect(source);
+  memory_.assign(surface_.slaves().size(), {});
   std::size_t now = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (old[i].slot < 0) continue;
     while (surface_.slaves()[now].node < before[i].node) ++now;  // what touches stays, and both are sorted by node
-    state_[now] = old[i];
+    memory_[now] = old[i];
   }
   search_.invalidate();
 }
 
 template <class S>
-void SlidelineContact<S>::update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) {
+void SlidelineAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) {
   lost_energy_ = 0;
   if (surface_.remove_eroded(eroded)) {
     lost_energy_ = end_inactive_touches();
@@ -77,42 +73,42 @@ void SlidelineContact<S>::update_surface(const ContactModel<S>& model, const std
       return;  // the search collects it anew
     }
   }
-  surface_.update(model);
+  surface_.update(source);
 }
 
 template <class S>
-void SlidelineContact<S>::search(const ContactModel<S>& model) {
-  const bool reuse = model.lists_last;
-  if (reuse && search_.holds(model)) {
+void SlidelineAlgorithm<S>::search(const SurfaceSource<S>& source) {
+  const bool reuse = source.lists_last;
+  if (reuse && search_.holds(source)) {
     ++this->searches_skipped_;
     return;
   }
-  model.before_search();
+  source.before_search();
   ++this->searches_;
-  if (surface_.changed()) collect_surface(model);  // a good moment to let those behind the new surface wait
-  search_.build(model, surface_, reuse ? static_cast<S>(model.settings->skin) : S(0));
+  if (surface_.changed()) collect_surface(source);  // a good moment to let those behind the new surface wait
+  search_.build(source, surface_, reuse ? static_cast<S>(this->settings_.skin) : S(0));
   surface_.choose(search_.first(), search_.listed());
-  surface_.update(model);
+  surface_.update(source);
 }
 
 template <class S>
-bool SlidelineContact<S>::find_segment(const ContactModel<S>& model, std::size_t slave, S open_gap,
-                                       Touch& touch) const {
+bool SlidelineAlgorithm<S>::find_segment(const SurfaceSource<S>& source, std::size_t slave, S open_gap,
+                                         Touch& touch) const {
   const std::int32_t* candidate = search_.candidates(slave);
   const std::int64_t count = search_.count(slave);
   const auto& own = surface_.slaves()[slave];
-  const Vec3<S> x = vector_at(model.position, own.node);
-  const State& state = state_[slave];
+  const Vec3<S> x = vector_of(source.x(own.node));
+  const PairMemory& memory = memory_[slave];
   const S* sphere = surface_.sphere().data();
   const S* plane = surface_.plane().data();
   bool found = false, found_like_before = false;
   for (std::int64_t c = 0; c < count; ++c) {
-    const S* record = sphere + 4 * static_cast<std::int64_t>(candidate[c]);
-    const Vec3<S> d = x - Vec3<S>{record[0], record[1], record[2]};
-    if (!(dot(d, d) < record[3] * record[3])) continue;
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(candidate[c])];
-    const S* flat = plane + 4 * static_cast<std::int64_t>(candidate[c]);
-    const Vec3<S> normal{flat[0], flat[1], flat[2]};
+    const S* ball = record(sphere, candidate[c]);
+    const Vec3<S> d = x - vector_of(ball);
+    if (!(dot(d, d) < ball[3] * ball[3])) continue;
+    const auto& segment = surface_.segments()[candidate[c]];
+    const S* flat = record(plane, candidate[c]);
+    const Vec3<S> normal = vector_of(flat);
     const S height = dot(d, normal);  // over the mean plane: most are well outside
     if (height > open_gap * segment.radius + flat[3] ||
         height < S(0) - SlidelineSurface<S>::deepest * segment.radius - flat[3] || !surface_.faces(slave, normal) ||
@@ -120,12 +116,12 @@ bool SlidelineContact<S>::find_segment(const ContactModel<S>& model, std::size_t
       continue;
     }
     Vec3<S> corner[4];
-    for (int i = 0; i < 4; ++i) corner[i] = vector_at(model.position, segment.node[i]);
-    const bool same = state.slot == segment.slot && state.face == segment.face;
-    const FaceProjection<S> at = project_onto_face(corner, x, same ? state.xi : S(0), same ? state.eta : S(0));
+    for (int i = 0; i < 4; ++i) corner[i] = vector_of(source.x(segment.node[i]));
+    const bool same = memory.slot == segment.slot && memory.face == segment.face;
+    const FaceProjection<S> at = project_onto_face(corner, x, same ? memory.xi : S(0), same ? memory.eta : S(0));
     // A node in contact stays with the side that it came in from, also where two segments meet in a valley and its foot
     // lies on neither.
-    const bool like_before = state.slot >= 0 && (same || dot(at.normal, state.normal) > S(0.5));
+    const bool like_before = memory.slot >= 0 && (same || dot(at.normal, memory.normal) > S(0.5));
     const S margin = maximum(static_cast<S>(edge_margin) * segment.radius, like_before ? absolute(at.gap) : S(0));
     if (!(at.outside <= margin)) continue;
     const S depth_limit = like_before ? SlidelineSurface<S>::deepest * segment.radius : segment.radius;
@@ -145,38 +141,37 @@ bool SlidelineContact<S>::find_segment(const ContactModel<S>& model, std::size_t
 
 template <class S>
 template <class Work>
-typename SlidelineContact<S>::Sums SlidelineContact<S>::find_touches(const ContactModel<S>& model, S open_gap,
-                                                                     const Work& work) {
-  constexpr std::int64_t pieces = 64;  // fixed, so that sums and lists do not depend on the threads
+typename SlidelineAlgorithm<S>::Sums SlidelineAlgorithm<S>::find_touches(const SurfaceSource<S>& source, S open_gap,
+                                                                         const Work& work) {
   const auto n = static_cast<std::int64_t>(surface_.slaves().size());
-  std::array<std::vector<Touch>, pieces> found;
-  std::array<Sums, pieces> sums;
-  parallel_for("slave nodes", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
+  std::array<std::vector<Touch>, fixed_pieces> found;
+  std::array<Sums, fixed_pieces> sums;
+  parallel_for("slave nodes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const auto p = static_cast<std::size_t>(piece);
-    for (auto i = static_cast<std::size_t>(n * piece / pieces); i < static_cast<std::size_t>(n * (piece + 1) / pieces);
-         ++i) {
-      State& state = state_[i];
+    for (auto i = static_cast<std::size_t>(n * piece / fixed_pieces);
+         i < static_cast<std::size_t>(n * (piece + 1) / fixed_pieces); ++i) {
+      PairMemory& memory = memory_[i];
       Touch touch{};
-      if (surface_.active(i) && find_segment(model, i, open_gap, touch)) {
+      if (surface_.active(i) && find_segment(source, i, open_gap, touch)) {
         if (work(touch, sums[p])) found[p].push_back(touch);
-        const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+        const auto& segment = surface_.segments()[touch.segment];
         if (touch.at.gap <= S(0)) {
-          state.slot = segment.slot;
-          state.face = segment.face;
-          state.xi = touch.at.xi;
-          state.eta = touch.at.eta;
-          state.normal = touch.at.normal;
+          memory.slot = segment.slot;
+          memory.face = segment.face;
+          memory.xi = touch.at.xi;
+          memory.eta = touch.at.eta;
+          memory.normal = touch.at.normal;
           continue;
         }
       } else {
-        sums[p].lost += static_cast<double>(state.stored);
+        sums[p].lost += static_cast<double>(memory.stored);
       }
-      state = {};
+      memory = {};
     }
   });
   touches_.clear();
   Sums whole;
-  for (std::size_t p = 0; p < pieces; ++p) {
+  for (std::size_t p = 0; p < fixed_pieces; ++p) {
     touches_.insert(touches_.end(), found[p].begin(), found[p].end());
     whole.stored += sums[p].stored;
     whole.damped += sums[p].damped;
@@ -188,103 +183,100 @@ typename SlidelineContact<S>::Sums SlidelineContact<S>::find_touches(const Conta
 }
 
 template <class S>
-bool SlidelineContact<S>::penalty_force(const ContactModel<S>& model, Touch& touch, S dt, Sums& sums) {
+bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch& touch, S dt, Sums& sums) {
   const auto& slave = surface_.slaves()[touch.slave];
-  const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
-  State& state = state_[touch.slave];
+  const auto& segment = surface_.segments()[touch.segment];
+  PairMemory& memory = memory_[touch.slave];
   // Faces that rest on each other have gaps of round-off, which differ with the segment that a node finds.
   const S round_off = S(4096) * std::numeric_limits<S>::epsilon() * segment.radius;
   const S depth = S(0) - touch.at.gap - round_off;
-  if (!(depth > S(0)) && state.slot < 0) return false;
-  const S rate = closing_rate(model.velocity, slave.node, segment.node, touch.at);
-  sums.damped += static_cast<double>(S(0.5) * state.damping * rate * dt);  // the second half of the last one's work
+  if (!(depth > S(0)) && memory.slot < 0) return false;
+  const S rate = closing_rate<S>(source, slave.node, segment.node, touch.at);
+  sums.damped += static_cast<double>(S(0.5) * memory.damping * rate * dt);  // the second half of the last one's work
   if (!(depth > S(0))) {  // open within round-off: the node keeps its segment
-    state.offset = state.elastic = state.stored = state.damping = S(0);
+    memory.offset = memory.elastic = memory.stored = memory.damping = S(0);
     return false;
   }
   const S approach = maximum(S(0), rate) * dt;
   const S stiffness = S(0.25) * beta_ * (slave.stiffness + slave.share * segment.stiffness);
-  S elastic = state.slot >= 0 ? depth - minimum(state.offset, depth) : minimum(depth, approach);
-  if (state.slot >= 0 && (state.slot != segment.slot || state.face != segment.face)) {
+  S elastic = memory.slot >= 0 ? depth - minimum(memory.offset, depth) : minimum(depth, approach);
+  if (memory.slot >= 0 && (memory.slot != segment.slot || memory.face != segment.face)) {
     // Where the next segment is not the continuation of the last, the depth jumps: it may not create energy, and what
     // it destroys is counted.
-    const S continued = state.elastic + approach;
+    const S continued = memory.elastic + approach;
     elastic = minimum(elastic, continued);
     sums.lost += static_cast<double>(S(0.5) * stiffness * (continued * continued - elastic * elastic));
   }
-  state.offset = depth - elastic;
-  state.elastic = elastic;
-  state.stored = S(0.5) * stiffness * elastic * elastic;
+  memory.offset = depth - elastic;
+  memory.elastic = elastic;
+  memory.stored = S(0.5) * stiffness * elastic * elastic;
 
-  S inverse_mass = model.inverse_mass[static_cast<std::size_t>(slave.node)];
+  S inverse_mass = source.inverse_mass[slave.node];
   for (int i = 0; i < 4; ++i) {
-    inverse_mass +=
-        touch.at.weight[i] * touch.at.weight[i] * model.inverse_mass[static_cast<std::size_t>(segment.node[i])];
+    inverse_mass += touch.at.weight[i] * touch.at.weight[i] * source.inverse_mass[segment.node[i]];
   }
   const S p1 = S(2) * damping_ * square_root(stiffness / inverse_mass);
   // In the first and in the last step of a contact the spring works over a part of the step only. With the mean of 1
   // and that part the work of the trapezoid is the energy stored: else a contact of few steps gains or loses a tenth.
   const S opening = maximum(S(0), S(0) - rate) * dt;
-  const S part_before = state.slot < 0 && approach > elastic ? elastic / approach : S(1);
+  const S part_before = memory.slot < 0 && approach > elastic ? elastic / approach : S(1);
   const S part_after = opening > elastic ? elastic / opening : S(1);
   const S spring = S(0.5) * (part_before + part_after) * stiffness * elastic;
   touch.force = maximum(S(0), spring + p1 * rate);  // (3.8), no adhesion
   touch.stiffness = stiffness;
-  sums.stored += static_cast<double>(state.stored);
-  state.damping = touch.force - spring;
-  sums.damped += static_cast<double>(S(0.5) * state.damping * rate * dt);
+  sums.stored += static_cast<double>(memory.stored);
+  memory.damping = touch.force - spring;
+  sums.damped += static_cast<double>(S(0.5) * memory.damping * rate * dt);
   ++sums.pairs;
   sums.ratio = maximum(sums.ratio, depth / (slave.radius + segment.radius));
   return true;
 }
 
 template <class S>
-ContactResult SlidelineContact<S>::forces(const ContactModel<S>& model, S dt) {
+ContactWork SlidelineAlgorithm<S>::spring_forces(const SurfaceSource<S>& source, S dt) {
   search_.count_step(dt);
-  const Sums sums = find_touches(model, S(0.25),
-                                 [&](Touch& touch, Sums& partial) { return penalty_force(model, touch, dt, partial); });
-  ContactResult result;
-  result.stored = sums.stored;
-  result.eroded = lost_energy_;
-  result.dissipated = sums.damped + sums.lost;
-  result.penetration_ratio = static_cast<double>(sums.ratio);
-  result.pairs = sums.pairs;
-  return result;
+  const Sums sums = find_touches(
+      source, S(0.25), [&](Touch& touch, Sums& partial) { return penalty_force(source, touch, dt, partial); });
+  ContactWork work;
+  work.stored = sums.stored;
+  work.eroded = lost_energy_;
+  work.dissipated = sums.damped + sums.lost;
+  work.penetration_ratio = static_cast<double>(sums.ratio);
+  work.pairs = sums.pairs;
+  return work;
 }
 
 template <class S>
-void SlidelineContact<S>::scatter(const ContactModel<S>& model, ContactResult& result) {
+void SlidelineAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) {
   // One after the other: two slaves may share nodes of their segments.
   for (const Touch& touch : touches_) {
     const auto add = [&](std::int32_t node, S weight) {
-      S* f = model.force + 4 * static_cast<std::int64_t>(node);
+      S* f = source.f(node);
       f[0] += weight * touch.force * touch.at.normal.x;
       f[1] += weight * touch.force * touch.at.normal.y;
       f[2] += weight * touch.force * touch.at.normal.z;
       f[3] += S(2) * absolute(weight) * touch.stiffness;  // Gershgorin: sum of a row of k G G^T
     };
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    const auto& segment = surface_.segments()[touch.segment];
     add(surface_.slaves()[touch.slave].node, S(1));
     for (int i = 0; i < 4; ++i) add(segment.node[i], S(0) - touch.at.weight[i]);
   }
   S largest = 0;
   const auto row = [&](std::int32_t node) {
-    const auto n = static_cast<std::size_t>(node);
-    largest = maximum(largest, model.force[4 * n + 3] * model.inverse_mass[n]);
+    largest = maximum(largest, source.f(node)[3] * source.inverse_mass[node]);
   };
   for (const Touch& touch : touches_) {
     row(surface_.slaves()[touch.slave].node);
-    for (const std::int32_t node : surface_.segments()[static_cast<std::size_t>(touch.segment)].node) row(node);
+    for (const std::int32_t node : surface_.segments()[touch.segment].node) row(node);
   }
-  result.frequency2 = this->damping_factor_ * static_cast<double>(largest);
+  work.frequency2 = this->damping_factor_ * static_cast<double>(largest);
 }
 
 template <class S>
-const std::vector<std::int32_t>& SlidelineContact<S>::loaded_nodes() {
-  if (this->by_impulses()) return this->impulses_->nodes();
+const std::vector<std::int32_t>& SlidelineAlgorithm<S>::nodes_of_springs() {
   loaded_.clear();
   for (const Touch& touch : touches_) {
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    const auto& segment = surface_.segments()[touch.segment];
     loaded_.push_back(surface_.slaves()[touch.slave].node);
     loaded_.insert(loaded_.end(), std::begin(segment.node), std::end(segment.node));
   }
@@ -292,70 +284,62 @@ const std::vector<std::int32_t>& SlidelineContact<S>::loaded_nodes() {
 }
 
 template <class S>
-void SlidelineContact<S>::prepare_impulses(const ContactModel<S>& model, double dt) {
+void SlidelineAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   search_.count_step(static_cast<S>(dt));
-  find_touches(model, S(0.5), [](Touch&, Sums&) { return true; });
-  std::vector<ContactPair> pairs;
-  pairs.reserve(touches_.size());
+  find_touches(source, S(0.5), [](Touch&, Sums&) { return true; });
+  ImpulseSolver<S>& impulses = *this->impulses_;
+  impulses.begin_rows();
   for (const Touch& touch : touches_) {
     const auto& slave = surface_.slaves()[touch.slave];
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
-    ContactPair pair;
-    pair.first = slave.node;
-    pair.second = -1;  // a node has one segment: what it remembers goes with it from one to the next
-    pair.nodes = 5;
-    pair.node[0] = slave.node;
-    pair.weight[0] = -1;
-    for (int i = 0; i < 4; ++i) {
-      pair.node[i + 1] = segment.node[i];
-      pair.weight[i + 1] = static_cast<double>(touch.at.weight[i]);
-    }
+    const auto& segment = surface_.segments()[touch.segment];
     const Vec3<S>& n = touch.at.normal;
-    pair.direction = {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
-    pair.depth = -static_cast<double>(touch.at.gap);
-    pair.size = static_cast<double>(slave.radius + segment.radius);
-    pairs.push_back(pair);
+    // Named by the slave alone, which has one segment: what it remembers goes with it from one to the next.
+    impulses.add_row(slave.node, -1, {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)},
+                     -static_cast<double>(touch.at.gap), static_cast<double>(slave.radius + segment.radius));
+    impulses.add_node(slave.node, -1);
+    for (int i = 0; i < 4; ++i) impulses.add_node(segment.node[i], static_cast<double>(touch.at.weight[i]));
   }
-  this->impulses_->collect(model, pairs, dt);
+  impulses.finish_rows(source, dt);
 }
 
 template <class S>
-void SlidelineContact<S>::report(const ContactModel<S>& /*model*/, std::vector<Point>& node_force,
-                                 std::vector<double>& /*slot_radius*/) const {
-  if (this->by_impulses()) {
+void SlidelineAlgorithm<S>::report(const SurfaceSource<S>& /*source*/, std::vector<Point>& node_force,
+                                   std::vector<double>& /*slot_radius*/) const {
+  if (this->impulses_) {
     this->impulses_->add_node_forces(node_force);
     return;
   }
   for (const Touch& touch : touches_) {
     const auto add = [&](std::int32_t node, S weight) {
       const double f = static_cast<double>(weight * touch.force);
-      Point& sum = node_force[static_cast<std::size_t>(node)];
+      Point& sum = node_force[node];
       sum[0] += f * static_cast<double>(touch.at.normal.x);
       sum[1] += f * static_cast<double>(touch.at.normal.y);
       sum[2] += f * static_cast<double>(touch.at.normal.z);
     };
     add(surface_.slaves()[touch.slave].node, S(1));
-    const auto& segment = surface_.segments()[static_cast<std::size_t>(touch.segment)];
+    const auto& segment = surface_.segments()[touch.segment];
     for (int i = 0; i < 4; ++i) add(segment.node[i], S(0) - touch.at.weight[i]);
   }
 }
 
 template <class S>
-void SlidelineContact<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
-  Contact<S>::persist(archive, model);
-  surface_.persist(archive, model);
+void SlidelineAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
+  ContactAlgorithm<S>::persist(archive, source);
+  surface_.persist(archive, source);
   search_.persist(archive);
-  archive(state_, touches_);  // touches: for the report alone
-  if (state_.size() != surface_.slaves().size()) StateArchive::throw_foreign();
+  archive(memory_, touches_);  // touches: for the report alone
+  if (memory_.size() != surface_.slaves().size()) StateArchive::throw_foreign();
 }
 
 template <class S>
-std::size_t SlidelineContact<S>::bytes() const {
-  return surface_.bytes() + search_.bytes() + state_.capacity() * sizeof(State) + touches_.capacity() * sizeof(Touch) +
-         loaded_.capacity() * sizeof(loaded_[0]) + (this->by_impulses() ? this->impulses_->bytes() : 0);
+std::size_t SlidelineAlgorithm<S>::bytes() const {
+  return surface_.bytes() + search_.bytes() + memory_.capacity() * sizeof(PairMemory) +
+         touches_.capacity() * sizeof(Touch) + loaded_.capacity() * sizeof(loaded_[0]) +
+         (this->impulses_ ? this->impulses_->bytes() : 0);
 }
 
-template class SlidelineContact<double>;
-template class SlidelineContact<float>;
+template class SlidelineAlgorithm<double>;
+template class SlidelineAlgorithm<float>;
 
 }  // namespace pinball

@@ -17,7 +17,7 @@ namespace pinball {
 /// that it is nearest to; gap, normal and weights there give
 ///
 ///   penalty               a spring on the gap, of which each of the two passes has half;
-///   projection, lagrange  a row of the contact matrix, solved as for pinballs (ContactImpulses): projection is the
+///   projection, lagrange  a row of the contact matrix, solved as for pinballs (ImpulseSolver): projection is the
 ///                         momentum-conserving correction of velocities of the 1987 method.
 ///
 /// The spring of a node has k = beta/4 (sum over its segments of K A^2/V / 4 + share x K A^2/V of the master): both
@@ -25,32 +25,33 @@ namespace pinball {
 /// gives each node its part. As for pinballs, a penetration that approach does not explain (erosion has exposed a face
 /// deep inside another body) gives no force.
 template <class S>
-class SlidelineContact final : public Contact<S> {
+class SlidelineAlgorithm final : public ContactAlgorithm<S> {
  public:
-  SlidelineContact(const ContactModel<S>& model, ContactStart start);
+  SlidelineAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start);
 
-  void update_surface(const ContactModel<S>& model, const std::vector<std::int64_t>& eroded) override;
-  void search(const ContactModel<S>& model) override;
-  ContactResult forces(const ContactModel<S>& model, S dt) override;
-  void scatter(const ContactModel<S>& model, ContactResult& result) override;
-  void prepare_impulses(const ContactModel<S>& model, double dt) override;
+  void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
+  void search(const SurfaceSource<S>& source) override;
 
   const char* name() const override { return "slideline"; }
-  void report(const ContactModel<S>& model, std::vector<Point>& node_force,
+  void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
               std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
-  const std::vector<std::int32_t>& loaded_nodes() override;
   ListSize listed() const override {
     const std::int64_t entries = search_.entries();
     return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
   }
-  void persist(StateArchive& archive, const ContactModel<S>& model) override;
+  void persist(StateArchive& archive, const SurfaceSource<S>& source) override;
   std::size_t bytes() const override;
   std::int64_t updated_segments() const { return surface_.chosen(); }  ///< in every step
 
  private:
+  ContactWork spring_forces(const SurfaceSource<S>& source, S dt) override;
+  void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) override;
+  const std::vector<std::int32_t>& nodes_of_springs() override;
+  void collect_impulses(const SurfaceSource<S>& source, double dt) override;
+
   /// What a slave node keeps from step to step.
-  struct State {
+  struct PairMemory {
     std::int32_t slot = -1, face = -1;  ///< of the segment that it touches; -1: none
     S xi{}, eta{};                      ///< of its foot
     Vec3<S> normal{};
@@ -74,21 +75,21 @@ class SlidelineContact final : public Contact<S> {
   };
 
   /// The segment that a slave touches or, up to an open gap over the radius of the segment, may touch soon.
-  bool find_segment(const ContactModel<S>& model, std::size_t slave, S open_gap, Touch& touch) const;
+  bool find_segment(const SurfaceSource<S>& source, std::size_t slave, S open_gap, Touch& touch) const;
   /// Touches in the order of the slaves: those for which work(touch, sums), called in parallel, returns true.
   template <class Work>
-  Sums find_touches(const ContactModel<S>& model, S open_gap, const Work& work);
-  bool penalty_force(const ContactModel<S>& model, Touch& touch, S dt, Sums& sums);
+  Sums find_touches(const SurfaceSource<S>& source, S open_gap, const Work& work);
+  bool penalty_force(const SurfaceSource<S>& source, Touch& touch, S dt, Sums& sums);
   /// Ends the touches of slaves or segments that are no longer active; returns the energy of their springs.
   double end_inactive_touches();
   /// Numbers segments and slaves anew; the slaves keep their states.
-  void collect_surface(const ContactModel<S>& model);
+  void collect_surface(const SurfaceSource<S>& source);
 
   SlidelineSurface<S> surface_;
   SlidelineSearch<S> search_;
-  std::vector<State> state_;  ///< per slave
+  std::vector<PairMemory> memory_;  ///< per slave
   std::vector<Touch> touches_;
-  std::vector<std::int32_t> loaded_;  ///< see loaded_nodes, only where that is asked
+  std::vector<std::int32_t> loaded_;  ///< see nodes_of_springs, only where that is asked
   S beta_, damping_;
   double lost_energy_ = 0;  ///< of springs that went with eroded elements in this step
 };

@@ -8,21 +8,21 @@
 namespace pinball {
 
 template <class S>
-SlidelineSearch<S>::SlidelineSearch(const ContactModel<S>& model, const SlidelineSurface<S>& surface)
-    : self_(model.settings->self),
-      reference_node_(static_cast<std::size_t>(model.node_count)),
-      reference_centre_(static_cast<std::size_t>(model.slots)) {
+SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, bool self)
+    : self_(self),
+      reference_node_(static_cast<std::size_t>(source.node_count)),
+      reference_centre_(static_cast<std::size_t>(source.slots)) {
   for (auto& node : reference_node_) node[3] = std::numeric_limits<float>::max();
   const auto single = [](const Point& p) {
     return std::array{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
   };
-  for (std::int64_t slot = 0; slot < model.slots; ++slot) {
+  for (std::int64_t slot = 0; slot < source.slots; ++slot) {
     if (!surface.topology().alive(slot)) continue;
-    const ContactElement element = model.element(slot);
-    reference_centre_[static_cast<std::size_t>(slot)] = single(element.centre());
+    const ContactElement element = source.element(slot);
+    reference_centre_[slot] = single(element.centre());
     const auto radius = static_cast<float>(element.radius);
     for (std::size_t i = 0; i < 8; ++i) {
-      std::array<float, 4>& node = reference_node_[static_cast<std::size_t>(element.corners[i])];
+      std::array<float, 4>& node = reference_node_[element.corners[i]];
       const std::array<float, 3> place = single(element.reference[i]);
       node = {place[0], place[1], place[2], std::min(node[3], radius)};
     }
@@ -33,8 +33,8 @@ template <class S>
 bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own_radius) const {
   if (own.body != other.body) return true;
   if (!self_) return false;
-  const std::array<float, 4>& p = reference_node_[static_cast<std::size_t>(own.node)];
-  const std::array<float, 3>& q = reference_centre_[static_cast<std::size_t>(other.slot)];
+  const std::array<float, 4>& p = reference_node_[own.node];
+  const std::array<float, 3>& q = reference_centre_[other.slot];
   float d2 = 0;
   for (std::size_t k = 0; k < 3; ++k) d2 += (p[k] - q[k]) * (p[k] - q[k]);
   // Two and a half elements: from a node of a cube to the centre of the one after the next.
@@ -43,34 +43,32 @@ bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own
 }
 
 template <class S>
-void SlidelineSearch<S>::watch_nodes(const ContactModel<S>& model, const SlidelineSurface<S>& surface) {
-  motion_.clear(model.node_count);
-  for (const Slave& slave : surface.slaves()) motion_.take(slave.node, least_radius(slave));
+void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface) {
+  motion_.clear(source.node_count);
+  for (const Slave& slave : surface.slaves()) motion_.watch(slave.node, least_radius(slave));
 }
 
 /// Balls that hold whatever may touch the segments. The farthest corner goes straight relative to the centre, so that
 /// its distance is largest at the beginning or at the end; both may stray.
 template <class S>
-void SlidelineSearch<S>::move_segments(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S horizon) {
+void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.segments().size());
-  const S* position = model.position;
-  const S* velocity = model.velocity;
   segments_.reset(count);
   parallel_for("segments", RangePolicy<>{0, count}, [&](std::int64_t s) {
-    const auto& segment = surface.segments()[static_cast<std::size_t>(s)];
+    const auto& segment = surface.segments()[s];
     std::array<S, 3> centre{}, way{};
     for (const std::int32_t node : segment.node) {
       for (std::size_t k = 0; k < 3; ++k) {
-        centre[k] += S(0.25) * position[4 * static_cast<std::size_t>(node) + k];
-        way[k] += S(0.25) * horizon * velocity[4 * static_cast<std::size_t>(node) + k];
+        centre[k] += S(0.25) * source.x(node)[k];
+        way[k] += S(0.25) * horizon * source.v(node)[k];
       }
     }
     S farthest2 = 0;
     for (const std::int32_t node : segment.node) {
       S now2 = 0, then2 = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        const S now = position[4 * static_cast<std::size_t>(node) + k] - centre[k];
-        const S then = now + horizon * velocity[4 * static_cast<std::size_t>(node) + k] - way[k];
+        const S now = source.x(node)[k] - centre[k];
+        const S then = now + horizon * source.v(node)[k] - way[k];
         now2 += now * now;
         then2 += then * then;
       }
@@ -83,29 +81,29 @@ void SlidelineSearch<S>::move_segments(const ContactModel<S>& model, const Slide
 }
 
 template <class S>
-void SlidelineSearch<S>::move_slaves(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S horizon) {
+void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.slaves().size());
   slaves_.reset(count);
   parallel_for("slaves", RangePolicy<>{0, count}, [&](std::int64_t i) {
-    const std::int32_t node = surface.slaves()[static_cast<std::size_t>(i)].node;
-    const S* x = model.position + 4 * static_cast<std::int64_t>(node);
-    const S* v = model.velocity + 4 * static_cast<std::int64_t>(node);
+    const std::int32_t node = surface.slaves()[i].node;
+    const S* x = source.x(node);
+    const S* v = source.v(node);
     slaves_.set(static_cast<std::int32_t>(i), {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
                 motion_.allowance(std::array{node}));
   });
 }
 
 template <class S>
-void SlidelineSearch<S>::build(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S skin) {
+void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S skin) {
   const S horizon = skin > S(0) ? horizon_steps * clock_.last_step() : S(0);
-  if (watched_) motion_.adapt(model.position, clock_.elapsed(), horizon);
-  if (!valid_) watch_nodes(model, surface);
+  if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
+  if (!valid_) watch_nodes(source, surface);
   watched_ = true;
-  motion_.start(model.position, model.velocity, skin);
+  motion_.start(source.position, source.velocity, skin);
   clock_.restart(horizon);
   valid_ = true;
-  move_segments(model, surface, horizon);
-  move_slaves(model, surface, horizon);
+  move_segments(source, surface, horizon);
+  move_slaves(source, surface, horizon);
   boxes_.build(segments_);
   find(surface);
 }
@@ -118,12 +116,11 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
   const std::int64_t groups = (slaves_.count() + G - 1) / G;
   start_.assign(static_cast<std::size_t>(slaves_.count()) + 1, 0);
   // Slaves are worked in fixed pieces, each with a list of its own; the lists are joined in order.
-  constexpr std::int64_t pieces = 64;
-  std::array<std::vector<std::int32_t>, pieces> found;
-  parallel_for("slave candidates", RangePolicy<>{0, pieces}, [&](std::int64_t piece) {
-    std::vector<std::int32_t>& list = found[static_cast<std::size_t>(piece)];
+  std::array<std::vector<std::int32_t>, fixed_pieces> found;
+  parallel_for("slave candidates", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    std::vector<std::int32_t>& list = found[piece];
     NearBalls<S> near;
-    const std::int64_t begin = groups * piece / pieces, end = groups * (piece + 1) / pieces;
+    const std::int64_t begin = groups * piece / fixed_pieces, end = groups * (piece + 1) / fixed_pieces;
     for (std::int64_t group = begin; group < end; ++group) {
       const S* own = slaves_.data() + group * 7 * G;
       near.enter(tree, box_of_balls<T>(own), 0);
@@ -137,7 +134,7 @@ void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
         for (const auto& other : near_groups) {
           for (unsigned bits = other.balls.row(i); bits != 0; bits &= bits - 1) {
             const std::int32_t s = other.number * G + __builtin_ctz(bits);
-            if (may_touch(own_slave, surface.segments()[static_cast<std::size_t>(s)], least)) list.push_back(s);
+            if (may_touch(own_slave, surface.segments()[s], least)) list.push_back(s);
           }
         }
         start_[slave + 1] = static_cast<std::int64_t>(list.size() - before);

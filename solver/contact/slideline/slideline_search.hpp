@@ -20,16 +20,17 @@ class SlidelineSearch {
   using Slave = typename SlidelineSurface<S>::Slave;
   using Segment = typename SlidelineSurface<S>::Segment;
 
-  SlidelineSearch(const ContactModel<S>& model, const SlidelineSurface<S>& surface);
+  /// self: a body may touch itself.
+  SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, bool self);
 
   /// Builds the lists from nothing, for all segments and slaves: those that wait are listed beforehand. skin: scale of
   /// what nodes may stray, over the radius of their smallest elements; 0: the lists are for the present positions only.
-  void build(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S skin);
+  void build(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S skin);
   /// Notes the length of the step just made.
   void count_step(S dt) { clock_.count_step(dt); }
   /// True while the lists have every node and segment that may touch.
-  bool holds(const ContactModel<S>& model) const {
-    return valid_ && !clock_.over() && motion_.holds(model.position, clock_.elapsed());
+  bool holds(const SurfaceSource<S>& source) const {
+    return valid_ && !clock_.over() && motion_.holds(source.position, clock_.elapsed());
   }
   /// The lists hold no longer, and segments and slaves may be numbered anew.
   void invalidate() { valid_ = false; }
@@ -51,13 +52,11 @@ class SlidelineSearch {
   std::size_t bytes() const;
 
  private:
-  S least_radius(const Slave& own) const {
-    return static_cast<S>(reference_node_[static_cast<std::size_t>(own.node)][3]);
-  }
+  S least_radius(const Slave& own) const { return static_cast<S>(reference_node_[own.node][3]); }
   bool may_touch(const Slave& own, const Segment& other, S own_radius) const;
-  void watch_nodes(const ContactModel<S>& model, const SlidelineSurface<S>& surface);
-  void move_segments(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S horizon);
-  void move_slaves(const ContactModel<S>& model, const SlidelineSurface<S>& surface, S horizon);
+  void watch_nodes(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface);
+  void move_segments(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon);
+  void move_slaves(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon);
   void find(const SlidelineSurface<S>& surface);
 
   bool self_;

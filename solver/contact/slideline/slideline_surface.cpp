@@ -16,7 +16,7 @@ namespace {
 double squared_area(const ContactElement& element, int face) {
   Vec3<double> x[4];
   for (int i = 0; i < 4; ++i) {
-    const Point& p = element.reference[static_cast<std::size_t>(face_nodes[face][i])];
+    const Point& p = element.reference[face_nodes[face][i]];
     x[i] = {p[0], p[1], p[2]};
   }
   const Vec3<double> area = 0.5 * cross(x[2] - x[0], x[3] - x[1]);
@@ -34,15 +34,15 @@ bool SlidelineSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded)
 }
 
 template <class S>
-void SlidelineSurface<S>::collect(const ContactModel<S>& model) {
+void SlidelineSurface<S>::collect(const SurfaceSource<S>& source) {
   changed_ = false;
-  collect_faces(model, exposed_and_waiting(model));
+  collect_faces(source, exposed_and_waiting(source));
 }
 
 template <class S>
-void SlidelineSurface<S>::collect_faces(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces) {
-  collect_segments(model, faces);
-  collect_slaves(static_cast<std::size_t>(model.node_count));
+void SlidelineSurface<S>::collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
+  collect_segments(source, faces);
+  collect_slaves(static_cast<std::size_t>(source.node_count));
 
   constexpr std::size_t W = native_width<S>;
   const std::size_t packs = (segments_.size() + W - 1) / W;
@@ -68,7 +68,7 @@ void SlidelineSurface<S>::choose(const std::vector<std::int64_t>& first, const s
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     if (first[i] == first[i + 1]) continue;
     for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
-      ask_for(around_[static_cast<std::size_t>(a)]);
+      ask_for(around_[a]);
     }
   }
   chosen_.clear();
@@ -79,31 +79,30 @@ void SlidelineSurface<S>::choose(const std::vector<std::int64_t>& first, const s
 
 /// Per slot a bit for each face that is to be a segment.
 template <class S>
-std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const ContactModel<S>& model) const {
+std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const SurfaceSource<S>& source) const {
   std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
   for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
     const std::uint8_t exposed = topology_.exposed(slot);
     if (exposed == 0) continue;
-    faces[static_cast<std::size_t>(slot)] |= exposed;
-    if (!model.may_soon_erode(slot)) continue;
-    topology_.for_each_face_behind(slot, [&](std::int32_t behind, unsigned face) {
-      faces[static_cast<std::size_t>(behind)] |= static_cast<std::uint8_t>(1U << face);
-    });
+    faces[slot] |= exposed;
+    if (!source.may_soon_erode(slot)) continue;
+    topology_.for_each_face_behind(
+        slot, [&](std::int32_t behind, unsigned face) { faces[behind] |= static_cast<std::uint8_t>(1U << face); });
   }
   return faces;
 }
 
 template <class S>
-void SlidelineSurface<S>::collect_segments(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces) {
+void SlidelineSurface<S>::collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
   segments_.clear();
   for (std::size_t slot = 0; slot < faces.size(); ++slot) {
     if (faces[slot] == 0) continue;
     const auto s = static_cast<std::int32_t>(slot);
-    const ContactElement element = model.element(s);
+    const ContactElement element = source.element(s);
     for (int f = 0; f < 6; ++f) {
       if ((faces[slot] >> f & 1U) == 0) continue;
       Segment segment{};
-      for (int i = 0; i < 4; ++i) segment.node[i] = element.corners[static_cast<std::size_t>(face_nodes[f][i])];
+      for (int i = 0; i < 4; ++i) segment.node[i] = element.corners[face_nodes[f][i]];
       segment.slot = s;
       segment.face = f;
       segment.body = element.body;
@@ -133,12 +132,12 @@ void SlidelineSurface<S>::collect_slaves(std::size_t nodes) {
   around_.resize(static_cast<std::size_t>(place[nodes]));
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     for (const std::int32_t node : segments_[s].node) {
-      around_[static_cast<std::size_t>(place[static_cast<std::size_t>(node)]++)] = static_cast<std::int32_t>(s);
+      around_[place[node]++] = static_cast<std::int32_t>(s);
     }
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    const std::int32_t any = around_[static_cast<std::size_t>(around_first_[i])];
-    slaves_[i].body = segments_[static_cast<std::size_t>(any)].body;
+    const std::int32_t any = around_[around_first_[i]];
+    slaves_[i].body = segments_[any].body;
   }
 }
 
@@ -155,7 +154,7 @@ void SlidelineSurface<S>::activate() {
     Slave& slave = slaves_[i];
     slave.share = slave.radius = slave.stiffness = S(0);
     for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
-      const auto s = static_cast<std::size_t>(around_[static_cast<std::size_t>(a)]);
+      const std::int32_t s = around_[a];
       if (!(active_[s] > S(0))) continue;
       slave.share += S(0.25);
       slave.radius += segments_[s].radius;
@@ -168,22 +167,22 @@ void SlidelineSurface<S>::activate() {
 template <class S>
 bool SlidelineSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const {
   for (std::int32_t a = around_first_[slave]; a < around_first_[slave + 1]; ++a) {
-    const S* own = plane_.data() + 4 * static_cast<std::int64_t>(around_[static_cast<std::size_t>(a)]);
+    const S* own = record(plane_.data(), around_[a]);
     if (own[0] * normal.x + own[1] * normal.y + own[2] * normal.z < S(-0.5)) return true;
   }
   return false;
 }
 
 template <class S>
-void SlidelineSurface<S>::update(const ContactModel<S>& model) {
+void SlidelineSurface<S>::update(const SurfaceSource<S>& source) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
   const auto count = static_cast<std::int64_t>(segments_.size());
   parallel_for("segments", RangePolicy<>{0, static_cast<std::int64_t>(chosen_.size())}, [&](std::int64_t p) {
-    const std::int64_t pack = chosen_[static_cast<std::size_t>(p)];
+    const std::int64_t pack = chosen_[p];
     Vec3<T> x[4];
     for (int i = 0; i < 4; ++i) {
-      x[i] = gather_vectors<T>(model.position, corner_.data() + (pack * 4 + i) * W);
+      x[i] = gather_vectors<T>(source.position, corner_.data() + (pack * 4 + i) * W);
     }
     const Vec3<T> centre = number<T>(0.25) * (x[0] + x[1] + x[2] + x[3]);
     T farthest2(0);
@@ -196,30 +195,30 @@ void SlidelineSurface<S>::update(const ContactModel<S>& model) {
     const T warp = absolute(dot(x[0] - centre, normal));  // the same at all corners, but for its sign
     for (int i = 0; i < W; ++i) {
       const std::int64_t s = std::min(pack * W + i, count - 1);
-      S* flat = plane_.data() + 4 * (pack * W + i);
+      S* flat = record(plane_.data(), pack * W + i);
       flat[0] = lane(normal.x, i);
       flat[1] = lane(normal.y, i);
       flat[2] = lane(normal.z, i);
       flat[3] = lane(warp, i);
-      S* record = sphere_.data() + 4 * (pack * W + i);
-      record[0] = lane(centre.x, i);
-      record[1] = lane(centre.y, i);
-      record[2] = lane(centre.z, i);
-      record[3] = lane(active, i) * (lane(farthest, i) + deepest * segments_[static_cast<std::size_t>(s)].radius);
+      S* sphere = record(sphere_.data(), pack * W + i);
+      sphere[0] = lane(centre.x, i);
+      sphere[1] = lane(centre.y, i);
+      sphere[2] = lane(centre.z, i);
+      sphere[3] = lane(active, i) * (lane(farthest, i) + deepest * segments_[s].radius);
     }
   });
 }
 
 /// Which faces wait was decided when they were collected: they are not what would wait now.
 template <class S>
-void SlidelineSurface<S>::persist(StateArchive& archive, const ContactModel<S>& model) {
+void SlidelineSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   topology_.persist(archive);
   std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
   for (const Segment& s : segments_) {
-    faces[static_cast<std::size_t>(s.slot)] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(s.face));
+    faces[s.slot] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(s.face));
   }
   archive.of_fixed_size(faces);
-  if (archive.reads()) collect_faces(model, faces);
+  if (archive.reads()) collect_faces(source, faces);
   archive(chosen_, changed_);
 }
 

@@ -38,9 +38,9 @@ class SlidelineSurface {
   /// a little less than the thickness of a cube, 1.61.
   static constexpr S deepest = S(1.5);
 
-  SlidelineSurface(const ContactModel<S>& model, SurfaceTopology topology) : topology_(std::move(topology)) {
-    collect(model);
-    update(model);
+  SlidelineSurface(const SurfaceSource<S>& source, SurfaceTopology topology) : topology_(std::move(topology)) {
+    collect(source);
+    update(source);
   }
 
   /// Segments of eroded elements end, and those that waited behind them become active; returns whether there are any.
@@ -52,12 +52,12 @@ class SlidelineSurface {
   bool changed() const { return changed_; }
   /// Numbers segments and slaves anew: without those that have ended, with those that are to wait now. All are
   /// selected.
-  void collect(const ContactModel<S>& model);
+  void collect(const SurfaceSource<S>& source);
   /// Chooses the segments that lists name and those around the slaves that have a list: no others are asked for.
   /// first: of each slave and one more, into listed, which names segments.
   void choose(const std::vector<std::int64_t>& first, const std::vector<std::int32_t>& listed);
   /// Spheres and planes of the chosen segments.
-  void update(const ContactModel<S>& model);
+  void update(const SurfaceSource<S>& source);
 
   /// Whether a slave has an active segment. Those of waiting segments have not, nor those of ended ones.
   bool active(std::size_t slave) const { return slaves_[slave].share > S(0); }
@@ -74,15 +74,15 @@ class SlidelineSurface {
   /// Records of four per segment: mean unit normal, 0 where the segment is not active, and how far the corners are out
   /// of the plane through the centre.
   const AlignedArray<S>& plane() const { return plane_; }
-  void persist(StateArchive& archive, const ContactModel<S>& model);
+  void persist(StateArchive& archive, const SurfaceSource<S>& source);
   std::int64_t chosen() const;  ///< segments that update() sees to, in whole packs
   std::size_t bytes() const;
 
  private:
-  std::vector<std::uint8_t> exposed_and_waiting(const ContactModel<S>& model) const;
+  std::vector<std::uint8_t> exposed_and_waiting(const SurfaceSource<S>& source) const;
   /// collect(), given per slot a bit for each face that is to be a segment.
-  void collect_faces(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces);
-  void collect_segments(const ContactModel<S>& model, const std::vector<std::uint8_t>& faces);
+  void collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
+  void collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
   void collect_slaves(std::size_t nodes);
   void activate();
 

@@ -8,7 +8,7 @@ HeldDirections::HeldDirections(std::int32_t node_count, std::span<const HeldDire
   for (std::size_t n = 1; n < first_.size(); ++n) first_[n] += first_[n - 1];
   std::vector<std::int32_t> next(first_.begin(), first_.end() - 1);  // in the order given
   for (const HeldDirection& h : held) {
-    directions_[static_cast<std::size_t>(next[static_cast<std::size_t>(h.node)]++)] = h.normal;
+    directions_[next[h.node]++] = h.normal;
   }
 }
 

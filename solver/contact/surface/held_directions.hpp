@@ -22,8 +22,7 @@ class HeldDirections {
   HeldDirections(std::int32_t node_count, std::span<const HeldDirection> held);
 
   std::span<const Point> of(std::int32_t node) const {
-    const auto n = static_cast<std::size_t>(node);
-    return {directions_.data() + first_[n], directions_.data() + first_[n + 1]};
+    return {directions_.data() + first_[node], directions_.data() + first_[node + 1]};
   }
   std::size_t bytes() const { return directions_.capacity() * sizeof(Point) + first_.capacity() * sizeof(first_[0]); }
 

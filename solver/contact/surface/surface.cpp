@@ -15,13 +15,12 @@ Surface::Surface(SurfaceTopology topology)
 }
 
 void Surface::erode(std::int64_t slot) {
-  const auto s = static_cast<std::size_t>(slot);
-  alive_[s] = 0;
-  exposed_count_ -= exposed_[s] != 0;
-  exposed_faces_ -= __builtin_popcount(exposed_[s]);
-  exposed_[s] = 0;
+  alive_[slot] = 0;
+  exposed_count_ -= exposed_[slot] != 0;
+  exposed_faces_ -= __builtin_popcount(exposed_[slot]);
+  exposed_[slot] = 0;
   for_each_face_behind(slot, [this](std::int32_t behind, unsigned face) {
-    std::uint8_t& exposed = exposed_[static_cast<std::size_t>(behind)];
+    std::uint8_t& exposed = exposed_[behind];
     if (exposed == 0) {
       uncovered_.push_back(behind);
       ++exposed_count_;

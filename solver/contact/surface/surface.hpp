@@ -25,16 +25,16 @@ class Surface {
   std::int32_t exposed_count() const { return exposed_count_; }  ///< elements with an exposed face
   std::int64_t exposed_faces() const { return exposed_faces_; }  ///< of all elements
 
-  bool alive(std::int64_t slot) const { return alive_[static_cast<std::size_t>(slot)] != 0; }
+  bool alive(std::int64_t slot) const { return alive_[slot] != 0; }
   /// Bit f is set where face f (xi-, xi+, eta-, eta+, zeta-, zeta+) of a living element is exposed.
-  std::uint8_t exposed(std::int64_t slot) const { return exposed_[static_cast<std::size_t>(slot)]; }
+  std::uint8_t exposed(std::int64_t slot) const { return exposed_[slot]; }
   /// Calls work(slot, face) for every face of a living element that the erosion of an element exposes.
   template <class Work>
   void for_each_face_behind(std::int64_t slot, const Work& work) const {
-    for (const std::int32_t behind : neighbour_[static_cast<std::size_t>(slot)]) {
+    for (const std::int32_t behind : neighbour_[slot]) {
       if (behind < 0 || !alive(behind)) continue;
       for (unsigned f = 0; f < 6; ++f) {
-        if (neighbour_[static_cast<std::size_t>(behind)][f] == slot) work(behind, f);
+        if (neighbour_[behind][f] == slot) work(behind, f);
       }
     }
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,14 +10,11 @@
 #include <solver/base/colouring.hpp>
 #include <solver/base/packs.hpp>
 #include <solver/base/point.hpp>
-#include <solver/contact/contact_settings.hpp>
+#include <solver/base/records.hpp>
 
 #include "held_directions.hpp"
 
 namespace pinball {
-
-/// Radius of the ball of a volume, report eq. (3.2) [length].
-inline double ball_radius(double volume) { return std::cbrt(volume * 3.0 / (4.0 * M_PI)); }
 
 /// What contact asks about an element when it takes it in: what does not change from step to step. A rigid sphere is an
 /// element whose corners are all the same node, with all its faces, which have no area, exposed.
@@ -46,18 +42,13 @@ struct ContactElement {
 /// call; nothing is kept from call to call. Elements have "slots": places in packs of `width`, some of them padding, in
 /// tiles of whole packs.
 template <class S>
-class ContactModel {
+class SurfaceSource : public NodeRecords<S> {
  public:
   static constexpr int width = native_width<S>;
 
-  const ContactSettings* settings = nullptr;
   bool lists_last = true;  ///< lists of what may touch serve more than one step
 
-  // Records of four numbers per node (gather.hpp), aligned to four numbers.
   std::int32_t node_count = 0;
-  const S* position = nullptr;      ///< x, y, z, unused [length]
-  const S* velocity = nullptr;      ///< at the middle of the last step, unused [length/time]
-  S* force = nullptr;               ///< force, contact stiffness [force], [force/length]; stiffness zero between steps
   const S* inverse_mass = nullptr;  ///< one per node [1/mass]
 
   std::int64_t slots = 0;
@@ -75,7 +66,7 @@ class ContactModel {
   virtual void before_search() const {}
 
  protected:
-  ~ContactModel() = default;
+  ~SurfaceSource() = default;
 };
 
 /// How the elements lie to each other when contact begins; per slot.
@@ -91,7 +82,7 @@ struct SurfaceTopology {
 };
 
 /// What contact is given once, to keep.
-struct ContactStart {
+struct InitialSurface {
   SurfaceTopology topology;
   HeldDirections held;  ///< asked for by impulses only: empty for penalty contact
 };

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../../kernels/tensor.hpp"
+
+/// Records of four numbers, of nodes or of what else is numbered (kernels/gather.hpp).
+namespace pinball {
+
+/// Record n of an array of them; S may be const.
+template <class S>
+S* record(S* records, std::int64_t n) {
+  return records + 4 * n;
+}
+
+/// The first three numbers of a record.
+template <class S>
+Vec3<S> vector_of(const S* record) {
+  return {record[0], record[1], record[2]};
+}
+
+/// The same in double.
+template <class S>
+Vec3<double> double_vector_of(const S* record) {
+  return {static_cast<double>(record[0]), static_cast<double>(record[1]), static_cast<double>(record[2])};
+}
+
+/// Arrays of records of nodes, each aligned to four numbers, and the records of node n in them.
+template <class S>
+struct NodeRecords {
+  const S* position = nullptr;  ///< x, y, z, unused [length]
+  const S* velocity = nullptr;  ///< at the middle of the last step, unused [length/time]
+  S* force = nullptr;           ///< force, contact stiffness [force], [force/length]; stiffness zero between steps
+
+  const S* x(std::int64_t n) const { return record(position, n); }
+  const S* v(std::int64_t n) const { return record(velocity, n); }
+  S* f(std::int64_t n) const { return record(force, n); }
+};
+
+}  // namespace pinball

@@ -1,0 +1,98 @@
+#include "pinball_rows.hpp"
+
+#include <array>
+#include <vector>
+
+#include <kernels/contact_row.hpp>
+#include <kernels/exec.hpp>
+
+namespace pinball {
+
+namespace {
+
+template <class S>
+PinballNormal<double> normal_of(const PinballStore<S>& pinballs, std::int32_t p) {
+  return {double_vector_of(record(pinballs.outward.data(), p)), double_vector_of(record(pinballs.two_sided.data(), p))};
+}
+
+template <class S>
+ContactFace face_of(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& nodes, unsigned exposed,
+                    const Vec3<double>& direction) {
+  Vec3<double> x[8];
+  for (std::size_t i = 0; i < 8; ++i) x[i] = double_vector_of(source.x(nodes[i]));
+  return face_towards(x, exposed, direction);
+}
+
+/// The row of two pinballs that may be near each other; without nodes where they cannot touch.
+/// d: C1 - C2; reach: R1 + R2.
+template <class S>
+ContactRow row_of(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
+                  const Surface& surface, std::int32_t p, std::int32_t q, const Vec3<double>& d, double reach) {
+  ContactRow row;
+  if (gap == ContactGap::face) {
+    const ContactFace face1 = face_of(source, pinballs.corners[p], surface.exposed(pinballs.slot[p]), (-1.0) * d);
+    const ContactFace face2 = face_of(source, pinballs.corners[q], surface.exposed(pinballs.slot[q]), d);
+    row = face_row(face1, face2);
+    // Faces that look at each other are told by their own gap alone; edges and corners by the balls.
+    if (row.nodes1 == 0 && face1.face >= 0 && face2.face >= 0 && dot(face1.normal, face2.normal) <= -0.5) return row;
+  }
+  if (row.nodes1 == 0) {
+    const Vec3<double> n1 = unit_normal_towards(normal_of(pinballs, p), (-1.0) * d);
+    const Vec3<double> n2 = unit_normal_towards(normal_of(pinballs, q), d);
+    row = pinball_row(d, reach, n1, n2);
+  }
+  if (!(row.depth > -0.25 * reach)) row.nodes1 = 0;
+  return row;
+}
+
+/// Two listed pinballs that may touch, and their row.
+struct PinballRow {
+  std::int32_t p, q;
+  double reach;
+  ContactRow row;
+};
+
+}  // namespace
+
+double pinball_pair_margin(ContactGap gap) {
+  // Two cubes whose faces touch, the centre of one beside the corner of the other, are 1.25 radii apart if one is five
+  // times as large. Balls have to overlap, but for what they approach within a step.
+  return gap == ContactGap::face ? 1.35 : 1.1;
+}
+
+template <class S>
+void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
+                      const PairList<S>& list, const Surface& surface, ImpulseSolver<S>& impulses) {
+  const double margin = pinball_pair_margin(gap);
+  const auto takes_part = [&pinballs](std::int32_t p) { return record(pinballs.outward.data(), p)[3] > S(0); };
+  std::array<std::vector<PinballRow>, fixed_pieces> found;
+  parallel_for("contact pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    for (std::int64_t place = list.piece(piece).begin; place < list.piece(piece).end; ++place) {
+      const std::int32_t p = list.first()[place], q = list.second()[place];
+      const S *const ball1 = record(pinballs.centre.data(), p), *const ball2 = record(pinballs.centre.data(), q);
+      const Vec3<double> d = double_vector_of(ball1) - double_vector_of(ball2);
+      const auto reach = static_cast<double>(ball1[3] + ball2[3]);
+      if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
+      const ContactRow row = row_of(source, gap, pinballs, surface, p, q, d, reach);
+      if (row.nodes1 > 0) found[piece].push_back({p, q, reach, row});
+    }
+  });
+  for (const std::vector<PinballRow>& some : found) {
+    for (const auto& [p, q, reach, row] : some) {
+      impulses.add_row(pinballs.slot[p], pinballs.slot[q], row.direction, row.depth, reach);
+      for (int k = 0; k < row.nodes1; ++k) {
+        impulses.add_node(pinballs.corners[p][row.corner1[k]], -row.weight1[k]);
+      }
+      for (int k = 0; k < row.nodes2; ++k) {
+        impulses.add_node(pinballs.corners[q][row.corner2[k]], row.weight2[k]);
+      }
+    }
+  }
+}
+
+template void add_pinball_rows(const SurfaceSource<double>&, ContactGap, const PinballStore<double>&,
+                               const PairList<double>&, const Surface&, ImpulseSolver<double>&);
+template void add_pinball_rows(const SurfaceSource<float>&, ContactGap, const PinballStore<float>&,
+                               const PairList<float>&, const Surface&, ImpulseSolver<float>&);
+
+}  // namespace pinball
