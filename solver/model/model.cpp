@@ -85,7 +85,7 @@ std::vector<TileGroup> cut_into_tiles(const Scene& scene, const ModelMesh& mesh,
   std::map<std::pair<std::size_t, std::uint8_t>, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
   for (std::size_t e = 0; e < count; ++e) {
-    const std::size_t material = material_of_body[static_cast<std::size_t>(mesh.body[e])];
+    const std::size_t material = material_of_body[mesh.body[e]];
     members[{material, levels.empty() ? std::uint8_t{0} : levels[e]}].push_back(static_cast<std::int32_t>(e));
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
@@ -106,7 +106,7 @@ void set_initial_velocity(Model<S>& model) {
   std::vector<Point> centroid(bodies, Point{});
   std::vector<double> mass(bodies, 0.0);
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    const auto b = static_cast<std::size_t>(model.mesh.body[e]);
+    const std::int32_t b = model.mesh.body[e];
     const Point c = element_centre(model.mesh, e);
     for (std::size_t k = 0; k < 3; ++k) centroid[b][k] += model.element_mass[e] * c[k];
     mass[b] += model.element_mass[e];
@@ -117,22 +117,23 @@ void set_initial_velocity(Model<S>& model) {
   std::mt19937_64 random(20240101);  // the same noise in every run
   const auto noise = [&random] { return 2.0 * (static_cast<double>(random() >> 11) * 0x1.0p-53) - 1.0; };
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    const auto b = static_cast<std::size_t>(model.mesh.body_of_node[n]);
+    const std::int32_t b = model.mesh.body_of_node[n];
     const Body& body = model.scene.bodies[b];
     Point v = body.velocity;
     const Point r = minus(model.mesh.nodes[n], centroid[b]);
     const Point spin = cross(body.angular_velocity, r);
+    S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& g = body.velocity_gradient[k];
       v[k] += spin[k] + g[0] * r[0] + g[1] * r[1] + g[2] * r[2];
       if (body.velocity_noise > 0) v[k] += body.velocity_noise * noise();
-      model.nodes.velocity[4 * static_cast<std::size_t>(model.node_of_scene_node[n]) + k] = static_cast<S>(v[k]);
+      velocity[k] = static_cast<S>(v[k]);
     }
   }
   for (const InitialVelocity& given : model.scene.initial_velocities) {
     for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
-      const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[static_cast<std::size_t>(n)]);
-      for (std::size_t k = 0; k < 3; ++k) model.nodes.velocity[place + k] = static_cast<S>(given.velocity[k]);
+      S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
+      for (std::size_t k = 0; k < 3; ++k) velocity[k] = static_cast<S>(given.velocity[k]);
     }
   }
 }
@@ -144,7 +145,7 @@ std::size_t material_index(const Scene& scene, const std::string& name) {
       std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
   if (found == scene.materials.end())
     throw InputError(fmt::format("{}no material named {}", message_head(scene), name));
-  return static_cast<std::size_t>(found - scene.materials.begin());
+  return found - scene.materials.begin();
 }
 
 template <class S>
@@ -192,14 +193,14 @@ Model<S> build_model(const Scene& given) {
       const std::int64_t pack = model.tile_packs.back();
       std::uint8_t own = highest_step_level;
       for (std::int64_t i = first; i < last; ++i) {
-        const std::int32_t e = tiles.order[static_cast<std::size_t>(i)];
-        if (!levels.own.empty()) own = std::min(own, levels.own[static_cast<std::size_t>(e)]);
-        model.slot_of_element[static_cast<std::size_t>(e)] = pack * W + (i - first);
+        const std::int32_t e = tiles.order[i];
+        if (!levels.own.empty()) own = std::min(own, levels.own[e]);
+        model.slot_of_element[e] = pack * W + (i - first);
         model.element_of_slot.push_back(e);
-        ordered.push_back(model.mesh.hexahedra[static_cast<std::size_t>(e)]);
+        ordered.push_back(model.mesh.hexahedra[e]);
       }
       model.tile_packs.push_back(pack + (last - first + W - 1) / W);
-      model.element_of_slot.resize(static_cast<std::size_t>(model.tile_packs.back() * W), -1);
+      model.element_of_slot.resize(model.tile_packs.back() * W, -1);
       model.tile_part.push_back(static_cast<std::int32_t>(material));
       if (!levels.own.empty()) model.tile_levels.push_back({level, own});
       tile_elements.push_back(static_cast<std::int32_t>(ordered.size()));
@@ -213,28 +214,27 @@ Model<S> build_model(const Scene& given) {
   // Stores
   model.nodes = NodeStore<S>(node_count);
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[n]);
-    for (std::size_t k = 0; k < 3; ++k) model.nodes.position[place + k] = static_cast<S>(model.mesh.nodes[n][k]);
+    S* position = model.nodes.position_of(model.node_of_scene_node[n]);
+    for (std::size_t k = 0; k < 3; ++k) position[k] = static_cast<S>(model.mesh.nodes[n][k]);
   }
   model.elements = ElementStore<S>(model.tile_packs.back(), store_features);
   model.element_mass.resize(count);
   model.node_mass.assign(model.mesh.nodes.size(), 0.0);
   std::int64_t real = 0;  // the last real slot: padding repeats its nodes
   for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
-    const std::int32_t element = model.element_of_slot[static_cast<std::size_t>(slot)];
+    const std::int32_t element = model.element_of_slot[slot];
     if (element >= 0) real = slot;
-    const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(real)]);
+    const std::int32_t e = model.element_of_slot[real];
     for (int i = 0; i < 8; ++i) {
-      const std::int32_t node =
-          model.node_of_scene_node[static_cast<std::size_t>(model.mesh.hexahedra[e][static_cast<std::size_t>(i)])];
+      const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
       model.elements.corner[ElementStore<S>::at(slot, i, 8)] = node;
       if (element >= 0 && i == 0) {
-        const Body& body = scene.bodies[static_cast<std::size_t>(model.mesh.body[e])];
+        const Body& body = scene.bodies[model.mesh.body[e]];
         const Material& material = scene.materials[material_index(scene, body.material)];
         model.element_mass[e] = material.density * element_volume(model.mesh, e);
-        model.elements.mass[static_cast<std::size_t>(slot)] = static_cast<S>(model.element_mass[e]);
+        model.elements.mass[slot] = static_cast<S>(model.element_mass[e]);
       }
-      if (element >= 0) model.node_mass[static_cast<std::size_t>(node)] += model.element_mass[e] / 8;
+      if (element >= 0) model.node_mass[node] += model.element_mass[e] / 8;
     }
   }
   for (std::size_t n = 0; n < model.node_mass.size(); ++n) {

@@ -20,6 +20,7 @@ struct ModelMesh {
   std::vector<std::int32_t> body_of_node;  ///< per node
   std::vector<std::string> body_names;
 
+  std::int64_t element_count() const { return static_cast<std::int64_t>(hexahedra.size()); }
   const std::string& body_of_element(std::int64_t element) const { return body_names[body[element]]; }
   /// Place of corner 0 to 7 of an element [length].
   const Point& corner(std::int64_t element, int i) const { return nodes[hexahedra[element][i]]; }
@@ -101,7 +102,7 @@ struct Model {
   std::vector<double> element_mass;              ///< initial, per element of the scene [mass]
   std::vector<double> node_mass;                 ///< per node of the store [mass]
 
-  std::int64_t element_count() const { return static_cast<std::int64_t>(mesh.hexahedra.size()); }
+  std::int64_t element_count() const { return mesh.element_count(); }
   std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
   /// Slots of a tile, its padding among them.
   SlotRange slots_of(std::int64_t tile) const {

@@ -51,7 +51,7 @@ void add_constraints(Model<S>& model) {
   const double tolerance = 1e-9 * mesh_size(model.mesh);
   std::vector<Held> held;
   const auto hold = [&](std::int32_t scene_node, const Point& direction, double speed, std::int32_t table) {
-    const std::int32_t node = model.node_of_scene_node[static_cast<std::size_t>(scene_node)];
+    const std::int32_t node = model.node_of_scene_node[scene_node];
     held.push_back({node, direction, speed, table});
   };
   for (const PlaneConstraint& plane : scene.constraints) {
@@ -60,7 +60,7 @@ void add_constraints(Model<S>& model) {
   }
   for (const FixedConstraint& fixed : scene.fixed_constraints) {
     for (const std::int32_t n : select_nodes(model.mesh, fixed.nodes)) {
-      const Point& place = model.mesh.nodes[static_cast<std::size_t>(n)];
+      const Point& place = model.mesh.nodes[n];
       for (const Point& d : directions_at(fixed, place, tolerance)) hold(n, d, 0, -1);
     }
   }
@@ -97,7 +97,7 @@ void add_constraints(Model<S>& model) {
       continue;
     }
     // Of a whole velocity, what is left along d; of a speed along one direction, what gives it that component.
-    const PrescribedVelocity& given = scene.prescribed_velocities[static_cast<std::size_t>(h.table)];
+    const PrescribedVelocity& given = scene.prescribed_velocities[h.table];
     const double speed = given.direction ? h.speed / length : dot(given.velocity, d);
     model.prescribed.push_back({h.node, {x, y, z}, static_cast<S>(speed), h.table});
   }

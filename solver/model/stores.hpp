@@ -86,6 +86,7 @@ struct ElementStore {
   /// xx yy zz xy yz zx [stress]
   std::array<S, 6> stress_of(std::int64_t slot) const { return components_of<6>(stress, slot); }
   S& stress_of(std::int64_t slot, int c) { return stress[at(slot, c, 6)]; }
+  const S& stress_of(std::int64_t slot, int c) const { return stress[at(slot, c, 6)]; }
 
   /// Place of component c of slot s in an array of n components.
   static std::size_t at(std::int64_t s, int c, int n) { return place_in_packs<width>(s, c, n); }

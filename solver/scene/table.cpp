@@ -294,7 +294,7 @@ std::size_t SceneTable::choice_index(std::string_view key, const toml::node& nod
                                      const std::vector<std::string>& later) const {
   if (const auto* text = node.as_string()) {
     const auto found = std::find(names.begin(), names.end(), text->get());
-    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    if (found != names.end()) return found - names.begin();
     if (std::find(later.begin(), later.end(), text->get()) != later.end()) {
       fail(key, fmt::format("\"{}\" is not available in this version, expected {}", text->get(), alternatives(names)));
     }

@@ -18,7 +18,7 @@ double gauss_volume(const ModelMesh& mesh, std::size_t element) {
   for (const auto& p : sign) {
     double j[3][3] = {};
     for (std::size_t i = 0; i < 8; ++i) {
-      const Point& x = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][i])];
+      const Point& x = mesh.nodes[mesh.hexahedra[element][i]];
       double f[3];
       for (int a = 0; a < 3; ++a) f[a] = 1 + sign[i][a] * p[a] * g;
       const double d[3] = {sign[i][0] * f[1] * f[2] / 8, sign[i][1] * f[2] * f[0] / 8, sign[i][2] * f[0] * f[1] / 8};

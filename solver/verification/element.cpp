@@ -25,7 +25,7 @@ double largest_of(const Stress& s) {
 Point angular_momentum(const Solver<double>& solver) {
   Point sum{};
   for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const double mass = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
+    const double mass = solver.model().node_mass[solver.model().node_of_scene_node[n]];
     const Point l = cross(position_of(solver, n), velocity_of(solver, n));
     for (std::size_t k = 0; k < 3; ++k) sum[k] += mass * l[k];
   }
@@ -78,7 +78,7 @@ std::vector<VerificationRow> verify_patch_test(const Scene& scene) {
     const double dt_before = solver.dt();
     motion.step();
     for (std::size_t i = 0; i < inner.size(); ++i) {
-      const double mass = model.node_mass[static_cast<std::size_t>(model.node_of_scene_node[inner[i]])];
+      const double mass = model.node_mass[model.node_of_scene_node[inner[i]]];
       const Point after = velocity_of(solver, inner[i]);
       for (std::size_t k = 0; k < 3; ++k) {
         const double acceleration = (after[k] - before[i][k]) / (0.5 * (dt_before + solver.dt()));

@@ -34,7 +34,7 @@ LayerRun run_layer(const Scene& scene, bool subcycling) {
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
     const double height = model.mesh.nodes[n][2] - middle;
     const double exact = std::abs(height) < front ? 0 : -std::copysign(impact, height);
-    const double of_node = model.node_mass[static_cast<std::size_t>(model.node_of_scene_node[n])];
+    const double of_node = model.node_mass[model.node_of_scene_node[n]];
     run.velocity_error += of_node * std::abs(velocity_of(solver, n)[2] - exact) / impact;
     mass += of_node;
   }

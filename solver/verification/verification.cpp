@@ -78,8 +78,7 @@ std::array<double, 6> stress_of(const Solver<double>& solver, std::size_t elemen
   const Model<double>& model = solver.model();
   std::array<double, 6> stress{};
   for (int c = 0; c < 6; ++c) {
-    stress[static_cast<std::size_t>(c)] =
-        model.elements.stress[ElementStore<double>::at(model.slot_of_element[element], c, 6)];
+    stress[c] = model.elements.stress[ElementStore<double>::at(model.slot_of_element[element], c, 6)];
   }
   return stress;
 }

@@ -76,9 +76,7 @@ TEST_P(Gmsh, TakesThePhysicalVolumeAsked) {
 TEST_P(Gmsh, BothFormatsHoldTheSamePoints) {
   const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", ""), other = parse_gmsh(text_of("22"), "a.msh", "");
   for (std::size_t e = 0; e < 4; ++e)
-    for (std::size_t i = 0; i < 8; ++i)
-      EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[e][i])],
-                other.nodes[static_cast<std::size_t>(other.hexahedra[e][i])]);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(mesh.nodes[mesh.hexahedra[e][i]], other.nodes[other.hexahedra[e][i]]);
 }
 
 TEST_P(Gmsh, EveryFileCutShortIsAnError) {

@@ -189,9 +189,9 @@ TEST_F(Checkpoints, DamagedFilesAreRefused) {
     const std::size_t length = random() % whole.size();
     expect_error(whole.substr(0, length), "cut off at " + std::to_string(length));
   }
-  for (int i = 0; i < 300; ++i) {
+  for (std::size_t i = 0; i < 300; ++i) {
     std::string bytes = whole;
-    const std::size_t place = i < 32 ? static_cast<std::size_t>(i) : random() % whole.size();
+    const std::size_t place = i < 32 ? i : random() % whole.size();
     bytes[place] = static_cast<char>(bytes[place] ^ (1 << random() % 8));
     expect_error(bytes, "flipped at " + std::to_string(place));
   }

@@ -102,12 +102,12 @@ TEST(Simulation, MapsLeadFromNumbersOfTheSceneToPlacesInViews) {
   std::vector<double> copied(3 * 128);
   simulation.copy(NodeField::position, view_records(copied.data(), 128, 3));
   for (std::int64_t n = 0; n < nodes.count; ++n) {
-    const Point& from_mesh = mesh.nodes[static_cast<std::size_t>(n)];
-    const std::int32_t place = simulation.place_of_node()[static_cast<std::size_t>(nodes.first + n)];
+    const Point& from_mesh = mesh.nodes[n];
+    const std::int32_t place = simulation.place_of_node()[nodes.first + n];
     for (std::size_t k = 0; k < 3; ++k) {
       const double expected = from_mesh[k] + scene.bodies[1].position[k];
       EXPECT_EQ(simulation.positions().number(place, static_cast<std::int64_t>(k)), expected);
-      EXPECT_EQ(copied[static_cast<std::size_t>(3 * (nodes.first + n)) + k], expected);
+      EXPECT_EQ(copied[3 * (nodes.first + n) + k], expected);
     }
   }
   simulation.run();

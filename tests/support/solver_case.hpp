@@ -99,7 +99,7 @@ void run(Solver<S>& solver) {
 template <class S>
 void strain_to_failure(Solver<S>& solver, const std::vector<std::size_t>& elements) {
   for (const std::size_t e : elements) {
-    solver.model().elements.plastic_strain[static_cast<std::size_t>(solver.model().slot_of_element[e])] = S(1e3);
+    solver.model().elements.plastic_strain[solver.model().slot_of_element[e]] = S(1e3);
   }
 }
 
@@ -119,7 +119,7 @@ double kinetic_energy(const Solver<S>& solver) {
 inline Point angular_momentum(const Solver<double>& solver) {
   Point sum{};
   for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const double m = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
+    const double m = solver.model().node_mass[solver.model().node_of_scene_node[n]];
     const Point x = position_of(solver, n), v = velocity_of(solver, n);
     for (std::size_t k = 0; k < 3; ++k)
       sum[k] += m * (x[(k + 1) % 3] * v[(k + 2) % 3] - x[(k + 2) % 3] * v[(k + 1) % 3]);

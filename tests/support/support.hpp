@@ -32,7 +32,7 @@ void set_lane(T& pack, int i, ScalarOf<T> value) {
   if constexpr (width_of<T> == 1) {
     pack = value;
   } else {
-    pack[static_cast<std::size_t>(i)] = value;
+    pack[i] = value;
   }
 }
 
@@ -258,7 +258,7 @@ template <class T>
 HexahedronModes<T> modes_from_lanes(const std::vector<Corners>& x) {
   Vec3<T> value[8];
   for (std::size_t k = 0; k < 8; ++k) {
-    value[k] = vector_from_lanes<T>([&](int i) { return x[static_cast<std::size_t>(i)][k]; });
+    value[k] = vector_from_lanes<T>([&](int i) { return x[i][k]; });
   }
   return to_modes(value);
 }
