@@ -187,6 +187,13 @@ inline double hourglass_value(int a, int corner) {
   return a == 0 ? p[1] * p[2] : a == 1 ? p[2] * p[0] : a == 2 ? p[0] * p[1] : p[0] * p[1] * p[2];
 }
 
+/// The 24 values B_iI of the mean gradient operator, which the kernels never need one by one.
+template <class T>
+void expand(const UniformGradient<T>& b, Vec3<T> (&corner)[8]) {
+  const Vec3<T> hourglass[4] = {b.hourglass[0], b.hourglass[1], b.hourglass[2], {T(0), T(0), T(0)}};
+  from_modes(b.linear, hourglass, corner);
+}
+
 inline Corners box(double a, double b, double c) {
   Corners x;
   for (std::size_t i = 0; i < 8; ++i) {
