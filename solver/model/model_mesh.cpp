@@ -11,7 +11,9 @@
 
 namespace pinball {
 
-double element_volume(const ModelMesh& mesh, std::size_t element) { return hexahedron_volume(mesh.corners(element)); }
+double element_volume(const ModelMesh& mesh, std::size_t element) {
+  return volume_by_quadrature(mesh.corners(element));
+}
 
 Point element_centre(const ModelMesh& mesh, std::size_t element) {
   Point centre{};
@@ -79,7 +81,7 @@ ModelMesh build_mesh(const Scene& scene) {
       for (std::int32_t& node : hexahedron) node += offset;
       all.hexahedra.push_back(hexahedron);
       const std::array<Point, 8> corners = all.corners(all.element_count() - 1);
-      const double volume = hexahedron_volume(corners);
+      const double volume = volume_by_quadrature(corners);
       // A flat element has a volume of round-off, of either sign.
       if (!(volume > 1e-12 * std::pow(diameter(corners), 3))) {
         throw InputError(fmt::format("{}body {}: element {} is inverted or flat: its volume is {:.6g}, expected > 0",

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <kernels/hexahedron.hpp>
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/faces.hpp>
+#include <solver/base/hexahedron_of_points.hpp>
 
 #include "exposed_faces.hpp"
 #include "node_selection.hpp"
@@ -96,12 +96,7 @@ std::vector<int> choose_levels(const std::vector<StepGroup>& groups, double ever
 }
 
 double element_stable_step(const ModelMesh& mesh, std::size_t element, const Material& material) {
-  Vec3<double> corner[8];
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Point& p = mesh.corner(element, i);
-    corner[i] = {p[0], p[1], p[2]};
-  }
-  const HexahedronModes<double> x = to_modes(corner);
+  const HexahedronModes<double> x = modes_of(mesh.corners(element));
   const UniformGradient<double> b = uniform_gradient(x);
   const double volume = hexahedron_volume(b, x);
   const Symmetric<double> b_b = gradient_square(b);
