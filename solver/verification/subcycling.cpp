@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
-#include "verification.hpp"
+#include "cases.hpp"
+#include "solver_run.hpp"
 
 /// Verification of subcycling, on an elastic wave with an exact solution.
 namespace pinball {
@@ -28,7 +30,7 @@ LayerRun run_layer(const Scene& scene, bool subcycling) {
   const double speed = std::sqrt((m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus) / m.density);
   const double impact = s.bodies[0].velocity[2], middle = 0.5 * std::get<BlockMesh>(s.bodies[0].mesh).size[2];
   const double front = speed * solver.time();
-  const Model<double>& model = solver.model();
+  const Model<double>& model = std::as_const(solver).model();
   LayerRun run;
   double mass = 0;
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <solver/base/error.hpp>
-#include <solver/verification/verification.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// What acts from outside: each condition holds exactly, and its work closes the energy balance.

@@ -6,7 +6,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
-#include <solver/verification/verification.hpp>
+#include <solver/verification/solver_run.hpp>
 
 /// Scenes of a few blocks, made in code, for the tests of the solver.
 namespace pinball::test {
@@ -113,18 +113,6 @@ double kinetic_energy(const Solver<S>& solver) {
     }
   }
   return 0.5 * twice;
-}
-
-/// Sum of m x cross v about the origin.
-inline Point angular_momentum(const Solver<double>& solver) {
-  Point sum{};
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const double m = solver.model().node_mass[solver.model().node_of_scene_node[n]];
-    const Point x = position_of(solver, n), v = velocity_of(solver, n);
-    for (std::size_t k = 0; k < 3; ++k)
-      sum[k] += m * (x[(k + 1) % 3] * v[(k + 2) % 3] - x[(k + 2) % 3] * v[(k + 1) % 3]);
-  }
-  return sum;
 }
 
 /// What building the solver of a scene is refused with; "" if it is not.
