@@ -13,13 +13,16 @@
 #include <solver/output/checkpoint.hpp>
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
+#include <tests/support/scene_text.hpp>
 
 /// Checkpoints of the program: what a restart gives, what is refused, and what a killed or failed run leaves.
 namespace pinball {
 namespace {
 
 using test::content;
+using test::cube_scene;
 using test::Finished;
+using test::replaced;
 using test::run;
 using testing::HasSubstr;
 
@@ -153,21 +156,9 @@ $Elements
 $EndElements
 )";
   std::ofstream(mesh) << text;
-  std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
-[time]
-end = 1e-2
-[[material]]
-name = "steel"
-model = "elastic"
-density = 7850
-young_modulus = 2.1e11
-poisson_ratio = 0.3
-[[body]]
-name = "cube"
-material = "steel"
-velocity_noise = 1.0
-mesh = { type = "gmsh", file = "part.msh" }
-)";
+  const std::string block = R"(type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1])";
+  std::ofstream(folder_ / "scene.toml") << replaced(replaced(cube_scene, "end = 1e-4", "end = 1e-2"), block,
+                                                    R"(type = "gmsh", file = "part.msh")");
   leave_checkpoint(folder_ / "scene.toml", 5);
   expect_done("--restart " + file_ + " --set time.steps=8");
   text.replace(text.find("7 1 1 1"), 7, "7 1 1 2");
@@ -257,24 +248,7 @@ TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
 class FailedRuns : public Checkpoints {
  protected:
   void SetUp() override {
-    std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
-[time]
-end = 1e-2
-cfl = 1.2
-[element]
-bulk_viscosity = false
-[[material]]
-name = "steel"
-model = "elastic"
-density = 7850
-young_modulus = 2.1e11
-poisson_ratio = 0.3
-[[body]]
-name = "cube"
-material = "steel"
-velocity_noise = 1.0
-mesh = { type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1] }
-)";
+    std::ofstream(folder_ / "scene.toml") << replaced(cube_scene, "end = 1e-4", "end = 1e-2\ncfl = 1.2");
   }
   /// Expects a run to fail, and its last good state to go on with these changes.
   void expect_failure(const std::string& arguments, const std::string& message, const std::string& changes) {

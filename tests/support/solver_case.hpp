@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -93,6 +94,13 @@ template <class S>
 void run(Solver<S>& solver) {
   while (!solver.at_end()) solver.step();
   solver.finish();
+}
+
+/// Runs to the end; returns the largest error of the energy balance on the way.
+inline double worst_balance_of_run(Solver<double>& solver) {
+  double worst = 0;
+  run_to_end(solver, [&] { worst = std::max(worst, std::abs(solver.balance_error())); });
+  return worst;
 }
 
 /// Has elements of the scene eroded in the coming step, as if they had been strained too far.
