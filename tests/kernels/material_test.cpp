@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -18,6 +18,8 @@
 namespace pinball {
 namespace {
 
+using namespace test;
+
 std::string text_of(const std::string& version) {
   std::ifstream file(PINBALL_SOURCE_DIR "/tests/data/two_volumes_" + version + ".msh");
   std::ostringstream text;

@@ -8,6 +8,8 @@
 namespace pinball {
 namespace {
 
+using namespace test;
+
 TEST_F(SceneTest, FillsInDefaults) {
   const Scene scene = read(minimal);
   EXPECT_EQ(scene.name, "scene");

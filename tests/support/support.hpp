@@ -16,7 +16,7 @@
 #include <kernels/tensor.hpp>
 
 /// What the kernel tests share: number types, lanes, random data, and hexahedra integrated by quadrature.
-namespace pinball::support {
+namespace pinball::test {
 
 // ---- Number types -------------------------------------------------------------------------------------------------
 
@@ -270,4 +270,4 @@ HexahedronModes<T> modes_from_lanes(const std::vector<Corners>& x) {
   return to_modes(value);
 }
 
-}  // namespace pinball::support
+}  // namespace pinball::test
