@@ -92,7 +92,7 @@ std::vector<TileGroup> cut_into_tiles(const Scene& scene, const ModelMesh& mesh,
   }
   std::vector<TileGroup> groups;
   for (auto& [kind, elements] : members) {
-    // Tiles of one level are worked by themselves: each level needs several.
+    // Threads share the tiles of one level: each level needs several.
     const std::size_t together = levels.empty() ? count : elements.size();
     const std::int64_t size = tile_size(static_cast<std::int64_t>(together));
     groups.push_back({kind.first, kind.second, compact_tiles(centres, extents, std::move(elements), size, pack)});

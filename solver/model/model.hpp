@@ -31,7 +31,7 @@ struct ModelMesh {
   }
 };
 
-/// Elements of one material: consecutive tiles, worked by one specialised kernel.
+/// Elements of one material: consecutive tiles, computed by one specialised kernel.
 struct Part {
   std::int32_t material = 0;
   ElementFeatures features{};

@@ -108,7 +108,7 @@ void SceneTable::fail(std::string_view key, const std::string& problem) const {
   pinball::fail(where(key), key_path(key), problem);
 }
 
-void SceneTable::refuse(const std::optional<Problem>& problem) const {
+void SceneTable::require_none(const std::optional<Problem>& problem) const {
   if (problem) fail(problem->key, problem->text);
 }
 
@@ -175,7 +175,7 @@ std::string SceneTable::text(std::string_view key) const {
 
 std::string SceneTable::name(std::string_view key) const {
   const std::string name = text(key);
-  refuse(name_problem(name));
+  require_none(name_problem(name));
   return name;
 }
 

@@ -16,7 +16,7 @@ struct LayerRun {
   double stress = 0;          ///< mean axial stress between the fronts, compressive
   double energy_error = 0;
   double momentum_drift = 0;  ///< over the momentum of one half
-  double element_steps = 0;   ///< worked
+  double element_steps = 0;   ///< computed
 };
 
 LayerRun run_layer(const Scene& scene, bool subcycling) {

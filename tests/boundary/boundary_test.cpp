@@ -94,7 +94,7 @@ TEST(RigidWall, KeepsConstraintsAndHoldsBothOfTwoWalls) {
 TEST(RigidWall, NodesBehindItAreAnError) {
   Scene scene = scene_of({block("a", {1, 1, 1}, 0.1, {0, 0, -0.01})}, 1e-4, false);
   scene.rigid_walls = {{"wall", {{0, 0, 0}, {0, 0, 1}}, "", "scene.toml:7:1: rigid_wall.wall"}};
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(input_error_of(scene),
             "scene.toml:7:1: rigid_wall.wall: expected all nodes on the free side, a node of body a lies 0.01 "
             "behind the plane at the start");
 }
@@ -316,7 +316,7 @@ TEST(NodeSelection, WithoutNodesIsAnErrorThatNamesIt) {
   load.nodes.where = "scene.toml:7:1: load.0";
   load.nodes.body = "a";
   scene.loads = {load};
-  EXPECT_EQ(refusal(scene),
+  EXPECT_EQ(input_error_of(scene),
             "scene.toml:7:1: load.0: expected at least one node, there is none on the plane through (0.05, 0, 0) "
             "with normal (1, 0, 0), of body a");
 }

@@ -15,7 +15,7 @@
 #include <tests/support/program.hpp>
 #include <tests/support/scene_text.hpp>
 
-/// Checkpoints of the program: what a restart gives, what is refused, and what a killed or failed run leaves.
+/// Checkpoints of the program: what a restart gives, what is rejected, and what a killed or failed run leaves.
 namespace pinball {
 namespace {
 
@@ -33,7 +33,7 @@ class Checkpoints : public testing::Test {
     const Finished f = run("run --quiet " + arguments);
     EXPECT_EQ(f.status, 0) << arguments << '\n' << f.text;
   }
-  static void expect_refused(const std::string& arguments, const std::string& message) {
+  static void expect_input_error(const std::string& arguments, const std::string& message) {
     const Finished f = run("run --quiet " + arguments);
     EXPECT_EQ(f.status, 2) << arguments << '\n' << f.text;
     EXPECT_THAT(f.text, HasSubstr(message));
@@ -109,28 +109,28 @@ TEST_F(Checkpoints, ARunCanBeMadeLonger) {
   leave_checkpoint("two_blocks --set time.end=1e-4", 1000000);
   expect_done("--restart " + file_ + " --set time.end=1.5e-4");
   EXPECT_DOUBLE_EQ(nlohmann::json::parse(content(half_ + "/summary.json"))["end_time"].get<double>(), 1.5e-4);
-  expect_refused("--restart " + file_ + " --set time.end=0.5e-4", "time.end: expected at least");
+  expect_input_error("--restart " + file_ + " --set time.end=0.5e-4", "time.end: expected at least");
 }
 
-TEST_F(Checkpoints, KeysThatTheStateDependsOnAreRefused) {
+TEST_F(Checkpoints, KeysThatTheStateDependsOnAreRejected) {
   leave_checkpoint("two_blocks", 10);
   for (const char* change : {"contact.beta=2", "variant=fast", "output=1", "element.negative_volume=erode"}) {
-    expect_refused("--restart " + file_ + " --set " + change, "with --restart expected time.end");
+    expect_input_error("--restart " + file_ + " --set " + change, "with --restart expected time.end");
   }
-  expect_refused("--restart " + file_ + " --set output.intervall=1", "nearest is output.interval");
-  expect_refused("--restart " + file_ + " --refine 2", "neither --refine");
-  expect_refused("two_blocks --restart " + file_, "expected no SCENE");
-  expect_refused("", "expected a SCENE");
-  expect_refused("two_blocks --checkpoint-every 0", "--checkpoint-every");
-  expect_refused("--restart " + file_ + "s", "no such file");
-  expect_refused("--restart " + half_, "got a folder");
-  expect_refused("--restart " + half_ + "/history.csv", "expected a checkpoint of pinball");
+  expect_input_error("--restart " + file_ + " --set output.intervall=1", "nearest is output.interval");
+  expect_input_error("--restart " + file_ + " --refine 2", "neither --refine");
+  expect_input_error("two_blocks --restart " + file_, "expected no SCENE");
+  expect_input_error("", "expected a SCENE");
+  expect_input_error("two_blocks --checkpoint-every 0", "--checkpoint-every");
+  expect_input_error("--restart " + file_ + "s", "no such file");
+  expect_input_error("--restart " + half_, "got a folder");
+  expect_input_error("--restart " + half_ + "/history.csv", "expected a checkpoint of pinball");
 }
 
-TEST_F(Checkpoints, AHistoryThatDoesNotBelongToTheCheckpointIsRefused) {
+TEST_F(Checkpoints, AHistoryThatDoesNotBelongToTheCheckpointIsRejected) {
   leave_checkpoint("two_blocks", 25);
   std::ofstream(half_ + "/history.csv") << "# short\n";
-  expect_refused("--restart " + file_, "history.csv: expected the rows up to the time of the checkpoint");
+  expect_input_error("--restart " + file_, "history.csv: expected the rows up to the time of the checkpoint");
   expect_done("--restart " + file_ + " --out " + other_);
 }
 
@@ -163,10 +163,10 @@ $EndElements
   expect_done("--restart " + file_ + " --set time.steps=8");
   text.replace(text.find("7 1 1 1"), 7, "7 1 1 2");
   std::ofstream(mesh) << text;
-  expect_refused("--restart " + file_, "part.msh: is not what it was");
+  expect_input_error("--restart " + file_, "part.msh: is not what it was");
 }
 
-TEST_F(Checkpoints, DamagedFilesAreRefused) {
+TEST_F(Checkpoints, DamagedFilesAreRejected) {
   leave_checkpoint("two_blocks", 25);
   const std::string whole = content(file_), damaged = folder_ / "damaged.pinball";
   EXPECT_NO_THROW(read_checkpoint(file_));
@@ -187,7 +187,7 @@ TEST_F(Checkpoints, DamagedFilesAreRefused) {
     expect_error(bytes, "flipped at " + std::to_string(place));
   }
   expect_error(whole + 'x', "longer");
-  expect_refused("--restart " + damaged, "damaged");
+  expect_input_error("--restart " + damaged, "damaged");
 }
 
 /// Starts the program; returns its process.

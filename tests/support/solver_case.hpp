@@ -123,8 +123,8 @@ double kinetic_energy(const Solver<S>& solver) {
   return 0.5 * twice;
 }
 
-/// What building the solver of a scene is refused with; "" if it is not.
-inline std::string refusal(const Scene& scene) {
+/// The InputError that building the solver of a scene throws; "" if it throws none.
+inline std::string input_error_of(const Scene& scene) {
   try {
     const Solver<double> solver(scene);
   } catch (const InputError& error) {
