@@ -2,6 +2,8 @@
 #include <cmath>
 #include <utility>
 
+#include <solver/base/point.hpp>
+
 #include "cases.hpp"
 #include "solver_run.hpp"
 
@@ -42,8 +44,6 @@ double mesh_mass(const Solver<double>& solver, std::size_t body, double density)
   }
   return density * volume;
 }
-
-double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
 /// Sum over the bodies of |mass velocity|: what a drift of momentum is measured by where the total is zero.
 double momentum_scale(const HistoryRow& row) {

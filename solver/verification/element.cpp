@@ -5,6 +5,8 @@
 #include <random>
 #include <utility>
 
+#include <solver/base/point.hpp>
+
 #include "cases.hpp"
 #include "solver_run.hpp"
 
@@ -233,8 +235,8 @@ std::vector<VerificationRow> verify_spinning_block(const Scene& scene) {
   run_to_end(solver, [&] {
     // Direction of the bar: along one of its edges.
     const Point a = position_of(solver, 0), b = position_of(solver, elements);
-    Point axis{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    Point axis = minus(b, a);
+    const double length = norm(axis);
     for (double& c : axis) c /= length;
     const auto axial = [&](std::size_t element) {
       const Stress s = stress_of(solver, element);
