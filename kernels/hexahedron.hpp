@@ -29,7 +29,8 @@
 /// This equals the closed form of the paper to round-off; it costs twelve cross products instead of 24 sums of eighteen
 /// products, and neither velocity gradient nor forces ever need the 24 values B_iI themselves.
 ///
-/// Corner order: see pinball/solver/mesh.hpp; (-,-,-) (+,-,-) (+,+,-) (-,+,-) (-,-,+) (+,-,+) (+,+,+) (-,+,+).
+/// Corners 0 to 7 have the parent coordinates (-,-,-) (+,-,-) (+,+,-) (-,+,-) (-,-,+) (+,-,+) (+,+,+) (-,+,+): 0 to 3
+/// go counterclockwise around the bottom seen from the top, 4 to 7 lie above them.
 namespace pinball {
 
 /// Local nodes of the six faces in the order xi-, xi+, eta-, eta+, zeta-, zeta+; each counterclockwise seen from
@@ -180,13 +181,6 @@ PINBALL_FUNCTION Symmetric<T> gradient_square(const UniformGradient<T>& b) {
 template <class T>
 PINBALL_FUNCTION T face_area(const T& b_b) {
   return square_root(number<T>(2.0 / 3.0) * b_b);
-}
-
-/// The 24 values B_iI themselves, for what needs them per corner (tests, other elements).
-template <class T>
-PINBALL_FUNCTION void expand(const UniformGradient<T>& b, Vec3<T> (&corner)[8]) {
-  const Vec3<T> hourglass[4] = {b.hourglass[0], b.hourglass[1], b.hourglass[2], {T(0), T(0), T(0)}};
-  from_modes(b.linear, hourglass, corner);
 }
 
 /// Outward area vectors of the two faces across parent axis i (0 xi, 1 eta, 2 zeta) [length^2], exact for bilinear

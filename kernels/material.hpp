@@ -32,12 +32,6 @@ PINBALL_FUNCTION Symmetric<T> elastic_increment(const T& lambda, const T& mu, co
           two_mu * strain.zx};
 }
 
-/// Yield stress at plastic strain e: min(yield + H e, ultimate).
-template <class T>
-PINBALL_FUNCTION T yield_stress_at(const MaterialConstants<ScalarOf<T>>& m, const T& e) {
-  return minimum(T(m.yield_stress) + T(m.plastic_modulus) * e, T(m.ultimate_stress));
-}
-
 /// Returns the trial stress to the yield surface along the radius; exact for any strain increment, also across the
 /// ultimate stress. With q the effective trial stress, the increment dl of plastic strain solves
 ///

@@ -15,7 +15,7 @@ using Self = py::object;  // the Python object of a simulation: arrays keep it
 Simulation& of(const Self& self) { return self.cast<Simulation&>(); }
 
 /// Ctrl-C ends a run as it ends other Python code.
-AfterStep take_signals(Simulation&) {
+AfterStep check_signals(Simulation&) {
   const py::gil_scoped_acquire lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   return AfterStep::go_on;
@@ -23,7 +23,7 @@ AfterStep take_signals(Simulation&) {
 
 std::unique_ptr<Simulation> make(const Scene& scene, int threads) {
   auto simulation = std::make_unique<Simulation>(scene, SimulationOptions{threads});
-  simulation->on_step(take_signals);
+  simulation->on_step(check_signals);
   return simulation;
 }
 

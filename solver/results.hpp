@@ -118,10 +118,10 @@ struct RunSummary {
   std::string dt_limited_by;  ///< "element 17 of body rod" or "contact", at the smallest step
   double wall_seconds = 0.0;
   std::vector<PhaseSeconds> phases;
-  std::int64_t element_steps = 0;            ///< worked
-  std::int64_t element_steps_eroded = 0;     ///< not worked, because the element is eroded
-  std::int64_t element_steps_resting = 0;    ///< not worked, because its tile rests
-  std::int64_t element_steps_subcycled = 0;  ///< not worked, because the element makes a larger step
+  std::int64_t element_steps = 0;            ///< computed
+  std::int64_t element_steps_eroded = 0;     ///< not computed, because the element is eroded
+  std::int64_t element_steps_resting = 0;    ///< not computed, because its tile rests
+  std::int64_t element_steps_subcycled = 0;  ///< not computed, because the element makes a larger step
   Energies energy;                           ///< at the end
   double initial_total = 0.0, final_total = 0.0, balance_error_max = 0.0;
   Point momentum_initial{}, momentum_final{};

@@ -49,7 +49,7 @@ struct ElementSettings {
 
 struct SkipSettings {
   bool contact_search = true;  ///< skip.contact_search: lists of what may touch last while the skin allows it
-  bool resting = true;         ///< skip.resting: tiles of elements at rest or in free uniform flight are not worked
+  bool resting = true;         ///< skip.resting: tiles of elements at rest or in free uniform flight are not computed
 };
 
 struct GuardSettings {

@@ -18,6 +18,8 @@ inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+inline double norm(const Point& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+
 /// Subtracts the parts along an orthonormal basis; returns the length of what is left, which becomes a unit vector.
 inline double make_orthogonal(Point& d, const std::vector<Point>& basis) {
   for (const Point& b : basis) {

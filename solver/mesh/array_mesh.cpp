@@ -39,18 +39,18 @@ Mesh copy_mesh(const ArrayMesh& arrays) {
   check_shape(arrays.hexahedra, "hexahedra", 8, true);
   const std::int64_t nodes = arrays.coordinates.count, elements = arrays.hexahedra.count;
   Mesh mesh;
-  mesh.nodes.resize(static_cast<std::size_t>(nodes));
+  mesh.nodes.resize(nodes);
   for (std::int64_t n = 0; n < nodes; ++n) {
     for (std::int64_t k = 0; k < 3; ++k) {
       const double x = arrays.coordinates.number(n, k);
       if (!std::isfinite(x)) {
         throw InputError(fmt::format("mesh.coordinates[{}][{}]: expected a finite number, got {}", n, k, x));
       }
-      mesh.nodes[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)] = x;
+      mesh.nodes[n][k] = x;
     }
   }
   std::vector<bool> used(mesh.nodes.size(), false);
-  mesh.hexahedra.resize(static_cast<std::size_t>(elements));
+  mesh.hexahedra.resize(elements);
   for (std::int64_t e = 0; e < elements; ++e) {
     for (std::int64_t i = 0; i < 8; ++i) {
       const std::int64_t index = index_at(arrays.hexahedra, e, i);
@@ -60,8 +60,8 @@ Mesh copy_mesh(const ArrayMesh& arrays) {
                                      arrays.first_index, arrays.first_index + nodes - 1, index));
       }
       const std::int64_t node = index - arrays.first_index;
-      used[static_cast<std::size_t>(node)] = true;
-      mesh.hexahedra[static_cast<std::size_t>(e)][static_cast<std::size_t>(i)] = static_cast<std::int32_t>(node);
+      used[node] = true;
+      mesh.hexahedra[e][i] = static_cast<std::int32_t>(node);
     }
   }
   for (std::size_t n = 0; n < used.size(); ++n) {

@@ -13,8 +13,6 @@ double determinant(const Point& a, const Point& b, const Point& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-double norm(const Point& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
-
 /// Parent coordinates of the corners.
 constexpr int corner_signs[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                     {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
@@ -64,7 +62,7 @@ double worst_corner(const Hexahedron& nodes, const std::array<Point, 8>& x) {
 
 }  // namespace
 
-double hexahedron_volume(const std::array<Point, 8>& corners) {
+double volume_by_quadrature(const std::array<Point, 8>& corners) {
   // The Jacobian determinant is of degree 2 in each parent coordinate, so that 2 Gauss points in each are exact.
   const double gauss = 1.0 / std::sqrt(3.0);
   double volume = 0.0;
@@ -107,7 +105,7 @@ MeshQuality measure_quality(const Mesh& mesh) {
     quality.min_scaled_jacobian = std::min(quality.min_scaled_jacobian, worst);
     quality.mean_scaled_jacobian += worst;
     if (!(worst > 0.0)) ++quality.inverted;
-    quality.volume += hexahedron_volume(x);
+    quality.volume += volume_by_quadrature(x);
   }
   quality.mean_scaled_jacobian /= static_cast<double>(mesh.hexahedra.size());
   return quality;

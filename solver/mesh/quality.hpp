@@ -21,7 +21,9 @@ struct MeshQuality {
 /// All zero for a mesh without elements.
 MeshQuality measure_quality(const Mesh& mesh);
 
-/// Exact volume of the trilinear hexahedron with these corners, negative if it is turned inside out [length^3].
-double hexahedron_volume(const std::array<Point, 8>& corners);
+/// Exact volume of the trilinear hexahedron with these corners by Gauss quadrature, negative if it is turned inside out
+/// [length^3]. Masses are made of it: they owe nothing to the closed form of the kernels (hexahedron_of_points.hpp),
+/// from which it differs by round-off.
+double volume_by_quadrature(const std::array<Point, 8>& corners);
 
 }  // namespace pinball

@@ -82,7 +82,7 @@ SectionMesh disc_section(const std::array<int, 2>& counts, int ring, const std::
   SectionMesh mesh;
   // Numbers of the first core node of each row, and of the nodes of the columns by their point of the core's boundary.
   const auto core = [&](int i, int j) { return (j - j0) * (p - i0 + 1) + i - i0; };
-  std::vector<std::int32_t> column(static_cast<std::size_t>(core(p, q)) + 1, -1);
+  std::vector<std::int32_t> column(core(p, q) + 1, -1);
   for (int j = j0; j <= q; ++j)
     for (int i = i0; i <= p; ++i) mesh.nodes.push_back(disc.core_point(i, j));
   for (int j = j0; j <= q; ++j)

@@ -24,15 +24,13 @@ std::vector<std::uint8_t> find_exposed_faces(const ModelMesh& mesh, const std::v
                                              const std::vector<std::array<std::int32_t, 6>>& neighbours) {
   std::vector<std::uint8_t> exposed(neighbours.size(), 0);
   for (std::size_t e = 0; e < neighbours.size(); ++e) {
-    const std::string& body = mesh.body_names[static_cast<std::size_t>(mesh.body[e])];
+    const std::string& body = mesh.body_of_element(e);
     for (unsigned f = 0; f < 6; ++f) {
       if (neighbours[e][f] != -1) continue;
       const auto continued_by = [&](const PlaneConstraint& plane) {
         if (!plane.body.empty() && plane.body != body) return false;
-        return std::all_of(std::begin(face_nodes[f]), std::end(face_nodes[f]), [&](int corner) {
-          const auto node = static_cast<std::size_t>(mesh.hexahedra[e][static_cast<std::size_t>(corner)]);
-          return in_plane(mesh.nodes[node], plane);
-        });
+        return std::all_of(std::begin(face_nodes[f]), std::end(face_nodes[f]),
+                           [&](int corner) { return in_plane(mesh.corner(e, corner), plane); });
       };
       if (std::none_of(symmetry.begin(), symmetry.end(), continued_by)) {
         exposed[e] |= static_cast<std::uint8_t>(1U << f);

@@ -42,14 +42,12 @@ Bounds common(const Bounds& a, const Bounds& b) {
 double depth_in(const ModelMesh& mesh, std::size_t element, const Point& x) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& face : face_nodes) {
-    const auto corner = [&](std::size_t i) -> const Point& {
-      return mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][static_cast<std::size_t>(face[i])])];
-    };
+    const auto corner = [&](int i) -> const Point& { return mesh.corner(element, face[i]); };
     const Point normal = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
     const double length = std::hypot(normal[0], normal[1], normal[2]);
     if (!(length > 0)) continue;
     Point centre{};
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i) {
       for (std::size_t k = 0; k < 3; ++k) centre[k] += corner(i)[k] / 4;
     }
     const Point to = minus(centre, x);
@@ -67,10 +65,10 @@ class Grid {
       cells_[k] = static_cast<int>(most);
       scale_[k] = box.high[k] > box.low[k] ? cells_[k] / (box.high[k] - box.low[k]) : 0.0;
     }
-    cell_.resize(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2]);
+    cell_.resize(cells_[0] * cells_[1] * cells_[2]);
     for (const std::size_t e : elements) {
       Bounds own;
-      for (const std::int32_t node : mesh.hexahedra[e]) own.take(mesh.nodes[static_cast<std::size_t>(node)]);
+      for (const Point& corner : mesh.corners(e)) own.take(corner);
       if (common(own, box).empty()) continue;
       const auto low = place(own.low), high = place(own.high);
       for (int z = low[2]; z <= high[2]; ++z) {
@@ -90,8 +88,8 @@ class Grid {
     }
     return cell;
   }
-  std::size_t number(const std::array<int, 3>& cell) const {
-    return (static_cast<std::size_t>(cell[2]) * cells_[1] + cell[1]) * cells_[0] + cell[0];
+  int number(const std::array<int, 3>& cell) const {  // 10^6 cells at most
+    return (cell[2] * cells_[1] + cell[1]) * cells_[0] + cell[0];
   }
 
   Bounds box_;
@@ -121,8 +119,8 @@ std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const Bod
     const Point centre = element_centre(mesh, e);
     look(centre);
     // Nodes and centres of regular meshes may all lie on faces of the other body's elements.
-    for (const std::int32_t node : mesh.hexahedra[e]) {
-      const Point to = minus(mesh.nodes[static_cast<std::size_t>(node)], centre);
+    for (const Point& corner : mesh.corners(e)) {
+      const Point to = minus(corner, centre);
       look({centre[0] + 0.55 * to[0], centre[1] + 0.55 * to[1], centre[2] + 0.55 * to[2]});
     }
   }
@@ -134,12 +132,12 @@ std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const Bod
 InitialOverlap find_initial_overlap(const ModelMesh& mesh) {
   std::vector<BodyParts> bodies(mesh.body_names.size());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    BodyParts& body = bodies[static_cast<std::size_t>(mesh.body_of_node[n])];
+    BodyParts& body = bodies[mesh.body_of_node[n]];
     body.box.take(mesh.nodes[n]);
     body.nodes.push_back(n);
   }
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    bodies[static_cast<std::size_t>(mesh.body[e])].elements.push_back(e);
+    bodies[mesh.body[e]].elements.push_back(e);
   }
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < bodies.size(); ++b) {

@@ -85,19 +85,119 @@ std::vector<TileGroup> cut_into_tiles(const Scene& scene, const ModelMesh& mesh,
   std::map<std::pair<std::size_t, std::uint8_t>, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
   for (std::size_t e = 0; e < count; ++e) {
-    const std::size_t material = material_of_body[static_cast<std::size_t>(mesh.body[e])];
+    const std::size_t material = material_of_body[mesh.body[e]];
     members[{material, levels.empty() ? std::uint8_t{0} : levels[e]}].push_back(static_cast<std::int32_t>(e));
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
   }
   std::vector<TileGroup> groups;
   for (auto& [kind, elements] : members) {
-    // Tiles of one level are worked by themselves: each level needs several.
+    // Threads share the tiles of one level: each level needs several.
     const std::size_t together = levels.empty() ? count : elements.size();
     const std::int64_t size = tile_size(static_cast<std::int64_t>(together));
     groups.push_back({kind.first, kind.second, compact_tiles(centres, extents, std::move(elements), size, pack)});
   }
   return groups;
+}
+
+using Hexahedra = std::vector<std::array<std::int32_t, 8>>;
+
+/// One part per material; returns what the elements of all of them need to store.
+template <class S>
+ElementStoreFeatures add_materials(Model<S>& model) {
+  ElementStoreFeatures stored;
+  for (const Material& material : model.scene.materials) {
+    model.constants.push_back(constants_of<S>(model.scene, material));
+    const ElementFeatures f = features_of(model.scene, material, model.constants.back().erode_negative_volume);
+    model.parts.push_back({static_cast<std::int32_t>(model.parts.size()), f});
+    stored.plastic |= f.plastic;
+    stored.erosion |= f.erosion;
+    stored.bulk_viscosity |= f.bulk_viscosity;
+    stored.hourglass_force |= keeps_hourglass_force(f.hourglass);
+  }
+  return stored;
+}
+
+/// Tiles, each of whole packs of one material, and their colours; returns the elements in the order of their slots.
+template <class S>
+Hexahedra add_tiles(Model<S>& model) {
+  constexpr int W = ElementStore<S>::width;
+  const ElementLevels levels =
+      model.scene.time.subcycling ? element_step_levels(model.scene, model.mesh) : ElementLevels{};
+  Hexahedra ordered;
+  std::vector<std::int32_t> tile_elements{0};
+  model.tile_packs.push_back(0);
+  model.slot_of_element.resize(model.mesh.hexahedra.size());
+  for (const auto& [material, level, tiles] : cut_into_tiles(model.scene, model.mesh, levels.level, W)) {
+    for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
+      const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
+      const std::int64_t pack = model.tile_packs.back();
+      std::uint8_t own = highest_step_level;
+      for (std::int64_t i = first; i < last; ++i) {
+        const std::int32_t e = tiles.order[i];
+        if (!levels.own.empty()) own = std::min(own, levels.own[e]);
+        model.slot_of_element[e] = pack * W + (i - first);
+        model.element_of_slot.push_back(e);
+        ordered.push_back(model.mesh.hexahedra[e]);
+      }
+      model.tile_packs.push_back(pack + (last - first + W - 1) / W);
+      model.element_of_slot.resize(model.tile_packs.back() * W, -1);
+      model.tile_part.push_back(static_cast<std::int32_t>(material));
+      if (!levels.own.empty()) model.tile_levels.push_back({level, own});
+      tile_elements.push_back(static_cast<std::int32_t>(ordered.size()));
+    }
+  }
+  model.tile_colours = colour_tiles(tile_elements, ordered, static_cast<std::int32_t>(model.mesh.nodes.size()));
+  return ordered;
+}
+
+template <class S>
+void fill_nodes(Model<S>& model) {
+  model.nodes = NodeStore<S>(static_cast<std::int32_t>(model.mesh.nodes.size()));
+  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
+    S* position = model.nodes.position_of(model.node_of_scene_node[n]);
+    for (std::size_t k = 0; k < 3; ++k) position[k] = static_cast<S>(model.mesh.nodes[n][k]);
+  }
+}
+
+/// Corners and masses of the elements, and the masses of the nodes: an eighth of each of their elements.
+template <class S>
+void fill_elements(Model<S>& model, const ElementStoreFeatures& features) {
+  model.elements = ElementStore<S>(model.tile_packs.back(), features);
+  model.element_mass.resize(model.mesh.hexahedra.size());
+  model.node_mass.assign(model.mesh.nodes.size(), 0.0);
+  std::vector<double> density_of_body;
+  for (const Body& body : model.scene.bodies) {
+    density_of_body.push_back(model.scene.materials[material_index(model.scene, body.material)].density);
+  }
+  std::int32_t e = 0;
+  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
+    const bool padding = model.is_padding(slot);
+    if (!padding) {
+      e = model.element_of_slot[slot];
+      model.element_mass[e] = density_of_body[model.mesh.body[e]] * element_volume(model.mesh, e);
+      model.elements.mass[slot] = static_cast<S>(model.element_mass[e]);
+    }
+    for (int i = 0; i < 8; ++i) {  // of padding: those of the element before it
+      const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
+      model.elements.corner[ElementStore<S>::at(slot, i, 8)] = node;
+      if (!padding) model.node_mass[node] += model.element_mass[e] / 8;
+    }
+  }
+}
+
+template <class S>
+void invert_node_masses(Model<S>& model) {
+  for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
+    const S inverse = static_cast<S>(1.0 / model.node_mass[n]);
+    if (!(inverse > S(0)) || !std::isfinite(inverse)) {
+      throw InputError(fmt::format(
+          "{}a node has the mass {:.6g}, which {} precision cannot divide by: expected another density, "
+          "size of elements or unit of mass",
+          message_head(model.scene), model.node_mass[n], sizeof(S) == sizeof(double) ? "double" : "single"));
+    }
+    model.nodes.inverse_mass[n] = inverse;
+  }
 }
 
 template <class S>
@@ -106,7 +206,7 @@ void set_initial_velocity(Model<S>& model) {
   std::vector<Point> centroid(bodies, Point{});
   std::vector<double> mass(bodies, 0.0);
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    const auto b = static_cast<std::size_t>(model.mesh.body[e]);
+    const std::int32_t b = model.mesh.body[e];
     const Point c = element_centre(model.mesh, e);
     for (std::size_t k = 0; k < 3; ++k) centroid[b][k] += model.element_mass[e] * c[k];
     mass[b] += model.element_mass[e];
@@ -117,22 +217,23 @@ void set_initial_velocity(Model<S>& model) {
   std::mt19937_64 random(20240101);  // the same noise in every run
   const auto noise = [&random] { return 2.0 * (static_cast<double>(random() >> 11) * 0x1.0p-53) - 1.0; };
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    const auto b = static_cast<std::size_t>(model.mesh.body_of_node[n]);
+    const std::int32_t b = model.mesh.body_of_node[n];
     const Body& body = model.scene.bodies[b];
     Point v = body.velocity;
     const Point r = minus(model.mesh.nodes[n], centroid[b]);
     const Point spin = cross(body.angular_velocity, r);
+    S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& g = body.velocity_gradient[k];
       v[k] += spin[k] + g[0] * r[0] + g[1] * r[1] + g[2] * r[2];
       if (body.velocity_noise > 0) v[k] += body.velocity_noise * noise();
-      model.nodes.velocity[4 * static_cast<std::size_t>(model.node_of_scene_node[n]) + k] = static_cast<S>(v[k]);
+      velocity[k] = static_cast<S>(v[k]);
     }
   }
   for (const InitialVelocity& given : model.scene.initial_velocities) {
     for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
-      const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[static_cast<std::size_t>(n)]);
-      for (std::size_t k = 0; k < 3; ++k) model.nodes.velocity[place + k] = static_cast<S>(given.velocity[k]);
+      S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
+      for (std::size_t k = 0; k < 3; ++k) velocity[k] = static_cast<S>(given.velocity[k]);
     }
   }
 }
@@ -144,7 +245,7 @@ std::size_t material_index(const Scene& scene, const std::string& name) {
       std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
   if (found == scene.materials.end())
     throw InputError(fmt::format("{}no material named {}", message_head(scene), name));
-  return static_cast<std::size_t>(found - scene.materials.begin());
+  return found - scene.materials.begin();
 }
 
 template <class S>
@@ -157,96 +258,20 @@ std::size_t Model<S>::bytes() const {
 
 template <class S>
 Model<S> build_model(const Scene& given) {
-  constexpr int W = ElementStore<S>::width;
   Model<S> model;
   model.scene = given;
   complete_scene(model.scene);
-  const Scene& scene = model.scene;
-  model.mesh = build_mesh(scene);
+  model.mesh = build_mesh(model.scene);
   for (Body& body : model.scene.bodies) {
     if (std::holds_alternative<ArrayMesh>(body.mesh)) body.mesh = ArrayMesh{};  // the host's arrays may go now
   }
-  const std::size_t count = model.mesh.hexahedra.size();
-
-  ElementStoreFeatures store_features;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const Material& material = scene.materials[m];
-    model.constants.push_back(constants_of<S>(scene, material));
-    const ElementFeatures f = features_of(scene, material, model.constants.back().erode_negative_volume);
-    model.parts.push_back({static_cast<std::int32_t>(m), f});
-    store_features.plastic |= f.plastic;
-    store_features.erosion |= f.erosion;
-    store_features.bulk_viscosity |= f.bulk_viscosity;
-    store_features.hourglass_force |= keeps_hourglass_force(f.hourglass);
-  }
-
-  // Tiles: whole packs of one material.
-  const ElementLevels levels = scene.time.subcycling ? element_step_levels(scene, model.mesh) : ElementLevels{};
-  std::vector<std::array<std::int32_t, 8>> ordered;
-  std::vector<std::int32_t> tile_elements{0};
-  model.tile_packs.push_back(0);
-  model.slot_of_element.resize(count);
-  for (const auto& [material, level, tiles] : cut_into_tiles(scene, model.mesh, levels.level, W)) {
-    for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
-      const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
-      const std::int64_t pack = model.tile_packs.back();
-      std::uint8_t own = highest_step_level;
-      for (std::int64_t i = first; i < last; ++i) {
-        const std::int32_t e = tiles.order[static_cast<std::size_t>(i)];
-        if (!levels.own.empty()) own = std::min(own, levels.own[static_cast<std::size_t>(e)]);
-        model.slot_of_element[static_cast<std::size_t>(e)] = pack * W + (i - first);
-        model.element_of_slot.push_back(e);
-        ordered.push_back(model.mesh.hexahedra[static_cast<std::size_t>(e)]);
-      }
-      model.tile_packs.push_back(pack + (last - first + W - 1) / W);
-      model.element_of_slot.resize(static_cast<std::size_t>(model.tile_packs.back() * W), -1);
-      model.tile_part.push_back(static_cast<std::int32_t>(material));
-      if (!levels.own.empty()) model.tile_levels.push_back({level, own});
-      tile_elements.push_back(static_cast<std::int32_t>(ordered.size()));
-    }
-  }
+  const ElementStoreFeatures features = add_materials(model);
+  const Hexahedra ordered = add_tiles(model);
   const auto node_count = static_cast<std::int32_t>(model.mesh.nodes.size());
-  model.tile_colours = colour_tiles(tile_elements, ordered, node_count);
-
   model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
-
-  // Stores
-  model.nodes = NodeStore<S>(node_count);
-  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[n]);
-    for (std::size_t k = 0; k < 3; ++k) model.nodes.position[place + k] = static_cast<S>(model.mesh.nodes[n][k]);
-  }
-  model.elements = ElementStore<S>(model.tile_packs.back(), store_features);
-  model.element_mass.resize(count);
-  model.node_mass.assign(model.mesh.nodes.size(), 0.0);
-  std::int64_t real = 0;  // the last real slot: padding repeats its nodes
-  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
-    const std::int32_t element = model.element_of_slot[static_cast<std::size_t>(slot)];
-    if (element >= 0) real = slot;
-    const auto e = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(real)]);
-    for (int i = 0; i < 8; ++i) {
-      const std::int32_t node =
-          model.node_of_scene_node[static_cast<std::size_t>(model.mesh.hexahedra[e][static_cast<std::size_t>(i)])];
-      model.elements.corner[ElementStore<S>::at(slot, i, 8)] = node;
-      if (element >= 0 && i == 0) {
-        const Body& body = scene.bodies[static_cast<std::size_t>(model.mesh.body[e])];
-        const Material& material = scene.materials[material_index(scene, body.material)];
-        model.element_mass[e] = material.density * element_volume(model.mesh, e);
-        model.elements.mass[static_cast<std::size_t>(slot)] = static_cast<S>(model.element_mass[e]);
-      }
-      if (element >= 0) model.node_mass[static_cast<std::size_t>(node)] += model.element_mass[e] / 8;
-    }
-  }
-  for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
-    const S inverse = static_cast<S>(1.0 / model.node_mass[n]);
-    if (!(inverse > S(0)) || !std::isfinite(inverse)) {
-      throw InputError(
-          fmt::format("{}a node has the mass {:.6g}, which {} precision cannot divide by: expected another density, "
-                      "size of elements or unit of mass",
-                      message_head(scene), model.node_mass[n], sizeof(S) == sizeof(double) ? "double" : "single"));
-    }
-    model.nodes.inverse_mass[n] = inverse;
-  }
+  fill_nodes(model);
+  fill_elements(model, features);
+  invert_node_masses(model);
   add_constraints(model);
   set_initial_velocity(model);
   return model;

@@ -19,9 +19,19 @@ struct ModelMesh {
   std::vector<std::int32_t> body;          ///< per element
   std::vector<std::int32_t> body_of_node;  ///< per node
   std::vector<std::string> body_names;
+
+  std::int64_t element_count() const { return static_cast<std::int64_t>(hexahedra.size()); }
+  const std::string& body_of_element(std::int64_t element) const { return body_names[body[element]]; }
+  /// Place of corner 0 to 7 of an element [length].
+  const Point& corner(std::int64_t element, int i) const { return nodes[hexahedra[element][i]]; }
+  std::array<Point, 8> corners(std::int64_t element) const {
+    std::array<Point, 8> points;
+    for (int i = 0; i < 8; ++i) points[i] = corner(element, i);
+    return points;
+  }
 };
 
-/// Elements of one material: consecutive tiles, worked by one specialised kernel.
+/// Elements of one material: consecutive tiles, computed by one specialised kernel.
 struct Part {
   std::int32_t material = 0;
   ElementFeatures features{};
@@ -47,6 +57,23 @@ struct NodePrescription {
 struct TileLevels {
   std::uint8_t highest;  ///< level of all its elements
   std::uint8_t own;      ///< lowest level that its elements would have by themselves
+};
+
+/// Consecutive slots, for `for (const std::int64_t slot : range)`.
+struct SlotRange {
+  std::int64_t first = 0, last = 0;  ///< of them, and the one after them
+
+  struct Iterator {
+    std::int64_t slot;
+    std::int64_t operator*() const { return slot; }
+    Iterator& operator++() {
+      ++slot;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+  };
+  Iterator begin() const { return {first}; }
+  Iterator end() const { return {last}; }
 };
 
 /// A scene made ready to run: stores, tiles and colours, and the maps between the order of the scene and that of the
@@ -75,8 +102,14 @@ struct Model {
   std::vector<double> element_mass;              ///< initial, per element of the scene [mass]
   std::vector<double> node_mass;                 ///< per node of the store [mass]
 
-  std::int64_t element_count() const { return static_cast<std::int64_t>(mesh.hexahedra.size()); }
+  std::int64_t element_count() const { return mesh.element_count(); }
   std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
+  /// Slots of a tile, its padding among them.
+  SlotRange slots_of(std::int64_t tile) const {
+    constexpr int W = ElementStore<S>::width;
+    return {tile_packs[tile] * W, tile_packs[tile + 1] * W};
+  }
+  bool is_padding(std::int64_t slot) const { return element_of_slot[slot] < 0; }
   std::size_t bytes() const;  ///< of all arrays of the size of the mesh
 };
 

@@ -10,8 +10,8 @@ namespace pinball {
 
 namespace {
 
-/// A direction in which something holds a node, before those of one node are made orthogonal.
-struct Held {
+/// A direction in which the velocity of a node is given, before those of one node are made orthogonal.
+struct GivenDirection {
   std::int32_t node = 0;    ///< of the store
   Point direction{};        ///< of unit length
   double speed = 0;         ///< along it [length/time]
@@ -49,10 +49,10 @@ template <class S>
 void add_constraints(Model<S>& model) {
   const Scene& scene = model.scene;
   const double tolerance = 1e-9 * mesh_size(model.mesh);
-  std::vector<Held> held;
+  std::vector<GivenDirection> directions;
   const auto hold = [&](std::int32_t scene_node, const Point& direction, double speed, std::int32_t table) {
-    const std::int32_t node = model.node_of_scene_node[static_cast<std::size_t>(scene_node)];
-    held.push_back({node, direction, speed, table});
+    const std::int32_t node = model.node_of_scene_node[scene_node];
+    directions.push_back({node, direction, speed, table});
   };
   for (const PlaneConstraint& plane : scene.constraints) {
     const NodeSelection on_plane{.body = plane.body, .plane = Plane{plane.point, plane.normal}};
@@ -60,7 +60,7 @@ void add_constraints(Model<S>& model) {
   }
   for (const FixedConstraint& fixed : scene.fixed_constraints) {
     for (const std::int32_t n : select_nodes(model.mesh, fixed.nodes)) {
-      const Point& place = model.mesh.nodes[static_cast<std::size_t>(n)];
+      const Point& place = model.mesh.nodes[n];
       for (const Point& d : directions_at(fixed, place, tolerance)) hold(n, d, 0, -1);
     }
   }
@@ -82,11 +82,12 @@ void add_constraints(Model<S>& model) {
 
   // Orthonormal per node, so that removing one direction leaves the others removed. Constraints come first, then what
   // is first in the file.
-  std::stable_sort(held.begin(), held.end(), [](const Held& a, const Held& b) { return a.node < b.node; });
+  std::stable_sort(directions.begin(), directions.end(),
+                   [](const GivenDirection& a, const GivenDirection& b) { return a.node < b.node; });
   std::vector<Point> basis;
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    const Held& h = held[i];
-    if (i == 0 || h.node != held[i - 1].node) basis.clear();
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const GivenDirection& h = directions[i];
+    if (i == 0 || h.node != directions[i - 1].node) basis.clear();
     Point d = h.direction;
     const double length = make_orthogonal(d, basis);
     if (length < 1e-6) continue;
@@ -97,7 +98,7 @@ void add_constraints(Model<S>& model) {
       continue;
     }
     // Of a whole velocity, what is left along d; of a speed along one direction, what gives it that component.
-    const PrescribedVelocity& given = scene.prescribed_velocities[static_cast<std::size_t>(h.table)];
+    const PrescribedVelocity& given = scene.prescribed_velocities[h.table];
     const double speed = given.direction ? h.speed / length : dot(given.velocity, d);
     model.prescribed.push_back({h.node, {x, y, z}, static_cast<S>(speed), h.table});
   }

@@ -12,27 +12,23 @@
 namespace pinball {
 
 double element_volume(const ModelMesh& mesh, std::size_t element) {
-  std::array<Point, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) {
-    corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][i])];
-  }
-  return hexahedron_volume(corners);
+  return volume_by_quadrature(mesh.corners(element));
 }
 
 Point element_centre(const ModelMesh& mesh, std::size_t element) {
   Point centre{};
-  for (const std::int32_t node : mesh.hexahedra[element]) {
-    for (std::size_t k = 0; k < 3; ++k) centre[k] += mesh.nodes[static_cast<std::size_t>(node)][k] / 8;
+  for (const Point& corner : mesh.corners(element)) {
+    for (std::size_t k = 0; k < 3; ++k) centre[k] += corner[k] / 8;
   }
   return centre;
 }
 
 Point element_extent(const ModelMesh& mesh, std::size_t element) {
-  Point low = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][0])], high = low;
-  for (const std::int32_t node : mesh.hexahedra[element]) {
+  Point low = mesh.corner(element, 0), high = low;
+  for (const Point& corner : mesh.corners(element)) {
     for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], mesh.nodes[static_cast<std::size_t>(node)][k]);
-      high[k] = std::max(high[k], mesh.nodes[static_cast<std::size_t>(node)][k]);
+      low[k] = std::min(low[k], corner[k]);
+      high[k] = std::max(high[k], corner[k]);
     }
   }
   return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
@@ -41,11 +37,10 @@ Point element_extent(const ModelMesh& mesh, std::size_t element) {
 namespace {
 
 /// Largest distance of a corner from the first one: 0 only if all are the same point.
-double diameter(const ModelMesh& mesh, const std::array<std::int32_t, 8>& hexahedron) {
+double diameter(const std::array<Point, 8>& corners) {
   double largest = 0;
-  const Point& a = mesh.nodes[static_cast<std::size_t>(hexahedron[0])];
-  for (const std::int32_t node : hexahedron) {
-    const Point& b = mesh.nodes[static_cast<std::size_t>(node)];
+  const Point& a = corners[0];
+  for (const Point& b : corners) {
     largest = std::max(largest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
   }
   return largest;
@@ -85,9 +80,10 @@ ModelMesh build_mesh(const Scene& scene) {
       std::array<std::int32_t, 8> hexahedron = mesh.hexahedra[e];
       for (std::int32_t& node : hexahedron) node += offset;
       all.hexahedra.push_back(hexahedron);
-      const double volume = element_volume(all, all.hexahedra.size() - 1);
+      const std::array<Point, 8> corners = all.corners(all.element_count() - 1);
+      const double volume = volume_by_quadrature(corners);
       // A flat element has a volume of round-off, of either sign.
-      if (!(volume > 1e-12 * std::pow(diameter(all, hexahedron), 3))) {
+      if (!(volume > 1e-12 * std::pow(diameter(corners), 3))) {
         throw InputError(fmt::format("{}body {}: element {} is inverted or flat: its volume is {:.6g}, expected > 0",
                                      message_head(scene), body.name, e, volume));
       }

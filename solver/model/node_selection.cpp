@@ -57,7 +57,7 @@ std::vector<std::int32_t> matching_nodes(const ModelMesh& mesh, const NodeSelect
   std::vector<std::int32_t> nodes;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const Point& p = mesh.nodes[n];
-    const std::string& body = mesh.body_names[static_cast<std::size_t>(mesh.body_of_node[n])];
+    const std::string& body = mesh.body_names[mesh.body_of_node[n]];
     if (!selection.body.empty() && selection.body != body) continue;
     const auto& plane = selection.plane;
     if (plane && std::abs(dot(minus(p, plane->point), plane->normal)) > tolerance) continue;
@@ -67,7 +67,7 @@ std::vector<std::int32_t> matching_nodes(const ModelMesh& mesh, const NodeSelect
   }
   if (!selection.nearest || nodes.empty()) return nodes;
   const auto square = [&](std::int32_t n) {
-    const Point d = minus(mesh.nodes[static_cast<std::size_t>(n)], *selection.nearest);
+    const Point d = minus(mesh.nodes[n], *selection.nearest);
     return dot(d, d);
   };
   return {*std::min_element(nodes.begin(), nodes.end(),

@@ -17,13 +17,9 @@ struct DueSpans {
   const std::vector<std::int8_t>* level_of_span = nullptr;  ///< null: all are due
   int level = 0;                                            ///< the highest that is due
 
-  bool contain(std::int64_t span) const {
-    return level_of_span == nullptr || (*level_of_span)[static_cast<std::size_t>(span)] <= level;
-  }
+  bool contain(std::int64_t span) const { return level_of_span == nullptr || (*level_of_span)[span] <= level; }
   /// Steps that the nodes of a span make at once.
-  int steps(std::int64_t span) const {
-    return level_of_span == nullptr ? 1 : 1 << (*level_of_span)[static_cast<std::size_t>(span)];
-  }
+  int steps(std::int64_t span) const { return level_of_span == nullptr ? 1 : 1 << (*level_of_span)[span]; }
 };
 
 }  // namespace pinball

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <kernels/hexahedron.hpp>
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/faces.hpp>
+#include <solver/base/hexahedron_of_points.hpp>
 
 #include "exposed_faces.hpp"
 #include "node_selection.hpp"
@@ -51,7 +51,7 @@ void for_each_node_acted_on(const Scene& scene, const ModelMesh& mesh, const Vis
   for (std::size_t e = 0; e < exposed.size(); ++e) {
     for (unsigned f = 0; f < 6; ++f) {
       if ((exposed[e] >> f & 1U) == 0) continue;
-      for (const int corner : face_nodes[f]) visit(mesh.hexahedra[e][static_cast<std::size_t>(corner)]);
+      for (const int corner : face_nodes[f]) visit(mesh.hexahedra[e][corner]);
     }
   }
 }
@@ -96,12 +96,7 @@ std::vector<int> choose_levels(const std::vector<StepGroup>& groups, double ever
 }
 
 double element_stable_step(const ModelMesh& mesh, std::size_t element, const Material& material) {
-  Vec3<double> corner[8];
-  for (std::size_t i = 0; i < 8; ++i) {
-    const Point& p = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][i])];
-    corner[i] = {p[0], p[1], p[2]};
-  }
-  const HexahedronModes<double> x = to_modes(corner);
+  const HexahedronModes<double> x = modes_of(mesh.corners(element));
   const UniformGradient<double> b = uniform_gradient(x);
   const double volume = hexahedron_volume(b, x);
   const Symmetric<double> b_b = gradient_square(b);
@@ -120,7 +115,7 @@ ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh) {
   }
   std::vector<double> stable_steps(count);
   for (std::size_t e = 0; e < count; ++e) {
-    stable_steps[e] = element_stable_step(mesh, e, *of_body[static_cast<std::size_t>(mesh.body[e])]);
+    stable_steps[e] = element_stable_step(mesh, e, *of_body[mesh.body[e]]);
   }
   const double least = *std::min_element(stable_steps.begin(), stable_steps.end());
   const std::vector<StepGroup> groups = histogram(stable_steps, least);
@@ -128,17 +123,17 @@ ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh) {
 
   ElementLevels levels;
   std::vector<std::uint8_t> of_node(mesh.nodes.size(), highest_step_level);
-  for_each_node_acted_on(scene, mesh, [&](std::int32_t n) { of_node[static_cast<std::size_t>(n)] = 0; });
+  for_each_node_acted_on(scene, mesh, [&](std::int32_t n) { of_node[n] = 0; });
   for (std::size_t e = 0; e < count; ++e) {
     levels.own.push_back(static_cast<std::uint8_t>(level_for({stable_steps[e], 1, highest_step_level}, step)));
     for (const std::int32_t n : mesh.hexahedra[e]) {
-      std::uint8_t& node = of_node[static_cast<std::size_t>(n)];
+      std::uint8_t& node = of_node[n];
       node = std::min(node, levels.own.back());
     }
   }
   for (const auto& hexahedron : mesh.hexahedra) {
     std::uint8_t level = highest_step_level;
-    for (const std::int32_t n : hexahedron) level = std::min(level, of_node[static_cast<std::size_t>(n)]);
+    for (const std::int32_t n : hexahedron) level = std::min(level, of_node[n]);
     levels.level.push_back(level);
   }
   return levels;

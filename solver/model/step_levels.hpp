@@ -21,8 +21,8 @@ struct StepGroup {
 /// The step of level 0 that a choice of levels leaves: the smallest stable_step / 2^level [time].
 double smallest_step(const std::vector<StepGroup>& groups, const std::vector<int>& levels);
 
-/// Work per time: element steps, and `every_step` of them for what each smallest step costs however few elements are
-/// worked in it [1/time].
+/// Work per time: element steps, and `every_step` of them for what each smallest step costs however few elements
+/// make it [1/time].
 double work_per_time(const std::vector<StepGroup>& groups, const std::vector<int>& levels, double every_step);
 
 /// The levels with the least work per time. The smallest step may come out smaller than the smallest stable step, where

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <kernels/element_update.hpp>
@@ -19,14 +20,21 @@ struct NodeStore {
   AlignedArray<S> inverse_mass;  ///< one per node; 0 for a node of no element [1/mass]
 
   explicit NodeStore(std::int32_t n = 0)
-      : count(n),
-        position(4 * static_cast<std::size_t>(n)),
-        velocity(4 * static_cast<std::size_t>(n)),
-        force(4 * static_cast<std::size_t>(n)),
-        inverse_mass(static_cast<std::size_t>(n)) {}
+      : count(n), position(place(n)), velocity(place(n)), force(place(n)), inverse_mass(n) {}
+
+  /// The record of four numbers of a node.
+  S* position_of(std::int64_t node) { return position.data() + place(node); }
+  S* velocity_of(std::int64_t node) { return velocity.data() + place(node); }
+  S* force_of(std::int64_t node) { return force.data() + place(node); }
+  const S* position_of(std::int64_t node) const { return position.data() + place(node); }
+  const S* velocity_of(std::int64_t node) const { return velocity.data() + place(node); }
+  const S* force_of(std::int64_t node) const { return force.data() + place(node); }
 
   NodeView<S> view() { return {position.data(), velocity.data(), force.data()}; }
   std::size_t bytes() const { return position.bytes() + velocity.bytes() + force.bytes() + inverse_mass.bytes(); }
+
+ private:
+  static constexpr std::int64_t place(std::int64_t node) { return 4 * node; }
 };
 
 /// What the arrays of an ElementStore have to hold.
@@ -53,14 +61,13 @@ struct ElementStore {
 
   ElementStore() = default;
   ElementStore(std::int64_t packs, const ElementStoreFeatures& features) : slots(packs * width) {
-    const auto n = static_cast<std::size_t>(slots);
-    corner = AlignedArray<std::int32_t>(8 * n);
-    mass = AlignedArray<S>(n);
-    stress = AlignedArray<S>(6 * n);
-    if (features.plastic) plastic_strain = AlignedArray<S>(n);
-    if (features.hourglass_force) hourglass_force = AlignedArray<S>(12 * n);
-    if (features.bulk_viscosity) viscous_stress = AlignedArray<S>(n);
-    if (features.erosion) internal_energy = AlignedArray<S>(n);
+    corner = AlignedArray<std::int32_t>(8 * slots);
+    mass = AlignedArray<S>(slots);
+    stress = AlignedArray<S>(6 * slots);
+    if (features.plastic) plastic_strain = AlignedArray<S>(slots);
+    if (features.hourglass_force) hourglass_force = AlignedArray<S>(12 * slots);
+    if (features.bulk_viscosity) viscous_stress = AlignedArray<S>(slots);
+    if (features.erosion) internal_energy = AlignedArray<S>(slots);
   }
 
   ElementView<S> view() {
@@ -72,8 +79,25 @@ struct ElementStore {
            viscous_stress.bytes() + internal_energy.bytes();
   }
 
+  /// Whether a slot holds an element that has not been eroded; padding does not.
+  bool alive(std::int64_t slot) const { return mass[slot] > S(0); }
+  /// Nodes of the store at the corners of a slot; those of padding are a real element's.
+  std::array<std::int32_t, 8> corners(std::int64_t slot) const { return components_of<8>(corner, slot); }
+  /// xx yy zz xy yz zx [stress]
+  std::array<S, 6> stress_of(std::int64_t slot) const { return components_of<6>(stress, slot); }
+  S& stress_of(std::int64_t slot, int c) { return stress[at(slot, c, 6)]; }
+  const S& stress_of(std::int64_t slot, int c) const { return stress[at(slot, c, 6)]; }
+
   /// Place of component c of slot s in an array of n components.
   static std::size_t at(std::int64_t s, int c, int n) { return place_in_packs<width>(s, c, n); }
+
+ private:
+  template <int N, class T>
+  static std::array<T, N> components_of(const AlignedArray<T>& array, std::int64_t slot) {
+    std::array<T, N> components;
+    for (int c = 0; c < N; ++c) components[c] = array[at(slot, c, N)];
+    return components;
+  }
 };
 
 }  // namespace pinball

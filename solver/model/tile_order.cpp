@@ -29,7 +29,7 @@ class Halving {
       tiles_.offsets.push_back(static_cast<std::int32_t>(end));
       return;
     }
-    const auto axis = static_cast<std::size_t>(std::max_element(layers.begin(), layers.end()) - layers.begin());
+    const std::size_t axis = std::max_element(layers.begin(), layers.end()) - layers.begin();
     const std::int64_t middle = begin + half(begin, end, axis, layers[axis]);
     const std::array<std::size_t, 3> axes{axis, (axis + 1) % 3, (axis + 2) % 3};
     std::nth_element(at(begin), at(middle), at(end),
@@ -48,10 +48,10 @@ class Halving {
     high.fill(-std::numeric_limits<double>::infinity());
     for (auto e = at(begin); e != at(end); ++e) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const double c = centres_[static_cast<std::size_t>(*e)][k];
+        const double c = centres_[*e][k];
         low[k] = std::min(low[k], c);
         high[k] = std::max(high[k], c);
-        thickness[k] += extents_[static_cast<std::size_t>(*e)][k] / static_cast<double>(end - begin);
+        thickness[k] += extents_[*e][k] / static_cast<double>(end - begin);
       }
     }
     // Not more layers than elements, however far small bodies are apart.
@@ -61,9 +61,9 @@ class Halving {
     Layers count{1, 1, 1};
     for (auto e = at(begin); e != at(end); ++e) {
       for (std::size_t k = 0; k < 3; ++k) {
-        const double height = centres_[static_cast<std::size_t>(*e)][k] - low[k];
+        const double height = centres_[*e][k] - low[k];
         const auto number = height > 0 ? static_cast<std::int32_t>(std::lround(height / thickness[k])) : 0;
-        layer_[static_cast<std::size_t>(*e)][k] = number;
+        layer_[*e][k] = number;
         count[k] = std::max(count[k], number + 1);
       }
     }
@@ -71,8 +71,8 @@ class Halving {
   }
 
   bool before(std::int32_t a, std::int32_t b, const std::array<std::size_t, 3>& axes) const {
-    const Layers& la = layer_[static_cast<std::size_t>(a)];
-    const Layers& lb = layer_[static_cast<std::size_t>(b)];
+    const Layers& la = layer_[a];
+    const Layers& lb = layer_[b];
     for (const std::size_t k : axes) {
       if (la[k] != lb[k]) return la[k] < lb[k];
     }
@@ -81,9 +81,9 @@ class Halving {
 
   /// Elements of the first half: as many as are in the layers up to the one nearest to the middle, in whole packs.
   std::int64_t half(std::int64_t begin, std::int64_t end, std::size_t axis, std::int32_t layers) {
-    std::vector<std::int64_t> of_layer(static_cast<std::size_t>(layers), 0);
+    std::vector<std::int64_t> of_layer(layers, 0);
     for (auto e = at(begin); e != at(end); ++e) {
-      ++of_layer[static_cast<std::size_t>(layer_[static_cast<std::size_t>(*e)][axis])];
+      ++of_layer[layer_[*e][axis]];
     }
     const std::int64_t n = end - begin;
     std::int64_t best = 0, sum = 0;

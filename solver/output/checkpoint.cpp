@@ -33,7 +33,7 @@ std::uint64_t hash_of_file(const std::string& path) {
   StateHash hash;
   while (file) {
     file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    hash.add(piece.data(), static_cast<std::size_t>(file.gcount()));
+    hash.add(piece.data(), file.gcount());
   }
   if (!file.eof()) throw InputError(path + ": cannot be read");
   return hash.value();
@@ -61,7 +61,7 @@ StateBytes read_content(const std::string& path) {
   if (header.bytes != size - sizeof header) {
     throw InputError(fmt::format("{}: damaged: expected {} bytes, got {}", path, header.bytes, size - sizeof header));
   }
-  StateBytes content(static_cast<std::size_t>(header.bytes));
+  StateBytes content(header.bytes);
   file.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(content.size()));
   StateHash hash;
   hash.add(content.data(), content.size());

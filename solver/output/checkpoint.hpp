@@ -21,7 +21,7 @@
 ///     content   CheckpointHead, then the state as Solver and what it has written list it (state_archive.hpp)
 ///
 /// Numbers are as they lie in memory: a file belongs to machines of one byte order. The state is in the order of the
-/// stores, which depends on the width of packs: programs built for others refuse it.
+/// stores, which depends on the width of packs: programs built for others reject it.
 namespace pinball {
 
 /// What a state belongs to.

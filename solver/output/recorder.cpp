@@ -81,15 +81,15 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options)
 }
 
 RunRecord Recorder::restart(const Checkpoint& checkpoint, Simulation& simulation) {
-  const auto refuse = [&checkpoint](const std::string& reason) {
+  const auto fail = [&checkpoint](const std::string& reason) {
     throw InputError(fmt::format("{}: {}", checkpoint.path, reason));
   };
   const CheckpointHead& head = checkpoint.head;
   if (head.simd_width != simulation.simd_width()) {
-    refuse(fmt::format("written by pinball {} with packs of {}, this one has packs of {}", head.version,
-                       head.simd_width, simulation.simd_width()));
+    fail(fmt::format("written by pinball {} with packs of {}, this one has packs of {}", head.version, head.simd_width,
+                     simulation.simd_width()));
   }
-  if (head.fingerprint != simulation.fingerprint()) refuse("this program makes another mesh of the scene");
+  if (head.fingerprint != simulation.fingerprint()) fail("this program makes another mesh of the scene");
   RunRecord record;
   StateArchive archive = StateArchive::reading(checkpoint.state);
   try {
@@ -97,7 +97,7 @@ RunRecord Recorder::restart(const Checkpoint& checkpoint, Simulation& simulation
     simulation.persist(archive);
     if (archive.left() > 0) StateArchive::throw_foreign();
   } catch (const InputError& error) {
-    refuse(error.what());
+    fail(error.what());
   }
   check_limits(simulation);
   wall_seconds_before_ = record.wall_seconds;

@@ -110,7 +110,7 @@ std::string summary_json(const RunSummary& s) {
       {"state_hash", fmt::format("{:016x}", s.state_hash)},
       {"bytes_per_element", s.bytes_per_element},
       {"probes", probes},
-      {"warnings", doubts(s)},
+      {"warnings", warnings(s)},
   };
   // dump() turns NaN and infinity into null; bytes that are no UTF-8 (a title) are replaced, not thrown over.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

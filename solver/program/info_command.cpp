@@ -134,15 +134,15 @@ template <class S>
 void print_steps(const Subcycling<S>& subcycling) {
   const std::vector<std::int64_t> elements = subcycling.elements_of_levels();
   std::string text;
-  double all = 0, worked = 0;
+  double all = 0, computed = 0;
   for (std::size_t level = 0; level < elements.size(); ++level) {
     all += static_cast<double>(elements[level]);
-    worked += std::ldexp(static_cast<double>(elements[level]), -static_cast<int>(level));
+    computed += std::ldexp(static_cast<double>(elements[level]), -static_cast<int>(level));
     if (elements[level] == 0) continue;
     text += fmt::format("{}{} elements make {}", text.empty() ? "" : ", ", elements[level],
                         level == 0 ? "the smallest step" : fmt::format("{} times it", 1 << level));
   }
-  fmt::print("  steps: {}; {:.3g} % of the element steps are worked\n", text, 100 * worked / all);
+  fmt::print("  steps: {}; {:.3g} % of the element steps are worked\n", text, 100 * computed / all);
 }
 
 template <class S>

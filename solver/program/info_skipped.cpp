@@ -30,10 +30,10 @@ std::vector<MovingBox> boxes_of_bodies(const Model<S>& model) {
   none.high.fill(-infinite), none.fastest.fill(-infinite);
   std::vector<MovingBox> boxes(model.mesh.body_names.size(), none);
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    MovingBox& box = boxes[static_cast<std::size_t>(model.mesh.body_of_node[n])];
-    const std::size_t place = 4 * static_cast<std::size_t>(model.node_of_scene_node[n]);
+    MovingBox& box = boxes[model.mesh.body_of_node[n]];
+    const S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto v = static_cast<double>(model.nodes.velocity[place + k]);
+      const auto v = static_cast<double>(velocity[k]);
       box.low[k] = std::min(box.low[k], model.mesh.nodes[n][k]);
       box.high[k] = std::max(box.high[k], model.mesh.nodes[n][k]);
       box.slowest[k] = std::min(box.slowest[k], v);
@@ -41,7 +41,7 @@ std::vector<MovingBox> boxes_of_bodies(const Model<S>& model) {
     }
   }
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    double& margin = boxes[static_cast<std::size_t>(model.mesh.body[e])].margin;
+    double& margin = boxes[model.mesh.body[e]].margin;
     for (const double edge : element_extent(model.mesh, e)) margin = std::max(margin, edge);
   }
   return boxes;

@@ -37,7 +37,7 @@ void print_result(const RunSummary& s, const std::string& out) {
         b.velocity[2], b.max_plastic_strain);
   }
   fmt::print("  state {:016x}; results in {}\n", s.state_hash, out);
-  for (const std::string& doubt : doubts(s)) fmt::print(stderr, "pinball: warning: {}\n", doubt);
+  for (const std::string& warning : warnings(s)) fmt::print(stderr, "pinball: warning: {}\n", warning);
 }
 
 /// Goes on with the scene of the checkpoint, which is read from there.

@@ -39,7 +39,7 @@ Probes<S>::Probes(const Model<S>& model) {
     const bool node = probe.kind == ProbeKind::node;
     const auto& body_of = node ? mesh.body_of_node : mesh.body;
     for (std::size_t i = 0; i < body_of.size(); ++i) {
-      const std::string& body = mesh.body_names[static_cast<std::size_t>(body_of[i])];
+      const std::string& body = mesh.body_names[body_of[i]];
       if (!probe.body.empty() && probe.body != body) continue;
       const Point place = node ? mesh.nodes[i] : element_centre(mesh, i);
       const double distance = square_of_distance(place, probe.point);
@@ -68,16 +68,14 @@ template <class S>
 void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_ahead,
                            std::vector<double>& values) const {
   double stress[6] = {}, plastic_strain = 0;
-  std::size_t record = 0;  // of the node
+  std::int32_t node = 0;
   if (w.probe.kind == ProbeKind::element) {
     const std::int64_t slot = model.slot_of_element[w.number];
-    for (int c = 0; c < 6; ++c) {
-      stress[c] = static_cast<double>(model.elements.stress[ElementStore<S>::at(slot, c, 6)]);
-    }
+    for (int c = 0; c < 6; ++c) stress[c] = static_cast<double>(model.elements.stress_of(slot, c));
     const auto& strains = model.elements.plastic_strain;
-    if (!strains.empty()) plastic_strain = static_cast<double>(strains[static_cast<std::size_t>(slot)]);
+    if (!strains.empty()) plastic_strain = static_cast<double>(strains[slot]);
   } else {
-    record = 4 * static_cast<std::size_t>(model.node_of_scene_node[w.number]);
+    node = model.node_of_scene_node[w.number];
   }
   for (const std::string& quantity : w.probe.quantities) {
     if (quantity == "stress") {
@@ -87,9 +85,10 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_
     } else if (quantity == "plastic_strain") {
       values.push_back(plastic_strain);
     } else {
+      const S *x = model.nodes.position_of(node), *v = model.nodes.velocity_of(node);
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto velocity = static_cast<double>(model.nodes.velocity[record + k]);
-        const double position = static_cast<double>(model.nodes.position[record + k]) - time_ahead * velocity;
+        const auto velocity = static_cast<double>(v[k]);
+        const double position = static_cast<double>(x[k]) - time_ahead * velocity;
         values.push_back(quantity == "velocity" ? velocity : quantity == "position" ? position : position - w.start[k]);
       }
     }

@@ -38,9 +38,9 @@ inline SkippedSeconds estimate_skipped(const WorkCounts& counts, const Timers& t
     return done > 0 ? seconds * static_cast<double>(skipped) / static_cast<double>(done) : 0.0;
   };
   SkippedSeconds s;
-  const std::int64_t worked = all_element_steps - counts.resting_element_steps - counts.subcycled_element_steps;
-  s.resting = share(timers.seconds(Phase::internal_forces), worked, counts.resting_element_steps);
-  s.subcycling = share(timers.seconds(Phase::internal_forces), worked, counts.subcycled_element_steps);
+  const std::int64_t computed = all_element_steps - counts.resting_element_steps - counts.subcycled_element_steps;
+  s.resting = share(timers.seconds(Phase::internal_forces), computed, counts.resting_element_steps);
+  s.subcycling = share(timers.seconds(Phase::internal_forces), computed, counts.subcycled_element_steps);
   // A step that does not search still asks whether the lists hold.
   const double checks = timers.seconds(Phase::contact_search) - counts.search_seconds;
   s.searches = std::max(0.0, share(counts.search_seconds, counts.searches, counts.searches_skipped) - checks);

@@ -39,7 +39,7 @@ class StateHash {
     for (; bytes > 0; --bytes) pending_[filled_++] = *from++;
   }
 
-  /// The bytes of an array of numbers (types with padding bytes are refused, whose values are not defined).
+  /// The bytes of an array of numbers (types with padding bytes are rejected, whose values are not defined).
   template <class T>
   void add(std::span<const T> values) {
     static_assert(std::is_arithmetic_v<T>, "hash plain numbers, one array at a time");

@@ -6,7 +6,7 @@
 
 namespace pinball {
 
-std::vector<std::string> doubts(const RunSummary& summary) {
+std::vector<std::string> warnings(const RunSummary& summary) {
   constexpr double sound_balance = 0.1, sound_penetration = 0.25;
   std::vector<std::string> found;
   if (summary.balance_error_max > sound_balance) {

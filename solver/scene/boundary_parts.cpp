@@ -28,7 +28,7 @@ NodeSelection read_selection(const SceneTable& table) {
   if (table.has("box")) {
     const SceneTable box = table.table("box", "box");
     nodes.box = Box{box.point("low", any_number), box.point("high", any_number)};
-    box.refuse(problem_of(*nodes.box));
+    box.require_none(problem_of(*nodes.box));
   }
   if (table.has("nearest")) nodes.nearest = table.point("nearest", any_number);
   if (nodes.body.empty() && !nodes.plane && !nodes.line && !nodes.box && !nodes.nearest) {
@@ -39,7 +39,7 @@ NodeSelection read_selection(const SceneTable& table) {
 
 TimeTable read_time_table(const SceneTable& table) {
   TimeTable result{table.numbers("times", any_number), table.numbers("factors", any_number)};
-  table.refuse(problem_of(result));
+  table.require_none(problem_of(result));
   return result;
 }
 

@@ -21,7 +21,7 @@ class Table {
   [[noreturn]] void fail(std::string_view key, const std::string& text) const {
     throw InputError(path_.empty() ? fmt::format("{}: {}", key, text) : fmt::format("{}.{}: {}", path_, key, text));
   }
-  void refuse(const std::optional<Problem>& problem) const {
+  void require_none(const std::optional<Problem>& problem) const {
     if (problem) fail(problem->key, problem->text);
   }
   void number(std::string_view key, double value, const Bound& bound) const {
@@ -43,41 +43,41 @@ class Table {
 
 void check_material(Material& material, const std::vector<std::string>& earlier) {
   const Table table("material", material.name);
-  table.refuse(name_problem(material.name));
-  table.refuse(repetition(material.name, earlier));
+  table.require_none(name_problem(material.name));
+  table.require_none(repetition(material.name, earlier));
   table.numbers(material);
   table.number("bulk_modulus", material.bulk_modulus, positive);
   table.number("shear_modulus", material.shear_modulus, positive);
   if (material.plastic) table.number("yield_stress", material.yield_stress, positive);
   if (!(material.ultimate_stress >= 0)) table.fail("ultimate_stress", "expected a number > 0, or 0 for none");
-  table.refuse(problem_of(material));
+  table.require_none(problem_of(material));
 }
 
 void check_body(Body& body, const std::vector<std::string>& materials, const std::vector<std::string>& earlier) {
   const Table table("body", body.name);
-  table.refuse(name_problem(body.name));
-  table.refuse(repetition(body.name, earlier));
-  table.refuse(reference_problem("material", "material", body.material, materials));
+  table.require_none(name_problem(body.name));
+  table.require_none(repetition(body.name, earlier));
+  table.require_none(reference_problem("material", "material", body.material, materials));
   table.numbers(body);
   for (const Point& row : body.velocity_gradient) table.number("velocity_gradient", row, any_number);
-  if (body.axis) table.refuse(direction_problem("axis", *body.axis));
+  if (body.axis) table.require_none(direction_problem("axis", *body.axis));
 }
 
-/// Names, and what nodes are chosen by.
-class Places {
+/// The names of the bodies, and what refers to them: keys `body` and selections of nodes.
+class BodyNames {
  public:
-  explicit Places(const Scene& scene) : bodies_(names_of(scene.bodies)) {}
+  explicit BodyNames(const Scene& scene) : bodies_(names_of(scene.bodies)) {}
 
   void check_body(const Table& table, const std::string& body) const {
-    if (!body.empty()) table.refuse(reference_problem("body", "body", body, bodies_));
+    if (!body.empty()) table.require_none(reference_problem("body", "body", body, bodies_));
   }
   /// Names the selection in messages about its nodes, too.
   void check(const Table& table, NodeSelection& nodes, const std::string& where) const {
     if (nodes.where.empty()) nodes.where = where;
     check_body(table, nodes.body);
-    if (nodes.plane) table.refuse(direction_problem("plane.normal", nodes.plane->normal));
-    if (nodes.line) table.refuse(direction_problem("line.direction", nodes.line->direction));
-    if (nodes.box) table.refuse(problem_of(*nodes.box));
+    if (nodes.plane) table.require_none(direction_problem("plane.normal", nodes.plane->normal));
+    if (nodes.line) table.require_none(direction_problem("line.direction", nodes.line->direction));
+    if (nodes.box) table.require_none(problem_of(*nodes.box));
     if (nodes.body.empty() && !nodes.plane && !nodes.line && !nodes.box && !nodes.nearest) {
       table.fail("body", "missing, expected at least one of body, plane, line, box and nearest");
     }
@@ -94,55 +94,56 @@ void for_each(std::vector<Item>& items, const char* kind, const Check& check) {
 }
 
 void check_boundary(Scene& scene) {
-  const Places places(scene);
+  const BodyNames names(scene);
   for_each(scene.constraints, "symmetry constraint", [&](const Table& table, PlaneConstraint& plane, const auto&) {
     table.numbers(plane);
-    table.refuse(direction_problem("normal", plane.normal));
-    places.check_body(table, plane.body);
+    table.require_none(direction_problem("normal", plane.normal));
+    names.check_body(table, plane.body);
   });
   for_each(scene.fixed_constraints, "fixed constraint",
            [&](const Table& table, FixedConstraint& fixed, const auto& where) {
-             places.check(table, fixed.nodes, where);
+             names.check(table, fixed.nodes, where);
              if (fixed.directions.empty()) table.fail("directions", "expected at least one direction, got none");
-             for (const Point& direction : fixed.directions) table.refuse(direction_problem("directions", direction));
+             for (const Point& direction : fixed.directions)
+               table.require_none(direction_problem("directions", direction));
              if (fixed.frame == Frame::cylindrical)
-               table.refuse(direction_problem("axis.direction", fixed.axis.direction));
+               table.require_none(direction_problem("axis.direction", fixed.axis.direction));
            });
   std::vector<std::string> earlier;
   for_each(scene.rigid_walls, "rigid_wall", [&](const Table& table, RigidWall& wall, const auto& where) {
     if (wall.where.empty()) wall.where = where;
-    table.refuse(name_problem(wall.name));
-    table.refuse(repetition(wall.name, earlier));
+    table.require_none(name_problem(wall.name));
+    table.require_none(repetition(wall.name, earlier));
     earlier.push_back(wall.name);
     table.numbers(wall);
-    table.refuse(direction_problem("normal", wall.plane.normal));
-    places.check_body(table, wall.body);
+    table.require_none(direction_problem("normal", wall.plane.normal));
+    names.check_body(table, wall.body);
   });
   for_each(scene.prescribed_velocities, "prescribed_velocity",
            [&](const Table& table, PrescribedVelocity& given, const auto& where) {
-             places.check(table, given.nodes, where);
+             names.check(table, given.nodes, where);
              table.number("velocity", given.velocity, any_number);
-             if (given.direction) table.refuse(direction_problem("direction", *given.direction));
-             table.refuse(problem_of(given.table));
+             if (given.direction) table.require_none(direction_problem("direction", *given.direction));
+             table.require_none(problem_of(given.table));
            });
   for_each(scene.loads, "load", [&](const Table& table, NodalLoad& load, const auto& where) {
-    places.check(table, load.nodes, where);
+    names.check(table, load.nodes, where);
     table.numbers(load);
-    table.refuse(problem_of(load.table));
+    table.require_none(problem_of(load.table));
   });
   for_each(scene.initial_velocities, "initial_velocity",
            [&](const Table& table, InitialVelocity& given, const auto& where) {
-             places.check(table, given.nodes, where);
+             names.check(table, given.nodes, where);
              table.numbers(given);
            });
   std::vector<std::string> taken = names_of(scene.bodies);
   for_each(scene.probes, "probe", [&](const Table& table, Probe& probe, const auto& where) {
     if (probe.where.empty()) probe.where = where;
-    table.refuse(name_problem(probe.name));
-    table.refuse(repetition(probe.name, taken));
+    table.require_none(name_problem(probe.name));
+    table.require_none(repetition(probe.name, taken));
     taken.push_back(probe.name);
     table.numbers(probe);
-    places.check_body(table, probe.body);
+    names.check_body(table, probe.body);
   });
 }
 
@@ -152,10 +153,10 @@ Scene checked_scene(Scene scene) {
   complete_scene(scene);
   const auto settings = [](const char* path, auto& table) { Table(path).numbers(table); };
   settings("time", scene.time);
-  Table("time").refuse(problem_of(scene.time));
+  Table("time").require_none(problem_of(scene.time));
   settings("element", scene.element);
   settings("contact", scene.contact);
-  Table("contact").refuse(problem_of(scene.contact));
+  Table("contact").require_none(problem_of(scene.contact));
   settings("guard", scene.guard);
   settings("damping", scene.damping);
   settings("output", scene.output);

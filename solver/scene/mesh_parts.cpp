@@ -94,7 +94,7 @@ Section read_section(const SceneTable& table) {
 }
 
 /// Keys that only wedges or only the other sections have are an error elsewhere.
-void refuse_keys(const SceneTable& table, std::initializer_list<std::string_view> keys, std::string_view reason) {
+void require_absent(const SceneTable& table, std::initializer_list<std::string_view> keys, std::string_view reason) {
   for (const auto key : keys)
     if (table.has(key)) table.fail(key, fmt::format("not used {}", reason));
 }
@@ -119,12 +119,12 @@ MeshSettings read_cylinder(const SceneTable& table, int refine) {
   mesh.layers = refined_count(table, "layers", 0, refine);
   double section = 0.0;
   if (mesh.section == Section::wedge) {
-    refuse_keys(table, {"core", "ring"}, "where section = \"wedge\", which has radial");
+    require_absent(table, {"core", "ring"}, "where section = \"wedge\", which has radial");
     mesh.angle = read_angle(table);
     mesh.radial = refined_count(table, "radial", 0, refine);
     section = mesh.radial;
   } else {
-    refuse_keys(table, {"angle", "radial"}, "where section is not \"wedge\"");
+    require_absent(table, {"angle", "radial"}, "where section is not \"wedge\"");
     mesh.core = read_core(table, mesh.section, refine);
     mesh.ring = refined_count(table, "ring", 1, refine);
     section = mesh.core * (mesh.core + 4.0 * mesh.ring);
@@ -146,7 +146,7 @@ MeshSettings read_sphere(const SceneTable& table, int refine) {
     std::copy_n(core.begin(), 2, mesh.core.begin());
     elements = (mesh.core[0] + static_cast<double>(mesh.ring)) * (mesh.core[1] + 2.0 * mesh.ring);
   } else {
-    refuse_keys(table, {"angle"}, "where section is not \"wedge\"");
+    require_absent(table, {"angle"}, "where section is not \"wedge\"");
     const int core = read_core(table, mesh.section, refine);
     mesh.core = {core, core};
     elements = static_cast<double>(core) * core * (core + 6.0 * mesh.ring);

@@ -33,7 +33,7 @@ void read_moduli(const SceneTable& table, Material& material) {
 
 Point read_direction(const SceneTable& table, std::string_view key) {
   Point vector = table.point(key, any_number);
-  table.refuse(direction_problem(key, vector));
+  table.require_none(direction_problem(key, vector));
   const double length = std::hypot(vector[0], vector[1], vector[2]);
   for (double& component : vector) component /= length;
   return vector;
@@ -50,7 +50,7 @@ Material read_material(const SceneTable& table) {
   material.yield_stress =
       material.plastic ? table.number("yield_stress", positive) : table.number("yield_stress", positive, 0.0);
   material.ultimate_stress = table.number("ultimate_stress", positive, infinity);
-  table.refuse(problem_of(material));
+  table.require_none(problem_of(material));
   // An elastic material may carry these keys, so that model alone turns plasticity off; it does not use them.
   if (!material.plastic) {
     material.yield_stress = material.plastic_modulus = material.ultimate_stress = material.erosion_strain = 0;

@@ -21,7 +21,7 @@ TimeSettings read_time(const SceneTable& table) {
   TimeSettings time;
   table.numbers_into(time);
   time.steps = table.integer("steps", -1, time.steps);
-  table.refuse(problem_of(time));
+  table.require_none(problem_of(time));
   time.subcycling = table.boolean("subcycling", time.subcycling);
   return time;
 }
@@ -65,7 +65,7 @@ ContactSettings read_contact(const SceneTable& table) {
       "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
   contact.self = table.boolean("self", contact.self);
   complete(contact);
-  table.refuse(problem_of(contact));
+  table.require_none(problem_of(contact));
   return contact;
 }
 
@@ -96,7 +96,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
     auto all = top.tables(key, key);
     for (const SceneTable& table : all) {
       if (table.has("body"))
-        table.refuse(reference_problem("body", "body", table.text("body"), names_of(scene.bodies)));
+        table.require_none(reference_problem("body", "body", table.text("body"), names_of(scene.bodies)));
     }
     return all;
   };
@@ -111,7 +111,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   }
   for (const auto& table : tables("rigid_wall")) {
     const RigidWall wall = read_rigid_wall(table, scene.rigid_walls.size());
-    table.refuse(repetition(wall.name, names_of(scene.rigid_walls)));
+    table.require_none(repetition(wall.name, names_of(scene.rigid_walls)));
     scene.rigid_walls.push_back(wall);
   }
   for (const auto& table : tables("prescribed_velocity")) {
@@ -123,8 +123,8 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   }
   for (const auto& table : tables("probe")) {
     const Probe probe = read_probe(table);
-    table.refuse(repetition(probe.name, names_of(scene.probes)));
-    table.refuse(repetition(probe.name, names_of(scene.bodies)));  // their columns in history.csv
+    table.require_none(repetition(probe.name, names_of(scene.probes)));
+    table.require_none(repetition(probe.name, names_of(scene.bodies)));  // their columns in history.csv
     scene.probes.push_back(probe);
   }
 }
@@ -152,7 +152,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
 
   for (const auto& table : top.tables("material", "material")) {
     const Material material = read_material(table);
-    table.refuse(repetition(material.name, names_of(scene.materials)));
+    table.require_none(repetition(material.name, names_of(scene.materials)));
     scene.materials.push_back(material);
   }
   const auto bodies = top.tables("body", "body");
@@ -160,8 +160,8 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   for (const auto& table : bodies) {
     Body body = read_body(table, overrides.refine);
     if (auto* gmsh = std::get_if<GmshMesh>(&body.mesh)) find_mesh_file(table, *gmsh, path);
-    table.refuse(repetition(body.name, names_of(scene.bodies)));
-    table.refuse(reference_problem("material", "material", body.material, names_of(scene.materials)));
+    table.require_none(repetition(body.name, names_of(scene.bodies)));
+    table.require_none(reference_problem("material", "material", body.material, names_of(scene.materials)));
     scene.bodies.push_back(body);
   }
   top.table("damping", "damping").numbers_into(scene.damping);

@@ -108,7 +108,7 @@ void SceneTable::fail(std::string_view key, const std::string& problem) const {
   pinball::fail(where(key), key_path(key), problem);
 }
 
-void SceneTable::refuse(const std::optional<Problem>& problem) const {
+void SceneTable::require_none(const std::optional<Problem>& problem) const {
   if (problem) fail(problem->key, problem->text);
 }
 
@@ -175,7 +175,7 @@ std::string SceneTable::text(std::string_view key) const {
 
 std::string SceneTable::name(std::string_view key) const {
   const std::string name = text(key);
-  refuse(name_problem(name));
+  require_none(name_problem(name));
   return name;
 }
 
@@ -294,7 +294,7 @@ std::size_t SceneTable::choice_index(std::string_view key, const toml::node& nod
                                      const std::vector<std::string>& later) const {
   if (const auto* text = node.as_string()) {
     const auto found = std::find(names.begin(), names.end(), text->get());
-    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    if (found != names.end()) return found - names.begin();
     if (std::find(later.begin(), later.end(), text->get()) != later.end()) {
       fail(key, fmt::format("\"{}\" is not available in this version, expected {}", text->get(), alternatives(names)));
     }

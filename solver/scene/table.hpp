@@ -60,7 +60,7 @@ class SceneTable {
   std::string where(std::string_view key) const;
   [[noreturn]] void fail(std::string_view key, const std::string& problem) const;
   /// Fails where there is a problem.
-  void refuse(const std::optional<Problem>& problem) const;
+  void require_none(const std::optional<Problem>& problem) const;
   [[noreturn]] void fail_missing(std::string_view key, const std::string& expected) const;
 
   double number(std::string_view key, const Bound& bound, double fallback) const;

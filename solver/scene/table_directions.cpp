@@ -25,7 +25,7 @@ std::vector<Point> SceneTable::directions(std::string_view key, const std::array
         pinball::fail(location(element.source(), where_), key_path(key),
                       fmt::format("expected {}, got \"{}\"", expected, *name));
       }
-      result.push_back(axes[static_cast<std::size_t>(found - names.begin())]);
+      result.push_back(axes[found - names.begin()]);
       continue;
     }
     Point d = point_of(element, fmt::format("{}[{}]", key_path(key), i), any_number);

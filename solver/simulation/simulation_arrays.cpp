@@ -105,7 +105,7 @@ void Simulation::copy(NodeField field, const ArrayView& to) const {
   const std::span<const std::int32_t> places = place_of_node();
   check_target(to, nodes(), from.components);
   for (std::int64_t n = 0; n < to.count; ++n) {
-    const std::int64_t place = places[static_cast<std::size_t>(n)];
+    const std::int64_t place = places[n];
     for (std::int64_t k = 0; k < to.components; ++k) put(to, n, k, from.number(place, k));
   }
 }
@@ -115,20 +115,17 @@ void Simulation::copy(ElementField field, const ArrayView& to) const {
   implementation_->read([&]<class S>(const Solver<S>& solver) {
     const Model<S>& model = solver.model();
     for (std::int64_t e = 0; e < to.count; ++e) {
-      const std::int64_t slot = model.slot_of_element[static_cast<std::size_t>(e)];
-      const auto place = static_cast<std::size_t>(slot);
+      const std::int64_t slot = model.slot_of_element[e];
       switch (field) {
         case ElementField::stress:
-          for (int c = 0; c < 6; ++c) {
-            put(to, e, c, static_cast<double>(model.elements.stress[ElementStore<S>::at(slot, c, 6)]));
-          }
+          for (int c = 0; c < 6; ++c) put(to, e, c, static_cast<double>(model.elements.stress_of(slot, c)));
           break;
         case ElementField::plastic_strain:
           put(to, e, 0,
-              model.elements.plastic_strain.empty() ? 0.0 : static_cast<double>(model.elements.plastic_strain[place]));
+              model.elements.plastic_strain.empty() ? 0.0 : static_cast<double>(model.elements.plastic_strain[slot]));
           break;
         case ElementField::mass:
-          put(to, e, 0, model.elements.mass[place] > S(0) ? model.element_mass[static_cast<std::size_t>(e)] : 0.0);
+          put(to, e, 0, model.elements.alive(slot) ? model.element_mass[e] : 0.0);
           break;
       }
     }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "cases.hpp"
 #include "reference_table.hpp"
-#include "verification.hpp"
+#include "solver_run.hpp"
 
 /// Verification of the hourglass control in bending, with fixed nodes, a load and damping.
 namespace pinball {
@@ -59,8 +61,9 @@ double deflection_ratio(const Scene& cantilever, const Beam& beam, double* balan
   if (balance_error != nullptr) *balance_error = std::abs(solver.balance_error());
   double sum = 0;
   int count = 0;
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const Point& start = solver.model().mesh.nodes[n];
+  const std::vector<Point>& nodes = std::as_const(solver).model().mesh.nodes;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const Point& start = nodes[n];
     if (start[0] < length * (1 - 1e-9)) continue;
     sum += position_of(solver, n)[1] - start[1];
     ++count;

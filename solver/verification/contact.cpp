@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "verification.hpp"
+#include <solver/base/point.hpp>
+
+#include "cases.hpp"
+#include "solver_run.hpp"
 
 /// Verification of contact and erosion, with everything else at work.
 namespace pinball {
@@ -17,8 +21,8 @@ double gauss_volume(const ModelMesh& mesh, std::size_t element) {
   double volume = 0;
   for (const auto& p : sign) {
     double j[3][3] = {};
-    for (std::size_t i = 0; i < 8; ++i) {
-      const Point& x = mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[element][i])];
+    for (int i = 0; i < 8; ++i) {
+      const Point& x = mesh.corner(element, i);
       double f[3];
       for (int a = 0; a < 3; ++a) f[a] = 1 + sign[i][a] * p[a] * g;
       const double d[3] = {sign[i][0] * f[1] * f[2] / 8, sign[i][1] * f[2] * f[0] / 8, sign[i][2] * f[0] * f[1] / 8};
@@ -40,8 +44,6 @@ double mesh_mass(const Solver<double>& solver, std::size_t body, double density)
   }
   return density * volume;
 }
-
-double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
 /// Sum over the bodies of |mass velocity|: what a drift of momentum is measured by where the total is zero.
 double momentum_scale(const HistoryRow& row) {
@@ -127,7 +129,7 @@ std::vector<VerificationRow> compare_invariants(Solver<double>& solver, const st
   const Point after = solver.momentum();
 
   // The plane of symmetry is y = 0, the bodies lie at y >= 0.
-  const ModelMesh& mesh = solver.model().mesh;
+  const ModelMesh& mesh = std::as_const(solver).model().mesh;
   double deepest = 0;
   std::int64_t not_finite = 0;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {

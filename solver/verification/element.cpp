@@ -3,10 +3,12 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include <solver/base/point.hpp>
 
-#include "verification.hpp"
+#include "cases.hpp"
+#include "solver_run.hpp"
 
 /// Verification of the element and the material, without contact.
 namespace pinball {
@@ -21,17 +23,6 @@ double largest_of(const Stress& s) {
   return largest;
 }
 
-/// About the origin; exact after finish(), when positions and velocities belong to one time.
-Point angular_momentum(const Solver<double>& solver) {
-  Point sum{};
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const double mass = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
-    const Point l = cross(position_of(solver, n), velocity_of(solver, n));
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += mass * l[k];
-  }
-  return sum;
-}
-
 double young_modulus(const Material& m) {
   return 9 * m.bulk_modulus * m.shear_modulus / (3 * m.bulk_modulus + m.shear_modulus);
 }
@@ -40,7 +31,7 @@ double young_modulus(const Material& m) {
 
 std::vector<VerificationRow> verify_patch_test(const Scene& scene) {
   Solver<double> solver(scene);
-  Model<double>& model = solver.model();
+  Model<double>& model = solver.model();  // the inner nodes are displaced below
   const std::array<Point, 3>& g = scene.bodies[0].velocity_gradient;
   const auto move = [&g](const Point& start, double time) {
     Point x = start;
@@ -62,12 +53,13 @@ std::vector<VerificationRow> verify_patch_test(const Scene& scene) {
       continue;
     }
     inner.push_back(n);
-    const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[n]);
+    const std::int32_t place = model.node_of_scene_node[n];
+    double *position = model.nodes.position_of(place), *velocity = model.nodes.velocity_of(place);
     for (std::size_t k = 0; k < 3; ++k) {
       x[k] += 0.25 * h * (2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1);
-      model.nodes.position[place + k] = x[k];
+      position[k] = x[k];
     }
-    for (std::size_t k = 0; k < 3; ++k) model.nodes.velocity[place + k] = move(x, 1)[k] - x[k];
+    for (std::size_t k = 0; k < 3; ++k) velocity[k] = move(x, 1)[k] - x[k];
   }
 
   PrescribedMotion motion(solver, move, outer);
@@ -78,7 +70,7 @@ std::vector<VerificationRow> verify_patch_test(const Scene& scene) {
     const double dt_before = solver.dt();
     motion.step();
     for (std::size_t i = 0; i < inner.size(); ++i) {
-      const double mass = model.node_mass[static_cast<std::size_t>(model.node_of_scene_node[inner[i]])];
+      const double mass = model.node_mass[model.node_of_scene_node[inner[i]]];
       const Point after = velocity_of(solver, inner[i]);
       for (std::size_t k = 0; k < 3; ++k) {
         const double acceleration = (after[k] - before[i][k]) / (0.5 * (dt_before + solver.dt()));
@@ -131,6 +123,7 @@ std::vector<VerificationRow> verify_patch_test(const Scene& scene) {
 
 std::vector<VerificationRow> verify_uniaxial_strain(const Scene& scene) {
   Solver<double> solver(scene);
+  const Model<double>& model = std::as_const(solver).model();
   const Material& m = scene.materials[0];
   // Stretch of the x direction: to 1.1 over the first half of the time, then back to 1.05.
   const double largest = 0.1, last = 0.05, half = 0.5 * scene.time.end;
@@ -167,12 +160,12 @@ std::vector<VerificationRow> verify_uniaxial_strain(const Scene& scene) {
     turn = std::max(turn, strain);
     const Answer exact = closed_form(strain, turn);
     Answer& worst = out ? worst_out : worst_back;
-    for (std::size_t e = 0; e < solver.model().mesh.hexahedra.size(); ++e) {
+    for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
       const Stress s = stress_of(solver, e);
-      const auto slot = static_cast<std::size_t>(solver.model().slot_of_element[e]);
+      const double plastic_strain = model.elements.plastic_strain[model.slot_of_element[e]];
       worst.xx = std::max(worst.xx, std::abs(s[0] - exact.xx));
       worst.yy = std::max({worst.yy, std::abs(s[1] - exact.yy), std::abs(s[2] - exact.yy)});
-      worst.plastic = std::max(worst.plastic, std::abs(solver.model().elements.plastic_strain[slot] - exact.plastic));
+      worst.plastic = std::max(worst.plastic, std::abs(plastic_strain - exact.plastic));
     }
     (out ? xx_turn : xx_end) = stress_of(solver, 0)[0];
     (out ? exact_turn : exact_end) = exact;
@@ -223,7 +216,8 @@ std::vector<VerificationRow> verify_spinning_block(const Scene& scene) {
     while (!solver.at_end()) motion.step();
     motion.step();
     double largest = 0;
-    for (std::size_t e = 0; e < solver.model().mesh.hexahedra.size(); ++e) {
+    const std::size_t count = std::as_const(solver).model().mesh.hexahedra.size();
+    for (std::size_t e = 0; e < count; ++e) {
       largest = std::max(largest, largest_of(stress_of(solver, e)));
     }
     // Round-off of positions is 1e-15 of an element's size in each of 2e4 steps.
@@ -234,15 +228,15 @@ std::vector<VerificationRow> verify_spinning_block(const Scene& scene) {
   // Free: the centripetal stress builds up from nothing and swings about its steady state.
   Solver<double> solver(scene);
   const Point before = angular_momentum(solver);
-  const auto elements = static_cast<std::size_t>(mesh.elements[0]);
+  const std::size_t elements = mesh.elements[0];
   const std::size_t middle = elements / 2;  // first element right of the centre, in the first row of elements
   const std::size_t outer = elements * 3 / 4;
   double middle_sum = 0, outer_sum = 0, worst_balance = 0, time_before = 0;
   run_to_end(solver, [&] {
     // Direction of the bar: along one of its edges.
     const Point a = position_of(solver, 0), b = position_of(solver, elements);
-    Point axis{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    Point axis = minus(b, a);
+    const double length = norm(axis);
     for (double& c : axis) c /= length;
     const auto axial = [&](std::size_t element) {
       const Stress s = stress_of(solver, element);

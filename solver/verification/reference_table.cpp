@@ -35,11 +35,11 @@ ReferenceTable::ReferenceTable(const std::string& scene_path, const std::string&
 const std::vector<double>& ReferenceTable::column(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) throw InputError(fmt::format("{}: expected a column {}", path_, name));
-  return columns_[static_cast<std::size_t>(found - names_.begin())];
+  return columns_[found - names_.begin()];
 }
 
 double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
-  const auto after = static_cast<std::size_t>(std::upper_bound(xs.begin(), xs.end(), x) - xs.begin());
+  const std::size_t after = std::upper_bound(xs.begin(), xs.end(), x) - xs.begin();
   if (after == 0) return ys.front();
   if (after == xs.size()) return ys.back();
   const double part = (x - xs[after - 1]) / (xs[after] - xs[after - 1]);

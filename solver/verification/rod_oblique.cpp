@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "verification.hpp"
+#include "cases.hpp"
+#include "solver_run.hpp"
 
 /// The report's problem 4, an oblique rod: what is left of it.
 namespace pinball {

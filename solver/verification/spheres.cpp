@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "cases.hpp"
 #include "reference_table.hpp"
-#include "verification.hpp"
+#include "solver_run.hpp"
 
 /// Verification of elastic spheres that strike a rigid wall (report, figures 12 and 13) or each other.
 namespace pinball {
@@ -61,12 +63,12 @@ std::vector<std::size_t> meridian(const Solver<double>& solver) {
 class ImpactRun {
  public:
   explicit ImpactRun(const Scene& scene) : solver_(scene), surface_(meridian(solver_)) {
-    const Model<double>& model = solver_.model();
+    const Model<double>& model = std::as_const(solver_).model();
     const ModelMesh& mesh = model.mesh;
     parts_ = spheres_per_body(std::get<SphereMesh>(scene.bodies[0].mesh));
     for (std::size_t n = 0; n < mesh.nodes.size() && mesh.body_of_node[n] == 0; ++n) {
-      const auto place = static_cast<std::size_t>(model.node_of_scene_node[n]);
-      nodes_.emplace_back(4 * place, model.node_mass[place]);
+      const std::int32_t place = model.node_of_scene_node[n];
+      nodes_.emplace_back(place, model.node_mass[place]);
       mass_ += model.node_mass[place];
       if (mesh.nodes[n][0] == 0 && mesh.nodes[n][1] == 0) axis_.push_back(n);
     }
@@ -76,15 +78,15 @@ class ImpactRun {
 
   /// times: increasing, at which the contact radius is wanted.
   SphereImpact run(const std::vector<double>& times = {}) {
-    const double start = mean(solver_.model().nodes.position.data());
-    const double window = solver_.model().scene.time.end / 100, radius = radius_of_sphere();
+    const double start = mean_height();
+    const double window = std::as_const(solver_).model().scene.time.end / 100, radius = radius_of_sphere();
     bool touched = false;
     double before = speed_, window_begin = 0, window_velocity = speed_;
     std::size_t next = 0;
     run_to_end(solver_, [&] {
       // Velocities are those of the middle of the step that ends at time().
-      const double time = solver_.time(), velocity = -mean(solver_.model().nodes.velocity.data());
-      const double position_before = start - mean(solver_.model().nodes.position.data()) - solver_.dt() * velocity;
+      const double time = solver_.time(), velocity = -mean_velocity();
+      const double position_before = start - mean_height() - solver_.dt() * velocity;
       if (in_contact()) {
         if (!touched) impact_.begin = solver_.force_time();
         if (!touched) touch_ = position_before;
@@ -106,17 +108,19 @@ class ImpactRun {
       }
       for (; next < times.size() && time >= times[next]; ++next) measure_contact_radius(times[next], radius);
     });
-    impact_.restitution = mean(solver_.model().nodes.velocity.data()) / speed_;
+    impact_.restitution = mean_velocity() / speed_;
     return impact_;
   }
 
  private:
   double radius_of_sphere() const { return std::get<SphereMesh>(solver_.model().scene.bodies[0].mesh).radius; }
 
-  /// Of the z components of a store's records, weighted with mass.
+  /// Of the nodes, weighted with mass; along z.
+  double mean_height() const { return mean(solver_.model().nodes.position.data()); }
+  double mean_velocity() const { return mean(solver_.model().nodes.velocity.data()); }
   double mean(const double* records) const {
     double sum = 0;
-    for (const auto& [place, mass] : nodes_) sum += mass * records[place + 2];
+    for (const auto& [place, mass] : nodes_) sum += mass * records[4 * place + 2];
     return sum / mass_;
   }
 
@@ -138,7 +142,7 @@ class ImpactRun {
 
   Solver<double> solver_;
   std::vector<std::size_t> surface_, axis_;
-  std::vector<std::pair<std::size_t, double>> nodes_;  ///< records and masses
+  std::vector<std::pair<std::int64_t, double>> nodes_;  ///< places in the store and masses
   double parts_ = 1, mass_ = 0, speed_ = 0, touch_ = 0;
   SphereImpact impact_;
 };

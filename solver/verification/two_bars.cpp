@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <solver/base/error.hpp>
 
-#include "verification.hpp"
+#include "cases.hpp"
+#include "solver_run.hpp"
 
 /// Longitudinal impact of two elastic bars (report, figures 5 to 8), against the exact solution of the wave equation.
 namespace pinball {
@@ -65,7 +67,7 @@ std::size_t node_at(const ModelMesh& mesh, double x, std::int32_t body) {
 
 BarImpact run_bars(const Scene& scene) {
   Solver<double> solver(scene);
-  const ModelMesh& mesh = solver.model().mesh;
+  const ModelMesh& mesh = std::as_const(solver).model().mesh;
   const double face2 = scene.bodies[1].position[0];
   const std::size_t nodes[4] = {node_at(mesh, -5, 0), node_at(mesh, 0, 0), node_at(mesh, face2, 1),
                                 node_at(mesh, face2 + 5, 1)};
@@ -105,7 +107,7 @@ double velocity_of_unequal_faces(const Scene& equal) {
   scene.bodies[1].mesh = BlockMesh{{8, 1, 1}, {balls ? 8 : 20, 1, 1}};
   scene.time.cfl = 0.9;
   Solver<double> solver(scene);
-  const ModelMesh& mesh = solver.model().mesh;
+  const ModelMesh& mesh = std::as_const(solver).model().mesh;
   const std::size_t faces[2] = {node_at(mesh, 0, 0), node_at(mesh, scene.bodies[1].position[0], 1)};
   double sum = 0, time = 0;
   run_to_end(solver, [&] {

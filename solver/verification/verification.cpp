@@ -1,10 +1,10 @@
 #include "verification.hpp"
 
 #include <cmath>
-#include <numeric>
-#include <utility>
 
 #include <solver/base/error.hpp>
+
+#include "cases.hpp"
 
 namespace pinball {
 
@@ -42,63 +42,6 @@ std::vector<VerificationRow> verify_scene(const VerificationCase& verification) 
   }
   for (VerificationRow& row : rows) row.scene = verification.scene;
   return rows;
-}
-
-void run_to_end(Solver<double>& solver, const std::function<void()>& after_step) {
-  while (!solver.at_end()) {
-    solver.step();
-    after_step();
-  }
-  solver.finish();
-}
-
-PrescribedMotion::PrescribedMotion(Solver<double>& solver, Path path, std::vector<std::int32_t> nodes)
-    : solver_(solver), path_(std::move(path)), nodes_(std::move(nodes)) {
-  if (!nodes_.empty()) return;
-  nodes_.resize(solver.model().mesh.nodes.size());
-  std::iota(nodes_.begin(), nodes_.end(), 0);
-}
-
-void PrescribedMotion::step() {
-  const double before = solver_.time();
-  solver_.step();
-  Model<double>& model = solver_.model();
-  for (const std::int32_t node : nodes_) {
-    const auto n = static_cast<std::size_t>(node);
-    const auto place = 4 * static_cast<std::size_t>(model.node_of_scene_node[n]);
-    const Point from = path_(model.mesh.nodes[n], before), to = path_(model.mesh.nodes[n], solver_.time());
-    for (std::size_t k = 0; k < 3; ++k) {
-      model.nodes.position[place + k] = to[k];
-      model.nodes.velocity[place + k] = (to[k] - from[k]) / solver_.dt();
-    }
-  }
-}
-
-std::array<double, 6> stress_of(const Solver<double>& solver, std::size_t element) {
-  const Model<double>& model = solver.model();
-  std::array<double, 6> stress{};
-  for (int c = 0; c < 6; ++c) {
-    stress[static_cast<std::size_t>(c)] =
-        model.elements.stress[ElementStore<double>::at(model.slot_of_element[element], c, 6)];
-  }
-  return stress;
-}
-
-namespace {
-
-Point from_record(const double* records, std::int32_t n) {
-  const double* r = records + 4 * static_cast<std::ptrdiff_t>(n);
-  return {r[0], r[1], r[2]};
-}
-
-}  // namespace
-
-Point position_of(const Solver<double>& solver, std::size_t node) {
-  return from_record(solver.model().nodes.position.data(), solver.model().node_of_scene_node[node]);
-}
-
-Point velocity_of(const Solver<double>& solver, std::size_t node) {
-  return from_record(solver.model().nodes.velocity.data(), solver.model().node_of_scene_node[node]);
 }
 
 }  // namespace pinball

@@ -2,8 +2,9 @@
 
 #include <cmath>
 
+#include "cases.hpp"
 #include "reference_table.hpp"
-#include "verification.hpp"
+#include "solver_run.hpp"
 
 /// Verification of elastic-plastic waves in uniaxial strain, with a rigid wall.
 namespace pinball {
@@ -51,7 +52,7 @@ struct ColumnRun {
 
 ColumnRun run_column(const Scene& scene) {
   Solver<double> solver(scene);
-  const auto n = static_cast<std::size_t>(std::get<BlockMesh>(scene.bodies[0].mesh).elements[2]);
+  const std::size_t n = std::get<BlockMesh>(scene.bodies[0].mesh).elements[2];
   const double length = std::get<BlockMesh>(scene.bodies[0].mesh).size[2];
   ColumnRun run;
   run.velocity.resize(std::size(stations));

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <solver/verification/verification.hpp>
-
 #include "impact_case.hpp"
 
 /// Contact by impulses (projection, Lagrange multiplier) of whole bodies, through the solver.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <solver/verification/verification.hpp>
-
 #include "impact_case.hpp"
 
 /// Contact of whole bodies, through the solver.

@@ -10,7 +10,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 using Pairs = std::set<std::pair<std::int32_t, std::int32_t>>;
 
 struct Ball {

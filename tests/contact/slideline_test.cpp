@@ -7,7 +7,6 @@
 #include <solver/contact/slideline/slideline_search.hpp>
 #include <solver/contact/slideline/slideline_surface.hpp>
 #include <solver/elements/internal_forces.hpp>
-#include <solver/verification/verification.hpp>
 
 #include "impact_case.hpp"
 

@@ -13,7 +13,6 @@
 #include <solver/contact/surface/surface.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
-#include <solver/verification/verification.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Hexahedra with repeated nodes: wedges, and what is left of one that loses more.

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 using Modes = std::array<Vec3<double>, 4>;  ///< h_1..4
 
@@ -15,7 +15,7 @@ Modes random_modes(Random& random) {
 }
 
 HourglassForce<double> force_of(const Corners& corner, const Modes& modes, double lambda, double mu) {
-  const HexahedronModes<double> x = support::modes<double>(corner);
+  const HexahedronModes<double> x = test::modes<double>(corner);
   const double volume = hexahedron_volume(uniform_gradient(x), x);
   const Vec3<double> h[4] = {modes[0], modes[1], modes[2], modes[3]};
   return assumed_strain_force(assumed_strain_moduli(lambda, mu, 1.0), half_edges(x, true), h, volume / 8);

@@ -5,7 +5,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 template <class T>
 class BallTreeKernels : public ::testing::Test {

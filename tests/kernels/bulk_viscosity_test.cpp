@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 constexpr double b1 = 0.06, b2 = 1.2, rho = 8900, c = 4700, length = 0.01;
 

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 using V = Vec3<double>;
 
 struct Ball {

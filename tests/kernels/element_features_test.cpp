@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 /// A feature that is compiled out gives what the full scalar kernel gives with its constants at zero (or infinity).
 template <bool plastic, bool erosion, bool viscosity, HourglassKind hourglass>

@@ -4,7 +4,7 @@
 #include <tests/support/support.hpp>
 
 /// Elements and nodes in plain double precision, and one step of the element kernel over them in any number type.
-namespace pinball::support {
+namespace pinball::test {
 
 struct ElementState {
   double mass = 0;
@@ -237,4 +237,4 @@ inline void expect_equal(const ElementOutcome& found, const ElementOutcome& expe
   EXPECT_EQ(found.inverted_count, expected.inverted_count);
 }
 
-}  // namespace pinball::support
+}  // namespace pinball::test

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 constexpr ElementFeatures everything{true, true, true, HourglassKind::stiffness};
 constexpr ElementFeatures viscous{false, false, false, HourglassKind::viscous};

@@ -6,7 +6,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 constexpr ElementFeatures elastic{false, false, false, HourglassKind::none};
 constexpr ElementFeatures eroding{true, true, true, HourglassKind::stiffness};

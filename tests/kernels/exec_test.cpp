@@ -7,7 +7,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 /// Runs body with the given number of threads.
 template <class Body>

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 Corners expanded(const UniformGradient<double>& b) {
   Vec3<double> corner[8];

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 /// Independent scalar implementation: the vectors gamma_aI = G_aI - 1/V B_jI (x_jJ G_aJ), corner by corner.
 struct Gamma {

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -35,15 +35,19 @@ double effective(const Symmetric<double>& s) {
   return std::sqrt(1.5 * contract(d, d));
 }
 
+/// At plastic strain e.
+double yield_stress_at(const MaterialConstants<double>& m, double e) {
+  return std::min(m.yield_stress + m.plastic_modulus * e, m.ultimate_stress);
+}
+
 /// Independent scalar implementation: bisection of the consistency condition 3 mu dl = q - Y(e + dl), q >= Y.
 State bisected(const MaterialConstants<double>& m, State trial) {
-  const auto yield_at = [&m](double e) { return std::min(m.yield_stress + m.plastic_modulus * e, m.ultimate_stress); };
   const double q = effective(trial.stress), e = trial.plastic_strain;
-  if (q <= yield_at(e)) return trial;
+  if (q <= yield_stress_at(m, e)) return trial;
   double low = 0, high = q / (3 * m.mu);
   for (int i = 0; i < 200; ++i) {
     const double middle = 0.5 * (low + high);
-    (3 * m.mu * middle < q - yield_at(e + middle) ? low : high) = middle;
+    (3 * m.mu * middle < q - yield_stress_at(m, e + middle) ? low : high) = middle;
   }
   const double p = trace(trial.stress) / 3, scale = 1 - 3 * m.mu * low / q;
   Symmetric<double> s = trial.stress;

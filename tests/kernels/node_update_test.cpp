@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 struct Node {
   alignas(32) double position[4] = {0, 0, 0, 7};  // a record is aligned to itself

@@ -6,7 +6,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 template <class T>
 class PinballGeometry : public ::testing::Test {};

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 using V = Vec3<double>;
 
 constexpr V none{0, 0, 0}, up{0, 0, 1}, down{0, 0, -1};

@@ -4,7 +4,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 double determinant(const Tensor<double>& a) { return dot(a.row_x, cross(a.row_y, a.row_z)); }
 

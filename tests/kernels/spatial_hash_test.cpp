@@ -8,7 +8,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 /// A hash with its memory.
 template <class S>

@@ -8,7 +8,7 @@
 namespace pinball {
 namespace {
 
-using namespace support;
+using namespace test;
 
 double exact_largest(const Symmetric<double>& s) {
   Eigen::Matrix3d a;

@@ -18,6 +18,8 @@
 namespace pinball {
 namespace {
 
+using namespace test;
+
 std::string text_of(const std::string& version) {
   std::ifstream file(PINBALL_SOURCE_DIR "/tests/data/two_volumes_" + version + ".msh");
   std::ostringstream text;
@@ -76,9 +78,7 @@ TEST_P(Gmsh, TakesThePhysicalVolumeAsked) {
 TEST_P(Gmsh, BothFormatsHoldTheSamePoints) {
   const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", ""), other = parse_gmsh(text_of("22"), "a.msh", "");
   for (std::size_t e = 0; e < 4; ++e)
-    for (std::size_t i = 0; i < 8; ++i)
-      EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(mesh.hexahedra[e][i])],
-                other.nodes[static_cast<std::size_t>(other.hexahedra[e][i])]);
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(mesh.nodes[mesh.hexahedra[e][i]], other.nodes[other.hexahedra[e][i]]);
 }
 
 TEST_P(Gmsh, EveryFileCutShortIsAnError) {
@@ -93,15 +93,15 @@ TEST_P(Gmsh, DamagedFilesNeverCrash) {
   const std::string text = text_of(GetParam());
   std::mt19937 random(3);
   const std::string alphabet = "0123456789 -.e$\"\nEN\xff";
-  int refused = 0;
+  int rejected = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     std::string damaged = text;
     for (unsigned k = random() % 3 + 1; k > 0; --k)
       damaged[random() % text.size()] = alphabet[random() % alphabet.size()];
     if (trial % 3 == 0) damaged.erase(random() % text.size(), random() % 20);
-    refused += error_of(damaged, trial % 2 ? "right" : "") != "no error";
+    rejected += error_of(damaged, trial % 2 ? "right" : "") != "no error";
   }
-  EXPECT_GT(refused, 10000);
+  EXPECT_GT(rejected, 10000);
 }
 
 TEST_P(Gmsh, NamesAreNamedWhereTheyAreNotFound) {
@@ -114,7 +114,7 @@ TEST_P(Gmsh, NamesAreNamedWhereTheyAreNotFound) {
             "a.msh: no physical volume is named \"left\": it has none with a name");
 }
 
-TEST_P(Gmsh, OtherVersionsAndBinaryFilesAreRefused) {
+TEST_P(Gmsh, OtherVersionsAndBinaryFilesAreRejected) {
   const std::string text = text_of(GetParam()), version = GetParam() == "22" ? "2.2" : "4.1";
   EXPECT_EQ(error_of(replaced(text, version + " 0", "4 0")),
             "a.msh:2: expected format 2.2 or 4.1 (gmsh -format msh41 or msh22 writes them), got \"4\"");
@@ -210,7 +210,7 @@ TEST_F(GmshScene, SaysWhatIsWrong) {
   EXPECT_THAT(error(scene(", scale = 0")), testing::HasSubstr("mesh.scale: expected a number > 0, got 0"));
 }
 
-TEST_F(GmshScene, AFlatOrInvertedElementIsRefused) {
+TEST_F(GmshScene, AFlatOrInvertedElementIsRejected) {
   const auto build_error = [this](const std::string& text) -> std::string {
     write(text);
     try {

@@ -73,7 +73,7 @@ TEST(Quality, VolumeOfATwistedElementIsExact) {
   // 1 - 2 z + 2 z^2.
   const std::array<Point, 8> corners{
       {{-.5, -.5, 0}, {.5, -.5, 0}, {.5, .5, 0}, {-.5, .5, 0}, {.5, -.5, 1}, {.5, .5, 1}, {-.5, .5, 1}, {-.5, -.5, 1}}};
-  EXPECT_NEAR(hexahedron_volume(corners), 2.0 / 3.0, 1e-15);
+  EXPECT_NEAR(volume_by_quadrature(corners), 2.0 / 3.0, 1e-15);
 }
 
 TEST(RoundNosedRod, HasTheAskedCounts) {

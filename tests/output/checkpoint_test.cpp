@@ -13,13 +13,16 @@
 #include <solver/output/checkpoint.hpp>
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
+#include <tests/support/scene_text.hpp>
 
-/// Checkpoints of the program: what a restart gives, what is refused, and what a killed or failed run leaves.
+/// Checkpoints of the program: what a restart gives, what is rejected, and what a killed or failed run leaves.
 namespace pinball {
 namespace {
 
 using test::content;
+using test::cube_scene;
 using test::Finished;
+using test::replaced;
 using test::run;
 using testing::HasSubstr;
 
@@ -30,7 +33,7 @@ class Checkpoints : public testing::Test {
     const Finished f = run("run --quiet " + arguments);
     EXPECT_EQ(f.status, 0) << arguments << '\n' << f.text;
   }
-  static void expect_refused(const std::string& arguments, const std::string& message) {
+  static void expect_input_error(const std::string& arguments, const std::string& message) {
     const Finished f = run("run --quiet " + arguments);
     EXPECT_EQ(f.status, 2) << arguments << '\n' << f.text;
     EXPECT_THAT(f.text, HasSubstr(message));
@@ -106,28 +109,28 @@ TEST_F(Checkpoints, ARunCanBeMadeLonger) {
   leave_checkpoint("two_blocks --set time.end=1e-4", 1000000);
   expect_done("--restart " + file_ + " --set time.end=1.5e-4");
   EXPECT_DOUBLE_EQ(nlohmann::json::parse(content(half_ + "/summary.json"))["end_time"].get<double>(), 1.5e-4);
-  expect_refused("--restart " + file_ + " --set time.end=0.5e-4", "time.end: expected at least");
+  expect_input_error("--restart " + file_ + " --set time.end=0.5e-4", "time.end: expected at least");
 }
 
-TEST_F(Checkpoints, KeysThatTheStateDependsOnAreRefused) {
+TEST_F(Checkpoints, KeysThatTheStateDependsOnAreRejected) {
   leave_checkpoint("two_blocks", 10);
   for (const char* change : {"contact.beta=2", "variant=fast", "output=1", "element.negative_volume=erode"}) {
-    expect_refused("--restart " + file_ + " --set " + change, "with --restart expected time.end");
+    expect_input_error("--restart " + file_ + " --set " + change, "with --restart expected time.end");
   }
-  expect_refused("--restart " + file_ + " --set output.intervall=1", "nearest is output.interval");
-  expect_refused("--restart " + file_ + " --refine 2", "neither --refine");
-  expect_refused("two_blocks --restart " + file_, "expected no SCENE");
-  expect_refused("", "expected a SCENE");
-  expect_refused("two_blocks --checkpoint-every 0", "--checkpoint-every");
-  expect_refused("--restart " + file_ + "s", "no such file");
-  expect_refused("--restart " + half_, "got a folder");
-  expect_refused("--restart " + half_ + "/history.csv", "expected a checkpoint of pinball");
+  expect_input_error("--restart " + file_ + " --set output.intervall=1", "nearest is output.interval");
+  expect_input_error("--restart " + file_ + " --refine 2", "neither --refine");
+  expect_input_error("two_blocks --restart " + file_, "expected no SCENE");
+  expect_input_error("", "expected a SCENE");
+  expect_input_error("two_blocks --checkpoint-every 0", "--checkpoint-every");
+  expect_input_error("--restart " + file_ + "s", "no such file");
+  expect_input_error("--restart " + half_, "got a folder");
+  expect_input_error("--restart " + half_ + "/history.csv", "expected a checkpoint of pinball");
 }
 
-TEST_F(Checkpoints, AHistoryThatDoesNotBelongToTheCheckpointIsRefused) {
+TEST_F(Checkpoints, AHistoryThatDoesNotBelongToTheCheckpointIsRejected) {
   leave_checkpoint("two_blocks", 25);
   std::ofstream(half_ + "/history.csv") << "# short\n";
-  expect_refused("--restart " + file_, "history.csv: expected the rows up to the time of the checkpoint");
+  expect_input_error("--restart " + file_, "history.csv: expected the rows up to the time of the checkpoint");
   expect_done("--restart " + file_ + " --out " + other_);
 }
 
@@ -153,29 +156,17 @@ $Elements
 $EndElements
 )";
   std::ofstream(mesh) << text;
-  std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
-[time]
-end = 1e-2
-[[material]]
-name = "steel"
-model = "elastic"
-density = 7850
-young_modulus = 2.1e11
-poisson_ratio = 0.3
-[[body]]
-name = "cube"
-material = "steel"
-velocity_noise = 1.0
-mesh = { type = "gmsh", file = "part.msh" }
-)";
+  const std::string block = R"(type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1])";
+  std::ofstream(folder_ / "scene.toml") << replaced(replaced(cube_scene, "end = 1e-4", "end = 1e-2"), block,
+                                                    R"(type = "gmsh", file = "part.msh")");
   leave_checkpoint(folder_ / "scene.toml", 5);
   expect_done("--restart " + file_ + " --set time.steps=8");
   text.replace(text.find("7 1 1 1"), 7, "7 1 1 2");
   std::ofstream(mesh) << text;
-  expect_refused("--restart " + file_, "part.msh: is not what it was");
+  expect_input_error("--restart " + file_, "part.msh: is not what it was");
 }
 
-TEST_F(Checkpoints, DamagedFilesAreRefused) {
+TEST_F(Checkpoints, DamagedFilesAreRejected) {
   leave_checkpoint("two_blocks", 25);
   const std::string whole = content(file_), damaged = folder_ / "damaged.pinball";
   EXPECT_NO_THROW(read_checkpoint(file_));
@@ -189,14 +180,14 @@ TEST_F(Checkpoints, DamagedFilesAreRefused) {
     const std::size_t length = random() % whole.size();
     expect_error(whole.substr(0, length), "cut off at " + std::to_string(length));
   }
-  for (int i = 0; i < 300; ++i) {
+  for (std::size_t i = 0; i < 300; ++i) {
     std::string bytes = whole;
-    const std::size_t place = i < 32 ? static_cast<std::size_t>(i) : random() % whole.size();
+    const std::size_t place = i < 32 ? i : random() % whole.size();
     bytes[place] = static_cast<char>(bytes[place] ^ (1 << random() % 8));
     expect_error(bytes, "flipped at " + std::to_string(place));
   }
   expect_error(whole + 'x', "longer");
-  expect_refused("--restart " + damaged, "damaged");
+  expect_input_error("--restart " + damaged, "damaged");
 }
 
 /// Starts the program; returns its process.
@@ -257,24 +248,7 @@ TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
 class FailedRuns : public Checkpoints {
  protected:
   void SetUp() override {
-    std::ofstream(folder_ / "scene.toml") << R"(units = "kg-m-s"
-[time]
-end = 1e-2
-cfl = 1.2
-[element]
-bulk_viscosity = false
-[[material]]
-name = "steel"
-model = "elastic"
-density = 7850
-young_modulus = 2.1e11
-poisson_ratio = 0.3
-[[body]]
-name = "cube"
-material = "steel"
-velocity_noise = 1.0
-mesh = { type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1] }
-)";
+    std::ofstream(folder_ / "scene.toml") << replaced(cube_scene, "end = 1e-4", "end = 1e-2\ncfl = 1.2");
   }
   /// Expects a run to fail, and its last good state to go on with these changes.
   void expect_failure(const std::string& arguments, const std::string& message, const std::string& changes) {

@@ -158,8 +158,8 @@ TEST(FieldOutput, WritesWhatIsAskedForAndThere) {
                                                    "connectivity", "offsets", "types"));
 }
 
-TEST(FieldOutput, RefusesUnknownFieldsAndWrongSizes) {
-  const TemporaryFolder folder("refuse");
+TEST(FieldOutput, RejectsUnknownFieldsAndWrongSizes) {
+  const TemporaryFolder folder("reject");
   EXPECT_THROW(FieldWriter(folder.path.string(), "fields", {"strain"}), InputError);
   FieldSnapshot s = two_blocks(0.0, 0.0);
   s.velocity.pop_back();
@@ -263,7 +263,7 @@ TEST(History, HasTheColumnsAndReachesTheFileRowByRow) {
   EXPECT_EQ(std::stod(cells[27]), 1.0 / 3.0);
 }
 
-TEST(History, RefusesARowOfOtherBodiesAndQuotesNames) {
+TEST(History, RejectsARowOfOtherBodiesAndQuotesNames) {
   const TemporaryFolder folder("quotes");
   HistoryWriter writer(folder.path.string(), {"a,\"b\""});
   EXPECT_THAT(run_error([&] { writer.write(test::history_row(0, 0.0)); }), testing::HasSubstr("2 bodies"));

@@ -64,7 +64,7 @@ TEST(Progress, RewritesOneLineOnATerminal) {
   const auto length = read(terminal, buffer, sizeof buffer);
   close(terminal);
   ASSERT_GT(length, 0);
-  const std::string text(buffer, static_cast<std::size_t>(length));
+  const std::string text(buffer, length);
   EXPECT_THAT(text, testing::StartsWith("\r 25.0 %  time 0.25 s"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '%'), 2) << text;
   EXPECT_EQ(text.back(), '\n');

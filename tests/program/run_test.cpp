@@ -14,12 +14,14 @@
 
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
+#include <tests/support/scene_text.hpp>
 
 /// The program itself, from outside: exit status, messages, files.
 namespace pinball {
 namespace {
 
 using test::content;
+using test::cube_scene;
 using test::Finished;
 using test::run;
 using testing::HasSubstr;
@@ -32,25 +34,6 @@ std::string value_of(const std::string& json, const std::string& key) {
   return std::regex_search(json, match, pattern) ? match[1].str() : "";
 }
 
-// Lines 1 to 16 of a scene that runs in no time; line 16 is the body's mesh.
-const std::string good = R"(units = "kg-m-s"
-[time]
-end = 1e-4
-[element]
-bulk_viscosity = false
-[[material]]
-name = "steel"
-model = "elastic"
-density = 7850
-young_modulus = 2.1e11
-poisson_ratio = 0.3
-[[body]]
-name = "cube"
-material = "steel"
-velocity_noise = 1.0
-mesh = { type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1] }
-)";
-
 class Program : public testing::Test {
  protected:
   std::string scene(const std::string& text) {
@@ -59,10 +42,7 @@ class Program : public testing::Test {
     return path;
   }
   static std::string with(const std::string& what, const std::string& instead) {
-    std::string text = good;
-    const auto place = text.find(what);
-    EXPECT_NE(place, std::string::npos) << what;
-    return text.replace(place, what.size(), instead);
+    return test::replaced(cube_scene, what, instead);
   }
   std::string out() const { return " --quiet --out " + (folder_ / "out"); }
   std::string result(const std::string& name) const { return content((folder_ / "out/") + name); }
@@ -115,8 +95,8 @@ TEST_F(Program, BadScenesEndWithTwoAndTheLine) {
 }
 
 TEST_F(Program, ASceneWithoutBodiesOrMeshIsBadInput) {
-  expect_bad_input(good.substr(0, good.find("[[body]]")), 0, "expected at least one [[body]]");
-  expect_bad_input(good.substr(0, good.find("mesh")), 0, "mesh");
+  expect_bad_input(cube_scene.substr(0, cube_scene.find("[[body]]")), 0, "expected at least one [[body]]");
+  expect_bad_input(cube_scene.substr(0, cube_scene.find("mesh")), 0, "mesh");
 }
 
 TEST_F(Program, AMissingSceneIsBadInput) {
@@ -152,7 +132,7 @@ TEST_F(Program, AnInvertedElementIsNamed) {
 }
 
 TEST_F(Program, ASuccessfulRunRemovesAnOldLastGoodState) {
-  const std::string path = scene(good);
+  const std::string path = scene(cube_scene);
   std::filesystem::create_directories(folder_ / "out");
   std::ofstream(folder_ / "out/last_good.vtu") << "old";
   EXPECT_EQ(run("run " + path + out()).status, 0);
@@ -321,7 +301,7 @@ long peak_memory(const std::string& folder, const char* refine) {
 
 TEST_F(Program, MemoryPerElementIsBounded) {
   // The program and its libraries are in both; the difference is the stores, the mesh while it is made, and the last
-  // good state.
+  // cube_scene state.
   const double kilobytes = static_cast<double>(peak_memory(folder_ / "out", "3") - peak_memory(folder_ / "out", "1"));
   EXPECT_LT(kilobytes * 1024 / (26 * (414 + 1428)), 2000);
 }

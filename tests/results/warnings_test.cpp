@@ -18,28 +18,28 @@ RunSummary sound() {
   return s;
 }
 
-TEST(Doubts, ASoundRunHasNone) { EXPECT_THAT(doubts(sound()), IsEmpty()); }
+TEST(Warnings, ASoundRunHasNone) { EXPECT_THAT(warnings(sound()), IsEmpty()); }
 
-TEST(Doubts, EnergyBalance) {
+TEST(Warnings, EnergyBalance) {
   RunSummary s = sound();
   s.balance_error_max = 0.4;
-  EXPECT_THAT(doubts(s), ElementsAre(HasSubstr("off by up to 40 %: try a smaller time.cfl or contact.beta")));
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("off by up to 40 %: try a smaller time.cfl or contact.beta")));
   s.contact_method = "none";
-  EXPECT_THAT(doubts(s), ElementsAre(testing::EndsWith("time.cfl")));
+  EXPECT_THAT(warnings(s), ElementsAre(testing::EndsWith("time.cfl")));
 }
 
-TEST(Doubts, PenetrationUnlessSomethingEroded) {
+TEST(Warnings, PenetrationUnlessSomethingEroded) {
   RunSummary s = sound();
   s.max_penetration_ratio = 0.6;
-  EXPECT_THAT(doubts(s), ElementsAre(HasSubstr("into each other by up to 60 %")));
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("into each other by up to 60 %")));
   s.bodies[1].eroded_elements = 1;
-  EXPECT_THAT(doubts(s), IsEmpty());
+  EXPECT_THAT(warnings(s), IsEmpty());
 }
 
-TEST(Doubts, Overlap) {
+TEST(Warnings, Overlap) {
   RunSummary s = sound();
   s.overlapping_bodies = "a and b";
-  EXPECT_THAT(doubts(s), ElementsAre(HasSubstr("bodies a and b overlap at the start")));
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("bodies a and b overlap at the start")));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace pinball::test {
 
 using Random = std::mt19937_64;
 
-inline std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : static_cast<std::size_t>(random() % n); }
+inline std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
 
 inline std::string file_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

@@ -17,7 +17,7 @@
 
 #include "fuzz_inputs.hpp"
 
-/// Readers of scenes and meshes on texts that were made worse at random. Each is read, or refused with an InputError;
+/// Readers of scenes and meshes on texts that were made worse at random. Each is read, or rejected with an InputError;
 /// no other exception, no crash, no hang, no allocation out of proportion. Seeds are fixed; PINBALL_FUZZ_SECONDS=600
 /// goes on with further ones for so long. The input at hand is left in a file, which a crash leaves behind.
 namespace {
@@ -103,7 +103,7 @@ void fuzz(const std::vector<std::string>& corpus, std::uint64_t count, const std
   const auto start = Clock::now();
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("pinball_fuzz_{}_{}", name, ::getpid());
   std::filesystem::create_directories(folder);
-  std::uint64_t refused = 0, seed = 0;
+  std::uint64_t rejected = 0, seed = 0;
   for (; seed < count ||
          (seconds != nullptr && std::chrono::duration<double>(Clock::now() - start).count() < std::atof(seconds));
        ++seed) {
@@ -117,7 +117,7 @@ void fuzz(const std::vector<std::string>& corpus, std::uint64_t count, const std
     try {
       use(text, path, random);
     } catch (const InputError& error) {
-      ++refused;
+      ++rejected;
       if (std::string(error.what()).empty()) problem = "an error without a message";
     } catch (const std::exception& error) {
       problem = fmt::format("not an InputError: {}", error.what());
@@ -133,8 +133,8 @@ void fuzz(const std::vector<std::string>& corpus, std::uint64_t count, const std
     }
   }
   if (!testing::Test::HasFailure()) std::filesystem::remove_all(folder);
-  EXPECT_GT(refused, seed / 4) << "most changes should be noticed";
-  EXPECT_LT(refused, seed) << "some change nothing that matters";
+  EXPECT_GT(rejected, seed / 4) << "most changes should be noticed";
+  EXPECT_LT(rejected, seed) << "some change nothing that matters";
 }
 
 TEST(FuzzReaders, Scenes) {

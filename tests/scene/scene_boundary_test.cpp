@@ -4,6 +4,8 @@
 namespace pinball {
 namespace {
 
+using namespace test;
+
 using SceneBoundaryTest = SceneTest;
 
 TEST_F(SceneBoundaryTest, ReadsEveryKey) {

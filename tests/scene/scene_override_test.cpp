@@ -7,6 +7,8 @@
 namespace pinball {
 namespace {
 
+using namespace test;
+
 namespace fs = std::filesystem;
 
 using SceneOverrideTest = SceneTest;

@@ -8,6 +8,8 @@
 namespace pinball {
 namespace {
 
+using namespace test;
+
 TEST_F(SceneTest, FillsInDefaults) {
   const Scene scene = read(minimal);
   EXPECT_EQ(scene.name, "scene");
@@ -294,7 +296,7 @@ TEST_F(SceneTest, ChoicesListWhatIsAllowed) {
             "\"pinball_radius\" or \"alive\", got \"stres\"");
 }
 
-TEST_F(SceneTest, AMisspeltContactIsRefused) {
+TEST_F(SceneTest, AMisspeltContactIsRejected) {
   EXPECT_EQ(error(with({"[contact]", "method = \"sideline\""})),
             "16:10: contact.method: expected \"none\", \"pinball\" or \"slideline\", got \"sideline\"");
 }

@@ -102,12 +102,12 @@ TEST(Simulation, MapsLeadFromNumbersOfTheSceneToPlacesInViews) {
   std::vector<double> copied(3 * 128);
   simulation.copy(NodeField::position, view_records(copied.data(), 128, 3));
   for (std::int64_t n = 0; n < nodes.count; ++n) {
-    const Point& from_mesh = mesh.nodes[static_cast<std::size_t>(n)];
-    const std::int32_t place = simulation.place_of_node()[static_cast<std::size_t>(nodes.first + n)];
+    const Point& from_mesh = mesh.nodes[n];
+    const std::int32_t place = simulation.place_of_node()[nodes.first + n];
     for (std::size_t k = 0; k < 3; ++k) {
       const double expected = from_mesh[k] + scene.bodies[1].position[k];
       EXPECT_EQ(simulation.positions().number(place, static_cast<std::int64_t>(k)), expected);
-      EXPECT_EQ(copied[static_cast<std::size_t>(3 * (nodes.first + n)) + k], expected);
+      EXPECT_EQ(copied[3 * (nodes.first + n) + k], expected);
     }
   }
   simulation.run();
@@ -273,8 +273,8 @@ TEST(Simulation, ASavedStateGoesOnInAnotherSimulation) {
 
 // ---- Wrong input ----
 
-/// What a simulation of the scene is refused with; "" if it is not.
-std::string refusal(const Scene& scene) {
+/// The InputError that building a simulation of the scene throws; "" if it throws none.
+std::string input_error_of(const Scene& scene) {
   try {
     const Simulation simulation(scene);
   } catch (const std::exception& error) {
@@ -292,55 +292,55 @@ class WrongArrays : public testing::Test {
 
 TEST_F(WrongArrays, NullPointers) {
   arrays().coordinates.data = nullptr;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.coordinates: expected an array, got a null pointer");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.coordinates: expected an array, got a null pointer");
   arrays() = mesh().view();
   arrays().hexahedra.data = nullptr;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.hexahedra: expected an array, got a null pointer");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.hexahedra: expected an array, got a null pointer");
 }
 
 TEST_F(WrongArrays, CountsAndTypes) {
   arrays().coordinates.count = 0;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.coordinates: expected 1 to 500000000 records, got 0");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.coordinates: expected 1 to 500000000 records, got 0");
   arrays() = mesh().view();
   arrays().hexahedra.components = 4;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.hexahedra: expected records of 8 numbers, got 4");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.hexahedra: expected records of 8 numbers, got 4");
   arrays() = mesh().view();
   arrays().hexahedra.type = NumberType::float32;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.hexahedra: expected integers, got floating-point numbers");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.hexahedra: expected integers, got floating-point numbers");
   arrays() = mesh().view();
   arrays().coordinates.type = NumberType::int64;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.coordinates: expected floating-point numbers, got integers");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.coordinates: expected floating-point numbers, got integers");
 }
 
 TEST_F(WrongArrays, IndicesOutOfRange) {
   mesh().hexahedra[8 * 2 + 5] = 64;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.hexahedra[2][5]: expected a node from 0 to 63, got 64");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.hexahedra[2][5]: expected a node from 0 to 63, got 64");
   mesh().hexahedra[8 * 2 + 5] = -1;
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.hexahedra[2][5]: expected a node from 0 to 63, got -1");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.hexahedra[2][5]: expected a node from 0 to 63, got -1");
 }
 
 TEST_F(WrongArrays, Coordinates) {
   mesh().coordinates[3 * 7 + 1] = std::nan("");
-  EXPECT_EQ(refusal(host_.scene), "body.b.mesh.coordinates[7][1]: expected a finite number, got nan");
+  EXPECT_EQ(input_error_of(host_.scene), "body.b.mesh.coordinates[7][1]: expected a finite number, got nan");
 }
 
 TEST_F(WrongArrays, NodesOfNoElement) {
   mesh().coordinates.insert(mesh().coordinates.end(), {1, 2, 3});
   arrays() = mesh().view();
-  EXPECT_EQ(refusal(host_.scene),
+  EXPECT_EQ(input_error_of(host_.scene),
             "body.b.mesh.coordinates[64]: expected nodes of elements only, no element has this one");
 }
 
 TEST_F(WrongArrays, InvertedElements) {
   for (std::size_t i = 0; i < 4; ++i) std::swap(mesh().hexahedra[i], mesh().hexahedra[i + 4]);
-  EXPECT_THAT(refusal(host_.scene), testing::HasSubstr("body b: element 0 is inverted or flat"));
+  EXPECT_THAT(input_error_of(host_.scene), testing::HasSubstr("body b: element 0 is inverted or flat"));
 }
 
 TEST(WrongScenes, NameTheKey) {
   const auto with = [](const auto& change) {
     Scene scene = impact();
     change(scene);
-    return refusal(scene);
+    return input_error_of(scene);
   };
   EXPECT_EQ(with([](Scene& s) { s.materials[0].density = -1; }),
             "material.steel.density: expected a number > 0, got -1");
@@ -365,7 +365,7 @@ TEST(WrongScenes, NameTheKey) {
 TEST(WrongCalls, AreNamed) {
   Simulation simulation(impact());
   std::vector<double> memory(3 * 128, 7.0);
-  const auto refused = [&](const auto& call) {
+  const auto input_error = [&](const auto& call) {
     try {
       call();
     } catch (const InputError& error) {
@@ -373,19 +373,19 @@ TEST(WrongCalls, AreNamed) {
     }
     return std::string();
   };
-  EXPECT_EQ(refused([&] { simulation.copy(NodeField::position, view_records(memory.data(), 127, 3)); }),
+  EXPECT_EQ(input_error([&] { simulation.copy(NodeField::position, view_records(memory.data(), 127, 3)); }),
             "copy: to: expected 128 records of 3, got 127 of 3");
   EXPECT_EQ(memory, std::vector<double>(3 * 128, 7.0));
-  EXPECT_EQ(refused([&] { simulation.copy(NodeField::mass, ArrayView{}); }),
+  EXPECT_EQ(input_error([&] { simulation.copy(NodeField::mass, ArrayView{}); }),
             "copy: to: expected an array, got a null pointer");
-  EXPECT_EQ(refused([&] { simulation.nodes_of("c"); }), "body: there is no body named \"c\"");
-  EXPECT_EQ(refused([&] { simulation.on_step(nullptr); }), "on_step: expected a function, got none");
+  EXPECT_EQ(input_error([&] { simulation.nodes_of("c"); }), "body: there is no body named \"c\"");
+  EXPECT_EQ(input_error([&] { simulation.on_step(nullptr); }), "on_step: expected a function, got none");
   Scene scene = impact();
   scene.time.subcycling = true;
   Simulation subcycled(scene);
-  EXPECT_EQ(refused([&] { subcycled.velocities_to_change(); }),
+  EXPECT_EQ(input_error([&] { subcycled.velocities_to_change(); }),
             "velocities: expected time.subcycling = false, with it they cannot be changed");
-  EXPECT_EQ(refused([&] { const Simulation none(scene, {-1}); }), "threads: expected an integer >= 0");
+  EXPECT_EQ(input_error([&] { const Simulation none(scene, {-1}); }), "threads: expected an integer >= 0");
 }
 
 TEST(CompletedScene, HasTheDefaultsOfASceneFile) {

@@ -13,7 +13,7 @@
 #include <solver/scene.hpp>
 
 /// Scenes of a few lines, written to a file of their own, and the errors that reading them gives.
-namespace pinball {
+namespace pinball::test {
 
 // Lines 1 to 14; tests change single lines of it, or add lines from 15 on.
 inline const std::vector<std::string> minimal{
@@ -78,4 +78,4 @@ class SceneTest : public testing::Test {
   std::string file_;
 };
 
-}  // namespace pinball
+}  // namespace pinball::test

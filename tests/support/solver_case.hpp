@@ -1,12 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
-#include <solver/verification/verification.hpp>
+#include <solver/verification/solver_run.hpp>
 
 /// Scenes of a few blocks, made in code, for the tests of the solver.
 namespace pinball::test {
@@ -95,11 +96,18 @@ void run(Solver<S>& solver) {
   solver.finish();
 }
 
+/// Runs to the end; returns the largest error of the energy balance on the way.
+inline double worst_balance_of_run(Solver<double>& solver) {
+  double worst = 0;
+  run_to_end(solver, [&] { worst = std::max(worst, std::abs(solver.balance_error())); });
+  return worst;
+}
+
 /// Has elements of the scene eroded in the coming step, as if they had been strained too far.
 template <class S>
 void strain_to_failure(Solver<S>& solver, const std::vector<std::size_t>& elements) {
   for (const std::size_t e : elements) {
-    solver.model().elements.plastic_strain[static_cast<std::size_t>(solver.model().slot_of_element[e])] = S(1e3);
+    solver.model().elements.plastic_strain[solver.model().slot_of_element[e]] = S(1e3);
   }
 }
 
@@ -115,20 +123,8 @@ double kinetic_energy(const Solver<S>& solver) {
   return 0.5 * twice;
 }
 
-/// Sum of m x cross v about the origin.
-inline Point angular_momentum(const Solver<double>& solver) {
-  Point sum{};
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const double m = solver.model().node_mass[static_cast<std::size_t>(solver.model().node_of_scene_node[n])];
-    const Point x = position_of(solver, n), v = velocity_of(solver, n);
-    for (std::size_t k = 0; k < 3; ++k)
-      sum[k] += m * (x[(k + 1) % 3] * v[(k + 2) % 3] - x[(k + 2) % 3] * v[(k + 1) % 3]);
-  }
-  return sum;
-}
-
-/// What building the solver of a scene is refused with; "" if it is not.
-inline std::string refusal(const Scene& scene) {
+/// The InputError that building the solver of a scene throws; "" if it throws none.
+inline std::string input_error_of(const Scene& scene) {
   try {
     const Solver<double> solver(scene);
   } catch (const InputError& error) {

@@ -16,7 +16,7 @@
 #include <kernels/tensor.hpp>
 
 /// What the kernel tests share: number types, lanes, random data, and hexahedra integrated by quadrature.
-namespace pinball::support {
+namespace pinball::test {
 
 // ---- Number types -------------------------------------------------------------------------------------------------
 
@@ -32,7 +32,7 @@ void set_lane(T& pack, int i, ScalarOf<T> value) {
   if constexpr (width_of<T> == 1) {
     pack = value;
   } else {
-    pack[static_cast<std::size_t>(i)] = value;
+    pack[i] = value;
   }
 }
 
@@ -187,6 +187,13 @@ inline double hourglass_value(int a, int corner) {
   return a == 0 ? p[1] * p[2] : a == 1 ? p[2] * p[0] : a == 2 ? p[0] * p[1] : p[0] * p[1] * p[2];
 }
 
+/// The 24 values B_iI of the mean gradient operator, which the kernels never need one by one.
+template <class T>
+void expand(const UniformGradient<T>& b, Vec3<T> (&corner)[8]) {
+  const Vec3<T> hourglass[4] = {b.hourglass[0], b.hourglass[1], b.hourglass[2], {T(0), T(0), T(0)}};
+  from_modes(b.linear, hourglass, corner);
+}
+
 inline Corners box(double a, double b, double c) {
   Corners x;
   for (std::size_t i = 0; i < 8; ++i) {
@@ -258,9 +265,9 @@ template <class T>
 HexahedronModes<T> modes_from_lanes(const std::vector<Corners>& x) {
   Vec3<T> value[8];
   for (std::size_t k = 0; k < 8; ++k) {
-    value[k] = vector_from_lanes<T>([&](int i) { return x[static_cast<std::size_t>(i)][k]; });
+    value[k] = vector_from_lanes<T>([&](int i) { return x[i][k]; });
   }
   return to_modes(value);
 }
 
-}  // namespace pinball::support
+}  // namespace pinball::test

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include <solver/scene.hpp>
+
+#include "verification.hpp"
+
+/// The cases, one function per scene.
+namespace pinball {
+
+std::vector<VerificationRow> verify_block(const Scene& scene);
+std::vector<VerificationRow> verify_cantilever(const Scene& scene);
+std::vector<VerificationRow> verify_patch_test(const Scene& scene);
+std::vector<VerificationRow> verify_plate_impact(const Scene& scene);
+std::vector<VerificationRow> verify_refined_layer(const Scene& scene);
+std::vector<VerificationRow> verify_rod_oblique(const Scene& scene);
+std::vector<VerificationRow> verify_rod_plate(const Scene& scene);
+std::vector<VerificationRow> verify_sphere_sphere(const Scene& scene);
+std::vector<VerificationRow> verify_sphere_wall(const Scene& scene);
+std::vector<VerificationRow> verify_sphere_wall_full(const Scene& scene);
+std::vector<VerificationRow> verify_spinning_block(const Scene& scene);
+std::vector<VerificationRow> verify_taylor_bar(const Scene& scene);
+std::vector<VerificationRow> verify_taylor_plate(const Scene& scene);
+std::vector<VerificationRow> verify_two_bars(const Scene& scene);
+std::vector<VerificationRow> verify_two_blocks(const Scene& scene);
+std::vector<VerificationRow> verify_uniaxial_strain(const Scene& scene);
+
+}  // namespace pinball
