@@ -60,7 +60,7 @@ std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
       compare_with_zero("lagrange, --refine 2: drift of momentum", lagrange.momentum_drift, 1e-10, "conservation"),
       compare_with_zero("lagrange, --refine 2: largest error of the energy balance", lagrange.balance_error, 1e-3,
                         "conservation"),
-      // Ten points. Single runs leave 36 to 53 %, that of the scene as it stands 53 %: README, the oblique rod.
+      // Ten points. Single runs leave 36 to 53 %, that of the scene as it stands 53 %: docs/accuracy.md.
       compare("lagrange, --refine 2: mass of the rod left / initial, mean of three", lagrange.mass_left, 0.42,
               0.10 / 0.42, "report, problem 4"),
   };
