@@ -26,17 +26,15 @@ SOURCES = ["kernels", "solver", "python"]
 
 
 def paths(text):
-    """What a page names as a path of the tree: code that begins with one of its folders, with `*` for placeholders."""
+    """What a page names as a path of the tree: what begins with one of its folders, with `*` for placeholders."""
     text = re.sub(r"^```(?!text).*?^```$", "", text, flags=re.M | re.S)  # samples are checked elsewhere
-    codes = re.findall(r"`([^`\n]+)`", text) + re.findall(r"^(?: {3,}|\t)\S.*$", text, flags=re.M)
-    for code in codes:
-        for token in TOKEN.findall(code):
-            if token.startswith("<pinball/"):
-                token = token.removeprefix("<pinball/")
-                token = re.sub("^contact/", "solver/contact/", token)
-            token = re.sub(r"\.\.\.$", "", PLACEHOLDER.sub("*", token)).rstrip(".")
-            if token.split("/")[0] in TOP:
-                yield token
+    for token in TOKEN.findall(re.sub(r"\]\([^)]*\)", "", text)):
+        if token.startswith("<pinball/"):
+            token = token.removeprefix("<pinball/")
+            token = re.sub("^contact/", "solver/contact/", token)
+        token = re.sub(r"\.\.\.$", "", PLACEHOLDER.sub("*", token)).rstrip(".")
+        if token.split("/")[0] in TOP:
+            yield token
 
 
 def missing_paths(page, text):
