@@ -29,7 +29,8 @@ endif()
 add_library(pinball_codegen INTERFACE)
 # The same in every build, so that builds differ in the instruction set alone.
 # No -ffast-math: NaN and infinity must stay visible, and sums keep their order.
-target_compile_options(pinball_codegen INTERFACE -fno-math-errno -fno-trapping-math -ffp-contract=fast)
+target_compile_options(pinball_codegen INTERFACE -fno-math-errno -fno-trapping-math)
+target_compile_options(pinball_codegen INTERFACE -ffp-contract=$<IF:$<BOOL:${PINBALL_CONTRACT}>,fast,off>)
 
 if(PINBALL_WITHOUT)
   list(JOIN PINBALL_WITHOUT "," left_out)

@@ -44,9 +44,17 @@ function(pinball_objects target)
   endif()
   set_target_properties(${target} PROPERTIES
     POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
-  # To read these takes longer than to compile most of the sources; that each source includes what it needs is not
-  # seen to by it: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON does.
-  target_precompile_headers(${target} PRIVATE ${PINBALL_SLOW_HEADERS})
+  # To read these takes longer than to compile most of the sources: once for all libraries of a level. That each source
+  # includes what it needs is not seen to by it: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON does.
+  set(first pinball_contact_objects)
+  if(arg_LEVEL)
+    set(first pinball_contact_objects_${arg_LEVEL})
+  endif()
+  if(target STREQUAL first)
+    target_precompile_headers(${target} PRIVATE ${PINBALL_SLOW_HEADERS})
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  endif()
 endfunction()
 
 function(pinball_link_library target name type)

@@ -8,15 +8,17 @@
 /// In a box of half edges a_1..3 along xi_1..3 = xi, eta, zeta the hourglass modes h_1..4 (hourglass.hpp), times sqrt3,
 /// strain linearly; e.g. of the mode xi eta, with h_(a,m) the component of h_a along edge m,
 ///
-///     e_11 = sqrt3 eta h_(3,1) / a_1 ,   e_22 = sqrt3 xi h_(3,2) / a_2 ,   2 e_12 = sqrt3 (xi h_(3,1)/a_2 + eta
-///     h_(3,2)/a_1) .
+///     e_11 = sqrt3 eta h_(3,1) / a_1 ,   e_22 = sqrt3 xi h_(3,2) / a_2 ,
+///     2 e_12 = sqrt3 (xi h_(3,1)/a_2 + eta h_(3,2)/a_1) .
 ///
 /// What locks is left out: the shear of a bending mode, and the resistance of an element to narrowing where it is
 /// stretched. So each of the coordinates xi_c goes with two bending strains, in a state of plane stress across c, and
 /// with one twist:
 ///
-///     s_mk = E/(1 - nu^2) (h_(a,m)/a_m + nu h_(b,k)/a_k)     m, k: the directions other than c; h_a ~ xi_m xi_c, h_b ~
-///     xi_k xi_c t_c  = mu (h_(m,m)/a_k + h_(k,k)/a_m)                  of u_m ~ xi_k xi_c and u_k ~ xi_m xi_c
+///     s_mk = E/(1 - nu^2) (h_(a,m)/a_m + nu h_(b,k)/a_k)   m, k: the directions other than c;
+///                                                          h_a ~ xi_m xi_c, h_b ~ xi_k xi_c
+///
+///     t_c = mu (h_(m,m)/a_k + h_(k,k)/a_m)                 of u_m ~ xi_k xi_c and u_k ~ xi_m xi_c
 ///
 /// and the fourth mode, xi eta zeta, is stretched along one line at a time: E/3 h_(4,m)/a_m. The forces follow from the
 /// energy: over the box the square of sqrt3 xi_c has the mean 1.

@@ -16,7 +16,7 @@
 /// Two kinds of gap. `pinball_row`: the report's balls, each the mean of its eight corners. `face_row`: the distance of
 /// the two faces that look at each other, along their mean normal, at one common point; balls only find the pair. Flat
 /// faces then touch where they are (balls reach 0.12 h out of them), and since the two forces of a pair have one line
-/// of action, the angular momentum is kept too.
+/// of action where its faces are parallel, the angular momentum is kept there, too.
 namespace pinball {
 
 struct ContactRow {

@@ -6,8 +6,9 @@
 #include "simd.hpp"
 #include "tensor.hpp"
 
-/// Projection of a slave node onto a master segment: the narrow phase of a slideline (Belytschko and Lin, Comp. Meths.
-/// Appl. Mech. Engrg. 1987; Hallquist, Goudreau and Benson, ibid. 51, 107-137, 1985).
+/// Projection of a slave node onto a master segment: the narrow phase of a slideline (Belytschko and Lin,
+/// Computers and Structures 25, 95-104, 1987; Hallquist, Goudreau and Benson, Comp. Meths. Appl. Mech. Engrg. 51,
+/// 107-137, 1985).
 ///
 /// The segment is the bilinear face x(xi, eta) = sum_I N_I x_I of four nodes in the order of face_nodes; the foot of
 /// the node x is where x - x(xi, eta) is normal to it, found by Newton iteration:

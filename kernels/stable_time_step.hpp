@@ -22,8 +22,8 @@ namespace pinball {
 ///
 /// With q^2 = J2/3 and rho = J3/(2 q^3) of the deviator it is mean + 2 q cos(acos(rho)/3). The cosine is a concave
 /// function of rho, so that each of its tangents bounds it; the two at rho = 1 and rho = -1/2 are used. Exact where the
-/// two smaller values are equal (cube, rod) or rho = -1/2; the largest excess, 9.5 % of the value, is where the two
-/// larger ones are equal and the third vanishes (a flat element has one large value, and is exact).
+/// two smaller values are equal (cube, flat element) or rho = -1/2; the largest excess, 9.5 % of the value, is where
+/// the two larger ones are equal and the third vanishes (a long rod).
 template <class T>
 PINBALL_FUNCTION T largest_principal_value(const Symmetric<T>& s) {
   const T mean = number<T>(1.0 / 3.0) * trace(s);

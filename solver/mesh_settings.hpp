@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "array_mesh.hpp"
+#include "array_view.hpp"
 #include "base/point.hpp"
 
 /// What a mesh is made from: settings of the generators, a file, or arrays of a host. Fields carry the TOML key that
@@ -73,6 +75,17 @@ struct GmshMesh {
   std::string file;      ///< as it can be opened; in the scene relative to the folder of the scene file
   std::string physical;  ///< name of the physical volume; default: all volumes
   double scale = 1.0;    ///< multiplies the coordinates
+};
+
+/// The mesh of a body in the memory of a host. It is read, and copied once, while the model is built: elements are
+/// sorted then. Until that is done the arrays have to stay; afterwards nothing refers to them.
+struct ArrayMesh {
+  ConstArrayView coordinates{};  ///< records of three floats or doubles, one per node [length]
+  /// Records of eight 32- or 64-bit integers, one per element: places in `coordinates`, in the order of corners that
+  /// mesh.hpp shows.
+  ConstArrayView hexahedra{};
+  std::int64_t first_index = 0;         ///< what `hexahedra` calls the first node: 1 in Fortran
+  std::shared_ptr<const void> owner{};  ///< keeps the arrays while they may be read; none: the host sees to that
 };
 
 /// ArrayMesh has no form in TOML: it is for hosts.

@@ -11,6 +11,7 @@ namespace pinball {
 
 struct Checkpoint;  // solver/output/checkpoint.hpp: not for hosts
 
+/// What a recorded run writes, and from what it goes on.
 struct RecordOptions {
   std::string out;                    ///< folder for the results; empty: nothing is written
   bool quiet = false;                 ///< no progress

@@ -121,9 +121,9 @@ void embedding(benchmark::State& state) {
       const ModelSurface<S> of_model(model);
       own->update_surface(of_model, eroded_slots(model, no_erosion));
       own->search(of_model);
-      ContactWork work = own->before_step(of_model, dt);
-      own->add_forces(of_model, work);
-      pairs[0] = work.pairs;
+      ContactWork springs = own->before_step(of_model, dt);
+      own->add_forces(of_model, springs);
+      pairs[0] = springs.pairs;
     } else {
       EmbeddedContact& contact = which == 1 ? with_records : with_vectors;
       const pinball_contact_arrays host = which == 1 ? records_of(model.nodes) : vectors.host();

@@ -12,7 +12,7 @@
 #include <string>
 
 #include <solver/contact/slideline/slideline_algorithm.hpp>
-#include <solver/step/solver.hpp>
+#include <solver/step/report.hpp>
 
 #include "ceilings_context.hpp"
 #include "sliding_plates.hpp"
@@ -64,7 +64,7 @@ void count_work(benchmark::State& state, const Solver<S>& solver, ContactMethod 
   }
   state.counters["surface_elements"] = Counter(surface);
   state.counters["listed"] = Counter(owners);
-  state.counters["pairs_in_contact"] = Counter(static_cast<double>(solver.contact_pairs()));
+  state.counters["pairs_in_contact"] = Counter(static_cast<double>(solver.counts().pairs()));
 }
 
 void stages(benchmark::State& state, ContactMethod method) {

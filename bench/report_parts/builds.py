@@ -48,11 +48,22 @@ def check_tools():
             raise Failed(f"{tool} is needed and not there (Debian: package {package})")
 
 
+def knows(preset, targets):
+    """Whether a preset is configured with these targets: ./run configures without benchmarks."""
+    try:
+        with open(os.path.join(folder(preset), "build.ninja"), encoding="utf-8") as file:
+            text = file.read()
+    except FileNotFoundError:
+        return False
+    return all(f"\nbuild {target}: " in text for target in targets)
+
+
 def build(preset, targets=TARGETS):
     """Configures where that has not been done, builds what is needed; returns the seconds that it took."""
     start = time.monotonic()
-    if not os.path.exists(os.path.join(folder(preset), "build.ninja")):
-        launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    if not knows(preset, targets):
+        with_ccache = not os.path.exists(os.path.join(folder(preset), "build.ninja")) and shutil.which("ccache")
+        launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if with_ccache else []
         run(["cmake", "--preset", preset, *launcher], cwd=ROOT)
     run(["cmake", "--build", "--preset", preset, "--target", *targets], cwd=ROOT)
     return time.monotonic() - start

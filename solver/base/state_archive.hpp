@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -76,6 +77,17 @@ class StateArchive {
   void value(std::pair<A, B>& pair) {
     value(pair.first);
     value(pair.second);
+  }
+  template <class T>
+  void value(std::optional<T>& maybe) {
+    std::uint8_t there = maybe ? 1 : 0;
+    value(there);
+    if (there == 0) {
+      maybe.reset();
+      return;
+    }
+    if (!maybe) maybe.emplace();
+    value(*maybe);
   }
   void value(std::string& text) {
     text.resize(count(text.size(), 1));

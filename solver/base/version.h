@@ -13,7 +13,9 @@
 #define PINBALL_VERSION_MINOR 1 /**< second number of #PINBALL_VERSION */
 #define PINBALL_VERSION_PATCH 0 /**< third number of #PINBALL_VERSION */
 
+/** A macro's value as text. */
 #define PINBALL_TEXT_OF(number) #number
+/** The text of a version, of numbers that may be macros. */
 #define PINBALL_VERSION_OF(major, minor, patch) PINBALL_TEXT_OF(major) "." PINBALL_TEXT_OF(minor) "." PINBALL_TEXT_OF(patch)
 /** What the host was compiled with. */
 #define PINBALL_VERSION PINBALL_VERSION_OF(PINBALL_VERSION_MAJOR, PINBALL_VERSION_MINOR, PINBALL_VERSION_PATCH)

@@ -36,12 +36,11 @@ BoundaryConditions<S>::BoundaryConditions(const Model<S>& model) : damping_(mode
 }
 
 template <class S>
-void BoundaryConditions<S>::apply(Model<S>& model, double time, const StepLengths& step, const DueSpans& due) {
-  if (!loads_.empty()) add_loads(model, time);
+void BoundaryConditions<S>::add_loads(Model<S>& model, double time) {
+  if (!loads_.empty()) add_nodal_loads(model, time);
   if (!host_forces_.empty()) add_host_forces(model);
   if (damping_ > 0) add_damping(model);
   std::fill(reaction_.begin(), reaction_.end(), S(0));
-  hold(model, time, step, due);
 }
 
 template <class S>
@@ -51,7 +50,7 @@ void BoundaryConditions<S>::hold(Model<S>& model, double time, const StepLengths
 }
 
 template <class S>
-void BoundaryConditions<S>::complete(Model<S>& model, const StepLengths& step) {
+void BoundaryConditions<S>::add_wall_reactions(Model<S>& model, const StepLengths& step) {
   if (walls_.any()) walls_.apply(model, step);
   if (!acts_) return;
   done_ += last_.now + last_.later;
@@ -59,7 +58,7 @@ void BoundaryConditions<S>::complete(Model<S>& model, const StepLengths& step) {
 }
 
 template <class S>
-void BoundaryConditions<S>::add_loads(Model<S>& model, double time) {
+void BoundaryConditions<S>::add_nodal_loads(Model<S>& model, double time) {
   for (Load& load : loads_) {
     const double factor = load.table.value(time);
     for (std::size_t k = 0; k < 3; ++k) load.present[k] = static_cast<S>(factor * load.force[k]);

@@ -14,9 +14,8 @@
 namespace pinball {
 
 /// What acts on the nodes from outside: loads (the scene's and the host's), damping, constraints, prescribed velocities
-/// and rigid walls, in this
-/// order, each of them with the last word over those before. All of them act through the force of a node, so that
-/// integration and energies need not know of them.
+/// and rigid walls, in this order, each of them with the last word over those before. All of them act through the force
+/// of a node, so that integration and energies need not know of them.
 template <class S>
 class BoundaryConditions {
  public:
@@ -26,13 +25,15 @@ class BoundaryConditions {
   /// Whether the scene has any of it.
   bool any() const { return any_; }
 
-  /// Changes the forces (and, in constrained directions, the velocities) of the nodes, after all other forces are known
-  /// and before the integration: all but the walls. time: of the forces; due: what is integrated then.
-  void apply(Model<S>& model, double time, const StepLengths& step, const DueSpans& due = {});
-  /// Constraints and prescribed velocities: the last part of apply, and once more where contact has added forces since.
+  // In this order, after the forces of elements and springs are known and before the integration; time: of the forces.
+
+  /// Adds loads and damping to the forces of the nodes.
+  void add_loads(Model<S>& model, double time);
+  /// Constraints and prescribed velocities: changes forces and, in constrained directions, velocities; once more where
+  /// contact has added forces since. due: what is integrated then.
   void hold(Model<S>& model, double time, const StepLengths& step, const DueSpans& due = {});
-  /// The walls, and the work of all.
-  void complete(Model<S>& model, const StepLengths& step);
+  /// Adds the reactions of the walls, and counts the work of all.
+  void add_wall_reactions(Model<S>& model, const StepLengths& step);
 
   double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
   /// Counts work that was done between two steps.
@@ -55,7 +56,7 @@ class BoundaryConditions {
     std::vector<S> share;        ///< of the force, per node [-]
     std::array<S, 3> present{};  ///< total, at the time of the forces [force]
   };
-  void add_loads(Model<S>& model, double time);
+  void add_nodal_loads(Model<S>& model, double time);
   void add_host_forces(Model<S>& model) const;
   void add_damping(Model<S>& model);
   void constrain(Model<S>& model, const DueSpans& due) const;

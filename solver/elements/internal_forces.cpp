@@ -32,47 +32,26 @@ void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementSt
 }
 
 template <class S>
-InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt) {
-  if (!built::resting || !resting_) {
-    worked_ = model.tile_colours;
-  } else if (resting_->wake(model.nodes)) {
-    choose_worked(model);
-  }
-  for_each_tile(worked_, [&](std::int32_t tile) {
-    TileResult<S>& result = results_[static_cast<std::size_t>(tile)];
-    const TileResult<S> before = result;
-    work(model, tile, {dt});
-    // Worked all the same, a tile at rest keeps its stable step, as it does when it is skipped.
-    if (!built::resting || !resting_ || !resting_->rests(tile)) return;
-    result.time_step = before.time_step;
-    result.time_step_slot = before.time_step_slot;
-  });
-  InternalForceResult<S> result = sum();
-  if (built::resting && resting_ && model.scene.skip.resting) result.resting_elements = resting_->elements();
-  if (built::resting && !resting_) {
-    resting_.emplace(model);
-    choose_worked(model);
-  }
-  return result;
-}
-
-template <class S>
-InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, S dt, Subcycling<S>& subcycling,
-                                                  std::int32_t step_of_cycle) {
-  for (TileResult<S>& result : results_) {  // what is not worked has done nothing, and keeps its stable step
-    const TileResult<S> before = result;
-    result = {};
-    result.time_step = before.time_step;
-    result.time_step_slot = before.time_step_slot;
-  }
-  for (int level = subcycling.due(step_of_cycle); level >= 0; --level) {
-    subcycling.use_mean_velocities(model.nodes, level);
-    for_each_tile(subcycling.tiles()[static_cast<std::size_t>(level)],
-                  [&](std::int32_t tile) { work(model, tile, subcycling.step(tile, step_of_cycle == 0, dt)); });
-    subcycling.use_present_velocities(model.nodes, level);
+InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& schedule, const Due& due, S dt) {
+  schedule.begin_step(model, due, results_);
+  for (TileResult<S>& result : results_)
+    result = {.time_step = result.time_step, .time_step_slot = result.time_step_slot};
+  for (int level = schedule.highest_level(due); level >= 0; --level) {
+    schedule.show_mean_velocities(model.nodes, level);
+    for_each_tile(schedule.tiles(level), [&](std::int32_t tile) {
+      TileResult<S>& result = results_[static_cast<std::size_t>(tile)];
+      const TileResult<S> before = result;
+      work(model, tile, schedule.step_of(tile, due, dt));
+      if (!built::resting || !schedule.rests(tile)) return;
+      result.time_step = before.time_step;
+      result.time_step_slot = before.time_step_slot;
+    });
+    schedule.show_present_velocities(model.nodes, level);
   }
   InternalForceResult<S> result = sum();
-  result.subcycled_elements = subcycling.count_elements(results_, step_of_cycle);
+  const auto left_out = schedule.end_work(model, due, results_);
+  result.resting_elements = left_out.resting;
+  result.subcycled_elements = left_out.subcycled;
   return result;
 }
 
@@ -106,33 +85,6 @@ std::vector<std::int64_t> eroded_slots(const Model<S>& model, const std::vector<
     }
   }
   return slots;
-}
-
-/// The tiles of model.tile_colours without those that are to be skipped, colours in the same order.
-template <class S>
-void InternalForces<S>::choose_worked(const Model<S>& model) {
-  worked_ = chosen_of(model.tile_colours,
-                      [&](std::int32_t tile) { return !model.scene.skip.resting || !resting_->rests(tile); });
-}
-
-template <class S>
-void InternalForces<S>::persist(StateArchive& archive, const Model<S>& model) {
-  archive.of_fixed_size(results_);
-  std::vector<std::uint8_t> rests;
-  if (resting_) rests = resting_->flags();
-  archive(rests);  // empty: not known
-  if (!archive.reads()) return;
-  resting_.reset();
-  if (rests.empty()) return;
-  if (rests.size() != results_.size()) StateArchive::throw_foreign();
-  resting_.emplace(model, rests);
-  choose_worked(model);
-}
-
-template <class S>
-std::size_t InternalForces<S>::bytes() const {
-  return results_.capacity() * sizeof(TileResult<S>) + (resting_ ? resting_->bytes() : 0) +
-         (worked_.items.capacity() + worked_.colour_offsets.capacity()) * sizeof(std::int32_t);
 }
 
 template class InternalForces<double>;

@@ -2,24 +2,26 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include <solver/base/colouring.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/model/model.hpp>
 
-#include "resting_tiles.hpp"
-#include "subcycling.hpp"
+#include "schedule.hpp"
 #include "tile_kernels.hpp"
 
 namespace pinball {
 
-/// Work of the whole mesh in one step.
+/// What the elements did in a step [energy].
+struct ElementWork {
+  double internal = 0, hourglass = 0, viscous = 0;
+  double eroded = 0;  ///< internal energy that eroded elements take with them
+};
+
+/// Work of the whole mesh in one step, and what it found.
 template <class S>
-struct InternalForceResult {
-  double internal = 0, hourglass = 0, viscous = 0, eroded = 0;
-  S time_step = 0;
+struct InternalForceResult : ElementWork {
+  S time_step = 0;  ///< smallest stable step [time]
   std::int64_t time_step_slot = -1;
   std::int64_t eroded_count = 0;
   std::int64_t inverted_count = 0;
@@ -28,38 +30,28 @@ struct InternalForceResult {
 };
 
 /// Element stresses and internal forces (report figure 4, steps 3a-c in one sweep): tiles of one colour side by side,
-/// the colours one after the other, so that the forces are added without atomics and always in one order. Tiles that
-/// rest are left out (skip.resting); left in they give the same bits.
+/// the colours one after the other, so that the forces are added without atomics and always in one order.
 template <class S>
 class InternalForces {
  public:
   explicit InternalForces(const Model<S>& model);
 
-  /// Adds the internal forces to the nodes and updates the element state; dt: the step just made [time].
-  InternalForceResult<S> compute(Model<S>& model, S dt);
-  /// The same for the tiles whose steps end in a step of the cycle. Tiles at rest are worked like others.
-  InternalForceResult<S> compute(Model<S>& model, S dt, Subcycling<S>& subcycling, std::int32_t step_of_cycle);
+  /// Adds the internal forces of the tiles that are due to the nodes and updates their element states; dt: the step
+  /// just made [time]. What is not due does no work and keeps its stable step.
+  InternalForceResult<S> compute(Model<S>& model, Schedule<S>& schedule, const Due& due, S dt);
 
-  /// To be told when velocities or element states were changed by others than the step: the next compute() works all
-  /// tiles and looks anew which of them rest.
-  void forget_resting() { resting_.reset(); }
-
-  /// model: with its own state read before.
-  void persist(StateArchive& archive, const Model<S>& model);
+  void persist(StateArchive& archive) { archive.of_fixed_size(results_); }
 
   /// Results of the last step per tile: where elements were eroded or inverted.
   const std::vector<TileResult<S>>& tiles() const { return results_; }
-  std::size_t bytes() const;
+  std::size_t bytes() const { return results_.capacity() * sizeof(TileResult<S>); }
 
  private:
-  void choose_worked(const Model<S>& model);
   void work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step);
   InternalForceResult<S> sum() const;
 
   std::vector<TileKernel<S>> kernel_of_part_;
   std::vector<TileResult<S>> results_;
-  std::optional<RestingTiles<S>> resting_;  ///< known once all tiles have been worked
-  Colouring worked_;                        ///< the tiles to work
 };
 
 /// Slots of tiles in which elements have eroded in the last step: those that are padding or no longer have a mass,

@@ -1,9 +1,10 @@
+#include "array_mesh.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string>
 
-#include <solver/array_mesh.hpp>
 #include <solver/base/error.hpp>
 
 namespace pinball {

@@ -6,6 +6,7 @@
 
 #include <solver/base/error.hpp>
 
+#include "array_mesh.hpp"
 #include "gmsh_reader.hpp"
 
 namespace pinball {

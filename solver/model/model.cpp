@@ -249,6 +249,16 @@ std::size_t material_index(const Scene& scene, const std::string& name) {
 }
 
 template <class S>
+void Model<S>::persist(StateArchive& archive) {
+  archive.of_fixed_size(nodes.position);
+  archive.of_fixed_size(nodes.velocity);
+  for (AlignedArray<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_force,
+                                 &elements.viscous_stress, &elements.internal_energy}) {
+    archive.of_fixed_size(*array);
+  }
+}
+
+template <class S>
 std::size_t Model<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes.bytes() + elements.bytes() + of(mesh.nodes) + of(mesh.hexahedra) + of(mesh.body) +

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <solver/base/colouring.hpp>
+#include <solver/base/state_archive.hpp>
 #include <solver/scene.hpp>
 
 #include "stores.hpp"
@@ -111,6 +112,8 @@ struct Model {
   }
   bool is_padding(std::int64_t slot) const { return element_of_slot[slot] < 0; }
   std::size_t bytes() const;  ///< of all arrays of the size of the mesh
+  /// The state of nodes and elements between steps: node forces are zero then.
+  void persist(StateArchive& archive);
 };
 
 /// How a message about a scene begins: "FILE: ", or nothing for a scene that was made in code.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <solver/base/error.hpp>
+#include <solver/mesh/array_mesh.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 

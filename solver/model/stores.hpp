@@ -6,6 +6,7 @@
 #include <kernels/element_update.hpp>
 #include <solver/base/aligned_array.hpp>
 #include <solver/base/packs.hpp>
+#include <solver/base/records.hpp>
 
 /// The hot data: what a step touches, and nothing else. Layouts are those of the kernels' views.
 namespace pinball {
@@ -20,21 +21,21 @@ struct NodeStore {
   AlignedArray<S> inverse_mass;  ///< one per node; 0 for a node of no element [1/mass]
 
   explicit NodeStore(std::int32_t n = 0)
-      : count(n), position(place(n)), velocity(place(n)), force(place(n)), inverse_mass(n) {}
+      : count(n), position(numbers(n)), velocity(numbers(n)), force(numbers(n)), inverse_mass(n) {}
 
   /// The record of four numbers of a node.
-  S* position_of(std::int64_t node) { return position.data() + place(node); }
-  S* velocity_of(std::int64_t node) { return velocity.data() + place(node); }
-  S* force_of(std::int64_t node) { return force.data() + place(node); }
-  const S* position_of(std::int64_t node) const { return position.data() + place(node); }
-  const S* velocity_of(std::int64_t node) const { return velocity.data() + place(node); }
-  const S* force_of(std::int64_t node) const { return force.data() + place(node); }
+  S* position_of(std::int64_t node) { return record(position.data(), node); }
+  S* velocity_of(std::int64_t node) { return record(velocity.data(), node); }
+  S* force_of(std::int64_t node) { return record(force.data(), node); }
+  const S* position_of(std::int64_t node) const { return record(position.data(), node); }
+  const S* velocity_of(std::int64_t node) const { return record(velocity.data(), node); }
+  const S* force_of(std::int64_t node) const { return record(force.data(), node); }
 
   NodeView<S> view() { return {position.data(), velocity.data(), force.data()}; }
   std::size_t bytes() const { return position.bytes() + velocity.bytes() + force.bytes() + inverse_mass.bytes(); }
 
  private:
-  static constexpr std::int64_t place(std::int64_t node) { return 4 * node; }
+  static constexpr std::int64_t numbers(std::int64_t records) { return 4 * records; }
 };
 
 /// What the arrays of an ElementStore have to hold.

@@ -8,7 +8,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/output/progress.hpp>
-#include <solver/step/solver.hpp>
+#include <solver/step/report.hpp>
 #include <solver/summary.hpp>
 
 #include "momentum_error.hpp"
@@ -40,8 +40,8 @@ class SolverOf final : public AnySolver {
   bool at_end() const override { return solver_.at_end(); }
   void step() override { solver_.step(); }
   void finish() override { solver_.finish(); }
-  ProgressState state() const override { return solver_.progress_state(); }
-  void fill_summary(RunSummary& summary) const override { solver_.fill_summary(summary); }
+  ProgressState state() const override { return progress_state(solver_); }
+  void fill_summary(RunSummary& summary) const override { pinball::fill_summary(solver_, summary); }
 
  private:
   Solver<S> solver_;

@@ -2,6 +2,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
+#include <solver/step/report.hpp>
 
 #include "simulation_implementation.hpp"
 
@@ -112,29 +113,29 @@ double Simulation::balance_error() const {
   return implementation_->read([](const auto& solver) { return solver.balance_error(); });
 }
 std::vector<BodyResult> Simulation::bodies() const {
-  return implementation_->read([](const auto& solver) { return solver.body_results(); });
+  return implementation_->read([](const auto& solver) { return pinball::body_results(solver.model()); });
 }
 ProgressState Simulation::progress() const {
-  return implementation_->read([](const auto& solver) { return solver.progress_state(); });
+  return implementation_->read([](const auto& solver) { return pinball::progress_state(solver); });
 }
 HistoryRow Simulation::history_row() const {
-  return implementation_->read([](const auto& solver) { return solver.history_row(); });
+  return implementation_->read([](const auto& solver) { return pinball::history_row(solver); });
 }
 std::vector<std::string> Simulation::history_columns() const {
-  return implementation_->read([](const auto& solver) { return solver.more_columns(); });
+  return implementation_->read([](const auto& solver) { return pinball::more_columns(solver); });
 }
 RunSummary Simulation::summary() const {
   const ThreadCount threads(implementation_->options.threads);
   RunSummary summary;
   summary.wall_seconds = implementation_->wall_seconds;
-  implementation_->read([&summary](const auto& solver) { solver.fill_summary(summary); });
+  implementation_->read([&summary](const auto& solver) { fill_summary(solver, summary); });
   return summary;
 }
 std::uint64_t Simulation::state_hash() const {
-  return implementation_->read([](const auto& solver) { return solver.state_hash(); });
+  return implementation_->read([](const auto& solver) { return pinball::state_hash(solver.model()); });
 }
 FieldSnapshot Simulation::snapshot() const {
-  return implementation_->read([](const auto& solver) { return solver.snapshot(); });
+  return implementation_->read([](const auto& solver) { return pinball::snapshot(solver); });
 }
 
 void Simulation::persist(StateArchive& archive) {
@@ -142,7 +143,7 @@ void Simulation::persist(StateArchive& archive) {
   if (archive.reads()) implementation_->complete = false;
 }
 std::uint64_t Simulation::fingerprint() const {
-  return implementation_->read([](const auto& solver) { return solver.fingerprint(); });
+  return implementation_->read([](const auto& solver) { return pinball::fingerprint(solver.model()); });
 }
 int Simulation::simd_width() const {
   return implementation_->read([](const auto& solver) { return solver.model().elements.width; });

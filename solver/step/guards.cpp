@@ -1,3 +1,5 @@
+#include "guards.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,10 +8,8 @@
 #include <kernels/hexahedron.hpp>
 #include <solver/base/error.hpp>
 
-#include "solver.hpp"
+#include "report.hpp"
 
-/// What ends a run that has gone wrong: each throws RunError that says what, where, when and what to try. They look at
-/// sums that the step has made anyway; where it went wrong is looked for only then.
 namespace pinball {
 
 namespace {
@@ -66,33 +66,30 @@ constexpr const char* try_smaller_steps = "try a smaller time.cfl";
 
 }  // namespace
 
-/// Elements that are turned inside out, where they are not to be eroded for it.
 template <class S>
-void Solver<S>::check_volumes(const InternalForceResult<S>& internal) const {
-  if (internal.inverted_count == 0) return;
+void Guards<S>::check_volumes(const InternalForceResult<S>& element) const {
+  if (element.inverted_count == 0) return;
   constexpr int W = ElementStore<S>::width;
   std::int64_t worst = -1;
   double least = 0;
-  for (std::size_t t = 0; t < internal_forces_.tiles().size(); ++t) {
-    if (internal_forces_.tiles()[t].inverted_count == 0) continue;
+  for (std::size_t t = 0; t < forces_.tiles().size(); ++t) {
+    if (forces_.tiles()[t].inverted_count == 0) continue;
     for (std::int64_t slot = model_.tile_packs[t] * W; slot < model_.tile_packs[t + 1] * W; ++slot) {
       if (!(model_.elements.mass[static_cast<std::size_t>(slot)] > S(0))) continue;
-      const double ratio = volume_ratio(model_, slot, dt_);
+      const double ratio = volume_ratio(model_, slot, clock_.dt());
       if (worst >= 0 && !(ratio < least)) continue;
       least = ratio;
       worst = slot;
     }
   }
-  throw RunError(
-      fmt::format("{} of {} elements have no volume left {}, first of all {}: {}, "
-                  "element.negative_volume=\"erode\", or an erosion_strain for the material",
-                  internal.inverted_count, model_.element_count(), when(), element_name(worst), try_smaller_steps));
+  throw RunError(fmt::format(
+      "{} of {} elements have no volume left {}, first of all {}: {}, "
+      "element.negative_volume=\"erode\", or an erosion_strain for the material",
+      element.inverted_count, model_.element_count(), when(), element_name(model_, worst), try_smaller_steps));
 }
 
-/// energy: a sum that every element and every node goes into. A number that is not finite reaches it in the step in
-/// which it arises, before it spreads to other elements.
 template <class S>
-void Solver<S>::check_finite(double energy) const {
+void Guards<S>::check_finite(double energy) const {
   if (std::isfinite(energy)) return;
   std::int64_t beside = -1;
   for (const std::int64_t slot : model_.slot_of_element) {  // the first in the order of the scene
@@ -100,7 +97,7 @@ void Solver<S>::check_finite(double energy) const {
     const std::string part = not_finite_part(model_, slot);
     if (!part.empty()) {
       throw RunError(fmt::format("the {} of {} is not finite {}: {}, and look at its material and its shape there",
-                                 part, element_name(slot), when(), try_smaller_steps));
+                                 part, element_name(model_, slot), when(), try_smaller_steps));
     }
     if (beside < 0 && corner_not_finite(model_, slot)) beside = slot;
   }
@@ -108,40 +105,41 @@ void Solver<S>::check_finite(double energy) const {
     throw RunError(
         fmt::format("a node of {} has a velocity that is not finite {}: {}, and look at loads, prescribed "
                     "velocities and contact there",
-                    element_name(beside), when(), try_smaller_steps));
+                    element_name(model_, beside), when(), try_smaller_steps));
   }
   throw RunError(fmt::format("the energy is not finite {}, though all elements are: {}, or precision=\"double\"",
                              when(), try_smaller_steps));
 }
 
 template <class S>
-void Solver<S>::check_energy() const {
-  if (std::abs(balance_error()) <= model_.scene.guard.energy_error) return;
-  throw RunError(fmt::format(
-      "the energy balance is off by {:.3g} % {}, more than guard.energy_error = {:.3g} %; the time step is "
-      "set by {}: {}, or a finer mesh where most is going on",
-      100 * balance_error(), when(), 100 * model_.scene.guard.energy_error, dt_limited_by_, try_smaller_steps));
+void Guards<S>::check_energy(const EnergyLedger& ledger) const {
+  if (std::abs(ledger.balance_error()) <= model_.scene.guard.energy_error) return;
+  throw RunError(
+      fmt::format("the energy balance is off by {:.3g} % {}, more than guard.energy_error = {:.3g} %; the time step is "
+                  "set by {}: {}, or a finer mesh where most is going on",
+                  100 * ledger.balance_error(), when(), 100 * model_.scene.guard.energy_error,
+                  step_limit(model_, clock_), try_smaller_steps));
 }
 
 template <class S>
-void Solver<S>::check_time_step() const {
-  const double ratio = model_.scene.guard.time_step_collapse;
-  if (!(dt_ > 0 && dt_ < ratio * dt_max_ && model_.scene.time.end - time_ > dt_)) return;
+void Guards<S>::check_time_step() const {
+  const double ratio = model_.scene.guard.time_step_collapse, dt = clock_.dt();
+  if (!(dt > 0 && dt < ratio * clock_.dt_max() && clock_.remaining() > 2 * dt)) return;
   throw RunError(
       fmt::format("the stable step has collapsed to {:.3g} {}, less than guard.time_step_collapse = {:.3g} of the "
                   "largest, {:.3g}; it is set by {}: {}",
-                  dt_, when(), ratio, dt_max_, dt_limited_by_,
-                  dt_limited_by_ == "contact"
+                  dt, when(), ratio, clock_.dt_max(), step_limit(model_, clock_),
+                  clock_.limited_by() == StepLimit::contact
                       ? "try a smaller contact.beta, or contact.enforcement=\"lagrange\", which does not limit it"
                       : "try an erosion_strain for its material, or a better shape of its mesh"));
 }
 
 template <class S>
-std::string Solver<S>::when() const {
-  return fmt::format("in step {} at time {:.6g}", steps_, force_time_);
+std::string Guards<S>::when() const {
+  return fmt::format("in step {} at time {:.6g}", clock_.steps(), clock_.force_time());
 }
 
-template class Solver<double>;
-template class Solver<float>;
+template class Guards<double>;
+template class Guards<float>;
 
 }  // namespace pinball

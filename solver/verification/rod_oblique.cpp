@@ -19,13 +19,13 @@ struct Outcome {
 
 Outcome run_rod(const Scene& scene) {
   Solver<double> solver(scene);
-  const Point before = solver.momentum();
+  const Point before = momentum(solver.model());
   Outcome result;
   run_to_end(solver, [&] { result.balance_error = std::max(result.balance_error, std::abs(solver.balance_error())); });
-  const Point after = solver.momentum();
+  const Point after = momentum(solver.model());
   const double scale = std::hypot(before[0], before[2]);
   result.momentum_drift = std::max(std::abs(after[0] - before[0]), std::abs(after[2] - before[2])) / scale;
-  const BodyResult rod = solver.history_row().bodies[0];
+  const BodyResult rod = history_row(solver).bodies[0];
   result.mass_left = rod.mass_remaining / rod.mass_initial;
   return result;
 }
@@ -60,7 +60,7 @@ std::vector<VerificationRow> verify_rod_oblique(const Scene& scene) {
       compare_with_zero("lagrange, --refine 2: drift of momentum", lagrange.momentum_drift, 1e-10, "conservation"),
       compare_with_zero("lagrange, --refine 2: largest error of the energy balance", lagrange.balance_error, 1e-3,
                         "conservation"),
-      // Ten points. Single runs leave 36 to 53 %, that of the scene as it stands 53 %: README, the oblique rod.
+      // Ten points. Single runs leave 36 to 53 %, that of the scene as it stands 53 %: docs/accuracy.md.
       compare("lagrange, --refine 2: mass of the rod left / initial, mean of three", lagrange.mass_left, 0.42,
               0.10 / 0.42, "report, problem 4"),
   };

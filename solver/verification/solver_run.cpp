@@ -3,7 +3,8 @@
 #include <numeric>
 #include <utility>
 
-#include <solver/base/point.hpp>
+#include <solver/base/hexahedron_of_points.hpp>
+#include <solver/base/records.hpp>
 
 namespace pinball {
 
@@ -25,7 +26,7 @@ PrescribedMotion::PrescribedMotion(Solver<double>& solver, Path path, std::vecto
 void PrescribedMotion::step() {
   const double before = solver_.time();
   solver_.step();
-  Model<double>& model = solver_.model();
+  Model<double>& model = solver_.change_model();
   for (const std::int32_t node : nodes_) {
     const Point& start = model.mesh.nodes[node];
     const Point from = path_(start, before), to = path_(start, solver_.time());
@@ -45,14 +46,12 @@ std::array<double, 6> stress_of(const Solver<double>& solver, std::size_t elemen
 
 Point position_of(const Solver<double>& solver, std::size_t node) {
   const Model<double>& model = solver.model();
-  const double* x = model.nodes.position_of(model.node_of_scene_node[node]);
-  return {x[0], x[1], x[2]};
+  return to_point(vector_of(model.nodes.position_of(model.node_of_scene_node[node])));
 }
 
 Point velocity_of(const Solver<double>& solver, std::size_t node) {
   const Model<double>& model = solver.model();
-  const double* v = model.nodes.velocity_of(model.node_of_scene_node[node]);
-  return {v[0], v[1], v[2]};
+  return to_point(vector_of(model.nodes.velocity_of(model.node_of_scene_node[node])));
 }
 
 Point angular_momentum(const Solver<double>& solver) {

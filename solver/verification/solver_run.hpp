@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include <solver/step/solver.hpp>
+#include <solver/step/report.hpp>
 
 /// Runs of a solver, and what is looked at in them, by the numbers that nodes and elements have in the scene.
 namespace pinball {

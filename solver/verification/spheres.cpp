@@ -127,7 +127,7 @@ class ImpactRun {
   bool in_contact() const {
     for (const WallResult& wall : solver_.boundary().walls())
       if (wall.force > 0) return true;
-    return solver_.contact_pairs() > 0;
+    return solver_.counts().pairs() > 0;
   }
 
   void measure_contact_radius(double time, double radius) {

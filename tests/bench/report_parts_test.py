@@ -2,11 +2,13 @@
 
 import os
 import sys
+import tempfile
 import unittest
+from unittest import mock
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
 
-from report_parts import machine_code, measuring, pointers, remarks, verdict
+from report_parts import builds, machine_code, measuring, pointers, remarks, verdict
 
 # `objdump -d -C --no-show-raw-insn -l` of three functions.
 OBJDUMP = """
@@ -196,6 +198,17 @@ class Verdict(unittest.TestCase):
                  "/usr/lib/gcc/x86_64-linux-gnu/12/include/avx512fintrin.h": 1, "/avx/solver/fma.cpp": 1}
         self.assertEqual(verdict.from_packs(machine_code.Counts(packed_lines=lines)), 0.75)
         self.assertIsNone(verdict.from_packs(machine_code.Counts()))
+
+
+class Configured(unittest.TestCase):
+    def test_with_what_is_asked_for(self):
+        with tempfile.TemporaryDirectory() as root, mock.patch.object(builds, "ROOT", root):
+            self.assertFalse(builds.knows("release", ["pinball"]))
+            os.makedirs(builds.folder("release"))
+            with open(os.path.join(builds.folder("release"), "build.ninja"), "w", encoding="utf-8") as file:
+                file.write("rule PHONY\nbuild pinball: LINK main.o\nbuild lib/pinball_more: phony pinball\n")
+            self.assertTrue(builds.knows("release", ["pinball"]))
+            self.assertFalse(builds.knows("release", ["pinball", "bench_kernels"]))
 
 
 class Order(unittest.TestCase):

@@ -41,7 +41,7 @@ TEST_P(EmbeddedBits, AreThoseOfTheSolver) {
     host.step(solver.dt());
     const auto& result = host.result();
     ASSERT_EQ(host.state(), EmbeddingHost<double>::state_of(solver.model())) << "step " << solver.steps();
-    ASSERT_EQ(result.pairs, solver.contact_pairs());
+    ASSERT_EQ(result.pairs, solver.counts().pairs());
     ASSERT_EQ(result.stored, solver.energies().contact_stored);
     ASSERT_EQ(result.dissipated, solver.energies().contact_damped);
     ASSERT_EQ(result.surface_elements, solver.contact()->surface_elements());

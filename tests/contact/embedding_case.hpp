@@ -44,10 +44,14 @@ class EmbeddingHost {
   /// threads: as the option of that name.
   explicit EmbeddingHost(const Scene& scene, Layout layout = Layout::records, std::int32_t first_index = 0,
                          std::int32_t threads = 1)
-      : model_(build_model<S>(scene)), internal_(model_), layout_(layout), contact_(make(first_index, threads)) {}
+      : model_(build_model<S>(scene)),
+        internal_(model_),
+        schedule_(model_),
+        layout_(layout),
+        contact_(make(first_index, threads)) {}
 
   void step(double dt_after) {
-    internal_.compute(model_, static_cast<S>(dt_before_));
+    internal_.compute(model_, schedule_, {}, static_cast<S>(dt_before_));
     flag_elements();
     const pinball_contact_arrays arrays = load();
     contact_.update(arrays, dt_before_);
@@ -167,6 +171,7 @@ class EmbeddingHost {
 
   Model<S> model_;
   InternalForces<S> internal_;
+  Schedule<S> schedule_;
   Layout layout_;
   std::vector<std::int64_t> slots_;  ///< of the elements handed over
   std::vector<Index> corners_;

@@ -42,6 +42,11 @@ class Check(unittest.TestCase):
         self.assertEqual(len(samples.check("```c\nstep();\n```\n")[1]), 1)
         self.assertEqual(samples.check("```text\nstep\n```\n")[1], [])
 
+    def test_leaves_a_block_that_a_test_runs(self):
+        page = "<!-- run by {} -->\n```sh\ntrue\n```\n"
+        self.assertEqual(samples.check(page.format("tests/docs/samples_test.py"))[1], [])
+        self.assertEqual(len(samples.check(page.format("tests/docs/missing.py"))[1]), 1)
+
 
 if __name__ == "__main__":
     unittest.main()

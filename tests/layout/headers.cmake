@@ -35,6 +35,7 @@ target_compile_options(contact_header_compiles_as_c PRIVATE -std=c99 -Wall -Wext
 
 # Includes go down from room to room; the test plants others, which have to be found.
 add_test(NAME rooms COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/rooms_test.py)
+set_tests_properties(rooms PROPERTIES LABELS layout)
 
 # The kernels as device code, where a compiler for it is found.
 find_package(CUDAToolkit QUIET)
@@ -47,4 +48,5 @@ if(CUDAToolkit_NVCC_EXECUTABLE)
     COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -ccbin ${CMAKE_CXX_COMPILER} -Werror all-warnings
             -I${PROJECT_SOURCE_DIR} -I${CMAKE_CURRENT_BINARY_DIR}/device
             -c ${CMAKE_CURRENT_SOURCE_DIR}/kernels/kernels_on_device.cu -o ${CMAKE_CURRENT_BINARY_DIR}/device/kernels.o)
+  set_tests_properties(kernels_compile_with_nvcc PROPERTIES LABELS kernels)
 endif()

@@ -53,9 +53,9 @@ TEST(picture, DrawsFieldsAndHistory) {
 TEST(picture, ReadsWhatWasWritten) {
   const test::TemporaryFolder folder("picture_check");
   write_case(folder);
-  EXPECT_EQ(
-      run("/usr/bin/python3 '" PINBALL_SOURCE_DIR "/tests/output/picture_check.py' '" + bench + "' " + folder.path.string()),
-      0);
+  EXPECT_EQ(run("/usr/bin/python3 '" PINBALL_SOURCE_DIR "/tests/output/picture_check.py' '" + bench + "' " +
+                folder.path.string()),
+            0);
 }
 
 TEST(picture, EndsWithStatus2OnBadInput) {

@@ -27,7 +27,7 @@ TEST(SkippedWork, ARunTellsWhatItSkipped) {
   Solver<double> solver(scene);
   test::run(solver);
   RunSummary s;
-  solver.fill_summary(s);
+  fill_summary(solver, s);
   EXPECT_GT(s.element_steps_resting, 0);
   EXPECT_GT(s.skipped_seconds.resting, 0);
   EXPECT_GT(s.searches_skipped, 0);

@@ -31,9 +31,9 @@ Outcome<S> outcome(const Scene& scene, int threads) {
   Solver<S> solver(scene);
   run(solver);
   set_threads(1);
-  return {solver.state_hash(),          solver.steps(),
-          solver.eroded_elements(),     solver.energies(),
-          solver.contact()->searches(), solver.contact()->searches_skipped()};
+  return {state_hash(solver.model()),        solver.steps(),
+          solver.counts().eroded_elements(), solver.energies(),
+          solver.contact()->searches(),      solver.contact()->searches_skipped()};
 }
 
 template <class S>

@@ -34,7 +34,7 @@ void expect_element_named() {
   for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     Solver<S> solver(two_bodies());
     for (int i = 0; i < 5; ++i) solver.step();
-    auto& model = solver.model();
+    auto& model = solver.change_model();
     // Elements are numbered through all bodies.
     model.elements.stress[ElementStore<S>::at(model.slot_of_element[11], 4, 6)] = static_cast<S>(value);
     EXPECT_THAT(failure(solver), AllOf(HasSubstr("the stress of element 11 of body b is not finite in step 5"),
@@ -70,7 +70,7 @@ TEST(Guards, TheElementWithTheLeastVolumeIsNamed) {
   scene.guard.energy_error = 1e30;
   Solver<double> solver(scene);
   solver.step();
-  auto& model = solver.model();
+  auto& model = solver.change_model();
   const auto& corners = model.mesh.hexahedra[9];
   const auto node = [&](std::size_t i) {
     return 4 * static_cast<std::size_t>(model.node_of_scene_node[static_cast<std::size_t>(corners[i])]);
@@ -91,7 +91,7 @@ TEST(Guards, TheEnergyBalanceHasABound) {
   scene.guard.energy_error = 1e-3;
   Solver<double> solver(scene);
   solver.step();
-  solver.model().nodes.velocity[0] *= 2;
+  solver.change_model().nodes.velocity[0] *= 2;
   EXPECT_THAT(failure(solver), AllOf(HasSubstr("the energy balance is off by"),
                                      HasSubstr("guard.energy_error = 0.1 %; the time step is set by element "),
                                      HasSubstr(": try a smaller time.cfl")));
@@ -104,7 +104,7 @@ TEST(Guards, ACollapsedStepNamesItsElement) {
   scene.guard.time_step_collapse = 0.5;
   Solver<double> solver(scene);
   solver.step();
-  auto& model = solver.model();
+  auto& model = solver.change_model();
   const auto flatten = [&](std::size_t i, std::size_t onto) {
     const auto& corners = model.mesh.hexahedra[19];  // the last one, at a corner of its body
     const auto at = [&](std::size_t corner) {

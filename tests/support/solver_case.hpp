@@ -107,7 +107,7 @@ inline double worst_balance_of_run(Solver<double>& solver) {
 template <class S>
 void strain_to_failure(Solver<S>& solver, const std::vector<std::size_t>& elements) {
   for (const std::size_t e : elements) {
-    solver.model().elements.plastic_strain[solver.model().slot_of_element[e]] = S(1e3);
+    solver.change_model().elements.plastic_strain[solver.model().slot_of_element[e]] = S(1e3);
   }
 }
 

@@ -37,6 +37,7 @@ struct ContactWork {
     frequency2 = std::max(frequency2, other.frequency2);
     return *this;
   }
+  friend ContactWork operator+(ContactWork a, const ContactWork& b) { return a += b; }
 };
 
 /// Lists of what may touch.
@@ -107,6 +108,7 @@ class ContactAlgorithm {
   std::int64_t searches_skipped() const { return searches_skipped_; }
 
  protected:
+  // What the stages above do where they are due.
   virtual ContactWork spring_forces(const SurfaceSource<S>& source, S dt) = 0;
   virtual void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) = 0;
   virtual const std::vector<std::int32_t>& nodes_of_springs() = 0;

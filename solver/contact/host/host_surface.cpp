@@ -290,11 +290,11 @@ void HostSurface<S>::scatter_forces(const pinball_contact_arrays& arrays, const 
   S *const x = static_cast<S*>(arrays.force.x), *const y = static_cast<S*>(arrays.force.y),
            *const z = static_cast<S*>(arrays.force.z);
   for (const std::int32_t node : nodes) {
-    const S* const force = record(forces_.data(), node);
+    const S* const sum = record(forces_.data(), node);
     const std::int64_t at = node * arrays.force.stride;
-    x[at] = force[0];
-    y[at] = force[1];
-    z[at] = force[2];
+    x[at] = sum[0];
+    y[at] = sum[1];
+    z[at] = sum[2];
   }
 }
 

@@ -12,9 +12,9 @@
 
 namespace pinball {
 
-/// The algorithm that pinballs replaced (Belytschko and Lin, Comp. Meths. Appl. Mech. Engrg. 1987): slave nodes against
-/// master segments, in both directions. Each slave node is projected onto the segments near it and keeps to the one
-/// that it is nearest to; gap, normal and weights there give
+/// The algorithm that pinballs replaced (Belytschko and Lin, Computers and Structures 25, 95-104, 1987): slave nodes
+/// against master segments, in both directions. Each slave node is projected onto the segments near it and keeps to the
+/// one that it is nearest to; gap, normal and weights there give
 ///
 ///   penalty               a spring on the gap, of which each of the two passes has half;
 ///   projection, lagrange  a row of the contact matrix, solved as for pinballs (ImpulseSolver): projection is the

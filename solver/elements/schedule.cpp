@@ -1,0 +1,94 @@
+#include "schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/base/built_features.hpp>
+
+namespace pinball {
+
+template <class S>
+Schedule<S>::Schedule(const Model<S>& model) {
+  if (model.tile_levels.empty()) return;
+  const bool erodes = !model.elements.internal_energy.empty();
+  subcycling_.emplace(model, erodes || model.scene.damping.mass > 0);
+}
+
+template <class S>
+void Schedule<S>::begin_step(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results) {
+  if (subcycling_) {
+    if (due.all() && !due.first && !due.last) subcycling_->plan(results, contact_frequency2_);
+  } else if (!resting_) {
+    awake_ = model.tile_colours;
+  } else if (resting_->wake(model.nodes)) {
+    choose_awake(model);
+  }
+}
+
+template <class S>
+typename Schedule<S>::LeftOut Schedule<S>::end_work(const Model<S>& model, const Due& due,
+                                                    const std::vector<TileResult<S>>& results) {
+  if (subcycling_) return {0, subcycling_->count_elements(results, due.step_of_cycle)};
+  if constexpr (!built::resting) return {};
+  const LeftOut left_out{resting_ && model.scene.skip.resting ? resting_->elements() : 0, 0};
+  if (!resting_) {
+    resting_.emplace(model);
+    choose_awake(model);
+  }
+  return left_out;
+}
+
+/// Frequencies of elements and of contact add in squares: w^2 <= w_elements^2 + w_contact^2.
+template <class S>
+StepBound Schedule<S>::bound(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results,
+                             double element_step, std::int64_t slot, double contact_frequency2) {
+  contact_frequency2_ = std::max(due.all() ? 0.0 : contact_frequency2_, contact_frequency2);
+  if (!due.all() || due.last) return {};
+  const double element_frequency2 = 4.0 / (element_step * element_step);
+  StepBound bound{2.0 / std::sqrt(element_frequency2 + contact_frequency2), slot,
+                  contact_frequency2 > element_frequency2};
+  if (subcycling_) {
+    subcycling_->begin_cycle(model);
+    const auto of_cycle = subcycling_->stable_step(results, contact_frequency2);
+    bound.stable = of_cycle.step;
+    bound.slot = of_cycle.slot;
+    bound.cycle_steps = subcycling_->cycle_steps();
+  }
+  return bound;
+}
+
+/// The tiles of model.tile_colours without those that are to be skipped, colours in the same order.
+template <class S>
+void Schedule<S>::choose_awake(const Model<S>& model) {
+  awake_ = chosen_of(model.tile_colours,
+                     [&](std::int32_t tile) { return !model.scene.skip.resting || !resting_->rests(tile); });
+}
+
+template <class S>
+void Schedule<S>::persist(StateArchive& archive, const Model<S>& model) {
+  archive(contact_frequency2_);
+  if (subcycling_) {
+    subcycling_->persist(archive, model);
+    return;
+  }
+  std::vector<std::uint8_t> rests;
+  if (resting_) rests = resting_->flags();
+  archive(rests);  // empty: not known
+  if (!archive.reads()) return;
+  resting_.reset();
+  if (rests.empty()) return;
+  if (rests.size() != model.tile_part.size()) StateArchive::throw_foreign();
+  resting_.emplace(model, rests);
+  choose_awake(model);
+}
+
+template <class S>
+std::size_t Schedule<S>::bytes() const {
+  return (subcycling_ ? subcycling_->bytes() : 0) + (resting_ ? resting_->bytes() : 0) +
+         (awake_.items.capacity() + awake_.colour_offsets.capacity()) * sizeof(std::int32_t);
+}
+
+template class Schedule<double>;
+template class Schedule<float>;
+
+}  // namespace pinball

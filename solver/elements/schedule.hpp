@@ -1,0 +1,107 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <solver/base/colouring.hpp>
+#include <solver/base/state_archive.hpp>
+#include <solver/model/model.hpp>
+#include <solver/model/node_spans.hpp>
+
+#include "resting_tiles.hpp"
+#include "subcycling.hpp"
+#include "tile_kernels.hpp"
+
+namespace pinball {
+
+/// Which step is made.
+struct Due {
+  std::int32_t step_of_cycle = 0;  ///< 0: all elements are worked, and then all energies are of one time
+  bool first = false;              ///< of the run
+  bool last = false;               ///< the step without a length that brings everything to one time
+
+  bool all() const { return step_of_cycle == 0; }
+};
+
+/// What bounds the coming step.
+struct StepBound {
+  double stable = 0;             ///< largest stable step, the smallest one where steps differ [time]
+  std::int64_t slot = -1;        ///< of the element that sets it
+  bool by_contact = false;       ///< contact has the higher frequency
+  std::int32_t cycle_steps = 1;  ///< steps until all elements have been worked
+};
+
+/// Elements and nodes that are due in a step: with subcycling those whose own step ends in it, else all, but for tiles
+/// at rest. All elements at once are a cycle of one step, on one level.
+template <class S>
+class Schedule {
+ public:
+  explicit Schedule(const Model<S>& model);
+
+  std::int32_t cycle_steps() const { return subcycling_ ? subcycling_->cycle_steps() : 1; }
+  /// Before the elements of a step are worked. results: of each tile, when it was last worked.
+  void begin_step(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results);
+
+  /// The highest level whose tiles are due; they are worked from the highest to level 0.
+  int highest_level(const Due& due) const { return subcycling_ ? subcycling_->due(due.step_of_cycle) : 0; }
+  /// The tiles of a level, by colour.
+  const Colouring& tiles(int level) const {
+    return subcycling_ ? subcycling_->tiles()[static_cast<std::size_t>(level)] : awake_;
+  }
+  /// The step that a tile makes; dt: the smallest step just made [time].
+  ElementStep<S> step_of(std::int32_t tile, const Due& due, S dt) const {
+    return subcycling_ ? subcycling_->step(tile, due.all(), dt) : ElementStep<S>{dt};
+  }
+  /// Whether a tile is worked although it rests (skip.resting = false): then it keeps its stable step.
+  bool rests(std::int32_t tile) const { return resting_ && resting_->rests(tile); }
+  /// Nodes between two levels have a mean velocity over the step of the higher one: it takes the place of the present
+  /// velocity while the tiles of that level are worked.
+  void show_mean_velocities(NodeStore<S>& nodes, int level) {
+    if (subcycling_) subcycling_->use_mean_velocities(nodes, level);
+  }
+  void show_present_velocities(NodeStore<S>& nodes, int level) {
+    if (subcycling_) subcycling_->use_present_velocities(nodes, level);
+  }
+
+  /// Elements that were not worked in a step.
+  struct LeftOut {
+    std::int64_t resting = 0, subcycled = 0;  ///< the latter without eroded ones
+  };
+  /// After the elements of a step were worked.
+  LeftOut end_work(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results);
+
+  /// The bound of elements and contact together; where all elements were worked, of the cycle that begins.
+  /// element_step, slot: smallest stable step of the elements and who sets it; contact_frequency2: bound on the square
+  /// of the contact frequency [1/time^2].
+  StepBound bound(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results, double element_step,
+                  std::int64_t slot, double contact_frequency2);
+
+  DueSpans due_spans(const Due& due) const {
+    return subcycling_ ? subcycling_->due_nodes(due.step_of_cycle) : DueSpans{};
+  }
+  /// After the nodes of a step were integrated.
+  void end_step(NodeStore<S>& nodes) {
+    if (subcycling_) subcycling_->count_step(nodes);
+  }
+
+  /// To be told when velocities or element states were changed by others than the step: the next one works all tiles
+  /// and looks anew which of them rest.
+  void forget_resting() { resting_.reset(); }
+  const Subcycling<S>* subcycling() const { return subcycling_ ? &*subcycling_ : nullptr; }
+
+  /// model: with its own state read before.
+  void persist(StateArchive& archive, const Model<S>& model);
+  std::size_t bytes() const;
+
+ private:
+  void choose_awake(const Model<S>& model);
+
+  std::optional<Subcycling<S>> subcycling_;  ///< only where the scene asks for it
+  std::optional<RestingTiles<S>> resting_;   ///< without subcycling; known once all tiles have been worked
+  Colouring awake_;                          ///< the tiles to work, without subcycling
+  double contact_frequency2_ = 0;            ///< largest since the cycle began [1/time^2]
+};
+
+}  // namespace pinball

@@ -1,0 +1,30 @@
+#include "contact_stage.hpp"
+
+namespace pinball {
+
+template <class S>
+ContactWork ContactStage<S>::before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double dt,
+                                                Timers& timers, RunCounts& counts) {
+  if (!built::contact || !contact_) return {};
+  const ModelSurface<S> source(model);
+  timers.measure(Phase::pinballs, [&] { contact_->update_surface(source, eroded_slots(model, tiles)); });
+  const std::int64_t searches = contact_->searches();
+  const double seconds = timers.seconds(Phase::contact_search);
+  timers.measure(Phase::contact_search, [&] { contact_->search(source); });
+  if (contact_->searches() > searches) counts.count_search(timers.seconds(Phase::contact_search) - seconds);
+  ContactWork work = timers.measure(Phase::contact_forces, [&] { return contact_->before_step(source, dt); });
+  timers.measure(Phase::contact_scatter, [&] { contact_->add_forces(source, work); });
+  return work;
+}
+
+template <class S>
+ContactWork ContactStage<S>::after_constraints(Model<S>& model, const StepLengths& step, Timers& timers) {
+  if (!built::contact || !contact_) return {};
+  return timers.measure(Phase::contact_forces,
+                        [&] { return contact_->after_constraints(ModelSurface<S>(model), step); });
+}
+
+template class ContactStage<double>;
+template class ContactStage<float>;
+
+}  // namespace pinball

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <solver/base/built_features.hpp>
+#include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/model/model_surface.hpp>
+#include <solver/results/timers.hpp>
+
+#include "run_counts.hpp"
+
+namespace pinball {
+
+/// The contact of a step, timed by its parts. A scene without contact has none of it.
+template <class S>
+class ContactStage {
+ public:
+  explicit ContactStage(const Model<S>& model) : contact_(make_model_contact(model)) {}
+
+  const ContactAlgorithm<S>* contact() const { return contact_.get(); }
+  /// Whether after_constraints adds forces, some of them perhaps in held directions.
+  bool acts_on_velocities() const { return built::contact && contact_ && contact_->acts_on_velocities(); }
+  /// Elements that take part; negative without contact.
+  std::int64_t surface_elements() const { return built::contact && contact_ ? contact_->surface_elements() : -1; }
+  /// Surface, search, and what acts before constraints do: penalty forces, added to the nodes. tiles: what the elements
+  /// did in this step; dt: the step just made [time].
+  ContactWork before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double dt, Timers& timers,
+                                 RunCounts& counts);
+  /// What acts on velocities that constraints leave: impulses, as forces added to the nodes.
+  ContactWork after_constraints(Model<S>& model, const StepLengths& step, Timers& timers);
+
+  void persist(StateArchive& archive, const Model<S>& model) {
+    if (contact_) contact_->persist(archive, ModelSurface<S>(model));
+  }
+  std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
+
+ private:
+  std::unique_ptr<ContactAlgorithm<S>> contact_;
+};
+
+}  // namespace pinball

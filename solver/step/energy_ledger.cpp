@@ -1,0 +1,32 @@
+#include "energy_ledger.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pinball {
+
+double EnergyLedger::balance_error() const {
+  const double difference = energies_.total() - initial_;
+  const double scale = std::max(initial_, external_max_);
+  return scale > 0 ? difference / scale : difference == 0 ? 0.0 : std::copysign(1.0, difference);
+}
+
+void EnergyLedger::book(const ElementWork& elements, const ContactWork& contact, double external, double dt_before) {
+  energies_.internal += elements.internal - elements.eroded;
+  energies_.hourglass += elements.hourglass;
+  energies_.bulk_viscosity += elements.viscous;
+  energies_.eroded += elements.eroded + contact.eroded;
+  energies_.contact_stored = contact.stored;
+  contact_.book(contact, dt_before);
+  energies_.contact_damped = contact_.dissipated();
+  energies_.external = external;
+  external_max_ = std::max(external_max_, std::abs(external));
+}
+
+void EnergyLedger::close(bool first, double kinetic) {
+  energies_.kinetic = kinetic;
+  if (first) initial_ = energies_.total();
+  balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
+}
+
+}  // namespace pinball

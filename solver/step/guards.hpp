@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <solver/elements/internal_forces.hpp>
+#include <solver/model/model.hpp>
+
+#include "energy_ledger.hpp"
+#include "step_clock.hpp"
+
+namespace pinball {
+
+/// What ends a run that has gone wrong: each check throws RunError that says what, where, when and what to try. They
+/// look at sums that the step has made anyway; where it went wrong is looked for only then.
+template <class S>
+class Guards {
+ public:
+  Guards(const Model<S>& model, const InternalForces<S>& forces, const StepClock& clock)
+      : model_(model), forces_(forces), clock_(clock) {}
+
+  /// Elements that are turned inside out, where they are not to be eroded for it.
+  void check_volumes(const InternalForceResult<S>& element) const;
+  /// energy: a sum that every element and every node goes into. A number that is not finite reaches it in the step in
+  /// which it arises, before it spreads to other elements.
+  void check_finite(double energy) const;
+  /// guard.energy_error
+  void check_energy(const EnergyLedger& ledger) const;
+  /// guard.time_step_collapse
+  void check_time_step() const;
+
+ private:
+  std::string when() const;
+
+  const Model<S>& model_;
+  const InternalForces<S>& forces_;
+  const StepClock& clock_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,282 @@
+#include "report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include <kernels/exec.hpp>
+#include <solver/base/version.h>
+#include <solver/results/state_hash.hpp>
+
+namespace pinball {
+
+template <class S>
+Point momentum(const Model<S>& model) {
+  Point sum{};
+  for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += model.node_mass[n] * static_cast<double>(model.nodes.velocity[4 * n + k]);
+    }
+  }
+  return sum;
+}
+
+template <class S>
+std::string element_name(const Model<S>& model, std::int64_t slot) {
+  const std::int32_t element = slot < 0 ? -1 : model.element_of_slot[static_cast<std::size_t>(slot)];
+  if (element < 0) return "no element";
+  const auto body = static_cast<std::size_t>(model.mesh.body[static_cast<std::size_t>(element)]);
+  return fmt::format("element {} of body {}", element, model.mesh.body_names[body]);
+}
+
+template <class S>
+std::vector<BodyResult> body_results(const Model<S>& model) {
+  std::vector<BodyResult> results(model.mesh.body_names.size());
+  for (std::size_t b = 0; b < results.size(); ++b) results[b].name = model.mesh.body_names[b];
+  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {  // in the order of memory
+    const auto i = static_cast<std::size_t>(slot);
+    if (model.element_of_slot[i] < 0) continue;
+    const auto e = static_cast<std::size_t>(model.element_of_slot[i]);
+    BodyResult& r = results[static_cast<std::size_t>(model.mesh.body[e])];
+    ++r.elements;
+    r.mass_initial += model.element_mass[e];
+    if (!(model.elements.mass[i] > S(0))) {
+      ++r.eroded_elements;
+      continue;
+    }
+    r.mass_remaining += model.element_mass[e];
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto n = 4 * static_cast<std::size_t>(model.elements.corner[ElementStore<S>::at(slot, corner, 8)]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        r.velocity[k] += model.element_mass[e] / 8 * static_cast<double>(model.nodes.velocity[n + k]);
+      }
+    }
+    if (!model.elements.plastic_strain.empty()) {
+      r.max_plastic_strain = std::max(r.max_plastic_strain, static_cast<double>(model.elements.plastic_strain[i]));
+    }
+  }
+  for (BodyResult& r : results) {
+    for (double& v : r.velocity) v = r.mass_remaining > 0 ? v / r.mass_remaining : 0.0;
+  }
+  return results;
+}
+
+template <class S>
+std::vector<std::string> more_columns(const Solver<S>& solver) {
+  std::vector<std::string> columns;
+  for (const WallResult& wall : solver.boundary().walls()) {
+    for (const char* quantity : {"force", "impulse"}) columns.push_back(fmt::format("{}_{}", wall.name, quantity));
+  }
+  const std::vector<std::string> of_probes = solver.probes().columns();
+  columns.insert(columns.end(), of_probes.begin(), of_probes.end());
+  return columns;
+}
+
+template <class S>
+ProgressState progress_state(const Solver<S>& solver) {
+  return {solver.steps(), solver.force_time(), solver.dt(), solver.balance_error(),
+          solver.model().element_count() - solver.counts().eroded_elements()};
+}
+
+template <class S>
+HistoryRow history_row(const Solver<S>& solver) {
+  const Model<S>& model = solver.model();
+  HistoryRow row;
+  row.step = solver.steps();
+  row.time = solver.force_time();
+  row.dt = solver.dt() > 0 ? solver.dt() : solver.clock().dt_before();
+  row.energy = solver.energies();
+  row.balance_error = solver.balance_error();
+  row.momentum = momentum(model);
+  row.bodies = body_results(model);
+  for (const WallResult& wall : solver.boundary().walls()) {
+    row.more.push_back(wall.force);
+    row.more.push_back(wall.impulse);
+  }
+  const std::vector<double> of_probes = solver.probes().values(model, solver.dt());
+  row.more.insert(row.more.end(), of_probes.begin(), of_probes.end());
+  return row;
+}
+
+template <class S>
+FieldSnapshot snapshot(const Solver<S>& solver) {
+  const Model<S>& model = solver.model();
+  FieldSnapshot s;
+  s.step = solver.steps();
+  s.time = solver.force_time();
+  s.hexahedra = model.mesh.hexahedra;
+  s.body = model.mesh.body;
+  const std::size_t nodes = model.mesh.nodes.size(), elements = s.hexahedra.size();
+  s.position.resize(nodes);
+  s.velocity.resize(nodes);
+  s.contact_force.assign(nodes, Point{});
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const auto store_node = static_cast<std::size_t>(model.node_of_scene_node[n]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      s.velocity[n][k] = static_cast<double>(model.nodes.velocity[4 * store_node + k]);
+      // Positions are one step ahead of the stresses: back to their time.
+      s.position[n][k] = static_cast<double>(model.nodes.position[4 * store_node + k]) - solver.dt() * s.velocity[n][k];
+    }
+  }
+  s.stress.resize(elements);
+  s.plastic_strain.assign(elements, 0.0);
+  s.pinball_radius.assign(elements, 0.0);
+  s.alive.resize(elements);
+  for (std::size_t e = 0; e < elements; ++e) {
+    const std::int64_t slot = model.slot_of_element[e];
+    for (int c = 0; c < 6; ++c) {
+      s.stress[e][static_cast<std::size_t>(c)] =
+          static_cast<double>(model.elements.stress[ElementStore<S>::at(slot, c, 6)]);
+    }
+    if (!model.elements.plastic_strain.empty()) {
+      s.plastic_strain[e] = static_cast<double>(model.elements.plastic_strain[static_cast<std::size_t>(slot)]);
+    }
+    s.alive[e] = model.elements.mass[static_cast<std::size_t>(slot)] > S(0) ? 1 : 0;
+  }
+  if (solver.contact() != nullptr) {
+    std::vector<Point> force(nodes, Point{});
+    std::vector<double> radius(static_cast<std::size_t>(model.elements.slots), 0.0);
+    solver.contact()->report(ModelSurface<S>(model), force, radius);
+    for (std::size_t n = 0; n < nodes; ++n) {
+      s.contact_force[n] = force[static_cast<std::size_t>(model.node_of_scene_node[n])];
+    }
+    for (std::size_t e = 0; e < elements; ++e) {
+      s.pinball_radius[e] = radius[static_cast<std::size_t>(model.slot_of_element[e])];
+    }
+  }
+  return s;
+}
+
+template <class S>
+std::uint64_t state_hash(const Model<S>& model) {
+  // In the order of the scene, so that the hash does not depend on how the stores are laid out.
+  StateHash hash;
+  for (const std::int32_t n : model.node_of_scene_node) {
+    hash.add(std::span<const S>(&model.nodes.position[4 * static_cast<std::size_t>(n)], 3));
+    hash.add(std::span<const S>(&model.nodes.velocity[4 * static_cast<std::size_t>(n)], 3));
+  }
+  for (const std::int64_t slot : model.slot_of_element) {
+    S stress[6];
+    for (int c = 0; c < 6; ++c) stress[c] = model.elements.stress[ElementStore<S>::at(slot, c, 6)];
+    hash.add(std::span<const S>(stress, 6));
+  }
+  return hash.value();
+}
+
+template <class S>
+void fill_summary(const Solver<S>& solver, RunSummary& summary) {
+  const Model<S>& model = solver.model();
+  const Scene& scene = model.scene;
+  const StepClock& clock = solver.clock();
+  const RunCounts& counts_so_far = solver.counts();
+  const ContactAlgorithm<S>* contact = solver.contact();
+  summary.version = PINBALL_VERSION;
+  summary.threads = DefaultExecutionSpace::concurrency();
+  summary.scene = scene.name;
+  summary.title = scene.title;
+  summary.units = scene.units;
+  summary.precision = sizeof(S) == sizeof(double) ? "double" : "float";
+  summary.simd_width = ElementStore<S>::width;
+  summary.elements = model.element_count();
+  summary.nodes = static_cast<std::int64_t>(model.mesh.nodes.size());
+  summary.steps = clock.steps();
+  summary.end_time = clock.force_time();
+  summary.dt_min = clock.dt_min();
+  summary.dt_max = clock.dt_max();
+  summary.dt_limited_by = step_limit(model, clock);
+  for (std::size_t p = 0; p < phase_names.size(); ++p) {
+    summary.phases.push_back({phase_names[p], solver.timers().seconds(static_cast<Phase>(p))});
+  }
+  WorkCounts counts = counts_so_far.work();
+  const std::int64_t all_element_steps = model.element_count() * clock.steps();
+  summary.element_steps_eroded = counts.eroded_element_steps;
+  summary.element_steps_resting = counts.resting_element_steps;
+  summary.element_steps_subcycled = counts.subcycled_element_steps;
+  summary.element_steps =
+      all_element_steps - counts.eroded_element_steps - counts.resting_element_steps - counts.subcycled_element_steps;
+  summary.energy = solver.energies();
+  summary.initial_total = solver.initial_energy();
+  summary.final_total = solver.energies().total();
+  summary.balance_error_max = solver.ledger().balance_error_max();
+  summary.momentum_initial = solver.initial_momentum();
+  summary.momentum_final = momentum(model);
+  summary.bodies = body_results(model);
+  summary.walls = solver.boundary().walls();
+  summary.probes = solver.probes().results(model, solver.dt());
+  summary.contact_method = contact != nullptr ? contact->name() : "none";
+  summary.contact_enforcement = contact != nullptr ? enforcement_name(scene.contact.enforcement) : "none";
+  if (contact != nullptr) {
+    summary.pinballs = contact->surface_elements();
+    summary.searches = contact->searches();
+    summary.searches_skipped = contact->searches_skipped();
+  }
+  counts.searches = summary.searches;
+  counts.searches_skipped = summary.searches_skipped;
+  summary.inner_element_steps = counts.inner_element_steps;
+  summary.bytes_not_stored = static_cast<std::int64_t>(bytes_not_stored(model.elements));
+  summary.skipped_seconds = estimate_skipped(counts, solver.timers(), all_element_steps);
+  summary.pairs_max = counts_so_far.pairs_max();
+  summary.max_penetration_ratio = counts_so_far.penetration_ratio_max();
+  if (solver.initial_overlap().points > 0) {
+    summary.overlapping_bodies =
+        fmt::format("{} and {}", solver.initial_overlap().first, solver.initial_overlap().second);
+  }
+  summary.state_hash = state_hash(model);
+  const auto bytes = static_cast<std::int64_t>(solver.bytes());
+  summary.bytes_per_element = bytes / std::max<std::int64_t>(1, summary.elements);
+}
+
+template <class S>
+std::uint64_t fingerprint(const Model<S>& model) {
+  StateHash hash;
+  const auto add = [&hash](const auto& array) { hash.add(array.data(), array.size() * sizeof(array[0])); };
+  add(model.elements.corner);
+  add(model.nodes.inverse_mass);
+  add(model.node_mass);
+  add(model.element_mass);
+  add(model.element_of_slot);
+  add(model.tile_packs);
+  add(model.tile_part);
+  add(model.tile_colours.items);
+  return hash.value();
+}
+
+template <class S>
+std::string step_limit(const Model<S>& model, const StepClock& clock) {
+  switch (clock.limited_by()) {
+    case StepLimit::element:
+      return element_name(model, clock.limiting_slot());
+    case StepLimit::contact:
+      return "contact";
+    case StepLimit::impact_speed:
+      return "the speed of impact";
+    case StepLimit::none:
+      break;
+  }
+  return "";
+}
+
+template Point momentum(const Model<double>&);
+template Point momentum(const Model<float>&);
+template std::string element_name(const Model<double>&, std::int64_t);
+template std::string element_name(const Model<float>&, std::int64_t);
+template std::string step_limit(const Model<double>&, const StepClock&);
+template std::string step_limit(const Model<float>&, const StepClock&);
+template std::vector<BodyResult> body_results(const Model<double>&);
+template std::vector<BodyResult> body_results(const Model<float>&);
+template std::uint64_t state_hash(const Model<double>&);
+template std::uint64_t state_hash(const Model<float>&);
+template std::uint64_t fingerprint(const Model<double>&);
+template std::uint64_t fingerprint(const Model<float>&);
+template std::vector<std::string> more_columns(const Solver<double>&);
+template std::vector<std::string> more_columns(const Solver<float>&);
+template ProgressState progress_state(const Solver<double>&);
+template ProgressState progress_state(const Solver<float>&);
+template HistoryRow history_row(const Solver<double>&);
+template HistoryRow history_row(const Solver<float>&);
+template FieldSnapshot snapshot(const Solver<double>&);
+template FieldSnapshot snapshot(const Solver<float>&);
+template void fill_summary(const Solver<double>&, RunSummary&);
+template void fill_summary(const Solver<float>&, RunSummary&);
+
+}  // namespace pinball

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/elements/internal_forces.hpp>
+#include <solver/results/skipped_work.hpp>
+
+namespace pinball {
+
+/// What the steps of a run have worked, left out and found.
+class RunCounts {
+ public:
+  const WorkCounts& work() const { return work_; }
+  std::int64_t eroded_elements() const { return eroded_elements_; }
+  std::int64_t pairs() const { return pairs_; }          ///< in contact at the time of the forces
+  std::int64_t pairs_max() const { return pairs_max_; }  ///< most of them at once
+  double penetration_ratio_max() const { return penetration_ratio_max_; }
+
+  /// surface: elements of the contact surface, negative without contact; all: elements of the scene.
+  template <class S>
+  void count(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact, std::int64_t surface,
+             std::int64_t all) {
+    if (!due.last) {
+      work_.eroded_element_steps += eroded_elements_;
+      work_.resting_element_steps += element.resting_elements;
+      work_.subcycled_element_steps += element.subcycled_elements;
+      if (surface >= 0) {
+        work_.surface_element_steps += surface;
+        work_.inner_element_steps += all - eroded_elements_ - surface;
+      }
+    }
+    eroded_elements_ += element.eroded_count;
+    penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);
+    pairs_ = contact.pairs;
+    pairs_max_ = std::max(pairs_max_, pairs_);
+  }
+  void count_search(double seconds) { work_.search_seconds += seconds; }
+
+  void persist(StateArchive& archive) { archive(work_, eroded_elements_, pairs_, pairs_max_, penetration_ratio_max_); }
+
+ private:
+  WorkCounts work_;
+  std::int64_t eroded_elements_ = 0, pairs_ = 0, pairs_max_ = 0;
+  double penetration_ratio_max_ = 0;
+};
+
+}  // namespace pinball

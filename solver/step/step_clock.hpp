@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+
+#include <solver/base/external_work.hpp>
+#include <solver/base/state_archive.hpp>
+#include <solver/elements/schedule.hpp>
+#include <solver/scene.hpp>
+
+namespace pinball {
+
+/// What set the smallest step of a run.
+enum class StepLimit { none, element, contact, impact_speed };
+
+/// Where a run is in time, and how long its steps are. Between two steps positions belong to time(), forces, stresses
+/// and energies to force_time(), velocities to the middle between the two.
+class StepClock {
+ public:
+  explicit StepClock(const TimeSettings& settings);
+
+  double time() const { return time_; }              ///< of the positions
+  double force_time() const { return force_time_; }  ///< of the forces, stresses and energies
+  double dt() const { return dt_; }                  ///< dt_(n+1/2), of the step under way or the last one
+  double dt_before() const { return dt_before_; }    ///< dt_(n-1/2)
+  StepLengths lengths() const { return {dt_before_, dt_}; }
+  std::int64_t steps() const { return steps_; }                  ///< made so far
+  double dt_min() const { return dt_min_; }                      ///< smallest stable step so far, 0 before the first
+  double dt_max() const { return dt_max_; }                      ///< largest step so far
+  StepLimit limited_by() const { return limited_by_; }           ///< at dt_min()
+  std::int64_t limiting_slot() const { return limiting_slot_; }  ///< for StepLimit::element
+  double remaining() const { return end_ - time_; }              ///< until time.end
+
+  /// Whether time.end or time.steps will be reached by a cycle of steps of which the last is still to be made.
+  bool at_end(std::int32_t cycle_steps) const;
+
+  /// No step is longer from now on, whatever is stable (longest_contact_step).
+  void limit_by_impact_speed(double step);
+  /// The forces of time() are known, and with them what bounds the coming step, or cycle of steps.
+  void choose(const Due& due, const StepBound& bound);
+  /// The positions have moved.
+  void advance(const Due& due);
+
+  void persist(StateArchive& archive);
+
+ private:
+  double end_, cfl_;
+  std::int64_t steps_at_end_;
+  double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;
+  std::int64_t steps_ = 0;
+  double longest_impact_step_;  ///< from the velocities at the start or after a change; infinite without contact [time]
+  double dt_min_ = 0, dt_max_ = 0;
+  StepLimit limited_by_ = StepLimit::none;
+  std::int64_t limiting_slot_ = -1;
+};
+
+}  // namespace pinball
