@@ -14,11 +14,11 @@ BoundaryConditions<S>::BoundaryConditions(const Model<S>& model) : damping_(mode
     Load load{given.force, given.table, {}, {}, {}};
     double mass = 0;
     for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
-      load.nodes.push_back(model.node_of_scene_node[static_cast<std::size_t>(n)]);
-      mass += model.node_mass[static_cast<std::size_t>(load.nodes.back())];
+      load.nodes.push_back(model.node_of_scene_node[n]);
+      mass += model.node_mass[load.nodes.back()];
     }
     for (const std::int32_t n : load.nodes) {
-      load.share.push_back(static_cast<S>(model.node_mass[static_cast<std::size_t>(n)] / mass));
+      load.share.push_back(static_cast<S>(model.node_mass[n] / mass));
     }
     loads_.push_back(std::move(load));
   }
@@ -63,7 +63,7 @@ void BoundaryConditions<S>::add_nodal_loads(Model<S>& model, double time) {
     const double factor = load.table.value(time);
     for (std::size_t k = 0; k < 3; ++k) load.present[k] = static_cast<S>(factor * load.force[k]);
     for (std::size_t i = 0; i < load.nodes.size(); ++i) {
-      S* f = model.nodes.force.data() + 4 * static_cast<std::size_t>(load.nodes[i]);
+      S* f = model.nodes.force_of(load.nodes[i]);
       for (int k = 0; k < 3; ++k) f[k] += load.share[i] * load.present[k];
     }
   }
@@ -88,7 +88,7 @@ template <class S>
 void BoundaryConditions<S>::add_damping(Model<S>& model) {
   NodeStore<S>& nodes = model.nodes;
   parallel_for("damping", RangePolicy<>{0, nodes.count}, [&](std::int64_t n) {
-    const auto factor = static_cast<S>(-damping_ * model.node_mass[static_cast<std::size_t>(n)]);
+    const auto factor = static_cast<S>(-damping_ * model.node_mass[n]);
     for (std::int64_t k = 4 * n; k < 4 * n + 3; ++k) nodes.force.data()[k] += factor * nodes.velocity.data()[k];
   });
 }
@@ -101,8 +101,7 @@ void BoundaryConditions<S>::constrain(Model<S>& model, const DueSpans& due) cons
     const auto s = static_cast<std::size_t>(span);
     for (std::size_t i = constraints_of_span_[s]; i < constraints_of_span_[s + 1]; ++i) {
       const NodeConstraint<S>& c = model.constraints[i];
-      const auto place = 4 * static_cast<std::int64_t>(c.node);
-      constrain_node(model.nodes.force.data() + place, model.nodes.velocity.data() + place, c.normal);
+      constrain_node(model.nodes.force_of(c.node), model.nodes.velocity_of(c.node), c.normal);
     }
   });
 }
@@ -118,16 +117,15 @@ void BoundaryConditions<S>::prescribe(Model<S>& model, double time, const StepLe
   }
   for (std::size_t i = 0; i < model.prescribed.size(); ++i) {
     const NodePrescription<S>& p = model.prescribed[i];
-    const auto node = static_cast<std::size_t>(p.node);
-    const S* v = model.nodes.velocity.data() + 4 * node;
-    S* f = model.nodes.force.data() + 4 * node;
-    const auto wanted = static_cast<S>(factor[static_cast<std::size_t>(p.table)]) * p.speed;
+    const S* v = model.nodes.velocity_of(p.node);
+    S* f = model.nodes.force_of(p.node);
+    const auto wanted = static_cast<S>(factor[p.table]) * p.speed;
     S velocity = 0, force = 0;
     for (int k = 0; k < 3; ++k) {
       velocity += v[k] * p.normal[k];
       force += f[k] * p.normal[k];
     }
-    const S mobility = static_cast<S>(step.velocity()) * model.nodes.inverse_mass[node];
+    const S mobility = static_cast<S>(step.velocity()) * model.nodes.inverse_mass[p.node];
     if (!(mobility > S(0))) continue;
     const S reaction = (wanted - velocity) / mobility - force;
     reaction_[i] += reaction;  // contact by impulses comes between two parts of it
@@ -163,7 +161,7 @@ ExternalWork BoundaryConditions<S>::work_of_step(const Model<S>& model, const St
         "work of damping", RangePolicy<>{0, nodes.count}, sum,
         [&](std::int64_t begin, std::int64_t end, ExternalWork& partial) {
           for (std::int64_t n = begin; n < end; ++n) {
-            const auto factor = static_cast<S>(-damping_ * model.node_mass[static_cast<std::size_t>(n)]);
+            const auto factor = static_cast<S>(-damping_ * model.node_mass[n]);
             const S* v = nodes.velocity.data() + 4 * n;
             const S force[3] = {factor * v[0], factor * v[1], factor * v[2]};
             partial.add(work_on(static_cast<std::int32_t>(n), force));

@@ -26,7 +26,7 @@ RigidWalls<S>::RigidWalls(const Model<S>& model) {
     wall.friction = static_cast<S>(given.friction);
     std::vector<std::pair<std::int32_t, std::array<S, 3>>> oblique;
     for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-      const std::string& body = model.mesh.body_names[static_cast<std::size_t>(model.mesh.body_of_node[n])];
+      const std::string& body = model.mesh.body_names[model.mesh.body_of_node[n]];
       if (!given.body.empty() && given.body != body) continue;
       double gap = 0;
       for (std::size_t k = 0; k < 3; ++k) {

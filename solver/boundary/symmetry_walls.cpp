@@ -39,7 +39,7 @@ void SymmetryWalls<S>::reflect(Model<S>& model, S position_step) const {
     const S point[3] = {S(wall.point[0]), S(wall.point[1]), S(wall.point[2])};
     const S inward[3] = {S(wall.inward[0]), S(wall.inward[1]), S(wall.inward[2])};
     parallel_for("symmetry walls", RangePolicy<>{0, static_cast<std::int64_t>(wall.nodes.size())}, [&](std::int64_t i) {
-      const std::int64_t place = 4 * static_cast<std::int64_t>(wall.nodes[static_cast<std::size_t>(i)]);
+      const std::int64_t place = 4 * static_cast<std::int64_t>(wall.nodes[i]);
       S* x = model.nodes.position.data() + place;
       S distance = 0, speed = 0;
       for (int k = 0; k < 3; ++k) distance += (x[k] - point[k]) * inward[k];

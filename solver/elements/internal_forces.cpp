@@ -25,10 +25,9 @@ void for_each_tile(const Colouring& tiles, const Body& body) {
 
 template <class S>
 void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step) {
-  const auto t = static_cast<std::size_t>(tile);
-  const auto part = static_cast<std::size_t>(model.tile_part[t]);
-  kernel_of_part_[part](model.elements.view(), model.nodes.view(), model.constants[part], step, model.tile_packs[t],
-                        model.tile_packs[t + 1], results_[t]);
+  const std::int32_t part = model.tile_part[tile];
+  kernel_of_part_[part](model.elements.view(), model.nodes.view(), model.constants[part], step, model.tile_packs[tile],
+                        model.tile_packs[tile + 1], results_[tile]);
 }
 
 template <class S>
@@ -39,7 +38,7 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& 
   for (int level = schedule.highest_level(due); level >= 0; --level) {
     schedule.show_mean_velocities(model.nodes, level);
     for_each_tile(schedule.tiles(level), [&](std::int32_t tile) {
-      TileResult<S>& result = results_[static_cast<std::size_t>(tile)];
+      TileResult<S>& result = results_[tile];
       const TileResult<S> before = result;
       work(model, tile, schedule.step_of(tile, due, dt));
       if (!built::resting || !schedule.rests(tile)) return;
@@ -76,12 +75,11 @@ InternalForceResult<S> InternalForces<S>::sum() const {
 
 template <class S>
 std::vector<std::int64_t> eroded_slots(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
-  constexpr int W = ElementStore<S>::width;
   std::vector<std::int64_t> slots;
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     if (tiles[t].eroded_count == 0) continue;
-    for (std::int64_t slot = model.tile_packs[t] * W; slot < model.tile_packs[t + 1] * W; ++slot) {
-      if (!(model.elements.mass[static_cast<std::size_t>(slot)] > S(0))) slots.push_back(slot);
+    for (const std::int64_t slot : model.slots_of(t)) {
+      if (!model.elements.alive(slot)) slots.push_back(slot);
     }
   }
   return slots;

@@ -106,10 +106,10 @@ template <class S>
 bool RestingTiles<S>::wake(const NodeStore<S>& nodes) {
   const S* velocities = nodes.velocity.data();
   parallel_for("tiles at rest", RangePolicy<>{0, static_cast<std::int64_t>(tiles_.size())}, [&](std::int64_t i) {
-    const Tile& tile = tiles_[static_cast<std::size_t>(i)];
+    const Tile& tile = tiles_[i];
     const S* record = velocities + 4 * static_cast<std::int64_t>(tile.nodes.front().first);
     const auto moves = [&](const NodeRange& range) { return differ(velocities, range, record); };
-    if (std::any_of(tile.nodes.begin(), tile.nodes.end(), moves)) rests_[static_cast<std::size_t>(tile.number)] = 0;
+    if (std::any_of(tile.nodes.begin(), tile.nodes.end(), moves)) rests_[tile.number] = 0;
   });
   const std::size_t before = tiles_.size();
   drop_awake();

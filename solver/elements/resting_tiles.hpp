@@ -32,7 +32,7 @@ class RestingTiles {
   /// Drops the tiles whose nodes no longer have one velocity. Returns whether there were any.
   bool wake(const NodeStore<S>& nodes);
 
-  bool rests(std::int32_t tile) const { return rests_[static_cast<std::size_t>(tile)] != 0; }
+  bool rests(std::int32_t tile) const { return rests_[tile] != 0; }
   const std::vector<std::uint8_t>& flags() const { return rests_; }  ///< per tile of the model: whether it rests
   std::int64_t elements() const { return elements_; }                ///< of the tiles that rest
   std::size_t bytes() const;

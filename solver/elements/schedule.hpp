@@ -47,9 +47,7 @@ class Schedule {
   /// The highest level whose tiles are due; they are worked from the highest to level 0.
   int highest_level(const Due& due) const { return subcycling_ ? subcycling_->due(due.step_of_cycle) : 0; }
   /// The tiles of a level, by colour.
-  const Colouring& tiles(int level) const {
-    return subcycling_ ? subcycling_->tiles()[static_cast<std::size_t>(level)] : awake_;
-  }
+  const Colouring& tiles(int level) const { return subcycling_ ? subcycling_->tiles()[level] : awake_; }
   /// The step that a tile makes; dt: the smallest step just made [time].
   ElementStep<S> step_of(std::int32_t tile, const Due& due, S dt) const {
     return subcycling_ ? subcycling_->step(tile, due.all(), dt) : ElementStep<S>{dt};

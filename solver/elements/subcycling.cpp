@@ -43,7 +43,7 @@ void Subcycling<S>::find_neighbours(const Model<S>& model) {
       const auto tile = static_cast<std::size_t>(t);
       constexpr std::int64_t corners = 8 * ElementStore<S>::width;
       for (std::int64_t i = corners * model.tile_packs[tile]; i < corners * model.tile_packs[tile + 1]; ++i) {
-        const auto node = static_cast<std::size_t>(model.elements.corner[static_cast<std::size_t>(i)]);
+        const auto node = static_cast<std::size_t>(model.elements.corner[i]);
         if (last[node] == t) continue;
         last[node] = t;
         visit(node, t);
@@ -58,13 +58,13 @@ void Subcycling<S>::find_neighbours(const Model<S>& model) {
   neighbours_.resize(highest_.size());
   for_each_node_of_tile([&](std::size_t node, std::int32_t tile) {
     for (std::int32_t i = tile_of_node_offsets_[node]; i < place[node]; ++i) {
-      std::vector<std::int32_t>& others = neighbours_[static_cast<std::size_t>(tile)];
-      const std::int32_t other = tile_of_node_[static_cast<std::size_t>(i)];
+      std::vector<std::int32_t>& others = neighbours_[tile];
+      const std::int32_t other = tile_of_node_[i];
       if (std::find(others.begin(), others.end(), other) != others.end()) continue;
       others.push_back(other);
-      neighbours_[static_cast<std::size_t>(other)].push_back(tile);
+      neighbours_[other].push_back(tile);
     }
-    tile_of_node_[static_cast<std::size_t>(place[node]++)] = tile;
+    tile_of_node_[place[node]++] = tile;
   });
 }
 
@@ -93,7 +93,7 @@ void Subcycling<S>::lower_beside_squeezed(const std::vector<StepGroup>& groups, 
     if (ratio >= 0.75 * static_cast<double>(1 << own_[t])) continue;
     const int stable = static_cast<int>(std::floor(std::log2(ratio)));
     for (const std::int32_t other : neighbours_[t]) {
-      int& level = lowered[static_cast<std::size_t>(other)];
+      int& level = lowered[other];
       level = std::min(level, std::max(0, stable));
     }
   }
@@ -133,8 +133,7 @@ void Subcycling<S>::sort_by_level(const Model<S>& model) {
   top_ = *std::max_element(level_.begin(), level_.end());
   tiles_.clear();
   for (int l = 0; l <= top_; ++l) {
-    tiles_.push_back(
-        chosen_of(model.tile_colours, [&](std::int32_t tile) { return level_[static_cast<std::size_t>(tile)] == l; }));
+    tiles_.push_back(chosen_of(model.tile_colours, [&](std::int32_t tile) { return level_[tile] == l; }));
   }
 
   const std::int32_t count = model.nodes.count;
@@ -144,12 +143,12 @@ void Subcycling<S>::sort_by_level(const Model<S>& model) {
     const auto node = static_cast<std::size_t>(n);
     unsigned levels = 0;  // of its tiles, a bit each
     for (std::int32_t i = tile_of_node_offsets_[node]; i < tile_of_node_offsets_[node + 1]; ++i) {
-      levels |= 1U << level_[static_cast<std::size_t>(tile_of_node_[static_cast<std::size_t>(i)])];
+      levels |= 1U << level_[tile_of_node_[i]];
     }
     const int lowest = every_node_ || levels == 0 ? 0 : std::countr_zero(levels);
     kicked[node] = static_cast<std::int8_t>(lowest);
     for (int l = lowest + 1; l <= top_; ++l) {
-      if ((levels >> l & 1U) != 0) mixed_[static_cast<std::size_t>(l)].node.push_back(n);
+      if ((levels >> l & 1U) != 0) mixed_[l].node.push_back(n);
     }
   }
   for (MixedNodes& mixed : mixed_) {
@@ -178,14 +177,14 @@ template <class S>
 template <class Body>
 void Subcycling<S>::for_each_mixed_node(const MixedNodes& mixed, NodeStore<S>& nodes, const Body& body) {
   parallel_for("mixed nodes", RangePolicy<>{0, static_cast<std::int64_t>(mixed.node.size())}, [&](std::int64_t i) {
-    const auto node = static_cast<std::int64_t>(mixed.node[static_cast<std::size_t>(i)]);
+    const auto node = static_cast<std::int64_t>(mixed.node[i]);
     body(nodes.velocity.data() + 4 * node, 3 * static_cast<std::size_t>(i));
   });
 }
 
 template <class S>
 void Subcycling<S>::use_mean_velocities(NodeStore<S>& nodes, int level) {
-  MixedNodes& mixed = mixed_[static_cast<std::size_t>(level)];
+  MixedNodes& mixed = mixed_[level];
   if (mixed.steps == 0) return;  // before the first step there is no other velocity than the present one
   const S factor = S(1) / static_cast<S>(mixed.steps);
   for_each_mixed_node(mixed, nodes, [&](S* velocity, std::size_t place) {
@@ -198,7 +197,7 @@ void Subcycling<S>::use_mean_velocities(NodeStore<S>& nodes, int level) {
 
 template <class S>
 void Subcycling<S>::use_present_velocities(NodeStore<S>& nodes, int level) {
-  MixedNodes& mixed = mixed_[static_cast<std::size_t>(level)];
+  MixedNodes& mixed = mixed_[level];
   if (mixed.steps == 0) return;
   for_each_mixed_node(mixed, nodes, [&](S* velocity, std::size_t place) {
     for (std::size_t k = 0; k < 3; ++k) velocity[k] = mixed.present[place + k];
@@ -252,20 +251,20 @@ std::int64_t Subcycling<S>::count_elements(const std::vector<TileResult<S>>& til
 template <class S>
 void Subcycling<S>::lower_around(std::int32_t tile) {
   const auto lower = [&](std::int32_t t) {
-    highest_[static_cast<std::size_t>(t)] = 0;
-    own_[static_cast<std::size_t>(t)] = 0;
+    highest_[t] = 0;
+    own_[t] = 0;
   };
   lower(tile);
-  for (const std::int32_t beside : neighbours_[static_cast<std::size_t>(tile)]) {
+  for (const std::int32_t beside : neighbours_[tile]) {
     lower(beside);
-    for (const std::int32_t next : neighbours_[static_cast<std::size_t>(beside)]) lower(next);
+    for (const std::int32_t next : neighbours_[beside]) lower(next);
   }
 }
 
 template <class S>
 std::vector<std::int64_t> Subcycling<S>::elements_of_levels() const {
   std::vector<std::int64_t> sums(static_cast<std::size_t>(levels()), 0);
-  for (std::size_t t = 0; t < level_.size(); ++t) sums[static_cast<std::size_t>(level_[t])] += elements_[t];
+  for (std::size_t t = 0; t < level_.size(); ++t) sums[level_[t]] += elements_[t];
   return sums;
 }
 

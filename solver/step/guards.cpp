@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
-#include <kernels/hexahedron.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/hexahedron_of_points.hpp>
 
 #include "report.hpp"
 
@@ -17,18 +17,13 @@ namespace {
 /// Volume of an element over that of the undeformed one; at the time of the forces, dt before that of the positions.
 template <class S>
 double volume_ratio(const Model<S>& model, std::int64_t slot, double dt) {
-  Vec3<double> x[8];
+  std::array<Point, 8> corners;
   for (int i = 0; i < 8; ++i) {
-    const auto node = 4 * static_cast<std::size_t>(model.elements.corner[ElementStore<S>::at(slot, i, 8)]);
-    const auto at = [&](std::size_t k) {
-      return static_cast<double>(model.nodes.position[node + k]) -
-             dt * static_cast<double>(model.nodes.velocity[node + k]);
-    };
-    x[i] = {at(0), at(1), at(2)};
+    const std::int32_t node = model.elements.corners(slot)[i];
+    const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
+    for (int k = 0; k < 3; ++k) corners[i][k] = static_cast<double>(x[k]) - dt * static_cast<double>(v[k]);
   }
-  const HexahedronModes<double> modes = to_modes(x);
-  const auto element = static_cast<std::size_t>(model.element_of_slot[static_cast<std::size_t>(slot)]);
-  return hexahedron_volume(uniform_gradient(modes), modes) / element_volume(model.mesh, element);
+  return hexahedron_volume(corners) / element_volume(model.mesh, model.element_of_slot[slot]);
 }
 
 /// What is not finite of the state of an element, or nothing.
@@ -53,10 +48,10 @@ std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
 /// Whether a corner of an element has a velocity or a place that is not finite.
 template <class S>
 bool corner_not_finite(const Model<S>& model, std::int64_t slot) {
-  for (int i = 0; i < 8; ++i) {
-    const auto node = 4 * static_cast<std::size_t>(model.elements.corner[ElementStore<S>::at(slot, i, 8)]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (!std::isfinite(model.nodes.velocity[node + k]) || !std::isfinite(model.nodes.position[node + k])) return true;
+  for (const std::int32_t node : model.elements.corners(slot)) {
+    const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
+    for (int k = 0; k < 3; ++k) {
+      if (!std::isfinite(v[k]) || !std::isfinite(x[k])) return true;
     }
   }
   return false;
@@ -69,13 +64,12 @@ constexpr const char* try_smaller_steps = "try a smaller time.cfl";
 template <class S>
 void Guards<S>::check_volumes(const InternalForceResult<S>& element) const {
   if (element.inverted_count == 0) return;
-  constexpr int W = ElementStore<S>::width;
   std::int64_t worst = -1;
   double least = 0;
   for (std::size_t t = 0; t < forces_.tiles().size(); ++t) {
     if (forces_.tiles()[t].inverted_count == 0) continue;
-    for (std::int64_t slot = model_.tile_packs[t] * W; slot < model_.tile_packs[t + 1] * W; ++slot) {
-      if (!(model_.elements.mass[static_cast<std::size_t>(slot)] > S(0))) continue;
+    for (const std::int64_t slot : model_.slots_of(t)) {
+      if (!model_.elements.alive(slot)) continue;
       const double ratio = volume_ratio(model_, slot, clock_.dt());
       if (worst >= 0 && !(ratio < least)) continue;
       least = ratio;
@@ -93,7 +87,7 @@ void Guards<S>::check_finite(double energy) const {
   if (std::isfinite(energy)) return;
   std::int64_t beside = -1;
   for (const std::int64_t slot : model_.slot_of_element) {  // the first in the order of the scene
-    if (!(model_.elements.mass[static_cast<std::size_t>(slot)] > S(0))) continue;
+    if (!model_.elements.alive(slot)) continue;
     const std::string part = not_finite_part(model_, slot);
     if (!part.empty()) {
       throw RunError(fmt::format("the {} of {} is not finite {}: {}, and look at its material and its shape there",

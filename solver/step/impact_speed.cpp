@@ -35,7 +35,7 @@ double longest_contact_step(const Model<S>& model) {
                                   {{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}});
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const S* v = &model.nodes.velocity[4 * static_cast<std::size_t>(model.node_of_scene_node[n])];
-    of_body[static_cast<std::size_t>(mesh.body_of_node[n])].take(
+    of_body[mesh.body_of_node[n]].take(
         {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
   }
   double speed = 0;

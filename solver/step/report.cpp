@@ -23,10 +23,9 @@ Point momentum(const Model<S>& model) {
 
 template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot) {
-  const std::int32_t element = slot < 0 ? -1 : model.element_of_slot[static_cast<std::size_t>(slot)];
+  const std::int32_t element = slot < 0 ? -1 : model.element_of_slot[slot];
   if (element < 0) return "no element";
-  const auto body = static_cast<std::size_t>(model.mesh.body[static_cast<std::size_t>(element)]);
-  return fmt::format("element {} of body {}", element, model.mesh.body_names[body]);
+  return fmt::format("element {} of body {}", element, model.mesh.body_of_element(element));
 }
 
 template <class S>
@@ -34,25 +33,22 @@ std::vector<BodyResult> body_results(const Model<S>& model) {
   std::vector<BodyResult> results(model.mesh.body_names.size());
   for (std::size_t b = 0; b < results.size(); ++b) results[b].name = model.mesh.body_names[b];
   for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {  // in the order of memory
-    const auto i = static_cast<std::size_t>(slot);
-    if (model.element_of_slot[i] < 0) continue;
-    const auto e = static_cast<std::size_t>(model.element_of_slot[i]);
-    BodyResult& r = results[static_cast<std::size_t>(model.mesh.body[e])];
+    if (model.is_padding(slot)) continue;
+    const std::int32_t e = model.element_of_slot[slot];
+    BodyResult& r = results[model.mesh.body[e]];
     ++r.elements;
     r.mass_initial += model.element_mass[e];
-    if (!(model.elements.mass[i] > S(0))) {
+    if (!model.elements.alive(slot)) {
       ++r.eroded_elements;
       continue;
     }
     r.mass_remaining += model.element_mass[e];
-    for (int corner = 0; corner < 8; ++corner) {
-      const auto n = 4 * static_cast<std::size_t>(model.elements.corner[ElementStore<S>::at(slot, corner, 8)]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        r.velocity[k] += model.element_mass[e] / 8 * static_cast<double>(model.nodes.velocity[n + k]);
-      }
+    for (const std::int32_t node : model.elements.corners(slot)) {
+      const S* const v = model.nodes.velocity_of(node);
+      for (int k = 0; k < 3; ++k) r.velocity[k] += model.element_mass[e] / 8 * static_cast<double>(v[k]);
     }
     if (!model.elements.plastic_strain.empty()) {
-      r.max_plastic_strain = std::max(r.max_plastic_strain, static_cast<double>(model.elements.plastic_strain[i]));
+      r.max_plastic_strain = std::max(r.max_plastic_strain, static_cast<double>(model.elements.plastic_strain[slot]));
     }
   }
   for (BodyResult& r : results) {
@@ -111,11 +107,12 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   s.velocity.resize(nodes);
   s.contact_force.assign(nodes, Point{});
   for (std::size_t n = 0; n < nodes; ++n) {
-    const auto store_node = static_cast<std::size_t>(model.node_of_scene_node[n]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      s.velocity[n][k] = static_cast<double>(model.nodes.velocity[4 * store_node + k]);
+    const std::int32_t node = model.node_of_scene_node[n];
+    const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
+    for (int k = 0; k < 3; ++k) {
+      s.velocity[n][k] = static_cast<double>(v[k]);
       // Positions are one step ahead of the stresses: back to their time.
-      s.position[n][k] = static_cast<double>(model.nodes.position[4 * store_node + k]) - solver.dt() * s.velocity[n][k];
+      s.position[n][k] = static_cast<double>(x[k]) - solver.dt() * s.velocity[n][k];
     }
   }
   s.stress.resize(elements);
@@ -124,24 +121,21 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   s.alive.resize(elements);
   for (std::size_t e = 0; e < elements; ++e) {
     const std::int64_t slot = model.slot_of_element[e];
-    for (int c = 0; c < 6; ++c) {
-      s.stress[e][static_cast<std::size_t>(c)] =
-          static_cast<double>(model.elements.stress[ElementStore<S>::at(slot, c, 6)]);
-    }
+    for (int c = 0; c < 6; ++c) s.stress[e][c] = static_cast<double>(model.elements.stress_of(slot, c));
     if (!model.elements.plastic_strain.empty()) {
-      s.plastic_strain[e] = static_cast<double>(model.elements.plastic_strain[static_cast<std::size_t>(slot)]);
+      s.plastic_strain[e] = static_cast<double>(model.elements.plastic_strain[slot]);
     }
-    s.alive[e] = model.elements.mass[static_cast<std::size_t>(slot)] > S(0) ? 1 : 0;
+    s.alive[e] = model.elements.alive(slot) ? 1 : 0;
   }
   if (solver.contact() != nullptr) {
     std::vector<Point> force(nodes, Point{});
     std::vector<double> radius(static_cast<std::size_t>(model.elements.slots), 0.0);
     solver.contact()->report(ModelSurface<S>(model), force, radius);
     for (std::size_t n = 0; n < nodes; ++n) {
-      s.contact_force[n] = force[static_cast<std::size_t>(model.node_of_scene_node[n])];
+      s.contact_force[n] = force[model.node_of_scene_node[n]];
     }
     for (std::size_t e = 0; e < elements; ++e) {
-      s.pinball_radius[e] = radius[static_cast<std::size_t>(model.slot_of_element[e])];
+      s.pinball_radius[e] = radius[model.slot_of_element[e]];
     }
   }
   return s;
@@ -152,13 +146,12 @@ std::uint64_t state_hash(const Model<S>& model) {
   // In the order of the scene, so that the hash does not depend on how the stores are laid out.
   StateHash hash;
   for (const std::int32_t n : model.node_of_scene_node) {
-    hash.add(std::span<const S>(&model.nodes.position[4 * static_cast<std::size_t>(n)], 3));
-    hash.add(std::span<const S>(&model.nodes.velocity[4 * static_cast<std::size_t>(n)], 3));
+    hash.add(std::span<const S>(model.nodes.position_of(n), 3));
+    hash.add(std::span<const S>(model.nodes.velocity_of(n), 3));
   }
   for (const std::int64_t slot : model.slot_of_element) {
-    S stress[6];
-    for (int c = 0; c < 6; ++c) stress[c] = model.elements.stress[ElementStore<S>::at(slot, c, 6)];
-    hash.add(std::span<const S>(stress, 6));
+    const std::array<S, 6> stress = model.elements.stress_of(slot);
+    hash.add(std::span<const S>(stress));
   }
   return hash.value();
 }
