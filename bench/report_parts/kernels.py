@@ -39,7 +39,7 @@ KERNELS = [
     Kernel("list_check", "do the lists still hold", "surface node", "pinball", "list_check",
            [r"SurfaceMotion<double>::holds\("], [r"SurfaceMotionIdE5holds"], contact=True,
            by_hand=lambda work: 14.0,
-           by_hand_text="14: distance of a node from where it is expected (kernels over nodes in solver/contact/surface_motion.cpp)"),
+           by_hand_text="14: distance of a node from where it is expected (kernels over nodes in solver/contact/search/surface_motion.cpp)"),
     Kernel("list_building", "pair list, when built", "pinball", "pinball", "list_building",
            [r"PairList<double>::(build|collect_references|find|leave_out|leave_out_neighbours|append|mark|number|remember|"
             r"recall)\(", r"(BallTree|MovingBalls|NearBalls)<double>::",
@@ -59,7 +59,7 @@ KERNELS = [
            by_hand_text="8 nodes x (4 products and sums of the force, 1 product of the bound on the frequency), 72, of each "
                         "pinball in contact"),
     Kernel("node_update", "node update", "node", "pinball", "integration",
-           [r"Solver<double>::integrate.*(omp_fn|operator\(\))"], [r"SolverIdE9integrate"]),
+           [r"integrate_nodes<double>.*(omp_fn|operator\(\))"], [r"15integrate_nodesIdE"]),
     Kernel("segment_update", "slideline: segments", "segment", "slideline", "pinballs",
            [r"SlidelineSurface<double>::update\(pinball::SurfaceSource<double> const&\)::\{lambda"],
            [r"SlidelineSurfaceIdE6update"]),
