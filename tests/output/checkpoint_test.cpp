@@ -228,7 +228,7 @@ TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
       // However slow the machine is, each start gets as far as its first checkpoint.
       for (; written() == before && !ended; look(WNOHANG)) ::usleep(500);
       if (!ended) {
-        ::usleep(static_cast<useconds_t>(random() % 40000));
+        ::usleep(static_cast<useconds_t>(random() % 8000));
         ::kill(child, SIGKILL);
         ++kills;
       }
