@@ -28,14 +28,20 @@ struct MovingBox {
   S bound[12];
 };
 
-/// Memory of the tree; arrays belong to the caller. Every level is padded to whole groups; the last has one.
+/// Levels of boxes: each of the second level holds a group of the first, and so on. Arrays belong to the caller. Every
+/// level is padded to whole groups with boxes that nothing is in; the last has one group.
 template <class S>
-struct BallTreeView {
-  std::int32_t groups;       ///< of balls
-  int levels;                ///< of boxes
-  bool moves;                ///< some ball makes a way
-  const S* ball;             ///< groups of G balls, 7 components: M, H, radius; padding is NaN
-  S* box[ball_tree_levels];  ///< groups of G boxes, 12 components; level 0: a box per group of balls
+struct BoxTreeView {
+  int levels;
+  bool moves;                      ///< some box is not the same at the beginning and at the end
+  const S* box[ball_tree_levels];  ///< groups of G boxes, 12 components
+};
+
+/// The same over balls; level 0 has a box per group of balls.
+template <class S>
+struct BallTreeView : BoxTreeView<S> {
+  std::int32_t groups;  ///< of balls
+  const S* ball;        ///< groups of G balls, 7 components: M, H, radius; padding is NaN
 };
 
 /// The box that nothing is in.
@@ -125,7 +131,7 @@ PINBALL_FUNCTION unsigned meeting_boxes(const ScalarOf<T>* boxes, const MovingBo
 
 /// Calls visit(number) for the boxes of a level, from number `from` on, that may meet a box; in rising order.
 template <class T, class Visit>
-PINBALL_FUNCTION void for_each_meeting_box(const BallTreeView<ScalarOf<T>>& tree, const MovingBox<ScalarOf<T>>& box,
+PINBALL_FUNCTION void for_each_meeting_box(const BoxTreeView<ScalarOf<T>>& tree, const MovingBox<ScalarOf<T>>& box,
                                            int lowest, std::int32_t from, const Visit& visit) {
   constexpr int G = ball_group<ScalarOf<T>>;
   std::int32_t first[ball_tree_levels];  // box of each level that holds `from`

@@ -6,6 +6,8 @@ enum class ContactMethod { none, pinball, slideline };
 enum class Enforcement { penalty, projection, lagrange };
 enum class ContactGap { pinball, face, not_set };
 enum class ContactRadius { initial, current };
+/// How what may touch is found. All find the same.
+enum class ContactSearch { automatic, tree, hash };
 
 /// As in the scene and in summary.json.
 inline const char* enforcement_name(Enforcement enforcement) {

@@ -1,0 +1,93 @@
+#include "box_tree.hpp"
+
+#include <algorithm>
+
+#include <kernels/compress.hpp>
+#include <kernels/exec.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// Whether a box of a group has other bounds at the end than at the beginning.
+template <class S>
+bool group_moves(const S* boxes) {
+  constexpr int G = ball_group<S>;
+  bool moves = false;
+  for (int i = 0; i < 6 * G; ++i) moves = moves || boxes[i] != boxes[6 * G + i];
+  return moves;
+}
+
+}  // namespace
+
+template <class S>
+void BoxTree<S>::build(const MovingBoxes<S>& boxes) {
+  constexpr int G = ball_group<S>;
+  view_.moves = false;
+  parallel_reduce(
+      "moving boxes", RangePolicy<>{0, boxes.groups()}, view_.moves,
+      [&boxes](std::int64_t begin, std::int64_t end, bool& moves) {
+        for (std::int64_t g = begin; g < end && !moves; ++g) moves = group_moves(boxes.data() + g * 12 * G);
+      },
+      [](bool& whole, bool partial) { whole = whole || partial; });
+  levels_.build(boxes.data(), boxes.groups(), view_);
+}
+
+template <class S>
+void NearBoxes<S>::enter(const BoxTreeView<S>& tree, std::int32_t group, bool anew) {
+  using T = Pack<S, native_width<S>>;
+  group_ = group;
+  if (tree.levels == 1) {
+    candidate_.assign(1, 0);
+    candidates_ = 1;
+  } else {
+    if (anew || group % G == 0) {  // groups of one box have much the same near them: it is looked for once
+      part_.clear();
+      if (tree.levels == 2) {
+        part_.push_back(0);
+      } else {
+        for_each_meeting_box<T>(tree, get_box(tree.box[2], group / G), 2, group / G,
+                                [this](std::int32_t part) { part_.push_back(part); });
+      }
+      candidate_.resize((part_.size() + 1) * G);
+    }
+    const MovingBox<S> box = get_box(tree.box[1], group);
+    std::int32_t* end = candidate_.data();
+    for (const std::int32_t part : part_) {
+      const unsigned bits = meeting_boxes<T>(tree.box[1] + static_cast<std::int64_t>(part) * 12 * G, box);
+      const std::int32_t before = std::clamp(group - part * G, 0, G);  // those that do not count
+      end += write_numbers<G>(bits >> before << before, part * G, end);
+    }
+    candidates_ = static_cast<std::size_t>(end - candidate_.data());
+  }
+  found_.resize(std::max(found_.size(), (candidates_ + 1) * G));
+}
+
+/// The loop has no branch that depends on what is found: nothing tells the processor which boxes meet.
+template <class S>
+template <bool moves>
+std::size_t NearBoxes<S>::find_moving(const BoxTreeView<S>& tree, int i) {
+  using T = Pack<S, native_width<S>>;
+  const std::int32_t own = group_ * G + i;
+  const MovingBox<S> box = get_box(tree.box[0], own);
+  std::int32_t* end = found_.data();
+  for (std::size_t c = 0; c < candidates_; ++c) {
+    const std::int32_t group = candidate_[c];
+    const unsigned bits = meeting_boxes<T, moves>(tree.box[0] + static_cast<std::int64_t>(group) * 12 * G, box);
+    const std::int32_t before = group == group_ ? i + 1 : 0;  // each pair once
+    end += write_numbers<G>(bits >> before << before, group * G, end);
+  }
+  return static_cast<std::size_t>(end - found_.data());
+}
+
+template <class S>
+std::span<const std::int32_t> NearBoxes<S>::find(const BoxTreeView<S>& tree, int i) {
+  return {found_.data(), tree.moves ? find_moving<true>(tree, i) : find_moving<false>(tree, i)};
+}
+
+template class BoxTree<double>;
+template class BoxTree<float>;
+template class NearBoxes<double>;
+template class NearBoxes<float>;
+
+}  // namespace pinball
