@@ -37,6 +37,7 @@ void BoxHash<S>::build(const MovingBoxes<S>& boxes) {
   bounds_.renew(count);
   made_.renew(count);
   bucket_.resize(count);
+  cell_begin_.resize(count);
   make_boxes(boxes);
   sort_into_pieces(boxes.count());
   box_.renew(static_cast<std::size_t>(piece_start_.back()));
@@ -126,6 +127,7 @@ void BoxHash<S>::make_boxes(const MovingBoxes<S>& boxes) {
          i < static_cast<std::size_t>(numbers_begin(piece + 1, boxes.count())); ++i) {
       bounds_[i] = boxes.box(static_cast<std::int32_t>(i));
       bucket_[i] = no_bucket;
+      cell_begin_[i] = -1;
       if (is_empty(bounds_[i])) continue;
       for (int c = 0; c < 6; ++c) any_moves |= bounds_[i].bound[c] != bounds_[i].bound[6 + c];
       made_[i] = hash_box(bounds_[i], static_cast<std::int32_t>(i));
@@ -199,12 +201,16 @@ void BoxHash<S>::sort_piece(std::int64_t piece) {
     HashBox* const bucket_end = box_.data() + (b + 1 < last ? start[b + 1] : next);
     // Nearly always one cell has the bucket to itself.
     if (!std::is_sorted(of_bucket, bucket_end, in_order)) std::sort(of_bucket, bucket_end, in_order);
+    for (const HashBox* box = of_bucket; box < bucket_end; ++box) {
+      if (box > of_bucket && is_in_cell(*box, cell_of(box[-1]))) continue;
+      cell_begin_[static_cast<std::size_t>(box->number())] = static_cast<std::int32_t>(box - box_.data());
+    }
   }
 }
 
 template <class S>
 std::size_t BoxHash<S>::bytes() const {
-  return bucket_start_.capacity() * sizeof(bucket_start_[0]) + bucket_.capacity() * sizeof(bucket_[0]) + box_.bytes() +
+  return (bucket_start_.capacity() + cell_begin_.capacity()) * sizeof(bucket_start_[0]) + bucket_.capacity() * sizeof(bucket_[0]) + box_.bytes() +
          bounds_.bytes() + made_.bytes() + member_.bytes();
 }
 

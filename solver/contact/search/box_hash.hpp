@@ -21,10 +21,10 @@ class BoxHash {
  public:
   void build(const MovingBoxes<S>& boxes);
   const SpatialHashView& view() const { return view_; }
-  /// Boxes in the hash, in fixed_pieces of which none cuts a cell.
-  std::int32_t piece_begin(std::int64_t piece) const {
-    return bucket_start_[static_cast<std::size_t>(piece) * buckets_of_piece()];
-  }
+  /// Where the boxes of a cell begin in the view, for the one of them with the lowest number; else -1. So that cells can
+  /// be taken in the order of numbers: near ones are then near in time, and still in the caches.
+  std::int32_t cell_begin(std::int32_t number) const { return cell_begin_[static_cast<std::size_t>(number)]; }
+  std::int32_t size() const { return piece_start_.back(); }  ///< boxes in the view
   bool moves() const { return moves_; }
   const MovingBox<S>& box(std::int32_t number) const { return bounds_[static_cast<std::size_t>(number)]; }
   std::size_t bytes() const;
@@ -41,7 +41,7 @@ class BoxHash {
   SpatialHashView view_{};
   std::array<S, 3> way_{};  ///< of who looks on [length]
   bool moves_ = false;      ///< some box is not the same at the beginning and at the end
-  std::vector<std::int32_t> bucket_start_;
+  std::vector<std::int32_t> bucket_start_, cell_begin_;
   AlignedArray<HashBox> box_;
   AlignedArray<MovingBox<S>> bounds_;  ///< per number: side by side
   /// In pieces of numbers, of each for each piece of buckets: how many boxes, then where the next one goes.

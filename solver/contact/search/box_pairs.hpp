@@ -100,9 +100,9 @@ void BoxPairs<S>::find_by_hash(const Keep& keep) {
     PairColumns& found = order_.found()[static_cast<std::size_t>(piece)];
     NearCells<S>& cells = cells_[static_cast<std::size_t>(piece)];
     found.pairs = 0;
-    const std::int32_t end = hash_.piece_begin(piece + 1);
-    for (std::int32_t next = hash_.piece_begin(piece); next < end;) {
-      next = cells.enter(hash_, next, end);
+    for (std::int32_t number = piece_begin(piece); number < piece_begin(piece + 1); ++number) {
+      if (hash_.cell_begin(number) < 0) continue;
+      cells.enter(hash_, hash_.cell_begin(number));
       for (std::int32_t i = 0; i < cells.size(); ++i) {
         const std::int32_t own = cells.number(i);
         const auto others = cells.find(hash_, i);

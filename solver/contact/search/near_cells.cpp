@@ -24,11 +24,11 @@ bool boxes_meet(const MovingBox<S>& a, const MovingBox<S>& b) {
 }  // namespace
 
 template <class S>
-std::int32_t NearCells<S>::enter(const BoxHash<S>& hash, std::int32_t first, std::int32_t end) {
+void NearCells<S>::enter(const BoxHash<S>& hash, std::int32_t first) {
   const SpatialHashView& view = hash.view();
   const HashCell cell = cell_of(view.box[first]);
   std::int32_t next = first + 1;
-  while (next < end && is_in_cell(view.box[next], cell)) ++next;
+  while (next < hash.size() && is_in_cell(view.box[next], cell)) ++next;
   size_ = near_end_ = static_cast<std::size_t>(next - first);
   if (near_.size() < size_ + 1) near_.resize(2 * size_ + 64);
   std::copy(view.box + first, view.box + next, near_.begin());
@@ -43,7 +43,6 @@ std::int32_t NearCells<S>::enter(const BoxHash<S>& hash, std::int32_t first, std
     add_coarser(view, __builtin_ctz(coarser));
   }
   if (found_.size() < near_end_ + 1) found_.resize(2 * near_end_);
-  return next;
 }
 
 template <class S>
