@@ -7,10 +7,10 @@
 /// Spatial hash of boxes: a hierarchy of grids without bounds, whose cells are put into buckets by a hash of their
 /// three integer coordinates and their level (report figure 3, steps 4 and 5, there for points).
 ///
-/// Bounds of boxes are taken as whole multiples of a unit much smaller than a box. Cells of level l have 2^l units; a
-/// box belongs to the lowest level in which it reaches over two cells along each axis at most, and lies in the cell of
-/// its lower corner. Boxes of a level that meet are then in the same or in neighbouring cells, and a box meets none of
-/// a coarser level but those in the cells around it, however much larger they are.
+/// Bounds of boxes are taken as whole multiples of a unit much smaller than a box. Cells of level l are 4^l units long;
+/// a box belongs to the lowest level whose cells are not shorter than it, and lies in the cell of its lower corner, so
+/// that it reaches into the next one at most. Boxes of a level that meet are then in the same or in neighbouring cells,
+/// and a box meets none of a coarser level but those in the cells around it, however much larger they are.
 ///
 /// Rounding to units keeps the order of numbers: boxes that meet do so in units, too.
 namespace pinball {
@@ -63,7 +63,8 @@ PINBALL_FUNCTION bool meets(const HashBox& box, const HashBoxLimits& limits) {
 /// The level of a box whose longest side has this many units.
 PINBALL_FUNCTION std::int32_t level_of(std::int32_t longest) {
   const std::int32_t side = longest > 1 ? longest : 1;
-  return 31 - __builtin_clz(static_cast<std::uint32_t>(2 * side - 1));  // the lowest l with side <= 2^l
+  const int bits = 31 - __builtin_clz(static_cast<std::uint32_t>(2 * side - 1));  // the fewest with side <= 2^bits
+  return (bits + 1) / 2;
 }
 
 struct HashCell {
@@ -71,14 +72,19 @@ struct HashCell {
   std::int32_t at[3];
 };
 
+/// Coordinate in cells of a level, of one in units.
+PINBALL_FUNCTION std::int32_t in_cells(std::int32_t units, std::int32_t level) { return units >> 2 * level; }
+
+/// The cell that a box lies in.
 PINBALL_FUNCTION HashCell cell_of(const HashBox& box) {
-  return {box.level(), {box.low(0) >> box.level(), box.low(1) >> box.level(), box.low(2) >> box.level()}};
+  const std::int32_t level = box.level();
+  return {level, {in_cells(box.low(0), level), in_cells(box.low(1), level), in_cells(box.low(2), level)}};
 }
 
 PINBALL_FUNCTION bool is_in_cell(const HashBox& box, const HashCell& cell) {
-  const std::int32_t other = (box.level() ^ cell.level) | ((box.low(0) >> cell.level) ^ cell.at[0]) |
-                             ((box.low(1) >> cell.level) ^ cell.at[1]) | ((box.low(2) >> cell.level) ^ cell.at[2]);
-  return other == 0;
+  std::int32_t different = box.level() ^ cell.level;
+  for (int k = 0; k < 3; ++k) different |= in_cells(box.low(k), cell.level) ^ cell.at[k];
+  return different == 0;
 }
 
 /// Bucket of a cell, of 2^bits, bits > 3. The eight cells of a block of 2 x 2 x 2 have buckets side by side.

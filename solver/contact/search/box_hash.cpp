@@ -82,11 +82,13 @@ void BoxHash<S>::choose_grid(const MovingBoxes<S>& boxes) {
     if (std::isfinite(distance)) distances.push_back(distance);
     if (side > 0 && std::isfinite(side)) sides.push_back(side);
   }
-  const double side = 1.25 * quantile(sides, 0.5);
+  // The middle box takes a third of a cell of its level, so that boxes a little larger or smaller have the same.
+  const double side = 3 * quantile(sides, 0.5);
   // Half of the coordinates reach sixteen times as far as nearly all boxes.
   const double least = std::ldexp(16 * (quantile(distances, 0.9) + side), 1 - cell_coordinate_bits);
-  // The middle box takes 0.8 of a cell of its level, so that boxes a little larger or smaller have the same.
-  double unit = side > 0 ? std::ldexp(side, std::max(-20, std::ilogb(least / side) + 1)) : least;
+  int exponent = side > 0 ? std::max(-20, std::ilogb(least / side) + 1) : 0;
+  exponent += exponent & 1;  // from level to level cells grow by four
+  double unit = side > 0 ? std::ldexp(side, exponent) : least;
   if (!(unit > std::numeric_limits<double>::min()) || !std::isfinite(unit)) unit = 1;
   view_.grid.inverse_unit = 1 / unit;
   for (int k = 0; k < 3; ++k) view_.grid.origin[k] = centre[k] - std::ldexp(unit, cell_coordinate_bits - 1);
@@ -210,8 +212,8 @@ void BoxHash<S>::sort_piece(std::int64_t piece) {
 
 template <class S>
 std::size_t BoxHash<S>::bytes() const {
-  return (bucket_start_.capacity() + cell_begin_.capacity()) * sizeof(bucket_start_[0]) + bucket_.capacity() * sizeof(bucket_[0]) + box_.bytes() +
-         bounds_.bytes() + made_.bytes() + member_.bytes();
+  return (bucket_start_.capacity() + cell_begin_.capacity()) * sizeof(bucket_start_[0]) +
+         bucket_.capacity() * sizeof(bucket_[0]) + box_.bytes() + bounds_.bytes() + made_.bytes() + member_.bytes();
 }
 
 template class BoxHash<double>;

@@ -21,8 +21,8 @@ class BoxHash {
  public:
   void build(const MovingBoxes<S>& boxes);
   const SpatialHashView& view() const { return view_; }
-  /// Where the boxes of a cell begin in the view, for the one of them with the lowest number; else -1. So that cells can
-  /// be taken in the order of numbers: near ones are then near in time, and still in the caches.
+  /// Where the boxes of a cell begin in the view, for the one of them with the lowest number; else -1. So that cells
+  /// can be taken in the order of numbers: near ones are then near in time, and still in the caches.
   std::int32_t cell_begin(std::int32_t number) const { return cell_begin_[static_cast<std::size_t>(number)]; }
   std::int32_t size() const { return piece_start_.back(); }  ///< boxes in the view
   bool moves() const { return moves_; }

@@ -59,7 +59,7 @@ void NearCells<S>::add(const SpatialHashView& hash, const HashCell& cell) {
 template <class S>
 void NearCells<S>::add_level(const SpatialHashView& hash, const HashCell& own) {
   std::int32_t last[3];
-  for (int k = 0; k < 3; ++k) last[k] = limits_.value[k] >> own.level;
+  for (int k = 0; k < 3; ++k) last[k] = in_cells(limits_.value[k], own.level);
   const std::int32_t x = own.at[0], y = own.at[1], z = own.at[2];
   for (std::int32_t k = z; k <= last[2]; ++k) {
     for (std::int32_t j = k == z ? y : std::max(0, y - 1); j <= last[1]; ++j) {
@@ -74,8 +74,8 @@ template <class S>
 void NearCells<S>::add_coarser(const SpatialHashView& hash, std::int32_t level) {
   std::int32_t first[3], last[3];
   for (int k = 0; k < 3; ++k) {
-    first[k] = std::max(0, (-limits_.value[3 + k] >> level) - 1);
-    last[k] = limits_.value[k] >> level;
+    first[k] = std::max(0, in_cells(-limits_.value[3 + k], level) - 1);
+    last[k] = in_cells(limits_.value[k], level);
   }
   for (std::int32_t k = first[2]; k <= last[2]; ++k) {
     for (std::int32_t j = first[1]; j <= last[1]; ++j) {

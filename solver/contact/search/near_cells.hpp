@@ -12,8 +12,8 @@ namespace pinball {
 template <class S>
 class NearCells {
  public:
-  /// Takes the boxes of the cell that begins at `first` in the hash, and what may meet them: boxes of the cells of their
-  /// level that follow theirs, so that each pair is found from one side, and of all coarser ones.
+  /// Takes the boxes of the cell that begins at `first` in the hash, and what may meet them: boxes of the cells of
+  /// their level that follow theirs, so that each pair is found from one side, and of all coarser ones.
   void enter(const BoxHash<S>& hash, std::int32_t first);
   std::int32_t size() const { return static_cast<std::int32_t>(size_); }  ///< boxes of the cell
   std::int32_t number(std::int32_t i) const { return near_[static_cast<std::size_t>(i)].number(); }
