@@ -38,44 +38,50 @@ void NearBoxes<S>::enter(const BoxTreeView<S>& tree, std::int32_t group, bool an
   using T = Pack<S, native_width<S>>;
   group_ = group;
   if (tree.levels == 1) {
-    candidate_.assign(1, 0);
-    candidates_ = 1;
-  } else {
-    if (anew || group % G == 0) {  // groups of one box have much the same near them: it is looked for once
-      part_.clear();
-      if (tree.levels == 2) {
-        part_.push_back(0);
-      } else {
-        for_each_meeting_box<T>(tree, get_box(tree.box[2], group / G), 2, group / G,
-                                [this](std::int32_t part) { part_.push_back(part); });
-      }
-      candidate_.resize((part_.size() + 1) * G);
-    }
-    const MovingBox<S> box = get_box(tree.box[1], group);
-    std::int32_t* end = candidate_.data();
-    for (const std::int32_t part : part_) {
-      const unsigned bits = meeting_boxes<T>(tree.box[1] + static_cast<std::int64_t>(part) * 12 * G, box);
-      const std::int32_t before = std::clamp(group - part * G, 0, G);  // those that do not count
-      end += write_numbers<G>(bits >> before << before, part * G, end);
-    }
-    candidates_ = static_cast<std::size_t>(end - candidate_.data());
+    near_part_.clear();
+    candidate_.resize(1);
+    found_.resize(2 * G);
+    return;
   }
-  found_.resize(std::max(found_.size(), (candidates_ + 1) * G));
+  if (anew || group % G == 0) {  // groups of one box have much the same near them: it is looked for once
+    part_.clear();
+    if (tree.levels == 2) {
+      part_.push_back(0);
+    } else {
+      for_each_meeting_box<T>(tree, get_box(tree.box[2], group / G), 2, group / G,
+                              [this](std::int32_t part) { part_.push_back(part); });
+    }
+    candidate_.resize((part_.size() + 1) * G);
+    found_.resize(std::max(found_.size(), candidate_.size() * G));
+  }
+  const MovingBox<S> box = get_box(tree.box[1], group);
+  near_part_.resize(part_.size());
+  std::size_t near = 0;
+  for (const std::int32_t part : part_) {
+    near_part_[near] = part;
+    near += meeting_boxes<T>(tree.box[1] + static_cast<std::int64_t>(part) * 12 * G, box) != 0 ? 1 : 0;
+  }
+  near_part_.resize(near);
 }
 
-/// The loop has no branch that depends on what is found: nothing tells the processor which boxes meet.
+/// No loop has a branch that depends on what is found: nothing tells the processor which boxes meet.
 template <class S>
 template <bool moves>
 std::size_t NearBoxes<S>::find_moving(const BoxTreeView<S>& tree, int i) {
   using T = Pack<S, native_width<S>>;
-  const std::int32_t own = group_ * G + i;
-  const MovingBox<S> box = get_box(tree.box[0], own);
+  const MovingBox<S> box = get_box(tree.box[0], group_ * G + i);
+  std::int32_t* candidate_end = candidate_.data();
+  if (tree.levels == 1) *candidate_end++ = 0;
+  for (const std::int32_t part : near_part_) {
+    const unsigned bits = meeting_boxes<T, moves>(tree.box[1] + static_cast<std::int64_t>(part) * 12 * G, box);
+    const std::int32_t before = std::clamp(group_ - part * G, 0, G);  // those that do not count
+    candidate_end += write_numbers<G>(bits >> before << before, part * G, candidate_end);
+  }
   std::int32_t* end = found_.data();
-  for (std::size_t c = 0; c < candidates_; ++c) {
-    const std::int32_t group = candidate_[c];
-    const unsigned bits = meeting_boxes<T, moves>(tree.box[0] + static_cast<std::int64_t>(group) * 12 * G, box);
-    const std::int32_t before = group == group_ ? i + 1 : 0;  // each pair once
-    end += write_numbers<G>(bits >> before << before, group * G, end);
+  for (const std::int32_t* candidate = candidate_.data(); candidate < candidate_end; ++candidate) {
+    const unsigned bits = meeting_boxes<T, moves>(tree.box[0] + static_cast<std::int64_t>(*candidate) * 12 * G, box);
+    const std::int32_t before = *candidate == group_ ? i + 1 : 0;  // each pair once
+    end += write_numbers<G>(bits >> before << before, *candidate * G, end);
   }
   return static_cast<std::size_t>(end - found_.data());
 }

@@ -35,7 +35,7 @@ class NearBoxes {
   /// Boxes behind box i of the group entered that meet it, in rising order. Valid until the next call.
   std::span<const std::int32_t> find(const BoxTreeView<S>& tree, int i);
   std::size_t bytes() const {
-    return (part_.capacity() + candidate_.capacity() + found_.capacity()) * sizeof(part_[0]);
+    return (part_.capacity() + near_part_.capacity() + candidate_.capacity() + found_.capacity()) * sizeof(part_[0]);
   }
 
  private:
@@ -43,11 +43,11 @@ class NearBoxes {
   std::size_t find_moving(const BoxTreeView<S>& tree, int i);
 
   std::int32_t group_ = 0;
-  std::vector<std::int32_t> part_;  ///< groups of boxes of groups
+  std::vector<std::int32_t> part_;       ///< groups of boxes of groups, near the groups around
+  std::vector<std::int32_t> near_part_;  ///< those of them near the group entered
   // Room for what is found, and for a group of numbers more.
   std::vector<std::int32_t> candidate_;  ///< groups of boxes
   std::vector<std::int32_t> found_;      ///< boxes
-  std::size_t candidates_ = 0;
 };
 
 }  // namespace pinball
