@@ -1,6 +1,6 @@
 // The search for pairs of moving boxes alone, by a tree and by a hash, on scenes of one size of boxes, of graded sizes
-// and mixed. Arguments: elements per side; threads; 1 for the hash. `per_box` is seconds per box; `pairs` those found
-// per box, as a check.
+// and mixed. Arguments: elements per side; threads; how: 0 for what suits the scene, 1 for the tree, 2 for the hash.
+// `per_box` is seconds per box; `pairs` those found per box, as a check.
 
 #include <benchmark/benchmark.h>
 #include <omp.h>
@@ -18,7 +18,7 @@ void find_pairs(benchmark::State& state, BoxScene (*make)(int)) {
   const BoxScene scene = make(static_cast<int>(state.range(0)));
   MovingBoxes<double> boxes(scene.count());
   for (std::int32_t i = 0; i < scene.count(); ++i) boxes.set(i, scene.boxes[static_cast<std::size_t>(i)]);
-  const ContactSearch how = state.range(2) == 1 ? ContactSearch::hash : ContactSearch::tree;
+  const auto how = static_cast<ContactSearch>(state.range(2));
   const auto wanted = [&scene](std::int32_t first, std::int32_t second) { return scene.wants(first, second); };
   BoxPairs<double> list;
   for (auto _ : state) list.find(boxes, how, wanted);
@@ -30,8 +30,8 @@ void find_pairs(benchmark::State& state, BoxScene (*make)(int)) {
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
-  b->ArgNames({"per_side", "threads", "hash"})->Unit(benchmark::kMillisecond)->UseRealTime();
-  b->ArgsProduct({{30, 200}, {1, 2}, {0, 1}});
+  b->ArgNames({"per_side", "threads", "how"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  b->ArgsProduct({{30, 200}, {1, 2}, {0, 1, 2}});
 }
 
 BENCHMARK_CAPTURE(find_pairs, two_blocks, two_blocks)->Apply(sizes);

@@ -249,6 +249,23 @@ TYPED_TEST(BoxPairsTest, AreThoseOfBruteForceForEveryNumberOfBoxes) {
   }
 }
 
+/// Many more than one search alone would be good for.
+TYPED_TEST(BoxPairsTest, AreTheSameFromBothSearchesWhereNumbersSayNothing) {
+  using S = TypeParam;
+  BoxPairs<S> tree, hash, automatic;
+  const Configuration configuration{"", 20000, [](Random& r, int) {
+                                      return Box{random_vector(r, 15), {0.5, 0.5, 0.5}, random_vector(r, 0.5)};
+                                    }};
+  const Set<S> set(configuration);
+  tree.find(set.moving, ContactSearch::tree, all);
+  hash.find(set.moving, ContactSearch::hash, all);
+  automatic.find(set.moving, ContactSearch::automatic, all);
+  const Pairs pairs = pairs_of(tree, configuration.count);
+  EXPECT_GT(pairs.size(), 20000U);
+  EXPECT_EQ(pairs_of(hash, configuration.count), pairs);
+  EXPECT_EQ(pairs_of(automatic, configuration.count), pairs);
+}
+
 TYPED_TEST(BoxPairsTest, AreOnlyThoseThatAreWanted) {
   using S = TypeParam;
   BoxPairs<S> list;

@@ -12,6 +12,15 @@ void BoxPairs<S>::cut_into_pieces(const MovingBoxes<S>& boxes) {
 }
 
 template <class S>
+ContactSearch BoxPairs<S>::choose(const MovingBoxes<S>& boxes, ContactSearch how) {
+  constexpr double most_groups_met = 100;
+  if (how == ContactSearch::hash) return how;
+  tree_.build(boxes);
+  if (how == ContactSearch::tree || boxes.groups() <= most_groups_met) return ContactSearch::tree;
+  return tree_.groups_met() > most_groups_met ? ContactSearch::hash : ContactSearch::tree;
+}
+
+template <class S>
 std::int64_t BoxPairs<S>::pairs() const {
   std::int64_t sum = 0;
   for (const PairColumns& found : sorted_) sum += static_cast<std::int64_t>(found.pairs);

@@ -24,8 +24,10 @@ namespace pinball {
 template <class S>
 class BoxPairs {
  public:
-  /// Builds the list from nothing; the same from every search and every number of threads. keep(first, second): whether
-  /// a pair is wanted; asked only for pairs that meet, in parallel.
+  /// Builds the list from nothing; the same from every search and every number of threads. how: automatic takes the
+  /// tree, but the hash where the box of a group of the tree meets more than 100 others in the mean: there its time,
+  /// which grows with them, is longer (docs/performance.md). keep(first, second): whether a pair is wanted; asked only
+  /// for pairs that meet, in parallel.
   template <class Keep>
   void find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep);
 
@@ -39,6 +41,8 @@ class BoxPairs {
 
  private:
   void cut_into_pieces(const MovingBoxes<S>& boxes);
+  /// The search to be used; has built the tree if it is that.
+  ContactSearch choose(const MovingBoxes<S>& boxes, ContactSearch how);
   template <class Keep>
   void find_by_tree(const Keep& keep);
   template <class Keep>
@@ -58,12 +62,11 @@ template <class S>
 template <class Keep>
 void BoxPairs<S>::find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep) {
   cut_into_pieces(boxes);
-  if (how == ContactSearch::hash) {
+  if (choose(boxes, how) == ContactSearch::hash) {
     hash_.build(boxes);
     find_by_hash(keep);
     order_.sort(begins_, sorted_);
   } else {
-    tree_.build(boxes);
     find_by_tree(keep);
   }
 }

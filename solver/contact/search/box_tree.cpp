@@ -30,7 +30,19 @@ void BoxTree<S>::build(const MovingBoxes<S>& boxes) {
         for (std::int64_t g = begin; g < end && !moves; ++g) moves = group_moves(boxes.data() + g * 12 * G);
       },
       [](bool& whole, bool partial) { whole = whole || partial; });
-  levels_.build(boxes.data(), boxes.groups(), view_);
+  groups_ = boxes.groups();
+  levels_.build(boxes.data(), groups_, view_);
+}
+
+template <class S>
+double BoxTree<S>::groups_met() const {
+  using T = Pack<S, native_width<S>>;
+  if (view_.levels == 1) return 1;
+  std::int64_t samples = 0, met = 0;
+  for (std::int64_t group = 0; group < groups_; group += std::max<std::int64_t>(16, groups_ / 64), ++samples) {
+    for_each_meeting_box<T>(view_, get_box(view_.box[1], group), 1, 0, [&met](std::int32_t) { ++met; });
+  }
+  return static_cast<double>(met) / static_cast<double>(samples);
 }
 
 template <class S>

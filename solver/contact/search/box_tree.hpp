@@ -17,10 +17,14 @@ class BoxTree {
   /// boxes: have to stay where they are while the tree is used.
   void build(const MovingBoxes<S>& boxes);
   const BoxTreeView<S>& view() const { return view_; }
+  /// How many groups of boxes the box of a group meets, itself among them, in the mean of some groups: what looking for
+  /// pairs costs, and far from what it would be where boxes that are near each other do not have near numbers.
+  double groups_met() const;
   std::size_t bytes() const { return levels_.bytes(); }
 
  private:
   BoxTreeView<S> view_{};
+  std::int64_t groups_ = 0;
   BoxLevels<S> levels_;
 };
 
