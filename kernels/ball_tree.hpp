@@ -52,6 +52,11 @@ PINBALL_FUNCTION MovingBox<S> empty_box() {
   return box;
 }
 
+/// How much larger boxes are than what is in them, over the size of the numbers: more than rounding does to a test of
+/// two balls, so that balls that pass it are in boxes that meet, whatever other balls are in these.
+template <class S>
+inline constexpr double box_margin = sizeof(S) == 8 ? 0x1p-49 : 0x1p-20;
+
 /// Box of the balls of a group. A ball with a coordinate that is not a number is in no box.
 template <class T>
 PINBALL_FUNCTION MovingBox<ScalarOf<T>> box_of_balls(const ScalarOf<T>* ball) {
@@ -63,11 +68,12 @@ PINBALL_FUNCTION MovingBox<ScalarOf<T>> box_of_balls(const ScalarOf<T>* ball) {
     for (int first = 0; first < G; first += W) {
       const T middle = load<T>(ball + k * G + first), half = load<T>(ball + (3 + k) * G + first);
       const T radius = load<T>(ball + 6 * G + first);
+      const T reach = radius + number<T>(box_margin<S>) * (absolute(middle) + absolute(half) + radius);
       for (int end = 0; end < 2; ++end) {
         const T centre = end == 0 ? middle - half : middle + half;
-        // if (it is a number and smaller) low = centre - radius
-        low[end] = minimum(low[end], centre - radius);
-        high[end] = maximum(high[end], centre + radius);
+        // if (it is a number and smaller) low = centre - reach
+        low[end] = minimum(low[end], centre - reach);
+        high[end] = maximum(high[end], centre + reach);
       }
     }
     for (int end = 0; end < 2; ++end) {
@@ -201,16 +207,23 @@ PINBALL_FUNCTION BallBits<G> test_all_balls(const PackFrom& pack_from) {
   return bits;
 }
 
-/// For each ball of a group the balls of another that may come nearer than the sum of the radii. moves: some ball makes
-/// a way; then there are some too many.
+/// The same for one ball of the group, one bit each.
+template <class T, int G, class PackFrom>
+PINBALL_FUNCTION unsigned test_ball(int i, const PackFrom& pack_from) {
+  unsigned bits = 0;
+  for (int first = 0; first < G; first += width_of<T>) bits |= lane_bits<T>(pack_from(first)(i)) << first;
+  return bits;
+}
+
+/// Test whether balls of two groups may come nearer than the sum of the radii. moves: some ball makes a way; then some
+/// pass too many.
 ///
 /// Where half the relative way is h and the relative position at half time m, the distance is never below |m| - |h|.
 /// The sum of the components of h takes the place of its length: no root. Bodies that fly together have h = 0.
 template <class T, bool moves>
-PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const ScalarOf<T>* own,
-                                                                       const ScalarOf<T>* others) {
+PINBALL_FUNCTION auto maybe_meeting_test(const ScalarOf<T>* own, const ScalarOf<T>* others) {
   constexpr int G = ball_group<ScalarOf<T>>;
-  return test_all_balls<T, G>([own, others](int first) {
+  return [own, others](int first) {
     const auto component = [&](int c) { return load<T>(others + c * G + first); };
     const T x = component(0), y = component(1), z = component(2), radius = component(6);
     T u(0), v(0), w(0);
@@ -224,7 +237,13 @@ PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const Sca
       }
       return dx * dx + dy * dy + dz * dz < reach * reach;
     };
-  });
+  };
+}
+
+template <class T, bool moves>
+PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const ScalarOf<T>* own,
+                                                                       const ScalarOf<T>* others) {
+  return test_all_balls<T, ball_group<ScalarOf<T>>>(maybe_meeting_test<T, moves>(own, others));
 }
 
 /// The balls of a group that come nearer to ball i of another group than the sum of the radii, one bit each.

@@ -152,7 +152,7 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
     balls_.set(static_cast<std::int32_t>(i), centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
   });
-  list_.build(all_, balls_, this->settings_.self);
+  list_.build(all_, balls_, this->settings_.self, this->settings_.search);
   list_valid_ = true;
   collect_listed(source);
 }

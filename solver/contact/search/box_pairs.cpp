@@ -13,11 +13,9 @@ void BoxPairs<S>::cut_into_pieces(const MovingBoxes<S>& boxes) {
 
 template <class S>
 ContactSearch BoxPairs<S>::choose(const MovingBoxes<S>& boxes, ContactSearch how) {
-  constexpr double most_groups_met = 100;
   if (how == ContactSearch::hash) return how;
   tree_.build(boxes);
-  if (how == ContactSearch::tree || boxes.groups() <= most_groups_met) return ContactSearch::tree;
-  return tree_.groups_met() > most_groups_met ? ContactSearch::hash : ContactSearch::tree;
+  return suitable_search(how, tree_.view(), 1, boxes.groups());
 }
 
 template <class S>

@@ -24,10 +24,8 @@ namespace pinball {
 template <class S>
 class BoxPairs {
  public:
-  /// Builds the list from nothing; the same from every search and every number of threads. how: automatic takes the
-  /// tree, but the hash where the box of a group of the tree meets more than 100 others in the mean: there its time,
-  /// which grows with them, is longer (docs/performance.md). keep(first, second): whether a pair is wanted; asked only
-  /// for pairs that meet, in parallel.
+  /// Builds the list from nothing; the same from every search and every number of threads. keep(first, second): whether
+  /// a pair is wanted; asked only for pairs that meet, in parallel.
   template <class Keep>
   void find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep);
 

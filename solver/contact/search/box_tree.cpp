@@ -30,19 +30,20 @@ void BoxTree<S>::build(const MovingBoxes<S>& boxes) {
         for (std::int64_t g = begin; g < end && !moves; ++g) moves = group_moves(boxes.data() + g * 12 * G);
       },
       [](bool& whole, bool partial) { whole = whole || partial; });
-  groups_ = boxes.groups();
-  levels_.build(boxes.data(), groups_, view_);
+  levels_.build(boxes.data(), boxes.groups(), view_);
 }
 
 template <class S>
-double BoxTree<S>::groups_met() const {
+ContactSearch suitable_search(ContactSearch asked, const BoxTreeView<S>& tree, int level, std::int64_t boxes) {
   using T = Pack<S, native_width<S>>;
-  if (view_.levels == 1) return 1;
+  constexpr std::int64_t most_met = 100;
+  if (asked != ContactSearch::automatic) return asked;
+  if (boxes <= most_met) return ContactSearch::tree;
   std::int64_t samples = 0, met = 0;
-  for (std::int64_t group = 0; group < groups_; group += std::max<std::int64_t>(16, groups_ / 64), ++samples) {
-    for_each_meeting_box<T>(view_, get_box(view_.box[1], group), 1, 0, [&met](std::int32_t) { ++met; });
+  for (std::int64_t box = 0; box < boxes; box += std::max<std::int64_t>(16, boxes / 64), ++samples) {
+    for_each_meeting_box<T>(tree, get_box(tree.box[level], box), level, 0, [&met](std::int32_t) { ++met; });
   }
-  return static_cast<double>(met) / static_cast<double>(samples);
+  return met > samples * most_met ? ContactSearch::hash : ContactSearch::tree;
 }
 
 template <class S>
@@ -103,6 +104,8 @@ std::span<const std::int32_t> NearBoxes<S>::find(const BoxTreeView<S>& tree, int
   return {found_.data(), tree.moves ? find_moving<true>(tree, i) : find_moving<false>(tree, i)};
 }
 
+template ContactSearch suitable_search(ContactSearch, const BoxTreeView<double>&, int, std::int64_t);
+template ContactSearch suitable_search(ContactSearch, const BoxTreeView<float>&, int, std::int64_t);
 template class BoxTree<double>;
 template class BoxTree<float>;
 template class NearBoxes<double>;

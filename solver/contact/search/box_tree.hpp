@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <kernels/ball_tree.hpp>
+#include <solver/contact/contact_settings.hpp>
 
 #include "moving_boxes.hpp"
 
@@ -17,16 +18,20 @@ class BoxTree {
   /// boxes: have to stay where they are while the tree is used.
   void build(const MovingBoxes<S>& boxes);
   const BoxTreeView<S>& view() const { return view_; }
-  /// How many groups of boxes the box of a group meets, itself among them, in the mean of some groups: what looking for
-  /// pairs costs, and far from what it would be where boxes that are near each other do not have near numbers.
-  double groups_met() const;
   std::size_t bytes() const { return levels_.bytes(); }
 
  private:
   BoxTreeView<S> view_{};
-  std::int64_t groups_ = 0;
   BoxLevels<S> levels_;
 };
+
+/// The search that suits boxes, where none is asked for: the tree, but the hash where the box of a group of the tree
+/// meets more than 100 others in the mean. The tree's time grows with them; there it is longer (docs/performance.md).
+/// So it is where boxes that are near each other do not have near numbers.
+///
+/// level, boxes: of the tree, that are boxes of groups, and how many there are.
+template <class S>
+ContactSearch suitable_search(ContactSearch asked, const BoxTreeView<S>& tree, int level, std::int64_t boxes);
 
 /// What meets the boxes of a group. Its memory serves many groups, one after the other.
 template <class S>
