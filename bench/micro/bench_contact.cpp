@@ -133,14 +133,17 @@ void count_neighbours(benchmark::State& state, const PairList<S>& list, double p
   state.counters["neighbours"] = 2.0 * static_cast<double>(list.pairs()) / pinballs;
 }
 
-void list_from_nothing(benchmark::State& state, Cloud (*cloud)(int)) {
+void list_by(ContactSearch how, benchmark::State& state, Cloud (*cloud)(int)) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const Pinballs pinballs(cloud(static_cast<int>(state.range(0))));
   PairList<S> list;
-  for (auto _ : state) list.build(pinballs.all, pinballs.balls, true);
+  for (auto _ : state) list.build(pinballs.all, pinballs.balls, true, how);
   count_neighbours(state, list, pinballs.all.count);
   state.counters["per_pinball"] = each(pinballs.all.count);
 }
+
+void list_from_nothing(benchmark::State& state, Cloud (*cloud)(int)) { list_by(ContactSearch::tree, state, cloud); }
+void list_by_hash(benchmark::State& state, Cloud (*cloud)(int)) { list_by(ContactSearch::hash, state, cloud); }
 
 #ifdef PINBALL_HAS_NANOFLANN
 /// The same pairs by k-d trees, again for balls at rest and of one size. Third argument: points in a leaf.
@@ -193,6 +196,8 @@ void layers(benchmark::internal::Benchmark* b) { sizes(b, 707); }
 
 BENCHMARK_CAPTURE(list_from_nothing, close_packed, close_packed)->Apply(packing);
 BENCHMARK_CAPTURE(list_from_nothing, facing_layers, facing_layers)->Apply(layers);
+BENCHMARK_CAPTURE(list_by_hash, close_packed, close_packed)->Apply(packing);
+BENCHMARK_CAPTURE(list_by_hash, facing_layers, facing_layers)->Apply(layers);
 #ifdef PINBALL_HAS_NANOFLANN
 void nanoflann_sizes(benchmark::internal::Benchmark* b, int large) {
   b->ArgNames({"per_side", "threads", "leaf"})->Unit(benchmark::kMillisecond)->UseRealTime();
