@@ -15,7 +15,8 @@ void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>
   boxes_.build(balls);
   collect_references(pinballs);
   has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
-  if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups) == ContactSearch::hash) {
+  constexpr std::int64_t most_met = 300;  // above, the tree takes longer (docs/performance.md)
+  if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups, most_met) == ContactSearch::hash) {
     find_by_hash(pinballs, self);
   } else {
     find(pinballs, self);

@@ -34,9 +34,9 @@ void BoxTree<S>::build(const MovingBoxes<S>& boxes) {
 }
 
 template <class S>
-ContactSearch suitable_search(ContactSearch asked, const BoxTreeView<S>& tree, int level, std::int64_t boxes) {
+ContactSearch suitable_search(ContactSearch asked, const BoxTreeView<S>& tree, int level, std::int64_t boxes,
+                              std::int64_t most_met) {
   using T = Pack<S, native_width<S>>;
-  constexpr std::int64_t most_met = 100;
   if (asked != ContactSearch::automatic) return asked;
   if (boxes <= most_met) return ContactSearch::tree;
   std::int64_t samples = 0, met = 0;
@@ -104,8 +104,8 @@ std::span<const std::int32_t> NearBoxes<S>::find(const BoxTreeView<S>& tree, int
   return {found_.data(), tree.moves ? find_moving<true>(tree, i) : find_moving<false>(tree, i)};
 }
 
-template ContactSearch suitable_search(ContactSearch, const BoxTreeView<double>&, int, std::int64_t);
-template ContactSearch suitable_search(ContactSearch, const BoxTreeView<float>&, int, std::int64_t);
+template ContactSearch suitable_search(ContactSearch, const BoxTreeView<double>&, int, std::int64_t, std::int64_t);
+template ContactSearch suitable_search(ContactSearch, const BoxTreeView<float>&, int, std::int64_t, std::int64_t);
 template class BoxTree<double>;
 template class BoxTree<float>;
 template class NearBoxes<double>;

@@ -25,13 +25,14 @@ class BoxTree {
   BoxLevels<S> levels_;
 };
 
-/// The search that suits boxes, where none is asked for: the tree, but the hash where the box of a group of the tree
-/// meets more than 100 others in the mean. The tree's time grows with them; there it is longer (docs/performance.md).
-/// So it is where boxes that are near each other do not have near numbers.
+/// The search that suits, where none is asked for: the tree, but the hash where the box of a group meets more than
+/// most_met others in the mean of some. The tree's time grows with them, as where boxes that are near each other do not
+/// have near numbers.
 ///
 /// level, boxes: of the tree, that are boxes of groups, and how many there are.
 template <class S>
-ContactSearch suitable_search(ContactSearch asked, const BoxTreeView<S>& tree, int level, std::int64_t boxes);
+ContactSearch suitable_search(ContactSearch asked, const BoxTreeView<S>& tree, int level, std::int64_t boxes,
+                              std::int64_t most_met);
 
 /// What meets the boxes of a group. Its memory serves many groups, one after the other.
 template <class S>
