@@ -150,6 +150,11 @@ std::vector<Configuration> configurations() {
          const double half = i % 9 == 0 ? infinite : i % 10 == 0 ? 1e30 : 0.5;
          return Box{random_vector(r, 4), {0.5, half, half}, random_vector(r, 1)};
        }},
+      {"of all sizes that numbers have", 300,
+       [=](Random& r, int) {
+         const double size = std::pow(10.0, uniform(r, -35, 35));
+         return Box{size * random_vector(r, 3), {size, size, size}, size * random_vector(r, 1)};
+       }},
       {"far outliers", 400,
        [=](Random& r, int i) {
          const double far = i % 10 == 0 ? 1e30 : i % 11 == 0 ? -1e20 : 0;

@@ -86,9 +86,11 @@ void BoxHash<S>::choose_grid(const MovingBoxes<S>& boxes) {
   const double side = 3 * quantile(sides, 0.5);
   // Half of the coordinates reach sixteen times as far as nearly all boxes.
   const double least = std::ldexp(16 * (quantile(distances, 0.9) + side), 1 - cell_coordinate_bits);
-  int exponent = side > 0 ? std::max(-20, std::ilogb(least / side) + 1) : 0;
-  exponent += exponent & 1;  // from level to level cells grow by four
-  double unit = side > 0 ? std::ldexp(side, exponent) : least;
+  double unit = least;
+  if (const double ratio = least / side; ratio > 0 && std::isfinite(ratio)) {
+    const int exponent = std::max(-20, std::ilogb(ratio) + 1);
+    unit = std::ldexp(side, exponent + (exponent & 1));  // from level to level cells grow by four
+  }
   if (!(unit > std::numeric_limits<double>::min()) || !std::isfinite(unit)) unit = 1;
   view_.grid.inverse_unit = 1 / unit;
   for (int k = 0; k < 3; ++k) view_.grid.origin[k] = centre[k] - std::ldexp(unit, cell_coordinate_bits - 1);
