@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include <kernels/exec.hpp>
+
 namespace pinball {
 
 namespace {
@@ -14,7 +16,9 @@ namespace {
 /// velocity of g/dt.
 constexpr double push_out = 0.1;
 
-constexpr int most_sweeps = 200;
+/// Two blocks whose meshes do not fit are thrown apart by the same to 1e-4 with bounds of 20, 50, 200 and 1,000 sweeps:
+/// what is left over are rows that hardly differ from their neighbours, over which impulses go on shifting.
+constexpr int most_sweeps = 50;
 /// A row slides if it does so faster than by this part of the velocity that its friction can stop; the rest is what the
 /// sweeps leave.
 constexpr double sliding = 1e-3;
@@ -23,7 +27,21 @@ constexpr double sliding = 1e-3;
 /// to 2.4 %, and two bars by the same to all digits; 1e-4 takes a sixth of the time of 1e-9 in the patch test.
 constexpr double tolerance = 1e-4;
 
+/// Rows from which on a second thread gains more than it has to wait for.
+constexpr std::size_t rows_worth_a_thread = 512;
+
 }  // namespace
+
+template <class S>
+template <class Body>
+void ImpulseSolver<S>::for_rows(const char* name, const Body& body) const {
+  const auto count = static_cast<std::int64_t>(rows_.size());
+  if (rows_.size() < rows_worth_a_thread) {
+    parallel_for(name, RangePolicy<Serial>{0, count}, body);
+  } else {
+    parallel_for(name, RangePolicy<>{0, count}, body);
+  }
+}
 
 template <class S>
 ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held)
@@ -37,38 +55,44 @@ template <class S>
 void ImpulseSolver<S>::begin_rows() {
   rows_.clear();
   pairs_.clear();
-  nodes_.clear();
+  active_.clear();
   node_.clear();
   last_entry_.clear();
+  next_memory_ = 0;
 }
 
 template <class S>
 void ImpulseSolver<S>::add_row(std::int32_t first, std::int32_t second, const Vec3<double>& direction, double depth,
                                double size) {
-  ImpulseRow& row = rows_.emplace_back();
-  row.direction[0] = direction.x;
-  row.direction[1] = direction.y;
-  row.direction[2] = direction.z;
+  rows_.rows.push_back({{direction.x, direction.y, direction.z}, rows_.node.size(), 0});
   Pair& pair = pairs_.emplace_back();
   pair.depth = depth;
   pair.size = size;
   pair.memory.first = first;
   pair.memory.second = second;
-  const auto before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, PairMemory::earlier);
-  if (before != memory_.end() && !PairMemory::earlier(pair.memory, *before)) pair.memory = *before;
+  // Rows come nearly in the order of their names: first of all the memory behind that of the row before is tried.
+  const auto here = memory_.begin() + static_cast<std::ptrdiff_t>(next_memory_);
+  const auto is = [&](auto at) { return at->first == first && at->second == second; };
+  auto before = here;
+  if (here == memory_.end() || !is(here)) {
+    before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, PairMemory::earlier);
+    if (before == memory_.end() || !is(before)) return;
+  }
+  pair.memory = *before;
+  next_memory_ = static_cast<std::size_t>(before - memory_.begin()) + 1;
 }
 
 template <class S>
 void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
   for (const std::int32_t n : node_) node_place_[n] = -1;
-  for (std::size_t i = 0; i < rows_.size(); ++i) limit_depth(source, i, dt);
+  for_rows("depths of rows", [&](std::int64_t i) { limit_depth(source, static_cast<std::size_t>(i), dt); });
 }
 
 /// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element
 /// turns another face to its partner: such depths are not pushed out.
 template <class S>
 void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt) {
-  const ImpulseRow& row = rows_[i];
+  const RowView row = rows_[i];
   Pair& pair = pairs_[i];
   pair.rate_before = 0;
   for (int k = 0; k < row.nodes; ++k) {
@@ -88,13 +112,16 @@ void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& source, std::size_t i
 /// Velocities v* and what held directions leave of the inverse masses.
 template <class S>
 void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocity_step) {
-  nodes_.assign(node_.size(), {});
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+  nodes_.resize(node_.size());
+  velocity_.renew(4 * node_.size());
+  const auto load_node = [&](std::int64_t i) {
     const std::int32_t n = node_[i];
     const auto m = static_cast<double>(source.inverse_mass[n]);
-    double* a = nodes_[i].inverse_mass;
-    a[0] = a[1] = a[2] = m;
-    for (const auto& [x, y, z] : held_.of(node_[i])) {
+    ImpulseNode& node = nodes_[i];
+    node = {{m, m, m}, false};
+    double* a = node.inverse_mass;
+    for (const auto& [x, y, z] : held_.of(n)) {
+      node.held = true;
       a[0] -= m * x * x;
       a[1] -= m * y * y;
       a[2] -= m * z * z;
@@ -102,103 +129,144 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
       a[4] -= m * y * z;
       a[5] -= m * z * x;
     }
+    double* const v = record(velocity_.data(), i);
     for (std::size_t c = 0; c < 3; ++c) {
-      nodes_[i].velocity[c] =
-          static_cast<double>(source.v(n)[c]) + velocity_step * m * static_cast<double>(source.f(n)[c]);
+      v[c] = static_cast<double>(source.v(n)[c]) + velocity_step * m * static_cast<double>(source.f(n)[c]);
     }
-  }
-}
-
-/// Rows that nothing drives together only cost time.
-template <class S>
-void ImpulseSolver<S>::drop_rows_apart() {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Pair& pair = pairs_[i];
-    const bool known = pair.memory.force > 0 || pair.depth > 0;
-    const bool near = known || pair.rate_free + rows_[i].position_rate > -std::abs(pair.rate_free);
-    if (!near || !(rows_[i].inverse_mass > 0)) continue;
-    rows_[kept] = rows_[i];
-    pairs_[kept++] = pair;
-  }
-  rows_.resize(kept);
-  pairs_.resize(kept);
-}
-
-/// Begins with the friction of the step before, turned into the plane across the direction of now.
-template <class S>
-void ImpulseSolver<S>::begin_friction(double velocity_step) {
-  if (!has_friction()) return;
-  frictions_.assign(rows_.size(), {});
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const double *a = rows_[i].direction, *before = pairs_[i].memory.friction;
-    const double along = a[0] * before[0] + a[1] * before[1] + a[2] * before[2];
-    for (int c = 0; c < 3; ++c) frictions_[i].impulse[c] = velocity_step * (before[c] - along * a[c]);
-    frictions_[i].inverse_mass = friction_inverse_mass(rows_[i], nodes_.data());
-    frictions_[i].coefficient = pairs_[i].memory.slides ? friction_sliding_ : friction_at_rest_;
-  }
-}
-
-template <class S>
-void ImpulseSolver<S>::solve_coupled() {
-  double scale = 0;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    scale = std::max({scale, pairs_[i].rate_free + rows_[i].position_rate, pairs_[i].rate_before});
-    apply_impulse(rows_[i], rows_[i].impulse, nodes_.data());  // begin with those of the step before
-    if (!has_friction()) continue;
-    apply_friction(rows_[i], frictions_[i].impulse, nodes_.data());
-    const double* s = pairs_[i].sliding_before;
-    scale = std::max(scale, std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]));
-  }
-  const auto count = static_cast<std::int64_t>(rows_.size());
-  for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-    const double change = has_friction() ? gauss_seidel_sweep(rows_.data(), frictions_.data(), count, nodes_.data())
-                                         : gauss_seidel_sweep(rows_.data(), count, nodes_.data());
-    if (change <= tolerance * scale) break;
-  }
-}
-
-/// Friction after a projection: that of the step before, as corrected by each row in turn.
-template <class S>
-void ImpulseSolver<S>::slow_sliding() {
-  for (std::size_t i = 0; i < frictions_.size(); ++i) apply_friction(rows_[i], frictions_[i].impulse, nodes_.data());
-  for (std::size_t i = 0; i < frictions_.size(); ++i) update_friction(rows_[i], frictions_[i], nodes_.data());
-}
-
-template <class S>
-void ImpulseSolver<S>::release(double velocity_step) {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    ImpulseRow& row = rows_[i];
-    Pair& pair = pairs_[i];
-    if (!(pair.memory.force > 0) || row.impulse > 0 || pair.rate_free + row.position_rate > 0) continue;
-    // Largest p for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost.
-    const double sum = pair.rate_before + closing_rate(row, nodes_.data());
-    const double root = std::sqrt(sum * sum + 8 * std::max(0.0, pair.memory.lost) * row.inverse_mass);
-    const double missing = std::min(0.5 * pair.memory.force * velocity_step, (sum + root) / (2 * row.inverse_mass));
-    if (!(missing > 0)) continue;
-    apply_impulse(row, missing, nodes_.data());
-    row.impulse = missing;
-    pair.memory.force = -1;  // so that it does not count as a contact at the next step
+    v[3] = 0;
+  };
+  const auto count = static_cast<std::int64_t>(node_.size());
+  if (rows_.size() < rows_worth_a_thread) {
+    parallel_for("nodes of rows", RangePolicy<Serial>{0, count}, load_node);
+  } else {
+    parallel_for("nodes of rows", RangePolicy<>{0, count}, load_node);
   }
 }
 
 /// What each row may still close or has to push out, and its closing velocity without impulses.
 template <class S>
 void ImpulseSolver<S>::set_rates(double velocity_step, double dt) {
+  for_rows("rates of rows", [&](std::int64_t i) { set_rate(static_cast<std::size_t>(i), velocity_step, dt); });
+}
+
+template <class S>
+void ImpulseSolver<S>::set_rate(std::size_t i, double velocity_step, double dt) {
+  ImpulseRow& own = rows_.rows[i];
+  Pair& pair = pairs_[i];
+  const RowView row = rows_[i];
+  const Vec3<double> a{row.direction[0], row.direction[1], row.direction[2]};
+  double inverse_mass = 0;
+  Vec3<double> v{0, 0, 0};
+  for (int k = 0; k < row.nodes; ++k) {
+    const double* m = nodes_[row.node[k]].inverse_mass;
+    const Symmetric<double> mobility{m[0], m[1], m[2], m[3], m[4], m[5]};
+    inverse_mass += row.weight[k] * row.weight[k] * dot(a, mobility * a);
+    v = v + row.weight[k] * vector_of(record(velocity_.data(), row.node[k]));
+  }
+  own.inverse_mass = inverse_mass;
+  if (dt > 0 && pair.depth > 0) {  // with no more energy than the pair has taken out
+    const double energy_limit = std::sqrt(2 * std::max(0.0, pair.memory.lost) * inverse_mass);
+    own.position_rate = std::min(push_out * pair.depth / dt, energy_limit);
+  } else if (dt > 0) {
+    own.position_rate = pair.depth / dt;
+  } else {  // nothing moves any more: an open gap asks for nothing
+    own.position_rate = pair.depth < -1e-9 * pair.size ? -std::numeric_limits<double>::infinity() : 0.0;
+  }
+  pair.rate_free = dot(a, v);
+  own.impulse = std::max(0.0, pair.memory.force) * velocity_step;
+}
+
+/// Rows that nothing drives together only cost time.
+template <class S>
+void ImpulseSolver<S>::choose_active() {
+  active_.clear();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    ImpulseRow& row = rows_[i];
-    Pair& pair = pairs_[i];
-    load_masses(row, nodes_.data());
-    if (dt > 0 && pair.depth > 0) {  // with no more energy than the pair has taken out
-      const double energy_limit = std::sqrt(2 * std::max(0.0, pair.memory.lost) * row.inverse_mass);
-      row.position_rate = std::min(push_out * pair.depth / dt, energy_limit);
-    } else if (dt > 0) {
-      row.position_rate = pair.depth / dt;
-    } else {  // nothing moves any more: an open gap asks for nothing
-      row.position_rate = pair.depth < -1e-9 * pair.size ? -std::numeric_limits<double>::infinity() : 0.0;
+    const Pair& pair = pairs_[i];
+    const ImpulseRow& row = rows_.rows[i];
+    const bool known = pair.memory.force > 0 || pair.depth > 0;
+    const bool near = known || pair.rate_free + row.position_rate > -std::abs(pair.rate_free);
+    if (near && row.inverse_mass > 0) active_.push_back(static_cast<std::int32_t>(i));
+  }
+}
+
+/// Begins with the friction of the step before, turned into the plane across the direction of now.
+template <class S>
+void ImpulseSolver<S>::begin_friction(double velocity_step) {
+  if (!has_friction()) return;
+  frictions_.resize(rows_.size());
+  for_rows("friction of rows", [&](std::int64_t i) {
+    const RowView row = rows_[static_cast<std::size_t>(i)];
+    const double *a = row.direction, *before = pairs_[i].memory.friction;
+    const double along = a[0] * before[0] + a[1] * before[1] + a[2] * before[2];
+    FrictionRow& friction = frictions_[i];
+    for (int c = 0; c < 3; ++c) friction.impulse[c] = velocity_step * (before[c] - along * a[c]);
+    friction.inverse_mass = 0;
+    for (int k = 0; k < row.nodes; ++k) {
+      friction.inverse_mass += row.weight[k] * row.weight[k] * friction_mobility(nodes_[row.node[k]]);
     }
-    pair.rate_free = closing_rate(row, nodes_.data());
-    row.impulse = std::max(0.0, pair.memory.force) * velocity_step;
+    friction.coefficient = pairs_[i].memory.slides ? friction_sliding_ : friction_at_rest_;
+  });
+}
+
+/// What the sweeps are compared with.
+template <class S>
+double ImpulseSolver<S>::largest_rate() const {
+  double scale = 0;
+  for (const std::int32_t i : active_) {
+    const Pair& pair = pairs_[i];
+    scale = std::max({scale, pair.rate_free + rows_.rows[i].position_rate, pair.rate_before});
+    if (!has_friction()) continue;
+    const double* s = pair.sliding_before;
+    scale = std::max(scale, std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]));
+  }
+  return scale;
+}
+
+template <class S>
+void ImpulseSolver<S>::solve_coupled(ImpulseResult& result) {
+  const double small = tolerance * largest_rate();
+  packs_.apply(velocity_.data());  // begin with the impulses of the step before
+  bool solved = active_.empty();
+  while (!solved && result.sweeps < most_sweeps) {
+    solved = packs_.sweep(velocity_.data()) <= small;
+    ++result.sweeps;
+  }
+  result.swept_out = !solved;
+}
+
+template <class S>
+void ImpulseSolver<S>::release(const RowPack& row, std::int64_t pack, double velocity_step) {
+  using Lanes = RowPacks::Lanes;
+  const auto waits = [&](int lane, std::int32_t i) {
+    const Pair& pair = pairs_[i];
+    return pair.memory.force > 0 && !(packs_.impulse(pack, lane) > 0) &&
+           !(pair.rate_free + rows_.rows[i].position_rate > 0);
+  };
+  bool any = false;
+  for (int lane = 0; lane < RowPacks::width; ++lane) {
+    const std::int32_t i = packs_.order().row(pack, lane);
+    any = any || (i >= 0 && waits(lane, i));
+  }
+  if (!any) return;
+  const Lanes rate = closing_rate<Lanes>(row, velocity_.data());
+  alignas(64) double released[RowPacks::width] = {};
+  for (int l = 0; l < RowPacks::width; ++l) {
+    const std::int32_t i = packs_.order().row(pack, l);
+    if (i < 0 || !waits(l, i)) continue;
+    Pair& pair = pairs_[i];
+    const double inverse_mass = rows_.rows[i].inverse_mass;
+    // Largest p for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost.
+    const double sum = pair.rate_before + lane(rate, l);
+    const double root = std::sqrt(sum * sum + 8 * std::max(0.0, pair.memory.lost) * inverse_mass);
+    const double missing = std::min(0.5 * pair.memory.force * velocity_step, (sum + root) / (2 * inverse_mass));
+    if (!(missing > 0)) continue;
+    released[l] = missing;
+    packs_.set_impulse(pack, l, missing);
+    pair.memory.force = -1;  // so that it does not count as a contact at the next step
+  }
+  const Lanes impulse = load<Lanes>(released);
+  if (any_lane(impulse != Lanes(0))) {
+    take_impulse(row, impulse * direction_of<Lanes>(row), velocity_.data());
   }
 }
 
@@ -217,64 +285,89 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   }
   load_nodes(source, velocity_step);
   set_rates(velocity_step, step.after);
-  drop_rows_apart();
+  choose_active();
   begin_friction(velocity_step);
+  packs_.build(rows_, active_, nodes_, frictions_);
   if (lagrange_) {
-    solve_coupled();
+    solve_coupled(result);
   } else {
-    project_velocities(rows_.data(), static_cast<std::int64_t>(rows_.size()), nodes_.data());
-    slow_sliding();
+    packs_.project(velocity_.data());
   }
-  release(velocity_step);
-
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const ImpulseRow& row = rows_[i];
-    Pair& pair = pairs_[i];
-    pair.force = row.impulse / velocity_step;
-    const ExternalWork lost = work_of(pair.force, pair.rate_before, closing_rate(row, nodes_.data()), step);
-    result.dissipated += lost.now;
-    pending_ += lost.later;
-    result.pairs += pair.force > 0;
-    pair.memory.lost += lost.now + lost.later;
-    pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
-    if (has_friction()) count_friction(i, step, result);
-    if (!(pair.force > 0)) continue;
-    for (int k = 0; k < row.nodes; ++k) {
-      S* const force = source.f(node_[row.node[k]]);
-      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * row.direction[c]);
-      if (!has_friction()) continue;
-      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
-    }
-  }
+  packs_.coloured("release", [&](std::int32_t p) { release(packs_.pack(p), p, velocity_step); });
+  packs_.coloured("forces of rows", [&](std::int32_t p) { finish_pack(source, p, step); });
+  sum_up(result);
   remember();
   return result;
 }
 
-/// Force of the friction of a row, and its work.
+/// Forces of the rows of a pack, and what they take out.
 template <class S>
-void ImpulseSolver<S>::count_friction(std::size_t i, const StepLengths& step, ImpulseResult& result) {
+void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step) {
+  using Lanes = RowPacks::Lanes;
+  const RowPack packed = packs_.pack(pack);
+  const Vec3<Lanes> v = approach<Lanes>(packed, velocity_.data());
+  for (int l = 0; l < RowPacks::width; ++l) {
+    const std::int32_t i = packs_.order().row(pack, l);
+    if (i < 0) continue;
+    Pair& pair = pairs_[i];
+    const RowView row = rows_[static_cast<std::size_t>(i)];
+    const double* a = row.direction;
+    const Vec3<double> after{lane(v.x, l), lane(v.y, l), lane(v.z, l)};
+    const double rate = a[0] * after.x + a[1] * after.y + a[2] * after.z;
+    pair.force = packs_.impulse(pack, l) / step.velocity();
+    pair.lost = work_of(pair.force, pair.rate_before, rate, step);
+    pair.memory.lost += pair.lost.now + pair.lost.later;
+    pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
+    if (has_friction()) pair.lost.add(keep_friction(pack, l, after - rate * Vec3<double>{a[0], a[1], a[2]}, step));
+    if (!(pair.force > 0)) continue;
+    for (int k = 0; k < row.nodes; ++k) {
+      S* const force = source.f(node_[row.node[k]]);
+      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * a[c]);
+      if (!has_friction()) continue;
+      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
+    }
+  }
+}
+
+/// Force of the friction of a row, and its work. after: sliding velocity.
+template <class S>
+ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t pack, int lane, const Vec3<double>& after,
+                                             const StepLengths& step) {
+  const std::int32_t i = packs_.order().row(pack, lane);
   Pair& pair = pairs_[i];
-  double after[3];
-  sliding_rate(rows_[i], nodes_.data(), after);
-  const double speed = std::sqrt(after[0] * after[0] + after[1] * after[1] + after[2] * after[2]);
   const FrictionRow& friction = frictions_[i];
-  pair.memory.slides = speed > sliding * friction.coefficient * rows_[i].impulse * friction.inverse_mass;
+  pair.memory.slides =
+      std::sqrt(dot(after, after)) > sliding * friction.coefficient * packs_.impulse(pack, lane) * friction.inverse_mass;
+  const Vec3<double> q = packs_.friction(pack, lane);
+  const double impulse[3] = {q.x, q.y, q.z}, rate[3] = {after.x, after.y, after.z};
+  ExternalWork lost;
   for (int c = 0; c < 3; ++c) {
-    pair.memory.friction[c] = frictions_[i].impulse[c] / step.velocity();
-    const ExternalWork lost = work_of(pair.memory.friction[c], pair.sliding_before[c], after[c], step);
-    result.dissipated += lost.now;
-    pending_ += lost.later;
+    pair.memory.friction[c] = impulse[c] / step.velocity();
+    lost.add(work_of(pair.memory.friction[c], pair.sliding_before[c], rate[c], step));
+  }
+  return lost;
+}
+
+template <class S>
+void ImpulseSolver<S>::sum_up(ImpulseResult& result) {
+  for (const std::int32_t i : active_) {
+    const Pair& pair = pairs_[i];
+    result.dissipated += pair.lost.now;
+    pending_ += pair.lost.later;
+    result.pairs += pair.force > 0;
   }
 }
 
 template <class S>
 void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const ImpulseRow& row = rows_[i];
+    const Pair& pair = pairs_[i];
+    if (!(pair.force > 0)) continue;
+    const RowView row = rows_[i];
     for (int k = 0; k < row.nodes; ++k) {
       Point& force = node_force[node_[row.node[k]]];
       for (std::size_t c = 0; c < 3; ++c) {
-        force[c] -= row.weight[k] * (pairs_[i].force * row.direction[c] + pairs_[i].memory.friction[c]);
+        force[c] -= row.weight[k] * (pair.force * row.direction[c] + pair.memory.friction[c]);
       }
     }
   }
@@ -283,24 +376,27 @@ void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
 /// Rows, their pairs and nodes are for the report of forces alone.
 template <class S>
 void ImpulseSolver<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
-  archive(memory_, pending_, rows_, pairs_, node_);
+  archive(memory_, pending_, rows_.rows, rows_.node, rows_.weight, pairs_, node_);
   if (archive.reads()) node_place_.assign(static_cast<std::size_t>(source.node_count), -1);
 }
 
 template <class S>
 void ImpulseSolver<S>::remember() {
   memory_.clear();
-  for (const Pair& pair : pairs_) {
-    if (pair.memory.force > 0 || pair.memory.depth > 0) memory_.push_back(pair.memory);
+  for (const std::int32_t i : active_) {
+    const PairMemory& memory = pairs_[i].memory;
+    if (memory.force > 0 || memory.depth > 0) memory_.push_back(memory);
   }
-  std::sort(memory_.begin(), memory_.end(), PairMemory::earlier);
+  if (!std::is_sorted(memory_.begin(), memory_.end(), PairMemory::earlier)) {
+    std::sort(memory_.begin(), memory_.end(), PairMemory::earlier);
+  }
 }
 
 template <class S>
 std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return of(rows_) + of(frictions_) + of(pairs_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) +
-         of(node_place_) + held_.bytes();
+  return rows_.bytes() + packs_.bytes() + velocity_.bytes() + of(frictions_) + of(pairs_) + of(active_) + of(nodes_) +
+         of(node_) + of(last_entry_) + of(memory_) + of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;
