@@ -14,10 +14,10 @@ namespace pinball {
 
 /// What friction adds to the numbers of a row.
 enum FrictionNumber : int {
-  friction_impulse = 0,   ///< q, three numbers
+  friction_impulse = 0,       ///< q, three numbers
   friction_inverse_mass = 3,  ///< G M^-1 G^T across a, from above [1/mass]
-  friction_mass,          ///< its inverse; 0 where nothing can move [mass]
-  friction_coefficient,   ///< mu [-]
+  friction_mass,              ///< its inverse; 0 where nothing can move [mass]
+  friction_coefficient,       ///< mu [-]
   friction_numbers
 };
 

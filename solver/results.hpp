@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sweep_counts.hpp"
 #include "mesh.hpp"
 
 /// What a run reports: plain data in double, in the order of the scene (not of the solver's internal numbering).
@@ -136,6 +137,7 @@ struct RunSummary {
   std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have
   SkippedSeconds skipped_seconds;
   double max_penetration_ratio = 0.0;  ///< deepest penetration over the sum of the two radii
+  SweepCounts sweeps;                  ///< of impulses of contact, by lagrange
   std::string overlapping_bodies;      ///< "a and b": the first two that shared space at the start; empty: none did
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements

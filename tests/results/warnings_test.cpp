@@ -36,6 +36,14 @@ TEST(Warnings, PenetrationUnlessSomethingEroded) {
   EXPECT_THAT(warnings(s), IsEmpty());
 }
 
+TEST(Warnings, SweepsThatWereNotEnough) {
+  RunSummary s = sound();
+  s.sweeps = {100, 5000, 50, 100, 10};
+  EXPECT_THAT(warnings(s), IsEmpty());
+  s.sweeps.unsolved = 11;
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("not solved for in 11 of 100 steps with contact, where 50 sweeps")));
+}
+
 TEST(Warnings, Overlap) {
   RunSummary s = sound();
   s.overlapping_bodies = "a and b";

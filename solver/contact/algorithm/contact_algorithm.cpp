@@ -43,6 +43,7 @@ ContactWork ContactAlgorithm<S>::after_constraints(const SurfaceSource<S>& sourc
   work.dissipated = solved.dissipated;
   work.penetration_ratio = solved.penetration_ratio;
   work.pairs = solved.pairs;
+  work.sweeps.add(solved.sweeps, solved.at_bound, solved.unsolved);
   return work;
 }
 

@@ -7,6 +7,7 @@
 
 #include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/base/sweep_counts.hpp>
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/impulses/impulse_solver.hpp>
 #include <solver/contact/surface/surface.hpp>
@@ -25,6 +26,7 @@ struct ContactWork {
   double penetration_ratio = 0;  ///< largest penetration over the size of the pair, R1 + R2 [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
+  SweepCounts sweeps;            ///< for impulses by lagrange
 
   /// Of two stages of one step together.
   ContactWork& operator+=(const ContactWork& other) {
@@ -35,6 +37,7 @@ struct ContactWork {
     penetration_ratio = std::max(penetration_ratio, other.penetration_ratio);
     pairs += other.pairs;
     frequency2 = std::max(frequency2, other.frequency2);
+    sweeps += other.sweeps;
     return *this;
   }
   friend ContactWork operator+(ContactWork a, const ContactWork& b) { return a += b; }

@@ -48,7 +48,8 @@ struct ContactRows {
     weight.clear();
   }
   std::size_t bytes() const {
-    return rows.capacity() * sizeof(rows[0]) + node.capacity() * sizeof(node[0]) + weight.capacity() * sizeof(weight[0]);
+    return rows.capacity() * sizeof(rows[0]) + node.capacity() * sizeof(node[0]) +
+           weight.capacity() * sizeof(weight[0]);
   }
 };
 

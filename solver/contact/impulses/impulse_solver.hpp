@@ -23,7 +23,8 @@ struct ImpulseResult {
   double penetration_ratio = 0;  ///< largest penetration over the size of its pair [-]
   std::int64_t pairs = 0;        ///< pairs that push
   int sweeps = 0;                ///< over the rows, by lagrange
-  bool swept_out = false;        ///< the sweeps ended at their bound
+  bool at_bound = false;         ///< the sweeps ended at the bound of their number
+  bool unsolved = false;         ///< and what the last one changed was not small
 };
 
 /// Contact by impulses instead of springs: after accelerations are known and before positions move, impulses take out
@@ -56,8 +57,8 @@ class ImpulseSolver {
   /// at the present positions, or negative gap [length]; size: what the depth is compared with, R1 + R2 [length].
   void add_row(std::int32_t first, std::int32_t second, const Vec3<double>& direction, double depth, double size);
   /// Adds a node of the store to the last row. weight: negative for the nodes of body 1, positive for those of body 2;
-  /// each side sums to 1. Collapsed elements and spheres have a node at several corners: its weights add up. What has no
-  /// weight is left out.
+  /// each side sums to 1. Collapsed elements and spheres have a node at several corners: its weights add up. What has
+  /// no weight is left out.
   void add_node(std::int32_t node, double weight);
   /// All rows are there. dt: the step just made.
   void finish_rows(const SurfaceSource<S>& source, double dt);
@@ -127,18 +128,18 @@ class ImpulseSolver {
 
   bool lagrange_ = false;
   double friction_at_rest_ = 0, friction_sliding_ = 0;  ///< coefficients [-]
-  ContactRows rows_;                    ///< of places in node_
-  std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
-  std::vector<Pair> pairs_;             ///< one per row
-  std::vector<std::int32_t> active_;    ///< rows that take part
-  RowPacks packs_;                      ///< of the active rows
-  std::vector<ImpulseNode> nodes_;      ///< per entry of node_
-  AlignedArray<double> velocity_;       ///< records of four numbers, per entry of node_
-  std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
-  std::vector<LastEntry> last_entry_;     ///< per entry of node_
-  std::vector<PairMemory> memory_;        ///< of the last step, sorted by the names
-  std::size_t next_memory_ = 0;           ///< where that of the next row is looked for first
-  std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
+  ContactRows rows_;                                    ///< of places in node_
+  std::vector<FrictionRow> frictions_;                  ///< one per row, only where there is friction
+  std::vector<Pair> pairs_;                             ///< one per row
+  std::vector<std::int32_t> active_;                    ///< rows that take part
+  RowPacks packs_;                                      ///< of the active rows
+  std::vector<ImpulseNode> nodes_;                      ///< per entry of node_
+  AlignedArray<double> velocity_;                       ///< records of four numbers, per entry of node_
+  std::vector<std::int32_t> node_;                      ///< of the store, per entry of nodes_
+  std::vector<LastEntry> last_entry_;                   ///< per entry of node_
+  std::vector<PairMemory> memory_;                      ///< of the last step, sorted by the names
+  std::size_t next_memory_ = 0;                         ///< where that of the next row is looked for first
+  std::vector<std::int32_t> node_place_;                ///< per node of the store: place in nodes_ or -1
   HeldDirections held_;
   double pending_ = 0;  ///< energy dissipated by the last impulses in the step after them
 };

@@ -20,8 +20,8 @@ class RowPacks {
   static constexpr int width = RowOrder::width;
   using Lanes = Pack<double, width>;
 
-  /// Lays out the rows that take part. active: their numbers, ascending; nodes: per place of a node; frictions: per row,
-  /// empty without friction.
+  /// Lays out the rows that take part. active: their numbers, ascending; nodes: per place of a node; frictions: per
+  /// row, empty without friction.
   void build(const ContactRows& rows, const std::vector<std::int32_t>& active, const std::vector<ImpulseNode>& nodes,
              const std::vector<FrictionRow>& frictions);
 
