@@ -173,6 +173,43 @@ TEST(ContactImpulse, RowsOfAnyWidthDoWhatOneLaneDoes) {
   }
 }
 
+TEST(RowPacks, SweepsGiveTheSameBitsForAnyNumberOfThreads) {
+  // Two facing layers of nodes, a row for each pair of facing quadrilaterals: four colours of thousands of rows.
+  constexpr int edge = 110;
+  const auto swept = [](int threads, double mu) {
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> number(-1, 1);
+    ImpulseSystem s;
+    for (int n = 0; n < 2 * edge * edge; ++n) {
+      const Vec3<double> v{number(random), number(random), number(random)};
+      s.add_node(v, 1.5 + number(random), n % edge == 0);
+    }
+    for (int j = 0; j + 1 < edge; ++j) {
+      for (int i = 0; i + 1 < edge; ++i) {
+        s.add_row({0, 0, 1}, 0.1 * number(random));
+        for (const int n : {0, 1, edge, edge + 1}) {
+          s.add_entry(j * edge + i + n, -0.25);
+          s.add_entry(edge * edge + j * edge + i + n, 0.25);
+        }
+      }
+    }
+    DefaultExecutionSpace::set_concurrency(threads);
+    s.build(mu);
+    EXPECT_TRUE(s.packs.sweeps_are_shared_out());
+    EXPECT_GE(s.packs.order().colour_offsets().size(), 4U + 1);
+    std::vector<double> bits;
+    for (int sweep = 0; sweep < 5; ++sweep) bits.push_back(s.packs.sweep(s.velocities.data()));
+    s.packs.project(s.velocities.data());
+    DefaultExecutionSpace::set_concurrency(1);
+    bits.insert(bits.end(), s.velocities.data(), s.velocities.data() + s.velocities.size());
+    return bits;
+  };
+  for (const double mu : {-1.0, 0.3}) {
+    const std::vector<double> one = swept(1, mu);
+    for (const int threads : {1, 2, 3, 8}) EXPECT_EQ(swept(threads, mu), one) << threads << " threads";
+  }
+}
+
 TEST(RowOrder, RowsOfAColourShareNoNode) {
   // A floor of nodes, of which each is in four rows, and one node that 100 rows share: more than 64 colours.
   ImpulseSystem s;

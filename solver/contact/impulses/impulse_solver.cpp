@@ -297,8 +297,8 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   } else {
     packs_.project(velocity_.data());
   }
-  packs_.coloured("release", [&](std::int32_t p) { release(packs_.pack(p), p, velocity_step); });
-  packs_.coloured("forces of rows", [&](std::int32_t p) { finish_pack(source, p, step); });
+  packs_.coloured_heavy("release", [&](std::int64_t p) { release(packs_.pack(p), p, velocity_step); });
+  packs_.coloured_heavy("forces of rows", [&](std::int64_t p) { finish_pack(source, p, step); });
   sum_up(result);
   remember();
   return result;

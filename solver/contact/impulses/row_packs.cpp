@@ -6,8 +6,10 @@ namespace pinball {
 
 namespace {
 
-/// Packs, per colour, from which on a second thread gains more than it has to wait for.
-constexpr std::int64_t packs_worth_a_thread = 32;
+/// Entries of a colour, in packs, from which on a second thread gains more than the threads wait for each other, a
+/// microsecond or, beside other work, much more. A sweep takes 2.5 ns for each entry, what is done once in a step ten
+/// times as much.
+constexpr std::int64_t entries_of_sweeps = 2048, entries_of_heavy_work = 256;
 
 }  // namespace
 
@@ -26,18 +28,15 @@ RowPack RowPacks::pack(std::int64_t number) {
 void RowPacks::build(const ContactRows& rows, const std::vector<std::int32_t>& active,
                      const std::vector<ImpulseNode>& nodes, const std::vector<FrictionRow>& frictions) {
   order_.build(rows, active, nodes);
+  light_.build(order_, entries_of_sweeps);
+  heavy_.build(order_, entries_of_heavy_work);
   const std::size_t packs = order_.packs().size();
-  const std::size_t colours = order_.colour_offsets().size() - 1;
-  parallel_ = packs >= packs_worth_a_thread * std::max<std::size_t>(colours, 1);
-  for (std::size_t p = numbers_of_packs_.size(); p < packs; ++p) {
-    numbers_of_packs_.push_back(static_cast<std::int32_t>(p));
-  }
   nodes_.renew(order_.entry_packs() * width);
   entries_.renew(order_.number_packs() * width);
   numbers_.renew(packs * row_numbers * width);
   changes_.renew(packs * width);
   frictions_.renew(frictions.empty() ? 0 : packs * friction_numbers * width);
-  coloured("rows into packs", [&](std::int32_t p) { fill(p, rows, nodes, frictions); });
+  coloured_heavy("rows into packs", [&](std::int64_t p) { fill(p, rows, nodes, frictions); });
 }
 
 void RowPacks::fill(std::int64_t pack_number, const ContactRows& rows, const std::vector<ImpulseNode>& nodes,
@@ -84,7 +83,7 @@ void RowPacks::fill(std::int64_t pack_number, const ContactRows& rows, const std
 }
 
 void RowPacks::apply(double* velocity) {
-  coloured("impulses of the step before", [&](std::int32_t p) {
+  light_.run("impulses of the step before", [&](std::int64_t p) {
     const RowPack row = pack(p);
     apply_impulses<Lanes>(row, velocity);
     if (has_friction()) apply_friction<Lanes>(row, velocity);
@@ -92,7 +91,7 @@ void RowPacks::apply(double* velocity) {
 }
 
 double RowPacks::sweep(double* velocity) {
-  coloured("sweep over rows", [&](std::int32_t p) {
+  light_.run("sweep over rows", [&](std::int64_t p) {
     const RowPack row = pack(p);
     Lanes change = sweep_rows<Lanes>(row, velocity);
     if (has_friction()) change = maximum(change, sweep_friction<Lanes>(row, velocity));
@@ -106,13 +105,13 @@ double RowPacks::sweep(double* velocity) {
 }
 
 void RowPacks::project(double* velocity) {
-  coloured("closing rows", [&](std::int32_t p) { find_closing<Lanes>(pack(p), velocity); });
-  coloured("shares of rows", [&](std::int32_t p) { add_shares<Lanes>(pack(p), velocity); });
-  coloured("shared impulses", [&](std::int32_t p) { share_impulses<Lanes>(pack(p), velocity); });
-  coloured("projection", [&](std::int32_t p) { apply_impulses<Lanes>(pack(p), velocity); });
+  light_.run("closing rows", [&](std::int64_t p) { find_closing<Lanes>(pack(p), velocity); });
+  light_.run("shares of rows", [&](std::int64_t p) { add_shares<Lanes>(pack(p), velocity); });
+  light_.run("shared impulses", [&](std::int64_t p) { share_impulses<Lanes>(pack(p), velocity); });
+  light_.run("projection", [&](std::int64_t p) { apply_impulses<Lanes>(pack(p), velocity); });
   if (!has_friction()) return;
-  coloured("friction of the step before", [&](std::int32_t p) { apply_friction<Lanes>(pack(p), velocity); });
-  coloured("friction", [&](std::int32_t p) { sweep_friction<Lanes>(pack(p), velocity); });
+  light_.run("friction of the step before", [&](std::int64_t p) { apply_friction<Lanes>(pack(p), velocity); });
+  light_.run("friction", [&](std::int64_t p) { sweep_friction<Lanes>(pack(p), velocity); });
 }
 
 Vec3<double> RowPacks::friction(std::int64_t number, int lane) const {
@@ -121,8 +120,8 @@ Vec3<double> RowPacks::friction(std::int64_t number, int lane) const {
 }
 
 std::size_t RowPacks::bytes() const {
-  return order_.bytes() + numbers_of_packs_.capacity() * sizeof(numbers_of_packs_[0]) + nodes_.bytes() +
-         entries_.bytes() + numbers_.bytes() + frictions_.bytes() + changes_.bytes();
+  return order_.bytes() + light_.bytes() + heavy_.bytes() + nodes_.bytes() + entries_.bytes() + numbers_.bytes() +
+         frictions_.bytes() + changes_.bytes();
 }
 
 }  // namespace pinball

@@ -5,16 +5,15 @@
 #include <vector>
 
 #include <kernels/contact_friction.hpp>
-#include <kernels/exec.hpp>
 #include <solver/base/aligned_array.hpp>
 
 #include "contact_rows.hpp"
 #include "row_order.hpp"
+#include "row_stages.hpp"
 
 namespace pinball {
 
-/// Rows in packs, and the sweeps over them. Packs of a colour are worked at the same time, which gives the same bits
-/// for any number of threads; few packs by one thread alone, for whom no other has to wait.
+/// Rows in packs, and the sweeps over them, which go from pack to pack and from colour to colour (RowStages).
 class RowPacks {
  public:
   static constexpr int width = RowOrder::width;
@@ -26,18 +25,14 @@ class RowPacks {
              const std::vector<FrictionRow>& frictions);
 
   const RowOrder& order() const { return order_; }
-  /// Calls body(pack) colour by colour.
+  /// Calls body(pack) colour by colour, for work that is done once in a step.
   template <class Body>
-  void coloured(const char* name, const Body& body) const {
-    const std::vector<std::int32_t>& offsets = order_.colour_offsets();
-    const auto colours = static_cast<std::int32_t>(offsets.size()) - 1;
-    if (parallel_) {
-      parallel_for_coloured(name, DefaultExecutionSpace{}, offsets.data(), colours, numbers_of_packs_.data(), body);
-    } else {
-      parallel_for_coloured(name, Serial{}, offsets.data(), colours, numbers_of_packs_.data(), body);
-    }
+  void coloured_heavy(const char* name, const Body& body) const {
+    heavy_.run(name, body);
   }
   RowPack pack(std::int64_t number);
+  /// Whether there are colours of so many rows that threads share their sweeps.
+  bool sweeps_are_shared_out() const { return light_.shared_out(); }
 
   // What follows changes velocities: records of four numbers, one per place of a node.
   /// Gives the rows their impulses, and their friction.
@@ -62,8 +57,7 @@ class RowPacks {
   }
 
   RowOrder order_;
-  bool parallel_ = false;
-  std::vector<std::int32_t> numbers_of_packs_;  ///< 0, 1, ...
+  RowStages light_, heavy_;  ///< for sweeps, and for more work per row
   AlignedArray<std::int32_t> nodes_;
   AlignedArray<double> entries_, numbers_, frictions_;
   AlignedArray<double> changes_;  ///< of velocities by the last sweep, per row
