@@ -19,9 +19,6 @@ constexpr double push_out = 0.1;
 /// Two blocks whose meshes do not fit are thrown apart by the same to 1e-4 with bounds of 20, 50, 200 and 1,000 sweeps:
 /// what is left over are rows that hardly differ from their neighbours, over which impulses go on shifting.
 constexpr int most_sweeps = 50;
-/// A row slides if it does so faster than by this part of the velocity that its friction can stop; the rest is what the
-/// sweeps leave.
-constexpr double sliding = 1e-3;
 /// Of the sweeps, relative to the largest closing velocity. They begin with the impulses of the step before, so that
 /// what one step leaves the next one takes up: from 1e-9 to 1e-3 the worst stress of the contact patch test errs by 1.6
 /// to 2.4 %, and two bars by the same to all digits; 1e-4 takes a sixth of the time of 1e-9 in the patch test.
@@ -33,6 +30,17 @@ constexpr double sound = 1e-2;
 constexpr std::size_t rows_worth_a_thread = 512;
 
 }  // namespace
+
+template <class S>
+template <class Body>
+void ImpulseSolver<S>::for_nodes(const char* name, const Body& body) const {
+  const auto count = static_cast<std::int64_t>(node_.size());
+  if (rows_.size() < rows_worth_a_thread) {
+    parallel_for(name, RangePolicy<Serial>{0, count}, body);
+  } else {
+    parallel_for(name, RangePolicy<>{0, count}, body);
+  }
+}
 
 template <class S>
 template <class Body>
@@ -87,26 +95,31 @@ void ImpulseSolver<S>::add_row(std::int32_t first, std::int32_t second, const Ve
 template <class S>
 void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
   for (const std::int32_t n : node_) node_place_[n] = -1;
+  // Each velocity is fetched once: a node has several rows.
+  velocity_.renew(4 * node_.size());
+  for_nodes("velocities of nodes", [&](std::int64_t i) {
+    const S* const v = source.v(node_[i]);
+    for (int c = 0; c < 3; ++c) record(velocity_.data(), i)[c] = static_cast<double>(v[c]);
+  });
   for_rows("depths of rows", [&](std::int64_t i) { limit_depth(source, static_cast<std::size_t>(i), dt); });
 }
 
 /// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element
 /// turns another face to its partner: such depths are not pushed out.
 template <class S>
-void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt) {
+void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& /*source*/, std::size_t i, double dt) {
   const RowView row = rows_[i];
   Pair& pair = pairs_[i];
-  pair.rate_before = 0;
-  for (int k = 0; k < row.nodes; ++k) {
-    // By place: with a pointer to the record GCC contracts these sums otherwise, and results change in their last bits.
-    const auto place = 4 * static_cast<std::size_t>(node_[row.node[k]]);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto v = static_cast<double>(source.velocity[place + c]);
-      pair.rate_before += row.weight[k] * row.direction[c] * v;
-      if (has_friction()) pair.sliding_before[c] += row.weight[k] * v;
-    }
+  const Vec3<double> a{row.direction[0], row.direction[1], row.direction[2]};
+  Vec3<double> v{0, 0, 0};
+  for (int k = 0; k < row.nodes; ++k) v = v + row.weight[k] * vector_of(record(velocity_.data(), row.node[k]));
+  pair.rate_before = dot(a, v);
+  if (has_friction()) {
+    const Vec3<double> s = v - pair.rate_before * a;
+    pair.sliding_before[0] = s.x;
+    pair.sliding_before[1] = s.y;
+    pair.sliding_before[2] = s.z;
   }
-  for (int c = 0; c < 3; ++c) pair.sliding_before[c] -= pair.rate_before * row.direction[c];
   if (pair.depth > 0) pair.depth = std::min(pair.depth, pair.memory.depth + std::max(0.0, pair.rate_before) * dt);
   pair.memory.depth = std::max(0.0, pair.depth);
 }
@@ -116,7 +129,7 @@ template <class S>
 void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocity_step) {
   nodes_.resize(node_.size());
   velocity_.renew(4 * node_.size());
-  const auto load_node = [&](std::int64_t i) {
+  for_nodes("nodes of rows", [&](std::int64_t i) {
     const std::int32_t n = node_[i];
     const auto m = static_cast<double>(source.inverse_mass[n]);
     ImpulseNode& node = nodes_[i];
@@ -136,13 +149,7 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
       v[c] = static_cast<double>(source.v(n)[c]) + velocity_step * m * static_cast<double>(source.f(n)[c]);
     }
     v[3] = 0;
-  };
-  const auto count = static_cast<std::int64_t>(node_.size());
-  if (rows_.size() < rows_worth_a_thread) {
-    parallel_for("nodes of rows", RangePolicy<Serial>{0, count}, load_node);
-  } else {
-    parallel_for("nodes of rows", RangePolicy<>{0, count}, load_node);
-  }
+  });
 }
 
 /// What each row may still close or has to push out, and its closing velocity without impulses.
@@ -239,42 +246,6 @@ void ImpulseSolver<S>::solve_coupled(ImpulseResult& result) {
 }
 
 template <class S>
-void ImpulseSolver<S>::release(const RowPack& row, std::int64_t pack, double velocity_step) {
-  using Lanes = RowPacks::Lanes;
-  const auto waits = [&](int lane, std::int32_t i) {
-    const Pair& pair = pairs_[i];
-    return pair.memory.force > 0 && !(packs_.impulse(pack, lane) > 0) &&
-           !(pair.rate_free + rows_.rows[i].position_rate > 0);
-  };
-  bool any = false;
-  for (int lane = 0; lane < RowPacks::width; ++lane) {
-    const std::int32_t i = packs_.order().row(pack, lane);
-    any = any || (i >= 0 && waits(lane, i));
-  }
-  if (!any) return;
-  const Lanes rate = closing_rate<Lanes>(row, velocity_.data());
-  alignas(64) double released[RowPacks::width] = {};
-  for (int l = 0; l < RowPacks::width; ++l) {
-    const std::int32_t i = packs_.order().row(pack, l);
-    if (i < 0 || !waits(l, i)) continue;
-    Pair& pair = pairs_[i];
-    const double inverse_mass = rows_.rows[i].inverse_mass;
-    // Largest p for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost.
-    const double sum = pair.rate_before + lane(rate, l);
-    const double root = std::sqrt(sum * sum + 8 * std::max(0.0, pair.memory.lost) * inverse_mass);
-    const double missing = std::min(0.5 * pair.memory.force * velocity_step, (sum + root) / (2 * inverse_mass));
-    if (!(missing > 0)) continue;
-    released[l] = missing;
-    packs_.set_impulse(pack, l, missing);
-    pair.memory.force = -1;  // so that it does not count as a contact at the next step
-  }
-  const Lanes impulse = load<Lanes>(released);
-  if (any_lane(impulse != Lanes(0))) {
-    take_impulse(row, impulse * direction_of<Lanes>(row), velocity_.data());
-  }
-}
-
-template <class S>
 ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const StepLengths& step) {
   ImpulseResult result;
   result.dissipated = pending_;
@@ -304,96 +275,11 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   return result;
 }
 
-/// Forces of the rows of a pack, and what they take out.
-template <class S>
-void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step) {
-  using Lanes = RowPacks::Lanes;
-  const RowPack packed = packs_.pack(pack);
-  const Vec3<Lanes> v = approach<Lanes>(packed, velocity_.data());
-  for (int l = 0; l < RowPacks::width; ++l) {
-    const std::int32_t i = packs_.order().row(pack, l);
-    if (i < 0) continue;
-    Pair& pair = pairs_[i];
-    const RowView row = rows_[static_cast<std::size_t>(i)];
-    const double* a = row.direction;
-    const Vec3<double> after{lane(v.x, l), lane(v.y, l), lane(v.z, l)};
-    const double rate = a[0] * after.x + a[1] * after.y + a[2] * after.z;
-    pair.force = packs_.impulse(pack, l) / step.velocity();
-    pair.lost = work_of(pair.force, pair.rate_before, rate, step);
-    pair.memory.lost += pair.lost.now + pair.lost.later;
-    pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
-    if (has_friction()) pair.lost.add(keep_friction(pack, l, after - rate * Vec3<double>{a[0], a[1], a[2]}, step));
-    if (!(pair.force > 0)) continue;
-    for (int k = 0; k < row.nodes; ++k) {
-      S* const force = source.f(node_[row.node[k]]);
-      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * a[c]);
-      if (!has_friction()) continue;
-      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
-    }
-  }
-}
-
-/// Force of the friction of a row, and its work. after: sliding velocity.
-template <class S>
-ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t pack, int lane, const Vec3<double>& after,
-                                             const StepLengths& step) {
-  const std::int32_t i = packs_.order().row(pack, lane);
-  Pair& pair = pairs_[i];
-  const FrictionRow& friction = frictions_[i];
-  pair.memory.slides = std::sqrt(dot(after, after)) >
-                       sliding * friction.coefficient * packs_.impulse(pack, lane) * friction.inverse_mass;
-  const Vec3<double> q = packs_.friction(pack, lane);
-  const double impulse[3] = {q.x, q.y, q.z}, rate[3] = {after.x, after.y, after.z};
-  ExternalWork lost;
-  for (int c = 0; c < 3; ++c) {
-    pair.memory.friction[c] = impulse[c] / step.velocity();
-    lost.add(work_of(pair.memory.friction[c], pair.sliding_before[c], rate[c], step));
-  }
-  return lost;
-}
-
-template <class S>
-void ImpulseSolver<S>::sum_up(ImpulseResult& result) {
-  for (const std::int32_t i : active_) {
-    const Pair& pair = pairs_[i];
-    result.dissipated += pair.lost.now;
-    pending_ += pair.lost.later;
-    result.pairs += pair.force > 0;
-  }
-}
-
-template <class S>
-void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Pair& pair = pairs_[i];
-    if (!(pair.force > 0)) continue;
-    const RowView row = rows_[i];
-    for (int k = 0; k < row.nodes; ++k) {
-      Point& force = node_force[node_[row.node[k]]];
-      for (std::size_t c = 0; c < 3; ++c) {
-        force[c] -= row.weight[k] * (pair.force * row.direction[c] + pair.memory.friction[c]);
-      }
-    }
-  }
-}
-
 /// Rows, their pairs and nodes are for the report of forces alone.
 template <class S>
 void ImpulseSolver<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   archive(memory_, pending_, rows_.rows, rows_.node, rows_.weight, pairs_, node_);
   if (archive.reads()) node_place_.assign(static_cast<std::size_t>(source.node_count), -1);
-}
-
-template <class S>
-void ImpulseSolver<S>::remember() {
-  memory_.clear();
-  for (const std::int32_t i : active_) {
-    const PairMemory& memory = pairs_[i].memory;
-    if (memory.force > 0 || memory.depth > 0) memory_.push_back(memory);
-  }
-  if (!std::is_sorted(memory_.begin(), memory_.end(), PairMemory::earlier)) {
-    std::sort(memory_.begin(), memory_.end(), PairMemory::earlier);
-  }
 }
 
 template <class S>

@@ -125,6 +125,9 @@ class ImpulseSolver {
   /// Calls body(i) for all rows, in any order.
   template <class Body>
   void for_rows(const char* name, const Body& body) const;
+  /// The same for all nodes of the rows.
+  template <class Body>
+  void for_nodes(const char* name, const Body& body) const;
 
   bool lagrange_ = false;
   double friction_at_rest_ = 0, friction_sliding_ = 0;  ///< coefficients [-]

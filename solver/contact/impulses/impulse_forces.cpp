@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cmath>
+
+#include "impulse_solver.hpp"
+
+/// What follows from the impulses of a step: releases, forces on the nodes, energies, and what pairs remember.
+namespace pinball {
+
+namespace {
+
+/// A row slides if it does so faster than by this part of the velocity that its friction can stop; the rest is what the
+/// sweeps leave.
+constexpr double sliding = 1e-3;
+
+}  // namespace
+
+template <class S>
+void ImpulseSolver<S>::release(const RowPack& row, std::int64_t pack, double velocity_step) {
+  using Lanes = RowPacks::Lanes;
+  const auto waits = [&](int lane, std::int32_t i) {
+    const Pair& pair = pairs_[i];
+    return pair.memory.force > 0 && !(packs_.impulse(pack, lane) > 0) &&
+           !(pair.rate_free + rows_.rows[i].position_rate > 0);
+  };
+  bool any = false;
+  for (int lane = 0; lane < RowPacks::width; ++lane) {
+    const std::int32_t i = packs_.order().row(pack, lane);
+    any = any || (i >= 0 && waits(lane, i));
+  }
+  if (!any) return;
+  const Lanes rate = closing_rate<Lanes>(row, velocity_.data());
+  alignas(64) double released[RowPacks::width] = {};
+  for (int l = 0; l < RowPacks::width; ++l) {
+    const std::int32_t i = packs_.order().row(pack, l);
+    if (i < 0 || !waits(l, i)) continue;
+    Pair& pair = pairs_[i];
+    const double inverse_mass = rows_.rows[i].inverse_mass;
+    // Largest p for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost.
+    const double sum = pair.rate_before + lane(rate, l);
+    const double root = std::sqrt(sum * sum + 8 * std::max(0.0, pair.memory.lost) * inverse_mass);
+    const double missing = std::min(0.5 * pair.memory.force * velocity_step, (sum + root) / (2 * inverse_mass));
+    if (!(missing > 0)) continue;
+    released[l] = missing;
+    packs_.set_impulse(pack, l, missing);
+    pair.memory.force = -1;  // so that it does not count as a contact at the next step
+  }
+  const Lanes impulse = load<Lanes>(released);
+  if (any_lane(impulse != Lanes(0))) {
+    take_impulse(row, impulse * direction_of<Lanes>(row), velocity_.data());
+  }
+}
+
+/// Forces of the rows of a pack, and what they take out.
+template <class S>
+void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step) {
+  using Lanes = RowPacks::Lanes;
+  const RowPack packed = packs_.pack(pack);
+  const Vec3<Lanes> v = approach<Lanes>(packed, velocity_.data());
+  for (int l = 0; l < RowPacks::width; ++l) {
+    const std::int32_t i = packs_.order().row(pack, l);
+    if (i < 0) continue;
+    Pair& pair = pairs_[i];
+    const RowView row = rows_[static_cast<std::size_t>(i)];
+    const double* a = row.direction;
+    const Vec3<double> after{lane(v.x, l), lane(v.y, l), lane(v.z, l)};
+    const double rate = a[0] * after.x + a[1] * after.y + a[2] * after.z;
+    pair.force = packs_.impulse(pack, l) / step.velocity();
+    pair.lost = work_of(pair.force, pair.rate_before, rate, step);
+    pair.memory.lost += pair.lost.now + pair.lost.later;
+    pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
+    if (has_friction()) pair.lost.add(keep_friction(pack, l, after - rate * Vec3<double>{a[0], a[1], a[2]}, step));
+    if (!(pair.force > 0)) continue;
+    for (int k = 0; k < row.nodes; ++k) {
+      S* const force = source.f(node_[row.node[k]]);
+      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * a[c]);
+      if (!has_friction()) continue;
+      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
+    }
+  }
+}
+
+/// Force of the friction of a row, and its work. after: sliding velocity.
+template <class S>
+ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t pack, int lane, const Vec3<double>& after,
+                                             const StepLengths& step) {
+  const std::int32_t i = packs_.order().row(pack, lane);
+  Pair& pair = pairs_[i];
+  const FrictionRow& friction = frictions_[i];
+  pair.memory.slides = std::sqrt(dot(after, after)) >
+                       sliding * friction.coefficient * packs_.impulse(pack, lane) * friction.inverse_mass;
+  const Vec3<double> q = packs_.friction(pack, lane);
+  const double impulse[3] = {q.x, q.y, q.z}, rate[3] = {after.x, after.y, after.z};
+  ExternalWork lost;
+  for (int c = 0; c < 3; ++c) {
+    pair.memory.friction[c] = impulse[c] / step.velocity();
+    lost.add(work_of(pair.memory.friction[c], pair.sliding_before[c], rate[c], step));
+  }
+  return lost;
+}
+
+template <class S>
+void ImpulseSolver<S>::sum_up(ImpulseResult& result) {
+  for (const std::int32_t i : active_) {
+    const Pair& pair = pairs_[i];
+    result.dissipated += pair.lost.now;
+    pending_ += pair.lost.later;
+    result.pairs += pair.force > 0;
+  }
+}
+
+template <class S>
+void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Pair& pair = pairs_[i];
+    if (!(pair.force > 0)) continue;
+    const RowView row = rows_[i];
+    for (int k = 0; k < row.nodes; ++k) {
+      Point& force = node_force[node_[row.node[k]]];
+      for (std::size_t c = 0; c < 3; ++c) {
+        force[c] -= row.weight[k] * (pair.force * row.direction[c] + pair.memory.friction[c]);
+      }
+    }
+  }
+}
+
+template <class S>
+void ImpulseSolver<S>::remember() {
+  memory_.clear();
+  for (const std::int32_t i : active_) {
+    const PairMemory& memory = pairs_[i].memory;
+    if (memory.force > 0 || memory.depth > 0) memory_.push_back(memory);
+  }
+  if (!std::is_sorted(memory_.begin(), memory_.end(), PairMemory::earlier)) {
+    std::sort(memory_.begin(), memory_.end(), PairMemory::earlier);
+  }
+}
+
+#define PINBALL_INSTANTIATE(S)                                                                            \
+  template void ImpulseSolver<S>::release(const RowPack&, std::int64_t, double);                          \
+  template void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>&, std::int64_t, const StepLengths&); \
+  template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                                 \
+  template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;                             \
+  template void ImpulseSolver<S>::remember();
+PINBALL_INSTANTIATE(double)
+PINBALL_INSTANTIATE(float)
+#undef PINBALL_INSTANTIATE
+
+}  // namespace pinball
