@@ -132,12 +132,12 @@ struct RunSummary {
   std::string contact_method, contact_enforcement;
   std::int64_t pinballs = 0;   ///< at the end
   std::int64_t pairs_max = 0;  ///< most pairs in contact at one step
+  SweepCounts sweeps;          ///< of impulses of contact, by lagrange
   std::int64_t searches = 0, searches_skipped = 0;
   std::int64_t inner_element_steps = 0;  ///< of elements that are not in contact, because no face of theirs is exposed
   std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have
   SkippedSeconds skipped_seconds;
   double max_penetration_ratio = 0.0;  ///< deepest penetration over the sum of the two radii
-  SweepCounts sweeps;                  ///< of impulses of contact, by lagrange
   std::string overlapping_bodies;      ///< "a and b": the first two that shared space at the start; empty: none did
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements

@@ -7,7 +7,7 @@
 namespace pinball {
 
 std::vector<std::string> warnings(const RunSummary& summary) {
-  constexpr double sound_balance = 0.1, sound_penetration = 0.25, few_unsolved = 0.1;
+  constexpr double sound_balance = 0.1, sound_penetration = 0.25;
   std::vector<std::string> found;
   if (summary.balance_error_max > sound_balance) {
     found.push_back(fmt::format("the energy balance was off by up to {:.3g} %: try a smaller time.cfl{}",
@@ -27,6 +27,7 @@ std::vector<std::string> warnings(const RunSummary& summary) {
                     "contact.beta, finer meshes, or bodies that do not overlap at the start",
                     100 * summary.max_penetration_ratio));
   }
+  constexpr double few_unsolved = 0.1;
   if (static_cast<double>(summary.sweeps.unsolved) > few_unsolved * static_cast<double>(summary.sweeps.solutions)) {
     found.push_back(fmt::format(
         "the impulses of contact were not solved for in {} of {} steps with contact, where {} sweeps were not enough: "

@@ -203,6 +203,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
     summary.searches = contact->searches();
     summary.searches_skipped = contact->searches_skipped();
   }
+  summary.sweeps = counts.sweeps;
   counts.searches = summary.searches;
   counts.searches_skipped = summary.searches_skipped;
   summary.inner_element_steps = counts.inner_element_steps;
@@ -210,7 +211,6 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.skipped_seconds = estimate_skipped(counts, solver.timers(), all_element_steps);
   summary.pairs_max = counts_so_far.pairs_max();
   summary.max_penetration_ratio = counts_so_far.penetration_ratio_max();
-  summary.sweeps = counts_so_far.sweeps();
   if (solver.initial_overlap().points > 0) {
     summary.overlapping_bodies =
         fmt::format("{} and {}", solver.initial_overlap().first, solver.initial_overlap().second);

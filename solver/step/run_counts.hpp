@@ -18,7 +18,6 @@ class RunCounts {
   std::int64_t pairs() const { return pairs_; }          ///< in contact at the time of the forces
   std::int64_t pairs_max() const { return pairs_max_; }  ///< most of them at once
   double penetration_ratio_max() const { return penetration_ratio_max_; }
-  const SweepCounts& sweeps() const { return sweeps_; }
 
   /// surface: elements of the contact surface, negative without contact; all: elements of the scene.
   template <class S>
@@ -33,23 +32,20 @@ class RunCounts {
         work_.inner_element_steps += all - eroded_elements_ - surface;
       }
     }
+    work_.sweeps += contact.sweeps;
     eroded_elements_ += element.eroded_count;
     penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);
-    sweeps_ += contact.sweeps;
     pairs_ = contact.pairs;
     pairs_max_ = std::max(pairs_max_, pairs_);
   }
   void count_search(double seconds) { work_.search_seconds += seconds; }
 
-  void persist(StateArchive& archive) {
-    archive(work_, eroded_elements_, pairs_, pairs_max_, penetration_ratio_max_, sweeps_);
-  }
+  void persist(StateArchive& archive) { archive(work_, eroded_elements_, pairs_, pairs_max_, penetration_ratio_max_); }
 
  private:
   WorkCounts work_;
   std::int64_t eroded_elements_ = 0, pairs_ = 0, pairs_max_ = 0;
   double penetration_ratio_max_ = 0;
-  SweepCounts sweeps_;
 };
 
 }  // namespace pinball
