@@ -2,8 +2,10 @@
 
 #include <Eigen/Dense>
 #include <random>
+#include <utility>
 #include <vector>
 
+#include <solver/contact/impulses/pair_names.hpp>
 #include <tests/support/impulse_system.hpp>
 
 namespace pinball {
@@ -207,6 +209,23 @@ TEST(RowPacks, SweepsGiveTheSameBitsForAnyNumberOfThreads) {
   for (const double mu : {-1.0, 0.3}) {
     const std::vector<double> one = swept(1, mu);
     for (const int threads : {1, 2, 3, 8}) EXPECT_EQ(swept(threads, mu), one) << threads << " threads";
+  }
+}
+
+TEST(PairNames, FindWhatWasAddedAndNothingElse) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  for (std::int32_t i = 0; i < 50; ++i) {
+    for (std::int32_t j = -1; j < 20; ++j) pairs.emplace_back(1000 * i, j);
+  }
+  PairNames names;
+  for (const std::size_t count : {std::size_t(0), std::size_t(1), pairs.size() / 2, pairs.size()}) {
+    names.reset(count);
+    for (std::size_t i = 0; i < count; ++i) names.add(pairs[i].first, pairs[i].second, i);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const auto [first, second] = pairs[i];
+      const std::size_t found = names.find(first, second, [&](std::size_t place) { return pairs[place] == pairs[i]; });
+      EXPECT_EQ(found, i < count ? i : PairNames::none);
+    }
   }
 }
 

@@ -130,9 +130,13 @@ void ImpulseSolver<S>::remember() {
     const PairMemory& memory = pairs_[i].memory;
     if (memory.force > 0 || memory.depth > 0) memory_.push_back(memory);
   }
-  if (!std::is_sorted(memory_.begin(), memory_.end(), PairMemory::earlier)) {
-    std::sort(memory_.begin(), memory_.end(), PairMemory::earlier);
-  }
+  name_memory();
+}
+
+template <class S>
+void ImpulseSolver<S>::name_memory() {
+  names_.reset(memory_.size());
+  for (std::size_t i = 0; i < memory_.size(); ++i) names_.add(memory_[i].first, memory_[i].second, i);
 }
 
 #define PINBALL_INSTANTIATE(S)                                                                            \
@@ -140,7 +144,8 @@ void ImpulseSolver<S>::remember() {
   template void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>&, std::int64_t, const StepLengths&); \
   template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                                 \
   template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;                             \
-  template void ImpulseSolver<S>::remember();
+  template void ImpulseSolver<S>::remember();                                                             \
+  template void ImpulseSolver<S>::name_memory();
 PINBALL_INSTANTIATE(double)
 PINBALL_INSTANTIATE(float)
 #undef PINBALL_INSTANTIATE

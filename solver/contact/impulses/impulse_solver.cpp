@@ -80,16 +80,15 @@ void ImpulseSolver<S>::add_row(std::int32_t first, std::int32_t second, const Ve
   pair.size = size;
   pair.memory.first = first;
   pair.memory.second = second;
-  // Rows come nearly in the order of their names: first of all the memory behind that of the row before is tried.
-  const auto here = memory_.begin() + static_cast<std::ptrdiff_t>(next_memory_);
-  const auto is = [&](auto at) { return at->first == first && at->second == second; };
-  auto before = here;
-  if (here == memory_.end() || !is(here)) {
-    before = std::lower_bound(memory_.begin(), memory_.end(), pair.memory, PairMemory::earlier);
-    if (before == memory_.end() || !is(before)) return;
+  // Rows mostly come in the order of the step before: first of all the memory behind that of the last row is tried.
+  const auto is = [&](std::size_t at) { return memory_[at].first == first && memory_[at].second == second; };
+  std::size_t at = next_memory_;
+  if (at >= memory_.size() || !is(at)) {
+    at = names_.find(first, second, is);
+    if (at == PairNames::none) return;
   }
-  pair.memory = *before;
-  next_memory_ = static_cast<std::size_t>(before - memory_.begin()) + 1;
+  pair.memory = memory_[at];
+  next_memory_ = at + 1;
 }
 
 template <class S>
@@ -279,14 +278,16 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
 template <class S>
 void ImpulseSolver<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   archive(memory_, pending_, rows_.rows, rows_.node, rows_.weight, pairs_, node_);
-  if (archive.reads()) node_place_.assign(static_cast<std::size_t>(source.node_count), -1);
+  if (!archive.reads()) return;
+  node_place_.assign(static_cast<std::size_t>(source.node_count), -1);
+  name_memory();
 }
 
 template <class S>
 std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return rows_.bytes() + packs_.bytes() + velocity_.bytes() + of(frictions_) + of(pairs_) + of(active_) + of(nodes_) +
-         of(node_) + of(last_entry_) + of(memory_) + of(node_place_) + held_.bytes();
+         of(node_) + of(last_entry_) + of(memory_) + names_.bytes() + of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;

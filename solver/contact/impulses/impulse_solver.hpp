@@ -13,6 +13,7 @@
 #include <solver/contact/surface/surface_source.hpp>
 
 #include "contact_rows.hpp"
+#include "pair_names.hpp"
 #include "row_packs.hpp"
 
 namespace pinball {
@@ -86,9 +87,6 @@ class ImpulseSolver {
     double lost;         ///< energy that the pair has taken out, but for friction [energy]
     double friction[3];  ///< of the last step [force]
     bool slides;         ///< in the last step
-    static bool earlier(const PairMemory& a, const PairMemory& b) {
-      return a.first != b.first ? a.first < b.first : a.second < b.second;
-    }
   };
   /// What a row of rows_ is besides.
   struct Pair {
@@ -122,6 +120,7 @@ class ImpulseSolver {
   ExternalWork keep_friction(std::int64_t pack, int lane, const Vec3<double>& after, const StepLengths& step);
   void sum_up(ImpulseResult& result);
   void remember();
+  void name_memory();
   /// Calls body(i) for all rows, in any order.
   template <class Body>
   void for_rows(const char* name, const Body& body) const;
@@ -140,7 +139,8 @@ class ImpulseSolver {
   AlignedArray<double> velocity_;                       ///< records of four numbers, per entry of node_
   std::vector<std::int32_t> node_;                      ///< of the store, per entry of nodes_
   std::vector<LastEntry> last_entry_;                   ///< per entry of node_
-  std::vector<PairMemory> memory_;                      ///< of the last step, sorted by the names
+  std::vector<PairMemory> memory_;                      ///< of the last step, in the order of its rows
+  PairNames names_;                                     ///< where the memory of a pair is
   std::size_t next_memory_ = 0;                         ///< where that of the next row is looked for first
   std::vector<std::int32_t> node_place_;                ///< per node of the store: place in nodes_ or -1
   HeldDirections held_;
