@@ -71,10 +71,22 @@ PINBALL_FUNCTION Symmetric<T> entry_mobility(const RowPack& row, int entry) {
           entry_number<T>(row, entry, 4), entry_number<T>(row, entry, 5), entry_number<T>(row, entry, 6)};
 }
 
+/// A row by itself has no lanes to fill: there the components of a vector do.
+template <class T>
+inline constexpr bool lanes_are_components = width_of<T> == 1 && native_width<double> >= 4;
+using NodeRecord = Pack<double, native_width<double> >= 4 ? 4 : 1>;
+
 /// sum_I w_I v_I: what the sides of a row move towards each other.
 template <class T>
 PINBALL_FUNCTION Vec3<T> approach(const RowPack& row, const double* velocity) {
   Vec3<T> sum{T(0), T(0), T(0)};
+  if constexpr (lanes_are_components<T>) {
+    NodeRecord all = 0;
+    for (int k = 0; k < row.entries; ++k) {
+      all += entry_number<T>(row, k, 0) * load<NodeRecord>(velocity + 4 * static_cast<std::int64_t>(row.node[k]));
+    }
+    return {lane(all, 0), lane(all, 1), lane(all, 2)};
+  }
   for (int k = 0; k < row.entries; ++k) {
     sum = sum + entry_number<T>(row, k, 0) * gather_vectors<T>(velocity, row.node + k * width_of<T>);
   }
@@ -90,6 +102,17 @@ PINBALL_FUNCTION T closing_rate(const RowPack& row, const double* velocity) {
 /// v_I <- v_I - w_I M_I^-1 b. b: impulse of each row, a vector.
 template <class T>
 PINBALL_FUNCTION void take_impulse(const RowPack& row, const Vec3<T>& b, double* velocity) {
+  if constexpr (lanes_are_components<T>) {
+    if (!row.held) {
+      alignas(sizeof(NodeRecord)) const double components[4] = {b.x, b.y, b.z, 0};
+      const NodeRecord all = load<NodeRecord>(components);
+      for (int k = 0; k < row.entries; ++k) {
+        double* const v = velocity + 4 * static_cast<std::int64_t>(row.node[k]);
+        store(load<NodeRecord>(v) - entry_number<T>(row, k, 1) * all, v);
+      }
+      return;
+    }
+  }
   for (int k = 0; k < row.entries; ++k) {
     const std::int32_t* node = row.node + k * width_of<T>;
     Vec3<T> change;

@@ -161,7 +161,7 @@ TEST(ContactImpulse, RowsOfAnyWidthDoWhatOneLaneDoes) {
     const double change = s.packs.sweep(s.velocities.data());
     double largest = 0;
     for (std::size_t i = 0; i < alone.size(); ++i) {
-      alone[i].build();
+      alone[i].build(-1, 1);
       largest = std::max(largest, alone[i].packs.sweep(alone[i].velocities.data()));
       EXPECT_NEAR(s.impulse(i), alone[i].impulse(0), 1e-14);
     }
@@ -249,7 +249,7 @@ TEST(RowOrder, RowsOfAColourShareNoNode) {
   for (std::size_t c = 0; c + 1 < offsets.size(); ++c) {
     std::vector<int> taken(s.nodes.size(), 0);
     for (std::int32_t pack = offsets[c]; pack < offsets[c + 1]; ++pack) {
-      for (int l = 0; l < RowOrder::width; ++l) {
+      for (int l = 0; l < order.width(); ++l) {
         const std::int32_t i = order.row(pack, l);
         if (i < 0) continue;
         ++seen[static_cast<std::size_t>(i)];

@@ -30,8 +30,8 @@ struct ImpulseSystem {
     rows.weight.push_back(weight);
     ++rows.rows.back().nodes;
   }
-  /// With friction unless mu is negative.
-  void build(double mu = -1) {
+  /// With friction unless mu is negative; width: rows to a pack.
+  void build(double mu = -1, int width = RowPacks::widest) {
     velocities.renew(given_.size());
     std::copy(given_.begin(), given_.end(), velocities.data());
     std::vector<std::int32_t> all;
@@ -48,7 +48,7 @@ struct ImpulseSystem {
       }
       if (mu >= 0) frictions.push_back(friction);
     }
-    packs.build(rows, all, nodes, frictions);
+    packs.build(rows, all, nodes, frictions, width);
   }
 
   const double* velocity(std::int64_t node) const {
@@ -80,7 +80,7 @@ struct ImpulseSystem {
   /// Pack and lane of a row.
   std::pair<std::int64_t, int> place_of(std::size_t row) const {
     for (std::size_t pack = 0; pack < packs.order().packs().size(); ++pack) {
-      for (int lane = 0; lane < RowPacks::width; ++lane) {
+      for (int lane = 0; lane < packs.width(); ++lane) {
         if (packs.order().row(static_cast<std::int64_t>(pack), lane) == static_cast<std::int32_t>(row)) {
           return {static_cast<std::int64_t>(pack), lane};
         }

@@ -15,54 +15,53 @@ constexpr double sliding = 1e-3;
 }  // namespace
 
 template <class S>
-void ImpulseSolver<S>::release(const RowPack& row, std::int64_t pack, double velocity_step) {
-  using Lanes = RowPacks::Lanes;
+void ImpulseSolver<S>::release(std::int64_t pack, double velocity_step) {
   const auto waits = [&](int lane, std::int32_t i) {
     const Pair& pair = pairs_[i];
     return pair.memory.force > 0 && !(packs_.impulse(pack, lane) > 0) &&
            !(pair.rate_free + rows_.rows[i].position_rate > 0);
   };
   bool any = false;
-  for (int lane = 0; lane < RowPacks::width; ++lane) {
+  for (int lane = 0; lane < packs_.width(); ++lane) {
     const std::int32_t i = packs_.order().row(pack, lane);
     any = any || (i >= 0 && waits(lane, i));
   }
   if (!any) return;
-  const Lanes rate = closing_rate<Lanes>(row, velocity_.data());
-  alignas(64) double released[RowPacks::width] = {};
-  for (int l = 0; l < RowPacks::width; ++l) {
+  Vec3<double> v[RowPacks::widest];
+  packs_.find_approach(pack, velocity_.data(), v);
+  double released[RowPacks::widest] = {};
+  bool some = false;
+  for (int l = 0; l < packs_.width(); ++l) {
     const std::int32_t i = packs_.order().row(pack, l);
     if (i < 0 || !waits(l, i)) continue;
     Pair& pair = pairs_[i];
     const double inverse_mass = rows_.rows[i].inverse_mass;
     // Largest p for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost.
-    const double sum = pair.rate_before + lane(rate, l);
+    const double* a = rows_.rows[i].direction;
+    const double sum = pair.rate_before + dot(Vec3<double>{a[0], a[1], a[2]}, v[l]);
     const double root = std::sqrt(sum * sum + 8 * std::max(0.0, pair.memory.lost) * inverse_mass);
     const double missing = std::min(0.5 * pair.memory.force * velocity_step, (sum + root) / (2 * inverse_mass));
     if (!(missing > 0)) continue;
     released[l] = missing;
+    some = true;
     packs_.set_impulse(pack, l, missing);
     pair.memory.force = -1;  // so that it does not count as a contact at the next step
   }
-  const Lanes impulse = load<Lanes>(released);
-  if (any_lane(impulse != Lanes(0))) {
-    take_impulse(row, impulse * direction_of<Lanes>(row), velocity_.data());
-  }
+  if (some) packs_.take(pack, released, velocity_.data());
 }
 
 /// Forces of the rows of a pack, and what they take out.
 template <class S>
 void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step) {
-  using Lanes = RowPacks::Lanes;
-  const RowPack packed = packs_.pack(pack);
-  const Vec3<Lanes> v = approach<Lanes>(packed, velocity_.data());
-  for (int l = 0; l < RowPacks::width; ++l) {
+  Vec3<double> v[RowPacks::widest];
+  packs_.find_approach(pack, velocity_.data(), v);
+  for (int l = 0; l < packs_.width(); ++l) {
     const std::int32_t i = packs_.order().row(pack, l);
     if (i < 0) continue;
     Pair& pair = pairs_[i];
     const RowView row = rows_[static_cast<std::size_t>(i)];
     const double* a = row.direction;
-    const Vec3<double> after{lane(v.x, l), lane(v.y, l), lane(v.z, l)};
+    const Vec3<double> after = v[l];
     const double rate = a[0] * after.x + a[1] * after.y + a[2] * after.z;
     pair.force = packs_.impulse(pack, l) / step.velocity();
     pair.lost = work_of(pair.force, pair.rate_before, rate, step);
@@ -140,7 +139,7 @@ void ImpulseSolver<S>::name_memory() {
 }
 
 #define PINBALL_INSTANTIATE(S)                                                                            \
-  template void ImpulseSolver<S>::release(const RowPack&, std::int64_t, double);                          \
+  template void ImpulseSolver<S>::release(std::int64_t, double);                                          \
   template void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>&, std::int64_t, const StepLengths&); \
   template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                                 \
   template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;                             \

@@ -261,13 +261,13 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   set_rates(velocity_step, step.after);
   choose_active();
   begin_friction(velocity_step);
-  packs_.build(rows_, active_, nodes_, frictions_);
+  packs_.build(rows_, active_, nodes_, frictions_, RowPacks::width_for(active_.size()));
   if (lagrange_) {
     solve_coupled(result);
   } else {
     packs_.project(velocity_.data());
   }
-  packs_.coloured_heavy("release", [&](std::int64_t p) { release(packs_.pack(p), p, velocity_step); });
+  packs_.coloured_heavy("release", [&](std::int64_t p) { release(p, velocity_step); });
   packs_.coloured_heavy("forces of rows", [&](std::int64_t p) { finish_pack(source, p, step); });
   sum_up(result);
   remember();

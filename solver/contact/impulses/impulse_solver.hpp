@@ -116,7 +116,7 @@ class ImpulseSolver {
   void solve_coupled(ImpulseResult& result);
   double largest_rate() const;
   void finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step);
-  void release(const RowPack& row, std::int64_t pack, double velocity_step);
+  void release(std::int64_t pack, double velocity_step);
   ExternalWork keep_friction(std::int64_t pack, int lane, const Vec3<double>& after, const StepLengths& step);
   void sum_up(ImpulseResult& result);
   void remember();

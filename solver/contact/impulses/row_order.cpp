@@ -41,15 +41,15 @@ void RowOrder::colour(const ContactRows& rows, const std::vector<std::int32_t>& 
 /// Counting sort by colour, held nodes and number of nodes.
 void RowOrder::sort(const ContactRows& rows, const std::vector<std::int32_t>& active,
                     const std::vector<ImpulseNode>& nodes) {
-  widest_ = 0;
-  for (const std::int32_t i : active) widest_ = std::max(widest_, rows.rows[i].nodes);
+  most_nodes_ = 0;
+  for (const std::int32_t i : active) most_nodes_ = std::max(most_nodes_, rows.rows[i].nodes);
   class_.resize(active.size());
-  place_.assign(static_cast<std::size_t>(colours_) * 2 * static_cast<std::size_t>(widest_ + 1) + 1, 0);
+  place_.assign(static_cast<std::size_t>(colours_) * 2 * static_cast<std::size_t>(most_nodes_ + 1) + 1, 0);
   for (std::size_t a = 0; a < active.size(); ++a) {
     const RowView row = rows[static_cast<std::size_t>(active[a])];
     bool held = false;
     for (int k = 0; k < row.nodes; ++k) held = held || nodes[row.node[k]].held;
-    class_[a] = (2 * colour_[a] + (held ? 0 : 1)) * (widest_ + 1) + widest_ - row.nodes;
+    class_[a] = (2 * colour_[a] + (held ? 0 : 1)) * (most_nodes_ + 1) + most_nodes_ - row.nodes;
     ++place_[class_[a] + 1];
   }
   for (std::size_t c = 1; c < place_.size(); ++c) place_[c] += place_[c - 1];
@@ -58,7 +58,8 @@ void RowOrder::sort(const ContactRows& rows, const std::vector<std::int32_t>& ac
 }
 
 void RowOrder::build(const ContactRows& rows, const std::vector<std::int32_t>& active,
-                     const std::vector<ImpulseNode>& nodes) {
+                     const std::vector<ImpulseNode>& nodes, int width) {
+  width_ = width;
   colour(rows, active, nodes.size());
   sort(rows, active, nodes);
   packs_.clear();
@@ -67,7 +68,7 @@ void RowOrder::build(const ContactRows& rows, const std::vector<std::int32_t>& a
   std::int32_t colour = 0, kind = -1;
   int lane = width;
   for (const std::int32_t a : sorted_) {
-    const std::int32_t own = class_[a] / (widest_ + 1);  // colour and whether nodes are held
+    const std::int32_t own = class_[a] / (most_nodes_ + 1);  // colour and whether nodes are held
     if (own != kind) lane = width;
     kind = own;
     for (; colour < kind / 2; ++colour) colour_offsets_.push_back(static_cast<std::int32_t>(packs_.size()));
@@ -77,9 +78,9 @@ void RowOrder::build(const ContactRows& rows, const std::vector<std::int32_t>& a
       pack.entries = rows.rows[active[a]].nodes;
       pack.held = kind % 2 == 0;
       packs_.push_back(pack);
-      row_.resize(row_.size() + width, -1);
+      row_.resize(row_.size() + static_cast<std::size_t>(width), -1);
     }
-    row_[(packs_.size() - 1) * width + static_cast<std::size_t>(lane++)] = active[a];
+    row_[(packs_.size() - 1) * static_cast<std::size_t>(width) + static_cast<std::size_t>(lane++)] = active[a];
   }
   if (!packs_.empty()) colour_offsets_.push_back(static_cast<std::int32_t>(packs_.size()));
   entry_packs_ = number_packs_ = 0;

@@ -15,7 +15,7 @@ namespace pinball {
 /// depends on the rows alone, so that whoever works the packs of a colour at the same time gets the same bits.
 class RowOrder {
  public:
-  static constexpr int width = native_width<double>;
+  static constexpr int widest = native_width<double>;
 
   struct PackPlace {
     std::size_t first_entry = 0;   ///< packs of nodes before its own
@@ -24,12 +24,15 @@ class RowOrder {
     bool held = false;             ///< a node of its rows is held
   };
 
-  /// active: the rows that take part, ascending.
-  void build(const ContactRows& rows, const std::vector<std::int32_t>& active, const std::vector<ImpulseNode>& nodes);
+  /// active: the rows that take part, ascending; width: rows to a pack, 1 or `widest`.
+  void build(const ContactRows& rows, const std::vector<std::int32_t>& active, const std::vector<ImpulseNode>& nodes,
+             int width);
+
+  int width() const { return width_; }
 
   const std::vector<PackPlace>& packs() const { return packs_; }
   /// The row in a lane of a pack, or -1.
-  std::int32_t row(std::int64_t pack, int lane) const { return row_[static_cast<std::size_t>(pack * width + lane)]; }
+  std::int32_t row(std::int64_t pack, int lane) const { return row_[static_cast<std::size_t>(pack * width_ + lane)]; }
   /// First pack of each colour; colours + 1.
   const std::vector<std::int32_t>& colour_offsets() const { return colour_offsets_; }
   std::size_t entry_packs() const { return entry_packs_; }    ///< packs of nodes
@@ -40,13 +43,14 @@ class RowOrder {
   void colour(const ContactRows& rows, const std::vector<std::int32_t>& active, std::size_t nodes);
   void sort(const ContactRows& rows, const std::vector<std::int32_t>& active, const std::vector<ImpulseNode>& nodes);
 
+  int width_ = widest;
   std::vector<PackPlace> packs_;
   std::vector<std::int32_t> row_, colour_offsets_;
   std::size_t entry_packs_ = 0, number_packs_ = 0;
   // Only while the order is made; kept for their memory.
   std::vector<std::uint64_t> taken_;  ///< per node, bit c: a row of colour c has it
   std::vector<std::int32_t> colour_, left_, class_, place_, sorted_;
-  std::int32_t colours_ = 0, widest_ = 0;
+  std::int32_t colours_ = 0, most_nodes_ = 0;
 };
 
 }  // namespace pinball
