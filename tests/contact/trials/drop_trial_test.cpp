@@ -40,20 +40,9 @@ struct Drop {
   double rebound = 0;  ///< velocity of the cube [m/s]
 };
 
-/// Lowest corner of a cube, from its middle; of an edge or a face that lies level, the middle.
-Point lowest_point(double edge, const Matrix& rotation) {
-  Point low{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double up = rotation[2][k];
-    if (std::abs(up) < 1e-12) continue;
-    for (std::size_t c = 0; c < 3; ++c) low[c] -= 0.5 * edge * rotation[c][k] * (up > 0 ? 1 : -1);
-  }
-  return low;
-}
-
 Drop drop(const Attitude& attitude, const Place& place, const Variant& variant) {
   constexpr double edge = 3 * h, gap = 0.05 * h;
-  const Point low = lowest_point(edge, attitude.rotation);
+  const Point low = lowest_point({edge, edge, edge}, attitude.rotation);
   const Body plate = block("plate", {8, 8, 2}, h, {-4 * h, -4 * h, -2 * h});
   Body cube = turned(block("cube", {3, 3, 3}, h, {}), attitude.rotation,
                      {place.x * h - low[0], place.y * h - low[1], gap - low[2]});

@@ -51,5 +51,35 @@ TEST_P(SizeTrial, SmallCubesReboundFromLargeElements) {
   }
 }
 
+/// How deep a cube of 2^3 elements of size s is when the first force acts, over its way in a step. It flies several of
+/// its elements in the 20 steps for which pairs are listed ahead, from `distance` elements away.
+double steps_at_first_force(double ratio, double distance, const Variant& variant) {
+  constexpr double s = 0.01, speed = 1000;
+  const double big = ratio * s;
+  const Body target = block("target", {2, 2, 2}, big, {-0.77 * big, -0.41 * big, -2 * big});
+  const Body cube = block("cube", {2, 2, 2}, s, {-s, -s, distance * s}, {0, 0, -speed});
+  Scene scene = trial_scene({target, cube}, (distance + 2) * s / speed);
+  scene.fixed_constraints = {held("target")};
+  Solver<double> solver(with_contact(scene, variant));
+  const FirstForce force(solver, 1);
+  double depth = 0;
+  while (!solver.at_end()) {
+    solver.step();
+    depth = (speed * solver.force_time() - distance * s) / (speed * solver.dt());
+    if (force.felt()) break;
+  }
+  return depth;
+}
+
+TEST_P(SizeTrial, WhatIsFastIsFoundInTime) {
+  also_holds({"slideline_projection", "slideline_lagrange"});
+  for (const double ratio : {1.0, 10.0, 10000.0}) {
+    for (const double distance : {0.5, 5.3, 61.7}) {
+      const std::string trial = fmt::format("1000 m/s, h/s = {}, from {} s, depth in steps", ratio, distance);
+      compare(trial, run_of(trial, [&] { return steps_at_first_force(ratio, distance, GetParam()); }), 0, 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pinball

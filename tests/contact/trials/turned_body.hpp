@@ -90,4 +90,15 @@ inline double reach_down(const Point& edges, const Matrix& rotation) {
   return reach;
 }
 
+/// Lowest corner of a turned box, from its middle; of an edge or a face that lies level, the middle.
+inline Point lowest_point(const Point& edges, const Matrix& rotation) {
+  Point low{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double up = rotation[2][k];
+    if (std::abs(up) < 1e-12) continue;
+    for (std::size_t c = 0; c < 3; ++c) low[c] -= 0.5 * edges[k] * rotation[c][k] * (up > 0 ? 1 : -1);
+  }
+  return low;
+}
+
 }  // namespace pinball::test
