@@ -53,14 +53,14 @@ double depth_of_edges(const Solver<double>& solver, const std::vector<std::size_
 
 /// x, y: of the crossing, over h, from a node of each bar; angle: between them [degree].
 Crossing cross_bars(double x, double y, double angle, const Variant& variant) {
-  constexpr double speed = 5, gap = 0.05 * h;
+  constexpr double speed = 10, gap = 0.05 * h;
   const double half = width * h / std::sqrt(2.0);
   const auto bar = [](const std::string& name) { return block(name, {length, width, width}, h, {}); };
   Body lower = turned(bar("lower"), turn(0, 45), {x * h, 0, -half});
   Body upper = turned(bar("upper"), times(turn(2, angle), turn(0, 45)), {0, y * h, half + gap});
   lower.velocity = {0, 0, speed};
   upper.velocity = {0, 0, -speed};
-  Solver<double> solver(with_contact(trial_scene({lower, upper}, 4e-3), variant));
+  Solver<double> solver(with_contact(trial_scene({lower, upper}, 8e-3), variant));
   const ModelMesh& mesh = solver.model().mesh;
   const auto top = edge_nodes(mesh, 0, 0), bottom = edge_nodes(mesh, 1, gap);
   const double momentum = norm(motion_of_body(solver, 0).momentum);

@@ -40,7 +40,7 @@ Impact cube_onto_node(double ratio, int n, const Variant& variant) {
 }
 
 TEST_P(SizeTrial, SmallCubesReboundFromLargeElements) {
-  also_holds({"slideline_lagrange"});
+  also_holds({"slideline_projection", "slideline_lagrange"});
   for (const int n : {1, 2}) {
     for (const double ratio : {1.0, 4.0, 9.0, 20.0, 100.0, 1000.0, 10000.0}) {
       const std::string trial = fmt::format("cube of {}^3 on a node, h/s = {}", n, ratio);
@@ -72,7 +72,7 @@ double steps_at_first_force(double ratio, double distance, const Variant& varian
 }
 
 TEST_P(SizeTrial, WhatIsFastIsFoundInTime) {
-  also_holds({"slideline_projection", "slideline_lagrange"});
+  also_holds({"slideline_penalty", "slideline_projection", "slideline_lagrange"});
   for (const double ratio : {1.0, 10.0, 10000.0}) {
     for (const double distance : {0.5, 5.3, 61.7}) {
       const std::string trial = fmt::format("1000 m/s, h/s = {}, from {} s, depth in steps", ratio, distance);

@@ -103,7 +103,7 @@ class TrialTest : public testing::TestWithParam<Variant> {
     try {
       return measure();
     } catch (const std::exception& error) {
-      fmt::print("{:<46} {:<24} stopped: {}\n", trial, GetParam().name, error.what());
+      fmt::print("{:<52} {:<24} stopped: {}\n", trial, GetParam().name, error.what());
       if (must_hold()) ADD_FAILURE() << trial << ": " << error.what();
     }
     return {};
@@ -115,7 +115,7 @@ class TrialTest : public testing::TestWithParam<Variant> {
     return name == variants[0].name || std::find(also_.begin(), also_.end(), name) != also_.end();
   }
   static void print(const std::string& trial, double measured, const std::string& expected, bool right) {
-    fmt::print("{:<46} {:<24} {:>12.5g}   {:<20} {}\n", trial, GetParam().name, measured, expected,
+    fmt::print("{:<52} {:<24} {:>12.5g}   {:<20} {}\n", trial, GetParam().name, measured, expected,
                right ? "" : "MISSED");
   }
 
