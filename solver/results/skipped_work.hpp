@@ -15,7 +15,7 @@ template <class S>
 double bytes_not_stored(const ElementStore<S>& store) {
   int numbers = 0;  // per element
   if (store.plastic_strain.empty()) numbers += 1;
-  if (store.hourglass_force.empty()) numbers += 12;
+  if (store.hourglass_state.empty()) numbers += 12;
   if (store.viscous_stress.empty()) numbers += 1;
   if (store.internal_energy.empty()) numbers += 1;
   return static_cast<double>(numbers) * static_cast<double>(store.slots) * sizeof(S);

@@ -39,7 +39,7 @@ std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
   };
   if (bad(e.stress, 6)) return "stress";
   if (bad(e.plastic_strain, 1)) return "plastic strain";
-  if (bad(e.hourglass_force, 12)) return "hourglass force";
+  if (bad(e.hourglass_state, 12)) return "hourglass force";
   if (bad(e.viscous_stress, 1)) return "bulk viscosity";
   if (bad(e.internal_energy, 1)) return "internal energy";
   return "";
