@@ -28,14 +28,20 @@ struct MovingBox {
   S bound[12];
 };
 
-/// Memory of the tree; arrays belong to the caller. Every level is padded to whole groups; the last has one.
+/// Levels of boxes: each of the second level holds a group of the first, and so on. Arrays belong to the caller. Every
+/// level is padded to whole groups with boxes that nothing is in; the last has one group.
 template <class S>
-struct BallTreeView {
-  std::int32_t groups;       ///< of balls
-  int levels;                ///< of boxes
-  bool moves;                ///< some ball makes a way
-  const S* ball;             ///< groups of G balls, 7 components: M, H, radius; padding is NaN
-  S* box[ball_tree_levels];  ///< groups of G boxes, 12 components; level 0: a box per group of balls
+struct BoxTreeView {
+  int levels;
+  bool moves;                      ///< some box is not the same at the beginning and at the end
+  const S* box[ball_tree_levels];  ///< groups of G boxes, 12 components
+};
+
+/// The same over balls; level 0 has a box per group of balls.
+template <class S>
+struct BallTreeView : BoxTreeView<S> {
+  std::int32_t groups;  ///< of balls
+  const S* ball;        ///< groups of G balls, 7 components: M, H, radius; padding is NaN
 };
 
 /// The box that nothing is in.
@@ -45,6 +51,11 @@ PINBALL_FUNCTION MovingBox<S> empty_box() {
   for (int c = 0; c < 12; ++c) box.bound[c] = static_cast<S>(c % 6 < 3 ? HUGE_VAL : -HUGE_VAL);
   return box;
 }
+
+/// How much larger boxes are than what is in them, over the size of the numbers: more than rounding does to a test of
+/// two balls, so that balls that pass it are in boxes that meet, whatever other balls are in these.
+template <class S>
+inline constexpr double box_margin = sizeof(S) == 8 ? 0x1p-49 : 0x1p-20;
 
 /// Box of the balls of a group. A ball with a coordinate that is not a number is in no box.
 template <class T>
@@ -57,11 +68,12 @@ PINBALL_FUNCTION MovingBox<ScalarOf<T>> box_of_balls(const ScalarOf<T>* ball) {
     for (int first = 0; first < G; first += W) {
       const T middle = load<T>(ball + k * G + first), half = load<T>(ball + (3 + k) * G + first);
       const T radius = load<T>(ball + 6 * G + first);
+      const T reach = radius + number<T>(box_margin<S>) * (absolute(middle) + absolute(half) + radius);
       for (int end = 0; end < 2; ++end) {
         const T centre = end == 0 ? middle - half : middle + half;
-        // if (it is a number and smaller) low = centre - radius
-        low[end] = minimum(low[end], centre - radius);
-        high[end] = maximum(high[end], centre + radius);
+        // if (it is a number and smaller) low = centre - reach
+        low[end] = minimum(low[end], centre - reach);
+        high[end] = maximum(high[end], centre + reach);
       }
     }
     for (int end = 0; end < 2; ++end) {
@@ -125,7 +137,7 @@ PINBALL_FUNCTION unsigned meeting_boxes(const ScalarOf<T>* boxes, const MovingBo
 
 /// Calls visit(number) for the boxes of a level, from number `from` on, that may meet a box; in rising order.
 template <class T, class Visit>
-PINBALL_FUNCTION void for_each_meeting_box(const BallTreeView<ScalarOf<T>>& tree, const MovingBox<ScalarOf<T>>& box,
+PINBALL_FUNCTION void for_each_meeting_box(const BoxTreeView<ScalarOf<T>>& tree, const MovingBox<ScalarOf<T>>& box,
                                            int lowest, std::int32_t from, const Visit& visit) {
   constexpr int G = ball_group<ScalarOf<T>>;
   std::int32_t first[ball_tree_levels];  // box of each level that holds `from`
@@ -195,16 +207,23 @@ PINBALL_FUNCTION BallBits<G> test_all_balls(const PackFrom& pack_from) {
   return bits;
 }
 
-/// For each ball of a group the balls of another that may come nearer than the sum of the radii. moves: some ball makes
-/// a way; then there are some too many.
+/// The same for one ball of the group, one bit each.
+template <class T, int G, class PackFrom>
+PINBALL_FUNCTION unsigned test_ball(int i, const PackFrom& pack_from) {
+  unsigned bits = 0;
+  for (int first = 0; first < G; first += width_of<T>) bits |= lane_bits<T>(pack_from(first)(i)) << first;
+  return bits;
+}
+
+/// Test whether balls of two groups may come nearer than the sum of the radii. moves: some ball makes a way; then some
+/// pass too many.
 ///
 /// Where half the relative way is h and the relative position at half time m, the distance is never below |m| - |h|.
 /// The sum of the components of h takes the place of its length: no root. Bodies that fly together have h = 0.
 template <class T, bool moves>
-PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const ScalarOf<T>* own,
-                                                                       const ScalarOf<T>* others) {
+PINBALL_FUNCTION auto maybe_meeting_test(const ScalarOf<T>* own, const ScalarOf<T>* others) {
   constexpr int G = ball_group<ScalarOf<T>>;
-  return test_all_balls<T, G>([own, others](int first) {
+  return [own, others](int first) {
     const auto component = [&](int c) { return load<T>(others + c * G + first); };
     const T x = component(0), y = component(1), z = component(2), radius = component(6);
     T u(0), v(0), w(0);
@@ -218,7 +237,13 @@ PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const Sca
       }
       return dx * dx + dy * dy + dz * dz < reach * reach;
     };
-  });
+  };
+}
+
+template <class T, bool moves>
+PINBALL_FUNCTION BallBits<ball_group<ScalarOf<T>>> maybe_meeting_balls(const ScalarOf<T>* own,
+                                                                       const ScalarOf<T>* others) {
+  return test_all_balls<T, ball_group<ScalarOf<T>>>(maybe_meeting_test<T, moves>(own, others));
 }
 
 /// The balls of a group that come nearer to ball i of another group than the sum of the radii, one bit each.

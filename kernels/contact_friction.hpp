@@ -12,77 +12,68 @@
 /// one after the other before their sweeps have found out that together they can hold.)
 namespace pinball {
 
-/// What friction adds to an ImpulseRow.
-struct FrictionRow {
-  double impulse[3];    ///< q
-  double inverse_mass;  ///< G M^-1 G^T across a, from above [1/mass]
-  double coefficient;   ///< mu [-]
+/// What friction adds to the numbers of a row.
+enum FrictionNumber : int {
+  friction_impulse = 0,       ///< q, three numbers
+  friction_inverse_mass = 3,  ///< G M^-1 G^T across a, from above [1/mass]
+  friction_mass,              ///< its inverse; 0 where nothing can move [mass]
+  friction_coefficient,       ///< mu [-]
+  friction_numbers
 };
 
+template <class T>
+PINBALL_FUNCTION T friction_number(const RowPack& row, int which) {
+  return load<T>(row.friction + which * width_of<T>);
+}
+template <class T>
+PINBALL_FUNCTION Vec3<T> friction_of(const RowPack& row) {
+  return {friction_number<T>(row, friction_impulse), friction_number<T>(row, friction_impulse + 1),
+          friction_number<T>(row, friction_impulse + 2)};
+}
+
 /// s at the present velocities.
-PINBALL_FUNCTION void sliding_rate(const ImpulseRow& row, const ImpulseNode* nodes, double (&s)[3]) {
-  s[0] = s[1] = s[2] = 0;
-  for (int k = 0; k < row.nodes; ++k) {
-    for (int c = 0; c < 3; ++c) s[c] += row.weight[k] * nodes[row.node[k]].velocity[c];
-  }
-  const double* a = row.direction;
-  const double along = a[0] * s[0] + a[1] * s[1] + a[2] * s[2];
-  for (int c = 0; c < 3; ++c) s[c] -= along * a[c];
+template <class T>
+PINBALL_FUNCTION Vec3<T> sliding_rate(const RowPack& row, const double* velocity) {
+  const Vec3<T> a = direction_of<T>(row), s = approach<T>(row, velocity);
+  return s - dot(a, s) * a;
 }
 
-/// A constraint leaves 1/m of a node in some directions and nothing in the others: 1/m is the quotient of the sums of
-/// squares and of the diagonal.
-PINBALL_FUNCTION double friction_inverse_mass(const ImpulseRow& row, const ImpulseNode* nodes) {
-  double sum = 0;
-  for (int k = 0; k < row.nodes; ++k) {
-    const double* m = nodes[row.node[k]].inverse_mass;
-    const double trace = m[0] + m[1] + m[2];
-    const double squares = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + 2 * (m[3] * m[3] + m[4] * m[4] + m[5] * m[5]);
-    if (trace > 0) sum += row.weight[k] * row.weight[k] * squares / trace;
-  }
-  return sum;
+/// What a node adds to G M^-1 G^T across a, over w^2. A constraint leaves 1/m of a node in some directions and nothing
+/// in the others: 1/m is the quotient of the sums of squares and of the diagonal.
+PINBALL_FUNCTION double friction_mobility(const ImpulseNode& node) {
+  const double* m = node.inverse_mass;
+  const double trace = m[0] + m[1] + m[2];
+  const double squares = m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + 2 * (m[3] * m[3] + m[4] * m[4] + m[5] * m[5]);
+  return trace > 0 ? squares / trace : 0.0;
 }
 
-PINBALL_FUNCTION void apply_friction(const ImpulseRow& row, const double (&impulse)[3], ImpulseNode* nodes) {
-  for (int k = 0; k < row.nodes; ++k) {
-    ImpulseNode& node = nodes[row.node[k]];
-    double change[3];
-    mobility(node, impulse, change);
-    for (int c = 0; c < 3; ++c) node.velocity[c] -= row.weight[k] * change[c];
-  }
+/// Gives the rows their friction q.
+template <class T>
+PINBALL_FUNCTION void apply_friction(const RowPack& row, double* velocity) {
+  take_impulse(row, friction_of<T>(row), velocity);
 }
 
-/// Brings q of a row up to the present velocities and to its p. Returns the change of the sliding velocity.
-PINBALL_FUNCTION double update_friction(const ImpulseRow& row, FrictionRow& friction, ImpulseNode* nodes) {
-  if (!(friction.inverse_mass > 0)) return 0;
-  double s[3], wanted[3], change[3];
-  sliding_rate(row, nodes, s);
-  double wanted2 = 0, change2 = 0;
-  for (int c = 0; c < 3; ++c) {
-    wanted[c] = friction.impulse[c] + s[c] / friction.inverse_mass;
-    wanted2 += wanted[c] * wanted[c];
-  }
-  const double size = square_root(wanted2), most = friction.coefficient * row.impulse;
-  const double scale = size > most ? most / size : 1.0;
-  for (int c = 0; c < 3; ++c) {
-    change[c] = scale * wanted[c] - friction.impulse[c];
-    friction.impulse[c] += change[c];
-    change2 += change[c] * change[c];
-  }
-  if (!(change2 > 0)) return 0;
-  apply_friction(row, change, nodes);
-  return square_root(change2) * friction.inverse_mass;
-}
-
-/// As gauss_seidel_sweep, of impulses and friction together.
-PINBALL_FUNCTION double gauss_seidel_sweep(ImpulseRow* rows, FrictionRow* frictions, std::int64_t count,
-                                           ImpulseNode* nodes) {
-  double largest = 0;
-  for (std::int64_t i = 0; i < count; ++i) {
-    largest = maximum(largest, gauss_seidel_sweep(rows + i, 1, nodes));
-    largest = maximum(largest, update_friction(rows[i], frictions[i], nodes));
-  }
-  return largest;
+/// Brings q up to the present velocities and to p. Returns the change of the sliding velocities.
+template <class T>
+PINBALL_FUNCTION T sweep_friction(const RowPack& row, double* velocity) {
+  const T zero(0);
+  const T mass = friction_number<T>(row, friction_mass), inverse_mass = friction_number<T>(row, friction_inverse_mass);
+  const Vec3<T> before = friction_of<T>(row);
+  const Vec3<T> wanted = before + mass * sliding_rate<T>(row, velocity);
+  const T size = square_root(dot(wanted, wanted));
+  const T most = friction_number<T>(row, friction_coefficient) * row_number<T>(row, row_impulse);
+  // size > most ? most / size : 1; nothing where nothing can move
+  const T scale = select(size > most, most / select(size > most, size, T(1)), T(1));
+  Vec3<T> change = scale * wanted - before;
+  const T moves = select(inverse_mass > zero, T(1), zero);
+  change = moves * change;
+  const T change2 = dot(change, change);
+  if (!any_lane(change2 > zero)) return zero;
+  store(before.x + change.x, row.friction + friction_impulse * width_of<T>);
+  store(before.y + change.y, row.friction + (friction_impulse + 1) * width_of<T>);
+  store(before.z + change.z, row.friction + (friction_impulse + 2) * width_of<T>);
+  take_impulse(row, change, velocity);
+  return square_root(change2) * inverse_mass;
 }
 
 }  // namespace pinball

@@ -2,11 +2,10 @@
 
 #include <cstdint>
 
-#include "assumed_strain.hpp"
 #include "bulk_viscosity.hpp"
 #include "gather.hpp"
 #include "hexahedron.hpp"
-#include "hourglass.hpp"
+#include "kept_hourglass.hpp"
 #include "material.hpp"
 #include "rotation.hpp"
 #include "stable_time_step.hpp"
@@ -22,13 +21,6 @@
 /// processor looks ahead by less than a tenth of the kernel: each such chain begins as early as it can, and is followed
 /// by work that does not need its result.
 namespace pinball {
-
-enum class HourglassKind { none, viscous, stiffness, assumed_strain };
-
-/// Whether the forces of the hourglass modes are state that is kept from step to step.
-PINBALL_FUNCTION constexpr bool keeps_hourglass_force(HourglassKind kind) {
-  return kind == HourglassKind::stiffness || kind == HourglassKind::assumed_strain;
-}
 
 struct ElementFeatures {
   bool plastic;  ///< von Mises plasticity; else elastic, without plastic strain
@@ -46,7 +38,7 @@ struct ElementView {
   S* mass;                     ///< N = 1: element mass [mass]; 0 marks padding and eroded elements
   S* stress;                   ///< N = 6: xx yy zz xy yz zx [stress]
   S* plastic_strain;           ///< N = 1, plastic only [-]
-  S* hourglass_force;          ///< N = 12: P_1..P_4, only where keeps_hourglass_force [force]
+  S* hourglass_state;          ///< N = 12, only where keeps_hourglass_state: of KeptHourglass [stress]
   S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
   S* internal_energy;          ///< N = 1, erosion only [energy]
 };
@@ -62,11 +54,13 @@ struct NodeView {
 template <class S>
 struct ElementConstants {
   MaterialConstants<S> material;
-  S hourglass_coefficient;     ///< kappa of the stiffness form, k of the viscous form [-]
+  S hourglass_coefficient;     ///< k of the viscous form [-]
   S linear_viscosity;          ///< b1 [-]
   S quadratic_viscosity;       ///< b2 [-]
   bool erode_negative_volume;  ///< an element whose volume is not positive is eroded; else it is counted as inverted
-  AssumedStrainModuli<S> assumed_strain;  ///< of that form of hourglass control
+  AssumedStrainModuli<S> assumed_strain;  ///< of that form
+  S hourglass_modulus;                    ///< kappa M of the stiffness form [stress]
+  S specific_volume;                      ///< 1/density of the undeformed material [length^3/mass]
 };
 
 /// The step that elements have just made.
@@ -80,7 +74,7 @@ struct ElementStep {
 template <class T>
 struct ElementSums {
   T internal = T(0);          ///< increment of the internal energy [energy]
-  T hourglass = T(0);         ///< increment of the hourglass energy [energy]
+  T hourglass = T(0);         ///< increment of the hourglass energy, stored or (viscous form) lost [energy]
   T viscous = T(0);           ///< increment of the bulk viscosity energy [energy]
   T eroded = T(0);            ///< internal energy of elements eroded in this step [energy]
   T stable_rate = T(0);       ///< largest 2/dt of a stable step dt [1/time]
@@ -149,8 +143,6 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const auto whole = alive && has_volume;
   const T inverse_both = select(whole, T(1) / (volume * volume_mid), T(0));
   const T inverse_volume = inverse_both * volume_mid, inverse_volume_mid = inverse_both * volume;
-  [[maybe_unused]] HalfEdges<T> edges;
-  if constexpr (features.hourglass == HourglassKind::assumed_strain) edges = half_edges<T>(x_mid, whole);
   ahead(2);
 
   // Strain increment and spin
@@ -173,14 +165,6 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
                                             inverse_mass, T(material.lambda), T(material.mu), viscosity);
   ahead(3);
 
-  // Hourglass rates
-  [[maybe_unused]] Vec3<T> rate[4];
-  if constexpr (features.hourglass != HourglassKind::none) {
-    PINBALL_UNROLL
-    for (int a = 0; a < 4; ++a) rate[a] = hourglass_rate(gradient, x_mid, v, a);
-  }
-  ahead(4);
-
   // Stress
   S* stored = elements.stress + pack * 6 * W;
   const Symmetric<T> stress_old{state(stored),         state(stored + W),     state(stored + 2 * W),
@@ -190,47 +174,50 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   // body.
   const Symmetric<T> half_increment = elastic_increment(T(S(0.5) * material.lambda), T(S(0.5) * material.mu), strain);
   Symmetric<T> stress = rotate(rotation, stress_old + half_increment) + half_increment;
-  T plastic_strain(0), deviator_left(1);
+  ahead(4);
+
+  // Hourglass modes
+  constexpr bool keeps_hourglass = keeps_hourglass_state(features.hourglass);
+  [[maybe_unused]] Vec3<T> h[4];  // displacements of the step
+  if constexpr (features.hourglass != HourglassKind::none) {
+    PINBALL_UNROLL
+    for (int a = 0; a < 4; ++a) h[a] = T(dt) * hourglass_rate(gradient, x_mid, v, a);
+  }
+  [[maybe_unused]] KeptHourglass<T, features.hourglass> kept;
+  [[maybe_unused]] S* const hourglass_state = keeps_hourglass ? elements.hourglass_state + pack * 12 * W : nullptr;
+  [[maybe_unused]] const auto before = [&](int c) { return state(hourglass_state + c * W); };
+  if constexpr (features.hourglass == HourglassKind::assumed_strain) {
+    kept.begin(constants.assumed_strain, x_mid, x, whole, h, mass * T(constants.specific_volume), volume_mid, before);
+  } else if constexpr (features.hourglass == HourglassKind::stiffness) {
+    kept.begin(constants.hourglass_modulus, select(whole, area, T(0)), b_b, trace_b_b, strain, rotation, h,
+               mass * T(constants.specific_volume), T(material.density) * inverse_mass, before);
+  }
+
+  // Yield of both
+  T plastic_strain(0);
+  [[maybe_unused]] LostHourglassEnergy<T> lost{T(0), T(0)};
+  [[maybe_unused]] bool any_lost = false;
   if constexpr (features.plastic) {
     plastic_strain = state(elements.plastic_strain + pack * W);
-    deviator_left = radial_return(material, stress, plastic_strain);
+    if constexpr (keeps_hourglass) {
+      const Symmetric<T> deviator = deviator_of(stress);
+      const T mean = effective_square(deviator), variation = kept.variation();
+      const T yield = yield_stress(material, plastic_strain);
+      // Packs without yield are done with the comparison; a lane is returned, or not, whatever its neighbours do.
+      any_lost = any_lane(largest_effective_square(mean, variation) > yield * yield);
+      if (any_lost) lost = kept.yield(material, deviator, mean, variation, stress, plastic_strain);
+    } else {
+      radial_return(material, stress, plastic_strain);
+    }
+  }
+  HourglassForce<T> hourglass{};
+  if constexpr (keeps_hourglass) {
+    hourglass = kept.force();
+    PINBALL_UNROLL
+    for (int c = 0; c < 12; ++c) store(kept.component(c), hourglass_state + c * W);
+    sums.hourglass += kept.work();
   }
   ahead(5);
-
-  // Forces of the hourglass modes
-  HourglassForce<T> hourglass{};
-  [[maybe_unused]] T power_old(0), power(0);  // of the forces before and after the step
-  if constexpr (keeps_hourglass_force(features.hourglass)) {
-    HourglassForce<T> half;  // of the increment; turns as half of the stress increment
-    if constexpr (features.hourglass == HourglassKind::assumed_strain) {
-      half = assumed_strain_force(constants.assumed_strain, edges, rate, T(S(0.0625) * dt) * volume_mid);
-    } else {
-      const T modulus(constants.hourglass_coefficient * (material.lambda + 2 * material.mu));
-      const T half_stiffness = T(S(0.5) * dt) * hourglass_stiffness(modulus, trace_b_b, inverse_volume);
-      PINBALL_UNROLL
-      for (int a = 0; a < 4; ++a) half.p[a] = half_stiffness * rate[a];
-    }
-    PINBALL_UNROLL
-    for (int a = 0; a < 4; ++a) {
-      const S* p = elements.hourglass_force + (pack * 12 + 3 * a) * W;
-      const Vec3<T> old{state(p), state(p + W), state(p + 2 * W)};
-      hourglass.p[a] = rotate(rotation, old + half.p[a]) + half.p[a];
-      power_old += dot(old, rate[a]);
-      power += dot(hourglass.p[a], rate[a]);
-    }
-  } else if constexpr (features.hourglass == HourglassKind::viscous) {
-    const T impedance = T(constants.hourglass_coefficient * material.sound_speed) * density;
-    const T factor = hourglass_viscosity(impedance, area);
-    PINBALL_UNROLL
-    for (int a = 0; a < 4; ++a) {
-      hourglass.p[a] = factor * rate[a];
-      power += dot(hourglass.p[a], rate[a]);
-    }
-  }
-  // Plastic flow relaxes forces that are kept as it does the deviator. Left elastic they lock plastic
-  // bending, and take a third of the energy of rod_plate.
-  T hourglass_left(1);
-  if constexpr (features.plastic && keeps_hourglass_force(features.hourglass)) hourglass_left = deviator_left;
 
   // Erosion: the element keeps its nodes and their mass, and carries no stress from now on.
   [[maybe_unused]] MaskOf<T> fails(false);
@@ -248,7 +235,16 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
       sums.eroded_count += count_lanes(fails);
       store(select(fails, T(0), mass), elements.mass + pack * W);
       stress = select(fails, Symmetric<T>{T(0), T(0), T(0), T(0), T(0), T(0)}, stress);
-      hourglass_left = select(fails, T(0), hourglass_left);
+      if constexpr (keeps_hourglass) {
+        any_lost = true;
+        const LostHourglassEnergy<T> everything = kept.everything();
+        lost.stored += select(fails, everything.stored, T(0));
+        lost.work += select(fails, everything.work, T(0));
+        PINBALL_UNROLL
+        for (int a = 0; a < 4; ++a) hourglass.p[a] = select(fails, Vec3<T>{T(0), T(0), T(0)}, hourglass.p[a]);
+        PINBALL_UNROLL
+        for (int c = 0; c < 12; ++c) store(select(fails, T(0), kept.component(c)), hourglass_state + c * W);
+      }
       viscosity = select(fails, T(0), viscosity);
     }
   }
@@ -263,34 +259,39 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   store(stress.xy, stored + 3 * W);
   store(stress.yz, stored + 4 * W);
   store(stress.zx, stored + 5 * W);
-  PINBALL_UNROLL
-  for (int a = 0; a < 4; ++a) {
-    hourglass.p[a] = hourglass_left * hourglass.p[a];
-    if constexpr (keeps_hourglass_force(features.hourglass)) {
-      S* p = elements.hourglass_force + (pack * 12 + 3 * a) * W;
-      store(hourglass.p[a].x, p);
-      store(hourglass.p[a].y, p + W);
-      store(hourglass.p[a].z, p + 2 * W);
-    }
-  }
   const auto larger = carries && stable_rate > sums.stable_rate;
   sums.stable_rate = select(larger, stable_rate, sums.stable_rate);
   sums.stable_rate_pack = select(larger, T(static_cast<S>(pack_in_tile)), sums.stable_rate_pack);
 
   // Work of the stresses, V/2 (sigma_old + sigma_new) : strain; an element that erodes in this step has sigma_new = 0,
   // as its forces are. Strains of padding and of elements without volume are zero.
-  const T work = number<T>(0.5) * volume_mid * contract(stress_old + stress, strain);
+  T work = number<T>(0.5) * volume_mid * contract(stress_old + stress, strain);
+  // The work of kept hourglass forces is stored. What yield and erosion take of the store is plastic work, but for what
+  // they take of the work itself, which is that of the mean of old and new forces.
+  if constexpr (keeps_hourglass) {
+    if (any_lost) {
+      sums.hourglass -= lost.stored;
+      work += lost.stored - number<T>(0.5) * lost.work;
+    }
+  } else if constexpr (features.hourglass == HourglassKind::viscous) {
+    // h are displacements of the step; before the first there are none.
+    const S inverse_dt = dt > S(0) ? S(1) / dt : S(0);
+    const T impedance = T(constants.hourglass_coefficient * material.sound_speed * inverse_dt) * density;
+    T factor = hourglass_viscosity(impedance, area);
+    if constexpr (features.erosion) factor = select(fails, T(0), factor);
+    T done(0);
+    PINBALL_UNROLL
+    for (int a = 0; a < 4; ++a) {
+      hourglass.p[a] = factor * h[a];
+      done += dot(hourglass.p[a], h[a]);
+    }
+    sums.hourglass += T(8) * done;
+  }
   sums.internal += work;
   if constexpr (features.erosion) {
     const T energy = state(elements.internal_energy + pack * W) + work;
     store(energy, elements.internal_energy + pack * W);
     if (any_fails) sums.eroded += select(fails, energy, T(0));
-  }
-  // Work of the hourglass forces, 8 sum_a P_a.h_a: of the mean of old and new ones where they are kept
-  if constexpr (keeps_hourglass_force(features.hourglass)) {
-    sums.hourglass += T(S(4) * dt) * (power_old + hourglass_left * power);
-  } else if constexpr (features.hourglass == HourglassKind::viscous) {
-    sums.hourglass += T(S(8) * dt) * (hourglass_left * power);
   }
   if constexpr (features.bulk_viscosity) {
     const T q_old = state(elements.viscous_stress + pack * W), q = viscosity * dilatation;

@@ -25,18 +25,20 @@ struct FaceProjection {
   S outside{};       ///< how far the foot lies beyond the edges, 0 inside; infinity if there is none [length]
 };
 
-template <class S>
-PINBALL_FUNCTION Vec3<S> face_tangent(const Vec3<S> (&x)[4], int along, S other) {
-  const S low = S(0.25) * (S(1) - other), high = S(0.25) * (S(1) + other);
+template <class T>
+PINBALL_FUNCTION Vec3<T> face_tangent(const Vec3<T> (&x)[4], int along, const T& other) {
+  const T quarter = number<T>(0.25);
+  const T low = quarter * (T(1) - other), high = quarter * (T(1) + other);
   return along == 0 ? low * (x[1] - x[0]) + high * (x[2] - x[3]) : low * (x[3] - x[0]) + high * (x[2] - x[1]);
 }
 
-template <class S>
-PINBALL_FUNCTION void face_weights_at(S xi, S eta, S (&weight)[4]) {
-  weight[0] = S(0.25) * (S(1) - xi) * (S(1) - eta);
-  weight[1] = S(0.25) * (S(1) + xi) * (S(1) - eta);
-  weight[2] = S(0.25) * (S(1) + xi) * (S(1) + eta);
-  weight[3] = S(0.25) * (S(1) - xi) * (S(1) + eta);
+template <class T>
+PINBALL_FUNCTION void face_weights_at(const T& xi, const T& eta, T (&weight)[4]) {
+  const T quarter = number<T>(0.25);
+  weight[0] = quarter * (T(1) - xi) * (T(1) - eta);
+  weight[1] = quarter * (T(1) + xi) * (T(1) - eta);
+  weight[2] = quarter * (T(1) + xi) * (T(1) + eta);
+  weight[3] = quarter * (T(1) - xi) * (T(1) + eta);
 }
 
 /// x: corners of the face; node: the point to project; xi, eta: where the iteration begins.
@@ -86,6 +88,51 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
   result.gap = S(0) - dot(from_node(result.weight), result.normal);
   const Vec3<S> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
   result.outside = square_root(dot(beyond, beyond));
+  return result;
+}
+
+/// The same for a pack of faces and nodes, without a branch: a few steps from the middle, which is enough for faces
+/// that are nearly flat. `outside` is infinite where they were not enough. margin: how far beyond +-1 a foot counts as
+/// inside, so that its weights and the gap belong to it and not to the edge [-].
+template <class T>
+PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec3<T>& node, double margin) {
+  constexpr int iterations = 5;
+  const T far = number<T>(3), tolerance = number<T>(1e-9), edge = number<T>(1 + margin), one = T(1);
+  const Vec3<T> y[4] = {x[0] - node, x[1] - node, x[2] - node, x[3] - node};
+  const auto from_node = [&y](const T(&w)[4]) { return w[0] * y[0] + w[1] * y[1] + w[2] * y[2] + w[3] * y[3]; };
+  const Vec3<T> twist = number<T>(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));
+  FaceProjection<T> result;
+  T xi(0), eta(0), change(0);
+  for (int i = 0; i < iterations; ++i) {
+    const Vec3<T> t1 = face_tangent(x, 0, eta), t2 = face_tangent(x, 1, xi);
+    face_weights_at(xi, eta, result.weight);
+    const Vec3<T> d = from_node(result.weight);
+    const T a11 = dot(t1, t1), a22 = dot(t2, t2), gauss_newton = dot(t1, t2);
+    const T full = gauss_newton + dot(d, twist), with_full = a11 * a22 - full * full;
+    // if (far from the face the second derivative misleads) without it
+    const auto leads = with_full > number<T>(0.01) * a11 * a22;
+    const T a12 = select(leads, full, gauss_newton);
+    const T determinant = a11 * a22 - a12 * a12;
+    const T inverse = one / determinant;
+    const T r1 = dot(d, t1), r2 = dot(d, t2);
+    const T next_xi = maximum(T(0) - far, minimum(far, xi - (a22 * r1 - a12 * r2) * inverse));
+    const T next_eta = maximum(T(0) - far, minimum(far, eta - (a11 * r2 - a12 * r1) * inverse));
+    change = absolute(next_xi - xi) + absolute(next_eta - eta);
+    xi = next_xi;
+    eta = next_eta;
+  }
+  result.xi = xi;
+  result.eta = eta;
+  const T inner_xi = maximum(T(0) - edge, minimum(edge, xi)), inner_eta = maximum(T(0) - edge, minimum(edge, eta));
+  const Vec3<T> t1 = face_tangent(x, 0, inner_eta), t2 = face_tangent(x, 1, inner_xi);
+  const Vec3<T> area = cross(t1, t2);
+  result.normal = (one / square_root(dot(area, area))) * area;
+  face_weights_at(inner_xi, inner_eta, result.weight);
+  result.gap = T(0) - dot(from_node(result.weight), result.normal);
+  const Vec3<T> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
+  // if (it has not ended, or nothing is a number) none
+  const auto found = change < tolerance;
+  result.outside = select(found, square_root(dot(beyond, beyond)), number<T>(INFINITY));
   return result;
 }
 

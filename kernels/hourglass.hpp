@@ -8,9 +8,11 @@
 ///     qdot_a   = sum_I v_I gamma_aI                hourglass rates [length/time]
 ///     f_I      = sum_a Q_a gamma_aI                hourglass forces
 ///
-/// Stiffness form: Qdot_a = kappa (lambda + 2 mu) (B_jJ B_jJ) / (24 V) qdot_a, Q_a turning with the material; kappa = 1
-/// puts the hourglass frequency of a cube at its highest material frequency. Viscous form:
-/// Q_a = k rho c A qdot_a with A = sqrt(2/3 B_jJ B_jJ), the face area of a cube (no cube root as in V^(2/3)).
+/// Stiffness form: Qdot_a = kappa M (B_jJ B_jJ) / (24 V) qdot_a, Q_a turning with the material. The paper's
+/// M = lambda + 2 mu, with which kappa = 1 puts the hourglass frequency of a cube at its highest material frequency,
+/// locks the bending of materials that hardly change their volume; here lambda counts up to 2 mu, a Poisson ratio of
+/// 1/3. Viscous form: Q_a = k rho c A qdot_a with A = sqrt(2/3 B_jJ B_jJ), the face area of a cube (no cube root as in
+/// V^(2/3)).
 ///
 /// In modes (hexahedron.hpp) neither gamma nor the corner sums are formed. With V_a, H_a the coefficients of hourglass
 /// mode a of velocities and coordinates,
@@ -19,8 +21,23 @@
 ///
 /// and with the force P_a = sqrt3 Q_a that is conjugate to it (f.v = 8 sum_a P_a.h_a) the nodal forces are the modal
 /// forces P_a together with a stress-like tensor -8/V sum_a P_a (x) H_a that acts through B. Then
-/// Pdot_a = kappa (lambda + 2 mu) (B:B)/V h_a (stiffness) and P_a = 24 k rho c A h_a (viscous).
+/// P_a = 24 k rho c A h_a (viscous) or Pdot_a = kappa M (B:B)/V h_a (stiffness).
+///
+/// The stiffness kappa M (B:B)/V = 3/2 kappa M A^2/V changes with the shape of the element. Kept from step to step is
+/// therefore, with the volume V_0 of the undeformed element in the place of V,
+///
+///     Z_a = P_a / A ,   Zdot_a = 3/2 kappa M A/V_0 h_a ,   of the energy   8/3 V_0/(kappa M) sum_a Z_a.Z_a ,
+///
+/// which is never negative, and of which the forces take back what they gave: 8 P_a.h_a is its rate. A P_a that were
+/// kept itself would change its energy with the shape, without work.
 namespace pinball {
+
+enum class HourglassKind { none, viscous, stiffness, assumed_strain };
+
+/// Whether the hourglass modes have a state that is kept from step to step.
+PINBALL_FUNCTION constexpr bool keeps_hourglass_state(HourglassKind kind) {
+  return kind == HourglassKind::stiffness || kind == HourglassKind::assumed_strain;
+}
 
 template <class T>
 struct HourglassForce {
@@ -34,10 +51,20 @@ PINBALL_FUNCTION Vec3<T> hourglass_rate(const Tensor<T>& L, const HexahedronMode
   return v.hourglass[a] - L * x.hourglass[a];
 }
 
-/// Stiffness form: Pdot_a / h_a [force/length]; modulus = kappa (lambda + 2 mu); b_b = B_jJ B_jJ [length^4].
+/// Stiffness form: M [stress].
+template <class S>
+PINBALL_FUNCTION S hourglass_modulus(S lambda, S mu) {
+  return 2 * mu + minimum(lambda, 2 * mu);
+}
+
+/// Stiffness form: face_area half a step earlier, up to the square of the step's strain: B_I changes by
+/// (tr L) B_I - L^T B_I. square: sum_I B_I (x) B_I, and its trace [length^4]. Zero where the area is.
 template <class T>
-PINBALL_FUNCTION T hourglass_stiffness(const T& modulus, const T& b_b, const T& inverse_volume) {
-  return modulus * b_b * inverse_volume;
+PINBALL_FUNCTION T half_a_step_earlier(const T& area, const Symmetric<T>& square, const T& trace_square,
+                                       const Symmetric<T>& strain) {
+  const auto there = area > T(0);
+  const T along = contract(square, strain) / select(there, trace_square, T(1));
+  return select(there, area * (T(1) + number<T>(0.5) * (along - trace(strain))), T(0));
 }
 
 /// Viscous form: P_a / h_a [force time/length]; impedance = k rho c; area: face_area of B_jJ B_jJ [length^2].

@@ -32,37 +32,62 @@ PINBALL_FUNCTION Symmetric<T> elastic_increment(const T& lambda, const T& mu, co
           two_mu * strain.zx};
 }
 
-/// Returns the trial stress to the yield surface along the radius; exact for any strain increment, also across the
-/// ultimate stress. With q the effective trial stress, the increment dl of plastic strain solves
+/// Increment dl of plastic strain that brings an effective trial stress q to the yield surface; exact for any strain
+/// increment, also across the ultimate stress. It solves
 ///
 ///     3 mu dl = q - min(yield + H (e + dl), ultimate) = max(q - yield - H e - H dl, q - ultimate) .
 ///
 /// The left side grows, the right side falls with dl: dl is the larger of the solutions of the two branches, so that
-/// the switch at the ultimate stress needs no case distinction.
-/// Returns the part of the deviator that is left, 1 while elastic.
+/// the switch at the ultimate stress needs no case distinction. Zero where q is inside the surface.
 template <class T>
-PINBALL_FUNCTION T radial_return(const MaterialConstants<ScalarOf<T>>& m, Symmetric<T>& stress, T& plastic_strain) {
-  const T pressure = number<T>(1.0 / 3.0) * trace(stress);  // mean stress, tension positive
-  const T sxx = stress.xx - pressure, syy = stress.yy - pressure, szz = stress.zz - pressure;
-  const T ss = sxx * sxx + syy * syy + szz * szz +
-               T(2) * (stress.xy * stress.xy + stress.yz * stress.yz + stress.zx * stress.zx);
-  const T q = square_root(number<T>(1.5) * ss);
+PINBALL_FUNCTION T plastic_increment(const MaterialConstants<ScalarOf<T>>& m, const T& q, const T& plastic_strain) {
   const ScalarOf<T> three_mu = 3 * m.mu;
   const T hardening = (q - T(m.yield_stress) - T(m.plastic_modulus) * plastic_strain) *
                       T(ScalarOf<T>(1) / (three_mu + m.plastic_modulus));
   const T perfect = (q - T(m.ultimate_stress)) * T(ScalarOf<T>(1) / three_mu);
-  const T dl = maximum(T(0), maximum(hardening, perfect));
+  return maximum(T(0), maximum(hardening, perfect));
+}
+
+/// Yield stress at a plastic strain [stress].
+template <class T>
+PINBALL_FUNCTION T yield_stress(const MaterialConstants<ScalarOf<T>>& m, const T& plastic_strain) {
+  return minimum(T(m.yield_stress) + T(m.plastic_modulus) * plastic_strain, T(m.ultimate_stress));
+}
+
+/// What of a stress has no mean.
+template <class T>
+PINBALL_FUNCTION Symmetric<T> deviator_of(const Symmetric<T>& stress) {
+  const T mean = number<T>(1.0 / 3.0) * trace(stress);  // tension positive
+  return {stress.xx - mean, stress.yy - mean, stress.zz - mean, stress.xy, stress.yz, stress.zx};
+}
+
+/// Square of the effective stress q of a deviator [stress^2].
+template <class T>
+PINBALL_FUNCTION T effective_square(const Symmetric<T>& deviator) {
+  return number<T>(1.5) * contract(deviator, deviator);
+}
+
+/// stress -= part times deviator.
+template <class T>
+PINBALL_FUNCTION void reduce(Symmetric<T>& stress, const T& part, const Symmetric<T>& deviator) {
+  stress.xx -= part * deviator.xx;
+  stress.yy -= part * deviator.yy;
+  stress.zz -= part * deviator.zz;
+  stress.xy -= part * deviator.xy;
+  stress.yz -= part * deviator.yz;
+  stress.zx -= part * deviator.zx;
+}
+
+/// Returns the trial stress to the yield surface along the radius.
+template <class T>
+PINBALL_FUNCTION void radial_return(const MaterialConstants<ScalarOf<T>>& m, Symmetric<T>& stress, T& plastic_strain) {
+  const Symmetric<T> deviator = deviator_of(stress);
+  const T q = square_root(effective_square(deviator));
+  const T dl = plastic_increment(m, q, plastic_strain);
   // if (dl > 0) reduction = 3 mu dl / q; else reduction = 0 (q may be zero then): elastic stress stays to the bit
   const auto yields = dl > T(0);
-  const T reduction = select(yields, T(three_mu) * dl / select(yields, q, T(1)), T(0));
-  stress.xx -= reduction * sxx;
-  stress.yy -= reduction * syy;
-  stress.zz -= reduction * szz;
-  stress.xy -= reduction * stress.xy;
-  stress.yz -= reduction * stress.yz;
-  stress.zx -= reduction * stress.zx;
+  reduce(stress, select(yields, T(3 * m.mu) * dl / select(yields, q, T(1)), T(0)), deviator);
   plastic_strain += dl;
-  return T(1) - reduction;
 }
 
 }  // namespace pinball

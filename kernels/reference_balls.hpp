@@ -24,12 +24,12 @@ PINBALL_FUNCTION BallBits<ball_group<S>> balls_of_one_body(const float* own, con
   });
 }
 
-/// For each ball of a group the balls of another group that are further off than the sum of the radii.
+/// Test whether balls of two groups are further off than the sum of the radii.
 template <class S>
-PINBALL_FUNCTION BallBits<ball_group<S>> balls_apart(const float* own, const float* others) {
+PINBALL_FUNCTION auto apart_test(const float* own, const float* others) {
   using T = ReferencePack<S>;
   constexpr int G = ball_group<S>;
-  return test_all_balls<T, G>([own, others](int first) {
+  return [own, others](int first) {
     const auto component = [&](int c) { return load<T>(others + c * G + first); };
     const T x = component(0), y = component(1), z = component(2), radius = component(3);
     return [=](int i) {
@@ -37,7 +37,13 @@ PINBALL_FUNCTION BallBits<ball_group<S>> balls_apart(const float* own, const flo
       const T reach = radius + T(own[3 * G + i]);
       return dx * dx + dy * dy + dz * dz > T(1.0001f) * reach * reach;
     };
-  });
+  };
+}
+
+/// For each ball of a group the balls of another group that are further off than the sum of the radii.
+template <class S>
+PINBALL_FUNCTION BallBits<ball_group<S>> balls_apart(const float* own, const float* others) {
+  return test_all_balls<ReferencePack<S>, ball_group<S>>(apart_test<S>(own, others));
 }
 
 }  // namespace pinball

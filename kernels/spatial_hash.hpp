@@ -2,95 +2,126 @@
 
 #include <cstdint>
 
-#include "macros.hpp"
+#include "simd.hpp"
 
-/// Spatial hash: points are put into the cells of a grid without bounds, cells into buckets by a hash of their three
-/// integer coordinates (report figure 3, steps 4 and 5). Entries of one bucket lie together, in the order of the
-/// points, and carry their cell, so that cells that share a bucket are told apart.
+/// Spatial hash of boxes: a hierarchy of grids without bounds, whose cells are put into buckets by a hash of their
+/// three integer coordinates and their level (report figure 3, steps 4 and 5, there for points).
 ///
-/// Built by counting, scanning and filling: the order of the result never depends on timing.
+/// Bounds of boxes are taken as whole multiples of a unit much smaller than a box. Cells of level l are 4^l units long;
+/// a box belongs to the lowest level whose cells are not shorter than it, and lies in the cell of its lower corner, so
+/// that it reaches into the next one at most. Boxes of a level that meet are then in the same or in neighbouring cells,
+/// and a box meets none of a coarser level but those in the cells around it, however much larger they are.
+///
+/// Rounding to units keeps the order of numbers: boxes that meet do so in units, too.
 namespace pinball {
 
-/// Cell of a point: floor((x - origin) / size) per axis, packed to 21 bits each (offset 2^20). Coordinates outside
-/// +-2^20 cells are clamped to the outermost cell, which stays right (they only meet more candidates).
-struct CellGrid {
-  double origin[3];
-  double inverse_size;
+inline constexpr int cell_coordinate_bits = 30;  ///< of coordinates in units; the coarsest level has one cell
 
+struct CellGrid {
+  double origin[3];     ///< of the units [length]
+  double inverse_unit;  ///< [1/length]
+
+  /// Coordinate in units: 0 ... 2^30 - 1. What lies outside is taken to the border, which keeps the order.
   PINBALL_FUNCTION std::int32_t coordinate(double x, int axis) const {
-    const double c = (x - origin[axis]) * inverse_size;
-    const double limit = 1048575.0;
-    const double clamped = c > -limit ? (c < limit ? c : limit) : -limit;  // also for NaN: the run stops elsewhere
-    const std::int32_t truncated = static_cast<std::int32_t>(clamped);
-    return truncated - (clamped < truncated ? 1 : 0);  // floor
+    const double c = (x - origin[axis]) * inverse_unit;
+    constexpr double limit = (1 << cell_coordinate_bits) - 1;
+    return static_cast<std::int32_t>(c > 0 ? (c < limit ? c : limit) : 0.0);
   }
 };
 
-PINBALL_FUNCTION std::uint64_t pack_cell(std::int32_t i, std::int32_t j, std::int32_t k) {
-  const std::uint64_t mask = 0x1FFFFF;
-  return ((static_cast<std::uint64_t>(i + 1048576) & mask) << 42) |
-         ((static_cast<std::uint64_t>(j + 1048576) & mask) << 21) | (static_cast<std::uint64_t>(k + 1048576) & mask);
+/// A box in units, as the hash holds it: lower bounds; upper bounds with their sign changed; the box's number and
+/// level. So one comparison of all numbers says whether boxes meet.
+struct alignas(32) HashBox {
+  std::int32_t value[8];
+
+  PINBALL_FUNCTION std::int32_t low(int axis) const { return value[axis]; }
+  PINBALL_FUNCTION std::int32_t high(int axis) const { return -value[3 + axis]; }
+  PINBALL_FUNCTION std::int32_t number() const { return value[6]; }
+  PINBALL_FUNCTION std::int32_t level() const { return value[7]; }
+};
+
+/// What no value of a HashBox may exceed for it to meet some box.
+struct alignas(32) HashBoxLimits {
+  std::int32_t value[8];
+};
+PINBALL_FUNCTION HashBoxLimits limits_of(const HashBox& box) {
+  constexpr std::int32_t any = 0x7FFFFFFF;
+  return {{box.high(0), box.high(1), box.high(2), -box.low(0), -box.low(1), -box.low(2), any, any}};
 }
 
-/// Multiplicative hash of a packed cell to `bits` bits.
-PINBALL_FUNCTION std::uint32_t hash_cell(std::uint64_t cell, int bits) {
-  std::uint64_t h = cell;
-  h ^= h >> 33;
-  h *= 0xff51afd7ed558ccdULL;
-  h ^= h >> 33;
-  return static_cast<std::uint32_t>((h * 0x9e3779b97f4a7c15ULL) >> (64 - bits));
+/// Whether a box keeps within limits.
+PINBALL_FUNCTION bool meets(const HashBox& box, const HashBoxLimits& limits) {
+  constexpr int W = native_width<std::int32_t> < 8 ? native_width<std::int32_t> : 8;
+  using I = Pack<std::int32_t, W>;
+  bool above = false;
+  for (int first = 0; first < 8; first += W) {
+    above |= any_lane(load<I>(box.value + first) > load<I>(limits.value + first));
+  }
+  return !above;
+}
+
+/// The level of a box whose longest side has this many units.
+PINBALL_FUNCTION std::int32_t level_of(std::int32_t longest) {
+  const std::int32_t side = longest > 1 ? longest : 1;
+  const int bits = 31 - __builtin_clz(static_cast<std::uint32_t>(2 * side - 1));  // the fewest with side <= 2^bits
+  return (bits + 1) / 2;
+}
+
+struct HashCell {
+  std::int32_t level;
+  std::int32_t at[3];
+};
+
+/// Coordinate in cells of a level, of one in units.
+PINBALL_FUNCTION std::int32_t in_cells(std::int32_t units, std::int32_t level) { return units >> 2 * level; }
+
+/// The cell that a box lies in.
+PINBALL_FUNCTION HashCell cell_of(const HashBox& box) {
+  const std::int32_t level = box.level();
+  return {level, {in_cells(box.low(0), level), in_cells(box.low(1), level), in_cells(box.low(2), level)}};
+}
+
+PINBALL_FUNCTION bool is_in_cell(const HashBox& box, const HashCell& cell) {
+  std::int32_t different = box.level() ^ cell.level;
+  for (int k = 0; k < 3; ++k) different |= in_cells(box.low(k), cell.level) ^ cell.at[k];
+  return different == 0;
+}
+
+/// Bucket of a cell, of 2^bits, bits > 3. The eight cells of a block of 2 x 2 x 2 have buckets side by side.
+PINBALL_FUNCTION std::uint32_t bucket_of(const HashCell& cell, int bits) {
+  const auto word = [](std::int32_t i) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(i)); };
+  std::uint64_t h = (word(cell.at[0] >> 1) << 32 | word(cell.at[1] >> 1)) * 0xff51afd7ed558ccdULL;
+  h ^= h >> 32;
+  h += word(cell.at[2] >> 1) << 8 | word(cell.level);
+  h *= 0x9e3779b97f4a7c15ULL;
+  h ^= h >> 32;
+  h *= 0xc4ceb9fe1a85ec53ULL;
+  const std::uint32_t in_block =
+      static_cast<std::uint32_t>((cell.at[0] & 1) | (cell.at[1] & 1) << 1 | (cell.at[2] & 1) << 2);
+  return static_cast<std::uint32_t>(h >> (64 - (bits - 3))) << 3 | in_block;
 }
 
 /// Memory of the hash; arrays belong to the caller.
-template <class S>
 struct SpatialHashView {
   CellGrid grid;
-  int bits;                    ///< 2^bits buckets
-  std::int32_t* bucket_start;  ///< 2^bits + 1 entries
-  std::uint64_t* entry_cell;   ///< per entry: packed cell
-  std::int32_t* entry_point;   ///< per entry: number of the point
-  S* entry_record;             ///< per entry: the point's record of four, so that a bucket is read in one stream
+  int bits;                          ///< 2^bits buckets
+  std::uint32_t levels;              ///< bit l: there are boxes of level l
+  const std::int32_t* bucket_start;  ///< 2^bits + 1 entries
+  const HashBox* box;                ///< those of a bucket side by side, and of it those of a cell; then by number
 };
 
-/// Fills the hash with `count` points, whose records of four begin with their coordinates; cells: scratch of `count`.
-template <class S>
-void build_spatial_hash(const SpatialHashView<S>& hash, const S* records, std::int32_t count, std::uint64_t* cells) {
-  const std::int64_t buckets = std::int64_t(1) << hash.bits;
-  for (std::int64_t b = 0; b <= buckets; ++b) hash.bucket_start[b] = 0;
-  for (std::int32_t i = 0; i < count; ++i) {  // count
-    const S* p = records + 4 * static_cast<std::int64_t>(i);
-    cells[i] = pack_cell(hash.grid.coordinate(p[0], 0), hash.grid.coordinate(p[1], 1), hash.grid.coordinate(p[2], 2));
-    ++hash.bucket_start[hash_cell(cells[i], hash.bits) + 1];
+/// Copies those boxes of a bucket that are of a cell and keep within limits; returns the end of the copies. There is
+/// room for all boxes of the bucket, and for one more.
+PINBALL_FUNCTION HashBox* copy_cell(const SpatialHashView& hash, std::uint32_t bucket, const HashCell& cell,
+                                    const HashBoxLimits& limits, HashBox* to) {
+  const std::int32_t end = hash.bucket_start[bucket + 1];
+  for (std::int32_t b = hash.bucket_start[bucket]; b < end; ++b) {
+    const HashBox box = hash.box[b];
+    *to = box;
+    // if (it is of this cell and keeps within the limits) ++to
+    to += static_cast<int>(is_in_cell(box, cell)) & static_cast<int>(meets(box, limits));
   }
-  for (std::int64_t b = 0; b < buckets; ++b) hash.bucket_start[b + 1] += hash.bucket_start[b];  // scan
-  for (std::int32_t i = 0; i < count; ++i) {  // fill; moves each start to the end of its bucket
-    const std::int64_t place = hash.bucket_start[hash_cell(cells[i], hash.bits)]++;
-    hash.entry_cell[place] = cells[i];
-    hash.entry_point[place] = i;
-    for (int k = 0; k < 4; ++k) hash.entry_record[4 * place + k] = records[4 * static_cast<std::int64_t>(i) + k];
-  }
-  for (std::int64_t b = buckets; b > 0; --b) hash.bucket_start[b] = hash.bucket_start[b - 1];  // starts again
-  hash.bucket_start[0] = 0;
-}
-
-/// Calls visit(j, record of j) for every point j in the 27 cells around a position, each once; these hold all points
-/// within one cell size of it.
-template <class S, class Visit>
-PINBALL_FUNCTION void for_each_near(const SpatialHashView<S>& hash, const S* position, const Visit& visit) {
-  const std::int32_t ci = hash.grid.coordinate(position[0], 0), cj = hash.grid.coordinate(position[1], 1),
-                     ck = hash.grid.coordinate(position[2], 2);
-  for (std::int32_t i = ci - 1; i <= ci + 1; ++i) {
-    for (std::int32_t j = cj - 1; j <= cj + 1; ++j) {
-      for (std::int32_t k = ck - 1; k <= ck + 1; ++k) {
-        const std::uint64_t cell = pack_cell(i, j, k);
-        const std::uint32_t bucket = hash_cell(cell, hash.bits);
-        const std::int64_t end = hash.bucket_start[bucket + 1];
-        for (std::int64_t e = hash.bucket_start[bucket]; e < end; ++e) {
-          if (hash.entry_cell[e] == cell) visit(hash.entry_point[e], hash.entry_record + 4 * e);
-        }
-      }
-    }
-  }
+  return to;
 }
 
 }  // namespace pinball

@@ -38,6 +38,9 @@ void bind_settings(py::module_& module) {
       {{"pinball", ContactGap::pinball}, {"face", ContactGap::face}, {"not_set", ContactGap::not_set}});
   bind_choice<ContactRadius>(module, "ContactRadius",
                              {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}});
+  bind_choice<ContactSearch>(
+      module, "ContactSearch",
+      {{"automatic", ContactSearch::automatic}, {"tree", ContactSearch::tree}, {"hash", ContactSearch::hash}});
   bind_choice<NegativeVolume>(module, "NegativeVolume",
                               {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
   bind_data<TimeSettings>(module, "TimeSettings", "[time] of a scene")
@@ -63,6 +66,7 @@ void bind_settings(py::module_& module) {
       .def_readwrite("radius", &ContactSettings::radius)
       .def_readwrite("radius_factor", &ContactSettings::radius_factor)
       .def_readwrite("self", &ContactSettings::self)
+      .def_readwrite("search", &ContactSettings::search)
       .def_readwrite("skin", &ContactSettings::skin);
   bind_data<SkipSettings>(module, "SkipSettings", "[skip] of a scene")
       .def_readwrite("contact_search", &SkipSettings::contact_search)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/sweep_counts.hpp"
 #include "mesh.hpp"
 
 /// What a run reports: plain data in double, in the order of the scene (not of the solver's internal numbering).
@@ -94,6 +95,13 @@ struct FieldSnapshot {
   std::vector<std::int32_t> body;                      ///< per element: index of its body
 };
 
+/// An energy that a run is watched for, as a share of what it is measured by.
+struct WatchedShare {
+  double largest = 0.0;  ///< of the whole run [-]
+  double since = 0.0;    ///< when it last went beyond what is sound [time]
+  std::string place;     ///< where that was: "node 17 of body rod"; empty: it never did
+};
+
 struct PhaseSeconds {
   std::string name;
   double seconds = 0.0;
@@ -124,19 +132,34 @@ struct RunSummary {
   std::int64_t element_steps_subcycled = 0;  ///< not computed, because the element makes a larger step
   Energies energy;                           ///< at the end
   double initial_total = 0.0, final_total = 0.0, balance_error_max = 0.0;
+  /// What is in motion in its own frame, or the largest work from outside where that is more [energy].
+  double energy_in_motion = 0.0;
+  WatchedShare balance_error_in_motion;  ///< of energy_in_motion, each time of that so far
+  WatchedShare contact_created;          ///< contact energy below zero, of energy_in_motion
+  WatchedShare contact_swallowed;        ///< contact energy that is not stored at the end, of energy_in_motion
+  double contact_swallowed_sound = 0.0;  ///< up to where the scene may expect it; 0: it asks for what swallows [-]
+  /// Hourglass energy below and above zero, of the largest internal energy, or of a hundredth of energy_in_motion where
+  /// that is more.
+  WatchedShare hourglass_created, hourglass_large;
   Point momentum_initial{}, momentum_final{};
   std::vector<BodyResult> bodies;
   std::vector<WallResult> walls;
   std::vector<ProbeResult> probes;
   std::string contact_method, contact_enforcement;
+  std::string contact_gap;     ///< "pinball": between balls; "face"
   std::int64_t pinballs = 0;   ///< at the end
   std::int64_t pairs_max = 0;  ///< most pairs in contact at one step
+  SweepCounts sweeps;          ///< of impulses of contact, by lagrange
   std::int64_t searches = 0, searches_skipped = 0;
   std::int64_t inner_element_steps = 0;  ///< of elements that are not in contact, because no face of theirs is exposed
   std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have
   SkippedSeconds skipped_seconds;
   double max_penetration_ratio = 0.0;  ///< deepest penetration over the sum of the two radii
+  double max_penetration_time = 0.0;   ///< when it was
+  std::string max_penetration_place;   ///< a node of it: "node 17 of body rod"; empty: there was none
   std::string overlapping_bodies;      ///< "a and b": the first two that shared space at the start; empty: none did
+  std::string overlap_at_end;          ///< the same two at the end, with the number of points inside; empty: none do
+  std::string unseen_balls;            ///< which balls find each other too late, and how late; empty: none do
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements
 };

@@ -99,12 +99,13 @@ class PINBALL_API Simulation {
 
   // ---- Results ----
 
-  const Scene& scene() const;                        ///< completed; without the views of an ArrayMesh
-  const Energies& energies() const;                  ///< at state_time(); valid until the next step
-  double balance_error() const;                      ///< of the energies, relative
-  std::vector<BodyResult> bodies() const;            ///< elements, masses and mean velocities of the bodies
-  ProgressState progress() const;                    ///< what a line of progress shows
-  HistoryRow history_row() const;                    ///< what a row of history.csv holds
+  const Scene& scene() const;              ///< completed; without the views of an ArrayMesh
+  const Energies& energies() const;        ///< at state_time(); valid until the next step
+  double balance_error() const;            ///< of the energies, relative
+  double balance_error_in_motion() const;  ///< of the energies, relative to what is in motion in its own frame
+  std::vector<BodyResult> bodies() const;  ///< elements, masses and mean velocities of the bodies
+  ProgressState progress() const;          ///< what a line of progress shows
+  HistoryRow history_row() const;          ///< what a row of history.csv holds
   std::vector<std::string> history_columns() const;  ///< names of HistoryRow::more
   RunSummary summary() const;                        ///< wall_seconds: of all calls of step()
   std::uint64_t state_hash() const;                  ///< of positions, velocities and stresses

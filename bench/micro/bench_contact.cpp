@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <kernels/spatial_hash.hpp>
 #include <solver/base/tile_size.hpp>
 #include <solver/contact/pinball/pair_forces.hpp>
 #include <solver/model/ordering.hpp>
@@ -134,52 +133,17 @@ void count_neighbours(benchmark::State& state, const PairList<S>& list, double p
   state.counters["neighbours"] = 2.0 * static_cast<double>(list.pairs()) / pinballs;
 }
 
-void list_from_nothing(benchmark::State& state, Cloud (*cloud)(int)) {
+void list_by(ContactSearch how, benchmark::State& state, Cloud (*cloud)(int)) {
   omp_set_num_threads(static_cast<int>(state.range(1)));
   const Pinballs pinballs(cloud(static_cast<int>(state.range(0))));
   PairList<S> list;
-  for (auto _ : state) list.build(pinballs.all, pinballs.balls, true);
+  for (auto _ : state) list.build(pinballs.all, pinballs.balls, true, how);
   count_neighbours(state, list, pinballs.all.count);
   state.counters["per_pinball"] = each(pinballs.all.count);
 }
 
-/// The same pairs by the cells of a hash (kernels/spatial_hash.hpp), as in the report: for balls at rest and of one
-/// size.
-void list_by_hash(benchmark::State& state, Cloud (*cloud)(int)) {
-  const Cloud balls = cloud(static_cast<int>(state.range(0)));
-  const auto count = static_cast<std::int32_t>(balls.centres.size());
-  std::vector<S> records;
-  std::vector<int> body;
-  for (const std::int32_t i : order_of(balls)) {
-    const Point& c = balls.centres[static_cast<std::size_t>(i)];
-    records.insert(records.end(), {c[0], c[1], c[2], balls.radius});
-    body.push_back(balls.body[static_cast<std::size_t>(i)]);
-  }
-  const double reach = 2 * balls.radius;
-  SpatialHashView<S> hash{{{0, 0, 0}, 1 / reach}, 1, nullptr, nullptr, nullptr, nullptr};
-  while ((1 << hash.bits) < 2 * count) ++hash.bits;
-  const auto n = static_cast<std::size_t>(count);
-  std::vector<std::int32_t> bucket_start((std::size_t(1) << hash.bits) + 1), entry_point(n);
-  std::vector<std::uint64_t> entry_cell(n), cells(n);
-  std::vector<S> entry_record(4 * n);
-  hash.bucket_start = bucket_start.data(), hash.entry_point = entry_point.data();
-  hash.entry_cell = entry_cell.data(), hash.entry_record = entry_record.data();
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  for (auto _ : state) {
-    build_spatial_hash(hash, records.data(), count, cells.data());
-    pairs.clear();
-    for (std::int32_t i = 0; i < count; ++i) {
-      const S* own = records.data() + 4 * static_cast<std::int64_t>(i);
-      for_each_near(hash, own, [&](std::int32_t j, const S* other) {
-        if (j <= i || body[static_cast<std::size_t>(i)] == body[static_cast<std::size_t>(j)]) return;
-        const S x = own[0] - other[0], y = own[1] - other[1], z = own[2] - other[2];
-        if (x * x + y * y + z * z < reach * reach) pairs.emplace_back(i, j);
-      });
-    }
-  }
-  state.counters["neighbours"] = 2.0 * static_cast<double>(pairs.size()) / count;
-  state.counters["per_pinball"] = each(count);
-}
+void list_from_nothing(benchmark::State& state, Cloud (*cloud)(int)) { list_by(ContactSearch::tree, state, cloud); }
+void list_by_hash(benchmark::State& state, Cloud (*cloud)(int)) { list_by(ContactSearch::hash, state, cloud); }
 
 #ifdef PINBALL_HAS_NANOFLANN
 /// The same pairs by k-d trees, again for balls at rest and of one size. Third argument: points in a leaf.
@@ -232,12 +196,8 @@ void layers(benchmark::internal::Benchmark* b) { sizes(b, 707); }
 
 BENCHMARK_CAPTURE(list_from_nothing, close_packed, close_packed)->Apply(packing);
 BENCHMARK_CAPTURE(list_from_nothing, facing_layers, facing_layers)->Apply(layers);
-BENCHMARK_CAPTURE(list_by_hash, close_packed, close_packed)
-    ->ArgNames({"per_side", "threads"})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime()
-    ->Args({30, 1})
-    ->Args({100, 1});
+BENCHMARK_CAPTURE(list_by_hash, close_packed, close_packed)->Apply(packing);
+BENCHMARK_CAPTURE(list_by_hash, facing_layers, facing_layers)->Apply(layers);
 #ifdef PINBALL_HAS_NANOFLANN
 void nanoflann_sizes(benchmark::internal::Benchmark* b, int large) {
   b->ArgNames({"per_side", "threads", "leaf"})->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -120,7 +120,7 @@ void embedding(benchmark::State& state) {
     if (which == 0) {
       const ModelSurface<S> of_model(model);
       own->update_surface(of_model, eroded_slots(model, no_erosion));
-      own->search(of_model);
+      own->search(of_model, dt);
       ContactWork springs = own->before_step(of_model, dt);
       own->add_forces(of_model, springs);
       pairs[0] = springs.pairs;

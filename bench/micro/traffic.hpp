@@ -15,7 +15,7 @@ double element_traffic(const Model<S>& model) {
   const ElementStore<S>& e = model.elements;
   const NodeStore<S>& n = model.nodes;
   const double once = static_cast<double>(e.corner.bytes() + e.mass.bytes());
-  const double state = static_cast<double>(e.stress.bytes() + e.plastic_strain.bytes() + e.hourglass_force.bytes() +
+  const double state = static_cast<double>(e.stress.bytes() + e.plastic_strain.bytes() + e.hourglass_state.bytes() +
                                            e.viscous_stress.bytes() + e.internal_energy.bytes());
   return once + 2 * state + static_cast<double>(n.position.bytes() + n.velocity.bytes() + 2 * n.force.bytes());
 }

@@ -4,6 +4,9 @@
 
 namespace pinball {
 
+/// More than any machine has; with still more of them the system ends the program.
+inline constexpr int most_threads = 4096;
+
 /// The threads of the calling thread's parallel regions while this lives; then their number is what it was.
 class ThreadCount {
  public:

@@ -106,7 +106,7 @@ typedef struct pinball_contact_options {
   int32_t radius;          /**< pinball_contact_radius; PINBALL_CONTACT_RADIUS_INITIAL, without which no spheres */
   int32_t self;            /**< 1: a body may touch itself; 1 */
   int32_t keep_lists;      /**< 1: lists of what may touch serve many steps, with the same results; 1 */
-  int32_t threads;         /**< 0: as many as OpenMP gives the calling thread; else this many; 0 */
+  int32_t threads;         /**< 0: as many as OpenMP gives the calling thread; else this many, up to 4096; 0 */
   double beta;             /**< penalty factor, > 0 [-]; 1 */
   double damping;          /**< of the springs, as a part of critical damping, >= 0 [-]; 0.1 */
   double friction;         /**< Coulomb coefficient while sliding, >= 0, with impulses only [-]; 0 */

@@ -6,6 +6,8 @@ enum class ContactMethod { none, pinball, slideline };
 enum class Enforcement { penalty, projection, lagrange };
 enum class ContactGap { pinball, face, not_set };
 enum class ContactRadius { initial, current };
+/// How what may touch is found; all find the same.
+enum class ContactSearch { automatic, tree, hash };
 
 /// As in the scene and in summary.json.
 inline const char* enforcement_name(Enforcement enforcement) {
@@ -13,6 +15,10 @@ inline const char* enforcement_name(Enforcement enforcement) {
          : enforcement == Enforcement::projection ? "projection"
                                                   : "lagrange";
 }
+
+/// Largest contact.radius_factor and contact.skin: with these each element has all within ten elements in its list, and
+/// lists grow with the third power.
+inline constexpr double largest_radius_factor = 10, largest_skin = 10;
 
 /// What can be chosen about contact, with its keys in a scene.
 struct ContactSettings {
@@ -24,9 +30,10 @@ struct ContactSettings {
   double damping = 0.1;           ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
   double friction = 0.0;          ///< contact.friction: Coulomb coefficient while sliding [-]
   double static_friction = -1.0;  ///< contact.static_friction: at rest; negative: not set, becomes friction [-]
-  ContactRadius radius = ContactRadius::initial;  ///< contact.radius = "initial" | "current"
-  double radius_factor = 1.0;                     ///< contact.radius_factor: on the radius of (3.2) [-]
-  bool self = true;                               ///< contact.self: a body may touch itself
+  ContactRadius radius = ContactRadius::initial;    ///< contact.radius = "initial" | "current"
+  double radius_factor = 1.0;                       ///< contact.radius_factor: on the radius of (3.2) [-]
+  bool self = true;                                 ///< contact.self: a body may touch itself
+  ContactSearch search = ContactSearch::automatic;  ///< contact.search = "tree" | "hash"; not set: what suits the scene
   double skin = 0.5;  ///< contact.skin: scale of what a node may stray before lists are built anew, over its radius [-]
 };
 

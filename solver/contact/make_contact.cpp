@@ -1,6 +1,7 @@
 #include <utility>
 
 #include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/contact/faces/face_algorithm.hpp>
 #include <solver/contact/pinball/pinball_algorithm.hpp>
 #include <solver/contact/slideline/slideline_algorithm.hpp>
 
@@ -11,6 +12,9 @@ std::unique_ptr<ContactAlgorithm<S>> make_contact(const ContactSettings& setting
                                                   InitialSurface start) {
   if (settings.method == ContactMethod::slideline) {
     return std::make_unique<SlidelineAlgorithm<S>>(settings, source, std::move(start));
+  }
+  if (settings.gap == ContactGap::face && settings.enforcement != Enforcement::penalty) {
+    return std::make_unique<FaceAlgorithm<S>>(settings, source, std::move(start));
   }
   return std::make_unique<PinballAlgorithm<S>>(settings, source, std::move(start));
 }

@@ -28,8 +28,8 @@ class PackAhead {
     if (!there_) return;
     ask_for_nodes(elements_.corner + (pack_ * 8 + part) * W);
     if (part < 2) ask_for_state(elements_.stress, 6, 3 * part, 3);
-    if constexpr (keeps_hourglass_force(features.hourglass)) {
-      if (part >= 2 && part < 6) ask_for_state(elements_.hourglass_force, 12, 3 * (part - 2), 3);
+    if constexpr (keeps_hourglass_state(features.hourglass)) {
+      if (part >= 2 && part < 6) ask_for_state(elements_.hourglass_state, 12, 3 * (part - 2), 3);
     }
     if (part == 6) {
       ask_for_state(elements_.mass, 1, 0, 1);

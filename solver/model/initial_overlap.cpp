@@ -104,14 +104,15 @@ struct BodyParts {
 };
 
 /// Points of one body inside elements of another, within the box that both share.
-std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const BodyParts& in, const Bounds& box) {
+std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const BodyParts& in, const Bounds& box,
+                           double depth) {
   const Grid grid(mesh, in.elements, box);
   std::int64_t count = 0;
   const auto look = [&](const Point& x) {
     if (!box.holds(x)) return;
     const auto& near = grid.at(x);
     count += std::any_of(near.begin(), near.end(), [&](std::size_t e) {
-      return depth_in(mesh, e, x) > 0.1 * std::cbrt(std::max(0.0, element_volume(mesh, e)));
+      return depth_in(mesh, e, x) > depth * std::cbrt(std::max(0.0, element_volume(mesh, e)));
     });
   };
   for (const std::size_t n : of.nodes) look(mesh.nodes[n]);
@@ -129,7 +130,7 @@ std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const Bod
 
 }  // namespace
 
-InitialOverlap find_initial_overlap(const ModelMesh& mesh) {
+InitialOverlap find_initial_overlap(const ModelMesh& mesh, double depth) {
   std::vector<BodyParts> bodies(mesh.body_names.size());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     BodyParts& body = bodies[mesh.body_of_node[n]];
@@ -144,7 +145,7 @@ InitialOverlap find_initial_overlap(const ModelMesh& mesh) {
       const Bounds box = common(bodies[a].box, bodies[b].box);
       if (box.empty()) continue;
       const std::int64_t points =
-          points_inside(mesh, bodies[a], bodies[b], box) + points_inside(mesh, bodies[b], bodies[a], box);
+          points_inside(mesh, bodies[a], bodies[b], box, depth) + points_inside(mesh, bodies[b], bodies[a], box, depth);
       if (points > 0) return {mesh.body_names[a], mesh.body_names[b], points};
     }
   }

@@ -7,15 +7,15 @@
 
 namespace pinball {
 
-/// Two bodies that share space at the start.
+/// Two bodies that share space.
 struct InitialOverlap {
   std::string first, second;  ///< names of the bodies; empty: no bodies do
   std::int64_t points = 0;    ///< nodes, and nine points of each element, that lie inside an element of the other body
 };
 
-/// The first two bodies that overlap, more than rounding and curved surfaces of touching meshes do: a node or the
-/// centre of an element lies inside an element of the other body, at least a tenth of its size deep. Contact cannot
-/// tell from which side such bodies came.
-InitialOverlap find_initial_overlap(const ModelMesh& mesh);
+/// The first two bodies that overlap, by default more than rounding and curved surfaces of touching meshes do: a node
+/// or the centre of an element lies inside an element of the other body, at least `depth` deep over the size of that
+/// [-]. Contact cannot tell from which side such bodies came.
+InitialOverlap find_initial_overlap(const ModelMesh& mesh, double depth = 0.1);
 
 }  // namespace pinball

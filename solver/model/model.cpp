@@ -38,6 +38,8 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
   c.hourglass_coefficient = static_cast<S>(scene.element.hourglass_coefficient);
   c.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass_coefficient);
+  c.hourglass_modulus = c.hourglass_coefficient * hourglass_modulus(c.material.lambda, c.material.mu);
+  c.specific_volume = static_cast<S>(1 / material.density);
   c.linear_viscosity = static_cast<S>(scene.element.linear_viscosity);
   c.quadratic_viscosity = static_cast<S>(scene.element.quadratic_viscosity);
   const NegativeVolume policy = scene.element.negative_volume.value_or(
@@ -113,7 +115,7 @@ ElementStoreFeatures add_materials(Model<S>& model) {
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;
     stored.bulk_viscosity |= f.bulk_viscosity;
-    stored.hourglass_force |= keeps_hourglass_force(f.hourglass);
+    stored.hourglass_state |= keeps_hourglass_state(f.hourglass);
   }
   return stored;
 }
@@ -252,7 +254,7 @@ template <class S>
 void Model<S>::persist(StateArchive& archive) {
   archive.of_fixed_size(nodes.position);
   archive.of_fixed_size(nodes.velocity);
-  for (AlignedArray<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_force,
+  for (AlignedArray<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_state,
                                  &elements.viscous_stress, &elements.internal_energy}) {
     archive.of_fixed_size(*array);
   }

@@ -43,7 +43,7 @@ struct ElementStoreFeatures {
   bool plastic = false;
   bool erosion = false;
   bool bulk_viscosity = false;
-  bool hourglass_force = false;
+  bool hourglass_state = false;
 };
 
 /// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * W + lane; some are padding.
@@ -56,7 +56,7 @@ struct ElementStore {
   AlignedArray<S> mass;
   AlignedArray<S> stress;
   AlignedArray<S> plastic_strain;
-  AlignedArray<S> hourglass_force;
+  AlignedArray<S> hourglass_state;
   AlignedArray<S> viscous_stress;
   AlignedArray<S> internal_energy;
 
@@ -66,17 +66,17 @@ struct ElementStore {
     mass = AlignedArray<S>(slots);
     stress = AlignedArray<S>(6 * slots);
     if (features.plastic) plastic_strain = AlignedArray<S>(slots);
-    if (features.hourglass_force) hourglass_force = AlignedArray<S>(12 * slots);
+    if (features.hourglass_state) hourglass_state = AlignedArray<S>(12 * slots);
     if (features.bulk_viscosity) viscous_stress = AlignedArray<S>(slots);
     if (features.erosion) internal_energy = AlignedArray<S>(slots);
   }
 
   ElementView<S> view() {
     return {corner.data(),          mass.data(),           stress.data(),         plastic_strain.data(),
-            hourglass_force.data(), viscous_stress.data(), internal_energy.data()};
+            hourglass_state.data(), viscous_stress.data(), internal_energy.data()};
   }
   std::size_t bytes() const {
-    return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_force.bytes() +
+    return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_state.bytes() +
            viscous_stress.bytes() + internal_energy.bytes();
   }
 

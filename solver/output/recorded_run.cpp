@@ -1,5 +1,8 @@
+#include <fmt/core.h>
+
 #include <solver/base/error.hpp>
 #include <solver/recorded_run.hpp>
+#include <solver/results/warnings.hpp>
 #include <solver/summary.hpp>
 
 #include "progress.hpp"
@@ -10,6 +13,11 @@ namespace pinball {
 RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
   Simulation simulation(scene);
   Recorder recorder(simulation, options);
+  if (!options.quiet) {
+    for (const std::string& warning : start_warnings(simulation.summary())) {
+      fmt::print(stderr, "pinball: warning: {}\n", warning);
+    }
+  }
   Progress progress({scene.time.end, scene.time.steps, scene.units, options.quiet});
   simulation.on_step([&](Simulation& s) {
     recorder.record(s, s.complete());

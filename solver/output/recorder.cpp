@@ -143,7 +143,7 @@ void Recorder::save(Simulation& simulation) {
 void Recorder::keep_state(Simulation& simulation) {
   const auto start = Clock::now();
   const double most = share_of_energy_error * simulation.scene().guard.energy_error;
-  if (start < next_copy_ || std::abs(simulation.balance_error()) > most) return;
+  if (start < next_copy_ || std::abs(simulation.balance_error_in_motion()) > most) return;
   save(simulation);
   const auto end = Clock::now();
   next_copy_ = end + std::chrono::duration_cast<Clock::duration>((end - start) / share_of_copies);

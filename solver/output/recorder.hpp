@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,20 +25,18 @@ class Schedule {
 
   bool due(double time) const {
     const double tolerance = 1e-9 * interval_;
-    return (interval_ > 0 && time >= static_cast<double>(count_) * interval_ - tolerance) ||
+    return (interval_ > 0 && time >= count_ * interval_ - tolerance) ||
            (next_ < times_.size() && time >= times_[next_]);
   }
   void passed(double time) {
-    if (interval_ > 0) {
-      while (time >= static_cast<double>(count_) * interval_ - 1e-9 * interval_) ++count_;
-    }
+    if (interval_ > 0) count_ = std::max(count_, std::floor(time / interval_ + 1e-9) + 1);  // may be any number
     while (next_ < times_.size() && time >= times_[next_]) ++next_;
   }
 
  private:
   double interval_;
   std::vector<double> times_;
-  std::int64_t count_ = 0;
+  double count_ = 0;  ///< a whole number
   std::size_t next_ = 0;
 };
 

@@ -26,7 +26,13 @@ Json energy_json(const RunSummary& s) {
           {"external", e.external},
           {"initial_total", s.initial_total},
           {"final_total", s.final_total},
-          {"balance_error_max", s.balance_error_max}};
+          {"balance_error_max", s.balance_error_max},
+          {"in_motion", s.energy_in_motion},
+          {"balance_error_in_motion_max", s.balance_error_in_motion.largest},
+          {"contact_created_share", s.contact_created.largest},
+          {"contact_swallowed_share", s.contact_swallowed.largest},
+          {"hourglass_created_share", s.hourglass_created.largest},
+          {"hourglass_share", s.hourglass_large.largest}};
 }
 
 Json body_json(const BodyResult& body) {
@@ -91,11 +97,20 @@ std::string summary_json(const RunSummary& s) {
       {"contact",
        {{"method", s.contact_method},
         {"enforcement", s.contact_enforcement},
+        {"gap", s.contact_gap},
         {"pinballs", s.pinballs},
         {"pairs_max", s.pairs_max},
+        {"sweeps",
+         {{"mean", s.sweeps.mean()},
+          {"largest", s.sweeps.largest},
+          {"solutions", s.sweeps.solutions},
+          {"at_bound", s.sweeps.at_bound},
+          {"unsolved", s.sweeps.unsolved}}},
         {"searches", s.searches},
         {"searches_skipped", s.searches_skipped},
-        {"max_penetration_ratio", s.max_penetration_ratio}}},
+        {"max_penetration_ratio", s.max_penetration_ratio},
+        {"max_penetration_time", s.max_penetration_time},
+        {"max_penetration_place", s.max_penetration_place}}},
       {"skipped",
        {{"resting_element_steps", s.element_steps_resting},
         {"subcycled_element_steps", s.element_steps_subcycled},

@@ -129,6 +129,18 @@ void print_contact(const ContactAlgorithm<S>& contact, const ContactSettings& c,
              enforcement_name(c.enforcement), how);
 }
 
+void print_search(const Scene& scene) {
+  const ContactSettings& c = scene.contact;
+  const char* how = c.method == ContactMethod::slideline || c.search == ContactSearch::tree ? "by a tree"
+                    : c.search == ContactSearch::hash                                       ? "by a hash"
+                                                                                            : "by what suits the scene";
+  if (scene.skip.contact_search) {
+    fmt::print("  contact search: {}, when a node has strayed from its straight way, skin {:.4g} radii\n", how, c.skin);
+  } else {
+    fmt::print("  contact search: {}, at every step\n", how);
+  }
+}
+
 /// Elements by the steps that they make.
 template <class S>
 void print_steps(const Subcycling<S>& subcycling) {
@@ -168,12 +180,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   if (solver.subcycling() != nullptr) print_steps(*solver.subcycling());
   if (solver.contact() != nullptr) {
     print_contact(*solver.contact(), scene.contact, model.element_count());
-    if (scene.skip.contact_search) {
-      fmt::print("  contact search: when a node has strayed from its straight way, skin {:.4g} radii\n",
-                 scene.contact.skin);
-    } else {
-      fmt::print("  contact search: at every step\n");
-    }
+    print_search(scene);
   }
   print_boundary_conditions(model, units);
   fmt::print("  output: {}\n", output_text(scene, units));

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include <solver/base/error.hpp>
+#include <solver/base/thread_count.hpp>
 #include <solver/base/version.h>
 
 #include "commands.hpp"
@@ -34,7 +35,7 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
       ->allow_extra_args(false)
       ->take_all();
   command.add_option("--threads", options.threads, "number of threads; 0: as many as OpenMP takes by default")
-      ->check(CLI::Range(0, 4096));
+      ->check(CLI::Range(0, pinball::most_threads));
   command.add_option("--refine", options.overrides.refine, "multiplies the element counts of generated meshes")
       ->check(CLI::Range(1, 1000));
   command

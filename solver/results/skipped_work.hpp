@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include <solver/base/sweep_counts.hpp>
 #include <solver/model/stores.hpp>
 #include <solver/results.hpp>
 
@@ -15,7 +16,7 @@ template <class S>
 double bytes_not_stored(const ElementStore<S>& store) {
   int numbers = 0;  // per element
   if (store.plastic_strain.empty()) numbers += 1;
-  if (store.hourglass_force.empty()) numbers += 12;
+  if (store.hourglass_state.empty()) numbers += 12;
   if (store.viscous_stress.empty()) numbers += 1;
   if (store.internal_energy.empty()) numbers += 1;
   return static_cast<double>(numbers) * static_cast<double>(store.slots) * sizeof(S);
@@ -30,6 +31,7 @@ struct WorkCounts {
   std::int64_t inner_element_steps = 0;    ///< of elements without an exposed face, in a scene with contact
   std::int64_t searches = 0, searches_skipped = 0;
   double search_seconds = 0;  ///< of the steps that searched
+  SweepCounts sweeps;
 };
 
 /// Estimates from what the run itself has measured of the work that it did.

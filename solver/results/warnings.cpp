@@ -4,28 +4,97 @@
 
 #include <algorithm>
 
+#include "sound_bounds.hpp"
+
 namespace pinball {
 
-std::vector<std::string> warnings(const RunSummary& summary) {
-  constexpr double sound_balance = 0.1, sound_penetration = 0.25;
-  std::vector<std::string> found;
-  if (summary.balance_error_max > sound_balance) {
-    found.push_back(fmt::format("the energy balance was off by up to {:.3g} %: try a smaller time.cfl{}",
-                                100 * summary.balance_error_max,
-                                summary.contact_method == "none" ? "" : " or contact.beta"));
+namespace {
+
+std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
+
+/// ", beyond 10 % since time 1.2e-05 (node 17 of body rod)"
+std::string since(const WatchedShare& share, double bound, const char* what) {
+  std::string text = fmt::format(", beyond {} since time {:.6g}", percent(bound), share.since);
+  if (!share.place.empty()) text += fmt::format(" ({} {})", what, share.place);
+  return text;
+}
+
+void add_energy_warnings(const RunSummary& s, std::vector<std::string>& found) {
+  const auto add = [&found](const WatchedShare& share, double bound, const std::string& head, const char* what,
+                            const std::string& advice) {
+    if (share.largest > bound) found.push_back(head + since(share, bound, what) + ": " + advice);
+  };
+  const bool contact = s.contact_method != "none";
+  const bool springs = contact && s.contact_enforcement == "penalty";
+  add(s.balance_error_in_motion, sound::balance,
+      fmt::format("the energy balance was off by up to {} of the energy in motion",
+                  percent(s.balance_error_in_motion.largest)),
+      "the step was set by", fmt::format("try a smaller time.cfl{}", contact ? " or contact.beta" : ""));
+  add(s.contact_created, sound::contact_created,
+      fmt::format("contact made energy out of nothing, up to {} of that in motion", percent(s.contact_created.largest)),
+      "largest force on",
+      springs ? "try a smaller time.cfl or contact.enforcement = \"lagrange\""
+              : "try contact.enforcement = \"lagrange\", or a finer mesh");
+  if (s.contact_swallowed_sound > 0) {
+    add(s.contact_swallowed, s.contact_swallowed_sound,
+        fmt::format("contact swallowed {} of the energy in motion, although nothing is plastic or rubs",
+                    percent(s.contact_swallowed.largest)),
+        "largest force on", "try a finer mesh there");
   }
+  add(s.hourglass_created, sound::hourglass_created,
+      fmt::format("hourglass forces made energy out of nothing, up to {} of the internal energy",
+                  percent(s.hourglass_created.largest)),
+      "most of it in", "try a finer mesh there, or another element.hourglass");
+  add(s.hourglass_large, sound::hourglass,
+      fmt::format("hourglass energy reached {} of the internal energy", percent(s.hourglass_large.largest)),
+      "most of it in", "try a finer mesh there, with several elements through what bends");
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const RunSummary& summary) {
+  std::vector<std::string> found;
+  add_energy_warnings(summary, found);
+  // Erosion exposes what lies deep inside others, which is no fault of the contact.
+  const bool eroded = std::any_of(summary.bodies.begin(), summary.bodies.end(),
+                                  [](const BodyResult& body) { return body.eroded_elements > 0; });
+  const bool springs = summary.contact_enforcement == "penalty", balls = summary.contact_gap == "pinball";
+  const double bound = springs || balls ? sound::penetration : sound::penetration_of_faces;
+  if (!eroded && summary.max_penetration_ratio > bound) {
+    const std::string& place = summary.max_penetration_place;
+    found.push_back(
+        fmt::format("bodies went into each other by up to {} of the radii of their pinballs, at time {:.6g}{}: "
+                    "try {}, finer meshes, or bodies that do not overlap at the start",
+                    percent(summary.max_penetration_ratio), summary.max_penetration_time,
+                    place.empty() ? "" : " at " + place, springs ? "a larger contact.beta" : "a smaller time.cfl"));
+  }
+  if (!summary.overlap_at_end.empty()) {
+    found.push_back(
+        fmt::format("bodies are in each other at the end, at time {:.6g}, more than {} of an element deep: {}; "
+                    "contact has let them in",
+                    summary.end_time, percent(sound::depth_at_end), summary.overlap_at_end));
+  }
+  if (static_cast<double>(summary.sweeps.unsolved) > sound::unsolved * static_cast<double>(summary.sweeps.solutions)) {
+    found.push_back(fmt::format(
+        "the impulses of contact were not solved for in {} of {} steps with contact, where {} sweeps were not enough: "
+        "try a smaller time.cfl, or contact.enforcement = \"projection\"",
+        summary.sweeps.unsolved, summary.sweeps.solutions, summary.sweeps.largest));
+  }
+  for (const std::string& warning : start_warnings(summary)) found.push_back(warning);
+  return found;
+}
+
+std::vector<std::string> start_warnings(const RunSummary& summary) {
+  std::vector<std::string> found;
   if (!summary.overlapping_bodies.empty()) {
     found.push_back(fmt::format("bodies {} overlap at the start: contact cannot tell from which side they came",
                                 summary.overlapping_bodies));
   }
-  // Erosion exposes pinballs that lie deep inside others, which is no fault of the contact.
-  const bool eroded = std::any_of(summary.bodies.begin(), summary.bodies.end(),
-                                  [](const BodyResult& body) { return body.eroded_elements > 0; });
-  if (!eroded && summary.max_penetration_ratio > sound_penetration) {
+  if (!summary.unseen_balls.empty()) {
     found.push_back(
-        fmt::format("bodies went into each other by up to {:.3g} % of the radii of their pinballs: try a larger "
-                    "contact.beta, finer meshes, or bodies that do not overlap at the start",
-                    100 * summary.max_penetration_ratio));
+        fmt::format("{}: choose contact.enforcement = \"lagrange\" with contact.gap = \"face\", or meshes "
+                    "of near-cubes of one size",
+                    summary.unseen_balls));
   }
   return found;
 }

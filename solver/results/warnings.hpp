@@ -7,9 +7,13 @@
 
 namespace pinball {
 
-/// Warnings about the results of a run that went to its end: an error of the energy balance above 10 %
-/// (guard.energy_error stops a run where it is larger still), contact that let bodies go into each other by more than a
-/// quarter of their pinballs although nothing eroded, bodies that overlapped at the start. Empty for a sound run.
+/// Warnings about the results of a run that went to its end, each with number, time and place; empty for a sound run.
+/// Bounds are those of sound_bounds.hpp: the energy balance (guard.energy_error stops a run where it is off by more
+/// still), energy that contact made or swallowed, hourglass energy, contact that let bodies go into each other although
+/// nothing eroded, impulses that were not solved for; and all of start_warnings().
 std::vector<std::string> warnings(const RunSummary& summary);
+
+/// Those that are known before the first step: bodies that overlap, balls that cannot see what they should.
+std::vector<std::string> start_warnings(const RunSummary& summary);
 
 }  // namespace pinball

@@ -16,7 +16,7 @@ const std::vector<TableKeys>& scene_keys() {
       {"contact",
        "contact",
        {"method", "enforcement", "gap", "beta", "damping", "friction", "static_friction", "radius", "radius_factor",
-        "self", "skin"}},
+        "self", "search", "skin"}},
       {"skip", "skip", {"contact_search", "resting"}},
       {"guard", "guard", {"energy_error", "time_step_collapse"}},
       {"output", "output", {"interval", "field_interval", "field_times", "fields"}},

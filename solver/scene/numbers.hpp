@@ -29,8 +29,8 @@ void visit_numbers(ContactSettings& contact, const Visit& visit) {
   visit("damping", contact.damping, not_negative);
   visit("friction", contact.friction, not_negative);
   visit("static_friction", contact.static_friction, not_negative);
-  visit("radius_factor", contact.radius_factor, positive);
-  visit("skin", contact.skin, not_negative);
+  visit("radius_factor", contact.radius_factor, Bound{.low = 0.0, .low_open = true, .high = largest_radius_factor});
+  visit("skin", contact.skin, Bound{.low = 0.0, .high = largest_skin});
 }
 
 template <class Visit>

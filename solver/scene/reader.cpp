@@ -64,6 +64,8 @@ ContactSettings read_contact(const SceneTable& table) {
   contact.radius = table.choice<ContactRadius>(
       "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
   contact.self = table.boolean("self", contact.self);
+  contact.search = table.choice<ContactSearch>("search", {{"tree", ContactSearch::tree}, {"hash", ContactSearch::hash}},
+                                               contact.search);
   complete(contact);
   table.require_none(problem_of(contact));
   return contact;

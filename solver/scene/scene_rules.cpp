@@ -85,6 +85,10 @@ std::optional<Problem> problem_of(const ContactSettings& contact) {
     return Problem{contact.friction > 0 ? "friction" : "static_friction",
                    "expected 0: friction needs enforcement = \"projection\" or \"lagrange\""};
   }
+  if (contact.method == ContactMethod::pinball && contact.gap == ContactGap::pinball && contact.static_friction > 0) {
+    return Problem{contact.friction > 0 ? "friction" : "static_friction",
+                   "expected 0: balls do not touch where elements do, friction needs gap = \"face\""};
+  }
   return {};
 }
 

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <chrono>
 
 #include <solver/base/error.hpp>
@@ -28,7 +30,9 @@ class Stopwatch {
 
 Simulation::Simulation(const Scene& given, const SimulationOptions& options)
     : implementation_(std::make_unique<Implementation>()) {
-  if (options.threads < 0) throw InputError("threads: expected an integer >= 0");
+  if (options.threads < 0 || options.threads > most_threads) {
+    throw InputError(fmt::format("threads: expected an integer >= 0 and <= {}, got {}", most_threads, options.threads));
+  }
   const ThreadCount threads(options.threads);
   const Scene scene = checked_scene(given);
   implementation_->options = options;
@@ -111,6 +115,9 @@ const Energies& Simulation::energies() const {
 }
 double Simulation::balance_error() const {
   return implementation_->read([](const auto& solver) { return solver.balance_error(); });
+}
+double Simulation::balance_error_in_motion() const {
+  return implementation_->read([](const auto& solver) { return solver.balance_error_in_motion(); });
 }
 std::vector<BodyResult> Simulation::bodies() const {
   return implementation_->read([](const auto& solver) { return pinball::body_results(solver.model()); });

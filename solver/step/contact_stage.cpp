@@ -10,7 +10,7 @@ ContactWork ContactStage<S>::before_constraints(Model<S>& model, const std::vect
   timers.measure(Phase::pinballs, [&] { contact_->update_surface(source, eroded_slots(model, tiles)); });
   const std::int64_t searches = contact_->searches();
   const double seconds = timers.seconds(Phase::contact_search);
-  timers.measure(Phase::contact_search, [&] { contact_->search(source); });
+  timers.measure(Phase::contact_search, [&] { contact_->search(source, dt); });
   if (contact_->searches() > searches) counts.count_search(timers.seconds(Phase::contact_search) - seconds);
   ContactWork work = timers.measure(Phase::contact_forces, [&] { return contact_->before_step(source, dt); });
   timers.measure(Phase::contact_scatter, [&] { contact_->add_forces(source, work); });

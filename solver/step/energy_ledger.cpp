@@ -5,10 +5,21 @@
 
 namespace pinball {
 
-double EnergyLedger::balance_error() const {
-  const double difference = energies_.total() - initial_;
-  const double scale = std::max(initial_, external_max_);
+namespace {
+
+double relative(double difference, double scale) {
   return scale > 0 ? difference / scale : difference == 0 ? 0.0 : std::copysign(1.0, difference);
+}
+
+}  // namespace
+
+double EnergyLedger::balance_error() const { return relative(difference(), std::max(initial_, external_max_)); }
+
+double EnergyLedger::balance_error_in_motion() const { return relative(difference(), in_motion()); }
+
+void EnergyLedger::set_drift(double drift, double rounding) {
+  drift_ = drift;
+  least_in_motion_ = rounding * drift;
 }
 
 void EnergyLedger::book(const ElementWork& elements, const ContactWork& contact, double external, double dt_before) {
@@ -25,8 +36,12 @@ void EnergyLedger::book(const ElementWork& elements, const ContactWork& contact,
 
 void EnergyLedger::close(bool first, double kinetic) {
   energies_.kinetic = kinetic;
-  if (first) initial_ = energies_.total();
+  if (first) {
+    initial_ = energies_.total();
+    in_motion_ = std::max(initial_ - drift_, least_in_motion_);
+  }
   balance_error_max_ = std::max(balance_error_max_, std::abs(balance_error()));
+  balance_error_in_motion_max_ = std::max(balance_error_in_motion_max_, std::abs(balance_error_in_motion()));
 }
 
 }  // namespace pinball

@@ -39,7 +39,7 @@ std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
   };
   if (bad(e.stress, 6)) return "stress";
   if (bad(e.plastic_strain, 1)) return "plastic strain";
-  if (bad(e.hourglass_force, 12)) return "hourglass force";
+  if (bad(e.hourglass_state, 12)) return "hourglass force";
   if (bad(e.viscous_stress, 1)) return "bulk viscosity";
   if (bad(e.internal_energy, 1)) return "internal energy";
   return "";
@@ -107,11 +107,11 @@ void Guards<S>::check_finite(double energy) const {
 
 template <class S>
 void Guards<S>::check_energy(const EnergyLedger& ledger) const {
-  if (std::abs(ledger.balance_error()) <= model_.scene.guard.energy_error) return;
+  if (std::abs(ledger.balance_error_in_motion()) <= model_.scene.guard.energy_error) return;
   throw RunError(
-      fmt::format("the energy balance is off by {:.3g} % {}, more than guard.energy_error = {:.3g} %; the time step is "
-                  "set by {}: {}, or a finer mesh where most is going on",
-                  100 * ledger.balance_error(), when(), 100 * model_.scene.guard.energy_error,
+      fmt::format("the energy balance is off by {:.3g} % of the energy in motion {}, more than guard.energy_error = "
+                  "{:.3g} %; the time step is set by {}: {}, or a finer mesh where most is going on",
+                  100 * ledger.balance_error_in_motion(), when(), 100 * model_.scene.guard.energy_error,
                   step_limit(model_, clock_), try_smaller_steps));
 }
 

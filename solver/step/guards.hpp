@@ -24,7 +24,7 @@ class Guards {
   /// energy: a sum that every element and every node goes into. A number that is not finite reaches it in the step in
   /// which it arises, before it spreads to other elements.
   void check_finite(double energy) const;
-  /// guard.energy_error
+  /// guard.energy_error, of what is in motion in its own frame
   void check_energy(const EnergyLedger& ledger) const;
   /// guard.time_step_collapse
   void check_time_step() const;

@@ -8,6 +8,8 @@
 #include <solver/base/version.h>
 #include <solver/results/state_hash.hpp>
 
+#include "report_soundness.hpp"
+
 namespace pinball {
 
 template <class S>
@@ -199,21 +201,20 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.contact_method = contact != nullptr ? contact->name() : "none";
   summary.contact_enforcement = contact != nullptr ? enforcement_name(scene.contact.enforcement) : "none";
   if (contact != nullptr) {
+    const bool balls = scene.contact.method == ContactMethod::pinball && scene.contact.gap == ContactGap::pinball;
+    summary.contact_gap = balls ? "pinball" : "face";
     summary.pinballs = contact->surface_elements();
     summary.searches = contact->searches();
     summary.searches_skipped = contact->searches_skipped();
   }
+  summary.sweeps = counts.sweeps;
   counts.searches = summary.searches;
   counts.searches_skipped = summary.searches_skipped;
   summary.inner_element_steps = counts.inner_element_steps;
   summary.bytes_not_stored = static_cast<std::int64_t>(bytes_not_stored(model.elements));
   summary.skipped_seconds = estimate_skipped(counts, solver.timers(), all_element_steps);
   summary.pairs_max = counts_so_far.pairs_max();
-  summary.max_penetration_ratio = counts_so_far.penetration_ratio_max();
-  if (solver.initial_overlap().points > 0) {
-    summary.overlapping_bodies =
-        fmt::format("{} and {}", solver.initial_overlap().first, solver.initial_overlap().second);
-  }
+  fill_soundness(solver, summary);
   summary.state_hash = state_hash(model);
   const auto bytes = static_cast<std::int64_t>(solver.bytes());
   summary.bytes_per_element = bytes / std::max<std::int64_t>(1, summary.elements);

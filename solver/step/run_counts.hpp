@@ -17,12 +17,15 @@ class RunCounts {
   std::int64_t eroded_elements() const { return eroded_elements_; }
   std::int64_t pairs() const { return pairs_; }          ///< in contact at the time of the forces
   std::int64_t pairs_max() const { return pairs_max_; }  ///< most of them at once
-  double penetration_ratio_max() const { return penetration_ratio_max_; }
+  double penetration_ratio_max() const { return deepest_.ratio; }
+  double deepest_time() const { return deepest_.time; }        ///< of the largest penetration
+  std::int64_t deepest_node() const { return deepest_.node; }  ///< of the store, at it; negative: there was none
 
-  /// surface: elements of the contact surface, negative without contact; all: elements of the scene.
+  /// surface: elements of the contact surface, negative without contact; all: elements of the scene; time: of the
+  /// forces.
   template <class S>
   void count(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact, std::int64_t surface,
-             std::int64_t all) {
+             std::int64_t all, double time) {
     if (!due.last) {
       work_.eroded_element_steps += eroded_elements_;
       work_.resting_element_steps += element.resting_elements;
@@ -32,19 +35,23 @@ class RunCounts {
         work_.inner_element_steps += all - eroded_elements_ - surface;
       }
     }
+    work_.sweeps += contact.sweeps;
     eroded_elements_ += element.eroded_count;
-    penetration_ratio_max_ = std::max(penetration_ratio_max_, contact.penetration_ratio);
+    if (contact.penetration_ratio > deepest_.ratio) deepest_ = {contact.penetration_ratio, time, contact.deepest};
     pairs_ = contact.pairs;
     pairs_max_ = std::max(pairs_max_, pairs_);
   }
   void count_search(double seconds) { work_.search_seconds += seconds; }
 
-  void persist(StateArchive& archive) { archive(work_, eroded_elements_, pairs_, pairs_max_, penetration_ratio_max_); }
+  void persist(StateArchive& archive) { archive(work_, eroded_elements_, pairs_, pairs_max_, deepest_); }
 
  private:
   WorkCounts work_;
   std::int64_t eroded_elements_ = 0, pairs_ = 0, pairs_max_ = 0;
-  double penetration_ratio_max_ = 0;
+  struct Deepest {
+    double ratio = 0, time = 0;
+    std::int64_t node = -1;  // no padding in what is saved
+  } deepest_;
 };
 
 }  // namespace pinball

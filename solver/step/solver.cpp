@@ -1,14 +1,41 @@
 #include "solver.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <solver/base/built_features.hpp>
 #include <solver/base/error.hpp>
+#include <solver/results/sound_bounds.hpp>
 
+#include "drift_energy.hpp"
 #include "impact_speed.hpp"
 #include "integration.hpp"
+#include "places.hpp"
 #include "report.hpp"
 #include "require_built.hpp"
 
 namespace pinball {
+
+namespace {
+
+/// Part of the energy of common motion that rounding may take or give in a run: of what is less nothing is known.
+template <class S>
+constexpr double rounding = sizeof(S) == sizeof(double) ? 1e-9 : 1e-3;
+
+/// See Solver::sound_swallowing. Plastic bodies, friction, springs that are damped more than by default, and damping of
+/// all that moves are meant to swallow.
+double sound_swallowing_of(const Scene& scene) {
+  const ContactSettings& contact = scene.contact;
+  const bool springs = contact.enforcement == Enforcement::penalty;
+  const bool damped = scene.damping.mass > 0 || (springs && contact.damping > ContactSettings().damping);
+  const bool plastic = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&scene](const Body& body) {
+    return scene.materials[material_index(scene, body.material)].plastic;
+  });
+  return damped || plastic || contact.static_friction > 0 ? 0.0 : sound::contact_swallowed;
+}
+
+}  // namespace
 
 template <class S>
 Solver<S>::Solver(const Scene& scene)
@@ -24,6 +51,8 @@ Solver<S>::Solver(const Scene& scene)
   if (contact() != nullptr) {
     clock_.limit_by_impact_speed(longest_contact_step(model_));
     initial_overlap_ = find_initial_overlap(model_.mesh);
+    unseen_balls_ = find_unseen_balls(model_.scene, model_.mesh);
+    sound_swallowing_ = sound_swallowing_of(model_.scene);
   }
   require_built(model_, boundary_.any());
   initial_momentum_ = momentum(model_);
@@ -36,6 +65,20 @@ void Solver<S>::advance(bool last) {
   const std::int32_t cycle_steps = first ? 1 : schedule_.cycle_steps();
   for (std::int32_t step = 1; step < cycle_steps; ++step) make_step({step, false, false});
   make_step({0, first, last});
+}
+
+template <class S>
+void Solver<S>::finish() {
+  advance(true);
+  if (contact() == nullptr || counts_.eroded_elements() > 0) return;
+  std::vector<Point> places;
+  for (const std::int32_t n : model_.node_of_scene_node) {
+    const S* x = model_.nodes.position_of(n);
+    places.push_back({static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])});
+  }
+  std::swap(model_.mesh.nodes, places);
+  overlap_at_end_ = find_initial_overlap(model_.mesh, sound::depth_at_end);
+  std::swap(model_.mesh.nodes, places);
 }
 
 /// The explicit step of the report's figure 4, with its figure 3 for contact: the program's table of contents. Each
@@ -120,13 +163,28 @@ template <class S>
 void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
                               double kinetic) {
   ledger_.book(element, contact, boundary_.work(), clock_.dt_before());
-  counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count());
+  counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count(), clock_.force_time());
   guards_.check_volumes(element);
   guards_.check_finite(kinetic + energies().total());
   if (!due.all()) return;
+  if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>);
   ledger_.close(due.first, kinetic);
+  watch_energies();
   guards_.check_energy(ledger_);
   guards_.check_time_step();
+}
+
+/// Where an energy is beyond its bound is looked for once, when it goes there.
+template <class S>
+void Solver<S>::watch_energies() {
+  watch_.look(ledger_, sound_swallowing_, clock_.force_time());
+  if (watch_.just_beyond(Watched::balance)) watch_.set_place(Watched::balance, clock_.limiting_slot());
+  for (const Watched kind : {Watched::contact_created, Watched::contact_swallowed}) {
+    if (watch_.just_beyond(kind)) watch_.set_place(kind, most_pushed_node(model_, *contact()));
+  }
+  for (const Watched kind : {Watched::hourglass_created, Watched::hourglass_large}) {
+    if (watch_.just_beyond(kind)) watch_.set_place(kind, most_hourglassed_slot(model_));
+  }
 }
 
 template <class S>
@@ -174,6 +232,7 @@ void Solver<S>::persist(StateArchive& archive) {
   contact_.persist(archive, model_);
   clock_.persist(archive);
   ledger_.persist(archive);
+  watch_.persist(archive);
   counts_.persist(archive);
   timers_.persist(archive);
   archive(initial_momentum_, kinetic_before_change_);

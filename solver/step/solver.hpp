@@ -10,12 +10,14 @@
 #include <solver/elements/schedule.hpp>
 #include <solver/model/initial_overlap.hpp>
 #include <solver/model/model.hpp>
+#include <solver/model/unseen_balls.hpp>
 #include <solver/results.hpp>
 #include <solver/results/probes.hpp>
 #include <solver/results/timers.hpp>
 
 #include "contact_stage.hpp"
 #include "energy_ledger.hpp"
+#include "energy_watch.hpp"
 #include "guards.hpp"
 #include "run_counts.hpp"
 #include "step_clock.hpp"
@@ -41,7 +43,7 @@ class Solver {
   /// continued.
   void step() { advance(false); }
   /// Forces and energies at the present positions, velocities brought to the same time.
-  void finish() { advance(true); }
+  void finish();
   /// Whether time.end or time.steps of the scene is reached; then finish() is due.
   bool at_end() const { return clock_.at_end(schedule_.cycle_steps()); }
 
@@ -64,17 +66,24 @@ class Solver {
   std::int64_t steps() const { return clock_.steps(); }
   const Energies& energies() const { return ledger_.energies(); }
   double balance_error() const { return ledger_.balance_error(); }
+  double balance_error_in_motion() const { return ledger_.balance_error_in_motion(); }
   double initial_energy() const { return ledger_.initial(); }
   Point initial_momentum() const { return initial_momentum_; }
 
   const StepClock& clock() const { return clock_; }
   const EnergyLedger& ledger() const { return ledger_; }
+  const EnergyWatch& watch() const { return watch_; }
   const RunCounts& counts() const { return counts_; }
   const ContactAlgorithm<S>* contact() const { return contact_.contact(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
   const Subcycling<S>* subcycling() const { return schedule_.subcycling(); }
   const Probes<S>& probes() const { return probes_; }
   const InitialOverlap& initial_overlap() const { return initial_overlap_; }
+  /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
+  const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
+  const std::optional<UnseenBalls>& unseen_balls() const { return unseen_balls_; }
+  /// The part of the energy in motion up to which contact may swallow it; 0 where the scene asks for what does [-].
+  double sound_swallowing() const { return sound_swallowing_; }
   const Timers& timers() const { return timers_; }
   Timers& timers() { return timers_; }
   std::size_t bytes() const;  ///< of everything of the size of the mesh
@@ -98,6 +107,7 @@ class Solver {
   double integrate(const Due& due);
   void reflect_at_symmetry_planes();
   void keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact, double kinetic);
+  void watch_energies();
 
   Model<S> model_;
   InternalForces<S> internal_forces_;
@@ -108,11 +118,15 @@ class Solver {
   ContactStage<S> contact_;
   StepClock clock_;
   EnergyLedger ledger_;
+  EnergyWatch watch_;
   RunCounts counts_;
   Timers timers_;
   Guards<S> guards_;
   Point initial_momentum_{};
-  InitialOverlap initial_overlap_;               ///< only looked for in a scene with contact
+  InitialOverlap overlap_at_end_;
+  InitialOverlap initial_overlap_;           ///< only looked for in a scene with contact
+  std::optional<UnseenBalls> unseen_balls_;  ///< only looked for where the gap is that of balls
+  double sound_swallowing_ = 0;
   std::optional<double> kinetic_before_change_;  ///< velocities may have been changed since [energy]
 };
 

@@ -57,7 +57,7 @@ TEST_P(ContactProtocol, TheStageThatIsNotDueDoesNothing) {
   const auto contact = make_model_contact(model_);
   const ModelSurface<double> surface(model_);
   contact->update_surface(surface, {});
-  contact->search(surface);
+  contact->search(surface, dt_);
   ContactWork before = contact->before_step(surface, dt_);
   EXPECT_EQ(before.pairs > 0, springs());
   EXPECT_TRUE(loaded().empty()) << "no forces before add_forces";
@@ -85,13 +85,15 @@ TEST_P(ContactProtocol, TheStageThatIsNotDueDoesNothing) {
 }
 
 TEST(ContactWork, AddsWhatSumsAndKeepsTheLargestOfTheRest) {
-  ContactWork work{1, 2, 3, 4, 0.5, 6, 7};
-  work += {10, 20, 30, 40, 0.25, 60, 70};
+  ContactWork work{1, 2, 3, 4, 0.5, 6, 7, {1, 9, 9, 0, 0}};
+  work += {10, 20, 30, 40, 0.25, 60, 70, {1, 20, 20, 1, 0}};
   EXPECT_EQ(work.stored, 11);
   EXPECT_EQ(work.eroded, 22);
   EXPECT_EQ(work.damped_power, 33);
   EXPECT_EQ(work.dissipated, 44);
   EXPECT_EQ(work.penetration_ratio, 0.5);
+  EXPECT_EQ(work.sweeps.sweeps, 29);
+  EXPECT_EQ(work.sweeps.largest, 20);
   EXPECT_EQ(work.pairs, 66);
   EXPECT_EQ(work.frequency2, 70);
 }

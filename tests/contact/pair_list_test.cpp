@@ -84,9 +84,28 @@ Pairs listed_pairs(const PairList<S>& list) {
 }
 
 template <class S>
+void expect_same(const PairList<S>& list, const PairList<S>& other) {
+  EXPECT_EQ(list.listed(), other.listed());
+  EXPECT_EQ(list.places(), other.places());
+  EXPECT_TRUE(std::equal(list.first(), list.first() + list.places(), other.first()));
+  EXPECT_TRUE(std::equal(list.second(), list.second() + list.places(), other.second()));
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) {
+    EXPECT_EQ(list.piece(p).begin, other.piece(p).begin);
+    EXPECT_EQ(list.piece(p).end, other.piece(p).end);
+    EXPECT_EQ(list.piece(p).pinballs_end, other.piece(p).pinballs_end);
+  }
+}
+
+/// The pairs that every search finds.
+template <class S>
 Pairs found(const SurfacePinballs<S>& all, const std::vector<Ball>& balls, bool self = true) {
-  PairList<S> list;
-  list.build(all, moving<S>(balls), self);
+  const MovingBalls<S> way = moving<S>(balls);
+  PairList<S> list, by_hash, automatic;
+  list.build(all, way, self, ContactSearch::tree);
+  by_hash.build(all, way, self, ContactSearch::hash);
+  automatic.build(all, way, self);
+  expect_same(by_hash, list);
+  expect_same(automatic, list);
   return listed_pairs(list);
 }
 
@@ -177,6 +196,17 @@ TEST(PairList, IsWhatAllPairsGive) {
         EXPECT_GT(surely.size(), 20U) << "the test is to find something";
       }
     }
+  }
+}
+
+/// As hosts may have spheres: balls near each other do not have near numbers.
+TEST(PairList, IsTheSameFromEverySearchInAnyOrderOfBalls) {
+  for (const double reach : {5.0, 12.0}) {
+    Random random(83);
+    std::vector<Ball> balls;
+    for (int i = 0; i < 6000; ++i) balls.push_back({random_vector(random, reach), random_vector(random, 0.5), 0.3});
+    EXPECT_GT(found(bodies<double>(balls.size()), balls).size(), 1000U);
+    EXPECT_GT(found(bodies<float>(balls.size()), balls).size(), 1000U);
   }
 }
 

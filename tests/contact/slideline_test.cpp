@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include <solver/contact/segments/segment_surface.hpp>
 #include <solver/contact/slideline/slideline_search.hpp>
-#include <solver/contact/slideline/slideline_surface.hpp>
 #include <solver/elements/internal_forces.hpp>
 
 #include "impact_case.hpp"
@@ -198,10 +198,10 @@ TEST_P(Slideline, ANodeThatSlidesOverAnEdgeIsFree) {
   EXPECT_NEAR(velocity_of_body(solver, 1)[0], before, 0.01 * before);
 }
 
-TEST(SlidelineSurface, CountsSegmentsAndSharesOfSlaves) {
+TEST(SegmentSurface, CountsSegmentsAndSharesOfSlaves) {
   Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1);
   const Model<double> model = build_model<double>(scene);
-  const SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
+  const SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 24);
   EXPECT_EQ(surface.slaves().size(), 26);
   double share = 0, stiffness = 0;
@@ -224,14 +224,14 @@ Model<double> eroding_block() {
 /// In the middle of the upper face of the block, and the one behind it: they share one face.
 constexpr std::size_t upper = 22, centre = 13;
 
-bool erode(Model<double>& model, SlidelineSurface<double>& surface, std::size_t element) {
+bool erode(Model<double>& model, SegmentSurface<double>& surface, std::size_t element) {
   model.elements.mass[static_cast<std::size_t>(model.slot_of_element[element])] = 0;
   std::vector<TileResult<double>> tiles(static_cast<std::size_t>(model.tile_count()));
   for (TileResult<double>& tile : tiles) tile.eroded_count = 1;
   return surface.remove_eroded(eroded_slots(model, tiles));
 }
 
-std::size_t active_segments(const SlidelineSurface<double>& surface) {
+std::size_t active_segments(const SegmentSurface<double>& surface) {
   std::size_t count = 0;
   for (std::size_t s = 0; s < surface.segments().size(); ++s) {
     const double* plane = surface.plane().data() + 4 * s;
@@ -243,20 +243,20 @@ std::size_t active_segments(const SlidelineSurface<double>& surface) {
   return count;
 }
 
-std::vector<SlidelineSurface<double>::Slave> active_slaves(const SlidelineSurface<double>& surface) {
-  std::vector<SlidelineSurface<double>::Slave> slaves;
+std::vector<SegmentSurface<double>::Slave> active_slaves(const SegmentSurface<double>& surface) {
+  std::vector<SegmentSurface<double>::Slave> slaves;
   for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
     if (surface.active(i)) slaves.push_back(surface.slaves()[i]);
   }
   return slaves;
 }
 
-TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
+TEST(SegmentSurface, FacesBehindElementsThatMaySoonErodeWait) {
   Model<double> model = eroding_block();
   for (const std::size_t e : {upper, centre}) {  // the strain of what lies inside does not count
     model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.5;
   }
-  SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
+  SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54 + 5);
   EXPECT_EQ(active_segments(surface), 54);
   EXPECT_EQ(surface.slaves().size(), 56 + 4);
@@ -287,9 +287,9 @@ TEST(SlidelineSurface, FacesBehindElementsThatMaySoonErodeWait) {
   }
 }
 
-TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
+TEST(SegmentSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
   Model<double> model = eroding_block();
-  SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
+  SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54);
   EXPECT_TRUE(surface.complete());
   EXPECT_TRUE(erode(model, surface, upper));
@@ -300,14 +300,15 @@ TEST(SlidelineSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
   EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
 }
 
-TEST(SlidelineSurface, KeepsWhatListsAskForUpToDate) {
+TEST(SegmentSurface, KeepsWhatListsAskForUpToDate) {
   // Slave 0 is in the corner that three segments share, and lists the last segment.
   Model<double> model = eroding_block();
-  SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
-  std::vector<std::int64_t> first(surface.slaves().size() + 1, 1);
-  first[0] = 0;
+  SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   const auto last = static_cast<std::int32_t>(surface.segments().size() - 1);
-  surface.choose(first, {last});
+  surface.choose_none();
+  surface.choose(last);
+  surface.choose_around(0);
+  surface.finish_choice();
   for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += 1;
   const std::vector<double> before(surface.sphere().data(), surface.sphere().data() + surface.sphere().size());
   surface.update(ModelSurface<double>(model));
@@ -344,7 +345,7 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
       x[i] = size * (x[i] + 0.02 * uniform(generator));
       v[i] += 0.3 * speed * uniform(generator);  // so that segments grow
     }
-    SlidelineSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
+    SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
     SlidelineSearch<double> search(ModelSurface<double>(model), surface, true);
     search.count_step(dt);
     search.build(ModelSurface<double>(model), surface, 0.5);

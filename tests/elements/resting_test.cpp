@@ -243,7 +243,7 @@ TEST(RestingTiles, HaveOneVelocityAndNoStress) {
   Model<double> model = build_model<double>(long_bar());
   model.elements.stress[3] = 1;
   EXPECT_EQ(RestingTiles<double>(model).elements(), 224);
-  model.elements.hourglass_force[static_cast<std::size_t>(model.elements.slots) * 12 - 1] = 1;
+  model.elements.hourglass_state[static_cast<std::size_t>(model.elements.slots) * 12 - 1] = 1;
   EXPECT_EQ(RestingTiles<double>(model).elements(), 192);
   model.elements.mass[static_cast<std::size_t>(model.elements.slots) / 2] = 0;  // eroded
   EXPECT_EQ(RestingTiles<double>(model).elements(), 160);

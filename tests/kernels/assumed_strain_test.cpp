@@ -1,4 +1,5 @@
 #include <kernels/assumed_strain.hpp>
+#include <kernels/material.hpp>
 #include <tests/support/support.hpp>
 
 namespace pinball {
@@ -18,7 +19,9 @@ HourglassForce<double> force_of(const Corners& corner, const Modes& modes, doubl
   const HexahedronModes<double> x = test::modes<double>(corner);
   const double volume = hexahedron_volume(uniform_gradient(x), x);
   const Vec3<double> h[4] = {modes[0], modes[1], modes[2], modes[3]};
-  return assumed_strain_force(assumed_strain_moduli(lambda, mu, 1.0), half_edges(x, true), h, volume / 8);
+  const ElementEdges<double> edges = edges_of(x, true);
+  return assumed_strain_force(edges, assumed_stress(assumed_strain_moduli(lambda, mu, 1.0), assumed_strain(edges, h)),
+                              volume / 8);
 }
 
 double energy_of(const HourglassForce<double>& force, const Modes& h) {
@@ -94,11 +97,107 @@ TEST(AssumedStrain, TurnsWithTheElement) {
   }
 }
 
+TEST(AssumedStrain, StoresTheEnergyOfItsForces) {  // also of a softer element, and of one without stiffness
+  Random random(25);
+  for (const double factor : {1.0, 0.5, 0.0}) {
+    const Corners corner = random_hexahedron(random);
+    const HexahedronModes<double> x = modes<double>(corner);
+    const double volume = hexahedron_volume(uniform_gradient(x), x);
+    const auto moduli = assumed_strain_moduli(2.0, 1.0, factor);
+    const Modes h = random_modes(random);
+    const Vec3<double> displaced[4] = {h[0], h[1], h[2], h[3]};
+    const ElementEdges<double> edges = edges_of(x, true);
+    const AssumedField<double> stress = assumed_stress(moduli, assumed_strain(edges, displaced));
+    const double energy = energy_of(assumed_strain_force(edges, stress, volume / 8), h);
+    EXPECT_NEAR(0.5 * volume * compliance_product(moduli, stress, stress), energy, 1e-13);
+    EXPECT_NEAR(0.5 * volume * contract(stress, assumed_strain(edges, displaced)), energy, 1e-13);
+  }
+}
+
+TEST(AssumedStrain, EdgesHalfAStepLaterAreThoseOfTheEnd) {
+  Random random(26);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Corners x = random_hexahedron(random), velocity = linear_field({0, 0, 0}, random_tensor(random), x);
+    double error[2] = {0, 0};
+    for (const int k : {0, 1}) {
+      Corners later;
+      for (std::size_t i = 0; i < 8; ++i) later[i] = x[i] + 0.01 / (1 << k) * velocity[i];
+      const ElementEdges<double> found = edges_later(modes<double>(later), edges_of(modes<double>(x), true)),
+                                 exact = edges_of(modes<double>(later), true);
+      for (int c = 0; c < 3; ++c) {
+        error[k] += std::abs(found.inverse_square[c] / exact.inverse_square[c] - 1) +
+                    std::abs(found.inverse_product[c] / exact.inverse_product[c] - 1);
+        EXPECT_NEAR(exact.inverse_product[c] * norm(exact.edge[(c + 1) % 3]) * norm(exact.edge[(c + 2) % 3]), 1, 1e-14);
+      }
+    }
+    EXPECT_LT(error[0], 1e-2);
+    EXPECT_LT(error[1], 0.3 * error[0]);  // second order
+  }
+}
+
+TEST(AssumedStrain, EdgesOfTwiceTheLengthResistNoMore) {
+  const ElementEdges<double> edges =
+      edges_later(modes<double>(box(2, 1, 1)), edges_of(modes<double>(box(1, 1, 1)), true));
+  EXPECT_EQ(edges.inverse_square[0], 0);
+  EXPECT_NEAR(edges.inverse_square[1], 4, 1e-14);
+}
+
+Symmetric<double> tensor_of(const ElementEdges<double>& edges, const AssumedField<double>& s, int c) {
+  const int m = (c + 1) % 3, k = (c + 2) % 3;
+  const Vec3<double> a = (1 / norm(edges.edge[m])) * edges.edge[m], b = (1 / norm(edges.edge[k])) * edges.edge[k];
+  const std::size_t first = std::size_t(3 * c);
+  const auto outer = [](const Vec3<double>& u, const Vec3<double>& v) {
+    return Symmetric<double>{u.x * v.x,
+                             u.y * v.y,
+                             u.z * v.z,
+                             0.5 * (u.x * v.y + u.y * v.x),
+                             0.5 * (u.y * v.z + u.z * v.y),
+                             0.5 * (u.z * v.x + u.x * v.z)};
+  };
+  return s.c[first] * outer(a, a) + s.c[first + 1] * outer(b, b) + (2 * s.c[first + 2]) * outer(a, b);
+}
+
+TEST(AssumedStrain, HasInCommonWithTheStressWhatTheirTensorsHave) {  // of a turned box
+  Random random(27);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Tensor<double> r = rotation_matrix(random_direction(random), uniform(random, 0, 3));
+    const HexahedronModes<double> x =
+        modes<double>(mapped(r, box(uniform(random, 0.3, 3), uniform(random, 0.3, 3), uniform(random, 0.3, 3))));
+    const ElementEdges<double> edges = edges_of(x, true);
+    AssumedField<double> s;
+    for (double& value : s.c) value = uniform(random, -1, 1);
+    const Symmetric<double> deviator = deviator_of(random_symmetric(random, 2));
+    const CommonStress<double> common = common_stress(edges, deviator, s, 3.0);
+    double squares = 0, product[3], mean_square = 0;
+    for (int c = 0; c < 3; ++c) {
+      const Symmetric<double> tensor = tensor_of(edges, s, c);
+      product[c] = 1.5 * contract(deviator, tensor);
+      squares += product[c] * product[c];
+      mean_square += effective_square(deviator_of(tensor)) + s.c[9 + c] * s.c[9 + c];
+    }
+    EXPECT_NEAR(effective_square(s), mean_square, 1e-13);
+    EXPECT_NEAR(common.alignment, std::sqrt(squares), 1e-13);
+    Symmetric<double> sum{0, 0, 0, 0, 0, 0};
+    AssumedField<double> of_mean{};
+    for (std::size_t i = 0; i < 9; ++i) of_mean.c[i] = common.of_mean[i];
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(common.share[c], product[c] / std::sqrt(squares), 1e-13);
+      sum = sum + common.share[c] * tensor_of(edges, s, c);
+      // A plane stress across c that works on the stresses across c as the deviator does.
+      const Symmetric<double> plane = tensor_of(edges, of_mean, c);
+      EXPECT_NEAR(1.5 * contract(deviator_of(plane), tensor_of(edges, s, c)), common.share[c] * product[c], 1e-13);
+    }
+    EXPECT_SYMMETRIC_NEAR(deviator_of_shares(edges, s, common.share), deviator_of(sum), 1e-13);
+  }
+}
+
 TEST(AssumedStrain, OfAnElementWithoutVolumeIsZero) {
   const HexahedronModes<double> flat = modes<double>(box(1, 1, 0)), cube = modes<double>(box(1, 1, 1));
-  for (const HalfEdges<double>& half : {half_edges(flat, true), half_edges(cube, false)}) {
+  for (const ElementEdges<double>& edges : {edges_of(flat, true), edges_of(cube, false)}) {
     const Vec3<double> h[4] = {{1, 2, 3}, {3, 2, 1}, {1, 1, 1}, {2, 0, 1}};
-    const HourglassForce<double> force = assumed_strain_force(assumed_strain_moduli(2.0, 1.0, 1.0), half, h, 0.1);
+    for (const double strain : assumed_strain(edges, h).c) EXPECT_EQ(strain, 0);
+    const AssumedField<double> stress{{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
+    const HourglassForce<double> force = assumed_strain_force(edges, stress, 0.1);
     for (const Vec3<double>& p : force.p) EXPECT_VECTOR_NEAR(p, (Vec3<double>{0, 0, 0}), 0);
   }
 }
@@ -123,11 +222,15 @@ TYPED_TEST(AssumedStrainPack, EqualsTheScalarKernelLaneByLane) {
     h[a] = vector_from_lanes<T>([&](int i) { return displaced[std::size_t(i)][a]; });
   }
   const auto moduli = assumed_strain_moduli<S>(2, 1, 1);
-  const HourglassForce<T> force = assumed_strain_force(moduli, half_edges(x, MaskOf<T>(true)), h, T(S(0.125)));
+  const ElementEdges<T> edges = edges_of(x, MaskOf<T>(true));
+  const HourglassForce<T> force =
+      assumed_strain_force(edges, assumed_stress(moduli, assumed_strain(edges, h)), T(S(0.125)));
   for (int i = 0; i < width_of<T>; ++i) {
     Vec3<S> one[4];
     for (int a = 0; a < 4; ++a) one[a] = lane_of(h[a], i);
-    const HourglassForce<S> expected = assumed_strain_force(moduli, half_edges(lane_of(x, i), true), one, S(0.125));
+    const ElementEdges<S> edges1 = edges_of(lane_of(x, i), true);
+    const HourglassForce<S> expected =
+        assumed_strain_force(edges1, assumed_stress(moduli, assumed_strain(edges1, one)), S(0.125));
     for (int a = 0; a < 4; ++a) EXPECT_VECTOR_NEAR(lane_of(force.p[a], i), expected.p[a], 64 * epsilon<S>);
   }
 }

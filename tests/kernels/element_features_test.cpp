@@ -30,7 +30,7 @@ void compare_features() {
   }
   if (hourglass == HourglassKind::none) {
     scene.constants.hourglass_coefficient = 0;
-    for (ElementState& s : scene.element) s.hourglass_force = {};
+    for (ElementState& s : scene.element) s.hourglass_state = {};
   }
   ElementOutcome expected = advance<double, full>(scene);
   if (!erosion) expected.eroded = 0;

@@ -10,7 +10,7 @@ struct ElementState {
   double mass = 0;
   Symmetric<double> stress{0, 0, 0, 0, 0, 0};
   double plastic_strain = 0;
-  std::array<Vec3<double>, 4> hourglass_force{};
+  std::array<Vec3<double>, 4> hourglass_state{};  ///< twelve numbers, by threes
   double viscous_stress = 0;
   double internal_energy = 0;
 };
@@ -59,7 +59,9 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
           S(c.linear_viscosity),
           S(c.quadratic_viscosity),
           c.erode_negative_volume,
-          assumed_strain_moduli(S(m.lambda), S(m.mu), S(c.hourglass_coefficient))};
+          assumed_strain_moduli(S(m.lambda), S(m.mu), S(c.hourglass_coefficient)),
+          S(c.hourglass_coefficient) * hourglass_modulus(S(m.lambda), S(m.mu)),
+          S(1) / S(m.density)};
 }
 
 template <class T, ElementFeatures features>
@@ -93,9 +95,9 @@ ElementOutcome advance(const ElementScene& scene) {
     const double components[6] = {s.stress.xx, s.stress.yy, s.stress.zz, s.stress.xy, s.stress.yz, s.stress.zx};
     for (std::size_t c = 0; c < 6; ++c) stress[place(e, c, 6)] = S(components[c]);
     for (std::size_t a = 0; a < 4; ++a) {
-      hourglass[place(e, 3 * a, 12)] = S(s.hourglass_force[a].x);
-      hourglass[place(e, 3 * a + 1, 12)] = S(s.hourglass_force[a].y);
-      hourglass[place(e, 3 * a + 2, 12)] = S(s.hourglass_force[a].z);
+      hourglass[place(e, 3 * a, 12)] = S(s.hourglass_state[a].x);
+      hourglass[place(e, 3 * a + 1, 12)] = S(s.hourglass_state[a].y);
+      hourglass[place(e, 3 * a + 2, 12)] = S(s.hourglass_state[a].z);
     }
   }
 
@@ -120,7 +122,7 @@ ElementOutcome advance(const ElementScene& scene) {
     s.stress = {stress[place(e, 0, 6)], stress[place(e, 1, 6)], stress[place(e, 2, 6)],
                 stress[place(e, 3, 6)], stress[place(e, 4, 6)], stress[place(e, 5, 6)]};
     for (std::size_t a = 0; a < 4; ++a) {
-      s.hourglass_force[a] = {hourglass[place(e, 3 * a, 12)], hourglass[place(e, 3 * a + 1, 12)],
+      s.hourglass_state[a] = {hourglass[place(e, 3 * a, 12)], hourglass[place(e, 3 * a + 1, 12)],
                               hourglass[place(e, 3 * a + 2, 12)]};
     }
     out.element.push_back(s);
@@ -162,7 +164,7 @@ inline ElementScene random_element_scene() {
     s.mass = uniform(random, 2, 4);
     s.stress = random_symmetric(random, 3);
     s.plastic_strain = uniform(random, 0, 0.1);
-    for (Vec3<double>& q : s.hourglass_force) q = random_vector(random, 0.5);
+    for (Vec3<double>& q : s.hourglass_state) q = random_vector(random, 0.5);
     s.viscous_stress = uniform(random, -1, 1);
     s.internal_energy = uniform(random, 0, 2);
     return s;
@@ -219,8 +221,8 @@ inline void expect_equal(const ElementOutcome& found, const ElementOutcome& expe
       EXPECT_NEAR(a.viscous_stress, b.viscous_stress, 10 * tolerance);
     }
     for (std::size_t m = 0; m < 4; ++m) {
-      if (keeps_hourglass_force(compare.hourglass)) {
-        EXPECT_VECTOR_NEAR(a.hourglass_force[m], b.hourglass_force[m], tolerance);
+      if (keeps_hourglass_state(compare.hourglass)) {
+        EXPECT_VECTOR_NEAR(a.hourglass_state[m], b.hourglass_state[m], tolerance);
       }
     }
   }

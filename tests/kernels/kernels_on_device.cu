@@ -36,15 +36,12 @@ __global__ void integrate_nodes(S* position, S* velocity, S* force, const S* inv
   integrate_node(position + 4 * node, velocity + 4 * node, force + 4 * node, inverse_mass[node], dt, dt, dt);
 }
 
-template <class S>
-struct CountVisits {
-  std::int32_t* visits;
-  PINBALL_FUNCTION void operator()(std::int32_t, const S*) const { ++*visits; }
-};
-template <class S>
-__global__ void count_neighbours(SpatialHashView<S> hash, const S* position, std::int32_t* visits) {
-  const std::int64_t point = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  for_each_near(hash, position + 4 * point, CountVisits<S>{visits + point});
+__global__ void copy_cells(SpatialHashView hash, const HashBox* boxes, HashBox* copies, std::int32_t* count) {
+  const std::int64_t box = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  const HashCell cell = cell_of(boxes[box]);
+  HashBox* const begin = copies + 64 * box;
+  count[box] = static_cast<std::int32_t>(
+      copy_cell(hash, bucket_of(cell, hash.bits), cell, limits_of(boxes[box]), begin) - begin);
 }
 
 template <class S>
@@ -54,12 +51,12 @@ void instantiate() {
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
   contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);
   integrate_nodes<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, S(0));
-  count_neighbours<S><<<1, 32>>>({}, nullptr, nullptr);
 }
 
 }  // namespace
 
 void instantiate_kernels() {
+  copy_cells<<<1, 32>>>({}, nullptr, nullptr, nullptr);
   instantiate<double>();
   instantiate<float>();
 }

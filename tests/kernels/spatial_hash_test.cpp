@@ -1,6 +1,7 @@
 #include <algorithm>
-#include <functional>
-#include <string>
+#include <numeric>
+#include <set>
+#include <utility>
 
 #include <kernels/spatial_hash.hpp>
 #include <tests/support/support.hpp>
@@ -10,171 +11,157 @@ namespace {
 
 using namespace test;
 
-/// A hash with its memory.
-template <class S>
-struct Hash {
-  std::vector<std::int32_t> bucket_start, entry_point;
-  std::vector<std::uint64_t> entry_cell, cells;
-  std::vector<S> entry_record;
-  SpatialHashView<S> view;
+constexpr std::int32_t last_unit = (1 << cell_coordinate_bits) - 1;
 
-  Hash(const std::vector<S>& records, double size, int bits, const double (&origin)[3]) {
-    const std::size_t count = records.size() / 4;
-    bucket_start.assign((std::size_t(1) << bits) + 1, -1);
-    entry_point.assign(count, -1);
-    entry_cell.assign(count, 0);
-    cells.assign(count, 0);
-    entry_record.assign(4 * count, S(0));
-    view = {{{origin[0], origin[1], origin[2]}, 1 / size},
-            bits,
-            bucket_start.data(),
-            entry_cell.data(),
-            entry_point.data(),
-            entry_record.data()};
-    build_spatial_hash(view, records.data(), std::int32_t(count), cells.data());
+HashBox box_of(const std::array<std::int32_t, 3>& low, const std::array<std::int32_t, 3>& high, std::int32_t number) {
+  HashBox box{};
+  std::int32_t longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.value[k] = low[k];
+    box.value[3 + k] = -high[k];
+    longest = std::max(longest, high[k] - low[k]);
   }
-};
-
-struct Configuration {
-  const char* name;
-  std::function<Vec3<double>(Random&, int)> point;
-};
-std::vector<Configuration> configurations() {
-  return {
-      {"random", [](Random& r, int) { return random_vector(r, 4); }},
-      {"clustered",
-       [](Random& r, int i) {
-         return Vec3<double>{3.0 * (i % 3), -2.0 * (i % 2), 0} + random_vector(r, 0.6);
-       }},
-      {"one point",
-       [](Random&, int) {
-         return Vec3<double>{0.3, -0.2, 0.1};
-       }},
-      {"line",
-       [](Random&, int i) {
-         return Vec3<double>{0.1 * i, 0, 0};
-       }},
-      {"cell corners",
-       [](Random&, int i) {
-         return Vec3<double>{double(i % 5), double(i / 5 % 5), double(i / 25)};
-       }},
-      {"around the origin", [](Random& r, int) { return random_vector(r, 1e-9); }},
-      {"huge coordinates",
-       [](Random& r, int) {
-         return Vec3<double>{1e5, -1e5, 5e5} + random_vector(r, 4);
-       }},
-      {"at the clamp",
-       [](Random& r, int) {
-         return Vec3<double>{1048574, -1048574, 0} + random_vector(r, 3);
-       }},
-      {"far outliers",
-       [](Random& r, int i) {
-         const Vec3<double> near = random_vector(r, 2);
-         return i % 10 == 0 ? Vec3<double>{1e9, 0, 0} + near : i % 10 == 1 ? Vec3<double>{-1e9, 1e12, 0} + near : near;
-       }},
-  };
+  box.value[6] = number;
+  box.value[7] = level_of(longest);
+  return box;
 }
 
-class SpatialHash : public ::testing::TestWithParam<int> {};
-
-/// Independent implementation: all pairs.
-TEST_P(SpatialHash, FindsEveryNeighbourOnce) {
-  const int bits = GetParam();
-  const double origin[3] = {0.25, -0.5, 0};
-  for (const Configuration& configuration : configurations()) {
-    SCOPED_TRACE(configuration.name);
-    Random random(71);
-    std::vector<double> points;
-    constexpr int count = 200, stride = 4;
-    for (int i = 0; i < count; ++i) {
-      const Vec3<double> p = configuration.point(random, i);
-      points.insert(points.end(), {p.x, p.y, p.z, double(i)});
+/// Boxes with sides up to 4^levels units.
+std::vector<HashBox> random_boxes(int count, std::int32_t reach, int levels) {
+  std::mt19937 random(3);
+  std::vector<HashBox> boxes;
+  for (std::int32_t n = 0; n < count; ++n) {
+    std::array<std::int32_t, 3> low{}, high{};
+    const std::int32_t most = 1 << std::uniform_int_distribution<int>(0, 2 * levels)(random);
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::uniform_int_distribution<std::int32_t>(0, reach)(random);
+      high[k] = std::min(last_unit, low[k] + std::uniform_int_distribution<std::int32_t>(0, most)(random));
     }
-    const double size = 1.0;
-    const Hash<double> hash(points, size, bits, origin);
-    for (int i = 0; i < count; ++i) {
-      std::vector<int> visits(count, 0);
-      for_each_near(hash.view, points.data() + stride * i, [&](std::int32_t j, const double* record) {
-        ++visits[std::size_t(j)];
-        for (int c = 0; c < 4; ++c) ASSERT_EQ(record[c], points[std::size_t(stride * j + c)]);
-      });
-      for (int j = 0; j < count; ++j) {
-        const double* p = points.data() + stride * i;
-        const double* q = points.data() + stride * j;
-        const double distance = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-        ASSERT_LE(visits[std::size_t(j)], 1);
-        if (distance < size * (1 - 1e-12)) {
-          ASSERT_EQ(visits[std::size_t(j)], 1) << i << ' ' << j;
-        }
-        // Inside the clamp nothing from further than the 27 cells.
-        if (distance > size * 3.5 && std::abs(p[0]) < 1e6 && std::abs(p[1]) < 1e6) {
-          ASSERT_EQ(visits[std::size_t(j)], 0) << i << ' ' << j;
-        }
-      }
-    }
+    boxes.push_back(box_of(low, high, n));
   }
+  return boxes;
 }
-
-TEST_P(SpatialHash, HoldsEveryPointOnceInBucketsInTheOrderOfThePoints) {
-  const int bits = GetParam();
-  Random random(72);
-  std::vector<float> points;  // single precision
-  for (int i = 0; i < 4 * 500; ++i) points.push_back(float(uniform(random, -3, 3)));
-  const double origin[3] = {0, 0, 0};
-  const Hash<float> hash(points, 0.7, bits, origin);
-  const std::size_t buckets = std::size_t(1) << bits;
-  EXPECT_EQ(hash.bucket_start[0], 0);
-  EXPECT_EQ(hash.bucket_start[buckets], 500);
-  std::vector<int> found(500, 0);
-  for (std::size_t b = 0; b < buckets; ++b) {
-    ASSERT_LE(hash.bucket_start[b], hash.bucket_start[b + 1]);
-    for (std::int32_t e = hash.bucket_start[b]; e < hash.bucket_start[b + 1]; ++e) {
-      const std::int32_t point = hash.entry_point[std::size_t(e)];
-      ++found[std::size_t(point)];
-      EXPECT_EQ(hash_cell(hash.entry_cell[std::size_t(e)], bits), b);
-      EXPECT_EQ(hash.entry_cell[std::size_t(e)], hash.cells[std::size_t(point)]);
-      if (e > hash.bucket_start[b]) {
-        EXPECT_GT(point, hash.entry_point[std::size_t(e - 1)]);
-      }
-    }
-  }
-  EXPECT_EQ(std::count(found.begin(), found.end(), 1), 500);
-}
-INSTANTIATE_TEST_SUITE_P(Bits, SpatialHash, ::testing::Values(1, 2, 7, 16));
 
 TEST(CellGrid, IsTheFloor) {
   const CellGrid grid{{0.5, 0, -1}, 4.0};
-  for (double x = -3; x < 3; x += 0.0625) {
+  for (double x = 1; x < 7; x += 0.0625) {
     EXPECT_EQ(grid.coordinate(x, 0), int(std::floor((x - 0.5) * 4))) << x;
     EXPECT_EQ(grid.coordinate(x, 2), int(std::floor((x + 1) * 4))) << x;
   }
-  EXPECT_EQ(grid.coordinate(1e300, 1), 1048575);
-  EXPECT_EQ(grid.coordinate(-1e300, 1), -1048575);
-  EXPECT_EQ(grid.coordinate(std::numeric_limits<double>::infinity(), 1), 1048575);
 }
 
-TEST(PackCell, IsDifferentForDifferentCells) {
-  Random random(73);
-  std::vector<std::uint64_t> packed;
-  const int values[] = {-1048576, -1048575, -1, 0, 1, 2, 1048574, 1048575};
-  for (const int i : values)
-    for (const int j : values)
-      for (const int k : values) packed.push_back(pack_cell(i, j, k));
-  std::sort(packed.begin(), packed.end());
-  EXPECT_EQ(std::adjacent_find(packed.begin(), packed.end()), packed.end());
+TEST(CellGrid, TakesWhatLiesOutsideToTheBorder) {
+  const CellGrid grid{{0.5, 0, -1}, 4.0};
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double x : {1e10, 1e300, infinite}) EXPECT_EQ(grid.coordinate(x, 1), last_unit) << x;
+  for (const double x : {-1e-10, -1e300, -infinite}) EXPECT_EQ(grid.coordinate(x, 1), 0) << x;
 }
 
-TEST(HashCell, SpreadsAGridEvenly) {
+TEST(CellGrid, KeepsTheOrderOfNumbers) {
+  const CellGrid grid{{0.1, 0, 0}, 1 / 0.3};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(0, 100);
+  for (int i = 0; i < 1000; ++i) {
+    const double x = place(random);
+    EXPECT_LE(grid.coordinate(x, 0), grid.coordinate(std::nextafter(x, 1000), 0));
+    const double y = place(random);
+    EXPECT_LE(grid.coordinate(std::min(x, y), 0), grid.coordinate(std::max(x, y), 0));
+  }
+}
+
+TEST(LevelOfBox, IsTheLowestWhoseCellsAreNotShorter) {
+  for (const std::int32_t side : {0, 1}) EXPECT_EQ(level_of(side), 0);
+  for (int level = 1; level <= 15; ++level) {
+    const std::int32_t cell = 1 << 2 * level;
+    EXPECT_EQ(level_of(cell / 4 + 1), level);
+    EXPECT_EQ(level_of(std::min(cell, last_unit)), level);
+  }
+}
+
+TEST(HashCell, HoldsWhatReachesIntoTheNextOneAtMost) {
+  for (const HashBox& box : random_boxes(2000, last_unit, 15)) {
+    const HashCell cell = cell_of(box);
+    EXPECT_TRUE(is_in_cell(box, cell));
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_LE(in_cells(box.high(k), cell.level), cell.at[k] + 1);
+      HashCell other = cell;
+      ++other.at[k];
+      EXPECT_FALSE(is_in_cell(box, other));
+    }
+    EXPECT_FALSE(is_in_cell(box, {cell.level + 1, {cell.at[0], cell.at[1], cell.at[2]}}));
+  }
+}
+
+TEST(HashBox, MeetsWhatItOverlaps) {
+  const auto boxes = random_boxes(300, 60, 3);
+  int meeting = 0;
+  for (const HashBox& a : boxes) {
+    for (const HashBox& b : boxes) {
+      bool overlap = true;
+      for (int k = 0; k < 3; ++k) overlap = overlap && a.low(k) <= b.high(k) && b.low(k) <= a.high(k);
+      EXPECT_EQ(meets(a, limits_of(b)), overlap);
+      meeting += overlap ? 1 : 0;
+    }
+  }
+  EXPECT_GT(meeting, 1000);
+  EXPECT_LT(meeting, 80000);
+}
+
+TEST(BucketOfCell, SpreadsAGridEvenly) {
   constexpr int bits = 8;
   std::vector<int> load(1 << bits, 0);
-  for (int i = -16; i < 16; ++i)
-    for (int j = -16; j < 16; ++j)
-      for (int k = -16; k < 16; ++k) ++load[hash_cell(pack_cell(i, j, k), bits)];
+  for (int i = 0; i < 32; ++i)
+    for (int j = 0; j < 32; ++j)
+      for (int k = 0; k < 32; ++k) ++load[bucket_of({2, {i, j, k}}, bits)];
   const double mean = 32768.0 / (1 << bits);  // 128, standard deviation of a random hash 11
   for (const int n : load) {
     EXPECT_GT(n, 0.5 * mean);
     EXPECT_LT(n, 1.5 * mean);
   }
+}
+
+TEST(BucketOfCell, IsAnotherForEachCellOfABlock) {
+  for (const int bits : {9, 20, 31}) {
+    std::set<std::uint32_t> buckets;
+    for (int c = 0; c < 8; ++c) {
+      buckets.insert(bucket_of({1, {1000 + (c & 1), 2000 + (c >> 1 & 1), 3000 + (c >> 2)}}, bits));
+    }
+    EXPECT_EQ(buckets.size(), 8U);
+    EXPECT_EQ(*buckets.rbegin() - *buckets.begin(), 7U);
+    EXPECT_LT(*buckets.rbegin(), 1U << bits);
+  }
+}
+
+/// Few buckets, so that many cells share one.
+TEST(CopyCell, CopiesThoseOfTheCellThatKeepWithinLimits) {
+  constexpr int bits = 4;
+  std::vector<HashBox> boxes = random_boxes(400, 40, 2);
+  const auto bucket = [](const HashBox& box) { return bucket_of(cell_of(box), bits); };
+  std::sort(boxes.begin(), boxes.end(), [&](const HashBox& x, const HashBox& y) {
+    return std::pair(bucket(x), x.number()) < std::pair(bucket(y), y.number());
+  });
+  std::vector<std::int32_t> start((1 << bits) + 1, 0);
+  for (const HashBox& box : boxes) ++start[bucket(box) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  const SpatialHashView hash{{{0, 0, 0}, 1}, bits, 7, start.data(), boxes.data()};
+  std::vector<HashBox> copies(boxes.size() + 1);
+  int copied = 0;
+  for (std::size_t n = 0; n < boxes.size(); n += 3) {
+    const HashCell cell = cell_of(boxes[n]);
+    for (std::size_t other = 0; other < boxes.size(); other += 7) {
+      const HashBoxLimits limits = limits_of(boxes[other]);
+      const HashBox* end = copy_cell(hash, bucket(boxes[n]), cell, limits, copies.data());
+      const HashBox* copy = copies.data();
+      for (const HashBox& box : boxes) {
+        if (!is_in_cell(box, cell) || !meets(box, limits)) continue;
+        ASSERT_LT(copy, end);
+        EXPECT_TRUE(std::equal(copy->value, copy->value + 8, box.value));
+        ++copy, ++copied;
+      }
+      EXPECT_EQ(copy, end);
+    }
+  }
+  EXPECT_GT(copied, 100);
 }
 
 }  // namespace

@@ -177,7 +177,9 @@ void add_assumed_strain(ElementProblem& problem, const Corners& corner, const La
     const Tensor<double> gradient = velocity_gradient(b, v, 1 / volume);
     Vec3<double> h[4];
     for (int a = 0; a < 4; ++a) h[a] = hourglass_rate(gradient, x, v, a);
-    const HourglassForce<double> force = assumed_strain_force(moduli, half_edges(x, true), h, volume / 8);
+    const ElementEdges<double> edges = edges_of(x, true);
+    const HourglassForce<double> force =
+        assumed_strain_force(edges, assumed_stress(moduli, assumed_strain(edges, h)), volume / 8);
     const Tensor<double> acting = hourglass_stress(force, x, 1 / volume);
     Vec3<double> linear[3], hourglass[4], f[8];
     for (int m = 0; m < 3; ++m) linear[m] = acting * b.linear[m], hourglass[m] = acting * b.hourglass[m] + force.p[m];

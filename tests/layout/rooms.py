@@ -17,7 +17,9 @@ ROOMS = {
     "contact/search": ["solver/contact/search/"],
     "contact/impulses": ["solver/contact/impulses/"],
     "contact/algorithm": ["solver/contact/algorithm/"],
+    "contact/segments": ["solver/contact/segments/"],
     "contact/pinball": ["solver/contact/pinball/"],
+    "contact/faces": ["solver/contact/faces/"],
     "contact/slideline": ["solver/contact/slideline/"],
     "contact": ["solver/contact/make_contact.cpp"],
     "contact/host": ["solver/contact/host/"],
@@ -39,7 +41,8 @@ ROOMS = {
 ORDER = {room: number for number, room in enumerate(ROOMS)}
 
 # Side by side: neither includes the other, although one stands before the other above.
-APART = [("contact/pinball", "contact/slideline"), ("elements", "boundary"), ("program", "python")]
+APART = [("contact/pinball", "contact/faces"), ("contact/pinball", "contact/slideline"),
+         ("contact/faces", "contact/slideline"), ("elements", "boundary"), ("program", "python")]
 
 # Hosts get these, and nothing else. They include by paths from where they lie, so that they hold wherever they are put.
 PUBLIC = re.compile(r"kernels/[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*")

@@ -60,13 +60,17 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(keys(json["energy"]),
               ElementsAre("kinetic", "internal", "hourglass", "bulk_viscosity", "contact", "contact_stored",
-                          "contact_damped", "eroded", "external", "initial_total", "final_total", "balance_error_max"));
+                          "contact_damped", "eroded", "external", "initial_total", "final_total", "balance_error_max",
+                          "in_motion", "balance_error_in_motion_max", "contact_created_share",
+                          "contact_swallowed_share", "hourglass_created_share", "hourglass_share"));
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));
   ASSERT_EQ(json["bodies"].size(), 2U);
   EXPECT_THAT(keys(json["bodies"][0]), ElementsAre("name", "elements", "eroded_elements", "mass_initial",
                                                    "mass_remaining", "velocity", "max_plastic_strain"));
-  EXPECT_THAT(keys(json["contact"]), ElementsAre("method", "enforcement", "pinballs", "pairs_max", "searches",
-                                                 "searches_skipped", "max_penetration_ratio"));
+  EXPECT_THAT(keys(json["contact"]), ElementsAre("method", "enforcement", "gap", "pinballs", "pairs_max", "sweeps",
+                                                 "searches", "searches_skipped", "max_penetration_ratio",
+                                                 "max_penetration_time", "max_penetration_place"));
+  EXPECT_THAT(keys(json["contact"]["sweeps"]), ElementsAre("mean", "largest", "solutions", "at_bound", "unsolved"));
   EXPECT_THAT(keys(json["skipped"]), ElementsAre("resting_element_steps", "subcycled_element_steps", "searches",
                                                  "inner_element_steps", "bytes_not_stored"));
   EXPECT_THAT(keys(json["skipped_seconds"]), ElementsAre("resting", "subcycling", "searches", "inner_elements"));

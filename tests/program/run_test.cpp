@@ -131,6 +131,23 @@ TEST_F(Program, AnInvertedElementIsNamed) {
   EXPECT_THAT(f.text, HasSubstr("no volume"));
 }
 
+TEST_F(Program, WhatIsWrongFromTheStartIsToldAtTheStart) {
+  const std::string flat = cube_scene + "[contact]\nmethod = \"pinball\"\nenforcement = \"penalty\"\n" + R"(
+[[body]]
+name = "column"
+material = "steel"
+position = [0.03, 0.03, 0.11]
+mesh = { type = "block", size = [0.04, 0.04, 0.2], elements = [1, 1, 1] }
+)";
+  const Finished f = run("run " + scene(flat) + " --out " + (folder_ / "out"));
+  EXPECT_EQ(f.status, 0) << f.text;
+  const std::string warning =
+      "pinball: warning: the balls of element 0 of body cube and element 1 of body column meet ";
+  ASSERT_THAT(f.text, HasSubstr(warning));
+  EXPECT_LT(f.text.find(warning), f.text.find("energy error"));
+  EXPECT_THAT(result("summary.json"), HasSubstr("the balls of element 0 of body cube and"));
+}
+
 TEST_F(Program, ASuccessfulRunRemovesAnOldLastGoodState) {
   const std::string path = scene(cube_scene);
   std::filesystem::create_directories(folder_ / "out");
@@ -186,6 +203,8 @@ TEST_F(Program, RunWritesSummaryAndHistory) {
                           "searches",
                           "searches_skipped",
                           "max_penetration_ratio",
+                          "in_motion",
+                          "balance_error_in_motion_max",
                           "state_hash"}) {
     EXPECT_NE(value_of(summary, key), "") << key;
   }
@@ -226,6 +245,12 @@ TEST_F(Program, FieldsAreWrittenAtTheirTimesAlsoAtTheEnd) {
     }
     EXPECT_THAT(list, Not(HasSubstr("fields_0003.vtu")));
   }
+}
+
+TEST_F(Program, IntervalsThatTimeCannotCountAreThoseOfSteps) {
+  const Finished f = run("run two_blocks --set time.steps=3 --set output.field_interval=1e-300" + out());
+  EXPECT_EQ(f.status, 0) << f.text;
+  EXPECT_THAT(result("fields.pvd"), HasSubstr("fields_0002.vtu"));
 }
 
 TEST_F(Program, InfoTellsWhatRunsAndWhatIsSkipped) {

@@ -9,7 +9,7 @@ namespace {
 
 TEST(SkippedWork, CountsWhatTheFeaturesOfASceneNeedNotStore) {
   ElementStoreFeatures all;
-  all.plastic = all.erosion = all.bulk_viscosity = all.hourglass_force = true;
+  all.plastic = all.erosion = all.bulk_viscosity = all.hourglass_state = true;
   const ElementStore<double> full(3, all), least(3, ElementStoreFeatures{});
   EXPECT_EQ(bytes_not_stored(full), 0);
   EXPECT_EQ(bytes_not_stored(least), static_cast<double>(full.bytes() - least.bytes()));

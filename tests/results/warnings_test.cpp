@@ -5,6 +5,7 @@
 namespace pinball {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -12,7 +13,13 @@ using testing::IsEmpty;
 RunSummary sound() {
   RunSummary s;
   s.contact_method = "pinball";
-  s.balance_error_max = 0.1;
+  s.contact_enforcement = "penalty";
+  s.contact_gap = "pinball";
+  s.balance_error_in_motion.largest = 0.1;
+  s.contact_created.largest = 0.01;
+  s.contact_swallowed.largest = s.contact_swallowed_sound = 0.2;
+  s.hourglass_large.largest = 0.1;
+  s.hourglass_created.largest = 0.01;
   s.max_penetration_ratio = 0.25;
   s.bodies.resize(2);
   return s;
@@ -22,8 +29,10 @@ TEST(Warnings, ASoundRunHasNone) { EXPECT_THAT(warnings(sound()), IsEmpty()); }
 
 TEST(Warnings, EnergyBalance) {
   RunSummary s = sound();
-  s.balance_error_max = 0.4;
-  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("off by up to 40 %: try a smaller time.cfl or contact.beta")));
+  s.balance_error_in_motion = {0.4, 1.5e-4, "element 17 of body rod"};
+  EXPECT_THAT(warnings(s), ElementsAre("the energy balance was off by up to 40 % of the energy in motion, beyond 10 % "
+                                       "since time 0.00015 (the step was set by element 17 of body rod): try a smaller "
+                                       "time.cfl or contact.beta"));
   s.contact_method = "none";
   EXPECT_THAT(warnings(s), ElementsAre(testing::EndsWith("time.cfl")));
 }
@@ -31,9 +40,65 @@ TEST(Warnings, EnergyBalance) {
 TEST(Warnings, PenetrationUnlessSomethingEroded) {
   RunSummary s = sound();
   s.max_penetration_ratio = 0.6;
-  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("into each other by up to 60 %")));
+  s.max_penetration_time = 0.5;
+  s.max_penetration_place = "node 3 of body b";
+  EXPECT_THAT(warnings(s), ElementsAre(AllOf(HasSubstr("into each other by up to 60 %"),
+                                             HasSubstr("at time 0.5 at node 3 of body b: try a larger contact.beta"))));
   s.bodies[1].eroded_elements = 1;
   EXPECT_THAT(warnings(s), IsEmpty());
+}
+
+TEST(Warnings, FacesThatImpulsesHoldApartMayNotBeDeep) {
+  RunSummary s = sound();
+  s.max_penetration_ratio = 0.06;
+  s.contact_swallowed.largest = 0;
+  s.contact_enforcement = "lagrange";
+  EXPECT_THAT(warnings(s), IsEmpty()) << "balls";
+  s.contact_gap = "face";
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("up to 6 %")));
+}
+
+TEST(Warnings, ContactEnergy) {
+  RunSummary s = sound();
+  s.contact_created = {0.06, 2, "node 4 of body a"};
+  EXPECT_THAT(warnings(s),
+              ElementsAre(AllOf(HasSubstr("contact made energy out of nothing, up to 6 %"),
+                                HasSubstr("beyond 1 % since time 2 (largest force on node 4 of body a)"))));
+  s = sound();
+  s.contact_swallowed = {0.6, 2, "node 4 of body a"};
+  EXPECT_THAT(warnings(s), ElementsAre(AllOf(HasSubstr("contact swallowed 60 %"),
+                                             HasSubstr("beyond 20 % since time 2 ("), HasSubstr("node 4 of body a"))));
+  s.contact_swallowed_sound = 0;
+  EXPECT_THAT(warnings(s), IsEmpty()) << "something is meant to swallow";
+}
+
+TEST(Warnings, HourglassEnergy) {
+  RunSummary s = sound();
+  s.hourglass_large = {0.34, 3, "element 5 of body a"};
+  s.hourglass_created = {0.02, 4, "element 6 of body a"};
+  EXPECT_THAT(
+      warnings(s),
+      ElementsAre(AllOf(HasSubstr("made energy out of nothing, up to 2 %"), HasSubstr("since time 4 (most of it in "
+                                                                                      "element 6 of body a)")),
+                  AllOf(HasSubstr("hourglass energy reached 34 %"), HasSubstr("since time 3 (most of it in element "
+                                                                              "5 of body a)"))));
+}
+
+TEST(Warnings, WhatIsKnownAtTheStart) {
+  RunSummary s = sound();
+  EXPECT_THAT(start_warnings(s), IsEmpty());
+  s.unseen_balls = "the balls of element 1 of body a and element 2 of body b never meet";
+  EXPECT_THAT(warnings(s),
+              ElementsAre(AllOf(testing::StartsWith(s.unseen_balls), HasSubstr("contact.gap = \"face\""))));
+  EXPECT_EQ(start_warnings(s), warnings(s));
+}
+
+TEST(Warnings, SweepsThatWereNotEnough) {
+  RunSummary s = sound();
+  s.sweeps = {100, 5000, 50, 100, 10};
+  EXPECT_THAT(warnings(s), IsEmpty());
+  s.sweeps.unsolved = 11;
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("not solved for in 11 of 100 steps with contact, where 50 sweeps")));
 }
 
 TEST(Warnings, Overlap) {

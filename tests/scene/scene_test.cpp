@@ -27,6 +27,7 @@ TEST_F(SceneTest, FillsInDefaults) {
   EXPECT_EQ(scene.contact.enforcement, Enforcement::lagrange);
   EXPECT_EQ(scene.contact.gap, ContactGap::face);
   EXPECT_EQ(scene.contact.beta, 1.0);
+  EXPECT_EQ(scene.contact.search, ContactSearch::automatic);
   EXPECT_TRUE(scene.skip.contact_search);
   EXPECT_TRUE(scene.skip.resting);
   EXPECT_EQ(scene.output.fields.size(), 6u);
@@ -48,7 +49,7 @@ title = "all of it"
 units = "mm-ms"
 precision = "float"
 time = { end = 2, cfl = 1.2, steps = 7, subcycling = false }
-contact = { method = "pinball", enforcement = "penalty", gap = "pinball", beta = 2, damping = 0, radius = "current", self = false, skin = 0.25 }
+contact = { method = "pinball", enforcement = "penalty", gap = "pinball", beta = 2, damping = 0, radius = "current", self = false, search = "hash", skin = 0.25 }
 skip = { contact_search = false, resting = false }
 guard = { energy_error = 0.1 }
 output = { interval = 0.5, field_interval = 1, field_times = [2, 0.5, 0], fields = ["alive", "stress"] }
@@ -109,6 +110,7 @@ body = "b"
   EXPECT_EQ(scene.contact.damping, 0.0);
   EXPECT_EQ(scene.contact.radius, ContactRadius::current);
   EXPECT_FALSE(scene.contact.self);
+  EXPECT_EQ(scene.contact.search, ContactSearch::hash);
   EXPECT_EQ(scene.contact.skin, 0.25);
   EXPECT_FALSE(scene.skip.contact_search);
   EXPECT_FALSE(scene.skip.resting);

@@ -385,7 +385,10 @@ TEST(WrongCalls, AreNamed) {
   Simulation subcycled(scene);
   EXPECT_EQ(input_error([&] { subcycled.velocities_to_change(); }),
             "velocities: expected time.subcycling = false, with it they cannot be changed");
-  EXPECT_EQ(input_error([&] { const Simulation none(scene, {-1}); }), "threads: expected an integer >= 0");
+  for (const int threads : {-1, 4097}) {
+    EXPECT_EQ(input_error([&] { const Simulation none(scene, {threads}); }),
+              "threads: expected an integer >= 0 and <= 4096, got " + std::to_string(threads));
+  }
 }
 
 TEST(CompletedScene, HasTheDefaultsOfASceneFile) {

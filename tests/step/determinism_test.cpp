@@ -84,6 +84,25 @@ TEST(Determinism, RodPlateByImpulses) {
   }
 }
 
+TEST(Determinism, ThousandsOfRowsOfImpulses) {
+  Scene scene = wide_blocks(1e-4);
+  {
+    Solver<double> solver(scene);
+    run(solver);
+    EXPECT_GT(solver.counts().pairs_max(), 1000) << "enough for more than one thread";
+  }
+  expect_same_bits<double>(scene);
+  expect_same_bits<float>(scene);
+  scene.contact.friction = scene.contact.static_friction = 0;
+  expect_same_bits<double>(scene);
+  scene.contact.enforcement = Enforcement::projection;
+  expect_same_bits<double>(scene);
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::pinball;
+  scene.contact.friction = scene.contact.static_friction = 0.1;
+  expect_same_bits<double>(scene);
+}
+
 TEST(Determinism, RodPlateBySlideline) {
   Scene scene = rod_plate();
   scene.contact.method = ContactMethod::slideline;

@@ -98,6 +98,8 @@ TEST(Restart, RodPlateByImpulses) {
   expect_same_after_restart<double>(scene, {0.9});
 }
 
+TEST(Restart, ThousandsOfRowsOfImpulses) { expect_same_after_restart<double>(wide_blocks(1e-4), {0.2, 0.5, 0.8}); }
+
 TEST(Restart, RodPlateBySlideline) {
   Scene scene = rod_plate();
   scene.contact.method = ContactMethod::slideline;

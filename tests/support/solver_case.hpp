@@ -67,6 +67,20 @@ inline Scene scene_of(const std::vector<Body>& bodies, double end, bool contact 
   return scene;
 }
 
+/// Two wide blocks whose meshes do not fit, pressed together and sliding, on a plane of symmetry: thousands of rows of
+/// impulses in several colours, worked by more than one thread.
+inline Scene wide_blocks(double end) {
+  Scene scene = scene_of({block("a", {40, 36, 1}, 0.1, {0, 0, 0}, {0, 0, 10}),
+                          block("b", {47, 43, 1}, 0.085, {0.05, 0, 0.1001}, {20, 0, -10})},
+                         end);
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  scene.contact.friction = 0.1;
+  scene.contact.static_friction = 0.1;
+  scene.constraints = {{{0, 0, 0}, {0, 1, 0}, ""}};
+  return scene;
+}
+
 /// Two blocks between a wall and a moved end, damped and loaded, in contact: every kind of boundary condition.
 inline Scene pressed_blocks(double end) {
   Scene scene = scene_of(

@@ -42,7 +42,9 @@ ContactWork ContactAlgorithm<S>::after_constraints(const SurfaceSource<S>& sourc
   const ImpulseResult solved = impulses_->solve(source, step);
   work.dissipated = solved.dissipated;
   work.penetration_ratio = solved.penetration_ratio;
+  work.deepest = solved.deepest;
   work.pairs = solved.pairs;
+  work.sweeps.add(solved.sweeps, solved.at_bound, solved.unsolved);
   return work;
 }
 

@@ -7,6 +7,7 @@
 
 #include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/base/sweep_counts.hpp>
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/impulses/impulse_solver.hpp>
 #include <solver/contact/surface/surface.hpp>
@@ -25,6 +26,8 @@ struct ContactWork {
   double penetration_ratio = 0;  ///< largest penetration over the size of the pair, R1 + R2 [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
+  SweepCounts sweeps;            ///< for impulses by lagrange
+  std::int32_t deepest = -1;     ///< a node of the pair of the largest penetration; negative: there is none
 
   /// Of two stages of one step together.
   ContactWork& operator+=(const ContactWork& other) {
@@ -32,9 +35,13 @@ struct ContactWork {
     eroded += other.eroded;
     damped_power += other.damped_power;
     dissipated += other.dissipated;
-    penetration_ratio = std::max(penetration_ratio, other.penetration_ratio);
+    if (other.penetration_ratio > penetration_ratio) {
+      penetration_ratio = other.penetration_ratio;
+      deepest = other.deepest;
+    }
     pairs += other.pairs;
     frequency2 = std::max(frequency2, other.frequency2);
+    sweeps += other.sweeps;
     return *this;
   }
   friend ContactWork operator+(ContactWork a, const ContactWork& b) { return a += b; }
@@ -67,8 +74,8 @@ class ContactAlgorithm {
   /// Takes eroded elements out and brings up to date what the other stages read of the surface. eroded: slots of those
   /// that eroded since the last call, ascending; padding and elements that are out already may be among them.
   virtual void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) = 0;
-  /// Lists of what may touch, unless the lists still hold.
-  virtual void search(const SurfaceSource<S>& source) = 0;
+  /// Lists of what may touch, unless the lists still hold. dt: the step just made.
+  virtual void search(const SurfaceSource<S>& source, double dt) = 0;
 
   /// Springs: the forces of all pairs in contact, for add_forces. Impulses: the constraints of the coming step.
   /// dt: the step just made.

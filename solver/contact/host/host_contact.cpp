@@ -53,7 +53,7 @@ class HostContactOf final : public HostContact {
     source_.gather_motion(*arrays, eroded_.empty() ? contact_->listed_nodes() : nullptr);
     contact_->update_surface(source_, eroded_);
     eroded_.clear();
-    contact_->search(source_);
+    contact_->search(source_, dt_before);
     springs_ = contact_->before_step(source_, dt_before);
     dt_before_ = dt_before;
     updated_ = true;

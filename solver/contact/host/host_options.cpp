@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <solver/base/thread_count.hpp>
+
 #include "host_error.hpp"
 
 namespace pinball {
@@ -20,6 +22,11 @@ void require_number(double value, double least, bool may_be_least, const char* n
                   least, ", got ", value);
 }
 
+void require_at_most(double value, double most, const char* name) {
+  if (value <= most) return;
+  throw HostError(PINBALL_CONTACT_BAD_OPTION, "options->", name, ": expected a number <= ", most, ", got ", value);
+}
+
 }  // namespace
 
 ContactSettings settings_of(const pinball_contact_options* options) {
@@ -36,11 +43,14 @@ ContactSettings settings_of(const pinball_contact_options* options) {
   if (options->threads < 0) {
     throw HostError(PINBALL_CONTACT_BAD_OPTION, "options->threads: expected 0 or more, got ", options->threads);
   }
+  require_at_most(options->threads, most_threads, "threads");
   require_number(options->beta, 0, false, "beta");
   require_number(options->damping, 0, true, "damping");
   require_number(options->friction, 0, true, "friction");
   require_number(options->radius_factor, 0, false, "radius_factor");
+  require_at_most(options->radius_factor, largest_radius_factor, "radius_factor");
   require_number(options->skin, 0, false, "skin");
+  require_at_most(options->skin, largest_skin, "skin");
   ContactSettings settings;
   settings.method = options->method == PINBALL_CONTACT_SLIDELINE ? ContactMethod::slideline : ContactMethod::pinball;
   settings.enforcement = options->enforcement == PINBALL_CONTACT_PENALTY      ? Enforcement::penalty
@@ -56,6 +66,11 @@ ContactSettings settings_of(const pinball_contact_options* options) {
   require_number(settings.static_friction, settings.friction, true, "static_friction");
   if (settings.static_friction > 0 && settings.enforcement == Enforcement::penalty) {
     throw HostError(PINBALL_CONTACT_BAD_OPTION, "options->friction: springs have none; expected another enforcement");
+  }
+  if (settings.static_friction > 0 && settings.method == ContactMethod::pinball &&
+      settings.gap == ContactGap::pinball) {
+    throw HostError(PINBALL_CONTACT_BAD_OPTION,
+                    "options->friction: balls do not touch where elements do; expected gap = PINBALL_CONTACT_GAP_FACE");
   }
   settings.radius_factor = options->radius_factor;
   settings.skin = options->skin;

@@ -4,28 +4,36 @@
 #include <cstdint>
 #include <vector>
 
-#include <kernels/contact_friction.hpp>
 #include <kernels/tensor.hpp>
+#include <solver/base/aligned_array.hpp>
 #include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/surface/held_directions.hpp>
 #include <solver/contact/surface/surface_source.hpp>
 
+#include "contact_rows.hpp"
+#include "pair_names.hpp"
+#include "row_packs.hpp"
+
 namespace pinball {
 
 /// Result of one solution of the contact impulses.
 struct ImpulseResult {
   double dissipated = 0;         ///< energy taken out since the solution before, see ImpulseSolver [energy]
-  double penetration_ratio = 0;  ///< largest penetration over the size of its pair [-]
+  double penetration_ratio = 0;  ///< largest penetration, as it is, over the size of its pair [-]
+  std::int32_t deepest = -1;     ///< first node of that pair; negative: nothing is deep
   std::int64_t pairs = 0;        ///< pairs that push
+  int sweeps = 0;                ///< over the rows, by lagrange
+  bool at_bound = false;         ///< the sweeps ended at the bound of their number
+  bool unsolved = false;         ///< and what the last one changed was not small
 };
 
 /// Contact by impulses instead of springs: after accelerations are known and before positions move, impulses take out
 /// the velocities v* with which gaps would close within the step (kernels/contact_impulse.hpp). They do not change the
 /// stable step.
 ///
-///   lagrange     the coupled system of the step, by sweeps until it is solved;
+///   lagrange     the coupled system of the step, by sweeps until it is solved, or a bound of their number is met;
 ///   projection   one sweep over all pairs.
 ///
 /// Release (Hughes, Taylor, Sackman, Curnier and Kanoknukulchai, Comp. Meths. Appl. Mech. Engrg. 8, 249-276, 1976): the
@@ -38,7 +46,7 @@ struct ImpulseResult {
 /// Friction (kernels/contact_friction.hpp): part of the coupled system, or, with projection, one sweep after that of
 /// the impulses. Its work is counted with that of the impulses.
 ///
-/// The rows are solved in double and in one order, so that results do not depend on the number of threads.
+/// The rows are solved in double and in one order (RowOrder), so that results do not depend on the number of threads.
 template <class S>
 class ImpulseSolver {
  public:
@@ -49,10 +57,10 @@ class ImpulseSolver {
   /// Adds the row of two things that may touch within the coming step; its nodes follow. Each pair has one row.
   /// first, second: names that the pair keeps from step to step; direction: from body 2 to body 1; depth: penetration
   /// at the present positions, or negative gap [length]; size: what the depth is compared with, R1 + R2 [length].
-  void add_row(std::int32_t first, std::int32_t second, const Vec3<double>& direction, double depth, double size);
-  /// Adds a node of the store to the last row, up to 16 times. weight: negative for the nodes of body 1, positive for
-  /// those of body 2; each side sums to 1. Collapsed elements and spheres have a node at several corners: its weights
-  /// add up.
+  void add_row(std::int64_t first, std::int64_t second, const Vec3<double>& direction, double depth, double size);
+  /// Adds a node of the store to the last row. weight: negative for the nodes of body 1, positive for those of body 2;
+  /// each side sums to 1. Collapsed elements and spheres have a node at several corners: its weights add up. What has
+  /// no weight is left out.
   void add_node(std::int32_t node, double weight);
   /// All rows are there. dt: the step just made.
   void finish_rows(const SurfaceSource<S>& source, double dt);
@@ -74,24 +82,24 @@ class ImpulseSolver {
  private:
   /// What outlives a step, by the names of the pair.
   struct PairMemory {
-    std::int32_t first, second;
+    std::int64_t first, second;
     double depth;        ///< as far as approach has closed it, see limit_depth [length]
     double force;        ///< of the last step [force]
     double lost;         ///< energy that the pair has taken out, but for friction [energy]
     double friction[3];  ///< of the last step [force]
     bool slides;         ///< in the last step
-    static bool earlier(const PairMemory& a, const PairMemory& b) {
-      return a.first != b.first ? a.first < b.first : a.second < b.second;
-    }
   };
   /// What a row of rows_ is besides.
   struct Pair {
     double depth;              ///< penetration, or negative gap; see limit_depth [length]
+    double seen;               ///< the same as it is, without the limit [length]
     double size;               ///< [length]
     double rate_before;        ///< G v in the middle of the step before [length/time]
     double rate_free;          ///< G v* [length/time]
     double force;              ///< of this step [force]
     double sliding_before[3];  ///< of the middle of the step before, across the direction [length/time]
+    ExternalWork lost;         ///< in this step [energy]
+    double taken;              ///< the same without friction [energy]
     PairMemory memory;
   };
 
@@ -104,33 +112,58 @@ class ImpulseSolver {
   void limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt);
   void load_nodes(const SurfaceSource<S>& source, double velocity_step);
   void set_rates(double velocity_step, double dt);
-  void drop_rows_apart();
+  void set_rate(std::size_t i, double velocity_step, double dt);
+  void choose_active();
   bool has_friction() const { return friction_at_rest_ > 0; }
   void begin_friction(double velocity_step);
-  void solve_coupled();
-  void slow_sliding();
-  void count_friction(std::size_t i, const StepLengths& step, ImpulseResult& result);
-  void release(double velocity_step);
+  void solve_coupled(ImpulseResult& result);
+  double largest_rate() const;
+  void finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step);
+  void set_budget();
+  /// Energy that a pair may give back in this step.
+  double budget_of(const Pair& pair) const { return budget_share_ * std::max(0.0, pair.memory.lost); }
+  bool opens(std::int64_t pack, int lane) const;
+  bool share_release();
+  double shared_inverse_mass(std::int32_t i) const;
+  void release(std::int64_t pack, double velocity_step);
+  ExternalWork keep_friction(std::int64_t pack, int lane, const Vec3<double>& after, const StepLengths& step);
+  void sum_up(ImpulseResult& result);
   void remember();
+  void name_memory();
+  /// Calls body(i) for all rows, in any order.
+  template <class Body>
+  void for_rows(const char* name, const Body& body) const;
+  /// The same for all nodes of the rows.
+  template <class Body>
+  void for_nodes(const char* name, const Body& body) const;
 
   bool lagrange_ = false;
   double friction_at_rest_ = 0, friction_sliding_ = 0;  ///< coefficients [-]
-  std::vector<ImpulseRow> rows_;
-  std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
-  std::vector<Pair> pairs_;             ///< one per row
-  std::vector<ImpulseNode> nodes_;
-  std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
-  std::vector<LastEntry> last_entry_;     ///< per entry of node_
-  std::vector<PairMemory> memory_;        ///< of the last step, sorted by the names
-  std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
+  ContactRows rows_;                                    ///< of places in node_
+  std::vector<FrictionRow> frictions_;                  ///< one per row, only where there is friction
+  std::vector<Pair> pairs_;                             ///< one per row
+  std::vector<std::int32_t> active_;                    ///< rows that take part
+  RowPacks packs_;                                      ///< of the active rows
+  std::vector<ImpulseNode> nodes_;                      ///< per entry of node_
+  std::vector<double> release_share_;                   ///< per entry of nodes_: sum of |w| over the rows that open
+  AlignedArray<double> velocity_;                       ///< records of four numbers, per entry of node_
+  std::vector<std::int32_t> node_;                      ///< of the store, per entry of nodes_
+  std::vector<LastEntry> last_entry_;                   ///< per entry of node_
+  std::vector<PairMemory> memory_;                      ///< of the last step, in the order of its rows
+  PairNames names_;                                     ///< where the memory of a pair is
+  std::size_t next_memory_ = 0;                         ///< where that of the next row is looked for first
+  std::vector<std::int32_t> node_place_;                ///< per node of the store: place in nodes_ or -1
   HeldDirections held_;
-  double pending_ = 0;  ///< energy dissipated by the last impulses in the step after them
+  double taken_ = 0;         ///< energy that all pairs have taken out, but for friction [energy]
+  double budget_share_ = 0;  ///< part of what a pair has taken out that it may give back [-]
+  double pending_ = 0;       ///< energy dissipated by the last impulses in the step after them
 };
 
 template <class S>
 inline void ImpulseSolver<S>::add_node(std::int32_t node, double weight) {
+  if (weight == 0) return;
   const std::size_t number = rows_.size() - 1;
-  ImpulseRow& row = rows_[number];
+  ImpulseRow& row = rows_.rows[number];
   std::int32_t& place = node_place_[node];
   if (place < 0) {
     place = static_cast<std::int32_t>(node_.size());
@@ -139,12 +172,12 @@ inline void ImpulseSolver<S>::add_node(std::int32_t node, double weight) {
   }
   LastEntry& last = last_entry_[place];
   if (last.row == number && last.entry >= 0) {
-    row.weight[last.entry] += weight;
+    rows_.weight[row.first + static_cast<std::size_t>(last.entry)] += weight;
     return;
   }
   last = {number, row.nodes};
-  row.node[row.nodes] = place;
-  row.weight[row.nodes] = weight;
+  rows_.node.push_back(place);
+  rows_.weight.push_back(weight);
   ++row.nodes;
 }
 

@@ -74,7 +74,10 @@ void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConsta
     stored_of[place] = stored[i];
     work.sums.stored += static_cast<double>(stored[i]);
     work.sums.damped += static_cast<double>(damped[i]);
-    work.sums.penetration_ratio = maximum(work.sums.penetration_ratio, ratio[i]);
+    if (ratio[i] > work.sums.penetration_ratio) {
+      work.sums.penetration_ratio = ratio[i];
+      work.sums.deepest = touch.first[i];
+    }
     work.sums.pairs += offset[i] < S(0) ? 0 : 1;
     if (touch.second[i] < end) continue;
     work.elsewhere.push_back(
@@ -133,7 +136,10 @@ PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyCons
   for (const Work& work : work_) {
     sums.stored += work.sums.stored;
     sums.damped += work.sums.damped;
-    sums.penetration_ratio = maximum(sums.penetration_ratio, work.sums.penetration_ratio);
+    if (work.sums.penetration_ratio > sums.penetration_ratio) {
+      sums.penetration_ratio = work.sums.penetration_ratio;
+      sums.deepest = work.sums.deepest;
+    }
     sums.pairs += work.sums.pairs;
   }
   return sums;

@@ -13,9 +13,10 @@ namespace pinball {
 /// Sums over the pairs in contact.
 template <class S>
 struct PairSums {
-  double stored = 0;        ///< energy of the springs [energy]
-  double damped = 0;        ///< power of the damping [power]
-  S penetration_ratio = 0;  ///< largest g / (R1 + R2) [-]
+  double stored = 0;          ///< energy of the springs [energy]
+  double damped = 0;          ///< power of the damping [power]
+  S penetration_ratio = 0;    ///< largest g / (R1 + R2) [-]
+  std::int32_t deepest = -1;  ///< first pinball of that pair; negative: there is none
   std::int64_t pairs = 0;
 };
 

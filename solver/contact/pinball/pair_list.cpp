@@ -9,25 +9,18 @@
 
 namespace pinball {
 
-namespace {
-
-/// Whether two elements have a corner in common.
-bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::int32_t, 8>& b) {
-  std::int32_t equal = 0;
-  for (const std::int32_t m : a) {
-    for (const std::int32_t n : b) equal |= static_cast<std::int32_t>(m == n);
-  }
-  return equal != 0;
-}
-
-}  // namespace
-
 template <class S>
-void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self) {
+void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self, ContactSearch how) {
   remember();
   boxes_.build(balls);
   collect_references(pinballs);
-  find(pinballs, self);
+  has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
+  constexpr std::int64_t most_met = 300;  // above, the tree takes longer (docs/performance.md)
+  if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups, most_met) == ContactSearch::hash) {
+    find_by_hash(pinballs, self);
+  } else {
+    find(pinballs, self);
+  }
   number(pinballs);
   recall();
 }
@@ -60,7 +53,6 @@ template <class S>
 void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
-  has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
   parallel_for("neighbours", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     Found& found = found_[piece];
     found.pairs = 0;
@@ -78,6 +70,20 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
       leave_out_neighbours(pinballs, group, groups);
       append(group, groups, found);
     }
+  });
+}
+
+template <class S>
+void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self) {
+  by_hash_.find(pinballs, boxes_.view(), reference_.data(), self);
+  parallel_for("pairs by a hash", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    const auto firsts = by_hash_.pairs().firsts(piece), seconds = by_hash_.pairs().seconds(piece);
+    Found& found = found_[piece];
+    found.first.assign(firsts.begin(), firsts.end());
+    found.second.assign(seconds.begin(), seconds.end());
+    found.pairs = firsts.size();
+    for (const std::int32_t first : firsts) mark(first);
+    for (const std::int32_t second : seconds) mark(second);
   });
 }
 
@@ -265,7 +271,7 @@ template <class S>
 std::size_t PairList<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t sum = of(listed_) + of(slot_) + of(has_pair_) + of(number_) + first_.bytes() + second_.bytes() +
-                    offset_.bytes() + stored_.bytes() + boxes_.bytes() + reference_.bytes();
+                    offset_.bytes() + stored_.bytes() + boxes_.bytes() + reference_.bytes() + by_hash_.bytes();
   for (const NearBalls<S>& near : near_) sum += near.bytes();
   for (const std::vector<PairMemory>& memory : memory_) sum += of(memory);
   for (const Found& found : found_) sum += of(found.first) + of(found.second);

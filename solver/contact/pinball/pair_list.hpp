@@ -10,6 +10,7 @@
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/search/moving_balls.hpp>
 
+#include "ball_pairs.hpp"
 #include "surface_pinballs.hpp"
 
 namespace pinball {
@@ -29,8 +30,9 @@ class PairList {
     std::int32_t pinballs_begin = 0, pinballs_end = 0;  ///< listed
   };
 
-  /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself.
-  void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self);
+  /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself; how: the list is the same.
+  void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self,
+             ContactSearch how = ContactSearch::automatic);
 
   std::int32_t size() const { return static_cast<std::int32_t>(listed_.size()); }  ///< pinballs that have a pair
   /// Number among all pinballs of each one that is listed.
@@ -71,6 +73,7 @@ class PairList {
   std::int32_t piece_begin(std::int64_t piece) const;
   void collect_references(const SurfacePinballs<S>& pinballs);
   void find(const SurfacePinballs<S>& pinballs, bool self);
+  void find_by_hash(const SurfacePinballs<S>& pinballs, bool self);
   /// What may come near the balls of a group without what is listed already, and without pairs of one body that were
   /// not apart in the undeformed mesh.
   void leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const;
@@ -87,6 +90,7 @@ class PairList {
   AlignedArray<S> offset_, stored_;
   // What follows is kept for its memory alone.
   BallTree<S> boxes_;
+  BallPairs<S> by_hash_;
   AlignedArray<float> reference_;  ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
   std::array<std::vector<PairMemory>, fixed_pieces> memory_;  ///< of the pairs of a piece
   std::array<NearBalls<S>, fixed_pieces> near_;

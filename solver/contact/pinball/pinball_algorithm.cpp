@@ -112,7 +112,7 @@ bool PinballAlgorithm<S>::list_holds(const SurfaceSource<S>& source) const {
 }
 
 template <class S>
-void PinballAlgorithm<S>::search(const SurfaceSource<S>& source) {
+void PinballAlgorithm<S>::search(const SurfaceSource<S>& source, double /*dt*/) {
   if (source.lists_last && list_holds(source)) {
     ++this->searches_skipped_;
     return;
@@ -140,8 +140,8 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
   const bool current = this->settings_.radius == ContactRadius::current;
   radius_.resize(current ? all_.radius.size() : 0);
   // Where each ball may be, and what the rounding of single precision adds.
-  const S factor = static_cast<S>(1.0001 * (this->impulses_ ? pinball_pair_margin(this->settings_.gap) : 1.0) *
-                                  (current && reuse ? radius_growth : 1.0));
+  const S factor =
+      static_cast<S>(1.0001 * (this->impulses_ ? pinball_pair_margin : 1.0) * (current && reuse ? radius_growth : 1.0));
   balls_.reset(all_.count);
   parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
     const auto p = static_cast<std::size_t>(i);
@@ -152,7 +152,7 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
     balls_.set(static_cast<std::int32_t>(i), centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
   });
-  list_.build(all_, balls_, this->settings_.self);
+  list_.build(all_, balls_, this->settings_.self, this->settings_.search);
   list_valid_ = true;
   collect_listed(source);
 }
@@ -197,7 +197,7 @@ template <class S>
 void PinballAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   clock_.count_step(static_cast<S>(dt));
   this->impulses_->begin_rows();
-  add_pinball_rows(source, this->settings_.gap, pinballs_, list_, surface_, *this->impulses_);
+  add_pinball_rows(pinballs_, list_, *this->impulses_);
   this->impulses_->finish_rows(source, dt);
 }
 
@@ -210,6 +210,7 @@ ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& /*source*
   work.eroded = lost_energy_;
   work.damped_power = sums.damped;
   work.penetration_ratio = static_cast<double>(sums.penetration_ratio);
+  if (sums.deepest >= 0) work.deepest = pinballs_.corners[sums.deepest][0];
   work.pairs = sums.pairs;
   return work;
 }

@@ -24,7 +24,7 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   /// Figure 3, 1-3: takes eroded elements out, brings centres, velocities and normals up to date.
   void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
   /// Figure 3, 4: the pairs that may touch, unless the list still holds.
-  void search(const SurfaceSource<S>& source) override;
+  void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "pinball"; }
   void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,

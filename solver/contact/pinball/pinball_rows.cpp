@@ -15,32 +15,14 @@ PinballNormal<double> normal_of(const PinballStore<S>& pinballs, std::int32_t p)
   return {double_vector_of(record(pinballs.outward.data(), p)), double_vector_of(record(pinballs.two_sided.data(), p))};
 }
 
-template <class S>
-ContactFace face_of(const SurfaceSource<S>& source, const std::array<std::int32_t, 8>& nodes, unsigned exposed,
-                    const Vec3<double>& direction) {
-  Vec3<double> x[8];
-  for (std::size_t i = 0; i < 8; ++i) x[i] = double_vector_of(source.x(nodes[i]));
-  return face_towards(x, exposed, direction);
-}
-
 /// The row of two pinballs that may be near each other; without nodes where they cannot touch.
 /// d: C1 - C2; reach: R1 + R2.
 template <class S>
-ContactRow row_of(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
-                  const Surface& surface, std::int32_t p, std::int32_t q, const Vec3<double>& d, double reach) {
-  ContactRow row;
-  if (gap == ContactGap::face) {
-    const ContactFace face1 = face_of(source, pinballs.corners[p], surface.exposed(pinballs.slot[p]), (-1.0) * d);
-    const ContactFace face2 = face_of(source, pinballs.corners[q], surface.exposed(pinballs.slot[q]), d);
-    row = face_row(face1, face2);
-    // Faces that look at each other are told by their own gap alone; edges and corners by the balls.
-    if (row.nodes1 == 0 && face1.face >= 0 && face2.face >= 0 && dot(face1.normal, face2.normal) <= -0.5) return row;
-  }
-  if (row.nodes1 == 0) {
-    const Vec3<double> n1 = unit_normal_towards(normal_of(pinballs, p), (-1.0) * d);
-    const Vec3<double> n2 = unit_normal_towards(normal_of(pinballs, q), d);
-    row = pinball_row(d, reach, n1, n2);
-  }
+ContactRow row_of(const PinballStore<S>& pinballs, std::int32_t p, std::int32_t q, const Vec3<double>& d,
+                  double reach) {
+  const Vec3<double> n1 = unit_normal_towards(normal_of(pinballs, p), (-1.0) * d);
+  const Vec3<double> n2 = unit_normal_towards(normal_of(pinballs, q), d);
+  ContactRow row = pinball_row(d, reach, n1, n2);
   if (!(row.depth > -0.25 * reach)) row.nodes1 = 0;
   return row;
 }
@@ -54,16 +36,9 @@ struct PinballRow {
 
 }  // namespace
 
-double pinball_pair_margin(ContactGap gap) {
-  // Two cubes whose faces touch, the centre of one beside the corner of the other, are 1.25 radii apart if one is five
-  // times as large. Balls have to overlap, but for what they approach within a step.
-  return gap == ContactGap::face ? 1.35 : 1.1;
-}
-
 template <class S>
-void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const PinballStore<S>& pinballs,
-                      const PairList<S>& list, const Surface& surface, ImpulseSolver<S>& impulses) {
-  const double margin = pinball_pair_margin(gap);
+void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, ImpulseSolver<S>& impulses) {
+  constexpr double margin = pinball_pair_margin;
   const auto takes_part = [&pinballs](std::int32_t p) { return record(pinballs.outward.data(), p)[3] > S(0); };
   std::array<std::vector<PinballRow>, fixed_pieces> found;
   parallel_for("contact pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
@@ -73,7 +48,7 @@ void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const Pinb
       const Vec3<double> d = double_vector_of(ball1) - double_vector_of(ball2);
       const auto reach = static_cast<double>(ball1[3] + ball2[3]);
       if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
-      const ContactRow row = row_of(source, gap, pinballs, surface, p, q, d, reach);
+      const ContactRow row = row_of(pinballs, p, q, d, reach);
       if (row.nodes1 > 0) found[piece].push_back({p, q, reach, row});
     }
   });
@@ -90,9 +65,7 @@ void add_pinball_rows(const SurfaceSource<S>& source, ContactGap gap, const Pinb
   }
 }
 
-template void add_pinball_rows(const SurfaceSource<double>&, ContactGap, const PinballStore<double>&,
-                               const PairList<double>&, const Surface&, ImpulseSolver<double>&);
-template void add_pinball_rows(const SurfaceSource<float>&, ContactGap, const PinballStore<float>&,
-                               const PairList<float>&, const Surface&, ImpulseSolver<float>&);
+template void add_pinball_rows(const PinballStore<double>&, const PairList<double>&, ImpulseSolver<double>&);
+template void add_pinball_rows(const PinballStore<float>&, const PairList<float>&, ImpulseSolver<float>&);
 
 }  // namespace pinball

@@ -57,35 +57,19 @@ void BallTree<S>::build(const MovingBalls<S>& balls) {
   view_.groups = static_cast<std::int32_t>(groups_of(balls.count(), G));
   view_.ball = balls.data();
   view_.moves = false;
-  std::int64_t boxes = view_.groups;
-  for (view_.levels = 0; view_.levels == 0 || boxes > 1; ++view_.levels) {
-    const std::int64_t groups = groups_of(boxes, G);
-    AlignedArray<S>& level = box_[view_.levels];
-    level.renew(static_cast<std::size_t>(groups * 12 * G));
-    view_.box[view_.levels] = level.data();
-    const S* below = view_.levels == 0 ? view_.ball : view_.box[view_.levels - 1];
-    const bool of_balls = view_.levels == 0;
-    parallel_reduce(
-        "boxes", RangePolicy<>{0, groups}, view_.moves,
-        [&, boxes](std::int64_t begin, std::int64_t end, bool& moves) {
-          for (std::int64_t b = begin * G; b < end * G; ++b) {
-            put_box(b >= boxes ? empty_box<S>()
-                    : of_balls ? box_of_balls<T>(below + b * 7 * G)
-                               : box_of_boxes<T>(below + b * 12 * G),
-                    level.data(), b);
-            moves = moves || (of_balls && b < boxes && group_moves(below + b * 7 * G));
-          }
-        },
-        [](bool& whole, bool partial) { whole = whole || partial; });
-    boxes = groups;
-  }
-}
-
-template <class S>
-std::size_t BallTree<S>::bytes() const {
-  std::size_t sum = 0;
-  for (const auto& level : box_) sum += level.bytes();
-  return sum;
+  const std::int64_t groups = groups_of(view_.groups, G);
+  lowest_.renew(static_cast<std::size_t>(groups * 12 * G));
+  parallel_reduce(
+      "boxes of balls", RangePolicy<>{0, groups}, view_.moves,
+      [this](std::int64_t begin, std::int64_t end, bool& moves) {
+        for (std::int64_t b = begin * G; b < end * G; ++b) {
+          const S* ball = view_.ball + b * 7 * G;
+          put_box(b < view_.groups ? box_of_balls<T>(ball) : empty_box<S>(), lowest_.data(), b);
+          moves = moves || (b < view_.groups && group_moves(ball));
+        }
+      },
+      [](bool& whole, bool partial) { whole = whole || partial; });
+  levels_.build(lowest_.data(), groups, view_);
 }
 
 template <class S>

@@ -8,6 +8,8 @@
 #include <kernels/ball_tree.hpp>
 #include <solver/base/aligned_array.hpp>
 
+#include "moving_boxes.hpp"
+
 namespace pinball {
 
 /// Balls in straight motion, as BallTreeView wants them.
@@ -37,11 +39,12 @@ class BallTree {
   /// balls: have to stay where they are while the tree is used.
   void build(const MovingBalls<S>& balls);
   const BallTreeView<S>& view() const { return view_; }
-  std::size_t bytes() const;
+  std::size_t bytes() const { return lowest_.bytes() + levels_.bytes(); }
 
  private:
   BallTreeView<S> view_{};
-  std::array<AlignedArray<S>, ball_tree_levels> box_;
+  AlignedArray<S> lowest_;  ///< a box per group of balls
+  BoxLevels<S> levels_;
 };
 
 /// What may come near the balls of a group. Its memory serves many groups, one after the other.

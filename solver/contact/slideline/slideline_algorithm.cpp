@@ -50,7 +50,7 @@ double SlidelineAlgorithm<S>::end_inactive_touches() {
 
 template <class S>
 void SlidelineAlgorithm<S>::collect_surface(const SurfaceSource<S>& source) {
-  const std::vector<typename SlidelineSurface<S>::Slave> before = surface_.slaves();
+  const std::vector<typename SegmentSurface<S>::Slave> before = surface_.slaves();
   const std::vector<PairMemory> old = std::move(memory_);
   surface_.collect(source);
   memory_.assign(surface_.slaves().size(), {});
@@ -77,7 +77,7 @@ void SlidelineAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const
 }
 
 template <class S>
-void SlidelineAlgorithm<S>::search(const SurfaceSource<S>& source) {
+void SlidelineAlgorithm<S>::search(const SurfaceSource<S>& source, double /*dt*/) {
   const bool reuse = source.lists_last;
   if (reuse && search_.holds(source)) {
     ++this->searches_skipped_;
@@ -87,7 +87,12 @@ void SlidelineAlgorithm<S>::search(const SurfaceSource<S>& source) {
   ++this->searches_;
   if (surface_.changed()) collect_surface(source);  // a good moment to let those behind the new surface wait
   search_.build(source, surface_, reuse ? static_cast<S>(this->settings_.skin) : S(0));
-  surface_.choose(search_.first(), search_.listed());
+  surface_.choose_none();
+  for (const std::int32_t segment : search_.listed()) surface_.choose(segment);
+  for (std::size_t i = 0; i < surface_.slaves().size(); ++i) {
+    if (search_.count(i) > 0) surface_.choose_around(i);
+  }
+  surface_.finish_choice();
   surface_.update(source);
 }
 
@@ -111,7 +116,7 @@ bool SlidelineAlgorithm<S>::find_segment(const SurfaceSource<S>& source, std::si
     const Vec3<S> normal = vector_of(flat);
     const S height = dot(d, normal);  // over the mean plane: most are well outside
     if (height > open_gap * segment.radius + flat[3] ||
-        height < S(0) - SlidelineSurface<S>::deepest * segment.radius - flat[3] || !surface_.faces(slave, normal) ||
+        height < S(0) - SegmentSurface<S>::deepest * segment.radius - flat[3] || !surface_.faces(slave, normal) ||
         !search_.may_touch(own, segment)) {
       continue;
     }
@@ -124,7 +129,7 @@ bool SlidelineAlgorithm<S>::find_segment(const SurfaceSource<S>& source, std::si
     const bool like_before = memory.slot >= 0 && (same || dot(at.normal, memory.normal) > S(0.5));
     const S margin = maximum(static_cast<S>(edge_margin) * segment.radius, like_before ? absolute(at.gap) : S(0));
     if (!(at.outside <= margin)) continue;
-    const S depth_limit = like_before ? SlidelineSurface<S>::deepest * segment.radius : segment.radius;
+    const S depth_limit = like_before ? SegmentSurface<S>::deepest * segment.radius : segment.radius;
     if (at.gap > open_gap * segment.radius || at.gap < -depth_limit) continue;
     const bool better =
         !found || (like_before && !found_like_before) ||
@@ -177,7 +182,7 @@ typename SlidelineAlgorithm<S>::Sums SlidelineAlgorithm<S>::find_touches(const S
     whole.damped += sums[p].damped;
     whole.lost += sums[p].lost;
     whole.pairs += sums[p].pairs;
-    whole.ratio = maximum(whole.ratio, sums[p].ratio);
+    whole.take_depth(sums[p].ratio, sums[p].deepest);
   }
   return whole;
 }
@@ -228,7 +233,7 @@ bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch&
   memory.damping = touch.force - spring;
   sums.damped += static_cast<double>(S(0.5) * memory.damping * rate * dt);
   ++sums.pairs;
-  sums.ratio = maximum(sums.ratio, depth / (slave.radius + segment.radius));
+  sums.take_depth(depth / (slave.radius + segment.radius), slave.node);
   return true;
 }
 
@@ -242,6 +247,7 @@ ContactWork SlidelineAlgorithm<S>::spring_forces(const SurfaceSource<S>& source,
   work.eroded = lost_energy_;
   work.dissipated = sums.damped + sums.lost;
   work.penetration_ratio = static_cast<double>(sums.ratio);
+  work.deepest = sums.deepest;
   work.pairs = sums.pairs;
   return work;
 }

@@ -6,9 +6,9 @@
 #include <kernels/face_projection.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/contact/segments/segment_surface.hpp>
 
 #include "slideline_search.hpp"
-#include "slideline_surface.hpp"
 
 namespace pinball {
 
@@ -30,7 +30,7 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   SlidelineAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start);
 
   void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
-  void search(const SurfaceSource<S>& source) override;
+  void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "slideline"; }
   void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
@@ -71,7 +71,13 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   struct Sums {
     double stored = 0, damped = 0, lost = 0;
     S ratio = 0;
+    std::int32_t deepest = -1;  ///< node of the largest ratio
     std::int64_t pairs = 0;
+    void take_depth(S depth_ratio, std::int32_t node) {
+      if (!(depth_ratio > ratio)) return;
+      ratio = depth_ratio;
+      deepest = node;
+    }
   };
 
   /// The segment that a slave touches or, up to an open gap over the radius of the segment, may touch soon.
@@ -85,7 +91,7 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   /// Numbers segments and slaves anew; the slaves keep their states.
   void collect_surface(const SurfaceSource<S>& source);
 
-  SlidelineSurface<S> surface_;
+  SegmentSurface<S> surface_;
   SlidelineSearch<S> search_;
   std::vector<PairMemory> memory_;  ///< per slave
   std::vector<Touch> touches_;

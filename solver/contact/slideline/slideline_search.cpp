@@ -8,7 +8,7 @@
 namespace pinball {
 
 template <class S>
-SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, bool self)
+SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, bool self)
     : self_(self),
       reference_node_(static_cast<std::size_t>(source.node_count)),
       reference_centre_(static_cast<std::size_t>(source.slots)) {
@@ -43,7 +43,7 @@ bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own
 }
 
 template <class S>
-void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface) {
+void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface) {
   motion_.clear(source.node_count);
   for (const Slave& slave : surface.slaves()) motion_.watch(slave.node, least_radius(slave));
 }
@@ -51,7 +51,7 @@ void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const Slide
 /// Balls that hold whatever may touch the segments. The farthest corner goes straight relative to the centre, so that
 /// its distance is largest at the beginning or at the end; both may stray.
 template <class S>
-void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon) {
+void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.segments().size());
   segments_.reset(count);
   parallel_for("segments", RangePolicy<>{0, count}, [&](std::int64_t s) {
@@ -74,14 +74,14 @@ void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const Sli
       }
       farthest2 = std::max({farthest2, now2, then2});
     }
-    const S touching = square_root(farthest2) + SlidelineSurface<S>::deepest * segment.radius;
+    const S touching = square_root(farthest2) + SegmentSurface<S>::deepest * segment.radius;
     segments_.set(static_cast<std::int32_t>(s), centre, way,
                   S(1.0001) * touching + 3 * motion_.allowance(segment.node));
   });
 }
 
 template <class S>
-void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon) {
+void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon) {
   const auto count = static_cast<std::int32_t>(surface.slaves().size());
   slaves_.reset(count);
   parallel_for("slaves", RangePolicy<>{0, count}, [&](std::int64_t i) {
@@ -94,7 +94,7 @@ void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const Slide
 }
 
 template <class S>
-void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S skin) {
+void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S skin) {
   const S horizon = skin > S(0) ? horizon_steps * clock_.last_step() : S(0);
   if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (!valid_) watch_nodes(source, surface);
@@ -109,7 +109,7 @@ void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SlidelineSu
 }
 
 template <class S>
-void SlidelineSearch<S>::find(const SlidelineSurface<S>& surface) {
+void SlidelineSearch<S>::find(const SegmentSurface<S>& surface) {
   using T = Pack<S, native_width<S>>;
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();

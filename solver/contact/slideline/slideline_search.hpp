@@ -7,8 +7,7 @@
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/search/moving_balls.hpp>
 #include <solver/contact/search/surface_motion.hpp>
-
-#include "slideline_surface.hpp"
+#include <solver/contact/segments/segment_surface.hpp>
 
 namespace pinball {
 
@@ -17,15 +16,15 @@ namespace pinball {
 template <class S>
 class SlidelineSearch {
  public:
-  using Slave = typename SlidelineSurface<S>::Slave;
-  using Segment = typename SlidelineSurface<S>::Segment;
+  using Slave = typename SegmentSurface<S>::Slave;
+  using Segment = typename SegmentSurface<S>::Segment;
 
   /// self: a body may touch itself.
-  SlidelineSearch(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, bool self);
+  SlidelineSearch(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, bool self);
 
   /// Builds the lists from nothing, for all segments and slaves: those that wait are listed beforehand. skin: scale of
   /// what nodes may stray, over the radius of their smallest elements; 0: the lists are for the present positions only.
-  void build(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S skin);
+  void build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S skin);
   /// Notes the length of the step just made.
   void count_step(S dt) { clock_.count_step(dt); }
   /// True while the lists have every node and segment that may touch.
@@ -37,7 +36,6 @@ class SlidelineSearch {
 
   const std::int32_t* candidates(std::size_t slave) const { return candidate_.data() + start_[slave]; }
   std::int64_t count(std::size_t slave) const { return start_[slave + 1] - start_[slave]; }
-  const std::vector<std::int64_t>& first() const { return start_; }       ///< of each slave and one more: into listed()
   const std::vector<std::int32_t>& listed() const { return candidate_; }  ///< segments
   /// A node touches a segment of its own body only if they were well apart at first: what is near was kept apart by the
   /// mesh. The radius of a slave, which this is measured by, is that of the surface around it as it is now: lists,
@@ -54,10 +52,10 @@ class SlidelineSearch {
  private:
   S least_radius(const Slave& own) const { return static_cast<S>(reference_node_[own.node][3]); }
   bool may_touch(const Slave& own, const Segment& other, S own_radius) const;
-  void watch_nodes(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface);
-  void move_segments(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon);
-  void move_slaves(const SurfaceSource<S>& source, const SlidelineSurface<S>& surface, S horizon);
-  void find(const SlidelineSurface<S>& surface);
+  void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface);
+  void move_segments(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon);
+  void move_slaves(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon);
+  void find(const SegmentSurface<S>& surface);
 
   bool self_;
   std::vector<std::array<float, 4>> reference_node_;    ///< per node of the store: undeformed, and as fourth the radius

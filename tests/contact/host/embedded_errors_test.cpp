@@ -100,6 +100,7 @@ TEST(EmbeddedErrors, OfCreationNameTheArgument) {
       {"self", [](Case& c) { c.options.self = 2; }, PINBALL_CONTACT_BAD_OPTION, "options->self"},
       {"lists", [](Case& c) { c.options.keep_lists = -1; }, PINBALL_CONTACT_BAD_OPTION, "options->keep_lists"},
       {"threads", [](Case& c) { c.options.threads = -1; }, PINBALL_CONTACT_BAD_OPTION, "options->threads"},
+      {"too many threads", [](Case& c) { c.options.threads = 4097; }, PINBALL_CONTACT_BAD_OPTION, "options->threads"},
       {"beta", [](Case& c) { c.options.beta = 0; }, PINBALL_CONTACT_BAD_OPTION, "options->beta"},
       {"damping", [](Case& c) { c.options.damping = nan; }, PINBALL_CONTACT_BAD_OPTION, "options->damping"},
       {"friction", [](Case& c) { c.options.friction = -1; }, PINBALL_CONTACT_BAD_OPTION, "options->friction"},
@@ -215,7 +216,7 @@ void expect_harmless(const std::vector<Wrong>& all, std::int32_t enforcement, bo
     EXPECT_STREQ(pinball_contact_message(contact), "");
     if (i == 0) {
       expected = c.force;
-      EXPECT_EQ(result.pairs, 1);
+      EXPECT_GT(result.pairs, 0);
       EXPECT_NE(c.force, Case().force);
     } else {
       EXPECT_EQ(c.force, expected) << all[i - 1].what;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,33 +14,37 @@
 
 namespace pinball {
 
-/// Master segments and slave nodes of the slidelines: every exposed face is a segment, each of its nodes a slave, so
-/// that all bodies are passed both ways. Faces behind elements that may soon erode are segments too, but wait: so lists
+/// Master segments and slave nodes: every exposed face is a segment, each of its nodes a slave, so that all bodies are
+/// passed both ways. Faces behind elements that may soon erode are segments too, but wait: so lists
 /// of segments and slaves last over erosions.
 template <class S>
-class SlidelineSurface {
+class SegmentSurface {
  public:
   struct Segment {
     std::int32_t node[4];  ///< of the node store, in the order of face_nodes
     std::int32_t slot;     ///< of the element
     std::int32_t face;     ///< in the order of face_nodes
     std::int32_t body;
-    S radius;     ///< of the ball of the element's volume, report eq. (3.2): its size [length]
+    std::array<std::int32_t, 8> corners;  ///< node numbers of the element
+    S radius;                             ///< of the ball of the element's volume, report eq. (3.2): its size [length]
+    S thickness;                          ///< V / A, of the undeformed element: its extent across the face [length]
+    S size;                               ///< the smaller of both [length]
     S stiffness;  ///< K A^2 / V, of the undeformed element (Hallquist, Goudreau and Benson 1985) [force/length]
   };
   struct Slave {
     std::int32_t node;  ///< of the node store
     std::int32_t body;
-    S share;      ///< number of active segments around it over 4: 1 inside a surface, 1/2 at an edge of it [-]
-    S radius;     ///< mean of the active segments around it [length]
-    S stiffness;  ///< sum of a quarter of each active segment's [force/length]
+    std::int32_t owner;  ///< the first of the segments around it
+    S share;             ///< number of active segments around it over 4: 1 inside a surface, 1/2 at an edge of it [-]
+    S radius;            ///< mean of the active segments around it [length]
+    S stiffness;         ///< sum of a quarter of each active segment's [force/length]
   };
 
   /// Penetration beyond which a node is no longer taken for one that came in through the segment, over its radius [-]:
   /// a little less than the thickness of a cube, 1.61.
   static constexpr S deepest = S(1.5);
 
-  SlidelineSurface(const SurfaceSource<S>& source, SurfaceTopology topology) : topology_(std::move(topology)) {
+  SegmentSurface(const SurfaceSource<S>& source, SurfaceTopology topology) : topology_(std::move(topology)) {
     collect(source);
     update(source);
   }
@@ -53,9 +59,14 @@ class SlidelineSurface {
   /// Numbers segments and slaves anew: without those that have ended, with those that are to wait now. All are
   /// selected.
   void collect(const SurfaceSource<S>& source);
-  /// Chooses the segments that lists name and those around the slaves that have a list: no others are asked for.
-  /// first: of each slave and one more, into listed, which names segments.
-  void choose(const std::vector<std::int64_t>& first, const std::vector<std::int32_t>& listed);
+  /// Chooses segments that are asked for, by lists or because they lie around a slave that has a list: update() sees to
+  /// no others. Between choose_none() and finish_choice().
+  void choose_none() { asked_for_.assign(packs(), 0); }
+  void choose(std::int32_t segment) { asked_for_[static_cast<std::size_t>(segment) / native_width<S>] = 1; }
+  void choose_around(std::size_t slave) {
+    for (const std::int32_t segment : around(slave)) choose(segment);
+  }
+  void finish_choice();
   /// Spheres and planes of the chosen segments.
   void update(const SurfaceSource<S>& source);
 
@@ -64,6 +75,21 @@ class SlidelineSurface {
   /// Whether a segment that the slave belongs to looks at a normal within 60 degrees. A node of a flat surface does not
   /// touch a face that moves along this surface.
   bool faces(std::size_t slave, const Vec3<S>& normal) const;
+  /// Segments around a slave, waiting ones and ended ones too.
+  std::span<const std::int32_t> around(std::size_t slave) const {
+    return {around_.data() + around_first_[slave], around_.data() + around_first_[slave + 1]};
+  }
+  /// Whether the elements of two segments have a corner in common.
+  bool share_corner(std::int32_t a, std::int32_t b) const {
+    std::int32_t equal = 0;
+    for (const std::int32_t m : segments_[a].corners) {
+      for (const std::int32_t n : segments_[b].corners) equal |= static_cast<std::int32_t>(m == n);
+    }
+    return equal != 0;
+  }
+  bool active_segment(std::int32_t segment) const { return active_[static_cast<std::size_t>(segment)] > S(0); }
+  /// Slaves of the nodes of a segment.
+  const std::array<std::int32_t, 4>& slaves_of(std::int32_t segment) const { return slaves_of_[segment]; }
   bool exposed(std::int32_t slot, std::int32_t face) const { return (topology_.exposed(slot) >> face & 1) != 0; }
   const Surface& topology() const { return topology_; }
   const std::vector<Segment>& segments() const { return segments_; }
@@ -85,15 +111,18 @@ class SlidelineSurface {
   void collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
   void collect_slaves(std::size_t nodes);
   void activate();
+  std::size_t packs() const { return (segments_.size() + native_width<S> - 1) / native_width<S>; }
 
   Surface topology_;
   std::vector<Segment> segments_;  ///< sorted by slot and face
   std::vector<Slave> slaves_;
-  std::vector<std::int32_t> around_;        ///< segments around each slave, one after the other
-  std::vector<std::int32_t> around_first_;  ///< per slave and one more: into around_
-  AlignedArray<std::int32_t> corner_;       ///< of the segments, in tiles of W
-  AlignedArray<S> active_;                  ///< per segment, padded: 1 or 0 [-]
-  std::vector<std::int32_t> chosen_;        ///< packs of segments
+  std::vector<std::int32_t> around_;                    ///< segments around each slave, one after the other
+  std::vector<std::int32_t> around_first_;              ///< per slave and one more: into around_
+  std::vector<std::array<std::int32_t, 4>> slaves_of_;  ///< per segment
+  AlignedArray<std::int32_t> corner_;                   ///< of the segments, in tiles of W
+  AlignedArray<S> active_;                              ///< per segment, padded: 1 or 0 [-]
+  std::vector<std::int32_t> chosen_;                    ///< packs of segments
+  std::vector<std::uint8_t> asked_for_;                 ///< per pack
   AlignedArray<S> sphere_, plane_;
   std::int64_t active_segments_ = 0;
   bool changed_ = false;

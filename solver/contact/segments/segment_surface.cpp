@@ -1,4 +1,4 @@
-#include "slideline_surface.hpp"
+#include "segment_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ double squared_area(const ContactElement& element, int face) {
 }  // namespace
 
 template <class S>
-bool SlidelineSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded) {
+bool SegmentSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded) {
   if (!topology_.remove_eroded(eroded)) return false;
   changed_ = true;
   activate();
@@ -34,52 +34,42 @@ bool SlidelineSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded)
 }
 
 template <class S>
-void SlidelineSurface<S>::collect(const SurfaceSource<S>& source) {
+void SegmentSurface<S>::collect(const SurfaceSource<S>& source) {
   changed_ = false;
   collect_faces(source, exposed_and_waiting(source));
 }
 
 template <class S>
-void SlidelineSurface<S>::collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
+void SegmentSurface<S>::collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
   collect_segments(source, faces);
   collect_slaves(static_cast<std::size_t>(source.node_count));
 
   constexpr std::size_t W = native_width<S>;
-  const std::size_t packs = (segments_.size() + W - 1) / W;
-  corner_.reset(4 * packs * W);
-  active_.reset(packs * W);
-  sphere_.reset(4 * packs * W);
-  plane_.reset(4 * packs * W);
-  for (std::size_t s = 0; s < packs * W; ++s) {  // padding repeats the last segment
+  const std::size_t padded = packs() * W;
+  corner_.reset(4 * padded);
+  active_.reset(padded);
+  sphere_.reset(4 * padded);
+  plane_.reset(4 * padded);
+  for (std::size_t s = 0; s < padded; ++s) {  // padding repeats the last segment
     const Segment& segment = segments_[std::min(s, segments_.size() - 1)];
     for (std::size_t i = 0; i < 4; ++i) corner_[(s / W * 4 + i) * W + s % W] = segment.node[i];
   }
-  chosen_.resize(packs);
+  chosen_.resize(packs());
   std::iota(chosen_.begin(), chosen_.end(), 0);
   activate();
 }
 
 template <class S>
-void SlidelineSurface<S>::choose(const std::vector<std::int64_t>& first, const std::vector<std::int32_t>& listed) {
-  constexpr std::size_t W = native_width<S>;
-  std::vector<std::uint8_t> asked_for((segments_.size() + W - 1) / W, 0);  // per pack
-  const auto ask_for = [&](std::int32_t segment) { asked_for[static_cast<std::size_t>(segment) / W] = 1; };
-  for (const std::int32_t segment : listed) ask_for(segment);
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    if (first[i] == first[i + 1]) continue;
-    for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
-      ask_for(around_[a]);
-    }
-  }
+void SegmentSurface<S>::finish_choice() {
   chosen_.clear();
-  for (std::size_t pack = 0; pack < asked_for.size(); ++pack) {
-    if (asked_for[pack] != 0) chosen_.push_back(static_cast<std::int32_t>(pack));
+  for (std::size_t pack = 0; pack < asked_for_.size(); ++pack) {
+    if (asked_for_[pack] != 0) chosen_.push_back(static_cast<std::int32_t>(pack));
   }
 }
 
 /// Per slot a bit for each face that is to be a segment.
 template <class S>
-std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const SurfaceSource<S>& source) const {
+std::vector<std::uint8_t> SegmentSurface<S>::exposed_and_waiting(const SurfaceSource<S>& source) const {
   std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
   for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
     const std::uint8_t exposed = topology_.exposed(slot);
@@ -93,12 +83,13 @@ std::vector<std::uint8_t> SlidelineSurface<S>::exposed_and_waiting(const Surface
 }
 
 template <class S>
-void SlidelineSurface<S>::collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
+void SegmentSurface<S>::collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
   segments_.clear();
   for (std::size_t slot = 0; slot < faces.size(); ++slot) {
     if (faces[slot] == 0) continue;
     const auto s = static_cast<std::int32_t>(slot);
     const ContactElement element = source.element(s);
+    if (element.sphere) continue;
     for (int f = 0; f < 6; ++f) {
       if ((faces[slot] >> f & 1U) == 0) continue;
       Segment segment{};
@@ -106,8 +97,12 @@ void SlidelineSurface<S>::collect_segments(const SurfaceSource<S>& source, const
       segment.slot = s;
       segment.face = f;
       segment.body = element.body;
+      segment.corners = element.corners;
       segment.radius = static_cast<S>(element.radius);
-      segment.stiffness = static_cast<S>(element.bulk_modulus * squared_area(element, f) / element.volume);
+      const double area2 = squared_area(element, f);
+      segment.thickness = static_cast<S>(area2 > 0 ? element.volume / std::sqrt(area2) : 0.0);
+      segment.size = area2 > 0 ? std::min(segment.radius, segment.thickness) : segment.radius;
+      segment.stiffness = static_cast<S>(element.bulk_modulus * area2 / element.volume);
       segments_.push_back(segment);
     }
   }
@@ -115,7 +110,7 @@ void SlidelineSurface<S>::collect_segments(const SurfaceSource<S>& source, const
 
 /// One slave per node, sorted by node, and the segments around it in their order.
 template <class S>
-void SlidelineSurface<S>::collect_slaves(std::size_t nodes) {
+void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
   std::vector<std::int32_t> place(nodes + 1, 0);  // segments around each node, then where the next of them goes
   for (const Segment& segment : segments_) {
     for (const std::int32_t node : segment.node) ++place[static_cast<std::size_t>(node) + 1];
@@ -126,7 +121,7 @@ void SlidelineSurface<S>::collect_slaves(std::size_t nodes) {
     const std::int32_t count = place[n + 1];
     place[n + 1] += place[n];
     if (count == 0) continue;
-    slaves_.push_back({static_cast<std::int32_t>(n), 0, S(0), S(0), S(0)});
+    slaves_.push_back({static_cast<std::int32_t>(n), 0, 0, S(0), S(0), S(0)});
     around_first_.push_back(place[n + 1]);
   }
   around_.resize(static_cast<std::size_t>(place[nodes]));
@@ -136,14 +131,22 @@ void SlidelineSurface<S>::collect_slaves(std::size_t nodes) {
     }
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    const std::int32_t any = around_[around_first_[i]];
-    slaves_[i].body = segments_[any].body;
+    slaves_[i].owner = around_[around_first_[i]];
+    slaves_[i].body = segments_[slaves_[i].owner].body;
+  }
+  slaves_of_.resize(segments_.size());
+  for (std::size_t i = 0; i < slaves_.size(); ++i) {
+    for (const std::int32_t s : around(i)) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        if (segments_[s].node[k] == slaves_[i].node) slaves_of_[s][k] = static_cast<std::int32_t>(i);
+      }
+    }
   }
 }
 
 /// The segments whose faces are exposed are active; what they give to their slaves is added up in their order.
 template <class S>
-void SlidelineSurface<S>::activate() {
+void SegmentSurface<S>::activate() {
   active_segments_ = 0;
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     const bool active = exposed(segments_[s].slot, segments_[s].face);
@@ -165,7 +168,7 @@ void SlidelineSurface<S>::activate() {
 }
 
 template <class S>
-bool SlidelineSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const {
+bool SegmentSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const {
   for (std::int32_t a = around_first_[slave]; a < around_first_[slave + 1]; ++a) {
     const S* own = record(plane_.data(), around_[a]);
     if (own[0] * normal.x + own[1] * normal.y + own[2] * normal.z < S(-0.5)) return true;
@@ -174,7 +177,7 @@ bool SlidelineSurface<S>::faces(std::size_t slave, const Vec3<S>& normal) const 
 }
 
 template <class S>
-void SlidelineSurface<S>::update(const SurfaceSource<S>& source) {
+void SegmentSurface<S>::update(const SurfaceSource<S>& source) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
   const auto count = static_cast<std::int64_t>(segments_.size());
@@ -211,7 +214,7 @@ void SlidelineSurface<S>::update(const SurfaceSource<S>& source) {
 
 /// Which faces wait was decided when they were collected: they are not what would wait now.
 template <class S>
-void SlidelineSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
+void SegmentSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   topology_.persist(archive);
   std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
   for (const Segment& s : segments_) {
@@ -223,18 +226,18 @@ void SlidelineSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>&
 }
 
 template <class S>
-std::int64_t SlidelineSurface<S>::chosen() const {
+std::int64_t SegmentSurface<S>::chosen() const {
   return static_cast<std::int64_t>(chosen_.size()) * native_width<S>;
 }
 
 template <class S>
-std::size_t SlidelineSurface<S>::bytes() const {
+std::size_t SegmentSurface<S>::bytes() const {
   return topology_.bytes() + segments_.capacity() * sizeof(Segment) + slaves_.capacity() * sizeof(Slave) +
-         (around_.capacity() + around_first_.capacity() + chosen_.capacity()) * 4 + corner_.bytes() + active_.bytes() +
-         sphere_.bytes() + plane_.bytes();
+         (around_.capacity() + around_first_.capacity() + chosen_.capacity() + 4 * slaves_of_.capacity()) * 4 +
+         corner_.bytes() + active_.bytes() + sphere_.bytes() + plane_.bytes();
 }
 
-template class SlidelineSurface<double>;
-template class SlidelineSurface<float>;
+template class SegmentSurface<double>;
+template class SegmentSurface<float>;
 
 }  // namespace pinball

@@ -1,0 +1,178 @@
+#include "face_algorithm.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <kernels/exec.hpp>
+
+namespace pinball {
+
+namespace {
+
+constexpr int searches_per_collection = 4;
+
+/// Depth of a row, over its size, from which on it is noted: what is less deep is found in any case.
+constexpr double worth_noting = 0.02;
+
+/// Depth at which nodes of bodies that overlap at the start are found, over the radius of the elements around them.
+constexpr double deepest_at_start = 0.3;
+
+/// Bounds of velocities [length/time].
+struct VelocityBox {
+  Vec3<double> low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  void take(const VelocityBox& other) {
+    low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y), std::min(low.z, other.low.z)};
+    high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y), std::max(high.z, other.high.z)};
+  }
+};
+
+/// Twice the way that nodes of the surface can make towards each other within a step [length].
+template <class S>
+double largest_approach(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, double dt) {
+  VelocityBox box;
+  parallel_reduce(
+      "velocities", RangePolicy<>{0, static_cast<std::int64_t>(surface.slaves().size())}, box,
+      [&](std::int64_t begin, std::int64_t end, VelocityBox& partial) {
+        for (std::int64_t i = begin; i < end; ++i) {
+          const Vec3<double> v = double_vector_of(source.v(surface.slaves()[i].node));
+          partial.take({v, v});
+        }
+      },
+      [](VelocityBox& whole, const VelocityBox& partial) { whole.take(partial); });
+  const Vec3<double> most = box.high - box.low;
+  return 2 * std::sqrt(dot(most, most)) * dt;
+}
+
+}  // namespace
+
+template <class S>
+FaceAlgorithm<S>::FaceAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start)
+    : ContactAlgorithm<S>(settings, source, std::move(start.held)),
+      surface_(source, std::move(start.topology)),
+      spheres_(source, surface_.topology()),
+      depth_(static_cast<std::size_t>(source.node_count), 0) {
+  edges_.collect(surface_);
+  // Bodies that overlap from the start come no nearer.
+  for (const auto& slave : surface_.slaves()) {
+    deep_.push_back(slave.node);
+    depth_[slave.node] = static_cast<float>(deepest_at_start * slave.radius);
+  }
+}
+
+template <class S>
+void FaceAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) {
+  if (surface_.remove_eroded(eroded) && !surface_.complete()) {
+    lists_.invalidate();
+    return;  // the search collects it anew
+  }
+  surface_.update(source);
+}
+
+template <class S>
+void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
+  const bool reuse = source.lists_last;
+  if (reuse && lists_.holds(source)) {
+    ++this->searches_skipped_;
+    return;
+  }
+  source.before_search();
+  ++this->searches_;
+  // Now and then those behind the new surface are to wait: each collection costs as much as a search.
+  if (surface_.changed() && (!surface_.complete() || ++searches_since_ >= searches_per_collection)) {
+    searches_since_ = 0;
+    surface_.collect(source);
+    edges_.collect(surface_);
+    lists_.invalidate();
+  }
+  lists_.build(source, surface_, edges_, spheres_, this->settings_, depth_, static_cast<S>(dt), reuse);
+  choose_listed();
+  surface_.update(source);
+}
+
+template <class S>
+void FaceAlgorithm<S>::choose_listed() {
+  surface_.choose_none();
+  const auto& nodes = lists_.nodes();
+  for (std::size_t i = 0; i < nodes.slave.size(); ++i) {
+    surface_.choose(nodes.segment[i]);
+    surface_.choose_around(static_cast<std::size_t>(nodes.slave[i]));
+  }
+  for (const auto* list : {&lists_.edges().first, &lists_.edges().second}) {
+    for (const std::int32_t e : *list) {
+      for (const std::int32_t s : edges_.edges()[e].segment) {
+        if (s >= 0) surface_.choose(s);
+      }
+    }
+  }
+  surface_.finish_choice();
+}
+
+template <class S>
+void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
+  lists_.count_step(static_cast<S>(dt));
+  const StepReach step{dt, lists_.entries() > 0 ? largest_approach(source, surface_, dt) : 0.0, depth_.data(),
+                       !deep_.empty()};
+  node_rows_.find(source, surface_, lists_.nodes(), step);
+  edge_rows_.find(source, surface_, edges_, lists_.edges(), step);
+  sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), dt);
+  ImpulseSolver<S>& impulses = *this->impulses_;
+  impulses.begin_rows();
+  node_rows_.give_to(impulses);
+  edge_rows_.give_to(impulses);
+  sphere_rows_.give_to(impulses);
+  impulses.finish_rows(source, dt);
+  note_depths();
+}
+
+/// What is deep stays in the lists.
+template <class S>
+void FaceAlgorithm<S>::note_depths() {
+  for (const std::int32_t node : deep_) depth_[node] = 0;
+  deep_.clear();
+  const auto note = [this](const FeatureRow& row) {
+    if (!(row.depth > worth_noting * row.size)) return;
+    for (int k = 0; k < row.nodes; ++k) {
+      float& deepest = depth_[row.node[k]];
+      if (deepest == 0) deep_.push_back(row.node[k]);
+      deepest = std::max(deepest, static_cast<float>(row.depth));
+    }
+  };
+  node_rows_.for_each_row(note);
+  edge_rows_.for_each_row(note);
+}
+
+template <class S>
+void FaceAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
+                              std::vector<double>& slot_radius) const {
+  for (const auto& segment : surface_.segments()) {
+    if (!surface_.exposed(segment.slot, segment.face)) continue;
+    slot_radius[segment.slot] = static_cast<double>(segment.radius);
+  }
+  for (const auto& sphere : spheres_.spheres()) {
+    if (surface_.topology().alive(sphere.slot)) slot_radius[sphere.slot] = static_cast<double>(sphere.radius);
+  }
+  static_cast<void>(source);
+  this->impulses_->add_node_forces(node_force);
+}
+
+template <class S>
+void FaceAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
+  ContactAlgorithm<S>::persist(archive, source);
+  surface_.persist(archive, source);
+  if (archive.reads()) edges_.collect(surface_);
+  lists_.persist(archive, surface_, edges_);
+  archive(searches_since_, deep_);
+  archive.of_fixed_size(depth_);
+}
+
+template <class S>
+std::size_t FaceAlgorithm<S>::bytes() const {
+  return surface_.bytes() + edges_.bytes() + spheres_.bytes() + lists_.bytes() + node_rows_.bytes() +
+         edge_rows_.bytes() + sphere_rows_.bytes() + this->impulses_->bytes();
+}
+
+template class FaceAlgorithm<double>;
+template class FaceAlgorithm<float>;
+
+}  // namespace pinball

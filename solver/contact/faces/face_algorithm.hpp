@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/contact/segments/edge_table.hpp>
+#include <solver/contact/segments/segment_surface.hpp>
+
+#include "edge_rows.hpp"
+#include "feature_lists.hpp"
+#include "node_rows.hpp"
+#include "sphere_rows.hpp"
+#include "sphere_surface.hpp"
+
+namespace pinball {
+
+/// The gap of faces as it is: nodes against faces, in both directions, and edges against edges, enforced by impulses.
+/// Every pair of features that closes its gap within the step has a row of its own.
+template <class S>
+class FaceAlgorithm final : public ContactAlgorithm<S> {
+ public:
+  FaceAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start);
+
+  void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) override;
+  void search(const SurfaceSource<S>& source, double dt) override;
+
+  const char* name() const override { return "pinball"; }
+  void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
+              std::vector<double>& slot_radius) const override;
+  const Surface& surface() const override { return surface_.topology(); }
+  ListSize listed() const override {
+    return {static_cast<std::int64_t>(surface_.slaves().size()) + spheres_.count(), lists_.entries(), lists_.places()};
+  }
+  void persist(StateArchive& archive, const SurfaceSource<S>& source) override;
+  std::size_t bytes() const override;
+
+ private:
+  ContactWork spring_forces(const SurfaceSource<S>& /*source*/, S /*dt*/) override { return {}; }
+  void add_spring_forces(const SurfaceSource<S>& /*source*/, ContactWork& /*work*/) override {}
+  const std::vector<std::int32_t>& nodes_of_springs() override { return no_springs_; }
+  void collect_impulses(const SurfaceSource<S>& source, double dt) override;
+  void note_depths();
+  /// Has what is listed brought up to date in every step, and nothing else.
+  void choose_listed();
+
+  SegmentSurface<S> surface_;
+  EdgeTable<S> edges_;
+  SphereSurface<S> spheres_;
+  std::vector<float> depth_;  ///< per node of the store: the deepest that it was in a row of the last step [length]
+  std::vector<std::int32_t> deep_;  ///< nodes with such a depth
+  FeatureLists<S> lists_;
+  NodeRows<S> node_rows_;
+  EdgeRows<S> edge_rows_;
+  SphereRows<S> sphere_rows_;
+  std::vector<std::int32_t> no_springs_;
+  std::int32_t searches_since_ = 0;  ///< the surface changed, without a collection
+};
+
+}  // namespace pinball

@@ -1,0 +1,41 @@
+#include "box_pairs.hpp"
+
+namespace pinball {
+
+template <class S>
+void BoxPairs<S>::cut_into_pieces(const MovingBoxes<S>& boxes) {
+  for (std::int64_t piece = 0; piece <= fixed_pieces; ++piece) {
+    const std::int64_t begin = boxes.groups() * piece / fixed_pieces * ball_group<S>;
+    begins_[static_cast<std::size_t>(piece)] =
+        static_cast<std::int32_t>(std::min(begin, static_cast<std::int64_t>(boxes.count())));
+  }
+}
+
+template <class S>
+ContactSearch BoxPairs<S>::choose(const MovingBoxes<S>& boxes, ContactSearch how) {
+  if (how == ContactSearch::hash) return how;
+  tree_.build(boxes);
+  constexpr std::int64_t most_met = 100;  // above, the tree takes longer (docs/performance.md)
+  return suitable_search(how, tree_.view(), 1, boxes.groups(), most_met);
+}
+
+template <class S>
+std::int64_t BoxPairs<S>::pairs() const {
+  std::int64_t sum = 0;
+  for (const PairColumns& found : sorted_) sum += static_cast<std::int64_t>(found.pairs);
+  return sum;
+}
+
+template <class S>
+std::size_t BoxPairs<S>::bytes() const {
+  std::size_t sum = tree_.bytes() + hash_.bytes() + order_.bytes();
+  for (const NearBoxes<S>& near : near_) sum += near.bytes();
+  for (const NearCells<S>& cells : cells_) sum += cells.bytes();
+  for (const PairColumns& found : sorted_) sum += found.bytes();
+  return sum;
+}
+
+template class BoxPairs<double>;
+template class BoxPairs<float>;
+
+}  // namespace pinball

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <kernels/exec.hpp>
+#include <solver/contact/contact_settings.hpp>
+
+#include "box_hash.hpp"
+#include "box_tree.hpp"
+#include "moving_boxes.hpp"
+#include "near_cells.hpp"
+#include "pair_order.hpp"
+
+namespace pinball {
+
+/// The pairs of moving boxes that meet: that overlap at the beginning or at the end, or along each axis are not on the
+/// same side of each other at both. Each pair once, its lower number first, sorted by the first and then by the second.
+///
+/// For work in parallel the list comes in fixed_pieces: consecutive boxes, and the pairs of which they are the first.
+/// Boxes that are near each other should have near numbers, as in the tiles of a mesh.
+template <class S>
+class BoxPairs {
+ public:
+  /// Builds the list from nothing; the same from every search and every number of threads. keep(first, second): whether
+  /// a pair is wanted; asked only for pairs that meet, in parallel.
+  template <class Keep>
+  void find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep);
+
+  /// First boxes of the pairs of a piece, and as many second ones. Valid until the next find().
+  std::span<const std::int32_t> firsts(std::int64_t piece) const { return sorted_[piece].firsts(); }
+  std::span<const std::int32_t> seconds(std::int64_t piece) const { return sorted_[piece].seconds(); }
+  /// First box of a piece; that of piece `fixed_pieces` is the number of boxes.
+  std::int32_t piece_begin(std::int64_t piece) const { return begins_[static_cast<std::size_t>(piece)]; }
+  std::int64_t pairs() const;
+  std::size_t bytes() const;
+
+ private:
+  void cut_into_pieces(const MovingBoxes<S>& boxes);
+  /// The search to be used; has built the tree if it is that.
+  ContactSearch choose(const MovingBoxes<S>& boxes, ContactSearch how);
+  template <class Keep>
+  void find_by_tree(const Keep& keep);
+  template <class Keep>
+  void find_by_hash(const Keep& keep);
+
+  std::array<std::int32_t, fixed_pieces + 1> begins_{};
+  PairOrder::Pieces sorted_;
+  // What follows is kept for its memory alone.
+  BoxTree<S> tree_;
+  std::array<NearBoxes<S>, fixed_pieces> near_;
+  BoxHash<S> hash_;
+  std::array<NearCells<S>, fixed_pieces> cells_;
+  PairOrder order_;
+};
+
+template <class S>
+template <class Keep>
+void BoxPairs<S>::find(const MovingBoxes<S>& boxes, ContactSearch how, const Keep& keep) {
+  cut_into_pieces(boxes);
+  if (choose(boxes, how) == ContactSearch::hash) {
+    hash_.build(boxes);
+    find_by_hash(keep);
+    order_.sort(begins_, sorted_);
+  } else {
+    find_by_tree(keep);
+  }
+}
+
+/// No branch depends on what is kept.
+template <class S>
+template <class Keep>
+void BoxPairs<S>::find_by_tree(const Keep& keep) {
+  constexpr int G = ball_group<S>;
+  parallel_for("pairs by a tree", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    PairColumns& found = sorted_[piece];
+    NearBoxes<S>& near = near_[piece];
+    found.pairs = 0;
+    const std::int32_t begin = piece_begin(piece), end = piece_begin(piece + 1);
+    for (std::int32_t own = begin; own < end; ++own) {
+      if (own % G == 0) near.enter(tree_.view(), own / G, own == begin);
+      const auto others = near.find(tree_.view(), own % G);
+      found.make_room(others.size());
+      const std::size_t before = found.pairs;
+      for (const std::int32_t other : others) {
+        found.second[found.pairs] = other;
+        found.pairs += keep(own, other) ? 1 : 0;
+      }
+      std::fill(found.first.data() + before, found.first.data() + found.pairs, own);
+    }
+  });
+}
+
+/// The same here; a box may be the second of its pairs, too.
+template <class S>
+template <class Keep>
+void BoxPairs<S>::find_by_hash(const Keep& keep) {
+  parallel_for("pairs by a hash", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    PairColumns& found = order_.found()[static_cast<std::size_t>(piece)];
+    NearCells<S>& cells = cells_[static_cast<std::size_t>(piece)];
+    found.pairs = 0;
+    for (std::int32_t number = piece_begin(piece); number < piece_begin(piece + 1); ++number) {
+      if (hash_.cell_begin(number) < 0) continue;
+      cells.enter(hash_, hash_.cell_begin(number));
+      for (std::int32_t i = 0; i < cells.size(); ++i) {
+        const std::int32_t own = cells.number(i);
+        const auto others = cells.find(hash_, i);
+        found.make_room(others.size());
+        for (const std::int32_t other : others) {
+          const std::int32_t first = std::min(own, other), second = std::max(own, other);
+          found.first[found.pairs] = first;
+          found.second[found.pairs] = second;
+          found.pairs += keep(first, second) ? 1 : 0;
+        }
+      }
+    }
+  });
+}
+
+}  // namespace pinball

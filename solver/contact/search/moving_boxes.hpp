@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include <kernels/ball_tree.hpp>
+#include <solver/base/aligned_array.hpp>
+
+namespace pinball {
+
+/// Boxes with bounds at the beginning and at the end of a time considered, in groups as BoxTreeView wants them.
+template <class S>
+class MovingBoxes {
+ public:
+  MovingBoxes() { reset(0); }
+  explicit MovingBoxes(std::int32_t count) { reset(count); }
+  /// As a new set of so many boxes, in the same memory; each is to be set.
+  void reset(std::int32_t count);
+  /// box: its bounds [length], which may be infinite. One with a lower bound above the upper, or with a bound that is
+  /// not a number, becomes the box that nothing is in. May be called for different boxes at the same time.
+  void set(std::int32_t i, const MovingBox<S>& box);
+  MovingBox<S> box(std::int32_t i) const { return get_box(bound_.data(), i); }
+  std::int32_t count() const { return count_; }
+  std::int64_t groups() const { return groups_; }  ///< at least one
+  const S* data() const { return bound_.data(); }
+  std::size_t bytes() const { return bound_.bytes(); }
+
+ private:
+  std::int32_t count_ = 0;
+  std::int64_t groups_ = 0;
+  AlignedArray<S> bound_;
+};
+
+/// Levels of boxes over boxes, built anew for each set in the same memory.
+template <class S>
+class BoxLevels {
+ public:
+  /// Builds the levels above the lowest, which has to stay where it is while they are used. lowest: groups of G boxes,
+  /// 12 components; view: whose levels are set, from the lowest on.
+  void build(const S* lowest, std::int64_t groups, BoxTreeView<S>& view);
+  std::size_t bytes() const;
+
+ private:
+  std::array<AlignedArray<S>, ball_tree_levels> level_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <kernels/exec.hpp>
+#include <solver/base/aligned_array.hpp>
+
+namespace pinball {
+
+/// Pairs of numbers one after the other, with room for more.
+struct PairColumns {
+  std::vector<std::int32_t> first, second;
+  std::size_t pairs = 0;
+
+  std::span<const std::int32_t> firsts() const { return {first.data(), pairs}; }
+  std::span<const std::int32_t> seconds() const { return {second.data(), pairs}; }
+  void make_room(std::size_t more) {
+    if (pairs + more <= second.size()) return;
+    first.resize(std::max(pairs + more, 2 * second.size()));
+    second.resize(first.size());
+  }
+  std::size_t bytes() const { return (first.capacity() + second.capacity()) * sizeof(first[0]); }
+};
+
+/// Brings pairs that were found in any order, in fixed_pieces, into the order of their first and second numbers.
+class PairOrder {
+ public:
+  using Pieces = std::array<PairColumns, fixed_pieces>;
+  /// Pairs as they are found: to be filled, its piece by each piece of the work.
+  Pieces& found() { return found_; }
+  /// Sorts what was found into pieces by the first number. begins: first number of each piece, and where the last ends.
+  void sort(const std::array<std::int32_t, fixed_pieces + 1>& begins, Pieces& sorted);
+  std::size_t bytes() const;
+
+ private:
+  struct Pair {
+    std::int32_t first, second;
+  };
+  void sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t end, PairColumns& sorted);
+
+  Pieces found_;
+  /// In pieces of what was found, of each for each piece of the result: how many pairs, then where the next one goes.
+  std::array<std::array<std::size_t, fixed_pieces>, fixed_pieces> place_{};
+  std::array<std::size_t, fixed_pieces + 1> piece_start_{};
+  AlignedArray<Pair> pair_;                                    ///< in the order of the pieces of the result
+  std::array<std::vector<std::int32_t>, fixed_pieces> start_;  ///< per first number of a piece
+};
+
+}  // namespace pinball

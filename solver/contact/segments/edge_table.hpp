@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "segment_surface.hpp"
+
+namespace pinball {
+
+/// The edges of master segments, each once: of active segments and of those that wait.
+template <class S>
+class EdgeTable {
+ public:
+  static constexpr std::size_t most_segments = 12;  ///< of an edge that are kept: both faces of six elements around it
+  struct Edge {
+    std::int32_t node[2];                             ///< of the node store, the lower number first
+    std::int32_t slave[2];                            ///< of the surface
+    std::int32_t owner;                               ///< the first segment
+    std::array<std::int32_t, most_segments> segment;  ///< that meet here; -1: no more
+  };
+
+  /// Collects the edges of all segments anew.
+  void collect(const SegmentSurface<S>& surface);
+  const std::vector<Edge>& edges() const { return edges_; }
+  /// By its nodes: keeps from collection to collection, and is the same whatever waits.
+  static std::int64_t name_of(const Edge& edge) { return static_cast<std::int64_t>(edge.node[0]) << 31 | edge.node[1]; }
+  /// Edges of a segment of which it is the owner; -1 for others.
+  const std::array<std::int32_t, 4>& owned_by(std::int32_t segment) const { return owned_[segment]; }
+  /// Segments that meet at an edge, the owner first.
+  std::span<const std::int32_t> segments_of(std::int32_t edge) const {
+    const auto& segment = edges_[edge].segment;
+    return {segment.begin(), std::find(segment.begin(), segment.end(), -1)};
+  }
+  bool share_node(std::int32_t e, std::int32_t f) const {
+    const std::int32_t *const a = edges_[e].node, *const b = edges_[f].node;
+    return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
+  }
+  std::size_t bytes() const { return edges_.capacity() * sizeof(Edge) + owned_.capacity() * sizeof(owned_[0]); }
+
+ private:
+  std::vector<Edge> edges_;
+  std::vector<std::array<std::int32_t, 4>> owned_;  ///< per segment
+};
+
+}  // namespace pinball

@@ -1,0 +1,99 @@
+#include "places.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <solver/model/model_surface.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// Square of what is kept of the hourglass modes, times the mass: in proportion to their energy where elements are
+/// alike.
+template <class S>
+double kept_hourglass_energy(const ElementStore<S>& elements, std::int64_t slot) {
+  const int components = static_cast<int>(elements.hourglass_state.size() / static_cast<std::size_t>(elements.slots));
+  double square = 0;
+  for (int c = 0; c < components; ++c) {
+    const auto p = static_cast<double>(elements.hourglass_state[ElementStore<S>::at(slot, c, components)]);
+    square += p * p;
+  }
+  return square * static_cast<double>(elements.mass[slot]);
+}
+
+/// Mass times square of the velocities of the hourglass modes.
+template <class S>
+double moving_hourglass_energy(const Model<S>& model, std::int64_t slot) {
+  // Signs of the corners in the modes eta zeta, zeta xi, xi eta and xi eta zeta.
+  constexpr int xi[8] = {-1, 1, 1, -1, -1, 1, 1, -1}, eta[8] = {-1, -1, 1, 1, -1, -1, 1, 1};
+  constexpr int zeta[8] = {-1, -1, -1, -1, 1, 1, 1, 1};
+  const std::array<std::int32_t, 8> corners = model.elements.corners(slot);
+  double square = 0;
+  for (int k = 0; k < 3; ++k) {
+    double mode[4] = {};
+    for (int i = 0; i < 8; ++i) {
+      const auto v = static_cast<double>(model.nodes.velocity_of(corners[i])[k]);
+      mode[0] += eta[i] * zeta[i] * v;
+      mode[1] += zeta[i] * xi[i] * v;
+      mode[2] += xi[i] * eta[i] * v;
+      mode[3] += xi[i] * eta[i] * zeta[i] * v;
+    }
+    for (const double m : mode) square += m * m;
+  }
+  return static_cast<double>(model.elements.mass[slot]) * square;
+}
+
+}  // namespace
+
+template <class S>
+std::string node_name(const Model<S>& model, std::int64_t node) {
+  if (node < 0) return "";
+  const auto at = std::find(model.node_of_scene_node.begin(), model.node_of_scene_node.end(), node);
+  if (at == model.node_of_scene_node.end()) return "";
+  const auto number = static_cast<std::size_t>(at - model.node_of_scene_node.begin());
+  return fmt::format("node {} of body {}", number, model.mesh.body_names[model.mesh.body_of_node[number]]);
+}
+
+template <class S>
+std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& contact) {
+  std::vector<Point> force(static_cast<std::size_t>(model.nodes.count), Point{});
+  std::vector<double> radius(static_cast<std::size_t>(model.elements.slots), 0.0);
+  contact.report(ModelSurface<S>(model), force, radius);
+  std::int64_t most = -1;
+  double largest = 0;
+  for (const std::int32_t node : model.node_of_scene_node) {  // the first in the order of the scene
+    const double square = dot(force[node], force[node]);
+    if (!(square > largest)) continue;
+    largest = square;
+    most = node;
+  }
+  return most;
+}
+
+template <class S>
+std::int64_t most_hourglassed_slot(const Model<S>& model) {
+  std::int64_t most = -1;
+  double largest = 0;
+  for (const std::int64_t slot : model.slot_of_element) {
+    if (!model.elements.alive(slot)) continue;
+    const double energy = model.elements.hourglass_state.empty() ? moving_hourglass_energy(model, slot)
+                                                                 : kept_hourglass_energy(model.elements, slot);
+    if (!(energy > largest)) continue;
+    largest = energy;
+    most = slot;
+  }
+  return most;
+}
+
+template std::string node_name(const Model<double>&, std::int64_t);
+template std::string node_name(const Model<float>&, std::int64_t);
+template std::int64_t most_pushed_node(const Model<double>&, const ContactAlgorithm<double>&);
+template std::int64_t most_pushed_node(const Model<float>&, const ContactAlgorithm<float>&);
+template std::int64_t most_hourglassed_slot(const Model<double>&);
+template std::int64_t most_hourglassed_slot(const Model<float>&);
+
+}  // namespace pinball

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/model/model.hpp>
+
+namespace pinball {
+
+/// "node 17 of body rod", by the numbers of the scene, for a node of the store; empty for a negative number.
+template <class S>
+std::string node_name(const Model<S>& model, std::int64_t node);
+/// Node of the store on which the last step's contact force was largest; negative where there was none.
+template <class S>
+std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& contact);
+/// Slot whose hourglass modes carry most energy, as far as the forces tell that are kept from step to step; with a form
+/// that keeps none that in which they move most. Negative where none does.
+template <class S>
+std::int64_t most_hourglassed_slot(const Model<S>& model);
+
+}  // namespace pinball

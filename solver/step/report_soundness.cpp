@@ -1,0 +1,67 @@
+#include "report_soundness.hpp"
+
+#include <fmt/core.h>
+
+#include <string>
+
+#include "places.hpp"
+#include "report.hpp"
+
+namespace pinball {
+
+namespace {
+
+template <class S>
+WatchedShare watched_share(const Solver<S>& solver, Watched kind) {
+  const EnergyWatch& watch = solver.watch();
+  WatchedShare share{watch.share(kind), watch.since(kind), ""};
+  const std::int64_t place = watch.place(kind);
+  if (place < 0) return share;
+  const bool node = kind == Watched::contact_created || kind == Watched::contact_swallowed;
+  share.place = node ? node_name(solver.model(), place) : element_name(solver.model(), place);
+  return share;
+}
+
+template <class S>
+std::string sentence_of(const Model<S>& model, const UnseenBalls& unseen) {
+  const auto element = [&model](std::int64_t e) { return element_name(model, model.slot_of_element[e]); };
+  const std::string first = element(unseen.first), second = element(unseen.second);
+  const std::string balls = unseen.first == unseen.second
+                                ? fmt::format("where it folds, the balls of elements like {}", first)
+                                : fmt::format("the balls of {} and {}", first, second);
+  return unseen.depth < 1
+             ? fmt::format("{} meet when faces are already {:.3g} % of an element inside", balls, 100 * unseen.depth)
+             : fmt::format("{} may pass between each other", balls);
+}
+
+}  // namespace
+
+template <class S>
+void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
+  const EnergyLedger& ledger = solver.ledger();
+  summary.energy_in_motion = ledger.in_motion();
+  summary.balance_error_in_motion = watched_share(solver, Watched::balance);
+  summary.balance_error_in_motion.largest = ledger.balance_error_in_motion_max();
+  summary.contact_created = watched_share(solver, Watched::contact_created);
+  summary.contact_swallowed = watched_share(solver, Watched::contact_swallowed);
+  summary.contact_swallowed_sound = solver.sound_swallowing();
+  summary.hourglass_created = watched_share(solver, Watched::hourglass_created);
+  summary.hourglass_large = watched_share(solver, Watched::hourglass_large);
+  const RunCounts& counts = solver.counts();
+  summary.max_penetration_ratio = counts.penetration_ratio_max();
+  summary.max_penetration_time = counts.deepest_time();
+  summary.max_penetration_place = node_name(solver.model(), counts.deepest_node());
+  const InitialOverlap& overlap = solver.initial_overlap();
+  if (overlap.points > 0) summary.overlapping_bodies = fmt::format("{} and {}", overlap.first, overlap.second);
+  const InitialOverlap& now = solver.overlap_at_end();
+  if (now.points > 0) {
+    summary.overlap_at_end =
+        fmt::format("{} and {}, by {} of their nodes and points of elements", now.first, now.second, now.points);
+  }
+  if (solver.unseen_balls()) summary.unseen_balls = sentence_of(solver.model(), *solver.unseen_balls());
+}
+
+template void fill_soundness(const Solver<double>&, RunSummary&);
+template void fill_soundness(const Solver<float>&, RunSummary&);
+
+}  // namespace pinball

@@ -1,0 +1,207 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <solver/results/warnings.hpp>
+#include <solver/step/energy_watch.hpp>
+#include <solver/step/report.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// What a run is watched for: each warning in a scene made for it, with number, time and place.
+namespace pinball {
+namespace {
+
+using namespace test;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::MatchesRegex;
+
+RunSummary summary_of(const Solver<double>& solver) {
+  RunSummary summary;
+  fill_summary(solver, summary);
+  return summary;
+}
+
+RunSummary result_of(const Scene& scene) {
+  Solver<double> solver(scene);
+  run(solver);
+  return summary_of(solver);
+}
+
+/// Two blocks of 3 x 3 x 3 elements that meet at 40 m/s.
+Scene impact(const Point& boost = {}) {
+  const double gap = touching_gap * 0.025 * 1.05;
+  Scene scene = scene_of({block("lower", {3, 3, 3}, 0.025, {0, 0, 0}, {boost[0], boost[1], boost[2] + 20}),
+                          block("upper", {3, 3, 3}, 0.025, {0, 0, 0.075 + gap}, {boost[0], boost[1], boost[2] - 20})},
+                         1e-4);
+  return scene;
+}
+
+TEST(Soundness, ABoostHidesNothing) {
+  Scene scene = impact(), boosted = impact({300, -500, 800});
+  scene.contact.beta = boosted.contact.beta = 3;  // springs too stiff for the step in which they begin
+  scene.guard.energy_error = boosted.guard.energy_error = 10;
+  const RunSummary at_rest = result_of(scene), flying = result_of(boosted);
+  EXPECT_GT(at_rest.balance_error_max, 0.02);
+  EXPECT_LT(flying.balance_error_max, 0.01 * at_rest.balance_error_max);
+  EXPECT_NEAR(at_rest.balance_error_in_motion.largest, at_rest.balance_error_max, 1e-12);
+  EXPECT_NEAR(flying.balance_error_in_motion.largest, at_rest.balance_error_max, 1e-3 * at_rest.balance_error_max);
+  EXPECT_NEAR(flying.energy_in_motion, at_rest.energy_in_motion, 1e-6 * at_rest.energy_in_motion);
+}
+
+TEST(Soundness, ABodyThatFliesAloneHasNoError) {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}, {1000, 200, 1})}, 1e-3, false);
+  EXPECT_LT(result_of(scene).balance_error_in_motion.largest, 1e-3);
+  Solver<float> solver(scene);
+  run(solver);
+  EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-2);
+}
+
+TEST(Soundness, AgainstAWallAllOfItIsInMotion) {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}, {7, 0, -100})}, 1e-5, false);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  const double mass = 7850 * 0.027;
+  EXPECT_NEAR(result_of(scene).energy_in_motion, 0.5 * mass * 1e4, 1e-6 * mass * 1e4) << "but for the flight along it";
+  scene.rigid_walls[0].friction = 0.1;
+  EXPECT_NEAR(result_of(scene).energy_in_motion, 0.5 * mass * (1e4 + 49), 1e-6 * mass * 1e4);
+}
+
+TEST(Soundness, TheGuardOfTheEnergySeesWhatABoostHides) {
+  Scene scene = impact({0, 0, 1000});
+  scene.guard.energy_error = 0.1;
+  Solver<double> solver(scene);
+  solver.step();
+  auto& velocity = solver.change_model().nodes.velocity;
+  for (std::size_t n = 0; n < 64; ++n) velocity[4 * n] += 30;
+  EXPECT_THROW(solver.step(), RunError);
+  EXPECT_LT(std::abs(solver.balance_error()), 1e-2);
+}
+
+TEST(Soundness, AnErrorOfTheBalanceHasATimeAndAnElement) {
+  Scene scene = impact();
+  scene.contact.beta = 30;
+  scene.guard.energy_error = 10;
+  EXPECT_THAT(
+      warnings(result_of(scene)),
+      testing::Contains(MatchesRegex("the energy balance was off by up to .* % of the energy in motion, beyond 10 "
+                                     "% since time .*the step was set by element .* of body .*")));
+}
+
+TEST(Soundness, SoftSpringsHaveATimeAndANode) {
+  Scene scene = impact();
+  scene.contact.beta = 1e-3;
+  scene.time.end = 6e-4;
+  EXPECT_THAT(
+      warnings(result_of(scene)),
+      testing::Contains(MatchesRegex("bodies went into each other by up to .* % of the radii of their pinballs, at "
+                                     "time .* at node .* of body .*: try a larger contact.beta.*")));
+  EXPECT_THAT(warnings(result_of(impact())), IsEmpty());
+}
+
+TEST(Soundness, ADepthThatWasNotSeenComingIsSeen) {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}), block("b", {3, 3, 3}, 0.1, {0.02, 0.03, 0.28})}, 1e-5);
+  scene.contact.method = ContactMethod::slideline;
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  const RunSummary result = result_of(scene);
+  const double radius = std::cbrt(3 / (4 * M_PI)) * 0.1;
+  EXPECT_GT(result.max_penetration_ratio, 0.9 * 0.02 / (2 * radius));
+  EXPECT_THAT(result.max_penetration_place, MatchesRegex("node .* of body [ab]"));
+  EXPECT_THAT(warnings(result), testing::Contains(HasSubstr("bodies went into each other")));
+}
+
+TEST(Soundness, BodiesThatAreInEachOtherAtTheEndAreSeenByTheirPlaces) {
+  Scene scene = impact();
+  scene.contact.beta = 1e-4;
+  scene.time.end = 6e-4;
+  EXPECT_THAT(
+      warnings(result_of(scene)),
+      testing::Contains(MatchesRegex("bodies are in each other at the end, at time 0.0006, more than 20 % of an "
+                                     "element deep: lower and upper, by .* of their nodes.*")));
+  EXPECT_EQ(result_of(impact()).overlap_at_end, "");
+}
+
+TEST(Soundness, ABendOfOneLayerIsAllHourglassEnergy) {
+  Scene scene = scene_of({block("beam", {8, 1, 1}, 0.1, {0, 0, 0})}, 4e-3, false);
+  scene.element.hourglass_coefficient = 1;
+  FixedConstraint fixed;
+  fixed.nodes.plane = Plane{{0, 0, 0}, {1, 0, 0}};
+  fixed.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.fixed_constraints = {fixed};
+  NodalLoad load;
+  load.nodes.plane = Plane{{0.8, 0, 0}, {1, 0, 0}};
+  load.force = {0, 0, 1e4};
+  scene.loads = {load};
+  EXPECT_THAT(
+      warnings(result_of(scene)),
+      ElementsAre(MatchesRegex("hourglass energy reached .* % of the internal energy, beyond 10 % since time .*most "
+                               "of it in element . of body beam.*")));
+}
+
+TEST(Soundness, ABodyAtRestIsSound) {
+  const RunSummary result = result_of(scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1e-4, false));
+  EXPECT_THAT(warnings(result), IsEmpty());
+  EXPECT_EQ(result.hourglass_large.largest, 0);
+}
+
+/// Energies that no sound scene has.
+class Ledger {
+ public:
+  Ledger() {
+    ledger_.set_drift(50, 1e-9);
+    ledger_.close(true, 150);
+    watch_.look(ledger_, 0.1, 0);
+  }
+  void book(double hourglass, double contact, double internal, double time) {
+    ElementWork elements;
+    elements.hourglass = hourglass;
+    elements.internal = internal;
+    ContactWork work;
+    work.dissipated = contact;
+    ledger_.book(elements, work, 0, 1);
+    ledger_.close(false,
+                  150 - ledger_.energies().contact() - ledger_.energies().hourglass - ledger_.energies().internal);
+    watch_.look(ledger_, 0.1, time);
+  }
+  EnergyLedger ledger_;
+  EnergyWatch watch_;
+};
+
+TEST(EnergyWatch, EnergyOutOfContactIsFoundWhenItGoesBeyondItsBound) {
+  Ledger run;
+  run.book(0, -0.5, 0, 1);
+  EXPECT_FALSE(run.watch_.just_beyond(Watched::contact_created)) << "0.5 % of the 100 in motion";
+  run.book(0, -5.5, 0, 2);
+  EXPECT_TRUE(run.watch_.just_beyond(Watched::contact_created));
+  run.book(0, 1, 0, 3);
+  EXPECT_FALSE(run.watch_.just_beyond(Watched::contact_created));
+  EXPECT_DOUBLE_EQ(run.watch_.share(Watched::contact_created), 0.06);
+  EXPECT_EQ(run.watch_.since(Watched::contact_created), 2);
+}
+
+TEST(EnergyWatch, WhatContactGivesBackItHasNotSwallowed) {
+  Ledger run;
+  run.book(0, 12, 0, 1);
+  EXPECT_TRUE(run.watch_.just_beyond(Watched::contact_swallowed));
+  run.book(0, -8, 0, 2);
+  EXPECT_DOUBLE_EQ(run.watch_.share(Watched::contact_swallowed), 0.04);
+  run.book(0, 20, 0, 3);
+  EXPECT_DOUBLE_EQ(run.watch_.share(Watched::contact_swallowed), 0.24);
+  EXPECT_EQ(run.watch_.since(Watched::contact_swallowed), 3);
+}
+
+TEST(EnergyWatch, HourglassEnergyIsComparedWithTheLargestInternalEnergy) {
+  Ledger run;
+  run.book(0.05, 0, 0, 1);
+  EXPECT_DOUBLE_EQ(run.watch_.share(Watched::hourglass_large), 0.05) << "of a hundredth of what is in motion";
+  run.book(0.95, 0, 8, 2);
+  EXPECT_TRUE(run.watch_.just_beyond(Watched::hourglass_large));
+  EXPECT_DOUBLE_EQ(run.watch_.share(Watched::hourglass_large), 1.0 / 8);
+  run.book(-1.2, 0, -6, 3);
+  EXPECT_TRUE(run.watch_.just_beyond(Watched::hourglass_created));
+  EXPECT_DOUBLE_EQ(run.watch_.share(Watched::hourglass_created), 0.2 / 8);
+}
+
+}  // namespace
+}  // namespace pinball
