@@ -154,15 +154,15 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
   row.direction = direction;
   row.depth = 0 - gap;
   row.size = sides1.radius + sides2.radius;
+  row.reach = std::min(sides1.size, sides2.size);
   row.add_side(first.node, {1 - pair.s, pair.s}, -1);
   row.add_side(second.node, {1 - pair.t, pair.t}, 1);
   double closing = 0;
   for (int k = 0; k < row.nodes; ++k)
     closing += row.weight[k] * dot(double_vector_of(source.v(row.node[k])), direction);
   closing *= step.dt;
-  const double smaller = std::min(sides1.size, sides2.size);
-  if (gap < -deepest_edges * smaller - std::max(0.0, closing) - depth_before(step, first, second)) return;
-  if (may_close(gap, closing, smaller)) rows.push_back(row);
+  if (gap < -deepest_edges * row.reach - std::max(0.0, closing) - depth_before(step, first, second)) return;
+  if (may_close(gap, closing, row.reach)) rows.push_back(row);
 }
 
 template <class S>

@@ -12,10 +12,11 @@ namespace {
 
 constexpr int searches_per_collection = 4;
 
-/// Depth of a row, over its size, from which on it is noted: what is less deep is found in any case.
-constexpr double worth_noting = 0.02;
+/// Depth of a row, over the size of its segment, from which on it is noted: what is less deep is found in any case.
+constexpr double worth_noting = 0.05;
+static_assert(worth_noting < deepest_edges && worth_noting < near_gap);
 
-/// Depth at which nodes of bodies that overlap at the start are found, over the radius of the elements around them.
+/// Depth at which nodes of bodies that overlap at the start are found, over the size of a segment around them.
 constexpr double deepest_at_start = 0.3;
 
 /// Bounds of velocities [length/time].
@@ -56,7 +57,8 @@ FaceAlgorithm<S>::FaceAlgorithm(const ContactSettings& settings, const SurfaceSo
   // Bodies that overlap from the start come no nearer.
   for (const auto& slave : surface_.slaves()) {
     deep_.push_back(slave.node);
-    depth_[slave.node] = static_cast<float>(deepest_at_start * slave.radius);
+    const auto size = static_cast<double>(surface_.segments()[slave.owner].size);
+    depth_[slave.node] = static_cast<float>(deepest_at_start * size);
   }
 }
 
@@ -131,7 +133,7 @@ void FaceAlgorithm<S>::note_depths() {
   for (const std::int32_t node : deep_) depth_[node] = 0;
   deep_.clear();
   const auto note = [this](const FeatureRow& row) {
-    if (!(row.depth > worth_noting * row.size)) return;
+    if (!(row.depth > worth_noting * row.reach)) return;
     for (int k = 0; k < row.nodes; ++k) {
       float& deepest = depth_[row.node[k]];
       if (deepest == 0) deep_.push_back(row.node[k]);

@@ -16,7 +16,8 @@ struct FeatureRow {
   int nodes = 0;
   Vec3<double> direction;   ///< from body 2 to body 1
   double depth;             ///< penetration, negative for an open gap [length]
-  double size;              ///< what the depth is compared with [length]
+  double size;              ///< what the depth is compared with in reports [length]
+  double reach;             ///< size of the segment, or of the smaller one: what gaps are found by [length]
   std::int32_t slave = -1;  ///< of a node against a face: its number in the surface
 
   /// Adds the nodes of one side, whose weights sum to 1 or -1. Those with weights that are nothing but round-off are

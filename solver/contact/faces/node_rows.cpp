@@ -196,6 +196,7 @@ void NodeRows<S>::add_rows(const SurfaceSource<S>& source, const SegmentSurface<
     row.direction = mean_normal(foot);
     row.depth = 0 - foot.gap;
     row.size = static_cast<double>(slave.radius + segment.radius);
+    row.reach = size_of(foot);
     row.add_node(slave.node, -1);
     row.add_side(segment.node, foot.weight, 1);
   };

@@ -8,12 +8,12 @@
 namespace pinball {
 
 template <class S>
-void SphereRows<S>::add(const SurfaceSource<S>& source, const FeatureRow& row, double smaller, double dt) {
+void SphereRows<S>::add(const SurfaceSource<S>& source, const FeatureRow& row, double dt) {
   double closing = 0;
   for (int k = 0; k < row.nodes; ++k) {
     closing += row.weight[k] * dot(double_vector_of(source.v(row.node[k])), row.direction);
   }
-  if (may_close(0 - row.depth, dt * closing, smaller)) rows_.push_back(row);
+  if (may_close(0 - row.depth, dt * closing, row.reach)) rows_.push_back(row);
 }
 
 template <class S>
@@ -38,9 +38,10 @@ void SphereRows<S>::add_face(const SurfaceSource<S>& source, const SegmentSurfac
   row.second = static_cast<std::int64_t>(segment.slot) * 6 + segment.face;
   row.depth = radius - (inside ? at.gap : distance);
   row.size = radius + static_cast<double>(segment.radius);
+  row.reach = std::min(radius, static_cast<double>(segment.size));
   row.add_node(sphere.node, -1);
   row.add_side(segment.node, at.weight, 1);
-  add(source, row, std::min(radius, static_cast<double>(segment.size)), dt);
+  add(source, row, dt);
 }
 
 template <class S>
@@ -55,9 +56,10 @@ void SphereRows<S>::add_sphere(const SurfaceSource<S>& source, const Sphere& fir
   row.direction = (1 / distance) * to;
   row.depth = radius1 + radius2 - distance;
   row.size = radius1 + radius2;
+  row.reach = std::min(radius1, radius2);
   row.add_node(first.node, -1);
   row.add_node(second.node, 1);
-  add(source, row, std::min(radius1, radius2), dt);
+  add(source, row, dt);
 }
 
 template <class S>

@@ -31,7 +31,7 @@ class SphereRows {
   void add_face(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Sphere& sphere,
                 std::int32_t segment, double dt);
   void add_sphere(const SurfaceSource<S>& source, const Sphere& first, const Sphere& second, double dt);
-  void add(const SurfaceSource<S>& source, const FeatureRow& row, double smaller, double dt);
+  void add(const SurfaceSource<S>& source, const FeatureRow& row, double dt);
 
   std::vector<FeatureRow> rows_;
 };

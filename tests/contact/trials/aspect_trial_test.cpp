@@ -56,6 +56,41 @@ TEST_P(AspectTrial, BlocksTouchWhereTheyAre) {
   }
 }
 
+/// Two blocks that overlap at the start by a part of their elements' shortest edge h, and come together at 20 m/s.
+/// Returns how much deeper they get, over h.
+double deepening(double aspect, double overlap, const Variant& variant) {
+  const double across = aspect < 1 ? h / aspect : h, along = aspect * across, speed = 10;
+  const Point size{3 * across, 3 * across, 2 * along};
+  const double above = 2 * along - overlap * h;
+  const Scene scene =
+      with_contact(trial_scene({block_of("a", size, {3, 3, 2}, {0, 0, 0}, speed),
+                                block_of("b", size, {3, 3, 2}, {0.23 * across, 0.23 * across, above}, -speed)},
+                               0.2 * h / speed),
+                   variant);
+  Solver<double> solver(scene);
+  const auto depth = [&] {
+    double top = -1e9, bottom = 1e9;
+    const auto& mesh = solver.model().mesh;
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      const double z = position_of(solver, n)[2];
+      (mesh.body_of_node[n] == 0 ? top : bottom) = mesh.body_of_node[n] == 0 ? std::max(top, z) : std::min(bottom, z);
+    }
+    return top - bottom;
+  };
+  double most = 0;
+  run_to_end(solver, [&] { most = std::max(most, depth()); });
+  return most / h - overlap;
+}
+
+TEST_P(AspectTrial, BlocksThatOverlapComeNoNearer) {
+  for (const double aspect : {0.02, 0.05, 0.125, 1.0, 8.0}) {
+    for (const double overlap : {0.02, 0.1, 0.12, 0.17}) {
+      const std::string trial = fmt::format("overlap {} h at the start, a = {}, deeper by", overlap, aspect);
+      at_most(trial, run_of(trial, [&] { return deepening(aspect, overlap, GetParam()); }), 0.02);
+    }
+  }
+}
+
 /// Two equal bars along z, with flat elements 8:1 where they meet, whose meshes across are shifted by 0.23 of an
 /// element. flush: the sides are in one plane all the same, the mesh is cut differently. Returns the relative velocity
 /// after the impact over that before.
