@@ -19,6 +19,7 @@ struct FeatureRow {
   double size;              ///< what the depth is compared with in reports [length]
   double reach;             ///< size of the segment, or of the smaller one: what gaps are found by [length]
   std::int32_t slave = -1;  ///< of a node against a face: its number in the surface
+  bool dropped = false;     ///< another row has its part
 
   /// Adds the nodes of one side, whose weights sum to 1 or -1. Those with weights that are nothing but round-off are
   /// left out: a node right on a node is a row of two nodes. The largest weight takes up what they had.

@@ -18,6 +18,9 @@ constexpr double edge_margin = 1e-3;
 /// between them, over the radius of the segment.
 constexpr double valley = 0.05;
 
+/// Weight of a node of a face from which on a node is as good as on it [-].
+constexpr double on_a_node = 0.9;
+
 /// Whether all of the surface around a node rises from it, seen along a normal: a sharp corner may touch although none
 /// of its faces looks at the other body within 60 degrees.
 template <class S>
@@ -258,36 +261,44 @@ void NodeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& 
 template <class S>
 void NodeRows<S>::drop_mirrored(const SurfaceSource<S>& source, const SegmentSurface<S>& surface) {
   on_node_.resize(static_cast<std::size_t>(source.node_count), nullptr);
-  const auto for_nodes_on_nodes = [this](const auto& visit) {
+  // A node of the face that the row's node is as good as on; negative: none.
+  const auto met_by = [](const FeatureRow& row) {
+    for (int k = 1; k < row.nodes; ++k) {
+      if (row.weight[k] > on_a_node) return row.node[k];
+    }
+    return -1;
+  };
+  const auto for_each = [this](const auto& visit) {
     for (std::int64_t piece = 0; piece < pieces_; ++piece) {
-      for (FeatureRow& row : work_[piece].rows) {
-        if (row.nodes == 2) visit(row);
-      }
+      for (FeatureRow& row : work_[piece].rows) visit(row);
     }
   };
-  // Where one of them is a corner, the other's face is the one that they meet at.
   const auto is_corner = [&](const FeatureRow& row) {
     return is_lowest(source, surface, row.slave, row.direction, row.direction);
   };
-  for_nodes_on_nodes([this](FeatureRow& row) { on_node_[row.node[0]] = &row; });
-  for_nodes_on_nodes([&](FeatureRow& row) {
-    FeatureRow* const other = on_node_[row.node[1]];
-    if (row.node[0] > row.node[1] || other == nullptr || other->node[1] != row.node[0]) return;
-    if (dot(row.direction, other->direction) < -0.99) {  // the mean of both, so that none is preferred
-      const Vec3<double> mean = row.direction - other->direction;
-      row.direction = (1 / std::sqrt(dot(mean, mean))) * mean;
-      row.depth = 0.5 * (row.depth + other->depth);
-      other->nodes = 0;
-    } else {
-      (is_corner(row) || !is_corner(*other) ? *other : row).nodes = 0;
+  for_each([&](FeatureRow& row) {
+    if (met_by(row) >= 0) on_node_[row.node[0]] = &row;
+  });
+  for_each([&](FeatureRow& row) {
+    const std::int32_t met = met_by(row);
+    const FeatureRow* const other = met >= 0 ? on_node_[met] : nullptr;
+    if (other == nullptr || met_by(*other) != row.node[0]) return;
+    if (dot(row.direction, other->direction) < -0.99) {
+      if (row.nodes > 2 || other->nodes > 2 || row.node[0] < met) return;
+      // Right on each other: the mean of both, so that none is preferred.
+      FeatureRow& kept = *on_node_[met];
+      const Vec3<double> mean = kept.direction - row.direction;
+      kept.direction = (1 / std::sqrt(dot(mean, mean))) * mean;
+      kept.depth = 0.5 * (kept.depth + row.depth);
+      row.dropped = true;
+    } else {  // where one of them is a corner, the other's face is the one that they meet at
+      const bool corner = is_corner(row), corner_met = is_corner(*other);
+      row.dropped = corner != corner_met ? corner_met : row.nodes == 2 && row.node[0] > met;
     }
   });
-  for_nodes_on_nodes([this](FeatureRow& row) { on_node_[row.node[0]] = nullptr; });
+  for_each([this](FeatureRow& row) { on_node_[row.node[0]] = nullptr; });
   for (std::int64_t piece = 0; piece < pieces_; ++piece) {
-    for (const FeatureRow& row : work_[piece].rows) {
-      if (row.nodes == 0) on_node_[row.node[0]] = nullptr;
-    }
-    std::erase_if(work_[piece].rows, [](const FeatureRow& row) { return row.nodes == 0; });
+    std::erase_if(work_[piece].rows, [](const FeatureRow& row) { return row.dropped; });
   }
 }
 

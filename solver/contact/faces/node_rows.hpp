@@ -48,7 +48,8 @@ class NodeRows {
     std::vector<FeatureRow> rows;
   };
 
-  /// Of two nodes right on each other each has a row: one is enough.
+  /// Of two nodes on each other each has a row: one is enough, and where one is a corner it is the only one that has
+  /// the normal of the contact.
   void drop_mirrored(const SurfaceSource<S>& source, const SegmentSurface<S>& surface);
   static void find_near(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const NodePairs& pairs,
                         std::int64_t piece, const StepReach& step, Work& work);
@@ -60,7 +61,7 @@ class NodeRows {
 
   std::int64_t pieces_ = 0;
   std::array<Work, fixed_pieces> work_;
-  std::vector<FeatureRow*> on_node_;  ///< per node of the store: the row in which it is right on another node, or null
+  std::vector<FeatureRow*> on_node_;  ///< per node of the store: a row in which it is on another node, or null
 };
 
 }  // namespace pinball
