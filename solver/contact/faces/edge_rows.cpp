@@ -30,8 +30,8 @@ template <class S>
 EdgeSides sides_of(const SegmentSurface<S>& surface, const typename EdgeTable<S>::Edge& edge) {
   EdgeSides sides;
   sides.radius = sides.size = INFINITY;
-  for (const std::int32_t s : edge.segment) {
-    if (s < 0 || sides.faces == 2) break;
+  for (const std::int32_t s : EdgeTable<S>::segments_of(edge)) {
+    if (sides.faces == 2) break;
     if (!surface.active_segment(s)) continue;
     const auto f = static_cast<std::size_t>(sides.faces++);
     sides.unit_normal[f] = double_vector_of(record(surface.plane().data(), s));
@@ -76,30 +76,16 @@ bool face_each_other(const EdgeSides& first, const EdgeSides& second) {
   return least < most_facing;
 }
 
-/// Whether elements at two edges of one body have a corner in common: these are kept apart by the mesh.
-template <class S>
-bool are_beside(const SegmentSurface<S>& surface, const typename EdgeTable<S>::Edge& first,
-                const typename EdgeTable<S>::Edge& second) {
-  if (surface.segments()[first.owner].body != surface.segments()[second.owner].body) return false;
-  for (const std::int32_t s : first.segment) {
-    for (const std::int32_t t : second.segment) {
-      if (s < 0 || t < 0 || !surface.active_segment(s) || !surface.active_segment(t)) continue;
-      if (surface.share_corner(s, t)) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 /// Pairs whose lines come near each other between their ends.
 template <class S>
 void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& edges, const EdgePairs& pairs,
-                            std::int64_t piece, const StepReach& step, Work& work) {
+                            std::int64_t piece, const StepReach& step, std::vector<std::int32_t>& near_pairs) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
   const std::int64_t begin = pairs.pieces.begin[piece], end = pairs.pieces.end[piece];
-  work.near.clear();
+  near_pairs.clear();
   const S margin = sizeof(S) == 8 ? S(0.01) : S(0.05);
   for (std::int64_t place = begin; place < end; place += W) {
     const auto ends = [&](std::size_t n) { return gather_vectors<T>(source.position, pairs.node[n].data() + place); };
@@ -121,7 +107,7 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
                                  dot(pair.between, pair.between) < near * near);
     for (; bits != 0; bits &= bits - 1) {
       const std::int64_t at = place + __builtin_ctz(bits);
-      if (at < end) work.near.push_back(static_cast<std::int32_t>(at));
+      if (at < end) near_pairs.push_back(static_cast<std::int32_t>(at));
     }
   }
 }
@@ -147,7 +133,7 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
       !goes_away(sides2, c + pair.t * (d - c), (-1.0) * direction)) {
     return;
   }
-  if (are_beside(surface, first, second)) return;
+  if (surface.beside(EdgeTable<S>::segments_of(first), EdgeTable<S>::segments_of(second))) return;
   FeatureRow row;
   row.first = ~EdgeTable<S>::name_of(first);
   row.second = EdgeTable<S>::name_of(second);
@@ -168,28 +154,12 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
 template <class S>
 void EdgeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                        const EdgePairs& pairs, const StepReach& step) {
-  pieces_ = pairs.pieces.count;
-  parallel_for("edge rows", RangePolicy<>{0, pairs.pieces.count}, [&](std::int64_t piece) {
-    Work& work = work_[piece];
-    work.rows.clear();
-    find_near(source, edges, pairs, piece, step, work);
-    for (const std::int32_t place : work.near) {
-      add_row(source, surface, edges.edges()[pairs.first[place]], edges.edges()[pairs.second[place]], step, work.rows);
+  rows_.find("edge rows", pairs.pieces.count, [&](std::int64_t number, RowPieces::Piece& piece) {
+    find_near(source, edges, pairs, number, step, piece.near);
+    for (const std::int32_t place : piece.near) {
+      add_row(source, surface, edges.edges()[pairs.first[place]], edges.edges()[pairs.second[place]], step, piece.rows);
     }
   });
-}
-
-template <class S>
-void EdgeRows<S>::give_to(ImpulseSolver<S>& impulses) const {
-  for_each_row([&](const FeatureRow& row) { row.give_to(impulses); });
-}
-
-template <class S>
-std::size_t EdgeRows<S>::bytes() const {
-  const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = 0;
-  for (const Work& work : work_) sum += of(work.near) + of(work.rows);
-  return sum;
 }
 
 template class EdgeRows<double>;

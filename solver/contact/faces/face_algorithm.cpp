@@ -102,9 +102,7 @@ void FaceAlgorithm<S>::choose_listed() {
   }
   for (const auto* list : {&lists_.edges().first, &lists_.edges().second}) {
     for (const std::int32_t e : *list) {
-      for (const std::int32_t s : edges_.edges()[e].segment) {
-        if (s >= 0) surface_.choose(s);
-      }
+      for (const std::int32_t s : edges_.segments_of(e)) surface_.choose(s);
     }
   }
   surface_.finish_choice();
@@ -120,8 +118,8 @@ void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double d
   sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), dt);
   ImpulseSolver<S>& impulses = *this->impulses_;
   impulses.begin_rows();
-  node_rows_.give_to(impulses);
-  edge_rows_.give_to(impulses);
+  node_rows_.rows().give_to(impulses);
+  edge_rows_.rows().give_to(impulses);
   sphere_rows_.give_to(impulses);
   impulses.finish_rows(source, dt);
   note_depths();
@@ -140,12 +138,12 @@ void FaceAlgorithm<S>::note_depths() {
       deepest = std::max(deepest, static_cast<float>(row.depth));
     }
   };
-  node_rows_.for_each_row(note);
-  edge_rows_.for_each_row(note);
+  node_rows_.rows().for_each(note);
+  edge_rows_.rows().for_each(note);
 }
 
 template <class S>
-void FaceAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
+void FaceAlgorithm<S>::report(const SurfaceSource<S>& /*source*/, std::vector<Point>& node_force,
                               std::vector<double>& slot_radius) const {
   for (const auto& segment : surface_.segments()) {
     if (!surface_.exposed(segment.slot, segment.face)) continue;
@@ -154,7 +152,6 @@ void FaceAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Point>
   for (const auto& sphere : spheres_.spheres()) {
     if (surface_.topology().alive(sphere.slot)) slot_radius[sphere.slot] = static_cast<double>(sphere.radius);
   }
-  static_cast<void>(source);
   this->impulses_->add_node_forces(node_force);
 }
 

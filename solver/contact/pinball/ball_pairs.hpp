@@ -11,15 +11,6 @@
 
 namespace pinball {
 
-/// Whether two elements have a corner in common.
-inline bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::int32_t, 8>& b) {
-  std::int32_t equal = 0;
-  for (const std::int32_t m : a) {
-    for (const std::int32_t n : b) equal |= static_cast<std::int32_t>(m == n);
-  }
-  return equal != 0;
-}
-
 /// Pairs of pinballs by a hash of their boxes: those that PairList finds by its tree, by the same tests, in the same
 /// order and in the same pieces.
 template <class S>

@@ -30,10 +30,10 @@ class EdgeTable {
   /// Edges of a segment of which it is the owner; -1 for others.
   const std::array<std::int32_t, 4>& owned_by(std::int32_t segment) const { return owned_[segment]; }
   /// Segments that meet at an edge, the owner first.
-  std::span<const std::int32_t> segments_of(std::int32_t edge) const {
-    const auto& segment = edges_[edge].segment;
-    return {segment.begin(), std::find(segment.begin(), segment.end(), -1)};
+  static std::span<const std::int32_t> segments_of(const Edge& edge) {
+    return {edge.segment.begin(), std::find(edge.segment.begin(), edge.segment.end(), -1)};
   }
+  std::span<const std::int32_t> segments_of(std::int32_t edge) const { return segments_of(edges_[edge]); }
   bool share_node(std::int32_t e, std::int32_t f) const {
     const std::int32_t *const a = edges_[e].node, *const b = edges_[f].node;
     return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];

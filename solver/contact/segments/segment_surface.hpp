@@ -79,14 +79,9 @@ class SegmentSurface {
   std::span<const std::int32_t> around(std::size_t slave) const {
     return {around_.data() + around_first_[slave], around_.data() + around_first_[slave + 1]};
   }
-  /// Whether the elements of two segments have a corner in common.
-  bool share_corner(std::int32_t a, std::int32_t b) const {
-    std::int32_t equal = 0;
-    for (const std::int32_t m : segments_[a].corners) {
-      for (const std::int32_t n : segments_[b].corners) equal |= static_cast<std::int32_t>(m == n);
-    }
-    return equal != 0;
-  }
+  /// Whether some active segments of one body belong to elements that have a corner in common with those of others:
+  /// these are kept apart by the mesh.
+  bool beside(std::span<const std::int32_t> some, std::span<const std::int32_t> others) const;
   bool active_segment(std::int32_t segment) const { return active_[static_cast<std::size_t>(segment)] > S(0); }
   /// Slaves of the nodes of a segment.
   const std::array<std::int32_t, 4>& slaves_of(std::int32_t segment) const { return slaves_of_[segment]; }

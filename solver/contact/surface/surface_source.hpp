@@ -38,6 +38,15 @@ struct ContactElement {
   }
 };
 
+/// Whether two elements have a corner in common.
+inline bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::int32_t, 8>& b) {
+  std::int32_t equal = 0;
+  for (const std::int32_t m : a) {
+    for (const std::int32_t n : b) equal |= static_cast<std::int32_t>(m == n);
+  }
+  return equal != 0;
+}
+
 /// All that contact sees of whoever owns nodes and elements, a solver or a host: pointers to their arrays, for one
 /// call; nothing is kept from call to call. Elements have "slots": places in packs of `width`, some of them padding, in
 /// tiles of whole packs.

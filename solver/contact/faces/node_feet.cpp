@@ -1,0 +1,103 @@
+#include "node_feet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <kernels/compress.hpp>
+#include <kernels/face_projection.hpp>
+#include <kernels/gather.hpp>
+
+namespace pinball {
+
+double NodeFoot::distance() const { return std::sqrt(gap * gap + outside * outside); }
+
+template <class S>
+void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+                     const typename FeatureLists<S>::NodePairs& pairs, std::int64_t piece, const StepReach& step,
+                     std::vector<std::int32_t>& near) {
+  using T = Pack<S, native_width<S>>;
+  constexpr int W = width_of<T>;
+  const std::int64_t begin = pairs.pieces.begin[piece], end = pairs.pieces.end[piece];
+  near.resize(static_cast<std::size_t>(end - begin + 2 * W));
+  std::int32_t* end_of_near = near.data();
+  for (std::int64_t place = begin; place < end; place += W) {
+    T within = number<T>(near_gap) * load<T>(pairs.size.data() + place) + number<T>(step.approach);
+    if (step.some_deep) {
+      alignas(64) S deep[W];
+      for (int i = 0; i < W; ++i) deep[i] = static_cast<S>(step.depth[pairs.node[place + i]]);
+      within = within + load<T>(deep);
+    }
+    const Vec3<T> x = gather_vectors<T>(source.position, pairs.node.data() + place);
+    Vec3<T> centre, normal;
+    T ball, warp;
+    gather_records(surface.sphere().data(), pairs.segment.data() + place, centre.x, centre.y, centre.z, ball);
+    gather_records(surface.plane().data(), pairs.segment.data() + place, normal.x, normal.y, normal.z, warp);
+    const Vec3<T> d = x - centre;
+    const T height = dot(d, normal);
+    // From the ball, which holds what may touch at all, to the farthest corner and what counts as near.
+    const T beside = ball - SegmentSurface<S>::deepest * load<T>(pairs.radius.data() + place) + within;
+    unsigned bits =
+        lane_bits<T>(ball > T(0) && dot(d, d) - height * height < beside * beside && absolute(height) < within + warp);
+    if (place + W > end) bits &= (1U << (end - place)) - 1;
+    end_of_near += write_numbers<W>(bits, static_cast<std::int32_t>(place), end_of_near);
+  }
+  near.resize(static_cast<std::size_t>(end_of_near - near.data()));
+}
+
+template <class S>
+void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+               const typename FeatureLists<S>::NodePairs& pairs, const std::vector<std::int32_t>& near,
+               std::vector<NodeFoot>& feet) {
+  using T = Pack<double, native_width<double>>;
+  constexpr int W = width_of<T>;
+  feet.clear();
+  for (std::size_t first = 0; first < near.size(); first += W) {
+    const int count = static_cast<int>(std::min<std::size_t>(W, near.size() - first));
+    alignas(64) double coordinate[5][3][W];
+    for (int i = 0; i < W; ++i) {
+      const std::int32_t place = near[first + static_cast<std::size_t>(std::min(i, count - 1))];
+      const auto& segment = surface.segments()[pairs.segment[place]];
+      for (int k = 0; k < 5; ++k) {
+        const S* x = source.x(k < 4 ? segment.node[k] : pairs.node[place]);
+        for (int c = 0; c < 3; ++c) coordinate[k][c][i] = static_cast<double>(x[c]);
+      }
+    }
+    const auto point = [&](int k) {
+      return Vec3<T>{load<T>(coordinate[k][0]), load<T>(coordinate[k][1]), load<T>(coordinate[k][2])};
+    };
+    const Vec3<T> corner[4] = {point(0), point(1), point(2), point(3)};
+    const FaceProjection<T> at = foot_on_face(corner, point(4), edge_margin);
+    for (int i = 0; i < count; ++i) {
+      const std::int32_t place = near[first + static_cast<std::size_t>(i)];
+      NodeFoot foot{pairs.slave[place],
+                    pairs.segment[place],
+                    lane(at.gap, i),
+                    lane(at.outside, i),
+                    {lane(at.normal.x, i), lane(at.normal.y, i), lane(at.normal.z, i)},
+                    {lane(at.weight[0], i), lane(at.weight[1], i), lane(at.weight[2], i), lane(at.weight[3], i)}};
+      if (!(foot.outside < INFINITY)) {  // a face that is much out of its plane
+        Vec3<double> x[4];
+        for (int k = 0; k < 4; ++k) x[k] = {coordinate[k][0][i], coordinate[k][1][i], coordinate[k][2][i]};
+        const FaceProjection<double> one =
+            project_onto_face(x, Vec3<double>{coordinate[4][0][i], coordinate[4][1][i], coordinate[4][2][i]}, 0.0, 0.0);
+        foot.gap = one.gap;
+        foot.outside = one.outside;
+        foot.normal = one.normal;
+        for (int k = 0; k < 4; ++k) foot.weight[k] = one.weight[k];
+        if (!(foot.outside < INFINITY)) continue;
+      }
+      feet.push_back(foot);
+    }
+  }
+}
+
+#define PINBALL_INSTANTIATE(S)                                                                                        \
+  template void find_near_nodes(const SurfaceSource<S>&, const SegmentSurface<S>&, const FeatureLists<S>::NodePairs&, \
+                                std::int64_t, const StepReach&, std::vector<std::int32_t>&);                          \
+  template void find_feet(const SurfaceSource<S>&, const SegmentSurface<S>&, const FeatureLists<S>::NodePairs&,       \
+                          const std::vector<std::int32_t>&, std::vector<NodeFoot>&);
+PINBALL_INSTANTIATE(double)
+PINBALL_INSTANTIATE(float)
+#undef PINBALL_INSTANTIATE
+
+}  // namespace pinball

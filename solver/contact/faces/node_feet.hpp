@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <kernels/tensor.hpp>
+#include <solver/contact/segments/segment_surface.hpp>
+
+#include "feature_lists.hpp"
+#include "feature_row.hpp"
+
+namespace pinball {
+
+/// How far beyond an edge a foot may lie and still belong to the face [-].
+inline constexpr double edge_margin = 1e-3;
+
+/// Where a node would touch a segment (kernels/face_projection.hpp).
+struct NodeFoot {
+  std::int32_t slave, segment;  ///< numbers in the surface
+  double gap, outside;          ///< outside: beyond the edges of the segment [length]
+  Vec3<double> normal;
+  double weight[4];
+
+  double distance() const;  ///< of the node from the segment [length]
+};
+
+/// Places of the pairs of a piece of a list of which the node is near the ball and the plane of the segment.
+template <class S>
+void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+                     const typename FeatureLists<S>::NodePairs& pairs, std::int64_t piece, const StepReach& step,
+                     std::vector<std::int32_t>& near);
+
+/// The feet of these, in their order.
+template <class S>
+void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+               const typename FeatureLists<S>::NodePairs& pairs, const std::vector<std::int32_t>& near,
+               std::vector<NodeFoot>& feet);
+
+}  // namespace pinball
