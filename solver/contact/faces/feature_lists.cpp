@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <span>
+#include <utility>
 
 #include <kernels/simd.hpp>
-
-#include "feature_row.hpp"
 
 namespace pinball {
 
 namespace {
-
-static_assert(near_gap > open_gap && 2 * near_gap >= deepest_edges);
 
 template <class S>
 bool meet(const MovingBox<S>& a, const MovingBox<S>& b) {
@@ -22,18 +18,6 @@ bool meet(const MovingBox<S>& a, const MovingBox<S>& b) {
           ((a.bound[3 + k] >= b.bound[k]) | (a.bound[9 + k] >= b.bound[6 + k]));
   }
   return all;
-}
-
-template <class S>
-void take(MovingBox<S>& box, const MovingBox<S>& other) {
-  for (int k = 0; k < 12; ++k) {
-    box.bound[k] = k % 6 < 3 ? minimum(box.bound[k], other.bound[k]) : maximum(box.bound[k], other.bound[k]);
-  }
-}
-
-template <class S>
-void widen(MovingBox<S>& box, S by) {
-  for (int k = 0; k < 12; ++k) box.bound[k] += k % 6 < 3 ? -by : by;
 }
 
 }  // namespace
@@ -53,64 +37,6 @@ void FeatureLists<S>::watch_nodes(const SurfaceSource<S>& source, const SegmentS
 }
 
 template <class S>
-MovingBox<S> FeatureLists<S>::box_of(const SurfaceSource<S>& source, std::int32_t node) const {
-  const S* x = source.x(node);
-  const S* v = source.v(node);
-  const S stray = motion_.allowance(std::array{node});
-  MovingBox<S> box;
-  for (int k = 0; k < 3; ++k) {
-    const S begin = x[k] - last_step_ * v[k], end = x[k] + box_horizon_ * v[k];
-    box.bound[k] = begin - stray;
-    box.bound[3 + k] = begin + stray;
-    box.bound[6 + k] = end - stray;
-    box.bound[9 + k] = end + stray;
-  }
-  return box;
-}
-
-template <class S>
-void FeatureLists<S>::box_features(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
-                                   const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
-                                   const std::vector<float>& depth) {
-  const auto segments = static_cast<std::int32_t>(surface.segments().size());
-  node_box_.resize(surface.slaves().size());
-  edge_box_.resize(edges.edges().size());
-  facing_.resize(surface.segments().size());
-  boxes_.reset(segments + spheres.count());
-  const auto range = [](std::size_t count) { return RangePolicy<>{0, static_cast<std::int64_t>(count)}; };
-  parallel_for("boxes of nodes", range(node_box_.size()), [&](std::int64_t i) {
-    const std::int32_t node = surface.slaves()[i].node;
-    node_box_[i] = box_of(source, node);
-    widen(node_box_[i], static_cast<S>(depth[node]));
-  });
-  parallel_for("boxes of segments", range(surface.segments().size()), [&](std::int64_t i) {
-    const auto& segment = surface.segments()[i];
-    MovingBox<S> box = empty_box<S>();
-    for (const std::int32_t slave : surface.slaves_of(static_cast<std::int32_t>(i))) take(box, node_box_[slave]);
-    facing_[i] = facing_of(source, segment.node);
-    widen(box, static_cast<S>(near_gap) * segment.size);
-    boxes_.set(static_cast<std::int32_t>(i), box);
-  });
-  parallel_for("boxes of edges", range(edge_box_.size()), [&](std::int64_t e) {
-    const auto& edge = edges.edges()[e];
-    MovingBox<S> box = node_box_[edge.slave[0]];
-    take(box, node_box_[edge.slave[1]]);
-    S size = 0;
-    for (const std::int32_t s : edges.segments_of(static_cast<std::int32_t>(e))) {
-      size = std::max(size, surface.segments()[s].size);
-    }
-    widen(box, static_cast<S>(near_gap) * size);
-    edge_box_[e] = box;
-  });
-  parallel_for("boxes of spheres", range(spheres.spheres().size()), [&](std::int64_t i) {
-    const auto& sphere = spheres.spheres()[i];
-    MovingBox<S> box = box_of(source, sphere.node);
-    widen(box, S(1.01) * sphere.radius);
-    boxes_.set(segments + static_cast<std::int32_t>(i), box);
-  });
-}
-
-template <class S>
 void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                             const SphereSurface<S>& spheres, const ContactSettings& settings,
                             const std::vector<float>& depth, S dt, bool last) {
@@ -119,12 +45,10 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
   if (!valid_) watch_nodes(source, surface, spheres);
   watched_ = true;
   motion_.start(source.position, source.velocity, last ? static_cast<S>(settings.skin) : S(0));
-  // What has closed within the step just made is found, and what closes within the step after the horizon.
-  last_step_ = std::max(dt, clock_.last_step());
-  box_horizon_ = horizon + 2 * last_step_;
+  const S last_step = std::max(dt, clock_.last_step());
   clock_.restart(horizon);
   valid_ = true;
-  box_features(source, surface, edges, spheres, depth);
+  bounds_.update(source, surface, edges, spheres, motion_, depth, last_step, horizon);
   find(surface, edges, spheres, settings);
 }
 
@@ -135,11 +59,10 @@ void FeatureLists<S>::find(const SegmentSurface<S>& surface, const EdgeTable<S>&
   const auto body_of = [&](std::int32_t i) {
     return i < segments ? surface.segments()[i].body : spheres.spheres()[i - segments].body;
   };
-  find_facings(surface, edges);
-  pairs_.find(boxes_, settings.search, [&](std::int32_t a, std::int32_t b) {
+  pairs_.find(bounds_.boxes(), settings.search, [&](std::int32_t a, std::int32_t b) {
     const bool one_body = body_of(a) == body_of(b);
     if (b >= segments) return settings.self || !one_body;
-    return (settings.self || !one_body) && may_face(around_[a], around_[b]);
+    return (settings.self || !one_body) && bounds_.around(a).may_face(bounds_.around(b));
   });
   parallel_for("features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     Found& found = found_[piece];
@@ -165,88 +88,47 @@ void FeatureLists<S>::find(const SegmentSurface<S>& surface, const EdgeTable<S>&
   join_sphere_pairs();
 }
 
-/// The diagonals span the face; each of their ends may go the way that it makes more than their mean, and stray.
-template <class S>
-typename FeatureLists<S>::Facing FeatureLists<S>::facing_of(const SurfaceSource<S>& source,
-                                                            const std::int32_t (&node)[4]) const {
-  Vec3<S> diagonal[2];
-  S turned = 0;
-  for (int d = 0; d < 2; ++d) {
-    const std::int32_t a = node[d], b = node[d + 2];
-    diagonal[d] = vector_of(source.x(b)) - vector_of(source.x(a));
-    const Vec3<S> v = vector_of(source.v(b)) - vector_of(source.v(a));
-    const S way =
-        box_horizon_ * square_root(dot(v, v)) + motion_.allowance(std::array{a}) + motion_.allowance(std::array{b});
-    turned += way / square_root(dot(diagonal[d], diagonal[d]));
-  }
-  const Vec3<S> area = cross(diagonal[0], diagonal[1]);
-  const S size = square_root(dot(area, area));
-  const S lengths = square_root(dot(diagonal[0], diagonal[0]) * dot(diagonal[1], diagonal[1]));
-  Facing facing{(1 / size) * area, S(1.2) * turned * lengths / size};  // the arcus sine of up to 0.8
-  if (!(facing.angle < S(0.96))) facing = {{S(0), S(0), S(0)}, S(2)};  // any direction; also where there is no area
-  return facing;
-}
-
-template <class S>
-typename FeatureLists<S>::Facing FeatureLists<S>::facing_of_all(std::span<const std::int32_t> segments) const {
-  Vec3<S> sum{S(0), S(0), S(0)};
-  for (const std::int32_t s : segments) sum = sum + facing_[s].normal;
-  const S length = square_root(dot(sum, sum));
-  Facing all{(length > S(0) ? 1 / length : S(0)) * sum, S(0)};
-  for (const std::int32_t s : segments) {
-    const Vec3<S> d = facing_[s].normal - all.normal;
-    const S chord2 = dot(d, d);
-    if (!(length > S(0)) || !(chord2 < S(2))) return {{S(0), S(0), S(0)}, S(2)};
-    all.angle = maximum(all.angle, S(1.12) * square_root(chord2) + facing_[s].angle);  // up to a right angle
-  }
-  return all;
-}
-
-template <class S>
-void FeatureLists<S>::find_facings(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
-  const auto range = [](const auto& of) { return RangePolicy<>{0, static_cast<std::int64_t>(of.size())}; };
-  node_facing_.resize(surface.slaves().size());
-  edge_facing_.resize(edges.edges().size());
-  around_.resize(facing_.size());
-  parallel_for("facing of nodes", range(node_facing_),
-               [&](std::int64_t i) { node_facing_[i] = facing_of_all(surface.around(static_cast<std::size_t>(i))); });
-  parallel_for("facing of edges", range(edge_facing_), [&](std::int64_t e) {
-    edge_facing_[e] = facing_of_all(edges.segments_of(static_cast<std::int32_t>(e)));
-  });
-  parallel_for("facing around segments", range(around_), [&](std::int64_t i) {
-    around_[i] = facing_[i];
-    for (const std::int32_t slave : surface.slaves_of(static_cast<std::int32_t>(i))) {
-      const Vec3<S> d = node_facing_[slave].normal - facing_[i].normal;
-      around_[i].angle = maximum(around_[i].angle, S(1.12) * square_root(dot(d, d)) + node_facing_[slave].angle);
-    }
-  });
-}
-
 /// What belongs to the one segment against the other, and the other way round.
 template <class S>
 void FeatureLists<S>::find_in_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t a,
                                    std::int32_t b, Found& found) const {
-  const auto nodes_of = [&](std::int32_t own, std::int32_t other) {
-    const MovingBox<S> box = boxes_.box(other);
-    const std::array<std::int32_t, 4>& slaves = surface.slaves_of(own);
-    const std::array<std::int32_t, 8>& corners = surface.segments()[other].corners;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::int32_t slave = slaves[k];
-      if (surface.slaves()[slave].owner != own || !may_face(node_facing_[slave], facing_[other])) continue;
-      if (!meet(node_box_[slave], box)) continue;
-      if (std::find(slaves.begin(), slaves.begin() + k, slave) != slaves.begin() + k) continue;  // of a triangle
-      if (std::find(corners.begin(), corners.end(), surface.slaves()[slave].node) != corners.end()) continue;
-      found.nodes.push_back({slave, other});
+  const MovingBox<S> box_a = bounds_.boxes().box(a), box_b = bounds_.boxes().box(b);
+  find_nodes_in_pair(surface, a, b, box_b, found);
+  find_nodes_in_pair(surface, b, a, box_a, found);
+  const auto near_edges = [&](std::int32_t own, std::int32_t other, const MovingBox<S>& box) {
+    std::array<std::int32_t, 4> near{};
+    std::size_t count = 0;
+    for (const std::int32_t e : edges.owned_by(own)) {
+      const bool may =
+          e >= 0 && bounds_.edge_facing(e).may_face(bounds_.around(other)) && meet(bounds_.edge_box(e), box);
+      if (may) near[count++] = e;
     }
+    return std::pair(near, count);
   };
-  nodes_of(a, b);
-  nodes_of(b, a);
-  for (const std::int32_t e : edges.owned_by(a)) {
-    if (e < 0) continue;
-    for (const std::int32_t f : edges.owned_by(b)) {
-      if (f < 0 || !may_face(edge_facing_[e], edge_facing_[f]) || !meet(edge_box_[e], edge_box_[f])) continue;
-      if (!edges.share_node(e, f)) found.edges.push_back({std::min(e, f), std::max(e, f)});
+  const auto [of_a, count_a] = near_edges(a, b, box_b);
+  if (count_a == 0) return;
+  const auto [of_b, count_b] = near_edges(b, a, box_a);
+  for (std::size_t i = 0; i < count_a; ++i) {
+    for (std::size_t j = 0; j < count_b; ++j) {
+      const std::int32_t e = of_a[i], f = of_b[j];
+      if (!bounds_.edge_facing(e).may_face(bounds_.edge_facing(f)) || edges.share_node(e, f)) continue;
+      if (meet(bounds_.edge_box(e), bounds_.edge_box(f))) found.edges.push_back({std::min(e, f), std::max(e, f)});
     }
+  }
+}
+
+template <class S>
+void FeatureLists<S>::find_nodes_in_pair(const SegmentSurface<S>& surface, std::int32_t own, std::int32_t other,
+                                         const MovingBox<S>& box, Found& found) const {
+  const std::array<std::int32_t, 4>& slaves = surface.slaves_of(own);
+  const std::array<std::int32_t, 8>& corners = surface.segments()[other].corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::int32_t slave = slaves[k];
+    if (surface.slaves()[slave].owner != own || !meet(bounds_.node_box(slave), box)) continue;
+    if (!bounds_.node_facing(slave).may_face(bounds_.facing(other))) continue;
+    if (std::find(slaves.begin(), slaves.begin() + k, slave) != slaves.begin() + k) continue;  // of a triangle
+    if (std::find(corners.begin(), corners.end(), surface.slaves()[slave].node) != corners.end()) continue;
+    found.nodes.push_back({slave, other});
   }
 }
 
@@ -344,11 +226,10 @@ void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& su
 template <class S>
 std::size_t FeatureLists<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = motion_.bytes() + boxes_.bytes() + pairs_.bytes() + of(nodes_.slave) + of(nodes_.segment) +
-                    nodes_.node.bytes() + of(edges_.first) + of(edges_.second) + of(spheres_.with_segments) +
-                    of(spheres_.with_spheres) + of(end_of_first_) + of(node_box_) + of(edge_box_) + of(facing_) +
-                    of(around_) + of(node_facing_) + of(edge_facing_) + nodes_.size.bytes() + nodes_.radius.bytes() +
-                    edges_.size.bytes();
+  std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(nodes_.slave) + of(nodes_.segment) +
+                    nodes_.node.bytes() + nodes_.size.bytes() + nodes_.radius.bytes() + of(edges_.first) +
+                    of(edges_.second) + 4 * edges_.node[0].bytes() + edges_.size.bytes() + of(spheres_.with_segments) +
+                    of(spheres_.with_spheres) + of(end_of_first_);
   for (const Found& found : found_) {
     sum += of(found.nodes) + of(found.edges) + of(found.sphere_segments) + of(found.spheres);
   }

@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include <kernels/exec.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/search/box_pairs.hpp>
-#include <solver/contact/search/moving_boxes.hpp>
 #include <solver/contact/search/surface_motion.hpp>
 #include <solver/contact/segments/edge_table.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
 
-#include "feature_row.hpp"
+#include "feature_bounds.hpp"
 #include "sphere_surface.hpp"
 
 namespace pinball {
@@ -94,29 +92,13 @@ class FeatureLists {
   struct Found {
     std::vector<Pair> nodes, edges, sphere_segments, spheres;
   };
-  /// Where one or more segments look while the lists last: within an angle around a direction.
-  struct Facing {
-    Vec3<S> normal;  ///< of unit length; zero with an angle of 2: any direction
-    S angle;         ///< [radians]
-  };
-  /// Whether some of one may come to look at some of the other.
-  static bool may_face(const Facing& a, const Facing& b) {
-    return dot(a.normal, b.normal) < static_cast<S>(most_facing) + a.angle + b.angle;
-  }
-
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres);
-  /// Where a node may be within the horizon.
-  MovingBox<S> box_of(const SurfaceSource<S>& source, std::int32_t node) const;
-  void box_features(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                    const SphereSurface<S>& spheres, const std::vector<float>& depth);
   void find(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
             const ContactSettings& settings);
   void find_in_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t a, std::int32_t b,
                     Found& found) const;
-  Facing facing_of(const SurfaceSource<S>& source, const std::int32_t (&node)[4]) const;
-  /// Of several segments together.
-  Facing facing_of_all(std::span<const std::int32_t> segments) const;
-  void find_facings(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  void find_nodes_in_pair(const SegmentSurface<S>& surface, std::int32_t own, std::int32_t other,
+                          const MovingBox<S>& box, Found& found) const;
   void sort_pairs(std::vector<Pair> Found::*some, std::int64_t firsts, ListPieces& pieces,
                   std::vector<std::int32_t>& first, std::vector<std::int32_t>& second);
   void join_sphere_pairs();
@@ -125,13 +107,9 @@ class FeatureLists {
   void fill_edge_pairs(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
 
   bool valid_ = false, watched_ = false;
-  S last_step_ = 0, box_horizon_ = 0;  ///< boxes begin at the step before and end so much later
   ListClock<S> clock_;
   SurfaceMotion<S> motion_;
-  MovingBoxes<S> boxes_;                           ///< of segments and spheres
-  std::vector<MovingBox<S>> node_box_, edge_box_;  ///< per slave; per edge
-  std::vector<Facing> facing_, around_;            ///< per segment: its own, and of all around its nodes
-  std::vector<Facing> node_facing_, edge_facing_;  ///< per slave; per edge
+  FeatureBounds<S> bounds_;
   BoxPairs<S> pairs_;
   NodePairs nodes_;
   EdgePairs edges_;
