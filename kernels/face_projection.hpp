@@ -91,19 +91,20 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
   return result;
 }
 
-/// The same for a pack of faces and nodes, without a branch: a few steps from the middle, which is enough for faces
-/// that are nearly flat. `outside` is infinite where they were not enough. margin: how far beyond +-1 a foot counts as
-/// inside, so that its weights and the gap belong to it and not to the edge [-].
+/// The same for a pack of faces and nodes, from the middle: the lanes whose feet are found wait for the others, so that
+/// none depends on which these are. margin: how far beyond +-1 a foot counts as inside, so that its weights and the gap
+/// belong to it and not to the edge [-].
 template <class T>
 PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec3<T>& node, double margin) {
-  constexpr int iterations = 5;
+  constexpr int most_iterations = 12;
   const T far = number<T>(3), tolerance = number<T>(1e-9), edge = number<T>(1 + margin), one = T(1);
   const Vec3<T> y[4] = {x[0] - node, x[1] - node, x[2] - node, x[3] - node};
   const auto from_node = [&y](const T(&w)[4]) { return w[0] * y[0] + w[1] * y[1] + w[2] * y[2] + w[3] * y[3]; };
   const Vec3<T> twist = number<T>(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));
   FaceProjection<T> result;
-  T xi(0), eta(0), change(0);
-  for (int i = 0; i < iterations; ++i) {
+  T xi(0), eta(0);
+  auto going = far > T(0);
+  for (int i = 0; i < most_iterations && any_lane(going); ++i) {
     const Vec3<T> t1 = face_tangent(x, 0, eta), t2 = face_tangent(x, 1, xi);
     face_weights_at(xi, eta, result.weight);
     const Vec3<T> d = from_node(result.weight);
@@ -117,9 +118,11 @@ PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec
     const T r1 = dot(d, t1), r2 = dot(d, t2);
     const T next_xi = maximum(T(0) - far, minimum(far, xi - (a22 * r1 - a12 * r2) * inverse));
     const T next_eta = maximum(T(0) - far, minimum(far, eta - (a11 * r2 - a12 * r1) * inverse));
-    change = absolute(next_xi - xi) + absolute(next_eta - eta);
-    xi = next_xi;
-    eta = next_eta;
+    // Not a number: the lane goes on, and is not found.
+    const auto moving = !(absolute(next_xi - xi) + absolute(next_eta - eta) < tolerance);
+    xi = select(going, next_xi, xi);
+    eta = select(going, next_eta, eta);
+    going = going && moving;
   }
   result.xi = xi;
   result.eta = eta;
@@ -130,9 +133,9 @@ PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec
   face_weights_at(inner_xi, inner_eta, result.weight);
   result.gap = T(0) - dot(from_node(result.weight), result.normal);
   const Vec3<T> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
+  const T outside = square_root(dot(beyond, beyond));
   // if (it has not ended, or nothing is a number) none
-  const auto found = change < tolerance;
-  result.outside = select(found, square_root(dot(beyond, beyond)), number<T>(INFINITY));
+  result.outside = select(!going && outside < number<T>(INFINITY), outside, number<T>(INFINITY));
   return result;
 }
 

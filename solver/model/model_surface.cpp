@@ -56,7 +56,7 @@ bool ModelSurface<S>::may_soon_erode(std::int64_t slot) const {
   const std::size_t part = part_of(model_, slot);
   if (!model_.parts[part].features.erosion) return false;
   const S limit = std::min(S(1), model_.constants[part].material.erosion_strain);
-  return model_.elements.plastic_strain[static_cast<std::size_t>(slot)] > S(0.1) * limit;
+  return model_.elements.plastic_strain[static_cast<std::size_t>(slot)] > S(0.7) * limit;
 }
 
 template <class S>

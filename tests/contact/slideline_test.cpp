@@ -254,7 +254,7 @@ std::vector<SegmentSurface<double>::Slave> active_slaves(const SegmentSurface<do
 TEST(SegmentSurface, FacesBehindElementsThatMaySoonErodeWait) {
   Model<double> model = eroding_block();
   for (const std::size_t e : {upper, centre}) {  // the strain of what lies inside does not count
-    model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.5;
+    model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.8;
   }
   SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54 + 5);

@@ -96,6 +96,8 @@ TEST(Restart, RodPlateByImpulses) {
   scene.contact.gap = ContactGap::face;
   scene.contact.enforcement = Enforcement::lagrange;
   expect_same_after_restart<double>(scene, {0.9});
+  scene.time.end = 25e-6;  // erosion in most of the steps, before and after
+  expect_same_after_restart<double>(scene, {0.75});
 }
 
 TEST(Restart, ThousandsOfRowsOfImpulses) { expect_same_after_restart<double>(wide_blocks(1e-4), {0.2, 0.5, 0.8}); }

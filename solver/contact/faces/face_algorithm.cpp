@@ -28,15 +28,16 @@ struct VelocityBox {
   }
 };
 
-/// Twice the way that nodes of the surface can make towards each other within a step [length].
+/// Twice the way that some nodes can make towards each other within a step [length].
 template <class S>
-double largest_approach(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, double dt) {
+double largest_approach(const SurfaceSource<S>& source, const std::vector<std::int32_t>& nodes, double dt) {
+  if (nodes.empty()) return 0;
   VelocityBox box;
   parallel_reduce(
-      "velocities", RangePolicy<>{0, static_cast<std::int64_t>(surface.slaves().size())}, box,
+      "velocities", RangePolicy<>{0, static_cast<std::int64_t>(nodes.size())}, box,
       [&](std::int64_t begin, std::int64_t end, VelocityBox& partial) {
         for (std::int64_t i = begin; i < end; ++i) {
-          const Vec3<double> v = double_vector_of(source.v(surface.slaves()[i].node));
+          const Vec3<double> v = double_vector_of(source.v(nodes[i]));
           partial.take({v, v});
         }
       },
@@ -64,9 +65,12 @@ FaceAlgorithm<S>::FaceAlgorithm(const ContactSettings& settings, const SurfaceSo
 
 template <class S>
 void FaceAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) {
-  if (surface_.remove_eroded(eroded) && !surface_.complete()) {
-    lists_.invalidate();
-    return;  // the search collects it anew
+  if (surface_.remove_eroded(eroded)) {
+    if (!surface_.complete()) {
+      lists_.invalidate();
+      return;  // the search collects it anew
+    }
+    if (lists_.follow_erosion(surface_, edges_)) choose_listed();
   }
   surface_.update(source);
 }
@@ -95,24 +99,36 @@ void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
 template <class S>
 void FaceAlgorithm<S>::choose_listed() {
   surface_.choose_none();
-  const auto& nodes = lists_.nodes();
-  for (std::size_t i = 0; i < nodes.slave.size(); ++i) {
-    surface_.choose(nodes.segment[i]);
-    surface_.choose_around(static_cast<std::size_t>(nodes.slave[i]));
+  listed_slave_.assign(surface_.slaves().size(), 0);
+  for (const std::int32_t segment : lists_.nodes().second) {
+    surface_.choose(segment);
+    for (const std::int32_t slave : surface_.slaves_of(segment)) listed_slave_[slave] = 1;
+  }
+  std::int32_t before = -1;
+  for (const std::int32_t slave : lists_.nodes().first) {
+    if (slave == std::exchange(before, slave)) continue;
+    surface_.choose_around(static_cast<std::size_t>(slave));
+    listed_slave_[slave] = 1;
   }
   for (const auto* list : {&lists_.edges().first, &lists_.edges().second}) {
+    before = -1;
     for (const std::int32_t e : *list) {
+      if (e == std::exchange(before, e)) continue;
       for (const std::int32_t s : edges_.segments_of(e)) surface_.choose(s);
+      for (const std::int32_t slave : edges_.edges()[e].slave) listed_slave_[slave] = 1;
     }
   }
   surface_.finish_choice();
+  listed_nodes_.clear();
+  for (std::size_t slave = 0; slave < listed_slave_.size(); ++slave) {
+    if (listed_slave_[slave] != 0) listed_nodes_.push_back(surface_.slaves()[slave].node);
+  }
 }
 
 template <class S>
 void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   lists_.count_step(static_cast<S>(dt));
-  const StepReach step{dt, lists_.entries() > 0 ? largest_approach(source, surface_, dt) : 0.0, depth_.data(),
-                       !deep_.empty()};
+  const StepReach step{dt, largest_approach(source, listed_nodes_, dt), depth_.data(), !deep_.empty()};
   node_rows_.find(source, surface_, lists_.nodes(), step);
   edge_rows_.find(source, surface_, edges_, lists_.edges(), step);
   sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), dt);
@@ -160,7 +176,7 @@ void FaceAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& so
   ContactAlgorithm<S>::persist(archive, source);
   surface_.persist(archive, source);
   if (archive.reads()) edges_.collect(surface_);
-  lists_.persist(archive, surface_, edges_);
+  lists_.persist(archive, surface_, edges_, spheres_, this->settings_);
   archive(searches_since_, deep_);
   archive.of_fixed_size(depth_);
 }

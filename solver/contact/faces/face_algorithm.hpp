@@ -42,7 +42,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   const std::vector<std::int32_t>& nodes_of_springs() override { return no_springs_; }
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
   void note_depths();
-  /// Has what is listed brought up to date in every step, and nothing else.
+  /// Has what is listed brought up to date in every step, and nothing else; notes the nodes of it.
   void choose_listed();
 
   SegmentSurface<S> surface_;
@@ -55,7 +55,9 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   EdgeRows<S> edge_rows_;
   SphereRows<S> sphere_rows_;
   std::vector<std::int32_t> no_springs_;
-  std::int32_t searches_since_ = 0;  ///< the surface changed, without a collection
+  std::vector<std::int32_t> listed_nodes_;  ///< of the store: all whose motion decides what touches
+  std::vector<std::uint8_t> listed_slave_;  ///< per slave: among these
+  std::int32_t searches_since_ = 0;         ///< the surface changed, without a collection
 };
 
 }  // namespace pinball

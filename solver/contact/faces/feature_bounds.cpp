@@ -27,9 +27,9 @@ RangePolicy<> all_of(std::size_t count) { return {0, static_cast<std::int64_t>(c
 }  // namespace
 
 template <class S>
-MovingBox<S> FeatureBounds<S>::box_of(const SurfaceSource<S>& source, std::int32_t node) const {
-  const S* x = source.x(node);
-  const S* v = source.v(node);
+MovingBox<S> FeatureBounds<S>::box_of(const NodeRecords<S>& nodes, std::int32_t node) const {
+  const S* x = nodes.x(node);
+  const S* v = nodes.v(node);
   const S stray = motion_->allowance(std::array{node});
   MovingBox<S> box;
   for (int k = 0; k < 3; ++k) {
@@ -43,28 +43,28 @@ MovingBox<S> FeatureBounds<S>::box_of(const SurfaceSource<S>& source, std::int32
 }
 
 template <class S>
-void FeatureBounds<S>::update(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
-                              const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
-                              const SurfaceMotion<S>& motion, const std::vector<float>& depth, S last_step, S horizon) {
+void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                              const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion,
+                              const ListScope<S>& scope) {
   motion_ = &motion;
-  last_step_ = last_step;
+  last_step_ = scope.last_step;
   // What has closed within the step just made is found, and what closes within the step after the horizon.
-  horizon_ = horizon + 2 * last_step;
+  horizon_ = scope.horizon + 2 * last_step_;
   const auto segments = static_cast<std::int32_t>(surface.segments().size());
   node_box_.resize(surface.slaves().size());
   edge_box_.resize(edges.edges().size());
+  edge_size_.resize(edges.edges().size());
   facing_.resize(surface.segments().size());
   boxes_.reset(segments + spheres.count());
   parallel_for("boxes of nodes", all_of(node_box_.size()), [&](std::int64_t i) {
-    const std::int32_t node = surface.slaves()[i].node;
-    node_box_[i] = box_of(source, node);
-    widen(node_box_[i], static_cast<S>(depth[node]));
+    node_box_[i] = box_of(nodes, surface.slaves()[i].node);
+    widen(node_box_[i], static_cast<S>(scope.depth[i]));
   });
   parallel_for("boxes of segments", all_of(surface.segments().size()), [&](std::int64_t i) {
     const auto& segment = surface.segments()[i];
     MovingBox<S> box = empty_box<S>();
     for (const std::int32_t slave : surface.slaves_of(static_cast<std::int32_t>(i))) take(box, node_box_[slave]);
-    facing_[i] = facing_of(source, segment.node);
+    facing_[i] = facing_of(nodes, segment.node);
     widen(box, static_cast<S>(near_gap) * segment.size);
     boxes_.set(static_cast<std::int32_t>(i), box);
   });
@@ -78,10 +78,11 @@ void FeatureBounds<S>::update(const SurfaceSource<S>& source, const SegmentSurfa
     }
     widen(box, static_cast<S>(near_gap) * size);
     edge_box_[e] = box;
+    edge_size_[e] = size;
   });
   parallel_for("boxes of spheres", all_of(spheres.spheres().size()), [&](std::int64_t i) {
     const auto& sphere = spheres.spheres()[i];
-    MovingBox<S> box = box_of(source, sphere.node);
+    MovingBox<S> box = box_of(nodes, sphere.node);
     widen(box, S(1.01) * sphere.radius);
     boxes_.set(segments + static_cast<std::int32_t>(i), box);
   });
@@ -90,13 +91,13 @@ void FeatureBounds<S>::update(const SurfaceSource<S>& source, const SegmentSurfa
 
 /// The diagonals span the face; each of their ends may go the way that it makes more than their mean, and stray.
 template <class S>
-Facing<S> FeatureBounds<S>::facing_of(const SurfaceSource<S>& source, const std::int32_t (&node)[4]) const {
+Facing<S> FeatureBounds<S>::facing_of(const NodeRecords<S>& nodes, const std::int32_t (&node)[4]) const {
   Vec3<S> diagonal[2];
   S turned = 0;
   for (int d = 0; d < 2; ++d) {
     const std::int32_t a = node[d], b = node[d + 2];
-    diagonal[d] = vector_of(source.x(b)) - vector_of(source.x(a));
-    const Vec3<S> v = vector_of(source.v(b)) - vector_of(source.v(a));
+    diagonal[d] = vector_of(nodes.x(b)) - vector_of(nodes.x(a));
+    const Vec3<S> v = vector_of(nodes.v(b)) - vector_of(nodes.v(a));
     const S way =
         horizon_ * square_root(dot(v, v)) + motion_->allowance(std::array{a}) + motion_->allowance(std::array{b});
     turned += way / square_root(dot(diagonal[d], diagonal[d]));
@@ -146,8 +147,8 @@ void FeatureBounds<S>::find_facings(const SegmentSurface<S>& surface, const Edge
 template <class S>
 std::size_t FeatureBounds<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return boxes_.bytes() + of(node_box_) + of(edge_box_) + of(facing_) + of(around_) + of(node_facing_) +
-         of(edge_facing_);
+  return boxes_.bytes() + of(node_box_) + of(edge_box_) + of(edge_size_) + of(facing_) + of(around_) +
+         of(node_facing_) + of(edge_facing_);
 }
 
 template class FeatureBounds<double>;

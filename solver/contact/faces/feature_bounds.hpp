@@ -26,19 +26,26 @@ struct Facing {
   }
 };
 
+/// For what lists are built.
+template <class S>
+struct ListScope {
+  S last_step = 0;           ///< length of the step just made [time]
+  S horizon = 0;             ///< for which the lists are to last, beyond that step [time]
+  std::vector<float> depth;  ///< per slave: how deep it is [length]
+};
+
 /// Where segments, their nodes and edges, and spheres may be while lists last, and where they look.
 template <class S>
 class FeatureBounds {
  public:
-  /// motion: as started now; depth: per node of the store, how deep it is [length]; horizon: for which lists are built,
-  /// beyond the step just made [time].
-  void update(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-              const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion, const std::vector<float>& depth,
-              S last_step, S horizon);
+  /// motion: as started with these nodes.
+  void update(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+              const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion, const ListScope<S>& scope);
 
   const MovingBoxes<S>& boxes() const { return boxes_; }  ///< of segments and, behind them, of spheres
   const MovingBox<S>& node_box(std::int32_t slave) const { return node_box_[slave]; }
   const MovingBox<S>& edge_box(std::int32_t edge) const { return edge_box_[edge]; }
+  S edge_size(std::int32_t edge) const { return edge_size_[edge]; }  ///< of the largest segment there [length]
   const Facing<S>& facing(std::int32_t segment) const { return facing_[segment]; }
   const Facing<S>& around(std::int32_t segment) const { return around_[segment]; }  ///< of all around its nodes
   const Facing<S>& node_facing(std::int32_t slave) const { return node_facing_[slave]; }
@@ -46,8 +53,8 @@ class FeatureBounds {
   std::size_t bytes() const;
 
  private:
-  MovingBox<S> box_of(const SurfaceSource<S>& source, std::int32_t node) const;
-  Facing<S> facing_of(const SurfaceSource<S>& source, const std::int32_t (&node)[4]) const;
+  MovingBox<S> box_of(const NodeRecords<S>& nodes, std::int32_t node) const;
+  Facing<S> facing_of(const NodeRecords<S>& nodes, const std::int32_t (&node)[4]) const;
   /// Of several segments together.
   Facing<S> facing_of_all(std::span<const std::int32_t> segments) const;
   void find_facings(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
@@ -56,6 +63,7 @@ class FeatureBounds {
   S last_step_ = 0, horizon_ = 0;
   MovingBoxes<S> boxes_;
   std::vector<MovingBox<S>> node_box_, edge_box_;
+  std::vector<S> edge_size_;
   std::vector<Facing<S>> facing_, around_, node_facing_, edge_facing_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include <kernels/simd.hpp>
@@ -18,6 +19,21 @@ bool meet(const MovingBox<S>& a, const MovingBox<S>& b) {
           ((a.bound[3 + k] >= b.bound[k]) | (a.bound[9 + k] >= b.bound[6 + k]));
   }
   return all;
+}
+
+/// Whether features of two segments may touch: the mesh keeps elements with a common corner apart.
+template <class S>
+bool may_touch(const SegmentSurface<S>& surface, std::int32_t a, std::int32_t b) {
+  return surface.active_segment(a) && surface.active_segment(b) && !surface.beside(std::span(&a, 1), std::span(&b, 1));
+}
+
+/// The segment that an edge belongs to: the first that is active.
+template <class S>
+std::int32_t owner_of(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t edge) {
+  for (const std::int32_t s : edges.segments_of(edge)) {
+    if (surface.active_segment(s)) return s;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -45,16 +61,21 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
   if (!valid_) watch_nodes(source, surface, spheres);
   watched_ = true;
   motion_.start(source.position, source.velocity, last ? static_cast<S>(settings.skin) : S(0));
-  const S last_step = std::max(dt, clock_.last_step());
+  scope_.last_step = std::max(dt, clock_.last_step());
+  scope_.horizon = horizon;
+  scope_.depth.clear();
+  for (const auto& slave : surface.slaves()) scope_.depth.push_back(depth[slave.node]);
   clock_.restart(horizon);
   valid_ = true;
-  bounds_.update(source, surface, edges, spheres, motion_, depth, last_step, horizon);
-  find(surface, edges, spheres, settings);
+  find_pairs(source, surface, edges, spheres, settings);
+  find_features(surface, edges);
 }
 
 template <class S>
-void FeatureLists<S>::find(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
-                           const ContactSettings& settings) {
+void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface,
+                                 const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
+                                 const ContactSettings& settings) {
+  bounds_.update(nodes, surface, edges, spheres, motion_, scope_);
   const auto segments = static_cast<std::int32_t>(surface.segments().size());
   const auto body_of = [&](std::int32_t i) {
     return i < segments ? surface.segments()[i].body : spheres.spheres()[i - segments].body;
@@ -64,46 +85,112 @@ void FeatureLists<S>::find(const SegmentSurface<S>& surface, const EdgeTable<S>&
     if (b >= segments) return settings.self || !one_body;
     return (settings.self || !one_body) && bounds_.around(a).may_face(bounds_.around(b));
   });
+}
+
+template <class S>
+void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+  const auto segments = static_cast<std::int32_t>(surface.segments().size());
   parallel_for("features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    Found& found = found_[piece];
-    for (auto* list : {&found.nodes, &found.edges, &found.sphere_segments, &found.spheres}) list->clear();
+    for (auto* found : {&found_nodes_, &found_edges_, &found_sphere_segments_, &found_spheres_}) {
+      (*found)[static_cast<std::size_t>(piece)].clear();
+    }
     const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
     for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
       const std::int32_t a = firsts[pair], b = seconds[pair];
       if (b < segments) {
-        find_in_pair(surface, edges, a, b, found);
+        if (may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::own, piece);
       } else if (a < segments) {
-        found.sphere_segments.push_back({b - segments, a});
+        found_sphere_segments_[piece].push_back({b - segments, a});
       } else {
-        found.spheres.push_back({a - segments, b - segments});
+        found_spheres_[piece].push_back({a - segments, b - segments});
       }
     }
   });
-  sort_pairs(&Found::nodes, static_cast<std::int64_t>(surface.slaves().size()), nodes_.pieces, nodes_.slave,
-             nodes_.segment);
-  fill_node_pairs(surface);
-  sort_pairs(&Found::edges, static_cast<std::int64_t>(edges.edges().size()), edges_.pieces, edges_.first,
-             edges_.second);
-  fill_edge_pairs(surface, edges);
+  sort_all(surface, edges);
   join_sphere_pairs();
+  note_active(surface);
 }
 
-/// What belongs to the one segment against the other, and the other way round.
+template <class S>
+void FeatureLists<S>::note_active(const SegmentSurface<S>& surface) {
+  was_active_.resize(surface.segments().size());
+  for (std::size_t s = 0; s < was_active_.size(); ++s) {
+    was_active_[s] = surface.active_segment(static_cast<std::int32_t>(s)) ? 1 : 0;
+  }
+}
+
+template <class S>
+void FeatureLists<S>::mark_changed(const SegmentSurface<S>& surface) {
+  changed_slave_.assign(surface.slaves().size(), 0);
+  near_change_.assign(surface.segments().size(), 0);
+  for (std::size_t s = 0; s < was_active_.size(); ++s) {
+    const auto segment = static_cast<std::int32_t>(s);
+    if (surface.active_segment(segment) == (was_active_[s] != 0)) continue;
+    for (const std::int32_t slave : surface.slaves_of(segment)) changed_slave_[slave] = 1;
+  }
+  for (std::size_t slave = 0; slave < changed_slave_.size(); ++slave) {
+    if (changed_slave_[slave] == 0) continue;
+    for (const std::int32_t s : surface.around(slave)) near_change_[s] = 1;
+  }
+}
+
+/// What meets a segment that is new, and whatever a node or an edge of a changed one meets: it may have belonged to one
+/// that has ended, or the mesh may have kept it apart.
+template <class S>
+bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+  if (!valid_) return false;
+  mark_changed(surface);
+  const auto segments = static_cast<std::int32_t>(surface.segments().size());
+  std::array<bool, fixed_pieces> longer{};
+  parallel_for("features after erosion", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
+    const std::size_t nodes_before = found_nodes_[piece].size(), edges_before = found_edges_[piece].size();
+    const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
+    for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
+      const std::int32_t a = firsts[pair], b = seconds[pair];
+      if (b >= segments || (near_change_[a] | near_change_[b]) == 0) continue;
+      if (may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::changed, piece);
+    }
+    const auto drop_listed = [](std::vector<Pair>& found, std::size_t before, const SortedPairs& list) {
+      const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
+      found.erase(std::remove_if(begin, found.end(), [&](const Pair& pair) { return list.has(pair); }), found.end());
+      return found.size() > before;
+    };
+    const bool nodes = drop_listed(found_nodes_[piece], nodes_before, nodes_);
+    longer[piece] = drop_listed(found_edges_[piece], edges_before, edges_) || nodes;
+  });
+  note_active(surface);
+  if (std::none_of(longer.begin(), longer.end(), [](bool some) { return some; })) return false;
+  sort_all(surface, edges);
+  return true;
+}
+
+template <class S>
+void FeatureLists<S>::sort_all(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+  nodes_.sort(found_nodes_, surface.slaves().size(), native_width<S>);
+  fill_node_pairs(surface);
+  edges_.sort(found_edges_, edges.edges().size(), native_width<S>);
+  fill_edge_pairs(edges);
+}
+
+/// What the one segment has against the other, and the other way round.
 template <class S>
 void FeatureLists<S>::find_in_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t a,
-                                   std::int32_t b, Found& found) const {
+                                   std::int32_t b, Take take, std::int64_t piece) {
   const MovingBox<S> box_a = bounds_.boxes().box(a), box_b = bounds_.boxes().box(b);
-  find_nodes_in_pair(surface, a, b, box_b, found);
-  find_nodes_in_pair(surface, b, a, box_a, found);
+  find_nodes_in_pair(surface, a, b, box_b, take, piece);
+  find_nodes_in_pair(surface, b, a, box_a, take, piece);
   const auto near_edges = [&](std::int32_t own, std::int32_t other, const MovingBox<S>& box) {
     std::array<std::int32_t, 4> near{};
     std::size_t count = 0;
-    for (const std::int32_t e : edges.owned_by(own)) {
-      const bool may =
-          e >= 0 && bounds_.edge_facing(e).may_face(bounds_.around(other)) && meet(bounds_.edge_box(e), box);
-      if (may) near[count++] = e;
+    for (const std::int32_t e : edges.edges_of(own)) {
+      if (e < 0 || (take == Take::own && owner_of(surface, edges, e) != own)) continue;
+      if (bounds_.edge_facing(e).may_face(bounds_.around(other)) && meet(bounds_.edge_box(e), box)) near[count++] = e;
     }
     return std::pair(near, count);
+  };
+  const auto has_changed = [&](std::int32_t e) {
+    const auto& slave = edges.edges()[e].slave;
+    return (changed_slave_[slave[0]] & changed_slave_[slave[1]]) != 0;
   };
   const auto [of_a, count_a] = near_edges(a, b, box_b);
   if (count_a == 0) return;
@@ -111,84 +198,46 @@ void FeatureLists<S>::find_in_pair(const SegmentSurface<S>& surface, const EdgeT
   for (std::size_t i = 0; i < count_a; ++i) {
     for (std::size_t j = 0; j < count_b; ++j) {
       const std::int32_t e = of_a[i], f = of_b[j];
+      if (take == Take::changed && !has_changed(e) && !has_changed(f)) continue;
       if (!bounds_.edge_facing(e).may_face(bounds_.edge_facing(f)) || edges.share_node(e, f)) continue;
-      if (meet(bounds_.edge_box(e), bounds_.edge_box(f))) found.edges.push_back({std::min(e, f), std::max(e, f)});
+      if (meet(bounds_.edge_box(e), bounds_.edge_box(f)))
+        found_edges_[piece].push_back({std::min(e, f), std::max(e, f)});
     }
   }
 }
 
 template <class S>
 void FeatureLists<S>::find_nodes_in_pair(const SegmentSurface<S>& surface, std::int32_t own, std::int32_t other,
-                                         const MovingBox<S>& box, Found& found) const {
+                                         const MovingBox<S>& box, Take take, std::int64_t piece) {
   const std::array<std::int32_t, 4>& slaves = surface.slaves_of(own);
   const std::array<std::int32_t, 8>& corners = surface.segments()[other].corners;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::int32_t slave = slaves[k];
-    if (surface.slaves()[slave].owner != own || !meet(bounds_.node_box(slave), box)) continue;
+    const bool taken = take == Take::own ? surface.slaves()[slave].owner == own
+                                         : changed_slave_[slave] != 0 || was_active_[other] == 0;
+    if (!taken) continue;
+    if (!meet(bounds_.node_box(slave), box)) continue;
     if (!bounds_.node_facing(slave).may_face(bounds_.facing(other))) continue;
     if (std::find(slaves.begin(), slaves.begin() + k, slave) != slaves.begin() + k) continue;  // of a triangle
     if (std::find(corners.begin(), corners.end(), surface.slaves()[slave].node) != corners.end()) continue;
-    found.nodes.push_back({slave, other});
-  }
-}
-
-/// Pairs sorted by their first and then by their second: rows come in an order that does not depend on what else is
-/// listed, nor on when the lists were built. pieces: of consecutive firsts, each beginning at a whole pack.
-/// firsts: numbers that a first may have.
-template <class S>
-void FeatureLists<S>::sort_pairs(std::vector<Pair> Found::*some, std::int64_t firsts, ListPieces& pieces,
-                                 std::vector<std::int32_t>& first, std::vector<std::int32_t>& second) {
-  constexpr std::int64_t W = native_width<S>;
-  end_of_first_.assign(static_cast<std::size_t>(firsts), 0);
-  pieces.entries = 0;
-  for (const Found& found : found_) {
-    for (const Pair& pair : found.*some) ++end_of_first_[pair[0]];
-    pieces.entries += static_cast<std::int64_t>((found.*some).size());
-  }
-  pieces.count = ListPieces::count_for(pieces.entries);
-  std::int64_t place = 0;
-  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
-    pieces.begin[piece] = place = (place + W - 1) / W * W;
-    for (std::int64_t f = firsts * piece / pieces.count; f < firsts * (piece + 1) / pieces.count; ++f) {
-      const std::int64_t count = end_of_first_[f];
-      end_of_first_[f] = place;
-      place += count;
-    }
-    pieces.end[piece] = place;
-  }
-  pieces.places = (place + W - 1) / W * W;
-  first.assign(static_cast<std::size_t>(pieces.places), 0);
-  second.assign(static_cast<std::size_t>(pieces.places), 0);
-  for (const Found& found : found_) {
-    for (const Pair& pair : found.*some) {
-      const std::int64_t at = end_of_first_[pair[0]]++;
-      first[at] = pair[0];
-      second[at] = pair[1];
-    }
-  }
-  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
-    for (std::int64_t at = pieces.begin[piece]; at < pieces.end[piece];) {
-      const std::int64_t end = end_of_first_[first[at]];
-      std::sort(second.begin() + at, second.begin() + end);
-      at = end;
-    }
+    found_nodes_[piece].push_back({slave, other});
   }
 }
 
 template <class S>
 void FeatureLists<S>::fill_node_pairs(const SegmentSurface<S>& surface) {
-  nodes_.node.renew(nodes_.slave.size());
-  nodes_.size.renew(nodes_.slave.size());
-  nodes_.radius.renew(nodes_.slave.size());
-  for (std::size_t i = 0; i < nodes_.slave.size(); ++i) {
-    nodes_.node[i] = surface.slaves()[nodes_.slave[i]].node;
-    nodes_.size[i] = surface.segments()[nodes_.segment[i]].size;
-    nodes_.radius[i] = surface.segments()[nodes_.segment[i]].radius;
+  nodes_.node.renew(nodes_.first.size());
+  nodes_.size.renew(nodes_.first.size());
+  nodes_.radius.renew(nodes_.first.size());
+  for (std::size_t i = 0; i < nodes_.first.size(); ++i) {
+    nodes_.node[i] = surface.slaves()[nodes_.first[i]].node;
+    nodes_.size[i] = surface.segments()[nodes_.second[i]].size;
+    nodes_.radius[i] = surface.segments()[nodes_.second[i]].radius;
   }
 }
 
 template <class S>
-void FeatureLists<S>::fill_edge_pairs(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+void FeatureLists<S>::fill_edge_pairs(const EdgeTable<S>& edges) {
   for (auto& node : edges_.node) node.renew(edges_.first.size());
   edges_.size.renew(edges_.first.size());
   for (std::size_t i = 0; i < edges_.first.size(); ++i) {
@@ -197,41 +246,54 @@ void FeatureLists<S>::fill_edge_pairs(const SegmentSurface<S>& surface, const Ed
       edges_.node[end][i] = first.node[end];
       edges_.node[2 + end][i] = second.node[end];
     }
-    edges_.size[i] = surface.segments()[first.owner].size + surface.segments()[second.owner].size;
+    edges_.size[i] = bounds_.edge_size(edges_.first[i]) + bounds_.edge_size(edges_.second[i]);
   }
 }
 
 template <class S>
 void FeatureLists<S>::join_sphere_pairs() {
   for (auto* list : {&spheres_.with_segments, &spheres_.with_spheres}) list->clear();
-  for (const Found& found : found_) {
-    spheres_.with_segments.insert(spheres_.with_segments.end(), found.sphere_segments.begin(),
-                                  found.sphere_segments.end());
-    spheres_.with_spheres.insert(spheres_.with_spheres.end(), found.spheres.begin(), found.spheres.end());
-  }
-  for (auto* list : {&spheres_.with_segments, &spheres_.with_spheres}) std::sort(list->begin(), list->end());
+  const auto join = [](const SortedPairs::Found& found, std::vector<Pair>& list) {
+    list.clear();
+    for (const std::vector<Pair>& some : found) list.insert(list.end(), some.begin(), some.end());
+    std::sort(list.begin(), list.end());
+  };
+  join(found_sphere_segments_, spheres_.with_segments);
+  join(found_spheres_, spheres_.with_spheres);
 }
 
+/// Pairs of boxes are found again from where all was when they were found: erosions to come need them.
 template <class S>
-void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
-  archive(valid_, watched_, nodes_.pieces, nodes_.slave, nodes_.segment, edges_.pieces, edges_.first, edges_.second,
-          spheres_.with_segments, spheres_.with_spheres);
+void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                              const SphereSurface<S>& spheres, const ContactSettings& settings) {
+  archive(valid_, watched_, scope_.last_step, scope_.horizon, scope_.depth, was_active_, spheres_.with_segments,
+          spheres_.with_spheres);
+  nodes_.persist(archive);
+  edges_.persist(archive);
   clock_.persist(archive);
   motion_.persist(archive);
-  if (!archive.reads()) return;
+  if (!archive.reads() || !valid_) return;
+  AlignedArray<S> position, velocity;
+  motion_.put_start(position, velocity);
+  NodeRecords<S> nodes;
+  nodes.position = position.data();
+  nodes.velocity = velocity.data();
+  find_pairs(nodes, surface, edges, spheres, settings);
+  nodes_.give_back(found_nodes_);
+  edges_.give_back(found_edges_);
   fill_node_pairs(surface);
-  fill_edge_pairs(surface, edges);
+  fill_edge_pairs(edges);
 }
 
 template <class S>
 std::size_t FeatureLists<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(nodes_.slave) + of(nodes_.segment) +
-                    nodes_.node.bytes() + nodes_.size.bytes() + nodes_.radius.bytes() + of(edges_.first) +
-                    of(edges_.second) + 4 * edges_.node[0].bytes() + edges_.size.bytes() + of(spheres_.with_segments) +
-                    of(spheres_.with_spheres) + of(end_of_first_);
-  for (const Found& found : found_) {
-    sum += of(found.nodes) + of(found.edges) + of(found.sphere_segments) + of(found.spheres);
+  std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() +
+                    nodes_.node.bytes() + nodes_.size.bytes() + nodes_.radius.bytes() + edges_.bytes() +
+                    4 * edges_.node[0].bytes() + edges_.size.bytes() + of(spheres_.with_segments) +
+                    of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_);
+  for (const auto* found : {&found_nodes_, &found_edges_, &found_sphere_segments_, &found_spheres_}) {
+    for (const std::vector<Pair>& pairs : *found) sum += of(pairs);
   }
   return sum;
 }

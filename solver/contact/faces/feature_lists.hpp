@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -14,22 +13,10 @@
 #include <solver/contact/segments/segment_surface.hpp>
 
 #include "feature_bounds.hpp"
+#include "sorted_pairs.hpp"
 #include "sphere_surface.hpp"
 
 namespace pinball {
-
-/// Places of a list in pieces, each of which begins at a whole pack: between the end of a piece and the beginning of
-/// the next there are places that name valid things and do not count. A short list has few pieces, so that packs are
-/// full.
-struct ListPieces {
-  static std::int64_t count_for(std::int64_t entries) {
-    return std::clamp<std::int64_t>(entries / 2048, 1, fixed_pieces);
-  }
-  std::int64_t count = 0;  ///< of pieces
-  std::array<std::int64_t, fixed_pieces> begin{}, end{};
-  std::int64_t places = 0;   ///< with those between
-  std::int64_t entries = 0;  ///< without
-};
 
 /// What may touch in a time to come: nodes and segments, edges and edges, spheres and all of these.
 ///
@@ -38,41 +25,43 @@ struct ListPieces {
 /// segments, so that each pair of them is met once. (Representative triangles: S. Curtis, R. Tamstorf and D. Manocha,
 /// "Fast collision detection for deformable models using representative-triangles", I3D 2008.)
 ///
+/// Pairs of boxes are found for all segments, of their features only those of active segments that the mesh does not
+/// keep apart. What erosion makes of the others is seen to when it happens, by the same boxes.
+///
 /// Lists last while no node strays too far from its straight way.
 template <class S>
 class FeatureLists {
  public:
-  /// A node and a segment, in the order of the nodes.
-  struct NodePairs {
-    ListPieces pieces;
-    std::vector<std::int32_t> slave, segment;  ///< numbers in the surface
-    AlignedArray<std::int32_t> node;           ///< of the slave
-    AlignedArray<S> size, radius;              ///< of the segment [length]
+  /// Slaves and segments, by their numbers in the surface.
+  struct NodePairs : SortedPairs {
+    AlignedArray<std::int32_t> node;  ///< of the slave
+    AlignedArray<S> size, radius;     ///< of the segment [length]
   };
-  struct EdgePairs {
-    ListPieces pieces;
-    std::vector<std::int32_t> first, second;         ///< numbers in the table of edges
+  /// Edges, by their numbers in the table.
+  struct EdgePairs : SortedPairs {
     std::array<AlignedArray<std::int32_t>, 4> node;  ///< ends of the first and of the second
-    AlignedArray<S> size;                            ///< of the first segments of both, together [length]
+    AlignedArray<S> size;                            ///< of the largest segments of both, together [length]
   };
-  using Pair = std::array<std::int32_t, 2>;
+  using Pair = SortedPairs::Pair;
   struct SpherePairs {
     std::vector<Pair> with_segments;  ///< a sphere and a segment
     std::vector<Pair> with_spheres;
   };
 
-  /// Builds the lists from nothing, for all segments, those that wait too. dt: the step just made; last: the lists are
+  /// Builds the lists from nothing. dt: the step just made; last: the lists are
   /// to last, else they are for the coming step alone. depth: per node of the store, how deep it is [length].
   void build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
              const SphereSurface<S>& spheres, const ContactSettings& settings, const std::vector<float>& depth, S dt,
              bool last);
   /// Notes the length of the step just made.
   void count_step(S dt) { clock_.count_step(dt); }
-  S last_step() const { return clock_.last_step(); }
   /// True while the lists have all that may touch.
   bool holds(const SurfaceSource<S>& source) const {
     return valid_ && !clock_.over() && motion_.holds(source.position, clock_.elapsed());
   }
+  /// Takes in what segments that have become active, or have ended, make of pairs that were left out. Returns whether
+  /// the lists have become longer.
+  bool follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
   /// The lists hold no longer, and segments, slaves and edges may be numbered anew.
   void invalidate() { valid_ = false; }
 
@@ -84,38 +73,45 @@ class FeatureLists {
            static_cast<std::int64_t>(spheres_.with_segments.size() + spheres_.with_spheres.size());
   }
   std::int64_t places() const { return entries() - nodes_.pieces.entries + nodes_.pieces.places; }
-  void persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  void persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+               const SphereSurface<S>& spheres, const ContactSettings& settings);
   std::size_t bytes() const;
 
  private:
-  /// Found in the pairs of boxes of a piece.
-  struct Found {
-    std::vector<Pair> nodes, edges, sphere_segments, spheres;
-  };
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres);
-  void find(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
-            const ContactSettings& settings);
+  /// Pairs of boxes, and what these are found by. nodes: as when motion_ was started.
+  void find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                  const SphereSurface<S>& spheres, const ContactSettings& settings);
+  void find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  /// Which nodes and edges are looked for in a pair of segments: those that belong to these, or those of which erosion
+  /// may have changed what they meet.
+  enum class Take { own, changed };
   void find_in_pair(const SegmentSurface<S>& surface, const EdgeTable<S>& edges, std::int32_t a, std::int32_t b,
-                    Found& found) const;
+                    Take take, std::int64_t piece);
   void find_nodes_in_pair(const SegmentSurface<S>& surface, std::int32_t own, std::int32_t other,
-                          const MovingBox<S>& box, Found& found) const;
-  void sort_pairs(std::vector<Pair> Found::*some, std::int64_t firsts, ListPieces& pieces,
-                  std::vector<std::int32_t>& first, std::vector<std::int32_t>& second);
+                          const MovingBox<S>& box, Take take, std::int64_t piece);
+  void note_active(const SegmentSurface<S>& surface);
+  void mark_changed(const SegmentSurface<S>& surface);
+  void sort_all(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
   void join_sphere_pairs();
   /// What the kernels read of each pair.
   void fill_node_pairs(const SegmentSurface<S>& surface);
-  void fill_edge_pairs(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  void fill_edge_pairs(const EdgeTable<S>& edges);
 
   bool valid_ = false, watched_ = false;
   ListClock<S> clock_;
   SurfaceMotion<S> motion_;
+  ListScope<S> scope_;
   FeatureBounds<S> bounds_;
   BoxPairs<S> pairs_;
+  std::vector<std::uint8_t> was_active_;  ///< per segment, when the lists were made
   NodePairs nodes_;
   EdgePairs edges_;
   SpherePairs spheres_;
-  std::array<Found, fixed_pieces> found_;  // kept for its memory alone, as the next
-  std::vector<std::int64_t> end_of_first_;
+  SortedPairs::Found found_nodes_, found_edges_;
+  // What follows is kept for its memory alone.
+  SortedPairs::Found found_sphere_segments_, found_spheres_;
+  std::vector<std::uint8_t> changed_slave_, near_change_;  // of segments that have changed; segments around these
 };
 
 }  // namespace pinball

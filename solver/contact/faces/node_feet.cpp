@@ -30,8 +30,8 @@ void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& su
     const Vec3<T> x = gather_vectors<T>(source.position, pairs.node.data() + place);
     Vec3<T> centre, normal;
     T ball, warp;
-    gather_records(surface.sphere().data(), pairs.segment.data() + place, centre.x, centre.y, centre.z, ball);
-    gather_records(surface.plane().data(), pairs.segment.data() + place, normal.x, normal.y, normal.z, warp);
+    gather_records(surface.sphere().data(), pairs.second.data() + place, centre.x, centre.y, centre.z, ball);
+    gather_records(surface.plane().data(), pairs.second.data() + place, normal.x, normal.y, normal.z, warp);
     const Vec3<T> d = x - centre;
     const T height = dot(d, normal);
     // From the ball, which holds what may touch at all, to the farthest corner and what counts as near.
@@ -56,7 +56,7 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
     alignas(64) double coordinate[5][3][W];
     for (int i = 0; i < W; ++i) {
       const std::int32_t place = near[first + static_cast<std::size_t>(std::min(i, count - 1))];
-      const auto& segment = surface.segments()[pairs.segment[place]];
+      const auto& segment = surface.segments()[pairs.second[place]];
       for (int k = 0; k < 5; ++k) {
         const S* x = source.x(k < 4 ? segment.node[k] : pairs.node[place]);
         for (int c = 0; c < 3; ++c) coordinate[k][c][i] = static_cast<double>(x[c]);
@@ -69,24 +69,13 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
     const FaceProjection<T> at = foot_on_face(corner, point(4), edge_margin);
     for (int i = 0; i < count; ++i) {
       const std::int32_t place = near[first + static_cast<std::size_t>(i)];
-      NodeFoot foot{pairs.slave[place],
-                    pairs.segment[place],
-                    lane(at.gap, i),
-                    lane(at.outside, i),
-                    {lane(at.normal.x, i), lane(at.normal.y, i), lane(at.normal.z, i)},
-                    {lane(at.weight[0], i), lane(at.weight[1], i), lane(at.weight[2], i), lane(at.weight[3], i)}};
-      if (!(foot.outside < INFINITY)) {  // a face that is much out of its plane
-        Vec3<double> x[4];
-        for (int k = 0; k < 4; ++k) x[k] = {coordinate[k][0][i], coordinate[k][1][i], coordinate[k][2][i]};
-        const FaceProjection<double> one =
-            project_onto_face(x, Vec3<double>{coordinate[4][0][i], coordinate[4][1][i], coordinate[4][2][i]}, 0.0, 0.0);
-        foot.gap = one.gap;
-        foot.outside = one.outside;
-        foot.normal = one.normal;
-        for (int k = 0; k < 4; ++k) foot.weight[k] = one.weight[k];
-        if (!(foot.outside < INFINITY)) continue;
-      }
-      feet.push_back(foot);
+      const NodeFoot foot{pairs.first[place],
+                          pairs.second[place],
+                          lane(at.gap, i),
+                          lane(at.outside, i),
+                          {lane(at.normal.x, i), lane(at.normal.y, i), lane(at.normal.z, i)},
+                          {lane(at.weight[0], i), lane(at.weight[1], i), lane(at.weight[2], i), lane(at.weight[3], i)}};
+      if (foot.outside < INFINITY) feet.push_back(foot);
     }
   }
 }

@@ -91,7 +91,12 @@ class NodeMeeting {
     const auto mean = double_vector_of(record(surface_.plane().data(), foot.segment));
     const auto slave = static_cast<std::size_t>(foot.slave);
     return (surface_.faces(slave, normal) || is_lowest(source_, surface_, foot.slave, foot.normal, mean)) &&
-           !surface_.beside(surface_.around(slave), std::span(&foot.segment, 1));
+           !kept_apart(foot);
+  }
+
+  /// Whether the mesh keeps node and face apart: such pairs are in the lists by chance.
+  bool kept_apart(const NodeFoot& foot) const {
+    return surface_.beside(surface_.around(static_cast<std::size_t>(foot.slave)), std::span(&foot.segment, 1));
   }
 
   /// A foot beyond an edge belongs to the face on its side of the corner; inside, that is at the bottom of a valley,
@@ -103,7 +108,7 @@ class NodeMeeting {
     if (foot.outside > std::min(0 - foot.gap, valley * radius_of(foot))) return false;
     return std::none_of(feet_.begin(), feet_.end(), [&](const NodeFoot& other) {
       return other.gap > 0 && other.gap < foot.outside - foot.gap && other.outside <= margin &&
-             segment_of(other).body == segment_of(foot).body;
+             segment_of(other).body == segment_of(foot).body && !kept_apart(other);
     });
   }
 
@@ -127,6 +132,7 @@ class NodeMeeting {
     for (const NodeFoot& other : feet_) {
       if (&other == &foot || other.outside >= same || std::abs(other.distance() - distance) >= same) continue;
       if (segment_of(other).body != segment_of(foot).body || dot(other.normal, foot.normal) <= other_side) continue;
+      if (kept_apart(other)) continue;
       sum = sum + other.normal;
     }
     return (1 / std::sqrt(dot(sum, sum))) * sum;

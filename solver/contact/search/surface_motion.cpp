@@ -112,6 +112,20 @@ bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
 }
 
 template <class S>
+void SurfaceMotion<S>::put_start(AlignedArray<S>& position, AlignedArray<S>& velocity) const {
+  constexpr std::size_t W = native_width<S>;
+  position.reset(4 * allowance_.size());
+  velocity.reset(4 * allowance_.size());
+  for (std::size_t n = 0; n < count_; ++n) {
+    const S* const started = start_.data() + n / W * 6 * W + n % W;
+    for (std::size_t k = 0; k < 3; ++k) {
+      record(position.data(), node_[n])[k] = started[k * W];
+      record(velocity.data(), node_[n])[k] = started[(3 + k) * W];
+    }
+  }
+}
+
+template <class S>
 void SurfaceMotion<S>::persist(StateArchive& archive) {
   std::uint64_t count = count_;
   archive(count, node_, size_, start_, allowed2_, allowance_);

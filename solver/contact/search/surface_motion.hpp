@@ -70,6 +70,8 @@ class SurfaceMotion {
     for (const std::int32_t node : corners) largest = std::max(largest, allowance_[node]);
     return static_cast<S>(largest);
   }
+  /// Node records of what start() was given of the nodes watched; nothing of others.
+  void put_start(AlignedArray<S>& position, AlignedArray<S>& velocity) const;
   void persist(StateArchive& archive);
   std::size_t bytes() const;
 

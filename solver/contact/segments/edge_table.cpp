@@ -10,7 +10,7 @@ void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
     std::int32_t other, segment, side, slave;
   };
   edges_.clear();
-  owned_.assign(surface.segments().size(), {-1, -1, -1, -1});
+  edges_of_.assign(surface.segments().size(), {-1, -1, -1, -1});
   std::vector<End> ends;  // of the edges from a node to nodes of higher numbers
   for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
     const std::int32_t node = surface.slaves()[i].node;
@@ -30,11 +30,11 @@ void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
     });
     for (std::size_t e = 0; e < ends.size();) {
       const End& first = ends[e];
-      owned_[first.segment][first.side] = static_cast<std::int32_t>(edges_.size());
-      Edge edge{{node, first.other}, {static_cast<std::int32_t>(i), first.slave}, first.segment, {}};
+      Edge edge{{node, first.other}, {static_cast<std::int32_t>(i), first.slave}, {}};
       edge.segment.fill(-1);
       const std::size_t begin = e;
       for (; e < ends.size() && ends[e].other == first.other; ++e) {
+        edges_of_[ends[e].segment][ends[e].side] = static_cast<std::int32_t>(edges_.size());
         if (e - begin < most_segments) edge.segment[e - begin] = ends[e].segment;
       }
       edges_.push_back(edge);

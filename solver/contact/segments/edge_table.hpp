@@ -18,7 +18,6 @@ class EdgeTable {
   struct Edge {
     std::int32_t node[2];                             ///< of the node store, the lower number first
     std::int32_t slave[2];                            ///< of the surface
-    std::int32_t owner;                               ///< the first segment
     std::array<std::int32_t, most_segments> segment;  ///< that meet here; -1: no more
   };
 
@@ -27,9 +26,9 @@ class EdgeTable {
   const std::vector<Edge>& edges() const { return edges_; }
   /// By its nodes: keeps from collection to collection, and is the same whatever waits.
   static std::int64_t name_of(const Edge& edge) { return static_cast<std::int64_t>(edge.node[0]) << 31 | edge.node[1]; }
-  /// Edges of a segment of which it is the owner; -1 for others.
-  const std::array<std::int32_t, 4>& owned_by(std::int32_t segment) const { return owned_[segment]; }
-  /// Segments that meet at an edge, the owner first.
+  /// Edges of a segment; -1 for a side of no length.
+  const std::array<std::int32_t, 4>& edges_of(std::int32_t segment) const { return edges_of_[segment]; }
+  /// Segments that meet at an edge, in their order.
   static std::span<const std::int32_t> segments_of(const Edge& edge) {
     return {edge.segment.begin(), std::find(edge.segment.begin(), edge.segment.end(), -1)};
   }
@@ -38,11 +37,11 @@ class EdgeTable {
     const std::int32_t *const a = edges_[e].node, *const b = edges_[f].node;
     return a[0] == b[0] || a[0] == b[1] || a[1] == b[0] || a[1] == b[1];
   }
-  std::size_t bytes() const { return edges_.capacity() * sizeof(Edge) + owned_.capacity() * sizeof(owned_[0]); }
+  std::size_t bytes() const { return edges_.capacity() * sizeof(Edge) + edges_of_.capacity() * sizeof(edges_of_[0]); }
 
  private:
   std::vector<Edge> edges_;
-  std::vector<std::array<std::int32_t, 4>> owned_;  ///< per segment
+  std::vector<std::array<std::int32_t, 4>> edges_of_;  ///< per segment
 };
 
 }  // namespace pinball

@@ -131,7 +131,7 @@ void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
     }
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    slaves_[i].owner = around_[around_first_[i]];
+    slaves_[i].owner = around(i).front();
     slaves_[i].body = segments_[slaves_[i].owner].body;
   }
   slaves_of_.resize(segments_.size());
@@ -144,27 +144,35 @@ void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
   }
 }
 
-/// The segments whose faces are exposed are active; what they give to their slaves is added up in their order.
+/// The segments whose faces are exposed are active.
 template <class S>
 void SegmentSurface<S>::activate() {
   active_segments_ = 0;
+  std::vector<std::int32_t> slaves;  // of segments that change; some of them several times
   for (std::size_t s = 0; s < segments_.size(); ++s) {
-    const bool active = exposed(segments_[s].slot, segments_[s].face);
-    active_[s] = active ? S(1) : S(0);
-    active_segments_ += active;
-  }
-  for (std::size_t i = 0; i < slaves_.size(); ++i) {
-    Slave& slave = slaves_[i];
-    slave.share = slave.radius = slave.stiffness = S(0);
-    for (std::int32_t a = around_first_[i]; a < around_first_[i + 1]; ++a) {
-      const std::int32_t s = around_[a];
-      if (!(active_[s] > S(0))) continue;
-      slave.share += S(0.25);
-      slave.radius += segments_[s].radius;
-      slave.stiffness += S(0.25) * segments_[s].stiffness;
+    const S active = exposed(segments_[s].slot, segments_[s].face) ? S(1) : S(0);
+    active_segments_ += active > S(0) ? 1 : 0;
+    if (std::exchange(active_[s], active) != active) {
+      slaves.insert(slaves.end(), slaves_of_[s].begin(), slaves_of_[s].end());
     }
-    if (active(i)) slave.radius /= S(4) * slave.share;
   }
+  for (const std::int32_t slave : slaves) update_slave(static_cast<std::size_t>(slave));
+}
+
+/// What the active segments give to a slave is added up in their order.
+template <class S>
+void SegmentSurface<S>::update_slave(std::size_t number) {
+  Slave& slave = slaves_[number];
+  slave.share = slave.radius = slave.stiffness = S(0);
+  slave.owner = around(number).front();
+  for (const std::int32_t s : around(number)) {
+    if (!active_segment(s)) continue;
+    if (!active(number)) slave.owner = s;
+    slave.share += S(0.25);
+    slave.radius += segments_[s].radius;
+    slave.stiffness += S(0.25) * segments_[s].stiffness;
+  }
+  if (active(number)) slave.radius /= S(4) * slave.share;
 }
 
 template <class S>

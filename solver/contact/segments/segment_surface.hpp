@@ -34,7 +34,7 @@ class SegmentSurface {
   struct Slave {
     std::int32_t node;  ///< of the node store
     std::int32_t body;
-    std::int32_t owner;  ///< the first of the segments around it
+    std::int32_t owner;  ///< the first of the active segments around it; without any, the first of those that are not
     S share;             ///< number of active segments around it over 4: 1 inside a surface, 1/2 at an edge of it [-]
     S radius;            ///< mean of the active segments around it [length]
     S stiffness;         ///< sum of a quarter of each active segment's [force/length]
@@ -106,6 +106,7 @@ class SegmentSurface {
   void collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
   void collect_slaves(std::size_t nodes);
   void activate();
+  void update_slave(std::size_t number);
   std::size_t packs() const { return (segments_.size() + native_width<S> - 1) / native_width<S>; }
 
   Surface topology_;
