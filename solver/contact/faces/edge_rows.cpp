@@ -43,10 +43,18 @@ EdgeSides sides_of(const SegmentSurface<S>& surface, const typename EdgeTable<S>
   return sides;
 }
 
-/// Whether the faces of an edge make an angle: its nodes need not look at what they touch. On a flat surface nodes at
-/// crossings meet faces.
-bool is_sharp(const EdgeSides& sides) {
-  return sides.faces < 2 || dot(sides.unit_normal[0], sides.unit_normal[1]) < 0.9;
+/// Whether the first two active faces of an edge make an angle: its nodes need not look at what they touch. On a flat
+/// surface nodes at crossings meet faces.
+template <class S>
+bool is_sharp(const SegmentSurface<S>& surface, const typename EdgeTable<S>::Edge& edge) {
+  const S* before = nullptr;
+  for (const std::int32_t s : EdgeTable<S>::segments_of(edge)) {
+    if (!surface.active_segment(s)) continue;
+    const S* const plane = record(surface.plane().data(), s);
+    if (before != nullptr) return dot(double_vector_of(before), double_vector_of(plane)) < 0.9;
+    before = plane;
+  }
+  return true;
 }
 
 /// Whether the faces of an edge go away from the other body: point: on the edge; away: unit vector.
@@ -115,15 +123,15 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
 template <class S>
 void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const Edge& first,
                           const Edge& second, const StepReach& step, std::vector<FeatureRow>& rows) {
-  const EdgeSides sides1 = sides_of(surface, first), sides2 = sides_of(surface, second);
-  if (sides1.faces == 0 || sides2.faces == 0 || !face_each_other(sides1, sides2)) return;
   const auto x = [&](const Edge& edge, int end) { return double_vector_of(source.x(edge.node[end])); };
   const Vec3<double> a = x(first, 0), b = x(first, 1), c = x(second, 0), d = x(second, 1);
   const EdgePair<double> pair = nearest_points(a, b, c, d);
   const auto within = [](double s) { return s > -end_margin && s < 1 + end_margin; };
   if (!within(pair.s) || !within(pair.t) || !(pair.sine2 > least_sine * least_sine)) return;
   const auto at_end = [](double s) { return s < end_margin || s > 1 - end_margin; };
-  if ((at_end(pair.s) || at_end(pair.t)) && !(is_sharp(sides1) && is_sharp(sides2))) return;
+  if ((at_end(pair.s) || at_end(pair.t)) && !(is_sharp(surface, first) && is_sharp(surface, second))) return;
+  const EdgeSides sides1 = sides_of(surface, first), sides2 = sides_of(surface, second);
+  if (sides1.faces == 0 || sides2.faces == 0 || !face_each_other(sides1, sides2)) return;
   const Vec3<double> across = cross(b - a, d - c);
   const double size = std::sqrt(dot(across, across));
   const double outward = dot(sides2.normal - sides1.normal, across) < 0 ? -1.0 : 1.0;
