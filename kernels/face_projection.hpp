@@ -118,7 +118,7 @@ PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec
     const T r1 = dot(d, t1), r2 = dot(d, t2);
     const T next_xi = maximum(T(0) - far, minimum(far, xi - (a22 * r1 - a12 * r2) * inverse));
     const T next_eta = maximum(T(0) - far, minimum(far, eta - (a11 * r2 - a12 * r1) * inverse));
-    // Not a number: the lane goes on, and is not found.
+    // What is not a number may become the end of the range, and stay there: the gap tells.
     const auto moving = !(absolute(next_xi - xi) + absolute(next_eta - eta) < tolerance);
     xi = select(going, next_xi, xi);
     eta = select(going, next_eta, eta);
@@ -134,8 +134,9 @@ PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec
   result.gap = T(0) - dot(from_node(result.weight), result.normal);
   const Vec3<T> beyond = (xi - inner_xi) * t1 + (eta - inner_eta) * t2;
   const T outside = square_root(dot(beyond, beyond));
-  // if (it has not ended, or nothing is a number) none
-  result.outside = select(!going && outside < number<T>(INFINITY), outside, number<T>(INFINITY));
+  // if (it has not ended, or the gap or the way is not a number) none
+  const T none = number<T>(INFINITY);
+  result.outside = select(!going && outside < none && absolute(result.gap) < none, outside, none);
   return result;
 }
 
