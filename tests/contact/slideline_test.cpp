@@ -6,7 +6,7 @@
 
 #include <solver/contact/segments/segment_surface.hpp>
 #include <solver/contact/slideline/slideline_search.hpp>
-#include <solver/elements/internal_forces.hpp>
+#include <solver/model/model_surface.hpp>
 
 #include "impact_case.hpp"
 
@@ -196,137 +196,6 @@ TEST_P(Slideline, ANodeThatSlidesOverAnEdgeIsFree) {
   run_to_end(solver);
   EXPECT_GT(position_of(solver, 64)[0], 0.4) << "it is to have left";
   EXPECT_NEAR(velocity_of_body(solver, 1)[0], before, 0.01 * before);
-}
-
-TEST(SegmentSurface, CountsSegmentsAndSharesOfSlaves) {
-  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1);
-  const Model<double> model = build_model<double>(scene);
-  const SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
-  EXPECT_EQ(surface.segments().size(), 24);
-  EXPECT_EQ(surface.slaves().size(), 26);
-  double share = 0, stiffness = 0;
-  for (const auto& slave : surface.slaves()) {
-    share += slave.share;
-    stiffness += slave.stiffness;
-    EXPECT_NEAR(slave.radius, 0.1 * std::cbrt(3 / (4 * M_PI)), 1e-15);
-  }
-  EXPECT_NEAR(share, 24, 1e-13);
-  EXPECT_NEAR(stiffness, 24 * model.scene.materials[0].bulk_modulus * 0.1, 1e-3);  // K A^2 / V = K h
-}
-
-/// A block whose elements erode at a plastic strain of 1.
-Model<double> eroding_block() {
-  Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0})}, 1);
-  scene.materials = {plastic_material("steel", 1e9, 1.0)};
-  return build_model<double>(scene);
-}
-
-/// In the middle of the upper face of the block, and the one behind it: they share one face.
-constexpr std::size_t upper = 22, centre = 13;
-
-bool erode(Model<double>& model, SegmentSurface<double>& surface, std::size_t element) {
-  model.elements.mass[static_cast<std::size_t>(model.slot_of_element[element])] = 0;
-  std::vector<TileResult<double>> tiles(static_cast<std::size_t>(model.tile_count()));
-  for (TileResult<double>& tile : tiles) tile.eroded_count = 1;
-  return surface.remove_eroded(eroded_slots(model, tiles));
-}
-
-std::size_t active_segments(const SegmentSurface<double>& surface) {
-  std::size_t count = 0;
-  for (std::size_t s = 0; s < surface.segments().size(); ++s) {
-    const double* plane = surface.plane().data() + 4 * s;
-    const bool active = surface.sphere()[4 * s + 3] > 0;
-    EXPECT_NEAR(std::hypot(plane[0], plane[1], plane[2]), active ? 1 : 0, 1e-12);
-    EXPECT_EQ(active, surface.exposed(surface.segments()[s].slot, surface.segments()[s].face));
-    count += active;
-  }
-  return count;
-}
-
-std::vector<SegmentSurface<double>::Slave> active_slaves(const SegmentSurface<double>& surface) {
-  std::vector<SegmentSurface<double>::Slave> slaves;
-  for (std::size_t i = 0; i < surface.slaves().size(); ++i) {
-    if (surface.active(i)) slaves.push_back(surface.slaves()[i]);
-  }
-  return slaves;
-}
-
-TEST(SegmentSurface, FacesBehindElementsThatMaySoonErodeWait) {
-  Model<double> model = eroding_block();
-  for (const std::size_t e : {upper, centre}) {  // the strain of what lies inside does not count
-    model.elements.plastic_strain[static_cast<std::size_t>(model.slot_of_element[e])] = 0.8;
-  }
-  SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
-  EXPECT_EQ(surface.segments().size(), 54 + 5);
-  EXPECT_EQ(active_segments(surface), 54);
-  EXPECT_EQ(surface.slaves().size(), 56 + 4);
-  EXPECT_EQ(active_slaves(surface).size(), 56);
-  EXPECT_EQ(surface.topology().exposed_count(), 26);
-
-  EXPECT_TRUE(erode(model, surface, upper));
-  surface.update(ModelSurface<double>(model));
-  EXPECT_TRUE(surface.complete());
-  EXPECT_TRUE(surface.changed());
-  EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
-  EXPECT_EQ(surface.topology().exposed_count(), 26);
-
-  // The slaves are those of a surface that is collected anew, to the last bit.
-  const auto before = active_slaves(surface);
-  EXPECT_EQ(before.size(), 60);
-  surface.collect(ModelSurface<double>(model));
-  EXPECT_FALSE(surface.changed());
-  EXPECT_EQ(surface.segments().size(), 54 - 1 + 5 + 5) << "those behind the centre, but for the eroded one, wait now";
-  const auto after = active_slaves(surface);
-  ASSERT_EQ(after.size(), before.size());
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    EXPECT_EQ(after[i].node, before[i].node);
-    EXPECT_EQ(after[i].body, before[i].body);
-    EXPECT_EQ(after[i].share, before[i].share);
-    EXPECT_EQ(after[i].radius, before[i].radius);
-    EXPECT_EQ(after[i].stiffness, before[i].stiffness);
-  }
-}
-
-TEST(SegmentSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
-  Model<double> model = eroding_block();
-  SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
-  EXPECT_EQ(surface.segments().size(), 54);
-  EXPECT_TRUE(surface.complete());
-  EXPECT_TRUE(erode(model, surface, upper));
-  EXPECT_FALSE(surface.complete());
-  surface.collect(ModelSurface<double>(model));
-  surface.update(ModelSurface<double>(model));
-  EXPECT_TRUE(surface.complete());
-  EXPECT_EQ(active_segments(surface), 54 - 1 + 5);
-}
-
-TEST(SegmentSurface, KeepsWhatListsAskForUpToDate) {
-  // Slave 0 is in the corner that three segments share, and lists the last segment.
-  Model<double> model = eroding_block();
-  SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
-  const auto last = static_cast<std::int32_t>(surface.segments().size() - 1);
-  surface.choose_none();
-  surface.choose(last);
-  surface.choose_around(0);
-  surface.finish_choice();
-  for (std::size_t i = 0; i < model.nodes.position.size(); ++i) model.nodes.position[i] += 1;
-  const std::vector<double> before(surface.sphere().data(), surface.sphere().data() + surface.sphere().size());
-  surface.update(ModelSurface<double>(model));
-  int around = 0, stale = 0;
-  for (std::size_t s = 0; s < surface.segments().size(); ++s) {
-    const auto& node = surface.segments()[s].node;
-    const bool of_slave = std::count(node, node + 4, surface.slaves()[0].node) > 0;
-    around += of_slave;
-    const double moved = surface.sphere()[4 * s] - before[4 * s];
-    if (of_slave || static_cast<std::int32_t>(s) == last) {
-      EXPECT_NEAR(moved, 1, 1e-12);
-    }
-    stale += moved == 0;
-  }
-  EXPECT_EQ(around, 3);
-  EXPECT_GT(stale, 0) << "no needless work";
-  EXPECT_GE(surface.chosen(), 4);
-  EXPECT_LT(surface.chosen(), 54);
 }
 
 TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
