@@ -32,10 +32,11 @@ void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
       const End& first = ends[e];
       Edge edge{{node, first.other}, {static_cast<std::int32_t>(i), first.slave}, {}};
       edge.segment.fill(-1);
-      const std::size_t begin = e;
+      std::size_t count = 0;
       for (; e < ends.size() && ends[e].other == first.other; ++e) {
         edges_of_[ends[e].segment][ends[e].side] = static_cast<std::int32_t>(edges_.size());
-        if (e - begin < most_segments) edge.segment[e - begin] = ends[e].segment;
+        const bool again = count > 0 && edge.segment[count - 1] == ends[e].segment;  // around a node that it has twice
+        if (!again && count < most_segments) edge.segment[count++] = ends[e].segment;
       }
       edges_.push_back(edge);
     }
