@@ -1,0 +1,225 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <solver/contact/faces/feature_lists.hpp>
+#include <tests/support/support.hpp>
+
+#include "eroding_block.hpp"
+
+/// Lists that follow erosion, against lists that are built anew after it.
+namespace pinball {
+namespace {
+
+using namespace test;
+using Lists = FeatureLists<double>;
+using Pairs = std::set<Lists::Pair>;
+
+/// Surface elements of two blocks on each other may erode; a tenth of an element apart, they are about to touch.
+Scene eroding_blocks() {
+  Scene scene = scene_of({block("a", {5, 5, 3}, 0.1, {0, 0, 0}), block("b", {4, 4, 3}, 0.11, {0.03, 0.04, 0.31})}, 1);
+  scene.materials = {plastic_material("steel", 1e9, 1.0)};
+  return scene;
+}
+
+/// Listed pairs that matter.
+template <class Matters>
+Pairs those_of(const SortedPairs& list, const Matters& matters) {
+  Pairs pairs;
+  for (std::int64_t piece = 0; piece < list.pieces.count; ++piece) {
+    for (std::int64_t at = list.pieces.begin[piece]; at < list.pieces.end[piece]; ++at) {
+      if (matters(list.first[at], list.second[at])) pairs.insert({list.first[at], list.second[at]});
+    }
+  }
+  return pairs;
+}
+Pairs all_of(const SortedPairs& list) {
+  return those_of(list, [](std::int32_t, std::int32_t) { return true; });
+}
+
+class ErodingBlocks {
+ public:
+  /// speed: of nodes in all directions, in elements over the time for which lists are built; size: that to which the
+  /// blocks are squeezed, so that what lies near each other in them may touch.
+  ErodingBlocks(double speed, double size) : model_(build_model<double>(eroding_blocks())) {
+    Random random(17);
+    auto &x = model_.nodes.position, &v = model_.nodes.velocity;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x[i] = size * (x[i] + 0.01 * uniform(random, -1, 1));
+      v[i] = 0.1 * speed / (horizon_steps * dt) * uniform(random, -1, 1);
+    }
+    for (std::size_t e = 0; e < model_.slot_of_element.size(); ++e) strain_nearly_to_erosion(model_, {e});
+    surface_.collect(source());
+    edges_.collect(surface_);
+    for (std::size_t e = 0; e < model_.slot_of_element.size(); ++e) {
+      if (surface_.topology().exposed(model_.slot_of_element[e]) != 0) erodible_.push_back(e);
+    }
+    std::shuffle(erodible_.begin(), erodible_.end(), random);
+  }
+
+  void build(Lists& lists) const {
+    const std::vector<float> depth(static_cast<std::size_t>(model_.nodes.count), 0);
+    lists.count_step(dt);
+    lists.build(source(), surface_, edges_, spheres_, settings_, depth, dt, true);
+  }
+  void persist(Lists& lists, StateArchive& archive) const {
+    lists.persist(archive, surface_, edges_, spheres_, settings_);
+  }
+  bool follow(Lists& lists) const { return lists.follow_erosion(surface_, edges_); }
+  /// Takes some of the elements that were on the surface at first.
+  void erode_next(std::size_t count) {
+    for (; count > 0; --count) {
+      ASSERT_FALSE(erodible_.empty());
+      ASSERT_TRUE(erode(model_, surface_, erodible_.back()));
+      erodible_.pop_back();
+    }
+    ASSERT_TRUE(surface_.complete()) << "all that comes to the surface waited";
+  }
+
+  /// Listed pairs of active features that the mesh does not keep apart.
+  Pairs nodes_that_matter(const Lists& lists) const {
+    return those_of(lists.nodes(), [this](std::int32_t slave, std::int32_t segment) {
+      const auto i = static_cast<std::size_t>(slave);
+      return surface_.active(i) && surface_.active_segment(segment) &&
+             !surface_.beside(surface_.around(i), std::span(&segment, 1));
+    });
+  }
+  Pairs edges_that_matter(const Lists& lists) const {
+    const auto active = [this](std::int32_t edge) {
+      const auto segments = edges_.segments_of(edge);
+      return std::any_of(segments.begin(), segments.end(),
+                         [this](std::int32_t s) { return surface_.active_segment(s); });
+    };
+    return those_of(lists.edges(), [&](std::int32_t e, std::int32_t f) {
+      return active(e) && active(f) && !surface_.beside(edges_.segments_of(e), edges_.segments_of(f));
+    });
+  }
+  /// Whether some of the pairs are of one body.
+  bool of_one_body(const Pairs& nodes) const {
+    return std::any_of(nodes.begin(), nodes.end(), [this](const Lists::Pair& pair) {
+      return surface_.slaves()[pair[0]].body == surface_.segments()[pair[1]].body;
+    });
+  }
+
+ private:
+  static constexpr double dt = 1e-5;
+
+  ModelSurface<double> source() const { return ModelSurface<double>(model_); }
+
+  Model<double> model_;
+  SegmentSurface<double> surface_{source(), surface_topology(model_)};
+  EdgeTable<double> edges_;
+  SphereSurface<double> spheres_{source(), surface_.topology()};
+  ContactSettings settings_;
+  std::vector<std::size_t> erodible_;
+};
+
+/// What else than the lists decides what they have.
+struct Setting {
+  double speed, size;
+};
+constexpr Setting settings[] = {{0.3, 1}, {3, 1}, {0.3, 0.3}, {1, 0.5}};
+
+class FollowedLists : public testing::TestWithParam<Setting> {};
+INSTANTIATE_TEST_SUITE_P(All, FollowedLists, testing::ValuesIn(settings));
+
+TEST_P(FollowedLists, HaveWhatNewOnesHave) {
+  ErodingBlocks blocks(GetParam().speed, GetParam().size);
+  Lists followed, left;
+  blocks.build(followed);
+  blocks.build(left);
+  int longer = 0, nodes_missed = 0, edges_missed = 0;
+  for (const std::size_t count : {1, 1, 1, 3, 5, 1, 10, 20, 30}) {
+    blocks.erode_next(count);
+    const std::int64_t before = followed.entries();
+    const bool grown = blocks.follow(followed);
+    longer += grown;
+    EXPECT_EQ(followed.entries() > before, grown);
+    Lists anew;
+    blocks.build(anew);
+    const Pairs nodes = blocks.nodes_that_matter(anew), edges = blocks.edges_that_matter(anew);
+    EXPECT_FALSE(nodes.empty());
+    EXPECT_FALSE(edges.empty());
+    EXPECT_EQ(blocks.nodes_that_matter(followed), nodes);
+    EXPECT_EQ(blocks.edges_that_matter(followed), edges);
+    nodes_missed += blocks.nodes_that_matter(left) != nodes;
+    edges_missed += blocks.edges_that_matter(left) != edges;
+    EXPECT_TRUE(GetParam().size == 1 || blocks.of_one_body(nodes));
+  }
+  EXPECT_GT(longer, 3);
+  EXPECT_GT(nodes_missed, 3) << "lists that do not follow miss some";
+  EXPECT_GT(edges_missed, 3);
+}
+
+TEST_P(FollowedLists, ThatWereReadAgainFollowAsTheOthersDo) {
+  ErodingBlocks blocks(GetParam().speed, GetParam().size);
+  Lists kept, read;
+  blocks.build(kept);
+  blocks.erode_next(5);
+  blocks.follow(kept);
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { blocks.persist(kept, archive); });
+  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+  blocks.persist(read, archive);
+  for (const std::size_t count : {1, 5, 20}) {
+    blocks.erode_next(count);
+    EXPECT_EQ(blocks.follow(kept), blocks.follow(read));
+    EXPECT_EQ(all_of(kept.nodes()), all_of(read.nodes()));
+    EXPECT_EQ(all_of(kept.edges()), all_of(read.edges()));
+  }
+}
+
+TEST(FeatureLists, ThatHoldNoLongerDoNotFollowErosion) {
+  ErodingBlocks blocks(3, 1);
+  Lists lists;
+  blocks.build(lists);
+  lists.invalidate();
+  const std::int64_t before = lists.entries();
+  blocks.erode_next(30);
+  EXPECT_FALSE(blocks.follow(lists));
+  EXPECT_EQ(lists.entries(), before);
+}
+
+/// State at the end, and what happened on the way.
+struct Outcome {
+  std::uint64_t hash = 0;
+  std::int64_t searches = 0, erosions = 0;  ///< steps in which elements erode
+};
+Outcome outcome(Scene scene, bool keep_lists) {
+  scene.skip.contact_search = keep_lists;
+  Solver<double> solver(scene);
+  Outcome result;
+  std::int64_t eroded = 0;
+  run_to_end(solver, [&] {
+    result.erosions += solver.counts().eroded_elements() != std::exchange(eroded, solver.counts().eroded_elements());
+  });
+  result.hash = state_hash(solver.model());
+  result.searches = solver.contact()->searches();
+  return result;
+}
+
+TEST(FeatureLists, LastOverErosionsOfARodAndAPlateAndMissNothing) {
+  const double h = 0.1;
+  Scene scene = scene_of(
+      {block("plate", {8, 8, 3}, h, {0, 0, 0}), block("rod", {2, 2, 8}, h, {0.27, 0.31, 3.1 * h}, {300, 0, -2000})},
+      4e-4);
+  scene.materials = {plastic_material("steel", 1e9, 0.6)};
+  scene.contact.gap = ContactGap::face;
+  for (const Enforcement enforcement : {Enforcement::lagrange, Enforcement::projection}) {
+    scene.contact.enforcement = enforcement;
+    const Outcome kept = outcome(scene, true), anew = outcome(scene, false);
+    EXPECT_EQ(kept.hash, anew.hash);
+    EXPECT_EQ(kept.erosions, anew.erosions);
+    EXPECT_GT(kept.erosions, 20);
+    EXPECT_LT(kept.searches, kept.erosions);
+  }
+}
+
+}  // namespace
+}  // namespace pinball
