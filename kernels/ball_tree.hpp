@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "compress.hpp"
 #include "simd.hpp"
 
 /// Bounding boxes over balls that move: which balls may come together while each goes its way in a straight line,
@@ -159,7 +160,7 @@ PINBALL_FUNCTION void for_each_meeting_box(const BoxTreeView<ScalarOf<T>>& tree,
       ++level;
       continue;
     }
-    const std::int32_t child = group[level] * G + __builtin_ctz(bits[level]);
+    const std::int32_t child = group[level] * G + lowest_bit(bits[level]);
     bits[level] &= bits[level] - 1;
     if (level == lowest) {
       visit(child);

@@ -14,6 +14,15 @@
 /// is of no use. Returns how many it tells.
 namespace pinball {
 
+/// Number of the lowest bit that is set; some bit has to be.
+PINBALL_FUNCTION int lowest_bit(unsigned bits) {
+#if defined(__CUDA_ARCH__)
+  return __ffs(static_cast<int>(bits)) - 1;
+#else
+  return __builtin_ctz(bits);
+#endif
+}
+
 namespace detail {
 
 #if defined(__AVX512VL__) && !defined(__CUDACC__)
@@ -52,7 +61,7 @@ PINBALL_FUNCTION int write_lanes(unsigned bits, const Value* from, Value* to) {
     }
 #endif
   } else {
-    for (; bits != 0; bits &= bits - 1) *to++ = from[__builtin_ctz(bits)];
+    for (; bits != 0; bits &= bits - 1) *to++ = from[lowest_bit(bits)];
   }
   return count;
 }
@@ -69,7 +78,7 @@ PINBALL_FUNCTION int write_numbers(unsigned bits, std::int32_t first, std::int32
     }
 #endif
   } else {
-    for (; bits != 0; bits &= bits - 1) *to++ = first + __builtin_ctz(bits);
+    for (; bits != 0; bits &= bits - 1) *to++ = first + lowest_bit(bits);
   }
   return count;
 }

@@ -48,7 +48,7 @@ struct RowPack {
   double* number;    ///< [row_numbers][W]
   double* friction;  ///< [friction_numbers][W] (contact_friction.hpp), or null
 
-  int stride() const { return held ? 7 : 2; }  ///< packs of numbers per entry
+  PINBALL_FUNCTION int stride() const { return held ? 7 : 2; }  ///< packs of numbers per entry
 };
 
 template <class T>

@@ -6,11 +6,10 @@ namespace {
 using namespace pinball;
 
 // Parameters of class type confuse the compiler in a __global__ template, so that plain ones choose the features.
-template <class S, bool everything>
+template <class S, bool everything, HourglassKind hourglass>
 __global__ void update_elements(ElementView<S> elements, NodeView<S> nodes, ElementConstants<S> constants, S dt,
                                 ElementSums<S>* sums) {
-  constexpr ElementFeatures features{everything, everything, everything,
-                                     everything ? HourglassKind::stiffness : HourglassKind::viscous};
+  constexpr ElementFeatures features{everything, everything, everything, hourglass};
   const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   update_element_pack<S, features>(elements, nodes, constants, ElementStep<S>{dt}, element, 0, sums[element]);
 }
@@ -30,6 +29,87 @@ __global__ void contact_forces(PinballView<S> view, PenaltyConstants<S> constant
 }
 
 template <class S>
+__global__ void add_contact_forces(const PairTouch<S, 1>* touch, std::int32_t pinballs, S* force, S* node) {
+  const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  add_to_pinballs<S>(touch[pair], 1, pinballs, force);
+  add_to_node(node + 4 * pair, force + 4 * pair);
+}
+
+__global__ void contact_rows(const Vec3<double>* d, const double* reach, const Vec3<double>* normal, ContactRow* row) {
+  const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  row[pair] = pinball_row(d[pair], reach[pair], normal[2 * pair], normal[2 * pair + 1]);
+}
+
+__global__ void sweep_impulses(const RowPack* rows, double* velocity, double* change) {
+  const std::int64_t row = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  apply_impulses<double>(rows[row], velocity);
+  apply_friction<double>(rows[row], velocity);
+  change[row] = sweep_rows<double>(rows[row], velocity) + sweep_friction<double>(rows[row], velocity);
+}
+
+__global__ void project_velocities(const RowPack* rows, double* velocity) {
+  const std::int64_t row = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  find_closing<double>(rows[row], velocity);
+  add_shares<double>(rows[row], velocity);
+  share_impulses<double>(rows[row], velocity);
+}
+
+__global__ void friction_mobilities(const ImpulseNode* nodes, double* mobility) {
+  const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  mobility[node] = friction_mobility(nodes[node]);
+}
+
+/// point: the corners of a face and a node.
+template <class S>
+__global__ void feet_on_faces(const Vec3<S>* point, FaceProjection<S>* foot, FaceProjection<S>* projection) {
+  const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  const Vec3<S>* const at = point + 5 * pair;
+  const Vec3<S> corner[4] = {at[0], at[1], at[2], at[3]};
+  foot[pair] = foot_on_face(corner, at[4], 1e-3);
+  projection[pair] = project_onto_face(corner, at[4], S(0), S(0));
+}
+
+template <class S>
+__global__ void pairs_of_edges(const Vec3<S>* end, EdgePair<S>* pairs) {
+  const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  const Vec3<S>* const at = end + 4 * pair;
+  pairs[pair] = nearest_points(at[0], at[1], at[2], at[3]);
+}
+
+template <class S>
+__global__ void box_balls(const S* ball, S* level, S* next) {
+  const std::int64_t group = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  put_box(box_of_balls<S>(ball + group * 7 * ball_group<S>), level, group);
+  put_box(box_of_boxes<S>(level + group * 12 * ball_group<S>), next, group);
+}
+
+template <class S>
+__global__ void find_meeting_boxes(BallTreeView<S> tree, std::int32_t* count) {
+  const std::int64_t group = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  const MovingBox<S> box = get_box(tree.box[0], group);
+  for_each_meeting_box<S>(tree, box, 0, 0, [&](std::int32_t) { ++count[group]; });
+  count[group] += __popc(meeting_boxes<S, false>(tree.box[0], empty_box<S>()));
+}
+
+template <class S>
+__global__ void find_meeting_balls(const S* own, const S* others, const float* reference, unsigned* bits) {
+  const std::int64_t group = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  BallBits<ball_group<S>> meeting = maybe_meeting_balls<S, true>(own, others);
+  for (int i = 0; i < ball_group<S>; ++i) {
+    meeting.clear_in_row(i, balls_of_one_body<S>(reference, reference).row(i));
+    meeting.clear_in_row(i, balls_apart<S>(reference, reference).row(i));
+    const unsigned all = meeting.row(i) & test_ball<S, ball_group<S>>(i, maybe_meeting_test<S, false>(own, others));
+    if (meeting.any()) bits[ball_group<S> * group + i] = all & meeting_balls<S>(own, i, others);
+  }
+}
+
+__global__ void write_what_bits_tell(const unsigned* bits, const double* from, double* to, std::int32_t* number) {
+  const std::int64_t pack = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  write_lanes<8>(bits[pack], from + 8 * pack, to + 8 * pack);
+  write_numbers<8>(bits[pack], 0, number + 8 * pack);
+}
+
+template <class S>
 __global__ void integrate_nodes(S* position, S* velocity, S* force, const S* inverse_mass, const S* normal, S dt) {
   const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   constrain_node(force + 4 * node, velocity + 4 * node, normal);
@@ -46,10 +126,17 @@ __global__ void copy_cells(SpatialHashView hash, const HashBox* boxes, HashBox* 
 
 template <class S>
 void instantiate() {
-  update_elements<S, true><<<1, 32>>>({}, {}, {}, S(0), nullptr);
-  update_elements<S, false><<<1, 32>>>({}, {}, {}, S(0), nullptr);
+  update_elements<S, true, HourglassKind::stiffness><<<1, 32>>>({}, {}, {}, S(0), nullptr);
+  update_elements<S, true, HourglassKind::assumed_strain><<<1, 32>>>({}, {}, {}, S(0), nullptr);
+  update_elements<S, false, HourglassKind::viscous><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
   contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);
+  add_contact_forces<S><<<1, 32>>>(nullptr, 0, nullptr, nullptr);
+  feet_on_faces<S><<<1, 32>>>(nullptr, nullptr, nullptr);
+  pairs_of_edges<S><<<1, 32>>>(nullptr, nullptr);
+  box_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr);
+  find_meeting_boxes<S><<<1, 32>>>({}, nullptr);
+  find_meeting_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
   integrate_nodes<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, S(0));
 }
 
@@ -57,6 +144,11 @@ void instantiate() {
 
 void instantiate_kernels() {
   copy_cells<<<1, 32>>>({}, nullptr, nullptr, nullptr);
+  contact_rows<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
+  sweep_impulses<<<1, 32>>>(nullptr, nullptr, nullptr);
+  project_velocities<<<1, 32>>>(nullptr, nullptr);
+  friction_mobilities<<<1, 32>>>(nullptr, nullptr);
+  write_what_bits_tell<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
   instantiate<double>();
   instantiate<float>();
 }
