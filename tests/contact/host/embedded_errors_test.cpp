@@ -216,7 +216,7 @@ void expect_harmless(const std::vector<Wrong>& all, std::int32_t enforcement, bo
     EXPECT_STREQ(pinball_contact_message(contact), "");
     if (i == 0) {
       expected = c.force;
-      EXPECT_GT(result.pairs, 0);
+      EXPECT_EQ(result.pairs, enforcement == PINBALL_CONTACT_PENALTY ? 1 : 4) << "two balls, or four corners";
       EXPECT_NE(c.force, Case().force);
     } else {
       EXPECT_EQ(c.force, expected) << all[i - 1].what;
