@@ -50,6 +50,26 @@ void add_energy_warnings(const RunSummary& s, std::vector<std::string>& found) {
       "most of it in", "try a finer mesh there, with several elements through what bends");
 }
 
+/// What the chosen form of contact is known not to do, by tests/contact/trials.
+void add_limits_of_contact(const RunSummary& s, std::vector<std::string>& found) {
+  const char* const instead = s.contact_gap == "face" && s.contact_method == "pinball"
+                                  ? "choose contact.enforcement = \"lagrange\", which takes as long"
+                                  : "choose contact.method = \"pinball\" with contact.enforcement = \"lagrange\" and "
+                                    "contact.gap = \"face\"";
+  if (s.contact_method == "slideline") {
+    found.push_back(fmt::format(
+        "the slideline does not see edges that cross, which go into each other by up to an element, nor a "
+        "surface that folds onto itself within two elements{}: {}",
+        s.contact_enforcement == "penalty" ? ", nor what is much smaller than the faces that it hits" : "", instead));
+  } else if (s.contact_method == "pinball" && s.contact_gap == "face" && s.contact_enforcement == "projection") {
+    found.push_back(
+        fmt::format("one projection of velocities is not enough for bodies that meet at edges and corners: their "
+                    "rebound may be 30 % "
+                    "off, and contact may make up to 10 % of their energy: {}",
+                    instead));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const RunSummary& summary) {
@@ -96,6 +116,7 @@ std::vector<std::string> start_warnings(const RunSummary& summary) {
                     "of near-cubes of one size",
                     summary.unseen_balls));
   }
+  add_limits_of_contact(summary, found);
   return found;
 }
 

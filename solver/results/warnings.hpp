@@ -13,7 +13,8 @@ namespace pinball {
 /// nothing eroded, impulses that were not solved for; and all of start_warnings().
 std::vector<std::string> warnings(const RunSummary& summary);
 
-/// Those that are known before the first step: bodies that overlap, balls that cannot see what they should.
+/// Those that are known before the first step: bodies that overlap, balls that cannot see what they should,
+/// and what the chosen form of contact cannot do.
 std::vector<std::string> start_warnings(const RunSummary& summary);
 
 }  // namespace pinball

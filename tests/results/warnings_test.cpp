@@ -27,6 +27,25 @@ RunSummary sound() {
 
 TEST(Warnings, ASoundRunHasNone) { EXPECT_THAT(warnings(sound()), IsEmpty()); }
 
+TEST(Warnings, FormsOfContactSayWhatTheyCannotDo) {
+  RunSummary s = sound();
+  for (const char* enforcement : {"projection", "lagrange"}) {
+    s.contact_enforcement = enforcement;
+    EXPECT_THAT(start_warnings(s), IsEmpty()) << "balls";
+  }
+  s.contact_gap = "face";
+  s.max_penetration_ratio = s.contact_swallowed.largest = 0;
+  EXPECT_THAT(start_warnings(s), IsEmpty());
+  s.contact_enforcement = "projection";
+  EXPECT_THAT(start_warnings(s), ElementsAre(AllOf(HasSubstr("edges and corners"), HasSubstr("\"lagrange\""))));
+  s.contact_method = "slideline";
+  EXPECT_THAT(start_warnings(s), ElementsAre(AllOf(HasSubstr("edges that cross"), HasSubstr("folds onto itself"),
+                                                   HasSubstr("contact.method = \"pinball\""))));
+  s.contact_enforcement = "penalty";
+  EXPECT_THAT(start_warnings(s), ElementsAre(HasSubstr("smaller than the faces")));
+  EXPECT_EQ(start_warnings(s), warnings(s));
+}
+
 TEST(Warnings, EnergyBalance) {
   RunSummary s = sound();
   s.balance_error_in_motion = {0.4, 1.5e-4, "element 17 of body rod"};
