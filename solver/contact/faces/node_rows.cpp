@@ -21,23 +21,30 @@ constexpr double round_off = 1e-6;
 /// Weight of a node of a face from which on a node is as good as on it [-].
 constexpr double on_a_node = 0.9;
 
+/// Whether a face around a node may come to look at another. facing: mean unit normal of that.
+template <class S>
+bool may_face(const SegmentSurface<S>& surface, std::int32_t slave, const Vec3<double>& facing) {
+  const auto around = surface.around(static_cast<std::size_t>(slave));
+  return std::any_of(around.begin(), around.end(), [&](std::int32_t s) {
+    return surface.active_segment(s) && dot(double_vector_of(record(surface.plane().data(), s)), facing) < most_facing;
+  });
+}
+
 /// Whether all of the surface around a node rises from it, seen along a normal: a sharp corner may touch although none
 /// of its faces looks at the other body within 60 degrees.
 template <class S>
 bool is_lowest(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, std::int32_t slave,
-               const Vec3<double>& normal, const Vec3<double>& facing) {
+               const Vec3<double>& normal) {
   const Vec3<double> own = double_vector_of(source.x(surface.slaves()[slave].node));
-  double least = 1;  // cosine
   for (const std::int32_t s : surface.around(static_cast<std::size_t>(slave))) {
     if (!surface.active_segment(s)) continue;
-    least = std::min(least, dot(double_vector_of(record(surface.plane().data(), s)), facing));
     for (const std::int32_t node : surface.segments()[s].node) {
       const Vec3<double> to = double_vector_of(source.x(node)) - own;
       const double height = dot(to, normal);
       if (height < 0 && height * height > 1e-3 * dot(to, to)) return false;
     }
   }
-  return least < most_facing;
+  return true;
 }
 
 /// A node and its feet in a step.
@@ -88,15 +95,17 @@ class NodeMeeting {
     const auto depth_before = static_cast<double>(step_.depth[slave_.node]);
     if (!may_touch(foot.gap, closing(foot), size_of(foot), depth_before)) return false;
     const Vec3<S> normal{static_cast<S>(foot.normal.x), static_cast<S>(foot.normal.y), static_cast<S>(foot.normal.z)};
-    const auto mean = double_vector_of(record(surface_.plane().data(), foot.segment));
-    const auto slave = static_cast<std::size_t>(foot.slave);
-    return (surface_.faces(slave, normal) || is_lowest(source_, surface_, foot.slave, foot.normal, mean)) &&
-           !kept_apart(foot);
+    return (surface_.faces(static_cast<std::size_t>(foot.slave), normal) ||
+            is_lowest(source_, surface_, foot.slave, foot.normal)) &&
+           counts(foot);
   }
 
-  /// Whether the mesh keeps node and face apart: such pairs are in the lists by chance.
-  bool kept_apart(const NodeFoot& foot) const {
-    return surface_.beside(surface_.around(static_cast<std::size_t>(foot.slave)), std::span(&foot.segment, 1));
+  /// Whether all lists have node and face: others, whose faces look the same way, or which the mesh keeps apart, are in
+  /// some lists by chance.
+  bool counts(const NodeFoot& foot) const {
+    const auto mean = double_vector_of(record(surface_.plane().data(), foot.segment));
+    return may_face(surface_, foot.slave, mean) &&
+           !surface_.beside(surface_.around(static_cast<std::size_t>(foot.slave)), std::span(&foot.segment, 1));
   }
 
   /// A foot beyond an edge belongs to the face on its side of the corner; inside, that is at the bottom of a valley,
@@ -108,7 +117,7 @@ class NodeMeeting {
     if (foot.outside > std::min(0 - foot.gap, valley * radius_of(foot))) return false;
     return std::none_of(feet_.begin(), feet_.end(), [&](const NodeFoot& other) {
       return other.gap > 0 && other.gap < foot.outside - foot.gap && other.outside <= margin &&
-             segment_of(other).body == segment_of(foot).body && !kept_apart(other);
+             segment_of(other).body == segment_of(foot).body && counts(other);
     });
   }
 
@@ -132,7 +141,7 @@ class NodeMeeting {
     for (const NodeFoot& other : feet_) {
       if (&other == &foot || other.outside >= same || std::abs(other.distance() - distance) >= same) continue;
       if (segment_of(other).body != segment_of(foot).body || dot(other.normal, foot.normal) <= other_side) continue;
-      if (kept_apart(other)) continue;
+      if (!counts(other)) continue;
       sum = sum + other.normal;
     }
     return (1 / std::sqrt(dot(sum, sum))) * sum;
@@ -204,7 +213,7 @@ void NodeRows<S>::drop_mirrored(const SurfaceSource<S>& source, const SegmentSur
     return -1;
   };
   const auto is_corner = [&](const FeatureRow& row) {
-    return is_lowest(source, surface, row.slave, row.direction, row.direction);
+    return may_face(surface, row.slave, row.direction) && is_lowest(source, surface, row.slave, row.direction);
   };
   rows_.for_each([&](FeatureRow& row) {
     if (met_by(row) >= 0) on_node_[row.node[0]] = &row;
