@@ -51,7 +51,8 @@ def random_contact(random):
         contact |= {"beta": 10**random.uniform(-1, 0.3), "damping": random.uniform(0, 0.3)}
     elif contact["method"] == "pinball":
         contact["gap"] = choose(random, "pinball", "face")
-    if contact["enforcement"] != "penalty" and random.random() < 0.5:
+    friction = contact["enforcement"] != "penalty" and contact.get("gap") != "pinball"  # others refuse it
+    if friction and random.random() < 0.5:
         contact["friction"] = random.uniform(0.05, 0.6)
     if contact["method"] == "pinball":
         contact |= {"radius": choose(random, "initial", "current"), "radius_factor": random.uniform(0.8, 1.0)}
