@@ -52,11 +52,20 @@ void FeatureLists<S>::watch_nodes(const SurfaceSource<S>& source, const SegmentS
   for (const auto& sphere : spheres.spheres()) motion_.watch(sphere.node, sphere.radius);
 }
 
+/// Where lists are short beside the surface, bounds of all of it are most of a search, and what else comes into longer
+/// lists costs little.
+template <class S>
+S FeatureLists<S>::steps_to_last(const SegmentSurface<S>& surface) const {
+  const std::int64_t entries = nodes_.pieces.entries + edges_.pieces.entries;
+  const bool is_short = 4 * entries < static_cast<std::int64_t>(surface.segments().size());
+  return is_short ? S(1.5) * horizon_steps : S(horizon_steps);
+}
+
 template <class S>
 void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
                             const SphereSurface<S>& spheres, const ContactSettings& settings,
                             const std::vector<float>& depth, S dt, bool last) {
-  const S horizon = last ? horizon_steps * clock_.last_step() : S(0);
+  const S horizon = last ? steps_to_last(surface) * clock_.last_step() : S(0);
   if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (!valid_) watch_nodes(source, surface, spheres);
   watched_ = true;

@@ -78,6 +78,7 @@ class FeatureLists {
   std::size_t bytes() const;
 
  private:
+  S steps_to_last(const SegmentSurface<S>& surface) const;
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres);
   /// Pairs of boxes, and what these are found by. nodes: as when motion_ was started.
   void find_pairs(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
