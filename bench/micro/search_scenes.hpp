@@ -101,32 +101,24 @@ inline void add_block(BoxScene& scene, const Point& corner, const std::array<int
   scene.put_in_tiles(begin);
 }
 
-/// Uniform: the surfaces of two blocks, side x side elements across and a quarter as many along, that meet.
-inline BoxScene two_blocks(int side) {
+/// The surfaces of two blocks, side x side elements across and a quarter as many along, that meet. height: of an
+/// element; lower, upper: ways of the blocks along the normal.
+inline BoxScene meeting_blocks(int side, double height, double gap, double lower, double upper) {
   BoxScene scene;
   const std::array<int, 3> n{side, side, side / 4};
-  add_block(scene, {0, 0, 0}, n, {1, 1, 1}, {0, 0, 0.3}, 0);
-  add_block(scene, {0.4, 0.3, n[2] + 0.2}, n, {1, 1, 1}, {0, 0, -0.3}, 1);
+  add_block(scene, {0, 0, 0}, n, {1, 1, height}, {0, 0, lower}, 0);
+  add_block(scene, {0.4, 0.3, height * n[2] + gap}, n, {1, 1, height}, {0, 0, upper}, 1);
   return scene;
 }
+
+/// Uniform.
+inline BoxScene two_blocks(int side) { return meeting_blocks(side, 1, 0.2, 0.3, -0.3); }
 
 /// The same with elements ten times as long across as along.
-inline BoxScene two_flat_blocks(int side) {
-  BoxScene scene;
-  const std::array<int, 3> n{side, side, side / 4};
-  add_block(scene, {0, 0, 0}, n, {1, 1, 0.1}, {0, 0, 0.03}, 0);
-  add_block(scene, {0.4, 0.3, 0.1 * n[2] + 0.02}, n, {1, 1, 0.1}, {0, 0, -0.03}, 1);
-  return scene;
-}
+inline BoxScene two_flat_blocks(int side) { return meeting_blocks(side, 0.1, 0.02, 0.03, -0.03); }
 
 /// Fast: the same as two_blocks with ways of three elements.
-inline BoxScene two_fast_blocks(int side) {
-  BoxScene scene;
-  const std::array<int, 3> n{side, side, side / 4};
-  add_block(scene, {0, 0, 0}, n, {1, 1, 1}, {0, 0, 0}, 0);
-  add_block(scene, {0.4, 0.3, n[2] + 1.0}, n, {1, 1, 1}, {0, 0, -3}, 1);
-  return scene;
-}
+inline BoxScene two_fast_blocks(int side) { return meeting_blocks(side, 1, 1.0, 0, -3); }
 
 /// Mixed: a block of small elements above one of large flat ones, 50 : 1, and a grid of bars 100 times as long as
 /// thick.
