@@ -53,23 +53,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/PinballConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/PinballConfig.cmake ${PROJECT_BINARY_DIR}/PinballConfigVersion.cmake
         DESTINATION ${package_directory} COMPONENT development)
 
-# pkg-config. Paths count from the file's own folder, so that an installed tree can be moved.
-file(RELATIVE_PATH pc_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
-set(pc_contact_requires)
-set(pc_solver_requires)
-set(pc_runtime)
-if(with_archives)
-  set(pc_solver_requires "pinball-contact, fmt, tomlplusplus")
-  list(TRANSFORM OpenMP_CXX_LIB_NAMES PREPEND -l OUTPUT_VARIABLE pc_runtime)
-  list(APPEND pc_runtime -lstdc++ -lm)
-  list(JOIN pc_runtime " " pc_runtime)
-endif()
-foreach(name IN LISTS pinball_libraries)
-  set(pc_name ${name})
-  set(pc_requires ${pc_${name}_requires})
-  configure_file(${PROJECT_SOURCE_DIR}/cmake/pinball.pc.in ${PROJECT_BINARY_DIR}/pinball-${name}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/pinball-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
-endforeach()
+include(cmake/install_pkg_config.cmake)
 
 if(PINBALL_SOLVER)
   file(RELATIVE_PATH libraries_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
@@ -86,5 +70,29 @@ if(PINBALL_SOLVER)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/reference
           DESTINATION share/pinball/data COMPONENT program)
 endif()
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/docs/embedding.md
-        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+# The licence, and the pages with all that they link.
+include(cmake/install_pages.cmake)
+pinball_install_pages(README.md CHANGELOG.md docs/embedding.md docs/solver_library.md docs/program.md)
+
+# What has to be built before `cmake --install` finds all that it copies: the program alone does not need the shared
+# libraries. ./run builds this, too.
+add_custom_target(installable)
+if(PINBALL_SOLVER)
+  add_dependencies(installable pinball)
+endif()
+foreach(name IN LISTS pinball_libraries)
+  if(with_archives)
+    add_dependencies(installable pinball_${name})
+  endif()
+  if(TARGET pinball_${name}_shared)
+    add_dependencies(installable pinball_${name}_shared)
+  endif()
+endforeach()
+foreach(level IN LISTS PINBALL_HWCAPS)
+  foreach(name IN LISTS pinball_libraries)
+    add_dependencies(installable pinball_${name}_${level})
+  endforeach()
+  if(PINBALL_SOLVER)
+    add_dependencies(installable pinball_program_${level})
+  endif()
+endforeach()

@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tests" / "layout"))
 import rooms  # noqa: E402
 
-PAGES = [ROOT / page for page in ["README.md", "CONTRIBUTING.md", "bench/README.md", "data/scenes/README.md",
+PAGES = [ROOT / page for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "bench/README.md", "data/scenes/README.md",
                                   "data/reference/README.md"]] + sorted((ROOT / "docs").glob("*.md"))
 TOP = {entry.name for entry in ROOT.iterdir()} - {"build", "out", ".git"}
 LONGEST_LINE = 125

@@ -1,6 +1,6 @@
-"""Installs one form of the package, archives or libraries, with headers and program, and moves all of it to PREFIX: no
-file may say where it was installed first.
-    install.py CMAKE BUILD_FOLDER FORM PREFIX"""
+"""Installs one form of the package, archives or libraries, with headers and program, or with `both` all there is, and moves
+it to PREFIX: no file may say where it was installed first.
+    install.py CMAKE BUILD_FOLDER archives|libraries|both PREFIX"""
 
 import pathlib
 import shutil
@@ -11,9 +11,9 @@ cmake, build, form, prefix = sys.argv[1:]
 first = pathlib.Path(prefix + "_before_it_was_moved")
 for folder in [first, prefix]:
     shutil.rmtree(folder, ignore_errors=True)
-for component in ["development", "program", form]:
-    subprocess.run([cmake, "--install", build, "--prefix", first, "--component", component], check=True,
-                   stdout=subprocess.DEVNULL)
+components = [["--component", name] for name in ["development", "program", form]] if form != "both" else [[]]
+for component in components:
+    subprocess.run([cmake, "--install", build, "--prefix", first, *component], check=True, stdout=subprocess.DEVNULL)
 first.rename(prefix)
 
 # The program finds the scenes that were installed with it: one that is nowhere else.
