@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 
 #include <solver/base/error.hpp>
 #include <solver/results/units.hpp>
@@ -28,11 +27,55 @@ std::string cell(const std::string& name) {
 }
 
 void add_number(std::string& line, double value) {
+  if (!line.empty()) line += ',';
   // The sign of a NaN says nothing and not every reader takes "-nan".
-  line += std::isnan(value) ? std::string(",nan") : fmt::format(",{:.17g}", value);
+  line += std::isnan(value) ? std::string("nan") : fmt::format("{:.17g}", value);
 }
 
 }  // namespace
+
+std::vector<std::string> history_column_names(const std::vector<std::string>& bodies,
+                                              const std::vector<std::string>& more) {
+  std::vector<std::string> names{
+      "step",           "time",           "dt",     "kinetic",  "internal", "hourglass",     "bulk_viscosity",
+      "contact_stored", "contact_damped", "eroded", "external", "total",    "balance_error", "momentum_x",
+      "momentum_y",     "momentum_z"};
+  for (const std::string& body : bodies) {
+    for (const char* quantity :
+         {"velocity_x", "velocity_y", "velocity_z", "mass_remaining", "eroded_elements", "max_plastic_strain"}) {
+      names.push_back(fmt::format("{}_{}", body, quantity));
+    }
+  }
+  names.insert(names.end(), more.begin(), more.end());
+  return names;
+}
+
+std::vector<double> history_numbers(const HistoryRow& row) {
+  const Energies& e = row.energy;
+  std::vector<double> numbers{static_cast<double>(row.step),
+                              row.time,
+                              row.dt,
+                              e.kinetic,
+                              e.internal,
+                              e.hourglass,
+                              e.bulk_viscosity,
+                              e.contact_stored,
+                              e.contact_damped,
+                              e.eroded,
+                              e.external,
+                              e.total(),
+                              row.balance_error,
+                              row.momentum[0],
+                              row.momentum[1],
+                              row.momentum[2]};
+  for (const BodyResult& body : row.bodies) {
+    numbers.insert(numbers.end(), body.velocity.begin(), body.velocity.end());
+    numbers.insert(numbers.end(),
+                   {body.mass_remaining, static_cast<double>(body.eroded_elements), body.max_plastic_strain});
+  }
+  numbers.insert(numbers.end(), row.more.begin(), row.more.end());
+  return numbers;
+}
 
 HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies,
                              const std::string& units, const std::vector<std::string>& more,
@@ -40,16 +83,12 @@ HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::s
     : path_((std::filesystem::path(folder) / "history.csv").string()), bodies_(bodies.size()), more_(more.size()) {
   make_folder(folder);
   std::string head = fmt::format("# {}\n", units_line(units));
-  head +=
-      "step,time,dt,kinetic,internal,hourglass,bulk_viscosity,contact_stored,contact_damped,eroded,external,total,"
-      "balance_error,momentum_x,momentum_y,momentum_z";
-  for (const std::string& body : bodies) {
-    for (const std::string_view quantity :
-         {"velocity_x", "velocity_y", "velocity_z", "mass_remaining", "eroded_elements", "max_plastic_strain"}) {
-      head += ',' + cell(fmt::format("{}_{}", body, quantity));
-    }
+  std::string names;
+  for (const std::string& column : history_column_names(bodies, more)) {
+    if (!names.empty()) names += ',';
+    names += cell(column);
   }
-  for (const std::string& column : more) head += ',' + cell(column);
+  head += names;
   head += '\n';
   if (kept) cut(head, *kept);
   file_ = std::fopen(path_.c_str(), kept ? "ab" : "wb");
@@ -87,20 +126,8 @@ void HistoryWriter::write(const HistoryRow& row) {
     throw RunError(fmt::format("cannot write {}: the row has {} bodies and {} further values, the columns {} and {}",
                                path_, row.bodies.size(), row.more.size(), bodies_, more_));
   }
-  std::string line = fmt::format("{}", row.step);
-  const Energies& e = row.energy;
-  for (const double value :
-       {row.time, row.dt, e.kinetic, e.internal, e.hourglass, e.bulk_viscosity, e.contact_stored, e.contact_damped,
-        e.eroded, e.external, e.total(), row.balance_error, row.momentum[0], row.momentum[1], row.momentum[2]}) {
-    add_number(line, value);
-  }
-  for (const BodyResult& body : row.bodies) {
-    for (const double velocity : body.velocity) add_number(line, velocity);
-    add_number(line, body.mass_remaining);
-    line += fmt::format(",{}", body.eroded_elements);
-    add_number(line, body.max_plastic_strain);
-  }
-  for (const double value : row.more) add_number(line, value);
+  std::string line;
+  for (const double value : history_numbers(row)) add_number(line, value);
   append(line + '\n');
 }
 

@@ -10,6 +10,12 @@
 
 namespace pinball {
 
+/// Names of the columns, as HistoryWriter describes them.
+std::vector<std::string> history_column_names(const std::vector<std::string>& bodies,
+                                              const std::vector<std::string>& more);
+/// The numbers of a row, one per column.
+std::vector<double> history_numbers(const HistoryRow& row);
+
 /// Writes FOLDER/history.csv: a comment line with the units, a line of column names, then one line per row.
 ///
 /// Columns: step, time, dt, the parts of Energies and their total, balance_error (relative), momentum_x,y,z, and for

@@ -3,6 +3,7 @@
 #include <solver/base/error.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/results/warnings.hpp>
+#include <solver/run_page.hpp>
 #include <solver/summary.hpp>
 
 #include "progress.hpp"
@@ -29,19 +30,22 @@ RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
     }
     return AfterStep::go_on;
   });
-  const auto finish_summary = [&] {
+  const auto finish_summary = [&](const std::string& error) {
     RunSummary summary = simulation.summary();
     summary.wall_seconds = recorder.wall_seconds();
-    if (!options.out.empty()) write_summary(options.out, summary);
+    if (!options.out.empty()) {
+      write_summary(options.out, summary);
+      write_run_page(options.out, simulation.scene(), summary, {error, options.source});
+    }
     return summary;
   };
   try {
     simulation.run();
   } catch (const RunError& error) {
-    finish_summary();
+    finish_summary(error.what());
     throw RunError(error.what() + recorder.save_last_good(simulation));
   }
-  return finish_summary();
+  return finish_summary("");
 }
 
 }  // namespace pinball

@@ -31,7 +31,7 @@ ROOMS = {
     "boundary": ["solver/boundary/"],
     "step": ["solver/step/"],
     "simulation": ["solver/simulation/", "solver/simulation.hpp"],
-    "output": ["solver/output/", "solver/recorded_run.hpp", "solver/summary.hpp"],
+    "output": ["solver/output/", "solver/recorded_run.hpp", "solver/run_page.hpp", "solver/summary.hpp"],
     "verification": ["solver/verification/"],
     "program": ["solver/program/"],
     "python": ["python/"],

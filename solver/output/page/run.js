@@ -1,0 +1,188 @@
+'use strict';
+// The page of a run, from summary.json, history.csv and the keys of the scene.
+
+const units = unitsOf('units'), summary = block('summary'), recorded = block('history'), scene = block('scene');
+const column = (name) => recorded.data[recorded.columns.indexOf(name)];
+const times = column('time') ?? [];
+const overTime = {times, timeUnit: units.time};
+const series = (names, label = words) => names.filter(column).map((name) => ({name: label(name), values: column(name)}));
+const place = (id) => document.getElementById(id);
+const fill = (id, ...children) => place(id).append(...children);
+const drop = (id) => { place(id).hidden = true; };
+const hasValues = (list) => list.some((s) => largestOf(s.values) > 0);
+
+function keyFigures() {
+  const s = summary;
+  const figures = [
+    ['elements', whole(s.elements)], ['nodes', whole(s.nodes)], ['steps', whole(s.steps)],
+    ['time reached', figure(s.end_time), units.time], ['wall time', seconds(s.wall_seconds)],
+    ['element steps per second', figure(s.element_steps_per_second, 3)],
+    ['largest balance error', percent(s.energy.balance_error_max)], ['precision', s.precision],
+    ['threads', whole(s.threads)], ['version', s.version], ['state', s.state_hash],
+  ];
+  fill('figures', ...figures.map(([name, value, unit]) => make('div', {class: 'figure'},
+    make('div', {class: 'name', text: name}),
+    make('div', {class: 'value', text: value}, unit ? make('span', {class: 'unit', text: ` ${unit}`}) : ''))));
+  if (recorded.all_rows > times.length) {
+    place('figures').after(make('p', {class: 'note', text: `Curves show ${whole(times.length)} of ${whole(recorded.all_rows)} `
+        + 'rows of history.csv; no smallest or largest value is lost.'}));
+  }
+}
+
+function warnings() {
+  if (summary.warnings.length === 0) return;
+  place('warnings').hidden = false;
+  place('warnings').querySelector('ul').append(...summary.warnings.map((text) => make('li', {text})));
+}
+
+function energies() {
+  const names = ['kinetic', 'internal', 'hourglass', 'bulk_viscosity', 'contact_stored', 'contact_damped', 'eroded', 'external'];
+  const error = series(['balance_error'], () => 'balance error').map((curve) => chart({
+    title: 'Error of the balance, of the initial total', unit: '%', ...overTime,
+    series: [{...curve, values: curve.values.map((v) => v === null ? null : 100 * v)}]}));
+  fill('energies', ...panelsBySize({title: 'Energy', small: 'Small energies', unit: units.energy, more: error,
+                                    series: [...series(names), ...series(['total'])], ...overTime}));
+  const e = summary.energy;
+  const rows = Object.entries(e).map(([name, value]) => {
+    const share = /_share$|_error/.test(name);
+    return [words(name), share ? percent(value) : figure(value, 6), share ? '' : units.energy];
+  });
+  fill('energies', make('details', {}, make('summary', {text: 'At the end, in figures'}),
+    table({caption: 'Energies at the end', head: ['energy', 'value', 'unit'], rows, numbers: [1]})));
+}
+
+function bodies() {
+  const panels = summary.bodies.map(({name}) => chart({title: `Velocity of ${name}`, unit: units.velocity, ...overTime,
+    series: series(['x', 'y', 'z'].map((k) => `${name}_velocity_${k}`), (c) => c.slice(-1))}));
+  const ofAll = (quantity, value = (v) => v) => summary.bodies.filter(({name}) => column(`${name}_${quantity}`))
+    .map((body) => ({name: body.name, values: column(`${body.name}_${quantity}`).map((v) => v === null ? null : value(v, body))}));
+  const mass = ofAll('mass_remaining', (v, body) => 100 * v / body.mass_initial);
+  if (mass.some((s) => s.values.some((v) => v < 100 - 1e-6))) {
+    panels.push(chart({title: 'Mass remaining', unit: '%', ...overTime, series: mass}));
+    panels.push(chart({title: 'Eroded elements', ...overTime, series: ofAll('eroded_elements')}));
+  }
+  const strain = ofAll('max_plastic_strain');
+  if (hasValues(strain)) panels.push(chart({title: 'Largest plastic strain', ...overTime, series: strain}));
+  fill('bodies', table({
+    caption: 'Bodies at the end', numbers: [1, 2, 3, 4, 6],
+    head: ['body', 'elements', 'eroded', named('mass at the start', units.mass), 'mass remaining', named('velocity', units.velocity),
+           'largest plastic strain'],
+    rows: summary.bodies.map((b) => [b.name, whole(b.elements), whole(b.eroded_elements), figure(b.mass_initial, 5),
+      percent(b.mass_remaining / b.mass_initial, 4), vector(b.velocity), figure(b.max_plastic_strain)])}),
+    make('div', {class: 'panels'}, ...panels));
+}
+
+function momentum() {
+  const {initial, final} = summary.momentum;
+  fill('momentum', make('div', {class: 'panels'},
+    chart({title: 'Momentum', unit: units.momentum, ...overTime,
+           series: series(['x', 'y', 'z'].map((k) => `momentum_${k}`), (c) => c.slice(-1))})),
+    table({caption: named('Momentum of all', units.momentum), head: ['component', 'at the start', 'at the end'], numbers: [1, 2],
+           rows: ['x', 'y', 'z'].map((k, i) => [k, figure(initial[i], 6), figure(final[i], 6)])}));
+}
+
+function contactFacts() {
+  const c = summary.contact;
+  const facts = [['method', c.method], ['enforcement', c.enforcement], ['gap', c.gap], ['pinballs at the end', whole(c.pinballs)],
+    ['most pairs in contact', whole(c.pairs_max)], ['searches', whole(c.searches)],
+    ['deepest penetration', c.max_penetration_ratio > 0 ? `${percent(c.max_penetration_ratio)} of the two radii, at `
+      + `${figure(c.max_penetration_time)} ${units.time}, ${c.max_penetration_place}` : 'none']];
+  if (c.sweeps?.solutions > 0) facts.push(['sweeps of a solution', `${figure(c.sweeps.mean, 3)} on average, ${whole(c.sweeps.largest)} at most`]);
+  return table({caption: 'Contact', head: ['what', 'value'], rows: facts});
+}
+
+function forces() {
+  const panels = summary.bodies.map(({name}) => [name, ['x', 'y', 'z'].map((k) => `${name}_contact_force_${k}`)])
+    .filter(([, names]) => names.every(column) && hasValues(series(names)))
+    .map(([name, names]) => chart({title: `Contact force on ${name}`, unit: units.force, ...overTime,
+                                   series: series(names, (c) => c.slice(-1))}));
+  for (const [quantity, unit] of [['force', units.force], ['impulse', units.momentum]]) {
+    const walls = summary.rigid_walls.map(({name}) => name).filter((name) => column(`${name}_${quantity}`));
+    if (walls.length) {
+      panels.push(chart({title: `Rigid walls: ${quantity}`, unit, ...overTime,
+                         series: walls.map((name) => ({name, values: column(`${name}_${quantity}`)}))}));
+    }
+  }
+  if (summary.contact.method !== 'none') fill('forces', contactFacts());
+  if (panels.length) fill('forces', make('div', {class: 'panels'}, ...panels));
+  if (summary.rigid_walls.length) {
+    fill('forces', table({caption: 'Rigid walls', numbers: [1, 2],
+      head: ['wall', named('impulse', units.momentum), named('largest force of one step', units.force)],
+      rows: summary.rigid_walls.map((w) => [w.name, figure(w.impulse, 6), figure(w.force_max, 5)])}));
+  }
+  if (summary.contact.method === 'none' && panels.length === 0) drop('forces');
+}
+
+function probes() {
+  if (summary.probes.length === 0) return drop('probes');
+  const quantityOf = (name) => name.replace(/_(xx|yy|zz|xy|yz|zx|x|y|z)$/, '');
+  const unitOf = {position: units.length, displacement: units.length, velocity: units.velocity, stress: units.stress,
+                  effective_stress: units.stress};
+  const panels = [], rows = [];
+  for (const probe of summary.probes) {
+    const columns = Object.keys(probe.values);
+    for (const quantity of new Set(columns.map(quantityOf))) {
+      const names = columns.filter((c) => quantityOf(c) === quantity);
+      panels.push(chart({title: `${probe.name}: ${words(quantity)}`, unit: unitOf[quantity], ...overTime, zero: quantity !== 'position',
+        series: series(names.map((c) => `${probe.name}_${c}`), (c) => words(c.slice(probe.name.length + 1)))}));
+    }
+    rows.push([probe.name, `${probe.kind} ${probe.number} of ${probe.body}`, vector(probe.point)]);
+  }
+  fill('probes', table({caption: 'Probes', head: ['probe', 'what it watches', named('place at the start', units.length)], rows}),
+    make('div', {class: 'panels'}, ...panels));
+}
+
+function steps() {
+  const dt = series(['dt'], () => 'time step');
+  const {min, max, limited_by: by} = summary.dt;
+  fill('steps', make('p', {text: `From ${figure(min)} to ${figure(max)} ${units.time}`
+      + (by ? `; the smallest step was set by ${by}.` : '.')}));
+  if (dt.length) {
+    fill('steps', make('div', {class: 'panels'}, chart({title: 'Time step', unit: units.time, series: dt, ...overTime})));
+  }
+}
+
+function phaseTimes() {
+  const phases = Object.entries(summary.phase_seconds);
+  const sum = phases.reduce((all, [, s]) => all + s, 0);
+  const wall = Math.max(summary.wall_seconds ?? 0, sum);
+  if (wall - sum > 0.001 * wall) phases.push(['all else', wall - sum]);
+  const most = Math.max(...phases.map(([, s]) => s));
+  fill('times', table({caption: `Of ${seconds(wall)} wall time`, id: 'phases', head: ['phase', 'seconds', 'share', ''],
+    rows: phases.map(([name, s]) => [words(name), figure(s, 3), percent(s / wall), bar(most > 0 ? s / most : 0)]), numbers: [1, 2]}));
+}
+
+function skipped() {
+  const {skipped: counts, skipped_seconds: saved} = summary;
+  const rows = [
+    ['element steps of elements at rest', whole(counts.resting_element_steps), saved.resting],
+    ['element steps of elements that make larger steps', whole(counts.subcycled_element_steps), saved.subcycling],
+    ['searches for contact', whole(counts.searches), saved.searches],
+    ['element steps in contact of elements that are inside', whole(counts.inner_element_steps), saved.inner_elements],
+    ['element steps of eroded elements', whole(summary.element_steps_eroded), undefined],
+    ['bytes of arrays that no feature needs', whole(counts.bytes_not_stored), undefined],
+  ];
+  const most = Math.max(...rows.map((row) => row[2] ?? 0));
+  fill('skipped', make('p', {class: 'note', text: 'Seconds saved are estimates from what the run took for the same work.'}),
+    table({caption: 'Left out, with the same results', head: ['what', 'how many', 'seconds saved', ''], numbers: [1, 2],
+      rows: rows.map(([what, count, s]) => [what, count, s === undefined ? '' : figure(s, 3), s ? bar(s / most) : ''])}));
+}
+
+function sceneKeys() {
+  if (scene.command) {
+    fill('scene_keys', make('p', {text: 'This command repeats the run:'}), make('pre', {tabindex: 0}, make('code', {text: scene.command})));
+  }
+  const list = table({caption: 'Every key of the scene as it was run', id: 'keys', head: ['key', 'value', 'unit', ''],
+    rows: scene.keys.map(([key, value, unit, isDefault]) => [make('code', {text: key}), make('code', {text: value}), raised(unit),
+      isDefault ? 'default' : ''])});
+  list.querySelectorAll('tbody tr').forEach((row, i) => row.classList.toggle('default', scene.keys[i][3]));
+  fill('scene_keys', filter(list, 'Search keys and values',
+    [{label: 'only what is not default', keep: (row) => !row.classList.contains('default')}]), list);
+  if (scene.text) {
+    fill('scene_keys', make('details', {}, make('summary', {text: `The file ${scene.path}`}), make('pre', {tabindex: 0, text: scene.text})));
+  }
+}
+
+for (const part of [keyFigures, warnings, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
+contents();
+drawCharts();

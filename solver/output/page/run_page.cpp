@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include <solver/output/output_file.hpp>
+#include <solver/results/units.hpp>
+#include <solver/run_page.hpp>
+#include <solver/scene/listing.hpp>
+#include <solver/summary.hpp>
+
+#include "curves.hpp"
+#include "page.hpp"
+#include "resources.hpp"
+#include "units_json.hpp"
+
+namespace pinball {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// As a shell takes it.
+std::string quoted(const std::string& word) {
+  const char* const plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,+:@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) {
+    if (c == '\'') {
+      text += "'\\''";
+    } else {
+      text += c;
+    }
+  }
+  return text + '\'';
+}
+
+std::string command_of(const SceneSource& source, const RunSummary& summary) {
+  const SceneOverrides& overrides = source.overrides;
+  std::string command = "pinball run " + quoted(source.path);
+  for (const std::string& set : overrides.set) command += " --set " + quoted(set);
+  for (const std::string& vary : overrides.vary) command += " --set " + quoted(vary);
+  if (overrides.refine != 1) command += fmt::format(" --refine {}", overrides.refine);
+  if (overrides.precision) command += " --precision " + summary.precision;
+  return command + fmt::format(" --threads {}", summary.threads);
+}
+
+Json scene_json(const Scene& scene, const Units& units, const RunPageSettings& settings, const RunSummary& summary) {
+  Json keys = Json::array();
+  for (const SceneEntry& entry : list_scene(scene)) {
+    const std::string name = entry.table.empty() ? entry.key : entry.table + '.' + entry.key;
+    keys.push_back({name, entry.value, unit_of(entry.unit, units), entry.is_default});
+  }
+  Json json{{"keys", keys}};
+  if (settings.source != nullptr) {
+    json["path"] = settings.source->path;
+    json["text"] = settings.source->text;
+    json["command"] = command_of(*settings.source, summary);
+  }
+  return json;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
+
+void write_run_page(const std::string& folder, const Scene& scene, const RunSummary& summary,
+                    const RunPageSettings& settings) {
+  const std::filesystem::path place(folder);
+  Curves curves = read_history((place / "history.csv").string());
+  thin(curves, most_rows_of_page);
+  const Units units = parse_units(summary.units);
+  const bool failed = !settings.error.empty();
+  const std::string title = summary.title.empty() ? summary.scene : summary.title;
+  PageContent content;
+  content.title = fmt::format("{} - {}", summary.scene, failed ? "failed run" : "run");
+  content.body = fill_template(
+      page_resource("run.html"),
+      {{"heading", html_text(title)},
+       {"scene", html_text(summary.scene)},
+       {"status", failed ? "failed" : "done"},
+       {"error", failed ? fmt::format("<p class=\"error\" role=\"alert\">{}</p>", html_text(settings.error)) : ""}});
+  content.scripts = {"format.js", "curves.js", "pictures.js", "run.js"};
+  content.blocks = {{"units", text_of(units_json(units))},
+                    {"summary", summary_json(summary)},
+                    {"history", curves_json(curves)},
+                    {"scene", text_of(scene_json(scene, units, settings, summary))}};
+  make_folder(folder);
+  OutputFile file((place / "index.html").string());
+  file.write(make_page(content));
+  file.commit();
+}
+
+}  // namespace pinball

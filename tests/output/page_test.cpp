@@ -1,0 +1,199 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include <solver/base/error.hpp>
+#include <solver/output/history.hpp>
+#include <solver/output/page/curves.hpp>
+#include <solver/output/page/page.hpp>
+#include <solver/output/page/resources.hpp>
+#include <solver/output/page/units_json.hpp>
+#include <solver/run_page.hpp>
+#include <solver/scene_rules.hpp>
+#include <tests/support/output_case.hpp>
+#include <tests/support/program.hpp>
+
+namespace pinball {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Page, TextIsNoMarkup) {
+  EXPECT_EQ(html_text("a < b & \"c\" 'd' >"), "a &lt; b &amp; &quot;c&quot; &#39;d&#39; &gt;");
+  EXPECT_EQ(html_text("caf\xC3\xA9"), "caf\xC3\xA9");
+  EXPECT_EQ(html_text("bad \xFF byte"), "bad \xEF\xBF\xBD byte");
+}
+
+TEST(Page, JsonCannotEndItsScript) {
+  const std::string evil = "</script><!-- <script> & ]]>";
+  const std::string text = json_for_script(Json(evil).dump());
+  EXPECT_THAT(text, Not(testing::AnyOf(HasSubstr("<"), HasSubstr(">"), HasSubstr("&"))));
+  EXPECT_EQ(Json::parse(text).get<std::string>(), evil);
+}
+
+TEST(Page, WhatIsPutIntoATemplateIsNotLookedThroughAgain) {
+  EXPECT_EQ(fill_template("{{a}}-{{b}}-{{no such}}", {{"a", "{{b}}"}, {"b", "2"}}), "{{b}}-2-");
+  EXPECT_EQ(fill_template("{{open", {}), "{{open");
+}
+
+TEST(Page, HasNothingFromOutside) {
+  const std::string page = make_page({"t", "<main></main>", {"format.js", "curves.js", "pictures.js", "run.js"}, {}});
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_FALSE(std::regex_search(page, std::regex("(src|href)=\"?(https?:)?//")));
+  EXPECT_FALSE(std::regex_search(page, std::regex("@import|url\\(")));
+}
+
+Curves wave(std::size_t rows) {
+  Curves curves{{"step", "time", "a"}, {}, rows};
+  for (std::size_t r = 0; r < rows; ++r) {
+    curves.rows.push_back(
+        {static_cast<double>(r), 0.5 * static_cast<double>(r), std::sin(0.01 * static_cast<double>(r))});
+  }
+  return curves;
+}
+
+TEST(Curves, OfFewRowsStayAsTheyAre) {
+  Curves curves = wave(2000);
+  const auto rows = curves.rows;
+  thin(curves, 2000);
+  EXPECT_EQ(curves.rows, rows);
+}
+
+TEST(Curves, ThatAreThinnedKeepTheirPeaks) {
+  Curves curves = wave(100'003);
+  curves.rows[71'234][2] = 7;
+  curves.rows[71'235][2] = -9;
+  curves.rows[5][2] = std::numeric_limits<double>::quiet_NaN();
+  const auto all = curves.rows;
+  thin(curves, 2000);
+  ASSERT_LE(curves.rows.size(), 2000U);
+  EXPECT_GT(curves.rows.size(), 1900U);
+  EXPECT_EQ(curves.rows.front(), all.front());
+  EXPECT_EQ(curves.rows.back(), all.back());
+  double low = 0, high = 0;
+  for (std::size_t r = 0; r < curves.rows.size(); ++r) {
+    if (r > 0) {
+      EXPECT_GT(curves.rows[r][1], curves.rows[r - 1][1]) << "times increase";
+    }
+    const double value = curves.rows[r][2];
+    if (value > high) {
+      high = value;
+      EXPECT_TRUE(value < 7 || std::abs(curves.rows[r][1] - 0.5 * 71'234) < 60) << "no further than a group";
+    }
+    low = std::min(low, value);
+  }
+  EXPECT_EQ(high, 7);
+  EXPECT_EQ(low, -9);
+  EXPECT_EQ(curves.all_rows, 100'003U);
+}
+
+TEST(Curves, AreReadFromAHistoryWithNamesInQuotesAndNumbersThatAreNone) {
+  const test::TemporaryFolder folder("page_curves");
+  {
+    HistoryWriter writer(folder.path.string(), {"a,b"}, "m-kg-s");
+    HistoryRow row;
+    row.bodies.resize(1);
+    row.time = 0.25;
+    row.energy.kinetic = std::numeric_limits<double>::quiet_NaN();
+    row.energy.internal = std::numeric_limits<double>::infinity();
+    row.bodies[0].mass_remaining = 3.5;
+    writer.write(row);
+  }
+  std::ofstream(folder / "history.csv", std::ios::app) << "1,0.5,cut off";
+  const Curves curves = read_history(folder / "history.csv");
+  EXPECT_EQ(curves.columns, history_column_names({"a,b"}, {}));
+  ASSERT_EQ(curves.rows.size(), 1U) << "a row that is not whole is none";
+  const Json json = Json::parse(curves_json(curves));
+  EXPECT_EQ(json["columns"][16], "a,b_velocity_x");
+  EXPECT_EQ(json["data"][1][0], 0.25);
+  EXPECT_TRUE(json["data"][3][0].is_null());
+  EXPECT_TRUE(json["data"][4][0].is_null());
+  EXPECT_EQ(json["data"][19][0], 3.5);
+  EXPECT_TRUE(read_history(folder / "nothing.csv").rows.empty());
+}
+
+TEST(PageUnits, FollowFromTheDimensions) {
+  const Units inch = parse_units("in-lbf-s"), metre = parse_units("m-kg-s");
+  EXPECT_EQ(unit_of("M/L^3", inch), "lbf s^2/in^4");
+  EXPECT_EQ(unit_of("M/L^3", metre), "kg/m^3");
+  EXPECT_EQ(unit_of("M/(L T^2)", inch), "lbf/in^2");
+  EXPECT_EQ(unit_of("1/T", metre), "1/s");
+  EXPECT_EQ(unit_of("-", metre), "");
+  EXPECT_EQ(unit_of("degree", metre), "degree");
+  EXPECT_EQ(unit_of("L/T", parse_units("")), "");
+}
+
+Scene scene() {
+  Scene scene;
+  scene.name = "small";
+  scene.time.end = 1;
+  scene.materials = {{.name = "m", .density = 1, .bulk_modulus = 1, .shear_modulus = 1}};
+  scene.bodies.resize(1);
+  scene.bodies[0].name = "b";
+  scene.bodies[0].material = "m";
+  scene.bodies[0].mesh = BlockMesh{{1, 1, 1}, {1, 1, 1}};
+  return checked_scene(scene);
+}
+
+/// What a <script type="application/json"> of the page holds.
+Json block(const std::string& page, const std::string& id) {
+  const std::string begin = "<script type=\"application/json\" id=\"" + id + "\">";
+  const auto from = page.find(begin);
+  if (from == std::string::npos) return {};
+  return Json::parse(page.substr(from + begin.size(), page.find("</script>", from) - from - begin.size()));
+}
+
+class RunPage : public testing::Test {
+ protected:
+  std::string page(const RunPageSettings& settings = {}) {
+    RunSummary summary;
+    summary.scene = "small";
+    summary.title = "Tit</title><script>le\xFF";
+    summary.units = "m-kg-s";
+    summary.threads = 3;
+    summary.energy.kinetic = std::numeric_limits<double>::quiet_NaN();
+    write_run_page(folder_.path.string(), scene(), summary, settings);
+    return test::content(folder_ / "index.html");
+  }
+  test::TemporaryFolder folder_{"run_page"};
+};
+
+TEST_F(RunPage, HasTheNumbersAndEveryKey) {
+  const std::string text = page();
+  EXPECT_THAT(text, HasSubstr("<h1>Tit&lt;/title&gt;&lt;script&gt;le\xEF\xBF\xBD</h1>"));
+  EXPECT_TRUE(block(text, "summary")["energy"]["kinetic"].is_null());
+  EXPECT_EQ(block(text, "units")["force"], "kg m/s^2");
+  EXPECT_TRUE(block(text, "history")["data"].empty()) << "there is no history.csv";
+  const Json keys = block(text, "scene")["keys"];
+  EXPECT_THAT(keys, testing::Contains(Json{"time.end", "1", "s", false}));
+  EXPECT_THAT(keys, testing::Contains(Json{"contact.skin", "0.5", "", true}));
+  EXPECT_FALSE(block(text, "scene").contains("command")) << "a host's scene has no file";
+  EXPECT_THAT(text, HasSubstr("<!-- pictures -->"));
+  EXPECT_THAT(text, HasSubstr("<!-- /pictures -->"));
+  EXPECT_THAT(text, HasSubstr("id=\"status\">done<"));
+}
+
+TEST_F(RunPage, TellsTheErrorAndTheCommand) {
+  const SceneSource source{"my scenes/a'b.toml", "title = \"</script>\"", {{"time.end=2"}, 2, Precision::float32, {}}};
+  const std::string text = page({"element 7 <has> no volume", &source});
+  EXPECT_THAT(text, HasSubstr("role=\"alert\">element 7 &lt;has&gt; no volume</p>"));
+  EXPECT_THAT(text, HasSubstr("id=\"status\">failed<"));
+  const Json told = block(text, "scene");
+  EXPECT_EQ(told["text"], "title = \"</script>\"");
+  EXPECT_THAT(told["command"].get<std::string>(),
+              testing::StartsWith("pinball run 'my scenes/a'\\''b.toml' --set time.end=2 --refine 2 --precision"));
+}
+
+TEST_F(RunPage, ThatCannotBeWrittenIsAnError) {
+  EXPECT_THROW(write_run_page("/dev/null/folder", scene(), {}, {}), RunError);
+}
+
+}  // namespace
+}  // namespace pinball

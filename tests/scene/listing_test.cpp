@@ -1,0 +1,99 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include <solver/scene/listing.hpp>
+#include <solver/scene/table.hpp>
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+namespace {
+
+/// A scene in which every kind of table is.
+Scene example() {
+  Scene scene;
+  scene.time.end = 2.0;
+  scene.materials = {
+      {.name = "steel", .plastic = true, .density = 1, .bulk_modulus = 2, .shear_modulus = 1, .yield_stress = 0.1}};
+  Body body;
+  body.name = "bar";
+  body.material = "steel";
+  body.mesh = BlockMesh{{1, 1, 1}, {1, 2, 3}};
+  body.velocity = {0, 0, 7};
+  scene.bodies = {body};
+  scene.contact.method = ContactMethod::pinball;
+  scene.contact.friction = 0.25;
+  scene.rigid_walls.emplace_back().plane.normal = {0, 0, 1};
+  return checked_scene(scene);
+}
+
+std::vector<SceneEntry> in_table(const std::vector<SceneEntry>& all, const std::string& table) {
+  std::vector<SceneEntry> found;
+  for (const SceneEntry& entry : all) {
+    if (entry.table == table) found.push_back(entry);
+  }
+  return found;
+}
+
+SceneEntry entry_of(const std::string& table, const std::string& key) {
+  for (const SceneEntry& entry : list_scene(example())) {
+    if (entry.table == table && entry.key == key) return entry;
+  }
+  return {"", "", "missing", "", false};
+}
+
+TEST(SceneListing, HasEveryKeyOfTheTablesThatAllScenesHave) {
+  const std::vector<SceneEntry> all = list_scene(example());
+  const std::set<std::string> apart{"name", "young_modulus", "poisson_ratio", "mesh"};  // shown otherwise
+  for (const auto& [kind, table] :
+       std::vector<std::pair<std::string, std::string>>{{"time", "time"},
+                                                        {"element", "element"},
+                                                        {"contact", "contact"},
+                                                        {"skip", "skip"},
+                                                        {"guard", "guard"},
+                                                        {"output", "output"},
+                                                        {"damping", "damping"},
+                                                        {"material", "material.steel"},
+                                                        {"body", "body.bar"},
+                                                        {"block", "body.bar.mesh"},
+                                                        {"rigid_wall", "rigid_wall.wall_0"}}) {
+    const auto of_kind = std::find_if(scene_keys().begin(), scene_keys().end(),
+                                      [&](const TableKeys& keys) { return keys.kind == kind; });
+    ASSERT_NE(of_kind, scene_keys().end()) << kind;
+    const std::vector<SceneEntry> entries = in_table(all, table);
+    for (const std::string_view key : of_kind->keys) {
+      if (apart.contains(std::string(key))) continue;
+      EXPECT_EQ(std::count_if(entries.begin(), entries.end(), [&](const SceneEntry& e) { return e.key == key; }), 1)
+          << table << '.' << key;
+    }
+  }
+}
+
+TEST(SceneListing, TellsWhatIsDefault) {
+  EXPECT_FALSE(entry_of("contact", "friction").is_default);
+  EXPECT_EQ(entry_of("contact", "friction").value, "0.25");
+  EXPECT_TRUE(entry_of("contact", "static_friction").is_default) << "it follows from friction";
+  EXPECT_EQ(entry_of("contact", "static_friction").value, "0.25");
+  EXPECT_TRUE(entry_of("contact", "gap").is_default);
+  EXPECT_EQ(entry_of("contact", "gap").value, "\"face\"");
+  EXPECT_FALSE(entry_of("contact", "method").is_default);
+  EXPECT_TRUE(entry_of("element", "hourglass_coefficient").is_default);
+  EXPECT_EQ(entry_of("element", "hourglass_coefficient").value, "1");
+  EXPECT_FALSE(entry_of("time", "end").is_default);
+  EXPECT_TRUE(entry_of("time", "cfl").is_default);
+}
+
+TEST(SceneListing, WritesValuesAsASceneHasThem) {
+  EXPECT_EQ(entry_of("body.bar", "velocity").value, "[0, 0, 7]");
+  EXPECT_EQ(entry_of("body.bar", "velocity").unit, "L/T");
+  EXPECT_EQ(entry_of("body.bar", "velocity_gradient").value, "[[0, 0, 0], [0, 0, 0], [0, 0, 0]]");
+  EXPECT_EQ(entry_of("body.bar.mesh", "elements").value, "[1, 2, 3]");
+  EXPECT_EQ(entry_of("material.steel", "ultimate_stress").value, "infinite");
+  EXPECT_EQ(entry_of("output", "interval").value, "0.01") << "200 rows of a run to 2";
+  EXPECT_EQ(entry_of("rigid_wall.wall_0", "normal").value, "[0, 0, 1]");
+}
+
+}  // namespace
+}  // namespace pinball
