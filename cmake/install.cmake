@@ -1,5 +1,6 @@
 # What cmake --install copies. Components: development (headers, package files, Fortran module), archives, libraries
-# (shared) and program (with its scenes), so that a distribution can make its packages of them.
+# (shared), program (with its scenes) and python (python/CMakeLists.txt), so that a distribution can make its packages of
+# them.
 include(CMakePackageConfigHelpers)
 
 set(pinball_libraries contact)

@@ -1,38 +1,67 @@
-#include <pybind11/stl.h>
-
 #include <solver/results.hpp>
 
 #include "bindings.hpp"
 
 namespace pinball::python {
 
-namespace py = pybind11;
+namespace {
 
-void bind_results(py::module_& module) {
-  py::class_<Energies>(module, "Energies", "Energies of the whole model [energy].")
-      .def_readonly("kinetic", &Energies::kinetic)
+void bind_energies(py::module_& module) {
+  DataClass<Energies> energies(module, "Energies", "Energies of the whole model [energy].");
+  energies.def_readonly("kinetic", &Energies::kinetic)
       .def_readonly("internal", &Energies::internal)
       .def_readonly("hourglass", &Energies::hourglass)
       .def_readonly("bulk_viscosity", &Energies::bulk_viscosity)
-      .def_property_readonly("contact", &Energies::contact)
+      .def_readonly("contact_stored", &Energies::contact_stored, "elastic, in the springs")
+      .def_readonly("contact_damped", &Energies::contact_damped, "dissipated")
       .def_readonly("eroded", &Energies::eroded)
-      .def_readonly("external", &Energies::external)
+      .def_readonly("external", &Energies::external, "work done on the model")
+      .def_property_readonly("contact", &Energies::contact)
       .def_property_readonly("total", &Energies::total);
-  py::class_<BodyResult>(module, "BodyResult", "What has become of a body.")
+}
+
+void bind_probes(py::module_& module) {
+  DataClass<ProbeValue>(module, "ProbeValue", "What one quantity of a probe is.")
+      .def_readonly("quantity", &ProbeValue::quantity, "\"velocity_x\"")
+      .def_readonly("value", &ProbeValue::value);
+  DataClass<ProbeResult>(module, "ProbeResult", "What a probe watches, and what it sees.")
+      .def_readonly("name", &ProbeResult::name)
+      .def_readonly("body", &ProbeResult::body)
+      .def_readonly("number", &ProbeResult::number, "of the node or element, in the order of the scene")
+      .def_readonly("element", &ProbeResult::element, "whether it is an element")
+      .def_readonly("point", &ProbeResult::point, "where that was at the start [length]")
+      .def_readonly("values", &ProbeResult::values)
+      .def(
+          "__getitem__",
+          [](const ProbeResult& probe, const std::string& quantity) {
+            for (const ProbeValue& each : probe.values) {
+              if (each.quantity == quantity) return each.value;
+            }
+            throw py::key_error(quantity);
+          },
+          py::arg("quantity"), "A value by its quantity: probe[\"velocity_x\"].");
+}
+
+}  // namespace
+
+void bind_results(py::module_& module) {
+  bind_energies(module);
+  bind_probes(module);
+  DataClass<BodyResult>(module, "BodyResult", "What has become of a body.")
       .def_readonly("name", &BodyResult::name)
       .def_readonly("elements", &BodyResult::elements)
       .def_readonly("eroded_elements", &BodyResult::eroded_elements)
-      .def_readonly("mass_initial", &BodyResult::mass_initial)
-      .def_readonly("mass_remaining", &BodyResult::mass_remaining)
-      .def_readonly("velocity", &BodyResult::velocity)
-      .def_readonly("max_plastic_strain", &BodyResult::max_plastic_strain);
-  py::class_<HistoryRow>(module, "HistoryRow", "One row of history.csv.")
+      .def_readonly("mass_initial", &BodyResult::mass_initial, "[mass]")
+      .def_readonly("mass_remaining", &BodyResult::mass_remaining, "without eroded elements [mass]")
+      .def_readonly("velocity", &BodyResult::velocity, "mean [length/time]")
+      .def_readonly("max_plastic_strain", &BodyResult::max_plastic_strain, "[-]");
+  DataClass<HistoryRow>(module, "HistoryRow", "One row of history.csv.")
       .def_readonly("step", &HistoryRow::step)
-      .def_readonly("time", &HistoryRow::time)
-      .def_readonly("dt", &HistoryRow::dt)
+      .def_readonly("time", &HistoryRow::time, "[time]")
+      .def_readonly("dt", &HistoryRow::dt, "[time]")
       .def_readonly("energy", &HistoryRow::energy)
-      .def_readonly("balance_error", &HistoryRow::balance_error)
-      .def_readonly("momentum", &HistoryRow::momentum)
+      .def_readonly("balance_error", &HistoryRow::balance_error, "of the energies, relative [-]")
+      .def_readonly("momentum", &HistoryRow::momentum, "[mass length/time]")
       .def_readonly("bodies", &HistoryRow::bodies)
       .def_readonly("more", &HistoryRow::more, "of walls and probes: Simulation.history_columns()");
 }

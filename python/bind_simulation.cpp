@@ -1,5 +1,3 @@
-#include <pybind11/stl.h>
-
 #include <solver/simulation.hpp>
 #include <solver/summary.hpp>
 
@@ -21,7 +19,7 @@ AfterStep check_signals(Simulation&) {
   return AfterStep::go_on;
 }
 
-std::unique_ptr<Simulation> make(const Scene& scene, int threads) {
+std::unique_ptr<Simulation> make(const SourcedScene& scene, int threads) {
   auto simulation = std::make_unique<Simulation>(scene, SimulationOptions{threads});
   simulation->on_step(check_signals);
   return simulation;

@@ -5,6 +5,8 @@
 
 #include <solver/scene.hpp>
 
+#include "data_class.hpp"
+
 /// Lists of a scene are objects of their own, so that scene.bodies.append(...) changes the scene. Every file of the
 /// module has to know that.
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Material>)
@@ -15,36 +17,47 @@ PYBIND11_MAKE_OPAQUE(std::vector<pinball::RigidWall>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::PrescribedVelocity>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::NodalLoad>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::InitialVelocity>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::Probe>)
 
 namespace pinball::python {
 
-void bind_scene(pybind11::module_& module);
-void bind_boundary(pybind11::module_& module);
-void bind_results(pybind11::module_& module);
-void bind_simulation(pybind11::module_& module);
+/// A scene that knows what it was read from, which checkpoints need.
+struct SourcedScene : Scene {
+  std::optional<SceneSource> source;
+};
+
+void bind_settings(py::module_& module);
+void bind_meshes(py::module_& module);
+void bind_boundary(py::module_& module);
+void bind_scene(py::module_& module);
+void bind_results(py::module_& module);
+void bind_simulation(py::module_& module);
 
 /// A class of plain data: made without arguments or with its fields by name, Material(name="steel", density=7850).
 template <class Data>
-pybind11::class_<Data> bind_data(pybind11::module_& module, const char* name, const char* text) {
-  namespace py = pybind11;
-  return py::class_<Data>(module, name, text).def(py::init([](const py::kwargs& fields) {
-    py::object object = py::cast(Data{});
-    for (const auto& [field, value] : fields) py::setattr(object, field, value);
-    return object.cast<Data>();
-  }));
+DataClass<Data> bind_data(py::module_& module, const char* name, const char* text) {
+  DataClass<Data> data(module, name, text);
+  data.made_by_fields();
+  return data;
 }
 
 /// A list of such data, to which Python lists convert.
 template <class Data>
-void bind_list(pybind11::module_& module, const char* name) {
-  pybind11::bind_vector<std::vector<Data>>(module, name);
-  pybind11::implicitly_convertible<pybind11::list, std::vector<Data>>();
+void bind_list(py::module_& module, const char* name) {
+  using List = std::vector<Data>;
+  py::class_<List, std::unique_ptr<List>> list = py::bind_vector<List>(module, name);
+  list.def("__repr__", [](const py::object& self) { return py::repr(py::list(self)); });
+  list.def("__eq__", [](const py::object& self, const py::object& other) {
+    return py::isinstance<py::sequence>(other) && py::list(self).equal(py::list(other));
+  });
+  list.def("__reduce__",
+           [](const py::object& self) { return py::make_tuple(py::type::of(self), py::make_tuple(py::list(self))); });
+  py::implicitly_convertible<py::list, List>();
 }
 
 /// An enumeration, for which the texts of a scene file do, too.
 template <class Enum>
-void bind_choice(pybind11::module_& module, const char* name, const std::vector<std::pair<const char*, Enum>>& values) {
-  namespace py = pybind11;
+void bind_choice(py::module_& module, const char* name, const std::vector<std::pair<const char*, Enum>>& values) {
   py::enum_<Enum> choice(module, name);
   for (const auto& [text, value] : values) choice.value(text, value);
   choice.def(py::init([values, name](const std::string& given) {

@@ -1,14 +1,19 @@
 #include <solver/base/error.hpp>
+#include <solver/base/version.h>
 
 #include "bindings.hpp"
 
-/// The Python module `pinball`: the C++ interface of <pinball/solver/simulation.hpp>, with NumPy arrays for views.
-PYBIND11_MODULE(pinball, module) {
-  namespace py = pybind11;
-  module.doc() = "Explicit dynamics of solids in contact and impact, around the pinball algorithm";
-  py::register_exception<pinball::InputError>(module, "InputError", PyExc_ValueError);
-  py::register_exception<pinball::RunError>(module, "RunError", PyExc_RuntimeError);
-  pinball::python::bind_scene(module);
-  pinball::python::bind_results(module);
-  pinball::python::bind_simulation(module);
+/// Behind the Python package `pinball`: the C++ interface of <pinball/solver/simulation.hpp>, with NumPy arrays for
+/// views.
+PYBIND11_MODULE(_core, module) {
+  namespace python = pinball::python;
+  const python::py::object own_name = module.attr("__name__");
+  module.attr("__name__") = "pinball";  // where users see the classes, and pickle looks for them
+  python::py::register_exception<pinball::InputError>(module, "InputError", PyExc_ValueError);
+  python::py::register_exception<pinball::RunError>(module, "RunError", PyExc_RuntimeError);
+  module.attr("version") = pinball_version();
+  python::bind_scene(module);
+  python::bind_results(module);
+  python::bind_simulation(module);
+  module.attr("__name__") = own_name;
 }

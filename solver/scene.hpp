@@ -156,7 +156,8 @@ PINBALL_API SceneSource read_scene_source(const std::string& path, const SceneOv
 PINBALL_API Scene read_scene(const SceneSource& source);
 
 /// A path as given if it is a file, else the scene NAME or NAME.toml in the first of these folders that has it:
-/// $PINBALL_DATA/scenes, data/scenes of the source tree, ../share/pinball/data/scenes beside the program.
+/// $PINBALL_DATA/scenes, share/pinball/data/scenes below the prefix of the installed library or program, data/scenes of
+/// the source tree.
 /// Throws InputError that lists the known scenes and names the nearest.
 PINBALL_API std::string find_scene(const std::string& name_or_path);
 

@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -14,11 +15,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders that may hold scenes, the most particular first: what the user says, what was installed with this program,
-/// the source tree.
+/// The scenes that were installed with a library, program or Python module in `folder`: data beside it, or
+/// share/pinball/data below the prefix, some folders up from lib/x86_64-linux-gnu or lib/python3/dist-packages/pinball.
+void add_installed(std::vector<fs::path>& folders, fs::path folder) {
+  folders.push_back(folder / "data" / "scenes");
+  for (int up = 1; up <= 4 && folder.has_relative_path(); ++up) {
+    folder = folder.parent_path();
+    folders.push_back(folder / "share" / "pinball" / "data" / "scenes");
+  }
+}
+
+/// Of what this function is part of: the program, or the library or Python module that a host has loaded.
+fs::path own_folder() {
+  Dl_info own{};
+  if (dladdr(reinterpret_cast<const void*>(&own_folder), &own) == 0 || own.dli_fname == nullptr) return {};
+  std::error_code problem;
+  const fs::path file = fs::canonical(own.dli_fname, problem);
+  return problem ? fs::path{} : file.parent_path();
+}
+
+/// Folders that may hold scenes, the most particular first: what the user says, what was installed with this library
+/// or program, the source tree.
 std::vector<fs::path> scene_folders() {
   std::vector<fs::path> folders;
   if (const char* data = std::getenv("PINBALL_DATA"); data && *data) folders.push_back(fs::path(data) / "scenes");
+  if (const fs::path own = own_folder(); !own.empty()) add_installed(folders, own);
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
   if (!none) {

@@ -260,7 +260,7 @@ class Errors(unittest.TestCase):
 
 class Example(unittest.TestCase):
     def test_plots_a_history_in_ten_lines(self):
-        example = ROOT / "python" / "two_bars_history.py"
+        example = ROOT / "python" / "examples" / "two_bars_history.py"
         lines = [line for line in example.read_text().splitlines() if line and not line.startswith("#")]
         self.assertLessEqual(len(lines), 10)
         with tempfile.TemporaryDirectory() as folder:

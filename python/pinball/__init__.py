@@ -1,0 +1,7 @@
+"""Explicit dynamics of solids in contact and impact, around the pinball algorithm.
+
+help(pinball.Simulation) and help(pinball.Scene) list what there is; units are those of the scene.
+"""
+
+from ._core import *
+from ._core import version as __version__

@@ -1,0 +1,126 @@
+"""Data of the Python package: fields, texts, equality, pickles and copies. PYTHONPATH names the package's folder."""
+
+import copy
+import pathlib
+import pickle
+import re
+import unittest
+
+import numpy as np
+import pinball
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SCENES = sorted(path.stem for path in (ROOT / "data" / "scenes").glob("*.toml"))
+
+# C++ structs of scenes by their Python classes, with the fields that have another name in Python.
+CLASSES = {"PlaneConstraint": "SymmetryPlane", "FixedConstraint": "Fixed", "NodalLoad": "Load"}
+NAMES = {("Scene", "constraints"): "symmetry_planes", ("Scene", "fixed_constraints"): "fixed"}
+HEADERS = ["scene.hpp", "scene_boundary.hpp", "mesh_settings.hpp", "contact/contact_settings.hpp"]
+
+
+def structs():
+    """(struct, its members) of the headers that describe a scene."""
+    for header in HEADERS:
+        text = re.sub(r"//.*", "", (ROOT / "solver" / header).read_text())
+        for name, body in re.findall(r"^struct (\w+) \{\n(.*?)^\};", text, re.M | re.S):
+            body = re.sub(r"<[^<>]*>|\{[^{}]*\}|=[^;]*", "", re.sub(r"<[^<>]*>", "", body))  # types, then values
+            members = re.findall(r"^  [\w:]+ (\w+(?:, \w+)*)\s*;", body, re.M)
+            yield name, [member for declaration in members for member in declaration.split(", ")]
+
+
+class Fields(unittest.TestCase):
+    def test_of_a_scene_are_all_there(self):
+        seen = 0
+        for struct, members in structs():
+            if struct == "DampingSettings":  # Scene.damping is its only member
+                continue
+            data = getattr(pinball, CLASSES.get(struct, struct))
+            for member in members:
+                if (struct, member) == ("ArrayMesh", "owner"):
+                    continue
+                self.assertTrue(hasattr(data, NAMES.get((struct, member), member)), f"{struct}.{member}")
+                seen += 1
+        self.assertGreater(seen, 100)
+
+    def test_are_described_by_repr(self):
+        material = pinball.Material(name="steel", density=7850)
+        self.assertEqual(repr(material), "Material(name='steel', density=7850.0)")
+        self.assertEqual(eval(repr(material), vars(pinball)), material)
+        self.assertEqual(repr(pinball.Scene()), "Scene()")
+        scene = pinball.Scene(materials=[material])
+        self.assertEqual(repr(scene), "Scene(materials=[Material(name='steel', density=7850.0)])")
+
+    def test_make_meshes(self):
+        made = pinball.SphereMesh(radius=1.0, core=[2, 2], ring=2)
+        self.assertEqual((made.radius, made.section), (1.0, pinball.Section("full")))
+        cylinder = pinball.Scene(
+            materials=[pinball.Material(name="m", density=1, bulk_modulus=1, shear_modulus=1)],
+            bodies=[pinball.Body(name="b", material="m",
+                                 mesh=pinball.CylinderMesh(radius=1, length=2, core=2, ring=1, layers=3))])
+        cylinder.time.end = 1
+        self.assertEqual(pinball.Simulation(cylinder).elements, 36)
+
+
+class Copies(unittest.TestCase):
+    def test_of_all_scenes_are_equal(self):
+        self.assertGreater(len(SCENES), 20)
+        for name in SCENES:
+            try:
+                scene = pinball.read_scene(name)
+            except pinball.InputError:  # one that needs a variant
+                continue
+            for again in (pickle.loads(pickle.dumps(scene)), copy.deepcopy(scene), copy.copy(scene)):
+                self.assertEqual(again, scene, name)
+                self.assertEqual(repr(again), repr(scene), name)
+
+    def test_are_apart(self):
+        scene = pinball.read_scene("two_bars")
+        again = copy.deepcopy(scene)
+        again.bodies[0].name = "another"
+        self.assertEqual(scene.bodies[0].name, "bar1")
+        self.assertNotEqual(again, scene)
+
+    def test_of_arrays_keep_them(self):
+        coordinates = np.arange(24, dtype=np.float32).reshape(8, 3)
+        mesh = pinball.ArrayMesh(coordinates, np.arange(1, 9).reshape(1, 8), first_index=1)
+        again = pickle.loads(pickle.dumps(mesh))
+        self.assertEqual(again, mesh)
+        self.assertEqual(repr(again), "ArrayMesh(8 nodes, 1 elements)")
+        coordinates[0, 0] = 7
+        self.assertNotEqual(again, mesh)
+        self.assertEqual(mesh.coordinates[0, 0], 7)  # the caller's own
+        view = again.coordinates
+        del again
+        np.testing.assert_array_equal(view[7], [21, 22, 23])
+        self.assertEqual(view.dtype, np.float32)
+
+    def test_of_results_are_equal(self):
+        simulation = pinball.Simulation(pinball.read_scene("two_bars"))
+        simulation.run_until(1.0)
+        row = simulation.history_row()
+        again = pickle.loads(pickle.dumps(row))
+        self.assertEqual(again, row)
+        self.assertEqual(again.energy.total, row.energy.total)
+        self.assertIn("BodyResult(name='bar1'", repr(again))
+
+    def test_give_the_same_bits(self):
+        hashes = set()
+        for scene in (pinball.read_scene("two_blocks"), pickle.loads(pickle.dumps(pinball.read_scene("two_blocks")))):
+            simulation = pinball.Simulation(scene)
+            simulation.run()
+            hashes.add(simulation.state_hash)
+        self.assertEqual(len(hashes), 1)
+
+
+class Package(unittest.TestCase):
+    def test_has_the_version_of_the_library(self):
+        version = re.findall(r"#define PINBALL_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
+                             (ROOT / "solver" / "base" / "version.h").read_text())
+        self.assertEqual(pinball.__version__, ".".join(version))
+
+    def test_shows_its_classes_as_its_own(self):
+        self.assertEqual((pinball.Scene.__module__, pinball.InputError.__module__), ("pinball", "pinball"))
+
+
+if __name__ == "__main__":
+    unittest.main()
