@@ -70,6 +70,7 @@ if(PINBALL_SOLVER)
   # Where the program looks: ../share/pinball/data from its own folder.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/reference
           DESTINATION share/pinball/data COMPONENT program)
+  include(cmake/install_documents.cmake)
 endif()
 # The licence, and the pages with all that they link.
 include(cmake/install_pages.cmake)

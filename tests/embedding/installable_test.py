@@ -21,7 +21,7 @@ def copied(build):
     blocks = re.findall(r"file\(INSTALL (.*?)\)\n", scripts(build / "cmake_install.cmake"), re.S)
     named = {name for block in blocks for name in QUOTED.findall(block)}
     return {name for name in named if name.startswith(f"{build}/") and re.search(r"\.(a|so[.\d]*)$|/pinball$", name)
-            and "/archives/" not in name}  # links, made when the build is configured
+            and not re.search("/(archives|completions)/", name)}  # made when the build is configured
 
 
 def main():

@@ -16,6 +16,7 @@ MINOR = VERSION.rsplit(".", 1)[0]
 # Where else it stands, and how it is written there.
 PLACES = {
     "CITATION.cff": r"^version: (\S+)$",
+    "docs/pinball.1": r'^\.Os "Pinball ([^"]+)"',
     "CHANGELOG.md": r"^## \[(\d[^]]*)\]",  # the first of them: the latest
 }
 MINOR_PLACES = {"docs/embedding.md": r"find_package\(Pinball (\d\S*)", "docs/solver_library.md": r"find_package\(Pinball (\d\S+)",
