@@ -40,9 +40,10 @@ struct IndexRange {
 
 /// Which field a copy is made of.
 enum class NodeField {
-  position,  ///< [length]
-  velocity,  ///< [length/time]
-  mass       ///< [mass]
+  position,         ///< [length]
+  velocity,         ///< [length/time]
+  mass,             ///< [mass]
+  initial_position  ///< where the scene has put it [length]
 };
 /// Which field a copy is made of.
 enum class ElementField {
@@ -107,6 +108,7 @@ class PINBALL_API Simulation {
   ProgressState progress() const;          ///< what a line of progress shows
   HistoryRow history_row() const;          ///< what a row of history.csv holds
   std::vector<std::string> history_columns() const;  ///< names of HistoryRow::more
+  std::vector<ProbeResult> probes() const;           ///< what the probes of the scene see now
   RunSummary summary() const;                        ///< wall_seconds: of all calls of step()
   std::uint64_t state_hash() const;                  ///< of positions, velocities and stresses
   /// Copy of all fields at state_time(), in double and in the order of the scene.
@@ -148,7 +150,7 @@ class PINBALL_API Simulation {
 
   // ---- State ----
 
-  /// Writes or reads the state between two steps (Solver::persist).
+  /// Writes or reads the state between two steps, or at the end (Solver::persist).
   void persist(StateArchive& archive);
   std::uint64_t fingerprint() const;  ///< of the model as built: a state belongs to one
   int simd_width() const;             ///< lanes of a pack: a state belongs to one

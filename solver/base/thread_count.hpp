@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "../../kernels/exec.hpp"
 
 namespace pinball {
@@ -7,13 +9,16 @@ namespace pinball {
 /// More than any machine has; with still more of them the system ends the program.
 inline constexpr int most_threads = 4096;
 
+/// Whether the calling thread is that of a fork whose helpers are gone: they were threads of the process that it was
+/// forked from, and OpenMP would wait for them for ever. A thread that is made after the fork has helpers of its own.
+bool has_lost_its_helpers();
+
 /// The threads of the calling thread's parallel regions while this lives; then their number is what it was.
 class ThreadCount {
  public:
-  /// threads: 0: as many as the calling thread has already, whose number is then left alone.
-  explicit ThreadCount(int threads) : before_(DefaultExecutionSpace::concurrency()), changed_(threads > 0) {
-    if (changed_) DefaultExecutionSpace::set_concurrency(threads);
-  }
+  /// threads: 0: as many as the calling thread has already, whose number is then left alone. One where it has lost its
+  /// helpers: results are the same.
+  explicit ThreadCount(int threads) : ThreadCount(has_lost_its_helpers() ? 1 : threads, nullptr) {}
   ~ThreadCount() {
     if (changed_) DefaultExecutionSpace::set_concurrency(before_);
   }
@@ -21,6 +26,10 @@ class ThreadCount {
   ThreadCount& operator=(const ThreadCount&) = delete;
 
  private:
+  ThreadCount(int threads, std::nullptr_t) : before_(DefaultExecutionSpace::concurrency()), changed_(threads > 0) {
+    if (changed_) DefaultExecutionSpace::set_concurrency(threads);
+  }
+
   int before_;
   bool changed_;
 };

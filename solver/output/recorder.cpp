@@ -80,7 +80,7 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options)
   start_ = Clock::now();
 }
 
-RunRecord Recorder::restart(const Checkpoint& checkpoint, Simulation& simulation) {
+RunRecord take_state(const Checkpoint& checkpoint, Simulation& simulation) {
   const auto fail = [&checkpoint](const std::string& reason) {
     throw InputError(fmt::format("{}: {}", checkpoint.path, reason));
   };
@@ -100,6 +100,11 @@ RunRecord Recorder::restart(const Checkpoint& checkpoint, Simulation& simulation
     fail(error.what());
   }
   check_limits(simulation);
+  return record;
+}
+
+RunRecord Recorder::restart(const Checkpoint& checkpoint, Simulation& simulation) {
+  RunRecord record = take_state(checkpoint, simulation);
   wall_seconds_before_ = record.wall_seconds;
   return record;
 }

@@ -49,6 +49,9 @@ struct RunRecord {
   void persist(StateArchive& archive) { archive(wall_seconds, history_bytes, fields); }
 };
 
+/// Brings a simulation of the same scene to the state of a checkpoint. Throws InputError that names the file.
+RunRecord take_state(const Checkpoint& checkpoint, Simulation& simulation);
+
 /// What a running scene writes; nothing for an empty folder. Keeps a copy of a state from before any trouble.
 class Recorder {
  public:

@@ -131,6 +131,9 @@ HistoryRow Simulation::history_row() const {
 std::vector<std::string> Simulation::history_columns() const {
   return implementation_->read([](const auto& solver) { return pinball::more_columns(solver); });
 }
+std::vector<ProbeResult> Simulation::probes() const {
+  return implementation_->read([](const auto& solver) { return solver.probes().results(solver.model(), solver.dt()); });
+}
 RunSummary Simulation::summary() const {
   const ThreadCount threads(implementation_->options.threads);
   RunSummary summary;
@@ -146,8 +149,11 @@ FieldSnapshot Simulation::snapshot() const {
 }
 
 void Simulation::persist(StateArchive& archive) {
+  const ThreadCount threads(implementation_->options.threads);
   implementation_->change([&archive](auto& solver) { solver.persist(archive); });
-  if (archive.reads()) implementation_->complete = false;
+  std::uint8_t complete = implementation_->complete ? 1 : 0;
+  archive(complete);
+  implementation_->complete = complete != 0;
 }
 std::uint64_t Simulation::fingerprint() const {
   return implementation_->read([](const auto& solver) { return pinball::fingerprint(solver.model()); });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <solver/base/error.hpp>
+#include <solver/base/thread_count.hpp>
 
 #include "simulation_implementation.hpp"
 
@@ -39,6 +40,13 @@ void put(const ArrayView& to, std::int64_t record, std::int64_t component, doubl
     *to.at<float>(record, component) = static_cast<float>(value);
   } else {
     *to.at<double>(record, component) = value;
+  }
+}
+
+void copy_initial_positions(std::span<const Point> nodes, const ArrayView& to) {
+  check_target(to, static_cast<std::int64_t>(nodes.size()), 3);
+  for (std::int64_t n = 0; n < to.count; ++n) {
+    for (std::int64_t k = 0; k < 3; ++k) put(to, n, k, nodes[n][k]);
   }
 }
 
@@ -82,6 +90,7 @@ std::span<const std::int32_t> Simulation::place_of_node() const {
   return implementation_->read([](const auto& s) { return std::span(s.model().node_of_scene_node); });
 }
 ArrayView Simulation::velocities_to_change() {
+  const ThreadCount threads(implementation_->options.threads);
   return implementation_->change([](auto& s) { return vectors_to_change(s.change_velocities()); });
 }
 ArrayView Simulation::external_forces() {
@@ -99,6 +108,10 @@ std::span<const std::int64_t> Simulation::place_of_element() const {
 }
 
 void Simulation::copy(NodeField field, const ArrayView& to) const {
+  if (field == NodeField::initial_position) {
+    copy_initial_positions(implementation_->read([](const auto& s) { return std::span(s.model().mesh.nodes); }), to);
+    return;
+  }
   const ConstArrayView from = field == NodeField::position   ? positions()
                               : field == NodeField::velocity ? velocities()
                                                              : masses();

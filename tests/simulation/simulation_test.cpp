@@ -156,5 +156,28 @@ TEST(Simulation, ASavedStateGoesOnInAnotherSimulation) {
   EXPECT_EQ(second.state_hash(), hash_of_run(impact()));
 }
 
+TEST(Simulation, GoesOnFromTheStateAtItsEndWithNothingToDo) {
+  Simulation first(impact());
+  first.run();
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { first.persist(archive); });
+  Simulation second(impact());
+  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+  second.persist(archive);
+  EXPECT_TRUE(second.complete());
+  EXPECT_FALSE(second.step());
+  EXPECT_EQ(second.state_hash(), first.state_hash());
+  EXPECT_EQ(second.steps(), first.steps());
+}
+
+TEST(Simulation, KnowsWhereItsNodesBegan) {
+  Simulation simulation(impact());
+  std::vector<double> before(3 * simulation.nodes()), after(before.size());
+  simulation.copy(NodeField::position, view_records(before.data(), simulation.nodes(), 3));
+  simulation.run_until(0.4e-4);
+  simulation.copy(NodeField::initial_position, view_records(after.data(), simulation.nodes(), 3));
+  EXPECT_EQ(after, before);
+}
+
 }  // namespace
 }  // namespace pinball

@@ -1,0 +1,56 @@
+#include <filesystem>
+
+#include <solver/base/error.hpp>
+#include <solver/restart.hpp>
+
+#include "recorder.hpp"
+
+namespace pinball {
+
+namespace {
+
+SceneSource source_of(const Checkpoint& checkpoint, const std::vector<std::string>& set) {
+  SceneSource source = checkpoint.head.source;
+  change_scene(source, set);
+  check_mesh_files(checkpoint.head);
+  return source;
+}
+
+}  // namespace
+
+void save_checkpoint(const std::string& path, Simulation& simulation, const SceneSource& source) {
+  if (simulation.complete())
+    throw InputError("checkpoint: expected a run that is not complete: nothing is left to go on with");
+  CheckpointHead head = checkpoint_head(source, simulation.scene());
+  head.fingerprint = simulation.fingerprint();
+  RunRecord record;  // of no files
+  record.wall_seconds = simulation.summary().wall_seconds;
+  StateBytes state;
+  StateArchive::save(state, [&](StateArchive& archive) {
+    record.persist(archive);
+    simulation.persist(archive);
+  });
+  write_checkpoint(path, head, state);
+}
+
+SceneSource scene_of_checkpoint(const std::string& path, const std::vector<std::string>& set) {
+  return source_of(read_checkpoint(path), set);
+}
+
+void load_checkpoint(const std::string& path, Simulation& simulation) { take_state(read_checkpoint(path), simulation); }
+
+RunSummary restart_recorded(const std::string& path, const std::vector<std::string>& set,
+                            const RecordOptions& options) {
+  const Checkpoint checkpoint = read_checkpoint(path);
+  const SceneSource source = source_of(checkpoint, set);
+  RecordOptions from_here = options;
+  from_here.source = &source;
+  from_here.restart = &checkpoint;
+  if (options.out.empty()) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    from_here.out = folder.empty() ? "." : folder.string();
+  }
+  return run_recorded(read_scene(source), from_here);
+}
+
+}  // namespace pinball
