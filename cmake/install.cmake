@@ -71,6 +71,8 @@ if(PINBALL_SOLVER)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/reference
           DESTINATION share/pinball/data COMPONENT program)
   include(cmake/install_documents.cmake)
+  # ../share/pinball/view: what `pinball view` starts.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/view DESTINATION share/pinball COMPONENT program FILES_MATCHING PATTERN *.py)
 endif()
 # The licence, and the pages with all that they link.
 include(cmake/install_pages.cmake)

@@ -29,7 +29,8 @@ set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${pinball_library_directory})
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, pkg-config, cmake, paraview")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-vtk9, python3-matplotlib, xvfb")  # for `pinball view`
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, pkg-config, cmake, paraview, ffmpeg")
 if(TARGET pinball_python)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PACKAGE_DEPENDS

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 
-from plot.history_plot import read_history
+from run_files import read_history
 
 from .builds import NATIVE, program, run
 from .measuring import METHODS

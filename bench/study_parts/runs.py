@@ -6,9 +6,9 @@ import subprocess
 import tempfile
 from dataclasses import dataclass
 
-from plot.history_plot import read_history
+from run_files import read_history
 from report_parts.builds import NATIVE, ROOT, Failed, program
-from plot.vtu import read_pvd, read_vtu
+from run_files import read_pvd, read_vtu
 
 from .variants import PLAIN
 

@@ -87,11 +87,23 @@ void check_sizes(const std::string& path, const FieldSnapshot& s) {
   check_size(path, "body", s.body.size(), elements);
 }
 
+/// Strings as VTK has them: each with a zero behind it.
+DataArray names_array(std::string_view name, const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& one : names) (text += one) += '\0';
+  DataArray array;
+  array.attributes = fmt::format(R"(type="String" Name="{}" NumberOfTuples="{}")", name, names.size());
+  array.bytes = text.size();
+  array.write = [text](OutputFile& file) { file.write(text); };
+  return array;
+}
+
 struct Arrays {
   std::vector<DataArray> field, point, cell, points, cells;
 };
 
-Arrays list_arrays(const FieldSnapshot& s, const std::vector<std::string>& fields) {
+Arrays list_arrays(const FieldSnapshot& s, const std::vector<std::string>& fields,
+                   const std::vector<std::string>& bodies) {
   const auto wanted = [&fields](std::string_view name) {
     return fields.empty() || std::find(fields.begin(), fields.end(), name) != fields.end();
   };
@@ -100,6 +112,7 @@ Arrays list_arrays(const FieldSnapshot& s, const std::vector<std::string>& field
   a.field.push_back(
       make_array<double>("Float64", "TimeValue", 1, 1, [&s](std::size_t, std::size_t) { return s.time; }));
   a.field.back().attributes += R"( NumberOfTuples="1")";
+  if (!bodies.empty()) a.field.push_back(names_array("body_names", bodies));
 
   if (wanted("velocity") && !s.velocity.empty()) a.point.push_back(vector_field("velocity", s.velocity));
   if (wanted("contact_force") && !s.contact_force.empty()) {
@@ -156,9 +169,9 @@ std::string in_folder(const std::string& folder, const std::string& name) {
 }  // namespace
 
 void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std::vector<std::string>& fields,
-               const std::string& units) {
+               const std::string& units, const std::vector<std::string>& bodies) {
   check_sizes(path, snapshot);
-  const Arrays arrays = list_arrays(snapshot, fields);
+  const Arrays arrays = list_arrays(snapshot, fields, bodies);
 
   // Offsets count from the byte after "_"; each block is its length (UInt64) and its bytes.
   std::string head = "<?xml version=\"1.0\"?>\n" + comment(units_line(units));
@@ -196,11 +209,12 @@ void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std
 }
 
 FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields, std::string units,
-                         const Written& kept)
+                         const Written& kept, std::vector<std::string> bodies)
     : folder_(std::move(folder)),
       base_name_(std::move(base_name)),
       fields_(std::move(fields)),
-      units_(std::move(units)) {
+      units_(std::move(units)),
+      bodies_(std::move(bodies)) {
   for (const std::string& field : fields_) {
     if (std::find(known_fields.begin(), known_fields.end(), field) == known_fields.end()) {
       throw InputError(fmt::format("output.fields: unknown field \"{}\", expected some of {}", field,
@@ -235,7 +249,7 @@ FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<
 
 void FieldWriter::write(const FieldSnapshot& snapshot) {
   const std::string name = fmt::format("{}_{:04}.vtu", base_name_, next_number_++);
-  write_vtu(in_folder(folder_, name), snapshot, fields_, units_);
+  write_vtu(in_folder(folder_, name), snapshot, fields_, units_, bodies_);
   written_.emplace_back(snapshot.time, name);
   write_list();
 }
@@ -252,10 +266,11 @@ void FieldWriter::write_list() const {
   file.commit();
 }
 
-std::string write_last_good_state(const std::string& folder, const FieldSnapshot& snapshot, const std::string& units) {
+std::string write_last_good_state(const std::string& folder, const FieldSnapshot& snapshot, const std::string& units,
+                                  const std::vector<std::string>& bodies) {
   make_folder(folder);
   std::string path = in_folder(folder, "last_good.vtu");
-  write_vtu(path, snapshot, {}, units);
+  write_vtu(path, snapshot, {}, units, bodies);
   return path;
 }
 

@@ -117,7 +117,8 @@ void Recorder::open_files(const Simulation& simulation, const std::optional<RunR
   const OutputSettings& output = simulation.scene().output;
   if (output.field_interval > 0 || !output.field_times.empty()) {
     fields_ = std::make_unique<FieldWriter>(folder_, "fields", output.fields, units_,
-                                            kept ? kept->fields : FieldWriter::Written{});
+                                            kept ? kept->fields : FieldWriter::Written{},
+                                            names_of(simulation.scene().bodies));
   }
 }
 
@@ -176,7 +177,8 @@ std::string Recorder::save_last_good(Simulation& simulation) {
     restart = fmt::format(" and, for --restart, in {}", path(last_good_name));
   }
   last_good_ = {};
-  return sentence(write_last_good_state(folder_, simulation.snapshot(), units_)) + restart;
+  return sentence(write_last_good_state(folder_, simulation.snapshot(), units_, names_of(simulation.scene().bodies))) +
+         restart;
 }
 
 double Recorder::wall_seconds() const {

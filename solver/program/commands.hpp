@@ -48,4 +48,7 @@ PINBALL_API int compare_command(const CompareOptions& options);
 /// Runs the verification scenes and compares them with their references; 1 if one fails.
 PINBALL_API int verify_command(const VerifyOptions& options);
 
+/// Draws what a run has left: goes on as the viewer (python/view) with these arguments, and returns only by throwing.
+PINBALL_API int view_command(const std::vector<std::string>& arguments);
+
 }  // namespace pinball

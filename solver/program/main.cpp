@@ -106,6 +106,11 @@ int run_program(int argc, char** argv) {
       "compare", "run a scene with several values of a key, taking turns, and compare their times and results");
   add_compare_options(*compare, comparison);
 
+  // All after the word is the viewer's, which has its own --help.
+  auto* view = app.add_subcommand("view", "pictures and an animation of a run's folder, and a state file for ParaView");
+  view->set_help_flag();
+  view->prefix_command();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -118,6 +123,7 @@ int run_program(int argc, char** argv) {
   if (*run) return pinball::run_command(options);
   if (*info) return pinball::info_command(options);
   if (*verify) return pinball::verify_command(verification);
+  if (*view) return pinball::view_command(view->remaining());
   return pinball::compare_command(comparison);
 }
 

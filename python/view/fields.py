@@ -1,6 +1,6 @@
 """Reads the field output of Pinball: NAME.pvd and its .vtu files (appended raw data, UInt64 headers, hexahedra).
 
-Not a general VTU reader: it takes what solver/field_output.cpp writes.
+Not a general VTU reader: it takes what solver/output/field_output.cpp writes, and needs NumPy alone.
 """
 
 import os
@@ -27,6 +27,7 @@ class Mesh:
     point_data: dict = field(default_factory=dict)  # name: (n,) or (n, components)
     cell_data: dict = field(default_factory=dict)  # name: (m,) or (m, components)
     components: dict = field(default_factory=dict)  # name: names of its components, where the file gives them
+    names: list = field(default_factory=list)  # of the bodies, where the file gives them
     units: dict = field(default_factory=dict)  # quantity ("length", "stress", ...): unit
 
 
@@ -60,8 +61,14 @@ def read_vtu(path):
         raise BadInput(f"{path}: not a .vtu file with appended raw data")
     try:
         head = content[:at].decode()
-        piece = ElementTree.fromstring(head + "</VTKFile>").find("UnstructuredGrid/Piece")
+        grid = ElementTree.fromstring(head + "</VTKFile>").find("UnstructuredGrid")
+        piece = grid.find("Piece")
         mesh = Mesh(None, None, units=read_units(head))
+
+        def read_names(tag):
+            begin = start + int(tag.get("offset"))
+            length = int(np.frombuffer(content, "<u8", 1, begin)[0])
+            return content[begin + 8 : begin + 8 + length].decode().split("\0")[:-1]
 
         def read_array(tag):
             begin = start + int(tag.get("offset"))
@@ -77,6 +84,9 @@ def read_vtu(path):
                 data[name] = read_array(tag)
                 count = int(tag.get("NumberOfComponents", 1))
                 mesh.components[name] = [tag.get(f"ComponentName{c}", "xyz"[c : c + 1]) for c in range(count)]
+        for tag in grid.iter("DataArray"):
+            if tag.get("Name") == "body_names":
+                mesh.names = read_names(tag)
         mesh.points = read_array(piece.find("Points/DataArray"))
         cells = {tag.get("Name"): tag for tag in piece.find("Cells")}
         mesh.hexahedra = read_array(cells["connectivity"]).reshape(-1, 8)

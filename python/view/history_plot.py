@@ -1,11 +1,15 @@
 """Plots history.csv: energies and their balance, momentum, bodies, time step."""
 
-import csv
 import os
 
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
 import numpy as np
 
-from plot.vtu import BadInput, read_units
+from view.history import read_history
+from view.labels import time_scale, with_unit
 
 ENERGIES = {
     "kinetic": "kinetic",
@@ -21,49 +25,6 @@ ENERGIES = {
 DASHES = {"x": "-", "y": ":", "z": "--"}
 
 
-def read_history(path):
-    """({column: (rows,) array}, {quantity: unit}). Raises BadInput."""
-    try:
-        with open(path, newline="", encoding="utf-8", errors="replace") as file:
-            lines = file.read().split("\n")
-    except OSError as error:
-        raise BadInput(f"{path}: cannot be read: {error.strerror}")
-    units = read_units("\n".join(line for line in lines if line.startswith("#")))
-    rows = list(csv.reader(line for line in lines if line and not line.startswith("#")))
-    # The last row of a running or killed job may be cut.
-    complete = [row for row in rows[1:] if len(row) == len(rows[0])]
-    if not complete:
-        raise BadInput(f"{path}: no rows yet")
-    try:
-        values = np.array(complete, dtype=float).reshape(-1, len(rows[0]))
-    except ValueError as error:
-        raise BadInput(f"{path}: not a history ({error})")
-    columns = {name: values[:, i] for i, name in enumerate(rows[0])}
-    missing = [name for name in ("time", "dt", "total", "balance_error", "momentum_x") if name not in columns]
-    if missing:
-        raise BadInput(f"{path}: not a history: no column {', '.join(missing)}")
-    return columns, units
-
-
-def time_scale(times, unit):
-    """(factor, unit) that make times readable: seconds become ms, us or ns where they are short."""
-    largest = max((abs(t) for t in times if np.isfinite(t)), default=0.0)
-    if unit == "s" and largest > 0.0:
-        for factor, name in ((1.0, "s"), (1e3, "ms"), (1e6, "µs"), (1e9, "ns")):
-            if largest * factor >= 1.0:
-                break
-        return factor, name
-    return 1.0, unit
-
-
-def readable_powers(text):
-    return text.replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
-
-
-def with_unit(name, unit):
-    return readable_powers(f"{name} [{unit}]" if unit else name)
-
-
 def plot_components(axes, time, columns, prefixes, colours, names=""):
     """Lines prefix_x, _y, _z of each prefix; components that stay negligible are left out."""
     largest = max(np.nanmax(np.abs(columns[f"{p}_{c}"]), initial=0.0) for p in prefixes for c in "xyz")
@@ -77,8 +38,6 @@ def plot_components(axes, time, columns, prefixes, colours, names=""):
 
 def plot_history(folder, out):
     """Draws FOLDER/history.csv as the PNG file `out`. Raises BadInput."""
-    import matplotlib.pyplot as plt
-
     columns, units = read_history(os.path.join(folder, "history.csv"))
     factor, time_unit = time_scale(columns["time"], units.get("time", ""))
     time = columns["time"] * factor

@@ -1,0 +1,105 @@
+"""`pinball view`: reads a run's folder, draws, and says what it wrote. Exit status: 0 done, 1 a file cannot be written,
+2 bad input or a package that is missing."""
+
+import os
+import sys
+
+PACKAGES = {"vtkmodules": "python3-vtk9", "matplotlib": "python3-matplotlib", "numpy": "python3-numpy", "PIL": "python3-pil"}
+PANELS, MOST_FRAMES = 4, 200
+WIDTH, FILM_WIDTH = 1600, 900
+
+
+def report(message, status):
+    print(f"pinball: error: {message}", file=sys.stderr)
+    return status
+
+
+def entries_of(folder):
+    from view.fields import BadInput, read_pvd
+
+    path = os.path.join(folder, "fields.pvd")
+    if not os.path.exists(path):
+        raise BadInput(f"{folder}: no fields.pvd; run the scene with --set output.field_interval=T, about a thirtieth of its "
+                       "time")
+    entries = read_pvd(path)
+    if not entries:
+        raise BadInput(f"{path} lists no files")
+    return entries
+
+
+class Wanted:
+    """Which files an invocation makes: all in OUT, or those that it names."""
+
+    def __init__(self, options):
+        folder = options.folder
+        named = options.out or options.animation or options.history
+        self.sheet = options.out or (None if named else os.path.join(folder, "fields.png"))
+        self.film = options.animation or (None if named else os.path.join(folder, "animation.webp"))
+        self.state = None if named else os.path.join(folder, "fields.pvsm")
+        self.history = os.path.join(folder, "history.png") if options.history or not named else None
+
+
+def draw_fields(options, wanted):
+    from view.animation import check_animation, write_animation
+    from view.display import VirtualDisplay
+    from view.drawing import Drawing
+    from view.selection import choose_entries
+
+    entries = entries_of(options.folder)
+    panels = choose_entries(entries, options.times, PANELS) if wanted.sheet else []
+    frames = choose_entries(entries, None, MOST_FRAMES) if wanted.film else []
+    if wanted.film:
+        check_animation(wanted.film)
+    drawing = Drawing(sorted({*panels, *frames}), options)
+    with VirtualDisplay():
+        if wanted.sheet:
+            (sheet,) = drawing.sheets([panels], options.size or WIDTH)
+            sheet.save(wanted.sheet)
+            yield wanted.sheet
+        if wanted.film and (len(frames) > 1 or options.animation):
+            write_animation(wanted.film, drawing.sheets([[entry] for entry in frames], options.size or FILM_WIDTH), options.fps)
+            yield wanted.film
+
+
+def draw(options):
+    """Makes what is wanted; yields the path of each file."""
+    from view.fields import BadInput
+
+    if not os.path.isdir(options.folder):
+        raise BadInput(f"{options.folder}: no such folder")
+    wanted = Wanted(options)
+    has_history = os.path.exists(os.path.join(options.folder, "history.csv"))
+    if wanted.sheet or wanted.film:
+        yield from draw_fields(options, wanted)
+    if options.history or (wanted.history and has_history):
+        from view.history_plot import plot_history
+
+        plot_history(options.folder, wanted.history)
+        yield wanted.history
+
+
+def main(arguments):
+    from view.options import parser
+
+    options = parser().parse_args(arguments)
+    try:
+        from view.fields import BadInput
+    except ModuleNotFoundError as error:
+        return missing(error)
+    try:
+        for path in draw(options):
+            print(path, flush=True)
+    except ModuleNotFoundError as error:
+        return missing(error)
+    except BadInput as error:
+        return report(error, 2)
+    except (OSError, ValueError) as error:  # a file cannot be written, or its ending is of no known format
+        return report(error, 1)
+    return 0
+
+
+def missing(error):
+    package = PACKAGES.get((error.name or "").partition(".")[0])
+    if package is None:
+        raise error
+    return report(f"pictures need the Debian package {package}: apt-get install {package}", 2)
