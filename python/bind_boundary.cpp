@@ -20,7 +20,10 @@ void bind_boundary(py::module_& module) {
       .def_readwrite("plane", &NodeSelection::plane)
       .def_readwrite("line", &NodeSelection::line)
       .def_readwrite("box", &NodeSelection::box)
-      .def_readwrite("nearest", &NodeSelection::nearest, "the node nearest to this point [length]");
+      .def_readwrite("nearest", &NodeSelection::nearest, "the node nearest to this point [length]")
+      .def_readwrite("set", &NodeSelection::set, "name or number of a set of nodes in a mesh file")
+      .def_readwrite("nodes", &NodeSelection::nodes, "numbers that the mesh file gives the nodes")
+      .def_readwrite("file", &NodeSelection::file, "the mesh file of the set or the numbers");
   bind_data<TimeTable>(module, "TimeTable", "Factor over time, piecewise linear.")
       .def_readwrite("times", &TimeTable::times, "increasing [time]")
       .def_readwrite("factors", &TimeTable::factors, "[-]");

@@ -98,10 +98,12 @@ void bind_meshes(py::module_& module) {
       .def_readwrite("ring", &SphereMesh::ring, "layers of elements around the core")
       .def_readwrite("grading", &SphereMesh::grading,
                      "elements at the pole z = -radius are smaller by this factor [-]");
-  bind_data<GmshMesh>(module, "GmshMesh", "A mesh of a Gmsh file.")
-      .def_readwrite("file", &GmshMesh::file)
-      .def_readwrite("physical", &GmshMesh::physical, "name of the physical volume; empty: all")
-      .def_readwrite("scale", &GmshMesh::scale, "multiplies the coordinates [-]");
+  bind_choice<MeshFormat>(module, "MeshFormat", {{"gmsh", MeshFormat::gmsh}, {"keyword", MeshFormat::keyword}});
+  bind_data<FileMesh>(module, "FileMesh", "A mesh from a file.")
+      .def_readwrite("format", &FileMesh::format)
+      .def_readwrite("file", &FileMesh::file)
+      .def_readwrite("part", &FileMesh::part, "part or set of elements, Gmsh's physical volume; empty: all")
+      .def_readwrite("scale", &FileMesh::scale, "multiplies the coordinates [-]");
   bind_array_mesh(module);
 }
 

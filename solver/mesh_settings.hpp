@@ -70,11 +70,16 @@ struct SphereMesh {
   double grading = 1.0;           ///< elements at the pole z = -radius are smaller by this factor [-]
 };
 
-/// mesh = { type = "gmsh", file = "part.msh", physical = "name", scale = 1 }.
-struct GmshMesh {
-  std::string file;      ///< as it can be opened; in the scene relative to the folder of the scene file
-  std::string physical;  ///< name of the physical volume; default: all volumes
-  double scale = 1.0;    ///< multiplies the coordinates
+enum class MeshFormat { gmsh, keyword };
+
+/// mesh = { type = "gmsh", file = "part.msh", physical = "name", scale = 1 } or { type = "keyword", file = "part.k",
+/// part = "1", scale = 1 }. Bodies of one file with the same scale, axis and position share the nodes that their
+/// elements have in common.
+struct FileMesh {
+  MeshFormat format = MeshFormat::gmsh;
+  std::string file;    ///< as it can be opened; in the scene relative to the folder of the scene file
+  std::string part;    ///< part, physical: name or number of a part or of a set of elements; default: all elements
+  double scale = 1.0;  ///< multiplies the coordinates
 };
 
 /// The mesh of a body in the memory of a host. It is read, and copied once, while the model is built: elements are
@@ -89,6 +94,6 @@ struct ArrayMesh {
 };
 
 /// ArrayMesh has no form in TOML: it is for hosts.
-using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh, GmshMesh, ArrayMesh>;
+using MeshSettings = std::variant<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh, FileMesh, ArrayMesh>;
 
 }  // namespace pinball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct NodeSelection {
   std::optional<Line> line{};    ///< line = { point, direction }: on the line
   std::optional<Box> box{};      ///< box = { low, high }: in the box or on its faces
   std::optional<Point> nearest{};
+  std::string set{};                  ///< set: name or number of a set of nodes in a mesh file
+  std::vector<std::int64_t> nodes{};  ///< nodes: numbers that the mesh file gives them
+  std::string file{};                 ///< file: the mesh file that the set or the numbers are of; empty: the only one
+
+  /// Whether nothing is given that says which nodes.
+  bool all() const { return body.empty() && !plane && !line && !box && !nearest && set.empty() && nodes.empty(); }
 };
 
 /// Factor over time: piecewise linear through the points, constant before the first and after the last.

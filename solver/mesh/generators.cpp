@@ -7,7 +7,7 @@
 #include <solver/base/error.hpp>
 
 #include "array_mesh.hpp"
-#include "gmsh_reader.hpp"
+#include "mesh_file.hpp"
 
 namespace pinball {
 namespace {
@@ -45,12 +45,7 @@ Mesh generate(const MeshSettings& settings) {
     Mesh operator()(const CylinderMesh& cylinder) const { return generate_cylinder(cylinder); }
     Mesh operator()(const SphereMesh& sphere) const { return generate_sphere(sphere); }
     Mesh operator()(const ArrayMesh& arrays) const { return copy_mesh(arrays); }
-    Mesh operator()(const GmshMesh& gmsh) const {
-      Mesh mesh = read_gmsh(gmsh.file, gmsh.physical);
-      for (Point& node : mesh.nodes)
-        for (double& coordinate : node) coordinate *= gmsh.scale;
-      return mesh;
-    }
+    Mesh operator()(const FileMesh& file) const { return read_mesh_file(file, {file.part}).mesh; }
   };
   return std::visit(Generator{}, settings);
 }

@@ -53,12 +53,12 @@ class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : scan_(text, name) {}
 
-  Mesh read(const std::string& physical) {
+  MeshFile read(const std::vector<std::string>& physicals) {
     read_format();
     while (!scan_.at_end()) read_section(std::string(scan_.word("a section such as $Nodes")));
     if (!has_nodes_) scan_.fail("a section $Nodes", "");
     if (!has_elements_) scan_.fail("a section $Elements", "");
-    return collect(physical);
+    return collect(physicals);
   }
 
  private:
@@ -231,44 +231,72 @@ class Reader {
     return found != groups_of_volume_.end() && found->second.contains(group);
   }
 
-  Mesh collect(const std::string& physical) const {
-    const std::optional<std::int64_t> group = physical.empty() ? std::nullopt : std::optional(group_of(physical));
-    Mesh mesh;
-    std::set<std::array<std::int32_t, 8>> taken;
+  /// The elements of the groups, of each once, in the order of the file; a set of elements for each group.
+  MeshFile collect(const std::vector<std::string>& physicals) const {
+    MeshFile file;
+    file.path = scan_.name();
+    std::vector<std::int64_t> groups;
+    for (const std::string& name : physicals) {
+      groups.push_back(group_of(name));
+      file.element_sets.push_back({groups.back(), name, {}});
+    }
+    std::map<std::array<std::int32_t, 8>, std::int32_t> taken;
     std::vector<std::int32_t> used(nodes_.size(), -1);
     for (const Element& element : elements_) {
-      if (group && !belongs(element, *group)) continue;
-      const auto fail = [&](const std::string& problem) {
-        throw InputError(fmt::format("{}:{}: {}", scan_.name(), element.line, problem));
-      };
-      if (element.type != hexahedron_type && element.type != prism_type)
-        fail(fmt::format("expected 8-node hexahedra (type 5) or 6-node prisms (type 6), got {} (type {})",
-                         type_name(element.type), element.type));
-      static constexpr int of_hexahedron[8] = {0, 1, 2, 3, 4, 5, 6, 7}, of_prism[8] = {0, 1, 2, 2, 3, 4, 5, 5};
-      std::array<std::int32_t, 8> hexahedron;
-      for (int i = 0; i < 8; ++i) {
-        const std::int64_t tag = element.nodes[(element.type == prism_type ? of_prism : of_hexahedron)[i]];
-        const auto found = node_of_tag_.find(tag);
-        if (found == node_of_tag_.end())
-          fail(fmt::format("expected nodes of the file, got {}, which is not there", tag));
-        hexahedron[i] = static_cast<std::int32_t>(found->second);
-        used[found->second] = 0;
+      const auto in_group = [&](std::int64_t group) { return belongs(element, group); };
+      if (!groups.empty() && std::ranges::none_of(groups, in_group)) continue;
+      const std::array<std::int32_t, 8> hexahedron = corners(element);
+      auto place = static_cast<std::int32_t>(file.mesh.hexahedra.size());
+      // Format 2.2 has an element again for each of its groups.
+      if (!is_4_) place = taken.emplace(hexahedron, place).first->second;
+      if (place == static_cast<std::int32_t>(file.mesh.hexahedra.size())) {
+        for (const std::int32_t node : hexahedron) used[node] = 0;
+        file.mesh.hexahedra.push_back(hexahedron);
+        file.line.push_back(element.line);
       }
-      if (is_4_ || taken.insert(hexahedron).second) mesh.hexahedra.push_back(hexahedron);
+      for (std::size_t g = 0; g < groups.size(); ++g) {
+        if (in_group(groups[g])) file.element_sets[g].members.push_back(place);
+      }
     }
-    if (mesh.hexahedra.empty())
-      throw InputError(fmt::format("{}: expected hexahedra or prisms{}, got none", scan_.name(),
-                                   physical.empty() ? "" : fmt::format(" in the physical volume \"{}\"", physical)));
-    if (nodes_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
-      throw InputError(fmt::format("{}: {} nodes are more than a mesh can hold", scan_.name(), nodes_.size()));
+    require_elements(file, physicals);
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
       if (used[n] < 0) continue;
-      used[n] = static_cast<std::int32_t>(mesh.nodes.size());
-      mesh.nodes.push_back(nodes_[n]);
+      used[n] = static_cast<std::int32_t>(file.mesh.nodes.size());
+      file.mesh.nodes.push_back(nodes_[n]);
     }
-    for (auto& hexahedron : mesh.hexahedra)
+    for (auto& hexahedron : file.mesh.hexahedra)
       for (std::int32_t& node : hexahedron) node = used[node];
-    return mesh;
+    return file;
+  }
+
+  std::array<std::int32_t, 8> corners(const Element& element) const {
+    const auto fail = [&](const std::string& problem) {
+      throw InputError(fmt::format("{}:{}: {}", scan_.name(), element.line, problem));
+    };
+    if (element.type != hexahedron_type && element.type != prism_type)
+      fail(fmt::format("expected 8-node hexahedra (type 5) or 6-node prisms (type 6), got {} (type {})",
+                       type_name(element.type), element.type));
+    static constexpr int of_hexahedron[8] = {0, 1, 2, 3, 4, 5, 6, 7}, of_prism[8] = {0, 1, 2, 2, 3, 4, 5, 5};
+    std::array<std::int32_t, 8> hexahedron;
+    for (int i = 0; i < 8; ++i) {
+      const std::int64_t tag = element.nodes[(element.type == prism_type ? of_prism : of_hexahedron)[i]];
+      const auto found = node_of_tag_.find(tag);
+      if (found == node_of_tag_.end()) fail(fmt::format("expected nodes of the file, got {}, which is not there", tag));
+      hexahedron[i] = static_cast<std::int32_t>(found->second);
+    }
+    return hexahedron;
+  }
+
+  void require_elements(const MeshFile& file, const std::vector<std::string>& physicals) const {
+    const auto none = [this](const std::string& where) {
+      throw InputError(fmt::format("{}: expected hexahedra or prisms{}, got none", scan_.name(), where));
+    };
+    if (file.mesh.hexahedra.empty() && physicals.empty()) none("");
+    for (const MeshSet& set : file.element_sets) {
+      if (set.members.empty()) none(fmt::format(" in the physical volume \"{}\"", set.name));
+    }
+    if (nodes_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+      throw InputError(fmt::format("{}: {} nodes are more than a mesh can hold", scan_.name(), nodes_.size()));
   }
 
   GmshScanner scan_;
@@ -282,16 +310,16 @@ class Reader {
 
 }  // namespace
 
-Mesh parse_gmsh(std::string_view text, const std::string& name, const std::string& physical) {
-  return Reader(text, name).read(physical);
+MeshFile parse_gmsh(std::string_view text, const std::string& name, const std::vector<std::string>& physicals) {
+  return Reader(text, name).read(physicals);
 }
 
-Mesh read_gmsh(const std::string& path, const std::string& physical) {
+MeshFile read_gmsh(const std::string& path, const std::vector<std::string>& physicals) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   if (!file || !text) throw InputError(path + ": no such file, or it cannot be read");
-  return parse_gmsh(std::move(text).str(), path, physical);
+  return parse_gmsh(std::move(text).str(), path, physicals);
 }
 
 }  // namespace pinball

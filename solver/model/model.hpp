@@ -3,23 +3,34 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <solver/base/colouring.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/mesh/mesh_file.hpp>
 #include <solver/scene.hpp>
 
 #include "stores.hpp"
 
 namespace pinball {
 
+/// What a mesh file calls the nodes of some bodies.
+struct FileNodes {
+  std::string path;
+  std::vector<std::pair<std::int64_t, std::int32_t>> numbers;  ///< number in the file and node, by number; may be empty
+  std::vector<MeshSet> sets;                                   ///< of nodes of the model
+};
+
 /// The meshes of all bodies together, in the order of the scene; cold.
 struct ModelMesh {
   std::vector<Point> nodes;
   std::vector<std::array<std::int32_t, 8>> hexahedra;
   std::vector<std::int32_t> body;          ///< per element
-  std::vector<std::int32_t> body_of_node;  ///< per node
+  std::vector<std::int32_t> body_of_node;  ///< per node; of a node that bodies share the first of them
   std::vector<std::string> body_names;
+  std::vector<std::vector<std::int32_t>> shared;  ///< per body: nodes of its elements that an earlier body has; sorted
+  std::vector<FileNodes> files;                   ///< of the bodies that are from files
 
   std::int64_t element_count() const { return static_cast<std::int64_t>(hexahedra.size()); }
   const std::string& body_of_element(std::int64_t element) const { return body_names[body[element]]; }

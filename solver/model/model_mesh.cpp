@@ -58,42 +58,172 @@ Mesh mesh_of(const Body& body) {
   }
 }
 
+bool same_file(const Body& a, const Body& b) {
+  const auto* mine = std::get_if<FileMesh>(&a.mesh);
+  const auto* other = std::get_if<FileMesh>(&b.mesh);
+  return mine != nullptr && other != nullptr && mine->file == other->file && mine->format == other->format &&
+         mine->scale == other->scale && a.axis == b.axis && a.position == b.position;
+}
+
+/// Puts the meshes of the bodies together.
+class Assembly {
+ public:
+  explicit Assembly(const Scene& scene) : scene_(scene), file_of_body_(scene.bodies.size(), -1) {}
+
+  ModelMesh build() {
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      all_.body_names.push_back(scene_.bodies[b].name);
+      all_.shared.emplace_back();
+      if (std::holds_alternative<FileMesh>(scene_.bodies[b].mesh)) {
+        add_part(b);
+      } else {
+        add_mesh(b);
+      }
+    }
+    for (const Placed& placed : files_) name_nodes(placed);
+    return std::move(all_);
+  }
+
+ private:
+  /// A file at its place, and which of its nodes the model has by now.
+  struct Placed {
+    MeshFile file;
+    std::vector<std::int32_t> node;   ///< of the model, per node of the file; -1: none
+    std::vector<std::int32_t> taken;  ///< body, per element of the file; -1: none
+  };
+
+  void add_mesh(std::size_t b) {
+    Mesh mesh = mesh_of(scene_.bodies[b]);
+    place_of_body(mesh, b);
+    const std::int32_t offset = add_nodes(mesh.nodes.size(), b);
+    all_.nodes.insert(all_.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
+    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+      std::array<std::int32_t, 8> hexahedron = mesh.hexahedra[e];
+      for (std::int32_t& node : hexahedron) node += offset;
+      add_element(hexahedron, b, [&] { return fmt::format("element {}", e); });
+    }
+  }
+
+  void place_of_body(Mesh& mesh, std::size_t b) const {
+    try {
+      place(mesh, scene_.bodies[b].axis, scene_.bodies[b].position);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}body {}: {}", message_head(scene_), scene_.bodies[b].name, error.what()));
+    }
+  }
+
+  /// Number of the first of so many new nodes.
+  std::int32_t add_nodes(std::size_t count, std::size_t b) {
+    if (all_.nodes.size() + count > 2'000'000'000 / 4) {
+      throw InputError(
+          fmt::format("{}body {}: more than 500 million nodes", message_head(scene_), scene_.bodies[b].name));
+    }
+    all_.body_of_node.insert(all_.body_of_node.end(), count, static_cast<std::int32_t>(b));
+    return static_cast<std::int32_t>(all_.nodes.size());
+  }
+
+  template <class Name>
+  void add_element(const std::array<std::int32_t, 8>& hexahedron, std::size_t b, const Name& name) {
+    all_.hexahedra.push_back(hexahedron);
+    all_.body.push_back(static_cast<std::int32_t>(b));
+    const std::array<Point, 8> corners = all_.corners(all_.element_count() - 1);
+    const double volume = volume_by_quadrature(corners);
+    // A flat element has a volume of round-off, of either sign.
+    if (!(volume > 1e-12 * std::pow(diameter(corners), 3))) {
+      throw InputError(fmt::format("{}body {}: {} is inverted or flat: its volume is {:.6g}, expected > 0",
+                                   message_head(scene_), scene_.bodies[b].name, name(), volume));
+    }
+  }
+
+  Placed& file_of(std::size_t b) {
+    const auto* settings = std::get_if<FileMesh>(&scene_.bodies[b].mesh);
+    std::vector<std::string> parts;
+    for (std::size_t other = 0; other < scene_.bodies.size(); ++other) {
+      if (!same_file(scene_.bodies[other], scene_.bodies[b])) continue;
+      if (other < b) return files_[file_of_body_[b] = file_of_body_[other]];
+      parts.push_back(std::get_if<FileMesh>(&scene_.bodies[other].mesh)->part);
+    }
+    file_of_body_[b] = static_cast<std::int32_t>(files_.size());
+    Placed placed{read_mesh_file(*settings, parts), {}, {}};
+    place_of_body(placed.file.mesh, b);
+    placed.node.assign(placed.file.mesh.nodes.size(), -1);
+    placed.taken.assign(placed.file.mesh.hexahedra.size(), -1);
+    return files_.emplace_back(std::move(placed));
+  }
+
+  /// The nodes that the part has to itself are new, in the order of the file.
+  void add_part(std::size_t b) {
+    Placed& placed = file_of(b);
+    const MeshFile& file = placed.file;
+    const std::vector<std::int32_t> elements =
+        elements_of_part(file, std::get_if<FileMesh>(&scene_.bodies[b].mesh)->part);
+    if (elements.empty()) {
+      throw InputError(
+          fmt::format("{}body {}: {} has no hexahedra of it", message_head(scene_), scene_.bodies[b].name, file.path));
+    }
+    std::vector<bool> used(placed.node.size(), false);
+    for (const std::int32_t e : elements) {
+      take_element(placed, e, b);
+      for (const std::int32_t node : file.mesh.hexahedra[e]) used[node] = true;
+    }
+    for (std::size_t n = 0; n < used.size(); ++n) {
+      if (!used[n]) continue;
+      if (placed.node[n] >= 0) {
+        all_.shared[b].push_back(placed.node[n]);
+        continue;
+      }
+      placed.node[n] = add_nodes(1, b);
+      all_.nodes.push_back(file.mesh.nodes[n]);
+    }
+    std::sort(all_.shared[b].begin(), all_.shared[b].end());
+    for (const std::int32_t e : elements) {
+      std::array<std::int32_t, 8> hexahedron = file.mesh.hexahedra[e];
+      for (std::int32_t& node : hexahedron) node = placed.node[node];
+      add_element(hexahedron, b, [&] { return element_name(file, e); });
+    }
+  }
+
+  void take_element(Placed& placed, std::int32_t e, std::size_t b) const {
+    if (placed.taken[e] >= 0) {
+      throw InputError(fmt::format("{}body {}: {} belongs to body {}, too", message_head(scene_), scene_.bodies[b].name,
+                                   element_name(placed.file, e), scene_.bodies[placed.taken[e]].name));
+    }
+    placed.taken[e] = static_cast<std::int32_t>(b);
+  }
+
+  /// As its file calls it.
+  static std::string element_name(const MeshFile& file, std::int32_t e) {
+    const std::string number = fmt::format("element {}", file.element_ids.empty() ? e : file.element_ids[e]);
+    return file.line.empty() ? number : fmt::format("{} (line {} of {})", number, file.line[e], file.path);
+  }
+
+  void name_nodes(const Placed& placed) {
+    FileNodes named{placed.file.path, {}, {}};
+    for (std::size_t n = 0; n < placed.file.node_ids.size(); ++n) {
+      if (placed.node[n] >= 0) named.numbers.emplace_back(placed.file.node_ids[n], placed.node[n]);
+    }
+    std::sort(named.numbers.begin(), named.numbers.end());
+    for (const MeshSet& set : placed.file.node_sets) {
+      MeshSet of_model{set.id, set.name, {}, set.problem};
+      for (const std::int32_t n : set.members) {
+        if (placed.node[n] >= 0) of_model.members.push_back(placed.node[n]);
+      }
+      std::sort(of_model.members.begin(), of_model.members.end());
+      named.sets.push_back(std::move(of_model));
+    }
+    all_.files.push_back(std::move(named));
+  }
+
+  const Scene& scene_;
+  ModelMesh all_;
+  std::vector<Placed> files_;
+  std::vector<std::int32_t> file_of_body_;
+};
+
 }  // namespace
 
 std::string message_head(const Scene& scene) { return scene.path.empty() ? "" : scene.path + ": "; }
 
-ModelMesh build_mesh(const Scene& scene) {
-  ModelMesh all;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Body& body = scene.bodies[b];
-    Mesh mesh = mesh_of(body);
-    try {
-      place(mesh, body.axis, body.position);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("{}body {}: {}", message_head(scene), body.name, error.what()));
-    }
-    if (all.nodes.size() + mesh.nodes.size() > 2'000'000'000 / 4) {
-      throw InputError(fmt::format("{}body {}: more than 500 million nodes", message_head(scene), body.name));
-    }
-    const auto offset = static_cast<std::int32_t>(all.nodes.size());
-    all.nodes.insert(all.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
-    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-      std::array<std::int32_t, 8> hexahedron = mesh.hexahedra[e];
-      for (std::int32_t& node : hexahedron) node += offset;
-      all.hexahedra.push_back(hexahedron);
-      const std::array<Point, 8> corners = all.corners(all.element_count() - 1);
-      const double volume = volume_by_quadrature(corners);
-      // A flat element has a volume of round-off, of either sign.
-      if (!(volume > 1e-12 * std::pow(diameter(corners), 3))) {
-        throw InputError(fmt::format("{}body {}: element {} is inverted or flat: its volume is {:.6g}, expected > 0",
-                                     message_head(scene), body.name, e, volume));
-      }
-    }
-    all.body.insert(all.body.end(), mesh.hexahedra.size(), static_cast<std::int32_t>(b));
-    all.body_of_node.insert(all.body_of_node.end(), mesh.nodes.size(), static_cast<std::int32_t>(b));
-    all.body_names.push_back(body.name);
-  }
-  return all;
-}
+ModelMesh build_mesh(const Scene& scene) { return Assembly(scene).build(); }
 
 }  // namespace pinball

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/version.h>
+#include <solver/mesh/mesh_file.hpp>
 #include <solver/model/stores.hpp>
 #include <solver/results/state_hash.hpp>
 #include <solver/scene/overrides.hpp>
@@ -86,9 +88,13 @@ CheckpointHead checkpoint_head(const SceneSource& source, const Scene& scene) {
   head.simd_width = simd_width(scene.precision);
   head.version = PINBALL_VERSION;
   for (const Body& body : scene.bodies) {
-    const auto* gmsh = std::get_if<GmshMesh>(&body.mesh);
-    if (gmsh == nullptr) continue;
-    head.mesh_files.emplace_back(std::filesystem::absolute(gmsh->file).string(), hash_of_file(gmsh->file));
+    const auto* mesh = std::get_if<FileMesh>(&body.mesh);
+    if (mesh == nullptr) continue;
+    for (const std::string& file : files_of(*mesh)) {
+      std::string path = std::filesystem::absolute(file).string();
+      const auto same = [&path](const auto& known) { return known.first == path; };
+      if (std::ranges::none_of(head.mesh_files, same)) head.mesh_files.emplace_back(path, hash_of_file(path));
+    }
   }
   return head;
 }

@@ -31,9 +31,9 @@ NodeSelection read_selection(const SceneTable& table) {
     box.require_none(problem_of(*nodes.box));
   }
   if (table.has("nearest")) nodes.nearest = table.point("nearest", any_number);
-  if (nodes.body.empty() && !nodes.plane && !nodes.line && !nodes.box && !nodes.nearest) {
-    table.fail_missing("body", "at least one of body, plane, line, box and nearest");
-  }
+  nodes.set = table.text("set", "");
+  if (table.has("nodes")) nodes.nodes = table.integers("nodes", 0);
+  if (nodes.all()) table.fail_missing("body", "at least one of body, plane, line, box, nearest, set and nodes");
   return nodes;
 }
 

@@ -78,9 +78,8 @@ class BodyNames {
     if (nodes.plane) table.require_none(direction_problem("plane.normal", nodes.plane->normal));
     if (nodes.line) table.require_none(direction_problem("line.direction", nodes.line->direction));
     if (nodes.box) table.require_none(problem_of(*nodes.box));
-    if (nodes.body.empty() && !nodes.plane && !nodes.line && !nodes.box && !nodes.nearest) {
-      table.fail("body", "missing, expected at least one of body, plane, line, box and nearest");
-    }
+    if (nodes.all())
+      table.fail("body", "missing, expected at least one of body, plane, line, box, nearest, set and nodes");
   }
 
  private:

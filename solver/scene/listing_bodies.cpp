@@ -73,10 +73,11 @@ void list_mesh(Entries& table, const SphereMesh& mesh) {
   table.add("grading", mesh.grading, 1.0, "-");
 }
 
-void list_mesh(Entries& table, const GmshMesh& mesh) {
-  table.add("type", "gmsh");
+void list_mesh(Entries& table, const FileMesh& mesh) {
+  const bool gmsh = mesh.format == MeshFormat::gmsh;
+  table.add("type", gmsh ? "gmsh" : "keyword");
   table.add("file", mesh.file);
-  table.add_name("physical", mesh.physical, "all volumes");
+  table.add_name(gmsh ? "physical" : "part", mesh.part, gmsh ? "all volumes" : "all elements");
   table.add("scale", mesh.scale, 1.0, "-");
 }
 

@@ -21,6 +21,8 @@ void list_nodes(Entries& table, const NodeSelection& nodes) {
     table.add("box.high", nodes.box->high, "L");
   }
   if (nodes.nearest) table.add("nearest", *nodes.nearest, "L");
+  if (!nodes.set.empty()) table.add("set", nodes.set);
+  if (!nodes.nodes.empty()) table.add_words("nodes", fmt::format("{} numbers", nodes.nodes.size()), false);
 }
 
 void list_factors(Entries& table, const TimeTable& factors) {

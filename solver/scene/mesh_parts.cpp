@@ -155,10 +155,12 @@ MeshSettings read_sphere(const SceneTable& table, int refine) {
   return mesh;
 }
 
-MeshSettings read_gmsh(const SceneTable& table, int refine) {
-  GmshMesh mesh;
+/// part_key: what the format calls a part.
+MeshSettings read_file(const SceneTable& table, int refine, MeshFormat format, std::string_view part_key) {
+  FileMesh mesh;
+  mesh.format = format;
   mesh.file = table.text("file");
-  mesh.physical = table.text("physical", "");
+  mesh.part = table.text(part_key, "");
   mesh.scale = table.number("scale", positive, mesh.scale);
   if (refine > 1)
     table.fail("file", fmt::format("--refine {}: expected 1, a mesh from a file cannot be refined; Gmsh itself can "
@@ -167,16 +169,22 @@ MeshSettings read_gmsh(const SceneTable& table, int refine) {
   return mesh;
 }
 
+MeshSettings read_gmsh(const SceneTable& table, int refine) {
+  return read_file(table, refine, MeshFormat::gmsh, "physical");
+}
+
+MeshSettings read_keyword(const SceneTable& table, int refine) {
+  return read_file(table, refine, MeshFormat::keyword, "part");
+}
+
 }  // namespace
 
 MeshSettings read_mesh(const SceneTable& body, int refine) {
   if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
   using Reader = MeshSettings (*)(const SceneTable&, int);
-  const std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},
-                                                            {"round_nosed_rod", read_rod},
-                                                            {"cylinder", read_cylinder},
-                                                            {"sphere", read_sphere},
-                                                            {"gmsh", read_gmsh}};
+  const std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},       {"round_nosed_rod", read_rod},
+                                                            {"cylinder", read_cylinder}, {"sphere", read_sphere},
+                                                            {"gmsh", read_gmsh},         {"keyword", read_keyword}};
   const SceneTable any = body.table("mesh", "mesh");
   const Reader reader = any.choice<Reader>("type", readers);
   // Read again as that kind, so that the keys of the others are unknown.

@@ -84,10 +84,10 @@ OutputSettings read_output(const SceneTable& table) {
 }
 
 /// A mesh file is named relative to the folder of the scene. Throws InputError if there is none.
-void find_mesh_file(const SceneTable& body, GmshMesh& mesh, const std::string& scene_path) {
+void find_mesh_file(const SceneTable& body, FileMesh& mesh, const std::string& scene_path) {
   const auto path = std::filesystem::path(scene_path).parent_path() / mesh.file;
   if (!std::filesystem::is_regular_file(path)) {
-    body.table("mesh", "gmsh").fail("file", fmt::format("expected a Gmsh file, there is no {}", path.string()));
+    body.table("mesh", "mesh").fail("file", fmt::format("expected a mesh file, there is no {}", path.string()));
   }
   mesh.file = path.string();
 }
@@ -161,7 +161,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   if (bodies.empty()) top.fail("body", "missing, expected at least one [[body]]");
   for (const auto& table : bodies) {
     Body body = read_body(table, overrides.refine);
-    if (auto* gmsh = std::get_if<GmshMesh>(&body.mesh)) find_mesh_file(table, *gmsh, path);
+    if (auto* file = std::get_if<FileMesh>(&body.mesh)) find_mesh_file(table, *file, path);
     table.require_none(repetition(body.name, names_of(scene.bodies)));
     table.require_none(reference_problem("material", "material", body.material, names_of(scene.materials)));
     scene.bodies.push_back(body);

@@ -228,6 +228,19 @@ std::vector<double> SceneTable::numbers(std::string_view key, const Bound& bound
   return values;
 }
 
+std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::int64_t low) const {
+  const toml::node* node = find(key);
+  if (!node) return {};
+  const std::string expected = fmt::format("an array of integers >= {}", low);
+  const auto& array = array_of(*node, key_path(key), expected, std::nullopt);
+  std::vector<std::int64_t> values;
+  values.reserve(array.size());
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    values.push_back(integer_of(*array.get(i), element_path(key_path(key), i), low));
+  }
+  return values;
+}
+
 std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::size_t count, std::int64_t low) const {
   const std::string expected = fmt::format("an array of {} integers >= {}", count, low);
   const toml::node* node = find(key);

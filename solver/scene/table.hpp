@@ -92,6 +92,8 @@ class SceneTable {
   /// Unit vectors, each given as one of the three names or by its components: ["x", [0, 1, 1]]; "all" stands for the
   /// three of the names. Required, at least one.
   std::vector<Point> directions(std::string_view key, const std::array<const char*, 3>& names) const;
+  /// Any number of integers >= low.
+  std::vector<std::int64_t> integers(std::string_view key, std::int64_t low) const;
   /// `count` integers >= low; required.
   std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t low) const;
   /// Three numbers, or lists of numbers in their places: [1, 1, [0.4, 0.2, 0.4]]; required.

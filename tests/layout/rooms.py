@@ -23,6 +23,7 @@ ROOMS = {
     "contact/slideline": ["solver/contact/slideline/"],
     "contact": ["solver/contact/make_contact.cpp"],
     "contact/host": ["solver/contact/host/"],
+    "keyword": ["solver/keyword/"],
     "mesh": ["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"],
     "scene": ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_rules.hpp"],
     "model": ["solver/model/"],

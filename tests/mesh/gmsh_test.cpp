@@ -34,9 +34,13 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
+std::vector<std::string> physicals_of(const std::string& physical) {
+  return physical.empty() ? std::vector<std::string>{} : std::vector{physical};
+}
+
 std::string error_of(const std::string& text, const std::string& physical = "") {
   try {
-    parse_gmsh(text, "a.msh", physical);
+    parse_gmsh(text, "a.msh", physicals_of(physical));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -48,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, Gmsh, testing::Values("22", "41"),
                          [](const auto& format) { return "Format" + format.param; });
 
 TEST_P(Gmsh, ReadsHexahedraAndPrisms) {
-  const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", "");
+  const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", {}).mesh;
   EXPECT_EQ(mesh.hexahedra.size(), 4u);
   EXPECT_EQ(mesh.nodes.size(), 16u);
   const MeshQuality quality = measure_quality(mesh);
@@ -61,11 +65,11 @@ TEST_P(Gmsh, ReadsHexahedraAndPrisms) {
 }
 
 TEST_P(Gmsh, TakesThePhysicalVolumeAsked) {
-  const Mesh left = parse_gmsh(text_of(GetParam()), "a.msh", "left part");
+  const Mesh left = parse_gmsh(text_of(GetParam()), "a.msh", {"left part"}).mesh;
   EXPECT_EQ(left.hexahedra.size(), 2u);
   EXPECT_EQ(left.nodes.size(), 12u);
   EXPECT_NEAR(measure_quality(left).volume, 1.0, 1e-14);
-  const Mesh right = parse_gmsh(text_of(GetParam()), "a.msh", "right");
+  const Mesh right = parse_gmsh(text_of(GetParam()), "a.msh", {"right"}).mesh;
   EXPECT_EQ(right.hexahedra.size(), 2u);
   EXPECT_EQ(right.nodes.size(), 8u);
   EXPECT_NEAR(measure_quality(right).volume, 0.5, 1e-14);
@@ -76,7 +80,8 @@ TEST_P(Gmsh, TakesThePhysicalVolumeAsked) {
 }
 
 TEST_P(Gmsh, BothFormatsHoldTheSamePoints) {
-  const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", ""), other = parse_gmsh(text_of("22"), "a.msh", "");
+  const Mesh mesh = parse_gmsh(text_of(GetParam()), "a.msh", {}).mesh,
+             other = parse_gmsh(text_of("22"), "a.msh", {}).mesh;
   for (std::size_t e = 0; e < 4; ++e)
     for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(mesh.nodes[mesh.hexahedra[e][i]], other.nodes[other.hexahedra[e][i]]);
 }
@@ -128,14 +133,15 @@ TEST_P(Gmsh, LineEndsOfWindowsAndOtherSectionsDoNotMatter) {
   std::string text = text_of(GetParam()), windows;
   text += "$Periodic\n0\n$EndPeriodic\n";
   for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
-  EXPECT_EQ(parse_gmsh(windows, "a.msh", "right").nodes, parse_gmsh(text_of(GetParam()), "a.msh", "right").nodes);
+  EXPECT_EQ(parse_gmsh(windows, "a.msh", {"right"}).mesh.nodes,
+            parse_gmsh(text_of(GetParam()), "a.msh", {"right"}).mesh.nodes);
   EXPECT_EQ(error_of(text_of(GetParam()) + "$Periodic\n0\n"),
             "a.msh:" + std::to_string(std::count(text.begin(), text.end(), '\n')) +
                 ": expected $EndPeriodic, got the end of the file");
 }
 
 TEST_P(Gmsh, ReadsWhatGmshWrites) {  // see tests/data/wedge.geo
-  const Mesh mesh = read_gmsh(PINBALL_SOURCE_DIR "/tests/data/wedge_" + GetParam() + ".msh", "wedge");
+  const Mesh mesh = read_gmsh(PINBALL_SOURCE_DIR "/tests/data/wedge_" + GetParam() + ".msh", {"wedge"}).mesh;
   EXPECT_EQ(mesh.hexahedra.size(), 12u);
   EXPECT_EQ(mesh.nodes.size(), 36u);
   const MeshQuality quality = measure_quality(mesh);
@@ -166,9 +172,9 @@ TEST(GmshFormat22, ElementsOfSeveralGroupsAreTakenOnce) {
   std::string twice = text.substr(begin, text.find('\n', begin) + 1 - begin);
   twice = replaced(twice, "4 5 2 1 1 ", "7 5 2 2 1 ");
   text.insert(text.find("$EndElements"), twice);
-  EXPECT_EQ(parse_gmsh(text, "a.msh", "").hexahedra.size(), 4u);
-  EXPECT_EQ(parse_gmsh(text, "a.msh", "left part").hexahedra.size(), 2u);
-  EXPECT_EQ(parse_gmsh(text, "a.msh", "right").hexahedra.size(), 3u);
+  EXPECT_EQ(parse_gmsh(text, "a.msh", {}).mesh.hexahedra.size(), 4u);
+  EXPECT_EQ(parse_gmsh(text, "a.msh", {"left part"}).mesh.hexahedra.size(), 2u);
+  EXPECT_EQ(parse_gmsh(text, "a.msh", {"right"}).mesh.hexahedra.size(), 3u);
 }
 
 TEST(GmshFormat41, CountsMustAgree) {
@@ -204,7 +210,7 @@ TEST_F(GmshScene, FindsTheFileBesideTheScene) {
 
 TEST_F(GmshScene, SaysWhatIsWrong) {
   EXPECT_EQ(error(scene()),
-            "14:32: body.bar.mesh.file: expected a Gmsh file, there is no " + (folder_ / "part.msh").string());
+            "14:32: body.bar.mesh.file: expected a mesh file, there is no " + (folder_ / "part.msh").string());
   write(text_of("41"));
   EXPECT_THAT(error(scene(), {.refine = 2}), testing::HasSubstr("--refine 2: expected 1, a mesh from a file"));
   EXPECT_THAT(error(scene(", scale = 0")), testing::HasSubstr("mesh.scale: expected a number > 0, got 0"));
@@ -225,10 +231,10 @@ TEST_F(GmshScene, AFlatOrInvertedElementIsRejected) {
   // The last prism is from (3, 0), (3, 1), (2, 1): with (3, 1) moved onto the line of the others it is flat.
   std::string flat = replaced(text, " 3 1 0\n", " 2.5 0.5 0\n");
   EXPECT_THAT(build_error(replaced(flat, " 3 1 0.5\n", " 2.5 0.5 0.5\n")),
-              testing::HasSubstr("body bar: element 1 is inverted or flat: its volume is"));
+              testing::HasSubstr("part.msh) is inverted or flat: its volume is"));
   flat = replaced(text, " 3 1 0\n", " 2.2 0.2 0\n");
   EXPECT_THAT(build_error(replaced(flat, " 3 1 0.5\n", " 2.2 0.2 0.5\n")),
-              testing::HasSubstr("body bar: element 1 is inverted or flat: its volume is -"));
+              testing::HasSubstr("part.msh) is inverted or flat: its volume is -"));
 }
 
 }  // namespace

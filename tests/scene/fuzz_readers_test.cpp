@@ -156,7 +156,7 @@ TEST(FuzzReaders, Meshes) {
   fuzz(texts_in(PINBALL_SOURCE_DIR "/tests/data", ".msh"), 1000, "meshes",
        [](const std::string& text, const std::string&, Random& random) {
          static const std::vector<std::string> names{"", "", "left part", "right", "no such name"};
-         parse_gmsh(text, "mesh.msh", names[below(random, names.size())]);
+         parse_gmsh(text, "mesh.msh", {names[below(random, names.size())]});
        });
 }
 

@@ -122,7 +122,8 @@ TEST_F(SceneBoundaryTest, MissingAndWrongValues) {
             "18:15: constraint.0.directions: expected \"all\" or an array of directions, each \"x\", \"y\", \"z\" or 3 "
             "numbers, got \"radial\"");
   EXPECT_EQ(error(with({"[[constraint]]", "type = \"fixed\"", "directions = \"all\""})),
-            "15:1: constraint.0.body: missing, expected at least one of body, plane, line, box and nearest");
+            "15:1: constraint.0.body: missing, expected at least one of body, plane, line, box, "
+            "nearest, set and nodes");
   EXPECT_EQ(error(with({"[[constraint]]", "type = \"fixed\"", "body = \"bar\"", "directions = \"all\"",
                         "frame = \"cylindrical\""})),
             "15:1: constraint.0.axis: missing, expected a table { point = ..., direction = ... }");

@@ -221,8 +221,8 @@ TEST_F(SceneTest, MeshesOfNoSize) {
         testing::StartsWith("14:55: body.bar.mesh.elements: 3.43e+08 elements are more than this machine's memory"));
   }
   EXPECT_EQ(error(with(14, "mesh = { type = \"ball\" }")),
-            "14:17: body.bar.mesh.type: expected \"block\", \"round_nosed_rod\", \"cylinder\", \"sphere\" or "
-            "\"gmsh\", got \"ball\"");
+            "14:17: body.bar.mesh.type: expected \"block\", \"round_nosed_rod\", \"cylinder\", \"sphere\", "
+            "\"gmsh\" or \"keyword\", got \"ball\"");
 }
 
 TEST_F(SceneTest, CylindersAndSpheres) {

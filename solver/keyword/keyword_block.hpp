@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deck_place.hpp"
+
+namespace pinball {
+
+/// One line of data of a keyword.
+struct Card {
+  std::string_view text;  ///< without the end of the line
+  DeckPlace place;
+
+  bool blank() const { return text.find_first_not_of(" \t") == std::string_view::npos; }
+};
+
+/// *INCLUDE_TRANSFORM: what is added to the numbers of the included file, and the transformation of its nodes.
+struct DeckTransform {
+  std::int64_t node = 0, element = 0, part = 0, material = 0, set = 0, define = 0, other = 0;  ///< idnoff ... idroff
+  std::int64_t transformation = 0;  ///< number of the *DEFINE_TRANSFORMATION; 0: none
+};
+
+/// A keyword and the lines up to the next one.
+struct KeywordBlock {
+  std::string name;       ///< upper case, without star and options: "SET_NODE_LIST"
+  bool title = false;     ///< _TITLE: the first card is one
+  bool id = false;        ///< _ID: the first card has number and title
+  bool wide = false;      ///< "%" behind the name: ten columns for the numbers of nodes and elements
+  std::string_view body;  ///< lines, comments among them
+  DeckPlace place;        ///< of the keyword itself
+  std::shared_ptr<const DeckTransform> transform;  ///< none: numbers as they are
+
+  std::string star_name() const { return '*' + name + (title ? "_TITLE" : "") + (id ? "_ID" : ""); }
+};
+
+/// The lines of a block that are no comments, one after the other.
+class Cards {
+ public:
+  explicit Cards(const KeywordBlock& block)
+      : body_(block.body), place_{block.place.file, block.place.line}, block_(&block) {}
+
+  /// The next line; none: the block ends.
+  std::optional<Card> next();
+  /// The next line that is not blank.
+  std::optional<Card> next_filled();
+  /// The next line. Throws InputError naming what was expected where the block ends before it.
+  Card require(const std::string& expected);
+  /// The next line, or a blank one where the block ends: cards of defaults may be left out.
+  Card next_or_blank();
+
+ private:
+  std::string_view body_;
+  DeckPlace place_;
+  const KeywordBlock* block_;
+};
+
+}  // namespace pinball

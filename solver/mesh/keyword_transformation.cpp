@@ -1,0 +1,122 @@
+#include "keyword_transformation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <solver/keyword/fields.hpp>
+
+namespace pinball {
+
+namespace {
+
+Transformation scaling(const Fields& fields) {
+  Transformation t;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double factor = fields.number(k + 1, "scale", 1.0);
+    t.rows[k][k] = factor == 0 ? 1.0 : factor;
+  }
+  return t;
+}
+
+Transformation translation(const Fields& fields) {
+  Transformation t;
+  for (std::size_t k = 0; k < 3; ++k) t.shift[k] = fields.number(k + 1, "translation", 0.0);
+  return t;
+}
+
+Point unit(Point d, const DeckPlace& place) {
+  const double length = std::sqrt(dot(d, d));
+  if (!(length > 0)) fail_at(place, "*DEFINE_TRANSFORMATION: expected a direction, got a vector of no length");
+  for (double& component : d) component /= length;
+  return d;
+}
+
+/// A x with A = c I + (1 - c) a a^T + s [a]x (Rodrigues), about the axis a through a point.
+Transformation rotation(const Fields& fields) {
+  if (fields.number(4, "a4", 0.0) == 0 && fields.number(5, "a5", 0.0) == 0 && fields.number(6, "a6", 0.0) == 0 &&
+      fields.number(7, "angle", 0.0) == 0 && fields.number(3, "a3", 0.0) != 0 && fields.number(1, "a1", 0.0) >= 1)
+    fail_at(fields.place(),
+            "*DEFINE_TRANSFORMATION: ROTATE about two nodes or points is not read; expected axis, point and angle");
+  const Point axis =
+      unit({fields.number(1, "a1", 0.0), fields.number(2, "a2", 0.0), fields.number(3, "a3", 0.0)}, fields.place());
+  const Point through{fields.number(4, "a4", 0.0), fields.number(5, "a5", 0.0), fields.number(6, "a6", 0.0)};
+  const double angle = fields.number(7, "angle", 0.0) * std::acos(-1.0) / 180;
+  const double c = std::cos(angle), s = std::sin(angle);
+  Transformation t;
+  for (std::size_t k = 0; k < 3; ++k) {
+    Point e{};
+    e[k] = 1;
+    const Point turned = cross(axis, e);
+    for (std::size_t i = 0; i < 3; ++i) t.rows[i][k] = c * e[i] + (1 - c) * axis[i] * axis[k] + s * turned[i];
+  }
+  const Point moved = t.apply(through);
+  t.shift = minus(through, moved);
+  return t;
+}
+
+/// At the plane through the first point, normal to the way to the second.
+Transformation mirroring(const Fields& fields) {
+  const Point tail{fields.number(1, "a1", 0.0), fields.number(2, "a2", 0.0), fields.number(3, "a3", 0.0)};
+  const Point head{fields.number(4, "a4", 0.0), fields.number(5, "a5", 0.0), fields.number(6, "a6", 0.0)};
+  const Point normal = unit(minus(head, tail), fields.place());
+  Transformation t;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) t.rows[i][k] -= 2 * normal[i] * normal[k];
+  }
+  t.shift = minus(tail, t.apply(tail));
+  return t;
+}
+
+Transformation one_of(const Fields& fields) {
+  const std::string option = upper_case(fields.text(0));
+  if (option == "TRANSL") return translation(fields);
+  if (option == "SCALE") return scaling(fields);
+  if (option == "ROTATE") return rotation(fields);
+  if (option == "MIRROR") return mirroring(fields);
+  fail_at(fields.place(),
+          fmt::format("*DEFINE_TRANSFORMATION: expected TRANSL, SCALE, ROTATE or MIRROR, got \"{}\"", option));
+}
+
+}  // namespace
+
+Point Transformation::apply(const Point& x) const {
+  Point result = shift;
+  for (std::size_t i = 0; i < 3; ++i) result[i] += dot(rows[i], x);
+  return result;
+}
+
+void Transformation::then(const Transformation& other) {
+  Transformation both;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      both.rows[i][k] = 0;
+      for (std::size_t j = 0; j < 3; ++j) both.rows[i][k] += other.rows[i][j] * rows[j][k];
+    }
+  }
+  both.shift = other.apply(shift);
+  *this = both;
+}
+
+Transformations::Transformations(const KeywordDeck& deck) {
+  for (const KeywordBlock& block : deck.blocks) {
+    if (block.name != "DEFINE_TRANSFORMATION") continue;
+    Cards cards(block);
+    if (block.title) cards.next();
+    const std::int64_t number = Fields(cards.require("its number"), deck.parameters).integer(0, "tranid");
+    Transformation whole;
+    while (const auto card = cards.next_filled()) whole.then(one_of(Fields(*card, deck.parameters)));
+    by_number_[number + (block.transform ? block.transform->define : 0)] = whole;
+  }
+}
+
+const Transformation* Transformations::of(const KeywordBlock& block) const {
+  if (!block.transform || block.transform->transformation == 0) return nullptr;
+  const auto found = by_number_.find(block.transform->transformation);
+  if (found == by_number_.end())
+    fail_at(block.place, fmt::format("*INCLUDE_TRANSFORM: no *DEFINE_TRANSFORMATION has the number {}",
+                                     block.transform->transformation));
+  return &found->second;
+}
+
+}  // namespace pinball
