@@ -28,7 +28,14 @@ set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 # what Python loads.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${pinball_library_directory})
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(control ${PROJECT_SOURCE_DIR}/packaging/debian)
+set(shlibs ${PROJECT_BINARY_DIR}/debian/shlibs)
+file(WRITE ${shlibs} "")
+foreach(name IN LISTS pinball_libraries)
+  file(APPEND ${shlibs}
+       "libpinball-${name} ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${CPACK_PACKAGE_NAME} (>= ${PROJECT_VERSION})\n")
+endforeach()
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${shlibs} ${control}/triggers ${control}/postinst ${control}/prerm)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-vtk9, python3-matplotlib, xvfb")  # for `pinball view`
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, pkg-config, cmake, paraview, ffmpeg")
 if(TARGET pinball_python)

@@ -13,6 +13,7 @@ class Pinball(CMakePackage):
 
     variant("shared", default=True, description="Shared libraries in place of archives")
     variant("solver", default=True, description="The solver and the program, besides the contact library")
+    variant("python", default=False, when="+solver", description="The Python module")
 
     depends_on("c", type="build")
     depends_on("cxx", type="build")
@@ -23,16 +24,24 @@ class Pinball(CMakePackage):
     depends_on("tomlplusplus@3.3:", when="+solver")
     depends_on("pkgconfig", when="+solver", type=("build", "link"))
 
+    depends_on("py-pybind11@2.10:", when="+python", type="build")
+    depends_on("py-numpy", when="+python", type=("build", "run"))
+    extends("python@3.9:", when="+python")
+
     # Packs of lanes are those of std::experimental::simd, which comes with GCC's library.
     conflicts("%gcc@:11")
     conflicts("platform=darwin", msg="needs std::experimental::simd")
 
     def cmake_args(self):
         # Spack's compiler wrappers set the instruction set of the target.
-        return [
+        arguments = [
             self.define_from_variant("BUILD_SHARED_LIBS", "shared"),
             self.define_from_variant("PINBALL_SOLVER", "solver"),
+            self.define("PINBALL_PYTHON", "+python" in self.spec),
             self.define("PINBALL_NATIVE", False),
             self.define("PINBALL_TESTS", False),
             self.define("PINBALL_BENCH", False),
         ]
+        if "+python" in self.spec:
+            arguments.append(self.define("Python_EXECUTABLE", self.spec["python"].command.path))
+        return arguments

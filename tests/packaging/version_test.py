@@ -17,6 +17,7 @@ MINOR = VERSION.rsplit(".", 1)[0]
 PLACES = {
     "CITATION.cff": r"^version: (\S+)$",
     "docs/pinball.1": r'^\.Os "Pinball ([^"]+)"',
+    "packaging/conda/meta.yaml": r'^{% set version = "([^"]+)" %}',
     "CHANGELOG.md": r"^## \[(\d[^]]*)\]",  # the first of them: the latest
 }
 MINOR_PLACES = {"docs/embedding.md": r"find_package\(Pinball (\d\S*)", "docs/solver_library.md": r"find_package\(Pinball (\d\S+)",
