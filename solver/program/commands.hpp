@@ -29,11 +29,13 @@ struct CompareOptions : SceneOptions {
   std::vector<std::string> vary;  ///< "KEY=V1,V2,..."; empty: contact.method=pinball,slideline
   int repeats = 3;
   std::string json;  ///< file for the table of results; empty: none
+  std::string page;  ///< file for the page of results; empty: none
 };
 
 struct VerifyOptions {
   std::vector<std::string> scenes;  ///< empty: all verification scenes
   std::string json;                 ///< file for the table of results; empty: none
+  std::string page;                 ///< file for the page of results; empty: none
 };
 
 /// Runs a scene, or goes on with a run from its checkpoint, and writes its results.

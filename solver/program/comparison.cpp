@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include <solver/base/error.hpp>
+#include <solver/output/history.hpp>
 #include <solver/output/progress.hpp>
+#include <solver/scene_rules.hpp>
 #include <solver/step/report.hpp>
 #include <solver/summary.hpp>
 
@@ -20,6 +23,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double shortest_turn = 1.0 / 50;  ///< of a run
+constexpr double between_rows = 1.0 / 200;  ///< of curves, of a run
 constexpr double fewest_steps = 4;          ///< of a turn: at its begin the caches hold another variant's data
 
 /// A solver of either precision.
@@ -30,6 +34,8 @@ class AnySolver {
   virtual void step() = 0;
   virtual void finish() = 0;
   virtual ProgressState state() const = 0;
+  virtual std::vector<double> numbers() const = 0;  ///< of a row of history.csv
+  virtual std::vector<std::string> columns() const = 0;
   virtual void fill_summary(RunSummary& summary) const = 0;
 };
 
@@ -41,6 +47,10 @@ class SolverOf final : public AnySolver {
   void step() override { solver_.step(); }
   void finish() override { solver_.finish(); }
   ProgressState state() const override { return progress_state(solver_); }
+  std::vector<double> numbers() const override { return history_numbers(history_row(solver_)); }
+  std::vector<std::string> columns() const override {
+    return history_column_names(names_of(solver_.model().scene.bodies), more_columns(solver_));
+  }
   void fill_summary(RunSummary& summary) const override { pinball::fill_summary(solver_, summary); }
 
  private:
@@ -55,8 +65,10 @@ std::unique_ptr<AnySolver> make_solver(const Scene& scene) {
 /// One variant on its way to its end.
 class RunningVariant {
  public:
-  explicit RunningVariant(const Scene& scene)
-      : solver_(make_solver(scene)), limits_{scene.time.end, scene.time.steps, scene.units, false} {}
+  RunningVariant(const Scene& scene, bool curves)
+      : solver_(make_solver(scene)), limits_{scene.time.end, scene.time.steps, scene.units, false}, record_(curves) {
+    if (record_) curves_.columns = solver_->columns();
+  }
 
   bool active() const { return active_; }
   ProgressState state() const { return solver_->state(); }
@@ -69,20 +81,23 @@ class RunningVariant {
 
   /// Its turn: steps until this part of the run is done.
   void advance(double part) {
-    const Clock::time_point start = Clock::now();
     try {
-      while (!solver_->at_end() && done() < part) solver_->step();
+      while (!solver_->at_end() && done() < part) {
+        run([this, part] { step_until(record_ ? std::min(part, next_row_) : part); });
+        if (record_ && done() >= next_row_) record();
+      }
       if (solver_->at_end()) {
-        solver_->finish();
+        run([this] { solver_->finish(); });
         active_ = false;
+        if (record_) record();
       }
     } catch (const RunError& error) {
       failure_ = error.what();
       active_ = false;
     }
-    seconds_ += std::chrono::duration<double>(Clock::now() - start).count();
   }
 
+  const Curves& curves() const { return curves_; }
   const std::string& failure() const { return failure_; }
   RunSummary summary() const {
     RunSummary summary;
@@ -92,8 +107,35 @@ class RunningVariant {
   }
 
  private:
+  /// Also what fails has taken time.
+  template <class Work>
+  void run(const Work& work) {
+    struct Stop {
+      double& seconds;
+      Clock::time_point start;
+      ~Stop() { seconds += std::chrono::duration<double>(Clock::now() - start).count(); }
+    };
+    const Stop stop{seconds_, Clock::now()};
+    work();
+  }
+  /// At least one step, so that the first row of curves is that of the first.
+  void step_until(double part) {
+    do {
+      solver_->step();
+    } while (!solver_->at_end() && done() < part);
+  }
+  /// A row of the curves, in time that is not the variant's.
+  void record() {
+    curves_.rows.push_back(solver_->numbers());
+    curves_.all_rows = curves_.rows.size();
+    next_row_ = (std::floor(done() / between_rows) + 1) * between_rows;
+  }
+
   std::unique_ptr<AnySolver> solver_;
   ProgressSettings limits_;
+  bool record_;
+  Curves curves_;
+  double next_row_ = 0;  ///< part of the run at which the next row is due
   bool active_ = true;
   double seconds_ = 0;
   std::string failure_;
@@ -102,10 +144,10 @@ class RunningVariant {
 /// Runs all variants to their ends, side by side.
 class Race {
  public:
-  explicit Race(const std::vector<Variant>& variants) {
+  Race(const std::vector<Variant>& variants, bool curves) {
     for (const Variant& variant : variants) {
       try {
-        runs_.emplace_back(variant.scene);
+        runs_.emplace_back(variant.scene, curves);
       } catch (const InputError& error) {  // what only the mesh shows to be wrong
         throw InputError(fmt::format("{} (with {})", error.what(), name_of(variant.settings)));
       }
@@ -165,7 +207,7 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
   std::vector<VariantRuns> results;
   for (const Variant& variant : variants) results.push_back({variant.settings, {}, {}, ""});
   for (int repeat = 0; repeat < settings.repeats; ++repeat) {
-    Race race(variants);
+    Race race(variants, settings.curves && repeat == 0);
     // All are at the same part of their runs: the first one speaks for all.
     const Scene& first = variants.front().scene;
     Progress progress({first.time.end, first.time.steps, first.units, settings.quiet});
@@ -175,6 +217,7 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
       result.repeats.push_back(race.runs()[i].summary());
       result.momentum_error = momentum_error(variants[i].scene, result.repeats.back());
       result.failure = race.runs()[i].failure();
+      if (repeat == 0) result.curves = race.runs()[i].curves();
       check_repeat(name_of(result.settings), result.repeats.front(), result.repeats.back());
     }
   }

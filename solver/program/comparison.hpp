@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <solver/output/page/curves.hpp>
 #include <solver/results.hpp>
 #include <solver/scene.hpp>
 
@@ -29,11 +30,13 @@ struct VariantRuns {
   std::vector<RunSummary> repeats;       ///< alike in all but their times
   std::optional<double> momentum_error;  ///< see momentum_error.hpp
   std::string failure;                   ///< what stopped the run, and when; empty: it came to its end
+  Curves curves{};  ///< of the first repeat, a row at each of 200 equal parts; empty: not asked for
 };
 
 struct ComparisonSettings {
-  int repeats = 1;     ///< the whole is done so often
-  bool quiet = false;  ///< no progress
+  int repeats = 1;      ///< the whole is done so often
+  bool quiet = false;   ///< no progress
+  bool curves = false;  ///< keep what the variants are over time
 };
 
 /// Runs all variants to their ends; each ends in the state that a Simulation gives. Within a repeat all of them are in

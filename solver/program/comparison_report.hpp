@@ -16,4 +16,7 @@ std::string comparison_table(const std::vector<VariantRuns>& runs);
 /// `summary` is summary.json without times; numbers that are not known are null.
 std::string comparison_json(const std::vector<VariantRuns>& runs);
 
+/// A page to be opened in a browser: the table, and the curves of the variants over each other.
+std::string comparison_page(const std::vector<VariantRuns>& runs);
+
 }  // namespace pinball

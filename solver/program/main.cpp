@@ -83,6 +83,7 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
   command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3)")
       ->check(CLI::Range(1, 1000));
   command.add_option("--json", options.json, "write the table, and the times of each repeat, to this file");
+  command.add_option("--page", options.page, "write a page for a browser, with curves, to this file");
 }
 
 int run_program(int argc, char** argv) {
@@ -100,6 +101,7 @@ int run_program(int argc, char** argv) {
   auto* verify = app.add_subcommand("verify", "compare the verification scenes with their references");
   verify->add_option("SCENE", verification.scenes, "only these scenes");
   verify->add_option("--json", verification.json, "write the table of results to this file");
+  verify->add_option("--page", verification.page, "write a page for a browser to this file");
 
   pinball::CompareOptions comparison;
   auto* compare = app.add_subcommand(

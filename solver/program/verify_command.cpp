@@ -8,6 +8,8 @@
 #include <solver/base/text_distance.hpp>
 #include <solver/base/version.h>
 #include <solver/output/output_file.hpp>
+#include <solver/output/page/page.hpp>
+#include <solver/output/page/resources.hpp>
 #include <solver/verification/verification.hpp>
 
 #include "commands.hpp"
@@ -53,7 +55,7 @@ void print_table(const std::vector<VerificationRow>& rows) {
   fmt::print("{}", text_table(table, {left, left, right, right, right, right, left, left}));
 }
 
-void write_json(const std::string& path, const std::vector<VerificationRow>& rows, bool pass) {
+nlohmann::ordered_json rows_json(const std::vector<VerificationRow>& rows, bool pass) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const VerificationRow& r : rows) {
     list.push_back({{"scene", r.scene},
@@ -65,9 +67,21 @@ void write_json(const std::string& path, const std::vector<VerificationRow>& row
                     {"tolerance", r.tolerance},
                     {"pass", r.pass}});
   }
-  const nlohmann::ordered_json json{{"version", PINBALL_VERSION}, {"pass", pass}, {"rows", list}};
+  return {{"version", PINBALL_VERSION}, {"pass", pass}, {"rows", list}};
+}
+
+std::string rows_page(const std::vector<VerificationRow>& rows, bool pass) {
+  PageContent content;
+  content.title = "Verification of pinball " PINBALL_VERSION;
+  content.body = fill_template(page_resource("verification.html"), {{"status", pass ? "pass" : "FAIL"}});
+  content.scripts = {"format.js", "verification.js"};
+  content.blocks = {{"verification", rows_json(rows, pass).dump()}};
+  return make_page(content);
+}
+
+void write_file(const std::string& path, const std::string& text) {
   OutputFile file(path);
-  file.write(json.dump(2) + '\n');
+  file.write(text);
   file.commit();
 }
 
@@ -84,7 +98,8 @@ int verify_command(const VerifyOptions& options) {
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const VerificationRow& r) { return !r.pass; });
   print_table(rows);
   fmt::print("{} of {} pass\n", static_cast<std::ptrdiff_t>(rows.size()) - failed, rows.size());
-  if (!options.json.empty()) write_json(options.json, rows, failed == 0);
+  if (!options.json.empty()) write_file(options.json, rows_json(rows, failed == 0).dump(2) + '\n');
+  if (!options.page.empty()) write_file(options.page, rows_page(rows, failed == 0));
   return failed == 0 ? 0 : 1;
 }
 

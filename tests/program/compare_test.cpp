@@ -55,6 +55,25 @@ TEST(Comparison, ErodingVariantsEndAsSingleRunsDo) {
       variants_of("rod_plate", {"contact.enforcement=penalty,projection"}, {.set = {"time.end=8e-6"}}));
 }
 
+TEST(Comparison, KeepsCurvesWhereAskedTo) {
+  const auto variants =
+      variants_of("rod_plate", {"contact.enforcement=penalty,projection"}, {.set = {"time.end=8e-6"}});
+  const std::vector<VariantRuns> with = run_comparison(variants, {2, true, true}),
+                                 without = run_comparison(variants, {1, true});
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    EXPECT_TRUE(without[i].curves.rows.empty());
+    EXPECT_EQ(with[i].repeats[0].state_hash, without[i].repeats[0].state_hash);
+    const Curves& curves = with[i].curves;
+    EXPECT_THAT(curves.columns, testing::Contains("rod_velocity_x"));
+    ASSERT_EQ(static_cast<std::int64_t>(curves.rows.size()), with[i].repeats[0].steps + 1)
+        << "a row per step, where steps are longer than a two hundredth of the run";
+    for (const std::vector<double>& row : curves.rows) EXPECT_EQ(row.size(), curves.columns.size());
+    EXPECT_EQ(curves.rows.front()[1], 0) << "the time of the first step";
+    EXPECT_EQ(curves.rows.back()[1], with[i].repeats[0].end_time);
+    EXPECT_EQ(curves.rows.back()[3], with[i].repeats[0].energy.kinetic);
+  }
+}
+
 TEST(Comparison, RespectsTheLimitOfSteps) {
   // Turns of at least four steps: 10 steps are three turns.
   const auto variants = variants_of("two_blocks", {"contact.beta=1,2"}, {.set = {"time.steps=10"}});

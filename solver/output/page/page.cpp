@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include <solver/base/version.h>
@@ -61,12 +62,18 @@ std::string make_page(const PageContent& content) {
   for (const auto& [id, json] : content.blocks) {
     blocks += fmt::format("<script type=\"application/json\" id=\"{}\">{}</script>\n", id, json_for_script(json));
   }
+  const bool curves = std::find(content.scripts.begin(), content.scripts.end(), "curves.js") != content.scripts.end();
+  const std::string library =
+      fmt::format("<script>\n{}{}\n</script>", page_resource("dygraphs_licence.js"), page_resource("dygraph.min.js"));
   for (const std::string& name : content.scripts) script.append(page_resource(name)).append("\n");
-  return fill_template(page_resource("page.html"), {{"version", PINBALL_VERSION},
-                                                    {"title", html_text(content.title)},
-                                                    {"body", content.body},
-                                                    {"blocks", blocks},
-                                                    {"script", script}});
+  return fill_template(page_resource("page.html"),
+                       {{"version", PINBALL_VERSION},
+                        {"curve style", std::string(page_resource(curves ? "dygraph.min.css" : ""))},
+                        {"curve script", curves ? library : ""},
+                        {"title", html_text(content.title)},
+                        {"body", content.body},
+                        {"blocks", blocks},
+                        {"script", script}});
 }
 
 }  // namespace pinball

@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <solver/output/page/page.hpp>
+#include <solver/output/page/resources.hpp>
+#include <solver/output/page/units_json.hpp>
+
+#include "comparison_report.hpp"
+
+namespace pinball {
+
+std::string comparison_page(const std::vector<VariantRuns>& runs) {
+  const RunSummary& first = runs.front().repeats.front();
+  std::string curves, keys;
+  for (const VariantRuns& variant : runs) curves += (curves.empty() ? '[' : ',') + curves_json(variant.curves);
+  for (const std::string& setting : runs.front().settings) {
+    keys += (keys.empty() ? "" : ", ") + setting.substr(0, setting.find('='));
+  }
+  const bool failed = std::any_of(runs.begin(), runs.end(), [](const VariantRuns& v) { return !v.failure.empty(); });
+  const std::string heading = fmt::format("{}: {}", first.title.empty() ? first.scene : first.title, keys);
+  PageContent content;
+  content.title = fmt::format("{} - comparison", first.scene);
+  content.body = fill_template(
+      page_resource("comparison.html"),
+      {{"scene", html_text(first.scene)}, {"heading", html_text(heading)}, {"status", failed ? "failed" : "done"}});
+  content.scripts = {"format.js", "curves.js", "comparison.js"};
+  content.blocks = {{"units", units_json(parse_units(first.units)).dump()},
+                    {"comparison", comparison_json(runs)},
+                    {"curves", curves + ']'}};
+  return make_page(content);
+}
+
+}  // namespace pinball

@@ -1,0 +1,296 @@
+"""The pages that the program leaves, in a browser: python3 page_browser_test.py PROGRAM FOLDER
+
+Ends with 77, and says why, where Chromium, its driver or Selenium are not there.
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SKIPPED = 77
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    webdriver = None
+
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+         "--disable-component-update", "--disable-sync", "--window-size=1200,900"]
+
+program, folder = None, None
+
+# A pixel, as `pinball view` puts pictures.
+PIXEL = ("data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
+
+
+def missing():
+    if webdriver is None:
+        return "python3-selenium is not there"
+    for name in ["chromium", "chromedriver"]:
+        if shutil.which(name) is None:
+            return f"{name} is not there"
+    return None
+
+
+def run(*arguments, status=0):
+    done = subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True,
+                          env={**os.environ, "GOMP_SPINCOUNT": "1000"})
+    assert done.returncode == status, f"{arguments}: status {done.returncode}\n{done.stdout}{done.stderr}"
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.profile = tempfile.mkdtemp()
+        options = webdriver.ChromeOptions()
+        options.binary_location = shutil.which("chromium")
+        for flag in [*FLAGS, f"--user-data-dir={cls.profile}"]:
+            options.add_argument(flag)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        shutil.rmtree(cls.profile, ignore_errors=True)
+
+    def open(self, path):
+        """Opens a page, which must tell of no error and ask for nothing but itself."""
+        for log in ["browser", "performance"]:
+            self.browser.get_log(log)
+        self.browser.get((pathlib.Path(folder) / path).as_uri())
+        self.addCleanup(self.expect_quiet)
+
+    def expect_quiet(self):
+        told = [entry for entry in self.browser.get_log("browser") if "Canvas2D" not in entry["message"]]  # read by this test
+        self.assertEqual(told, [])
+        for entry in self.browser.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                url = message["params"]["request"]["url"]
+                self.assertRegex(url, "^(file|data|chrome):", "a request")  # chrome: of the tab that it begins with
+
+    def all(self, selector):
+        return self.browser.find_elements(By.CSS_SELECTOR, selector)
+
+    def one(self, selector):
+        found = self.all(selector)
+        self.assertEqual(len(found), 1, selector)
+        return found[0]
+
+    def texts(self, selector):
+        return [element.text for element in self.all(selector)]
+
+    def panel(self, title):
+        panels = [p for p in self.all("figure.panel") if p.find_element(By.TAG_NAME, "h3").text == title]
+        self.assertEqual(len(panels), 1, title)
+        return panels[0]
+
+    def expect_curves(self):
+        """Every panel has more than a few points drawn on its canvas."""
+        drawn = self.browser.execute_script("""
+            return [...document.querySelectorAll('figure.panel')].map((panel) => {
+              const canvas = panel.querySelector('canvas');
+              const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+              const seen = new Set();
+              let points = 0;
+              for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 200) { ++points; seen.add(pixels.slice(i, i + 3).join()); }
+              return [panel.querySelector('h3').textContent, points, seen.size];
+            });""")
+        self.assertGreater(len(drawn), 3)
+        for title, points, colours in drawn:
+            self.assertGreater(points, 200, title)
+
+    def values(self, panel):
+        return {li.find_element(By.CSS_SELECTOR, "button > span:nth-child(2)").text:
+                li.find_element(By.TAG_NAME, "output").text for li in panel.find_elements(By.CSS_SELECTOR, ".legend li")}
+
+    def hover(self, panel, across=0.5):
+        canvas = panel.find_element(By.CSS_SELECTOR, ".chart canvas:last-of-type")
+        self.browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+        width = canvas.size["width"]
+        ActionChains(self.browser).move_to_element_with_offset(canvas, int((across - 0.5) * width), 0).perform()
+
+
+class RunPage(Pages):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        run("run", "rod_plate", "--quiet", "--out", "run", "--set", "time.end=2e-5", "--set", "contact.enforcement=penalty",
+            "--set", "output.field_interval=0")
+
+    def setUp(self):
+        self.open("run/index.html")
+
+    def test_tells_what_the_run_was(self):
+        self.assertEqual(self.one("#status").text, "done")
+        self.assertIn("Copper rod", self.one("h1").text)
+        figures = dict(text.split("\n") for text in self.texts("#figures .figure"))
+        self.assertEqual(figures["elements"], "1,842")
+        summary = json.loads((pathlib.Path(folder) / "run/summary.json").read_text())
+        self.assertEqual(figures["state"], summary["state_hash"])
+        self.assertEqual(self.all(".error"), [])
+        for part in ["Energies", "Bodies", "Momentum", "Contact and forces", "Where the time went", "The scene"]:
+            self.assertIn(part, self.texts("h2"))
+        self.assertEqual(self.texts("nav a"), [h for h in self.texts("h2") if h], "links to what is there")
+
+    def test_draws_curves(self):
+        self.expect_curves()
+
+    def test_small_energies_have_panels_of_their_own(self):
+        large, small = self.values(self.panel("Energy")), self.values(self.panel("Small energies"))
+        smallest = self.values(self.panel("Small energies, smallest"))
+        self.assertIn("kinetic", large)
+        self.assertIn("total", large)
+        self.assertIn("contact stored", small)
+        self.assertIn("hourglass", {**small, **smallest})
+        self.assertFalse(set(large) & set(small))
+        self.assertIn("lbf in", self.panel("Small energies").find_element(By.CSS_SELECTOR, ".axis").text)
+
+    def test_hovering_shows_values_at_one_time_in_all_panels(self):
+        panel = self.panel("Energy")
+        self.assertEqual(set(self.values(panel).values()), {""})
+        self.hover(panel)
+        values = self.values(panel)
+        self.assertNotIn("", values.values())
+        self.assertRegex(values["kinetic"], r"^4\.\d+×10⁶$")
+        now = panel.find_element(By.CSS_SELECTOR, ".now").text
+        self.assertRegex(now, r"^at [\d.]+×10⁻[⁵⁶] s$")
+        other = self.panel("Momentum")
+        self.assertEqual(other.find_element(By.CSS_SELECTOR, ".now").text, now)
+        self.hover(panel, 0.8)
+        self.assertNotEqual(panel.find_element(By.CSS_SELECTOR, ".now").text, now)
+
+    def test_arrow_keys_move_through_time(self):
+        chart = self.panel("Momentum").find_element(By.CSS_SELECTOR, ".chart")
+        chart.send_keys(Keys.ARROW_RIGHT)
+        first = self.panel("Momentum").find_element(By.CSS_SELECTOR, ".now").text
+        chart.send_keys(Keys.ARROW_RIGHT)
+        self.assertRegex(first, "^at ")
+        self.assertNotEqual(self.panel("Momentum").find_element(By.CSS_SELECTOR, ".now").text, first)
+
+    def test_legend_hides_a_curve(self):
+        panel = self.panel("Momentum")
+        pixels = lambda: self.browser.execute_script("""
+            const canvas = arguments[0].querySelector('canvas');
+            return canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.filter((v) => v > 0).length;""", panel)
+        before = pixels()
+        button = panel.find_element(By.CSS_SELECTOR, ".legend button")
+        self.browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", button)
+        button.click()
+        self.assertEqual(button.get_attribute("aria-pressed"), "false")
+        self.assertLess(pixels(), before)
+
+    def test_filters_the_keys_of_the_scene(self):
+        rows = lambda: [row.text for row in self.all("#keys tbody tr") if row.is_displayed()]
+        everything = rows()
+        self.assertGreater(len(everything), 60)
+        self.one("#scene_keys input[type=search]").send_keys("contact skin")
+        self.assertEqual(rows(), ["contact.skin 0.5 default"])
+        self.one("#scene_keys input[type=search]").clear()
+        box = self.one("#scene_keys input[type=checkbox]")
+        box.click()
+        chosen = rows()
+        self.assertLess(len(chosen), len(everything))
+        self.assertIn("time.end 2e-05 s", chosen)
+        self.assertFalse([row for row in chosen if row.endswith("default")])
+        self.assertIn("--set time.end=2e-5", self.one("#scene_keys pre code").text)
+
+    def test_shows_phases_and_what_was_skipped(self):
+        phases = {row.text.split(" 0")[0].split(" 1")[0] for row in self.all("#phases tbody tr")}
+        self.assertTrue(any(name.startswith("internal forces") for name in phases), phases)
+        self.assertTrue(self.all("#phases .bar"))
+        self.assertIn("searches for contact", self.one("#skipped table").text)
+
+    def test_fits_a_phone_and_its_colours_follow_the_reader(self):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
+                                     {"width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": True})
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+        try:
+            self.open("run/index.html")
+            self.assertLessEqual(self.browser.execute_script("return document.documentElement.scrollWidth"), 390)
+            self.assertEqual(self.browser.execute_script("return getComputedStyle(document.body).backgroundColor"), "rgb(20, 23, 27)")
+            self.expect_curves()
+        finally:
+            self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+            self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
+
+    def test_plays_the_frames_that_were_put_in(self):
+        page = pathlib.Path(folder) / "run/index.html"
+        frames = "".join(f'<img loading="lazy" alt="frame {i}" src="{PIXEL}">' for i in range(3))
+        begin, end = "<!-- pictures -->", "<!-- /pictures -->"
+        head, rest = page.read_text().split(begin)
+        film = f'<div class="frames" data-times="[0, 0.5, 1]" data-unit="ms">{frames}</div>'
+        (page.parent / "film.html").write_text(head + begin + film + end + rest.split(end)[1])
+        self.open("run/film.html")
+        shown = lambda: [image.get_attribute("alt") for image in self.all(".frames img") if image.get_attribute("hidden") is None]
+        self.assertEqual(shown(), ["frame 0"])
+        slider = self.one(".player input")
+        slider.send_keys(Keys.END)
+        self.assertEqual(shown(), ["frame 2"])
+        self.assertEqual(self.one(".player output").text, "t = 1 ms")
+        self.one(".player button").click()
+        self.assertEqual(self.one(".player button").text, "Pause")
+
+
+class OtherPages(Pages):
+    def test_a_failed_run_tells_its_error_first(self):
+        run("run", "rod_plate", "--quiet", "--out", "failed", "--set", "guard.energy_error=1e-9", "--set", "time.end=2e-5", status=1)
+        self.open("failed/index.html")
+        self.assertEqual(self.one("#status").text, "failed")
+        self.assertIn("energy", self.one(".error").text)
+        self.assertEqual(self.one(".error").get_attribute("role"), "alert")
+        self.assertLess(self.one(".error").location["y"], self.one("#figures").location["y"])
+
+    def test_a_run_without_contact_or_probes_leaves_these_out(self):
+        run("run", "patch_test", "--quiet", "--out", "patch", "--set", "time.steps=5")
+        self.open("patch/index.html")
+        self.assertNotIn("Probes", self.texts("h2"))
+
+    def test_a_comparison_lays_curves_over_each_other(self):
+        run("compare", "rod_plate", "--vary", "contact.enforcement=penalty,lagrange", "--repeat", "1", "--quiet", "--set", "time.end=1e-5",
+            "--page", "compare.html")
+        self.open("compare.html")
+        self.expect_curves()
+        panel = self.panel("contact damped energy")
+        self.assertEqual(set(self.values(panel)), {"penalty", "lagrange"})
+        self.hover(panel)
+        self.assertNotIn("", self.values(panel).values())
+        self.assertEqual(len(self.all("#variant_times tbody tr")), 2)
+        shown = lambda: sum(row.is_displayed() for row in self.all("#variant_results tbody tr"))
+        before = shown()
+        self.one("#results input[type=checkbox]").click()
+        self.assertLess(shown(), before)
+        self.assertGreater(shown(), 0)
+
+    def test_a_verification_has_its_rows(self):
+        run("verify", "two_blocks", "uniaxial_strain", "--page", "verify.html", "--json", "verify.json")
+        rows = json.loads((pathlib.Path(folder) / "verify.json").read_text())["rows"]
+        self.open("verify.html")
+        shown = lambda: [row for row in self.all("#row_table tbody tr") if row.is_displayed()]
+        self.assertEqual(len(shown()), len(rows))
+        self.assertEqual(len(self.all("#row_table .bar")), len(rows))
+        self.one("#rows input[type=search]").send_keys("two_blocks restitution")
+        self.assertEqual(len(shown()), sum(r["scene"] == "two_blocks" and "restitution" in r["quantity"] + r["source"] for r in rows))
+        self.one("#rows input[type=search]").clear()
+        self.all("#rows input[type=checkbox]")[0].click()
+        self.assertEqual(len(shown()), sum(not r["pass"] for r in rows))
+
+
+if __name__ == "__main__":
+    reason = missing()
+    if reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    program, folder = (os.path.abspath(path) for path in sys.argv[1:3])
+    os.makedirs(folder, exist_ok=True)
+    unittest.main(argv=sys.argv[:1])
