@@ -25,12 +25,11 @@ def check_animation(path):
 
 
 def write_animation(path, frames, frames_per_second):
-    """Writes the frames (PIL images of one size, an iterable) as a film that begins anew at its end."""
+    """Writes the frames (PIL images of one size) as a film that begins anew at its end."""
     kind = os.path.splitext(path)[1].lower()
     if kind in CODECS:
         write_film(path, frames, frames_per_second, CODECS[kind])
         return
-    frames = list(frames)
     # The last state stays for a second.
     durations = [round(1000.0 / frames_per_second)] * (len(frames) - 1) + [1000]
     if kind == ".gif":
@@ -42,13 +41,12 @@ def write_animation(path, frames, frames_per_second):
 
 
 def write_film(path, frames, frames_per_second, codec):
-    frames = iter(frames)
-    first = next(frames)
+    first = frames[0]
     command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
                f"{first.width}x{first.height}", "-r", str(frames_per_second), "-i", "-", *codec, path]
     with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         try:
-            for frame in (first, *frames):
+            for frame in frames:
                 process.stdin.write(np.asarray(frame).tobytes())
             process.stdin.close()
         except BrokenPipeError:

@@ -35,7 +35,7 @@ class Wanted:
         named = options.out or options.animation or options.history
         self.sheet = options.out or (None if named else os.path.join(folder, "fields.png"))
         self.film = options.animation or (None if named else os.path.join(folder, "animation.webp"))
-        self.state = None if named else os.path.join(folder, "fields.pvsm")
+        self.page = not named
         self.history = os.path.join(folder, "history.png") if options.history or not named else None
 
 
@@ -43,6 +43,7 @@ def draw_fields(options, wanted):
     from view.animation import check_animation, write_animation
     from view.display import VirtualDisplay
     from view.drawing import Drawing
+    from view.page import pictures, put_into_page
     from view.selection import choose_entries
 
     entries = entries_of(options.folder)
@@ -51,14 +52,23 @@ def draw_fields(options, wanted):
     if wanted.film:
         check_animation(wanted.film)
     drawing = Drawing(sorted({*panels, *frames}), options)
+    films = []
     with VirtualDisplay():
         if wanted.sheet:
             (sheet,) = drawing.sheets([panels], options.size or WIDTH)
             sheet.save(wanted.sheet)
             yield wanted.sheet
         if wanted.film and (len(frames) > 1 or options.animation):
-            write_animation(wanted.film, drawing.sheets([[entry] for entry in frames], options.size or FILM_WIDTH), options.fps)
-            yield wanted.film
+            films = list(drawing.sheets([[entry] for entry in frames], options.size or FILM_WIDTH))
+    if films:
+        write_animation(wanted.film, films, options.fps)
+        yield wanted.film
+    if wanted.page:
+        with open(wanted.sheet, "rb") as sheet:
+            content = pictures(sheet.read(), films, [time * drawing.factor for time, _ in frames], drawing.time_unit,
+                               drawing.colours.label or "bodies")
+        if put_into_page(options.folder, content):
+            yield os.path.join(options.folder, "index.html")
 
 
 def draw(options):

@@ -87,13 +87,12 @@ class Drawing:
         return 0.0 if size < FINEST_EDGES else min(max(size / 16.0, 0.5), 1.0)
 
     def surfaces(self, mesh):
-        """[(surface, scale)]: what is seen and its mirror images."""
-        from view.surface import visible_surface, with_opposite_values
+        """What is seen, and its mirror images."""
+        from view.surface import mirrored, visible_surface
 
         surface = visible_surface(mesh, self.quantity, elements_of(mesh, self.bodies), self.cut)
         images = [[axis for axis, factor in zip("xyz", scale) if factor < 0.0] for scale in self.scales]
-        opposite = with_opposite_values(surface) if self.options.mirror else None
-        return [(opposite if self.quantity.changes_sign(axes) else surface, scale)
+        return [mirrored(surface, scale, self.quantity.changes_sign(axes)) if axes else surface
                 for scale, axes in zip(self.scales, images)]
 
     def sheets(self, groups, width):

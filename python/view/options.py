@@ -6,7 +6,7 @@ import math
 from view.camera import VIEWS
 
 DESCRIPTION = """Pictures of a run: the bodies at several times side by side (fields.png), an animation (animation.webp), what
-happened over time (history.png), and a state file with which ParaView opens the same (fields.pvsm)."""
+happened over time (history.png). The first two are also put into the page of the run (index.html)."""
 EXAMPLES = """examples:
   pinball view out/rod_plate
   pinball view out/rod_plate --view side --times 0 25e-6 54e-6 --field von_mises --out three.png

@@ -60,10 +60,10 @@ class Window:
         self.renderer.SetPass(occlusion)
 
     def draw(self, surfaces, colours, edges):
-        """(height, width, 3) bytes. surfaces: [(vtkPolyData, scale (3,))]; edges: width of mesh lines [pixel], 0 for none."""
+        """(height, width, 3) bytes. surfaces: vtkPolyData; edges: width of mesh lines [pixel], 0 for none."""
         self.renderer.RemoveAllViewProps()
-        for surface, scale in surfaces:
-            self.renderer.AddActor(actor_of(surface, scale, colours, edges))
+        for surface in surfaces:
+            self.renderer.AddActor(actor_of(surface, colours, edges))
         self.window.Render()
         return self.read()
 
@@ -91,7 +91,7 @@ def lookup_table(colours):
     return table
 
 
-def actor_of(surface, scale, colours, edges):
+def actor_of(surface, colours, edges):
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface)
     mapper.SetLookupTable(lookup_table(colours))
@@ -99,7 +99,6 @@ def actor_of(surface, scale, colours, edges):
     mapper.InterpolateScalarsBeforeMappingOn()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.SetScale(scale)
     look = actor.GetProperty()
     look.SetAmbient(0.4)
     look.SetDiffuse(0.78)

@@ -3,9 +3,11 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkPlane, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkClipPolyData, vtkCutter, vtkPolyDataNormals
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkPlane, vtkUnstructuredGrid
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkClipPolyData, vtkCutter, vtkPolyDataNormals, vtkReverseSense
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 
 VALUES = "values"
 
@@ -74,11 +76,27 @@ def visible_surface(mesh, quantity, elements, cut=None):
     return with_normals(surface)
 
 
-def with_opposite_values(surface):
-    opposite = vtkPolyData()
-    opposite.DeepCopy(surface)
-    for data in (opposite.GetPointData(), opposite.GetCellData()):
+def mirrored(surface, scale, opposite):
+    """The image of a surface at planes through the origin, seen from outside as it is; its values with the other sign where
+    they are opposite."""
+    mirror = vtkTransform()
+    mirror.Scale(scale)
+    place = vtkTransformPolyDataFilter()
+    place.SetTransform(mirror)
+    image = run_filter(place, surface)
+    if np.prod(scale) < 0.0:
+        turn = vtkReverseSense()  # of the cells; normals have been turned with them
+        turn.ReverseNormalsOff()
+        image = run_filter(turn, image)
+    if opposite:
+        negate(image)
+    return image
+
+
+def negate(surface):
+    for data in (surface.GetPointData(), surface.GetCellData()):
         array = data.GetArray(VALUES)
         if array is not None:
-            vtk_to_numpy(array)[...] *= -1.0
-    return opposite
+            opposite = numpy_to_vtk(-vtk_to_numpy(array), deep=True)
+            opposite.SetName(VALUES)
+            data.SetScalars(opposite)

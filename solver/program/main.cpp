@@ -109,7 +109,7 @@ int run_program(int argc, char** argv) {
   add_compare_options(*compare, comparison);
 
   // All after the word is the viewer's, which has its own --help.
-  auto* view = app.add_subcommand("view", "pictures and an animation of a run's folder, and a state file for ParaView");
+  auto* view = app.add_subcommand("view", "pictures and an animation of what a run has left in a folder");
   view->set_help_flag();
   view->prefix_command();
 

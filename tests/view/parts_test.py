@@ -2,19 +2,23 @@
 
 import math
 import os
+import pathlib
 import sys
+import tempfile
 import types
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "python"))
 
 import numpy as np
+from PIL import Image
 
 from view.camera import Camera, Frame, VIEWS, corners_of, parse_view
 from view.colours import limits_of, make_colours
 from view.drawing import points_seen
 from view.fields import BadInput, Mesh
 from view.labels import readable_powers, round_length, time_scale
+from view.page import LARGEST_FRAME, frame_data, pictures, put_into_page
 from view.quantity import Quantity, default_field, shown
 from view.selection import chosen_bodies, choose_entries, elements_of, mirror_scales, parse_cut
 from view.sheet import Layout, number_of_columns
@@ -173,6 +177,30 @@ class Layouts(unittest.TestCase):
         self.assertGreaterEqual(y3, y0 + layout.panel[1])
         self.assertLessEqual(y3 + layout.title + layout.panel[1], layout.height)
         self.assertEqual((layout.width % 2, layout.height % 2), (0, 0))
+
+
+class Pages(unittest.TestCase):
+    def test_pictures_come_between_the_marks_in_place_of_older_ones(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertIsNone(put_into_page(folder, "x"), "no page")
+            page = pathlib.Path(folder, "index.html")
+            page.write_text("<p>a</p>")
+            self.assertIsNone(put_into_page(folder, "x"), "no marks")
+            page.write_text("<p>a</p><!-- pictures -->old<!-- /pictures --><p>b</p>")
+            for content in ("first", "second"):
+                put_into_page(folder, content)
+            self.assertEqual(page.read_text(), "<p>a</p><!-- pictures -->\nsecond\n<!-- /pictures --><p>b</p>")
+
+    def test_a_film_is_one_image_for_each_time(self):
+        frames = [Image.new("RGB", (40, 30), colour) for colour in ("red", "blue")]
+        text = pictures(b"png", frames, [0.0, 1.5], "ms", "strain <b>")
+        self.assertIn('data-times="[0.0, 1.5]" data-unit="ms"', text)
+        self.assertEqual(text.count("data:image/webp;base64,"), 2)
+        self.assertIn("strain &lt;b&gt;", text)
+
+    def test_large_frames_are_made_smaller(self):
+        noise = np.random.default_rng(1).integers(0, 256, (400, 400, 3), dtype=np.uint8)
+        self.assertLess(len(frame_data(Image.fromarray(noise))), 1.2 * LARGEST_FRAME)
 
 
 if __name__ == "__main__":

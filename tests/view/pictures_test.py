@@ -118,10 +118,16 @@ class Pictures(unittest.TestCase):
         alone, both = self.hues("--only", "left", "--view", "top"), self.hues("--only", "left", "--view", "top", "--mirror", "x")
         self.assertGreater(both["white"], alone["white"], "between the two")
         self.assertGreater(both["blue"], 0.2)
+        image = self.picture("--only", "left", "--view", "side", "--mirror", "x").astype(int)
+        row = [pixel for pixel in image[image.shape[0] // 2] if hue(pixel) == "blue"]
+        np.testing.assert_allclose(row[5], row[-5], atol=8, err_msg="in the same light")
 
     def test_all_is_made_by_default(self):
         files = self.view()
-        self.assertEqual([file.name for file in files], ["fields.png", "animation.webp", "history.png"])
+        self.assertEqual([file.name for file in files], ["fields.png", "animation.webp", "index.html", "history.png"])
+        page = files.pop(2).read_text()
+        self.assertIn("data:image/png;base64,", page)
+        self.assertEqual(page.count('<img loading="lazy"'), self.outputs)
         for file in files:
             with Image.open(file) as image:
                 self.assertGreater(image.width, 600, file)
