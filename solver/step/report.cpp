@@ -67,7 +67,35 @@ std::vector<std::string> more_columns(const Solver<S>& solver) {
   }
   const std::vector<std::string> of_probes = solver.probes().columns();
   columns.insert(columns.end(), of_probes.begin(), of_probes.end());
+  if (solver.contact() == nullptr) return columns;
+  for (const Body& body : solver.model().scene.bodies) {
+    for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_contact_force_{}", body.name, axis));
+  }
   return columns;
+}
+
+template <class S>
+std::vector<Point> contact_forces_on_nodes(const Solver<S>& solver, std::vector<double>& radius) {
+  const Model<S>& model = solver.model();
+  std::vector<Point> in_store(model.mesh.nodes.size(), Point{}), force(model.mesh.nodes.size(), Point{});
+  radius.assign(static_cast<std::size_t>(model.elements.slots), 0.0);
+  solver.contact()->report(ModelSurface<S>(model), in_store, radius);
+  for (std::size_t n = 0; n < force.size(); ++n) force[n] = in_store[model.node_of_scene_node[n]];
+  return force;
+}
+
+/// What contact does to each body as a whole [force].
+template <class S>
+std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
+  const Model<S>& model = solver.model();
+  std::vector<double> radius;
+  const std::vector<Point> force = contact_forces_on_nodes(solver, radius);
+  std::vector<Point> sums(model.scene.bodies.size(), Point{});
+  for (std::size_t n = 0; n < force.size(); ++n) {
+    Point& sum = sums[static_cast<std::size_t>(model.mesh.body_of_node[n])];
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += force[n][k];
+  }
+  return sums;
 }
 
 template <class S>
@@ -93,6 +121,10 @@ HistoryRow history_row(const Solver<S>& solver) {
   }
   const std::vector<double> of_probes = solver.probes().values(model, solver.dt());
   row.more.insert(row.more.end(), of_probes.begin(), of_probes.end());
+  if (solver.contact() == nullptr) return row;
+  for (const Point& force : contact_forces_on_bodies(solver)) {
+    row.more.insert(row.more.end(), force.begin(), force.end());
+  }
   return row;
 }
 
@@ -130,12 +162,8 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
     s.alive[e] = model.elements.alive(slot) ? 1 : 0;
   }
   if (solver.contact() != nullptr) {
-    std::vector<Point> force(nodes, Point{});
-    std::vector<double> radius(static_cast<std::size_t>(model.elements.slots), 0.0);
-    solver.contact()->report(ModelSurface<S>(model), force, radius);
-    for (std::size_t n = 0; n < nodes; ++n) {
-      s.contact_force[n] = force[model.node_of_scene_node[n]];
-    }
+    std::vector<double> radius;
+    s.contact_force = contact_forces_on_nodes(solver, radius);
     for (std::size_t e = 0; e < elements; ++e) {
       s.pinball_radius[e] = radius[model.slot_of_element[e]];
     }

@@ -156,6 +156,12 @@ class RunPage(Pages):
         self.assertFalse(set(large) & set(small))
         self.assertIn("lbf in", self.panel("Small energies").find_element(By.CSS_SELECTOR, ".axis").text)
 
+    def test_shows_the_contact_force_on_each_body(self):
+        for body in ["rod", "plate"]:
+            panel = self.panel(f"Contact force on {body}")
+            self.assertEqual(set(self.values(panel)), {"x", "y", "z"})
+            self.assertRegex(panel.find_element(By.CSS_SELECTOR, ".axis").text, r"\[(10.+ )?lbf\]$")
+
     def test_hovering_shows_values_at_one_time_in_all_panels(self):
         panel = self.panel("Energy")
         self.assertEqual(set(self.values(panel).values()), {""})

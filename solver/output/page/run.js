@@ -104,6 +104,8 @@ function forces() {
     }
   }
   if (summary.contact.method !== 'none') fill('forces', contactFacts());
+  if (panels.length) fill('forces', make('p', {class: 'note', text: 'Forces are those of single steps, in which contact may be a '
+      + 'knock: their peaks grow with shorter steps, impulses do not.'}));
   if (panels.length) fill('forces', make('div', {class: 'panels'}, ...panels));
   if (summary.rigid_walls.length) {
     fill('forces', table({caption: 'Rigid walls', numbers: [1, 2],
