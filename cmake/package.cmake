@@ -23,7 +23,6 @@ set(CPACK_STRIP_FILES ON)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 # What programs and libraries load is found by dpkg-shlibdeps; what a host that is compiled needs has to be named, as has
 # what Python loads.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
