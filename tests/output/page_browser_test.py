@@ -249,6 +249,17 @@ class RunPage(Pages):
 
 
 class OtherPages(Pages):
+    def test_a_run_that_was_stopped_says_so(self):
+        run("run", "two_blocks", "--quiet", "--out", "stopped", "--set", "time.steps=20")
+        page = pathlib.Path(folder) / "stopped/index.html"
+        head, rest = page.read_text().split('id="summary">')
+        summary, tail = rest.split("</script>", 1)
+        summary = json.dumps({**json.loads(summary), "status": "stopped"})
+        page.write_text(f'{head}id="summary">{summary}</script>{tail}')
+        self.open("stopped/index.html")
+        self.assertEqual(self.one("#status").text, "stopped")
+        self.assertIn("before its end", self.one("header .note").text)
+
     def test_a_failed_run_tells_its_error_first(self):
         run("run", "rod_plate", "--quiet", "--out", "failed", "--set", "guard.energy_error=1e-9", "--set", "time.end=2e-5", status=1)
         self.open("failed/index.html")

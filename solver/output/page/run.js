@@ -11,6 +11,13 @@ const fill = (id, ...children) => place(id).append(...children);
 const drop = (id) => { place(id).hidden = true; };
 const hasValues = (list) => list.some((s) => largestOf(s.values) > 0);
 
+/// A run that was stopped is neither done nor failed; the summary says so.
+function status() {
+  if (summary.status !== 'stopped') return;
+  Object.assign(place('status'), {textContent: 'stopped', className: 'status stopped'});
+  place('contents').before(make('p', {class: 'note', text: `Stopped at ${figure(summary.end_time)} ${units.time}, before its end.`}));
+}
+
 function keyFigures() {
   const s = summary;
   const figures = [
@@ -185,6 +192,6 @@ function sceneKeys() {
   }
 }
 
-for (const part of [keyFigures, warnings, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
+for (const part of [status, keyFigures, warnings, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
 contents();
 drawCharts();
