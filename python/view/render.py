@@ -100,8 +100,8 @@ def actor_of(surface, colours, edges):
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
-    look.SetAmbient(0.4)
-    look.SetDiffuse(0.78)
+    look.SetAmbient(0.36)
+    look.SetDiffuse(0.62)
     look.SetSpecular(0.0)
     if edges > 0.0:
         look.EdgeVisibilityOn()
