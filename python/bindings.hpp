@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl_bind.h>
 
@@ -32,6 +33,7 @@ void bind_boundary(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_results(py::module_& module);
 void bind_simulation(py::module_& module);
+void bind_contact(py::module_& module);
 
 /// A class of plain data: made without arguments or with its fields by name, Material(name="steel", density=7850).
 template <class Data>

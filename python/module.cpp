@@ -15,5 +15,6 @@ PYBIND11_MODULE(_core, module) {
   python::bind_scene(module);
   python::bind_results(module);
   python::bind_simulation(module);
+  python::bind_contact(module);
   module.attr("__name__") = own_name;
 }
