@@ -1,0 +1,40 @@
+"""Makes the wheel, installs it where there is nothing else, and runs a scene of its own with it:
+    wheel_test.py BUILD_FOLDER|new FOLDER"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import zipfile
+
+build, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+root = pathlib.Path(__file__).resolve().parent.parent.parent
+shutil.rmtree(folder, ignore_errors=True)
+folder.mkdir(parents=True)
+environment = {key: value for key, value in os.environ.items() if not key.startswith(("PINBALL", "PYTHON", "PIP"))}
+settings = [] if build == "new" else [f"--config-settings=build={build}"]
+subprocess.run([sys.executable, "-m", "pip", "wheel", root, "--no-build-isolation", "--no-deps", "--no-index", "--quiet",
+                "--disable-pip-version-check", "--wheel-dir", folder, *settings], check=True, env=environment)
+(wheel,) = folder.glob("*.whl")
+with zipfile.ZipFile(wheel) as content:
+    assert content.testzip() is None
+    names = content.namelist()
+assert "pinball/data/scenes/two_bars.toml" in names and "pinball/py.typed" in names, names
+assert not any("__pycache__" in name for name in names), names
+
+subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", folder / "venv"], check=True, env=environment)
+python = folder / "venv" / "bin" / "python3"
+subprocess.run([python, "-m", "pip", "install", "--no-index", "--no-deps", "--quiet", "--disable-pip-version-check", wheel],
+               check=True, env=environment)
+program = """
+import importlib.metadata, pathlib, pinball, sys
+assert pathlib.Path(pinball.__file__).is_relative_to(sys.prefix), pinball.__file__
+assert importlib.metadata.version("pinball-solver") == pinball.__version__
+scene = pinball.read_scene("two_bars")
+assert pathlib.Path(scene.path).is_relative_to(sys.prefix), scene.path
+simulation = pinball.Simulation(scene)
+assert simulation.run()
+print(f"pinball {pinball.__version__}: {simulation.steps} steps, state {simulation.state_hash:016x}")
+"""
+subprocess.run([python, "-c", program], check=True, env=environment, cwd=folder)
