@@ -268,6 +268,17 @@ class OtherPages(Pages):
         self.assertEqual(self.one(".error").get_attribute("role"), "alert")
         self.assertLess(self.one(".error").location["y"], self.one("#figures").location["y"])
 
+    def test_without_dygraphs_there_are_figures_in_place_of_curves(self):
+        run("run", "two_blocks", "--quiet", "--out", "bare", "--set", "time.steps=20")
+        page = pathlib.Path(folder) / "bare/index.html"
+        head, rest = page.read_text().split("/* The code that draws the curves", 1)
+        page.write_text(head + rest[rest.index("</script>"):])
+        self.open("bare/index.html")
+        self.assertEqual(self.all("canvas"), [])
+        panel = self.panel("Energy")
+        self.assertIn("built without dygraphs", panel.text)
+        self.assertIn("kinetic", panel.find_element(By.TAG_NAME, "table").text)
+
     def test_a_run_without_contact_or_probes_leaves_these_out(self):
         run("run", "patch_test", "--quiet", "--out", "patch", "--set", "time.steps=5")
         self.open("patch/index.html")

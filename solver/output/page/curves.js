@@ -53,10 +53,13 @@ function chart({title, unit, times, timeUnit, series, first = 0, zero = true}) {
   const below = make('p', {class: 'axis below', text: named('time', scaled(timeUnit, timePower))});
   const legend = make('ul', {class: 'legend'});
   const now = make('p', {class: 'now', 'aria-live': 'polite'});
-  panel.append(heading, axis, place, below, legend, now, extremesTable(title, unit, timeUnit, all, series));
+  const inFigures = extremesTable(title, unit, timeUnit, all, series);
+  panel.append(heading, axis, place, below, legend, now, inFigures);
   if (typeof Dygraph === 'undefined' || all.times.length === 0) {
     place.replaceWith(make('p', {class: 'note', text: all.times.length === 0 ? 'No rows.'
         : 'This program was built without dygraphs (Debian: libjs-dygraphs), so that there are no curves here.'}));
+    for (const part of [axis, below, legend, now]) part.remove();
+    inFigures.open = true;
     return panel;
   }
   const rows = all.times.map((t, r) => [t / 10 ** timePower, ...all.values.map((v) => v[r] === null ? null : v[r] / 10 ** power)]);
