@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "base/export.h"
@@ -20,10 +21,16 @@ struct RecordOptions {
   const SceneSource* source = nullptr;
   /// The state to go on from; the scene is then that of its source.
   const Checkpoint* restart = nullptr;
+  /// Asked after each step: whether the run is to end there, with all its files and, where `source` is known, a
+  /// checkpoint.pinball to go on from with the same bits. Empty: it goes on to its end.
+  std::function<bool()> stop{};
 };
 
 /// Runs a scene to its end and writes history, fields and summary into the folder, and checkpoint.pinball if asked for.
-/// A run that fails throws RunError, after the summary so far and the last good state were written: last_good.vtu, and
+/// What an earlier run has left there is removed; no other run can write there meanwhile. summary.json is there from
+/// the beginning and says whether the run goes on, is done, was stopped or has failed. Returns what it says at the end.
+/// Throws InputError, and leaves the folder as it was, where the scene cannot be run or the folder not be used. A run
+/// that fails throws RunError, after the summary so far and the last good state were written: last_good.vtu, and
 /// last_good.pinball to restart from.
 PINBALL_API RunSummary run_recorded(const Scene& scene, const RecordOptions& options);
 

@@ -78,6 +78,8 @@ struct ProgressState {
   double dt = 0.0;
   double balance_error = 0.0;        ///< relative, as in HistoryRow
   std::int64_t active_elements = 0;  ///< not eroded
+  std::int64_t elements = 0;         ///< of the scene
+  std::int64_t pairs = -1;           ///< in contact; negative: the scene has no contact
 };
 
 /// A copy of the fields at one time, for output and as the last good state.
@@ -115,9 +117,20 @@ struct SkippedSeconds {
   double inner_elements = 0.0;  ///< elements without an exposed face, at the cost that the surface has
 };
 
+/// What has become of a run.
+enum class RunStatus {
+  running,  ///< neither of the others: it goes on, or was killed
+  done,     ///< came to its end
+  failed,   ///< ended by an error
+  stopped   ///< ended where it was, because it was asked to
+};
+
 /// Everything that summary.json holds.
 struct RunSummary {
   std::string scene, title, units, version, precision;
+  RunStatus status = RunStatus::running;
+  std::string error;    ///< of a run that has failed
+  std::string started;  ///< when its files were begun, UTC: "2024-05-31T08:15:00Z"; empty: it has none
   int threads = 1;
   int simd_width = 1;  ///< lanes of a pack in the element kernels
   std::int64_t elements = 0, nodes = 0, steps = 0;

@@ -6,9 +6,10 @@ import os
 import re
 import zlib
 
-# Of summary.json: times, what depends on them, what a user called things, and how much memory arrays take.
-NOT_KEPT = ("title", "units", "version", "threads", "wall_seconds", "phase_seconds", "element_steps_per_second", "skipped_seconds",
-            "bytes_per_element")
+# Of summary.json: times, what depends on them, what a user called things, how much memory arrays take, and what exit
+# status and message say, too.
+NOT_KEPT = ("title", "status", "error", "started", "units", "version", "threads", "wall_seconds", "phase_seconds",
+            "element_steps_per_second", "skipped_seconds", "bytes_per_element")
 FEATURES = {  # what happened in a run
     "contact": lambda s: s["contact"]["pairs_max"] > 0,
     "contact_work": lambda s: s["energy"]["contact"] != 0,

@@ -15,6 +15,7 @@
 #include <solver/results/units.hpp>
 
 #include "output_file.hpp"
+#include "run_files.hpp"
 
 namespace pinball {
 namespace {
@@ -162,10 +163,6 @@ std::string comment(const std::string& text) {
   return fmt::format("<!-- {} -->\n", safe);
 }
 
-std::string in_folder(const std::string& folder, const std::string& name) {
-  return (std::filesystem::path(folder) / name).string();
-}
-
 }  // namespace
 
 void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std::vector<std::string>& fields,
@@ -269,7 +266,7 @@ void FieldWriter::write_list() const {
 std::string write_last_good_state(const std::string& folder, const FieldSnapshot& snapshot, const std::string& units,
                                   const std::vector<std::string>& bodies) {
   make_folder(folder);
-  std::string path = in_folder(folder, "last_good.vtu");
+  std::string path = in_folder(folder, last_good_picture_name);
   write_vtu(path, snapshot, {}, units, bodies);
   return path;
 }

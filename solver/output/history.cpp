@@ -11,6 +11,7 @@
 #include <solver/results/units.hpp>
 
 #include "output_file.hpp"
+#include "run_files.hpp"
 
 namespace pinball {
 namespace {
@@ -80,7 +81,7 @@ std::vector<double> history_numbers(const HistoryRow& row) {
 HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies,
                              const std::string& units, const std::vector<std::string>& more,
                              const std::optional<std::uint64_t>& kept)
-    : path_((std::filesystem::path(folder) / "history.csv").string()), bodies_(bodies.size()), more_(more.size()) {
+    : path_(in_folder(folder, history_name)), bodies_(bodies.size()), more_(more.size()) {
   make_folder(folder);
   std::string head = fmt::format("# {}\n", units_line(units));
   std::string names;

@@ -25,6 +25,12 @@ double fraction_done(const ProgressSettings& settings, const ProgressState& stat
   return done >= 0.0 ? std::min(done, 1.0) : 0.0;  // false for NaN
 }
 
+namespace {
+
+int tenths(double done) { return static_cast<int>(done * 10.0 + 1e-9); }  // 0.1 itself may have been rounded down
+
+}  // namespace
+
 Progress::Progress(ProgressSettings settings, std::FILE* stream)
     : settings_(std::move(settings)),
       time_unit_(parse_units(settings_.units).time),
@@ -39,20 +45,22 @@ Progress::~Progress() {
   std::fflush(stream_);
 }
 
+void Progress::begin(const ProgressState& state) {
+  done_before_ = fraction_done(settings_, state);
+  steps_before_ = state.step;
+  start_ = Clock::now();
+  if (settings_.quiet) return;
+  next_tenth_ = tenths(done_before_) + 1;
+  show(state, done_before_);
+}
+
 void Progress::update(const ProgressState& state) {
   if (settings_.quiet) return;
-  if (terminal_) {
-    const Clock::time_point now = Clock::now();
-    if (now - last_shown_ < std::chrono::milliseconds(100)) return;
-    last_shown_ = now;
-    show(state, fraction_done(settings_, state));
-  } else {
-    const double done = fraction_done(settings_, state);
-    const double tenths = done * 10.0 + 1e-9;  // 0.1 itself may have been rounded down
-    if (tenths < next_tenth_) return;
-    next_tenth_ = static_cast<int>(tenths) + 1;
-    show(state, done);
-  }
+  const double since = std::chrono::duration<double>(Clock::now() - last_shown_).count();
+  const double done = fraction_done(settings_, state);
+  if (terminal_ ? since < 0.1 : since < settings_.log_seconds && tenths(done) < next_tenth_) return;
+  next_tenth_ = std::max(next_tenth_, tenths(done) + 1);
+  show(state, done);
 }
 
 void Progress::finish(const ProgressState& state) {
@@ -68,17 +76,33 @@ void Progress::finish(const ProgressState& state) {
   }
 }
 
-void Progress::show(const ProgressState& state, double done) {
+std::string Progress::time_left(double done, double elapsed) const {
+  if (done >= 1.0) return "took " + readable_duration(elapsed);
+  const double made = done - done_before_;
+  return "ETA " + (made > 0.0 ? readable_duration(elapsed * (1.0 - done) / made) : "?");
+}
+
+/// As element_steps_per_second in summary.json, of the steps since the beginning.
+std::string Progress::speed(const ProgressState& state, double elapsed) const {
+  const auto steps = static_cast<double>(state.step - steps_before_);
+  if (!settings_.alone || steps <= 0 || elapsed <= 0) return "";
+  return fmt::format("  {:.3g} M element steps/s", static_cast<double>(state.elements) * steps / elapsed * 1e-6);
+}
+
+/// What matters most comes first: a narrow terminal cuts off the rest.
+std::string Progress::line(const ProgressState& state, double done) const {
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   const std::string unit = time_unit_.empty() ? "" : " " + time_unit_;
-  std::string line =
-      fmt::format("{:5.1f} %  time {:.4g}{}  dt {:.3g}{}  energy error {:.2g} %  {} elements  ", 100.0 * done,
-                  state.time, unit, state.dt, unit, 100.0 * state.balance_error, state.active_elements);
-  if (done < 1.0) {
-    line += "ETA " + (done > 0.0 ? readable_duration(elapsed * (1.0 - done) / done) : "?");
-  } else {
-    line += "took " + readable_duration(elapsed);
-  }
+  std::string line = fmt::format("{:5.1f} %  time {:.4g}{}  dt {:.3g}{}  energy error {:.2g} %  {}  {} elements",
+                                 100.0 * done, state.time, unit, state.dt, unit, 100.0 * state.balance_error,
+                                 time_left(done, elapsed), state.active_elements);
+  if (state.pairs >= 0) line += fmt::format("  {} pairs", state.pairs);
+  return line + speed(state, elapsed);
+}
+
+void Progress::show(const ProgressState& state, double done) {
+  last_shown_ = Clock::now();
+  std::string line = this->line(state, done);
   if (terminal_) {
     winsize size{};
     // A line longer than the window would wrap, and then not be rewritten in place.

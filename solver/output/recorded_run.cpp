@@ -1,51 +1,113 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <solver/base/error.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/results/warnings.hpp>
 #include <solver/run_page.hpp>
-#include <solver/summary.hpp>
 
+#include "message.hpp"
 #include "progress.hpp"
 #include "recorder.hpp"
+#include "run_folder.hpp"
 
 namespace pinball {
 
-RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
-  Simulation simulation(scene);
-  Recorder recorder(simulation, options);
-  if (!options.quiet) {
-    for (const std::string& warning : start_warnings(simulation.summary())) {
-      fmt::print(stderr, "pinball: warning: {}\n", warning);
-    }
+namespace {
+
+/// One run, from the first step to the last.
+class RecordedRun {
+ public:
+  RecordedRun(const Scene& scene, const RecordOptions& options, RunFolder& folder)
+      : options_(options), folder_(folder), simulation_(scene), recorder_(simulation_, options, folder.continues()) {
+    const RunSummary summary = simulation_.summary();
+    folder_.begin(summary);
+    if (options_.quiet) return;
+    for (const std::string& warning : start_warnings(summary)) print_message("warning: " + warning);
   }
-  Progress progress({scene.time.end, scene.time.steps, scene.units, options.quiet});
-  simulation.on_step([&](Simulation& s) {
-    recorder.record(s, s.complete());
-    if (!s.complete()) recorder.checkpoint(s, s.at_end());
-    if (s.complete()) {
-      progress.finish(s.progress());
-    } else {
-      progress.update(s.progress());
+
+  RunSummary run() {
+    try {
+      make_steps();
+    } catch (const RunError& error) {
+      throw RunError(error.what() + leave_failed(error.what()));
     }
-    return AfterStep::go_on;
-  });
-  const auto finish_summary = [&](const std::string& error) {
-    RunSummary summary = simulation.summary();
-    summary.wall_seconds = recorder.wall_seconds();
-    if (!options.out.empty()) {
-      write_summary(options.out, summary);
-      write_run_page(options.out, simulation.scene(), summary, {error, options.source});
-    }
+    const RunSummary summary = result(simulation_.complete() ? RunStatus::done : RunStatus::stopped);
+    write_page(summary);
+    folder_.end(summary);
     return summary;
-  };
-  try {
-    simulation.run();
-  } catch (const RunError& error) {
-    finish_summary(error.what());
-    throw RunError(error.what() + recorder.save_last_good(simulation));
   }
-  return finish_summary("");
+
+ private:
+  void make_steps() {
+    const Scene& scene = simulation_.scene();
+    Progress progress({scene.time.end, scene.time.steps, scene.units, options_.quiet});
+    progress.begin(simulation_.progress());
+    simulation_.on_step([&](Simulation& s) {
+      recorder_.record(s, s.complete());
+      if (s.complete()) {
+        progress.finish(s.progress());
+        return AfterStep::go_on;
+      }
+      recorder_.checkpoint(s, s.at_end());
+      progress.update(s.progress());
+      if (s.at_end() || !options_.stop || !options_.stop()) return AfterStep::go_on;
+      recorder_.stop(s);
+      return AfterStep::stop;
+    });
+    simulation_.run();
+  }
+
+  RunSummary result(RunStatus status, const std::string& error = {}) const {
+    RunSummary summary = simulation_.summary();
+    summary.wall_seconds = recorder_.wall_seconds();
+    summary.started = folder_.started();
+    summary.status = status;
+    summary.error = error;
+    return summary;
+  }
+
+  void write_page(const RunSummary& summary) const {
+    if (options_.out.empty()) return;
+    write_run_page(options_.out, simulation_.scene(), summary, {summary.error, options_.source});
+  }
+
+  /// Returns what there is to say after the error; what cannot be written now is told after it, not in place of it.
+  std::string leave_failed(const std::string& error) {
+    std::string more;
+    const auto attempt = [&more](const char* loss, const auto& save) {
+      try {
+        save();
+      } catch (const std::exception& also) {
+        more += fmt::format("; {}: {}", loss, also.what());
+      }
+    };
+    const RunSummary summary = result(RunStatus::failed, error);
+    attempt("there is no summary", [&] { folder_.end(summary); });
+    attempt("there is no page", [&] { write_page(summary); });
+    attempt("the last good state is lost", [&] { more += recorder_.save_last_good(simulation_); });
+    return more;
+  }
+
+  const RecordOptions& options_;
+  RunFolder& folder_;
+  Simulation simulation_;
+  Recorder recorder_;
+};
+
+}  // namespace
+
+RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
+  RunFolder folder(scene, options);
+  if (!folder.warning().empty() && !options.quiet) print_message("warning: " + folder.warning());
+  try {
+    return RecordedRun(scene, options, folder).run();
+  } catch (const InputError& error) {
+    if (folder.begun()) folder.fail(error.what());
+    throw;  // else the folder becomes what it was
+  } catch (const std::exception& error) {
+    folder.fail(error.what());
+    throw;
+  }
 }
 
 }  // namespace pinball

@@ -3,27 +3,20 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 
 #include <solver/base/error.hpp>
 #include <solver/scene_rules.hpp>
+
+#include "run_files.hpp"
 
 namespace pinball {
 
 namespace {
 
-constexpr const char* checkpoint_name = "checkpoint.pinball";
-constexpr const char* last_good_name = "last_good.pinball";
-
 /// A copy of the state is made as often as takes this share of the time.
 constexpr double share_of_copies = 0.005;
 /// ... while the error of the energy balance is below this share of its bound: beyond it the trouble may have begun.
 constexpr double share_of_energy_error = 0.2;
-
-bool same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code error;
-  return std::filesystem::equivalent(a, b, error);
-}
 
 double history_interval(const Scene& scene) {
   return scene.output.interval > 0 ? scene.output.interval : scene.time.end / 200;
@@ -44,7 +37,7 @@ void check_limits(const Simulation& simulation) {
 
 }  // namespace
 
-Recorder::Recorder(Simulation& simulation, const RecordOptions& options)
+Recorder::Recorder(Simulation& simulation, const RecordOptions& options, bool continues)
     : folder_(options.out),
       history_times_(history_interval(simulation.scene()), {}),
       every_step_(simulation.scene().output.every_step),
@@ -59,18 +52,10 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options)
   }
   std::optional<RunRecord> kept;
   if (options.restart != nullptr) {
-    const Checkpoint& checkpoint = *options.restart;
-    kept = restart(checkpoint, simulation);
-    const auto folder = std::filesystem::absolute(checkpoint.path).parent_path();
-    if (!same_file(folder, folder_)) kept.reset();  // its files are elsewhere
+    kept = restart(*options.restart, simulation);
+    if (!continues) kept.reset();  // its files are elsewhere
   }
   if (folder_.empty()) return;
-  std::filesystem::create_directories(folder_);
-  for (const char* name : {"last_good.vtu", last_good_name, checkpoint_name, "checkpoint.pinball.part"}) {
-    if (options.restart != nullptr && name == checkpoint_name) continue;
-    if (options.restart != nullptr && same_file(options.restart->path, path(name))) continue;
-    std::filesystem::remove(path(name));
-  }
   open_files(simulation, kept);
   if (simulation.steps() > 0) {
     history_times_.passed(simulation.state_time());
@@ -128,6 +113,7 @@ void Recorder::record(Simulation& simulation, bool last) {
   const bool fields_due = fields_ && field_times_.due(time);
   if (last || every_step_ || history_times_.due(time)) {
     history_->write(simulation.history_row());
+    last_row_ = time;
     history_times_.passed(time);
     if (!last && !fields_due) keep_state(simulation);
   }
@@ -158,8 +144,23 @@ void Recorder::keep_state(Simulation& simulation) {
 void Recorder::checkpoint(Simulation& simulation, bool last) {
   if (checkpoint_every_ <= 0 || (++since_checkpoint_ < checkpoint_every_ && !last)) return;
   since_checkpoint_ = 0;
+  write_state(simulation);
+}
+
+void Recorder::write_state(Simulation& simulation) {
   save(simulation);
   write_checkpoint(path(checkpoint_name), *head_, last_good_);
+}
+
+/// The checkpoint comes first: a restart cuts off the row and the fields that an unbroken run would not have here.
+std::string Recorder::stop(Simulation& simulation) {
+  if (!history_) return "";
+  if (head_) write_state(simulation);
+  const double time = simulation.state_time();
+  if (last_row_ != time) history_->write(simulation.history_row());
+  const bool has_fields = fields_ && !fields_->written().empty() && fields_->written().back().first == time;
+  if (fields_ && !has_fields) fields_->write(simulation.snapshot());
+  return head_ ? path(checkpoint_name) : "";
 }
 
 std::string Recorder::save_last_good(Simulation& simulation) {
@@ -185,6 +186,6 @@ double Recorder::wall_seconds() const {
   return wall_seconds_before_ + std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-std::string Recorder::path(const char* name) const { return (std::filesystem::path(folder_) / name).string(); }
+std::string Recorder::path(const char* name) const { return in_folder(folder_, name); }
 
 }  // namespace pinball

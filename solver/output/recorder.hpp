@@ -55,13 +55,17 @@ RunRecord take_state(const Checkpoint& checkpoint, Simulation& simulation);
 /// What a running scene writes; nothing for an empty folder. Keeps a copy of a state from before any trouble.
 class Recorder {
  public:
-  /// With options.restart also brings the simulation to that state. Throws InputError where it does not fit.
-  Recorder(Simulation& simulation, const RecordOptions& options);
+  /// With options.restart also brings the simulation to that state; continues: in the folder that has its files. Throws
+  /// InputError where it does not fit.
+  Recorder(Simulation& simulation, const RecordOptions& options, bool continues);
 
   /// Called after each step; last: also writes what is not due.
   void record(Simulation& simulation, bool last);
   /// Writes the checkpoint after each options.checkpoint_every calls, and where the run is about to end.
   void checkpoint(Simulation& simulation, bool last);
+  /// Writes all that there is of a run that is asked to end between two steps. Returns the checkpoint; empty: without
+  /// the source of the scene there can be none.
+  std::string stop(Simulation& simulation);
   /// Writes the state that was kept, for a restart and as a picture, for which the simulation goes back to it. Returns
   /// a sentence that names the files, or nothing.
   std::string save_last_good(Simulation& simulation);
@@ -75,6 +79,7 @@ class Recorder {
   void open_files(const Simulation& simulation, const std::optional<RunRecord>& kept);
   void save(Simulation& simulation);
   void keep_state(Simulation& simulation);
+  void write_state(Simulation& simulation);
   std::string path(const char* name) const;
 
   std::string folder_;
@@ -83,6 +88,7 @@ class Recorder {
   Schedule field_times_;
   std::string units_;
   std::unique_ptr<HistoryWriter> history_;
+  std::optional<double> last_row_;  ///< its time
   std::unique_ptr<FieldWriter> fields_;
   std::optional<CheckpointHead> head_;  ///< only for a scene whose source is known
   StateBytes last_good_;                ///< RunRecord and Simulation

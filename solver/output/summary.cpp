@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include <solver/results/warnings.hpp>
 #include <solver/summary.hpp>
 
 #include "output_file.hpp"
+#include "run_files.hpp"
+#include "summary_head.hpp"
 
 namespace pinball {
 namespace {
@@ -57,7 +58,49 @@ Json probe_json(const ProbeResult& probe) {
           {"point", probe.point}, {"values", values}};
 }
 
+const char* status_name(RunStatus status) {
+  switch (status) {
+    case RunStatus::running:
+      return "running";
+    case RunStatus::done:
+      return "done";
+    case RunStatus::failed:
+      return "failed";
+    case RunStatus::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+Json head_json(const RunSummary& s) {
+  return {{"scene", s.scene},
+          {"title", s.title},
+          {"status", status_name(s.status)},
+          {"error", text_or_null(s.error)},
+          {"started", text_or_null(s.started)},
+          {"units", s.units},
+          {"version", s.version},
+          {"precision", s.precision},
+          {"threads", s.threads},
+          {"simd_width", s.simd_width},
+          {"elements", s.elements},
+          {"nodes", s.nodes}};
+}
+
+/// dump() turns NaN and infinity into null; bytes that are no UTF-8 (a title) are replaced, not thrown over.
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
 }  // namespace
+
+std::string summary_head_json(const RunSummary& summary) {
+  Json json = head_json(summary);
+  if (summary.elements == 0) {
+    for (const char* key : {"threads", "simd_width", "elements", "nodes"}) json[key] = nullptr;
+  }
+  return text_of(json);
+}
 
 std::string summary_json(const RunSummary& s) {
   Json phases = Json::object();
@@ -69,16 +112,8 @@ std::string summary_json(const RunSummary& s) {
   for (const ProbeResult& probe : s.probes) probes.push_back(probe_json(probe));
   const double element_steps = static_cast<double>(s.elements) * static_cast<double>(s.steps);
 
-  const Json json = {
-      {"scene", s.scene},
-      {"title", s.title},
-      {"units", s.units},
-      {"version", s.version},
-      {"precision", s.precision},
-      {"threads", s.threads},
-      {"simd_width", s.simd_width},
-      {"elements", s.elements},
-      {"nodes", s.nodes},
+  Json json = head_json(s);
+  json.update(Json{
       {"steps", s.steps},
       {"end_time", s.end_time},
       {"dt", {{"min", s.dt_min}, {"max", s.dt_max}, {"limited_by", s.dt_limited_by}}},
@@ -126,14 +161,13 @@ std::string summary_json(const RunSummary& s) {
       {"bytes_per_element", s.bytes_per_element},
       {"probes", probes},
       {"warnings", warnings(s)},
-  };
-  // dump() turns NaN and infinity into null; bytes that are no UTF-8 (a title) are replaced, not thrown over.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  });
+  return text_of(json);
 }
 
 void write_summary(const std::string& folder, const RunSummary& summary) {
   make_folder(folder);
-  OutputFile file((std::filesystem::path(folder) / "summary.json").string());
+  OutputFile file(in_folder(folder, summary_name));
   file.write(summary_json(summary));
   file.commit();
 }

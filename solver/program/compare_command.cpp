@@ -3,36 +3,30 @@
 #include <algorithm>
 
 #include <kernels/exec.hpp>
-#include <solver/output/output_file.hpp>
 #include <solver/scene/machine.hpp>
 
 #include "commands.hpp"
 #include "comparison.hpp"
 #include "comparison_report.hpp"
+#include "result_file.hpp"
 
 namespace pinball {
 
 int compare_command(const CompareOptions& options) {
   if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
+  check_result_path("--json", options.json);
+  check_result_path("--page", options.page);
   const std::vector<std::string> vary =
       options.vary.empty() ? std::vector<std::string>{"contact.method=pinball,slideline"} : options.vary;
   const std::vector<Variant> variants = make_variants(find_scene(options.scene), options.overrides, vary);
   const std::vector<VariantRuns> runs =
       run_comparison(variants, {options.repeats, options.quiet, !options.page.empty()});
+  if (!options.json.empty()) write_result_file(options.json, comparison_json(runs));
+  if (!options.page.empty()) write_result_file(options.page, comparison_page(runs));
 
   const RunSummary& first = runs.front().repeats.front();
   fmt::print("{}: {} thread{}, {}\n", first.scene, first.threads, first.threads == 1 ? "" : "s", processor_name());
   fmt::print("{}", comparison_table(runs));
-  if (!options.json.empty()) {
-    OutputFile file(options.json);
-    file.write(comparison_json(runs));
-    file.commit();
-  }
-  if (!options.page.empty()) {
-    OutputFile file(options.page);
-    file.write(comparison_page(runs));
-    file.commit();
-  }
   return std::all_of(runs.begin(), runs.end(), [](const VariantRuns& v) { return v.failure.empty(); }) ? 0 : 1;
 }
 

@@ -103,6 +103,8 @@ class RunningVariant {
     RunSummary summary;
     summary.wall_seconds = seconds_;
     solver_->fill_summary(summary);
+    summary.status = failure_.empty() ? RunStatus::done : RunStatus::failed;
+    summary.error = failure_;
     return summary;
   }
 
@@ -155,6 +157,7 @@ class Race {
   }
 
   void run(Progress& progress) {
+    progress.begin(runs_.front().state());
     bool forwards = true;
     for (double part = 0; active(); forwards = !forwards) {
       part += turn();
@@ -210,7 +213,7 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
     Race race(variants, settings.curves && repeat == 0);
     // All are at the same part of their runs: the first one speaks for all.
     const Scene& first = variants.front().scene;
-    Progress progress({first.time.end, first.time.steps, first.units, settings.quiet});
+    Progress progress({first.time.end, first.time.steps, first.units, settings.quiet, false});
     race.run(progress);
     for (std::size_t i = 0; i < variants.size(); ++i) {
       VariantRuns& result = results[i];

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -8,23 +7,31 @@
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <string>
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
 #include <solver/base/version.h>
 
 #include "commands.hpp"
+#include "standard_streams.hpp"
+#include "stop_signals.hpp"
 
-/// The command line: parses it and calls the library. Exit status: 0 done, 1 the run failed, 2 bad input.
+/// The command line: parses it and calls the library. Exit status: 0 done, 1 the run failed, 2 bad input, 128 + number
+/// of a signal: ended by that.
 namespace {
 
 constexpr int run_failed = 1;
 constexpr int bad_input = 2;
 
 int report(const std::exception& error, int status) {
-  fmt::print(stderr, "pinball: error: {}\n", error.what());
+  // Not by fmt, which throws where nobody can read it.
+  std::fputs((std::string("pinball: error: ") + error.what() + '\n').c_str(), stderr);
   return status;
 }
+
+/// An empty name is most likely a variable of a script that is not set.
+std::string check_not_empty(const std::string& text) { return text.empty() ? "expected a name, got none" : ""; }
 
 /// What `run`, `info` and `compare` have in common.
 CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
@@ -52,13 +59,15 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
 
 void add_info_options(CLI::App& command, pinball::RunOptions& options) {
   add_scene_options(command, options);
-  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)");
+  command.add_option("--out", options.out, "folder for the results (default: out/<scene>)")->check(check_not_empty);
 }
 
 void add_run_options(CLI::App& command, pinball::RunOptions& options) {
   add_scene_options(command, options)->required(false);
-  command.add_option("--out", options.out,
-                     "folder for the results (default: out/<scene>; with --restart the folder of FILE)");
+  command
+      .add_option("--out", options.out,
+                  "folder for the results (default: out/<scene>; with --restart the folder of FILE)")
+      ->check(check_not_empty);
   command
       .add_option("--checkpoint-every", options.checkpoint_every,
                   "writes checkpoint.pinball after each N steps (with time.subcycling: cycles), and before the end")
@@ -82,8 +91,10 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
       ->take_all();
   command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3)")
       ->check(CLI::Range(1, 1000));
-  command.add_option("--json", options.json, "write the table, and the times of each repeat, to this file");
-  command.add_option("--page", options.page, "write a page for a browser, with curves, to this file");
+  command.add_option("--json", options.json, "write the table, and the times of each repeat, to this file")
+      ->check(check_not_empty);
+  command.add_option("--page", options.page, "write a page for a browser, with curves, to this file")
+      ->check(check_not_empty);
 }
 
 int run_program(int argc, char** argv) {
@@ -100,8 +111,8 @@ int run_program(int argc, char** argv) {
   pinball::VerifyOptions verification;
   auto* verify = app.add_subcommand("verify", "compare the verification scenes with their references");
   verify->add_option("SCENE", verification.scenes, "only these scenes");
-  verify->add_option("--json", verification.json, "write the table of results to this file");
-  verify->add_option("--page", verification.page, "write a page for a browser to this file");
+  verify->add_option("--json", verification.json, "write the table of results to this file")->check(check_not_empty);
+  verify->add_option("--page", verification.page, "write a page for a browser to this file")->check(check_not_empty);
 
   pinball::CompareOptions comparison;
   auto* compare = app.add_subcommand(
@@ -117,11 +128,12 @@ int run_program(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    report(error, bad_input);
-    fmt::print(stderr, "Run with --help for more information.\n");
-    return bad_input;
+    const int status = report(error, bad_input);
+    std::fputs("Run with --help for more information.\n", stderr);
+    return status;
   }
 
+  pinball::catch_stop_signals(*run ? pinball::AtSignal::ask : pinball::AtSignal::end);
   if (*run) return pinball::run_command(options);
   if (*info) return pinball::info_command(options);
   if (*verify) return pinball::verify_command(verification);
@@ -151,9 +163,12 @@ void let_threads_sleep(char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  pinball::open_closed_streams();
   let_threads_sleep(argv);
   try {
-    return run_program(argc, argv);
+    const int status = run_program(argc, argv);
+    pinball::finish_stdout();
+    return status;
   } catch (const pinball::InputError& error) {
     return report(error, bad_input);
   } catch (const std::exception& error) {  // RunError, and what nobody foresaw

@@ -5,10 +5,13 @@
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/output/checkpoint.hpp>
+#include <solver/output/message.hpp>
+#include <solver/output/run_files.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/results/warnings.hpp>
 
 #include "commands.hpp"
+#include "stop_signals.hpp"
 
 namespace pinball {
 
@@ -37,8 +40,20 @@ void print_result(const RunSummary& s, const std::string& out) {
         b.velocity[2], b.max_plastic_strain);
   }
   fmt::print("  state {:016x}; results in {}\n", s.state_hash, out);
-  for (const std::string& warning : warnings(s)) fmt::print(stderr, "pinball: warning: {}\n", warning);
+  for (const std::string& warning : warnings(s)) print_message("warning: " + warning);
 }
+
+/// Runs, and tells what has become of it. Returns the exit status.
+int run_and_print(const Scene& scene, const RecordOptions& options) {
+  const RunSummary summary = run_recorded(scene, options);
+  print_result(summary, options.out);
+  if (summary.status != RunStatus::stopped) return 0;
+  print_message(fmt::format("stopped in step {}; this goes on: pinball run --restart {}", summary.steps,
+                            in_folder(options.out, checkpoint_name)));
+  return 128 + stop_signal();
+}
+
+bool stop_is_asked() { return stop_signal() != 0; }
 
 /// Goes on with the scene of the checkpoint, which is read from there.
 int restart_command(const RunOptions& options) {
@@ -56,8 +71,7 @@ int restart_command(const RunOptions& options) {
   const std::filesystem::path file(options.restart);
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : std::string{'.'};
   const std::string& out = options.out.empty() ? folder : options.out;
-  print_result(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &source, &checkpoint}), out);
-  return 0;
+  return run_and_print(scene, {out, options.quiet, options.checkpoint_every, &source, &checkpoint, stop_is_asked});
 }
 
 }  // namespace
@@ -69,8 +83,7 @@ int run_command(const RunOptions& options) {
   const SceneSource source = read_scene_source(find_scene(options.scene), options.overrides);
   const Scene scene = read_scene(source);
   const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
-  print_result(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr}), out);
-  return 0;
+  return run_and_print(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr, stop_is_asked});
 }
 
 }  // namespace pinball

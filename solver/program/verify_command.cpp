@@ -7,12 +7,12 @@
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
 #include <solver/base/version.h>
-#include <solver/output/output_file.hpp>
 #include <solver/output/page/page.hpp>
 #include <solver/output/page/resources.hpp>
 #include <solver/verification/verification.hpp>
 
 #include "commands.hpp"
+#include "result_file.hpp"
 #include "text_table.hpp"
 
 namespace pinball {
@@ -78,11 +78,6 @@ std::string rows_page(const std::vector<VerificationRow>& rows, bool pass) {
   content.blocks = {{"verification", rows_json(rows, pass).dump()}};
   return make_page(content);
 }
-
-void write_file(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
 }
 
 }  // namespace
@@ -90,16 +85,18 @@ void write_file(const std::string& path, const std::string& text) {
 int verify_command(const VerifyOptions& options) {
   // Small scenes of many steps: threads would wait for each other most of the time.
   DefaultExecutionSpace::set_concurrency(1);
+  check_result_path("--json", options.json);
+  check_result_path("--page", options.page);
   std::vector<VerificationRow> rows;
   for (const VerificationCase& verification : chosen_cases(options.scenes)) {
     const std::vector<VerificationRow> more = verify_scene(verification);
     rows.insert(rows.end(), more.begin(), more.end());
   }
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const VerificationRow& r) { return !r.pass; });
+  if (!options.json.empty()) write_result_file(options.json, rows_json(rows, failed == 0).dump(2) + '\n');
+  if (!options.page.empty()) write_result_file(options.page, rows_page(rows, failed == 0));
   print_table(rows);
   fmt::print("{} of {} pass\n", static_cast<std::ptrdiff_t>(rows.size()) - failed, rows.size());
-  if (!options.json.empty()) write_file(options.json, rows_json(rows, failed == 0).dump(2) + '\n');
-  if (!options.page.empty()) write_file(options.page, rows_page(rows, failed == 0));
   return failed == 0 ? 0 : 1;
 }
 

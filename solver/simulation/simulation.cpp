@@ -139,6 +139,7 @@ RunSummary Simulation::summary() const {
   RunSummary summary;
   summary.wall_seconds = implementation_->wall_seconds;
   implementation_->read([&summary](const auto& solver) { fill_summary(solver, summary); });
+  if (complete()) summary.status = RunStatus::done;
   return summary;
 }
 std::uint64_t Simulation::state_hash() const {

@@ -100,8 +100,14 @@ std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
 
 template <class S>
 ProgressState progress_state(const Solver<S>& solver) {
-  return {solver.steps(), solver.force_time(), solver.dt(), solver.balance_error(),
-          solver.model().element_count() - solver.counts().eroded_elements()};
+  const std::int64_t elements = solver.model().element_count();
+  return {solver.steps(),
+          solver.force_time(),
+          solver.dt(),
+          solver.balance_error(),
+          elements - solver.counts().eroded_elements(),
+          elements,
+          solver.contact() != nullptr ? solver.counts().pairs() : -1};
 }
 
 template <class S>

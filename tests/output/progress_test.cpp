@@ -29,23 +29,58 @@ std::string content(std::FILE* file) {
 std::string run_of_1000_steps(const ProgressSettings& settings) {
   const File file(std::tmpfile(), std::fclose);
   Progress progress(settings, file.get());
-  for (int i = 1; i <= 1000; ++i) progress.update({i, 5.4e-5 * i / 1000, 5.4e-8, -1.25e-3, 1842});
-  progress.finish({1000, 5.4e-5, 5.4e-8, -1.25e-3, 1842});
+  progress.begin({0, 0, 0, 0, 1842, 1842, 0});
+  for (int i = 1; i <= 1000; ++i) progress.update({i, 5.4e-5 * i / 1000, 5.4e-8, -1.25e-3, 1842 - i, 1842, 7});
+  progress.finish({1000, 5.4e-5, 5.4e-8, -1.25e-3, 842, 1842, 7});
   return content(file.get());
 }
 
-TEST(Progress, WritesALineAtEveryTenthToALogFile) {
+TEST(Progress, WritesALineAtOnceAndAtEveryTenthToALogFile) {
   const std::string text = run_of_1000_steps({.end_time = 5.4e-5, .units = "in-lbf-s"});
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11);
   EXPECT_EQ(text.find('\r'), std::string::npos);
   EXPECT_THAT(text,
-              testing::StartsWith(" 10.0 %  time 5.4e-06 s  dt 5.4e-08 s  energy error -0.12 %  1842 elements  ETA "));
+              testing::StartsWith("  0.0 %  time 0 s  dt 0 s  energy error 0 %  ETA ?  1842 elements  0 pairs\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\n 10.0 %  time 5.4e-06 s  dt 5.4e-08 s  energy error -0.12 %  ETA [0-9]+ s"
+                                           "  1742 elements  7 pairs  [0-9.e+]+ M element steps/s\n"));
   EXPECT_THAT(text, testing::HasSubstr("100.0 %  time 5.4e-05 s"));
+}
+
+TEST(Progress, WritesToALogFileAfterEveryMinute) {
+  const File file(std::tmpfile(), std::fclose);
+  Progress progress({.end_time = 1e6, .units = "m-kg-s", .log_seconds = 0.02}, file.get());
+  progress.begin({});
+  for (int i = 1; i <= 3; ++i) {
+    progress.update({i, 0.5 * i});  // a step that ends before the time is over shows nothing
+    std::this_thread::sleep_for(std::chrono::milliseconds(25));
+    progress.update({i, static_cast<double>(i)});
+  }
+  const std::string text = content(file.get());
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4) << text;
+  EXPECT_THAT(text, testing::HasSubstr("  0.0 %  time 3 s"));
+}
+
+TEST(Progress, CountsFromWhereARestartBegins) {
+  const File file(std::tmpfile(), std::fclose);
+  Progress progress({.end_time = 100}, file.get());
+  progress.begin({1000000, 85, 1e-4, 0, 8, 8});
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  progress.update({1000001, 90.5, 1e-4, 0, 8, 8});
+  const std::string text = content(file.get());
+  EXPECT_THAT(text, testing::HasSubstr(" 90.5 %"));
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("pairs"))) << "no contact";
+  const auto end = text.rfind(" M element steps/s");
+  ASSERT_NE(end, std::string::npos) << text;
+  EXPECT_LE(std::stod(text.substr(text.rfind("  ", end))), 8e-5) << "one step of 8 elements in at least 0.1 s";
+}
+
+TEST(Progress, TellsNoSpeedOfRunsThatShareTheTime) {
+  EXPECT_THAT(run_of_1000_steps({.end_time = 5.4e-5, .alone = false}), testing::Not(testing::HasSubstr("steps/s")));
 }
 
 TEST(Progress, CountsStepsWhereTheyEndTheRun) {
   const std::string text = run_of_1000_steps({.end_time = 1.0, .steps = 1000, .units = "free units"});
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 11);
   EXPECT_THAT(text, testing::HasSubstr("time 5.4e-06  dt"));
 }
 

@@ -19,6 +19,9 @@ RunSummary example() {
   RunSummary s;
   s.scene = "rod_plate";
   s.title = "Rod \"A\"";
+  s.status = RunStatus::failed;
+  s.error = "no volume";
+  s.started = "2024-05-31T08:15:00Z";
   s.units = "in-lbf-s";
   s.version = "0.1.0";
   s.precision = "double";
@@ -51,12 +54,13 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(keys(json), ElementsAre("scene", "title", "units", "version", "precision", "threads", "simd_width",
-                                      "elements", "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds",
-                                      "element_steps", "element_steps_skipped", "element_steps_eroded",
-                                      "element_steps_resting", "element_steps_subcycled", "element_steps_per_second",
-                                      "energy", "momentum", "bodies", "rigid_walls", "contact", "skipped",
-                                      "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings"));
+  EXPECT_THAT(
+      keys(json),
+      ElementsAre("scene", "title", "status", "error", "started", "units", "version", "precision", "threads",
+                  "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds",
+                  "element_steps", "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
+                  "element_steps_subcycled", "element_steps_per_second", "energy", "momentum", "bodies", "rigid_walls",
+                  "contact", "skipped", "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(keys(json["energy"]),
               ElementsAre("kinetic", "internal", "hourglass", "bulk_viscosity", "contact", "contact_stored",
@@ -80,6 +84,9 @@ TEST(Summary, HoldsTheValues) {
   const Json json = Json::parse(summary_json(example()));
   EXPECT_EQ(json["scene"], "rod_plate");
   EXPECT_EQ(json["title"], "Rod \"A\"");
+  EXPECT_EQ(json["status"], "failed");
+  EXPECT_EQ(json["error"], "no volume");
+  EXPECT_EQ(json["started"], "2024-05-31T08:15:00Z");
   EXPECT_EQ(json["element_steps_per_second"], 1842.0 * 100.0 / 0.5);
   EXPECT_EQ(json["phase_seconds"], (Json{{"element_forces", 0.25}, {"contact", 0.25}}));
   EXPECT_EQ(json["energy"]["contact"], 3.0);
@@ -97,6 +104,8 @@ TEST(Summary, EmptyListsKeepTheirType) {
   EXPECT_TRUE(json["phase_seconds"].is_object());
   EXPECT_TRUE(json["bodies"].is_array());
   EXPECT_TRUE(json["element_steps_per_second"].is_null()) << "no wall time";
+  EXPECT_EQ(json["status"], "running");
+  EXPECT_TRUE(json["error"].is_null());
 }
 
 TEST(Summary, WritesNumbersThatAreNoneAsNull) {

@@ -156,11 +156,13 @@ TEST_F(Program, ASuccessfulRunRemovesAnOldLastGoodState) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/last_good.vtu"));
 }
 
-TEST_F(Program, AFolderThatCannotBeMadeEndsWithOne) {
+TEST_F(Program, AFolderThatCannotBeUsedEndsWithTwo) {
   std::ofstream(folder_ / "file") << "x";
-  const Finished f = run("run two_blocks --quiet --out " + (folder_ / "file/sub"));
-  EXPECT_EQ(f.status, 1);
-  EXPECT_THAT(f.text, HasSubstr("file"));
+  for (const std::string& out : {folder_ / "file/sub", folder_ / "file", std::string("/proc/sub"), std::string("''")}) {
+    const Finished f = run("run two_blocks --quiet --out " + out);
+    EXPECT_EQ(f.status, 2) << out;
+    EXPECT_THAT(f.text, testing::StartsWith("pinball: error: --out" + (out == "''" ? ":" : " " + out + ": cannot ")));
+  }
 }
 
 TEST_F(Program, RunWritesSummaryAndHistory) {

@@ -71,6 +71,7 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
   thin(curves, most_rows_of_page);
   const Units units = parse_units(summary.units);
   const bool failed = !settings.error.empty();
+  const char* const status = failed ? "failed" : summary.status == RunStatus::stopped ? "stopped" : "done";
   const std::string title = summary.title.empty() ? summary.scene : summary.title;
   PageContent content;
   content.title = fmt::format("{} - {}", summary.scene, failed ? "failed run" : "run");
@@ -78,7 +79,7 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
       page_resource("run.html"),
       {{"heading", html_text(title)},
        {"scene", html_text(summary.scene)},
-       {"status", failed ? "failed" : "done"},
+       {"status", status},
        {"error", failed ? fmt::format("<p class=\"error\" role=\"alert\">{}</p>", html_text(settings.error)) : ""}});
   content.scripts = {"format.js", "curves.js", "pictures.js", "run.js"};
   content.blocks = {{"units", text_of(units_json(units))},

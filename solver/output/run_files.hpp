@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The names of all files that a run leaves in its folder, and that commands make of it afterwards: what a new run
+/// removes. A name that is not here is never touched.
+namespace pinball {
+
+inline constexpr const char* summary_name = "summary.json";
+inline constexpr const char* history_name = "history.csv";
+inline constexpr const char* checkpoint_name = "checkpoint.pinball";
+inline constexpr const char* last_good_name = "last_good.pinball";
+inline constexpr const char* last_good_picture_name = "last_good.vtu";
+inline constexpr const char* fields_base = "fields";  ///< fields.pvd, fields_0000.vtu, ...
+inline constexpr const char* lock_name = "pinball.lock";
+
+/// The file of the folder, which may be empty.
+std::string in_folder(const std::string& folder, std::string_view name);
+
+/// Whether a run writes a file of this name; the lock is none of its results.
+bool is_run_file(const std::string& name);
+
+/// Whether a page or a picture of a run has this name: fields.png, history.png, index.html, view.*, animation.*.
+bool is_picture_of_run(const std::string& name);
+
+/// Files of a folder that one of these functions takes, links among them; no folders.
+std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder, bool (*takes)(const std::string&));
+
+/// What runs and commands have left in a folder. Names of pictures are those that others use, too: they count where a
+/// run's summary or history is beside them.
+std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder);
+
+}  // namespace pinball

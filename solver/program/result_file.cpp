@@ -1,0 +1,29 @@
+#include "result_file.hpp"
+
+#include <filesystem>
+
+#include <solver/base/error.hpp>
+#include <solver/output/output_file.hpp>
+
+namespace pinball {
+
+void check_result_path(const std::string& option, const std::string& path) {
+  if (path.empty()) return;
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw InputError(option + ' ' + path + ": expected a file, got a folder");
+  }
+  try {
+    const OutputFile file(path);
+  } catch (const RunError& failure) {
+    throw InputError(option + ": " + failure.what());
+  }
+}
+
+void write_result_file(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+}  // namespace pinball

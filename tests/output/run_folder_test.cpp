@@ -1,0 +1,208 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include <solver/base/error.hpp>
+#include <solver/output/checkpoint.hpp>
+#include <solver/output/folder_lock.hpp>
+#include <solver/recorded_run.hpp>
+#include <tests/support/output_case.hpp>
+#include <tests/support/program.hpp>
+#include <tests/support/scene_text.hpp>
+
+/// What a recorded run makes of its folder: whose files are there, and what summary.json says at any time.
+namespace pinball {
+namespace {
+
+using Json = nlohmann::json;
+using test::content;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+template <class Error, class Call>
+std::string error_of(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+class RunFolders : public testing::Test {
+ protected:
+  static SceneSource source_of(const std::string& scene, const std::vector<std::string>& set = {}) {
+    return read_scene_source(find_scene(scene), {.set = set});
+  }
+  RunSummary run(const SceneSource& source, const std::function<bool()>& stop = {}, const std::string& out = "out") {
+    return run_recorded(read_scene(source), {folder_ / out, true, 0, &source, nullptr, stop});
+  }
+  /// A cube alone, whose steps are unstable above a cfl of 1.
+  SceneSource unstable() {
+    std::ofstream(folder_ / "scene.toml") << test::replaced(test::cube_scene, "end = 1e-4", "end = 1e-2\ncfl = 1.2");
+    return source_of(folder_ / "scene.toml");
+  }
+  /// All nodes are behind its wall, which only the mesh shows.
+  static SceneSource behind_a_wall() {
+    return source_of("two_blocks", {"rigid_wall=[{ plane = { point = [0, 0, 9], normal = [0, 0, 1] } }]"});
+  }
+  void leave(const std::string& name, const std::string& text = "earlier") {
+    std::filesystem::create_directories(folder_ / "out");
+    std::ofstream(folder_ / ("out/" + name)) << text;
+  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / ("out/" + name)); }
+  Json summary(const std::string& out = "out") const { return Json::parse(content(folder_ / (out + "/summary.json"))); }
+
+  test::TemporaryFolder folder_{testing::UnitTest::GetInstance()->current_test_info()->name()};
+};
+
+TEST_F(RunFolders, ARunThatGoesOnSaysSoAndGivesNoNumbersOfItsStart) {
+  leave("summary.json", R"({"status": "done", "state_hash": "0"})");
+  Json during;
+  run(source_of("two_blocks"), [&] {
+    if (during.is_null()) during = summary();
+    return false;
+  });
+  EXPECT_EQ(during["status"], "running");
+  EXPECT_EQ(during["scene"], "two_blocks");
+  EXPECT_EQ(during["elements"], 128);
+  EXPECT_TRUE(during["error"].is_null());
+  EXPECT_FALSE(during.contains("state_hash"));
+  const Json after = summary();
+  EXPECT_EQ(after["status"], "done");
+  EXPECT_EQ(after["started"], during["started"]);
+  EXPECT_EQ(after["steps"], 74);
+}
+
+TEST_F(RunFolders, WhatAnEarlierRunHasLeftIsRemovedAndNothingElse) {
+  const std::vector<std::string> of_run{
+      "fields.pvd",        "fields_0007.vtu",        "fields_12345.vtu", "last_good.vtu",
+      "last_good.pinball", "checkpoint.pinball",     "fields.png",       "history.png",
+      "index.html",        "animation.mp4",          "view.png",         "fields_0001.vtu.part",
+      "summary.json.part", "checkpoint.pinball.part"};
+  const std::vector<std::string> others{"notes.txt",     "fields_.vtu", "fields_a.vtu",
+                                        "my_index.html", "view.txt",    "a.part"};
+  for (const std::string& name : of_run) leave(name);
+  for (const std::string& name : others) leave(name);
+  leave("summary.json", "{}");
+  run(source_of("two_blocks"));
+  for (const std::string& name : of_run) EXPECT_FALSE(exists(name)) << name;
+  for (const std::string& name : others) EXPECT_TRUE(exists(name)) << name;
+  EXPECT_FALSE(exists(".earlier"));
+  EXPECT_FALSE(exists("pinball.lock"));
+}
+
+TEST_F(RunFolders, PagesBesideNoRunBelongToSomebodyElse) {
+  leave("index.html");
+  leave("view.png");
+  run(source_of("two_blocks"));
+  EXPECT_TRUE(exists("index.html"));
+  EXPECT_TRUE(exists("view.png"));
+}
+
+TEST_F(RunFolders, BadInputThatTheMeshShowsLeavesTheFolderAsItWas) {
+  const auto message = [&] { return error_of<InputError>([&] { run(behind_a_wall()); }); };
+  EXPECT_THAT(message(), HasSubstr("rigid_wall"));
+  EXPECT_FALSE(exists("")) << "the folder was not there";
+  run(source_of("two_blocks", {"output.field_times=[0]"}));
+  leave("history.png");
+  const std::string before = content(folder_ / "out/summary.json");
+  EXPECT_THAT(message(), HasSubstr("rigid_wall"));
+  EXPECT_EQ(content(folder_ / "out/summary.json"), before);
+  for (const char* name : {"history.csv", "fields.pvd", "fields_0000.vtu", "history.png"}) EXPECT_TRUE(exists(name));
+  EXPECT_FALSE(exists(".earlier"));
+}
+
+TEST_F(RunFolders, AFailedRunSaysWhy) {
+  const std::string error = error_of<RunError>([&] { run(unstable()); });
+  const Json json = summary();
+  EXPECT_EQ(json["status"], "failed");
+  EXPECT_THAT(json["error"].get<std::string>(), HasSubstr("energy balance"));
+  EXPECT_THAT(error, StartsWith(json["error"].get<std::string>()));
+  EXPECT_GT(json["steps"], 0);
+}
+
+TEST_F(RunFolders, AnErrorInTheMiddleThatIsNoneOfTheRunIsToldToo) {
+  EXPECT_THROW(run(source_of("two_blocks"), []() -> bool { throw std::bad_alloc(); }), std::bad_alloc);
+  EXPECT_EQ(summary()["status"], "failed");
+  EXPECT_EQ(summary()["error"], "std::bad_alloc");
+}
+
+TEST_F(RunFolders, WhatCannotBeSavedAfterAFailureComesAfterTheError) {
+  std::filesystem::create_directories(folder_ / "out/last_good.pinball.part");
+  const std::string error = error_of<RunError>([&] { run(unstable()); });
+  EXPECT_THAT(error, StartsWith("the energy balance"));
+  EXPECT_THAT(error, HasSubstr("; the last good state is lost: cannot write " + (folder_ / "out/last_good.pinball")));
+  EXPECT_EQ(summary()["status"], "failed");
+}
+
+TEST_F(RunFolders, AStoppedRunGoesOnWithTheSameBits) {
+  for (const char* scene : {"two_blocks", "refined_layer"}) {  // the second one with subcycling
+    const SceneSource source = source_of(scene, {"time.steps=60", "output.field_interval=3e-5", "precision=float"});
+    const RunSummary whole = run(source, {}, "whole");
+    int steps = 0;
+    const RunSummary half = run(source, [&steps] { return ++steps == 7; });
+    EXPECT_EQ(half.status, RunStatus::stopped);
+    EXPECT_LT(half.steps, whole.steps);
+    EXPECT_EQ(summary()["status"], "stopped");
+    EXPECT_THAT(content(folder_ / "out/history.csv"), HasSubstr("\n" + std::to_string(half.steps) + ","));
+    EXPECT_THAT(content(folder_ / "out/fields.pvd"), HasSubstr("fields_0001.vtu"));
+    leave("history.png");
+
+    const Checkpoint checkpoint = read_checkpoint(folder_ / "out/checkpoint.pinball");
+    const RunSummary end = run_recorded(read_scene(checkpoint.head.source),
+                                        {folder_ / "out", true, 0, &checkpoint.head.source, &checkpoint});
+    EXPECT_EQ(end.status, RunStatus::done);
+    EXPECT_EQ(end.state_hash, whole.state_hash);
+    EXPECT_EQ(end.steps, whole.steps);
+    for (const char* name : {"history.csv", "fields.pvd"}) {
+      EXPECT_EQ(content(folder_ / ("out/" + std::string(name))), content(folder_ / ("whole/" + std::string(name))));
+    }
+    EXPECT_FALSE(exists("history.png")) << "of half a run";
+  }
+}
+
+TEST_F(RunFolders, ARestartThatIsRefusedLeavesItsFolderAsItWas) {
+  const SceneSource source = source_of("two_blocks");
+  run(source, [] { return true; });
+  const std::string before = content(folder_ / "out/summary.json");
+  const Checkpoint checkpoint = read_checkpoint(folder_ / "out/checkpoint.pinball");
+  SceneSource shorter = source;
+  change_scene(shorter, {"time.end=1e-9"});
+  EXPECT_THAT(error_of<InputError>([&] {
+                run_recorded(read_scene(shorter), {folder_ / "out", true, 0, &shorter, &checkpoint});
+              }),
+              HasSubstr("time.end"));
+  EXPECT_EQ(content(folder_ / "out/summary.json"), before);
+  EXPECT_TRUE(exists("checkpoint.pinball"));
+}
+
+TEST_F(RunFolders, TwoRunsCannotHaveOne) {
+  const SceneSource source = source_of("two_blocks");
+  std::string refused;
+  run(source, [&] {
+    if (refused.empty()) refused = error_of<InputError>([&] { run(source); });
+    return false;
+  });
+  EXPECT_THAT(refused, StartsWith("--out " + (folder_ / "out") + ": process " + std::to_string(::getpid()) + " on "));
+  EXPECT_EQ(summary()["status"], "done");
+  EXPECT_EQ(summary()["steps"], 74);
+  run(source);  // and another one afterwards
+}
+
+TEST_F(RunFolders, AFileSystemWithoutLocksGivesAWarning) {
+  const FolderLock lock(folder_.path.string(), [](int, int) {
+    errno = ENOLCK;
+    return -1;
+  });
+  EXPECT_THAT(lock.warning(), HasSubstr("has no locks"));
+  EXPECT_EQ(FolderLock(folder_.path.string()).warning(), "");
+}
+
+}  // namespace
+}  // namespace pinball
