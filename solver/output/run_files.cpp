@@ -32,14 +32,15 @@ bool is_run_file(const std::string& name) {
   constexpr std::string_view part = ".part";  // of a file that was being written (OutputFile)
   std::string_view whole = name;
   if (whole.ends_with(part)) whole.remove_suffix(part.size());
-  return is_any_of(whole, {summary_name, history_name, checkpoint_name, last_good_name, last_good_picture_name}) ||
+  return is_any_of(whole,
+                   {summary_name, history_name, checkpoint_name, last_good_name, last_good_picture_name, page_name}) ||
          whole == std::string(fields_base) + ".pvd" || is_field_file(whole);
 }
 
 bool is_picture_of_run(const std::string& name) {
   const std::filesystem::path path(name);
   const std::string stem = path.stem().string(), kind = path.extension().string();
-  return is_any_of(name, {"fields.png", "history.png", "index.html"}) ||
+  return is_any_of(name, {"fields.png", "history.png"}) ||
          (is_any_of(stem, {"view", "animation"}) &&
           is_any_of(kind, {".png", ".gif", ".mp4", ".webm", ".html", ".pvsm"}));
 }

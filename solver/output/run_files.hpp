@@ -14,6 +14,7 @@ inline constexpr const char* history_name = "history.csv";
 inline constexpr const char* checkpoint_name = "checkpoint.pinball";
 inline constexpr const char* last_good_name = "last_good.pinball";
 inline constexpr const char* last_good_picture_name = "last_good.vtu";
+inline constexpr const char* page_name = "index.html";
 inline constexpr const char* fields_base = "fields";  ///< fields.pvd, fields_0000.vtu, ...
 inline constexpr const char* lock_name = "pinball.lock";
 
@@ -23,7 +24,7 @@ std::string in_folder(const std::string& folder, std::string_view name);
 /// Whether a run writes a file of this name; the lock is none of its results.
 bool is_run_file(const std::string& name);
 
-/// Whether a page or a picture of a run has this name: fields.png, history.png, index.html, view.*, animation.*.
+/// Whether a picture of a run has this name: fields.png, history.png, view.*, animation.*.
 bool is_picture_of_run(const std::string& name);
 
 /// Files of a folder that one of these functions takes, links among them; no folders.

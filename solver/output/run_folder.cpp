@@ -49,8 +49,13 @@ RunFolder::RunFolder(const Scene& scene, const RecordOptions& options) : folder_
   }
   open();
   if (continues()) return;  // the summary of the run so far holds until this one goes on
-  set_aside();
-  write_head(head_);
+  try {
+    set_aside();
+    write_head(head_);
+  } catch (...) {
+    put_back();
+    throw;
+  }
 }
 
 void RunFolder::open() {
@@ -104,7 +109,8 @@ void RunFolder::begin(const RunSummary& summary) {
   } else {
     for (const fs::path& path : results_in(folder_)) {
       const std::string name = path.filename().string();
-      const bool follows = is_picture_of_run(name) || name.starts_with("last_good.") || name.ends_with(".part");
+      const bool follows =
+          is_picture_of_run(name) || name == page_name || name.starts_with("last_good.") || name.ends_with(".part");
       if (follows && !same_file(path, restarted_)) fs::remove(path);
     }
   }

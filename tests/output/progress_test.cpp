@@ -62,7 +62,7 @@ TEST(Progress, WritesToALogFileAfterEveryMinute) {
 
 TEST(Progress, CountsFromWhereARestartBegins) {
   const File file(std::tmpfile(), std::fclose);
-  Progress progress({.end_time = 100}, file.get());
+  Progress progress({.end_time = 100, .units = ""}, file.get());
   progress.begin({1000000, 85, 1e-4, 0, 8, 8});
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   progress.update({1000001, 90.5, 1e-4, 0, 8, 8});
@@ -75,7 +75,8 @@ TEST(Progress, CountsFromWhereARestartBegins) {
 }
 
 TEST(Progress, TellsNoSpeedOfRunsThatShareTheTime) {
-  EXPECT_THAT(run_of_1000_steps({.end_time = 5.4e-5, .alone = false}), testing::Not(testing::HasSubstr("steps/s")));
+  EXPECT_THAT(run_of_1000_steps({.end_time = 5.4e-5, .units = "", .alone = false}),
+              testing::Not(testing::HasSubstr("steps/s")));
 }
 
 TEST(Progress, CountsStepsWhereTheyEndTheRun) {

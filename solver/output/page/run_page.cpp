@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include <solver/output/output_file.hpp>
+#include <solver/output/run_files.hpp>
 #include <solver/results/units.hpp>
 #include <solver/run_page.hpp>
 #include <solver/scene/listing.hpp>
@@ -66,8 +66,7 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 void write_run_page(const std::string& folder, const Scene& scene, const RunSummary& summary,
                     const RunPageSettings& settings) {
-  const std::filesystem::path place(folder);
-  Curves curves = read_history((place / "history.csv").string());
+  Curves curves = read_history(in_folder(folder, history_name));
   thin(curves, most_rows_of_page);
   const Units units = parse_units(summary.units);
   const bool failed = !settings.error.empty();
@@ -87,7 +86,7 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
                     {"history", curves_json(curves)},
                     {"scene", text_of(scene_json(scene, units, settings, summary))}};
   make_folder(folder);
-  OutputFile file((place / "index.html").string());
+  OutputFile file(in_folder(folder, page_name));
   file.write(make_page(content));
   file.commit();
 }
