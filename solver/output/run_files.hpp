@@ -24,7 +24,7 @@ std::string in_folder(const std::string& folder, std::string_view name);
 /// Whether a run writes a file of this name; the lock is none of its results.
 bool is_run_file(const std::string& name);
 
-/// Whether a picture of a run has this name: fields.png, history.png, view.*, animation.*.
+/// Whether a picture of a run has this name: fields.png, fields.pvsm, history.png, view.*, animation.*.
 bool is_picture_of_run(const std::string& name);
 
 /// Files of a folder that one of these functions takes, links among them; no folders.

@@ -196,6 +196,7 @@ std::string name_of(const std::vector<std::string>& settings) { return fmt::form
 void check_repeat(const std::string& variant, const RunSummary& first, const RunSummary& again) {
   const auto without_times = [](RunSummary s) {
     s.wall_seconds = 0;
+    s.started.clear();
     s.phases.clear();
     s.skipped_seconds = {};
     return summary_json(s);
