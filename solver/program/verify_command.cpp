@@ -78,7 +78,6 @@ std::string rows_page(const std::vector<VerificationRow>& rows, bool pass) {
   content.blocks = {{"verification", rows_json(rows, pass).dump()}};
   return make_page(content);
 }
-}
 
 }  // namespace
 
