@@ -34,11 +34,6 @@ std::optional<Problem> problem_of(const Box& box);
 
 /// Names are parts of dotted keys and of column headings: letters, digits, "_" and "-" only.
 std::optional<Problem> name_problem(const std::string& name);
-/// A name that an earlier table of the kind has.
-std::optional<Problem> repetition(const std::string& name, const std::vector<std::string>& earlier);
-/// A reference under `key` to a name of `kind` ("material") that the scene does not have.
-std::optional<Problem> reference_problem(std::string_view key, std::string_view kind, const std::string& name,
-                                         const std::vector<std::string>& names);
 /// A vector without a direction.
 std::optional<Problem> direction_problem(std::string_view key, const Point& vector);
 

@@ -21,19 +21,27 @@ namespace pinball {
 /// The next of a sequence of output times: every interval, or a list.
 class Schedule {
  public:
-  Schedule(double interval, std::vector<double> times) : interval_(interval), times_(std::move(times)) {}
+  /// times: in any order
+  Schedule(double interval, std::vector<double> times) : interval_(interval), times_(std::move(times)) {
+    std::sort(times_.begin(), times_.end());
+  }
 
   bool due(double time) const {
     const double tolerance = 1e-9 * interval_;
     return (interval_ > 0 && time >= count_ * interval_ - tolerance) ||
-           (next_ < times_.size() && time >= times_[next_]);
+           (next_ < times_.size() && reached(times_[next_], time));
   }
   void passed(double time) {
-    if (interval_ > 0) count_ = std::max(count_, std::floor(time / interval_ + 1e-9) + 1);  // may be any number
-    while (next_ < times_.size() && time >= times_[next_]) ++next_;
+    // The count may be any number; of one that is not finite every step stays due.
+    const double count = interval_ > 0 ? std::floor(time / interval_ + 1e-9) + 1 : 0;
+    if (std::isfinite(count)) count_ = std::max(count_, count);
+    while (next_ < times_.size() && reached(times_[next_], time)) ++next_;
   }
 
  private:
+  /// A run ends at time.end but for round-off (StepClock::at_end).
+  static bool reached(double asked, double time) { return time >= asked * (1 - 1e-12); }
+
   double interval_;
   std::vector<double> times_;
   double count_ = 0;  ///< a whole number

@@ -38,6 +38,15 @@ struct VerifyOptions {
   std::string page;                 ///< file for the page of results; empty: none
 };
 
+struct NewOptions {
+  std::string name;    ///< of the scene, with or without ".toml"
+  std::string out;     ///< folder that gets it; empty: the current one
+  bool force = false;  ///< may take the place of a file
+};
+
+/// Writes a first scene with comments, as a file of its own.
+PINBALL_API int new_command(const NewOptions& options);
+
 /// Runs a scene, or goes on with a run from its checkpoint, and writes its results.
 PINBALL_API int run_command(const RunOptions& options);
 

@@ -97,6 +97,19 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
       ->check(check_not_empty);
 }
 
+void add_new_options(CLI::App& command, pinball::NewOptions& options) {
+  command.add_option("NAME", options.name, "name of the scene: writes NAME.toml")->required();
+  command.add_option("--out", options.out, "folder that gets the file (default: the current one)");
+  command.add_flag("--force", options.force, "replaces a file that is there");
+}
+
+/// At the end of --help: two examples, and where the keys of scenes are described.
+void add_footer(CLI::App& command, const std::string& examples) {
+  command.footer("Examples:\n" + examples +
+                 "\nAll keys of a scene with units and defaults: data/scenes/README.md in the source tree,\n"
+                 "share/pinball/data/scenes/README.md where the program is installed.");
+}
+
 int run_program(int argc, char** argv) {
   CLI::App app("Pinball: explicit dynamics of solids in contact and impact", "pinball");
   app.set_version_flag("--version", "pinball " PINBALL_VERSION);
@@ -124,6 +137,21 @@ int run_program(int argc, char** argv) {
   view->set_help_flag();
   view->prefix_command();
 
+  pinball::NewOptions first;
+  auto* create = app.add_subcommand("new", "write a first scene, with comments, to begin with");
+  add_new_options(*create, first);
+
+  add_footer(app, "    pinball new impact\n    pinball run impact.toml\n");
+  add_footer(*run,
+             "    pinball run rod_plate --out out/finer --refine 2\n"
+             "    pinball run impact.toml --set time.end=0.1 --set contact.friction=0\n");
+  add_footer(*info, "    pinball info rod_plate\n    pinball info impact.toml --refine 2\n");
+  add_footer(*compare,
+             "    pinball compare two_blocks --vary time.cfl=0.9,0.45\n"
+             "    pinball compare impact.toml --vary contact.friction=0,0.2 --repeat 1 --json table.json\n");
+  add_footer(*verify, "    pinball verify two_blocks taylor_bar\n    pinball verify --json table.json\n");
+  add_footer(*create, "    pinball new impact\n    pinball new impact --out scenes --force\n");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -138,6 +166,7 @@ int run_program(int argc, char** argv) {
   if (*info) return pinball::info_command(options);
   if (*verify) return pinball::verify_command(verification);
   if (*view) return pinball::view_command(view->remaining());
+  if (*create) return pinball::new_command(first);
   return pinball::compare_command(comparison);
 }
 

@@ -5,6 +5,7 @@
 #include <solver/base/error.hpp>
 #include <solver/scene_rules.hpp>
 
+#include "names.hpp"
 #include "numbers.hpp"
 
 namespace pinball {
@@ -41,10 +42,10 @@ class Table {
   std::string path_;
 };
 
-void check_material(Material& material, const std::vector<std::string>& earlier) {
+void check_material(Material& material, Names& earlier) {
   const Table table("material", material.name);
   table.require_none(name_problem(material.name));
-  table.require_none(repetition(material.name, earlier));
+  table.require_none(earlier.add(material.name));
   table.numbers(material);
   table.number("bulk_modulus", material.bulk_modulus, positive);
   table.number("shear_modulus", material.shear_modulus, positive);
@@ -53,11 +54,11 @@ void check_material(Material& material, const std::vector<std::string>& earlier)
   table.require_none(problem_of(material));
 }
 
-void check_body(Body& body, const std::vector<std::string>& materials, const std::vector<std::string>& earlier) {
+void check_body(Body& body, const Names& materials, Names& earlier) {
   const Table table("body", body.name);
   table.require_none(name_problem(body.name));
-  table.require_none(repetition(body.name, earlier));
-  table.require_none(reference_problem("material", "material", body.material, materials));
+  table.require_none(earlier.add(body.name));
+  table.require_none(materials.reference_problem("material", "material", body.material));
   table.numbers(body);
   for (const Point& row : body.velocity_gradient) table.number("velocity_gradient", row, any_number);
   if (body.axis) table.require_none(direction_problem("axis", *body.axis));
@@ -66,10 +67,10 @@ void check_body(Body& body, const std::vector<std::string>& materials, const std
 /// The names of the bodies, and what refers to them: keys `body` and selections of nodes.
 class BodyNames {
  public:
-  explicit BodyNames(const Scene& scene) : bodies_(names_of(scene.bodies)) {}
+  explicit BodyNames(const Scene& scene) : bodies_(scene.bodies) {}
 
   void check_body(const Table& table, const std::string& body) const {
-    if (!body.empty()) table.require_none(reference_problem("body", "body", body, bodies_));
+    if (!body.empty()) table.require_none(bodies_.reference_problem("body", "body", body));
   }
   /// Names the selection in messages about its nodes, too.
   void check(const Table& table, NodeSelection& nodes, const std::string& where) const {
@@ -83,7 +84,7 @@ class BodyNames {
   }
 
  private:
-  std::vector<std::string> bodies_;
+  Names bodies_;
 };
 
 /// Each table of a list, with its name for messages.
@@ -108,12 +109,11 @@ void check_boundary(Scene& scene) {
              if (fixed.frame == Frame::cylindrical)
                table.require_none(direction_problem("axis.direction", fixed.axis.direction));
            });
-  std::vector<std::string> earlier;
+  Names walls;
   for_each(scene.rigid_walls, "rigid_wall", [&](const Table& table, RigidWall& wall, const auto& where) {
     if (wall.where.empty()) wall.where = where;
     table.require_none(name_problem(wall.name));
-    table.require_none(repetition(wall.name, earlier));
-    earlier.push_back(wall.name);
+    table.require_none(walls.add(wall.name));
     table.numbers(wall);
     table.require_none(direction_problem("normal", wall.plane.normal));
     names.check_body(table, wall.body);
@@ -135,12 +135,11 @@ void check_boundary(Scene& scene) {
              names.check(table, given.nodes, where);
              table.numbers(given);
            });
-  std::vector<std::string> taken = names_of(scene.bodies);
+  Names taken(scene.bodies);
   for_each(scene.probes, "probe", [&](const Table& table, Probe& probe, const auto& where) {
     if (probe.where.empty()) probe.where = where;
     table.require_none(name_problem(probe.name));
-    table.require_none(repetition(probe.name, taken));
-    taken.push_back(probe.name);
+    table.require_none(taken.add(probe.name));
     table.numbers(probe);
     names.check_body(table, probe.body);
   });
@@ -159,18 +158,10 @@ Scene checked_scene(Scene scene) {
   settings("guard", scene.guard);
   settings("damping", scene.damping);
   settings("output", scene.output);
-  std::vector<std::string> earlier;
-  for (Material& material : scene.materials) {
-    check_material(material, earlier);
-    earlier.push_back(material.name);
-  }
+  Names materials, bodies;
+  for (Material& material : scene.materials) check_material(material, materials);
   if (scene.bodies.empty()) Table("").fail("body", "missing, expected at least one [[body]]");
-  const std::vector<std::string> materials = names_of(scene.materials);
-  earlier.clear();
-  for (Body& body : scene.bodies) {
-    check_body(body, materials, earlier);
-    earlier.push_back(body.name);
-  }
+  for (Body& body : scene.bodies) check_body(body, materials, bodies);
   check_boundary(scene);
   return scene;
 }

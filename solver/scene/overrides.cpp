@@ -10,6 +10,7 @@
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
 
+#include "key_depth.hpp"
 #include "table.hpp"
 
 namespace pinball {
@@ -17,6 +18,7 @@ namespace pinball {
 namespace {
 
 std::optional<toml::table> parse_value(const std::string& text, const std::string& source) {
+  require_short_keys(text, source);
   try {
     // The line break ends a comment that the value may carry; a second key can only come from a line break inside it.
     toml::table table = toml::parse("value = " + text + "\n", source);
@@ -40,6 +42,9 @@ std::vector<std::string> split_key(const std::string& key, const std::string& wh
     const std::size_t end = std::min(key.find('.', begin), key.size());
     if (end == begin) fail(where, "", fmt::format("expected a key such as contact.beta, got \"{}\"", key));
     parts.push_back(key.substr(begin, end - begin));
+    if (parts.size() > most_key_parts) {
+      fail(where, "", fmt::format("expected a key of at most {} parts, got more", most_key_parts));
+    }
     if (end == key.size()) return parts;
     begin = end + 1;
   }

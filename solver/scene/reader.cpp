@@ -9,6 +9,8 @@
 #include <solver/scene.hpp>
 
 #include "boundary_parts.hpp"
+#include "key_depth.hpp"
+#include "names.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "table.hpp"
@@ -94,11 +96,11 @@ void find_mesh_file(const SceneTable& body, FileMesh& mesh, const std::string& s
 
 /// What acts from outside, and probes; bodies are known by now.
 void read_boundary(const SceneTable& top, Scene& scene) {
+  const Names bodies(scene.bodies);
   const auto tables = [&](std::string_view key) {
     auto all = top.tables(key, key);
     for (const SceneTable& table : all) {
-      if (table.has("body"))
-        table.require_none(reference_problem("body", "body", table.text("body"), names_of(scene.bodies)));
+      if (table.has("body")) table.require_none(bodies.reference_problem("body", "body", table.text("body")));
     }
     return all;
   };
@@ -111,9 +113,10 @@ void read_boundary(const SceneTable& top, Scene& scene) {
       scene.fixed_constraints.push_back(read_fixed_constraint(table));
     }
   }
+  Names walls;
   for (const auto& table : tables("rigid_wall")) {
     const RigidWall wall = read_rigid_wall(table, scene.rigid_walls.size());
-    table.require_none(repetition(wall.name, names_of(scene.rigid_walls)));
+    table.require_none(walls.add(wall.name));
     scene.rigid_walls.push_back(wall);
   }
   for (const auto& table : tables("prescribed_velocity")) {
@@ -123,10 +126,10 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   for (const auto& table : tables("initial_velocity")) {
     scene.initial_velocities.push_back(read_initial_velocity(table));
   }
+  Names columns(scene.bodies);  // of history.csv
   for (const auto& table : tables("probe")) {
     const Probe probe = read_probe(table);
-    table.require_none(repetition(probe.name, names_of(scene.probes)));
-    table.require_none(repetition(probe.name, names_of(scene.bodies)));  // their columns in history.csv
+    table.require_none(columns.add(probe.name));
     scene.probes.push_back(probe);
   }
 }
@@ -152,9 +155,10 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   guard.numbers_into(scene.guard);
   scene.output = read_output(top.table("output", "output"));
 
+  Names materials, body_names;
   for (const auto& table : top.tables("material", "material")) {
     const Material material = read_material(table);
-    table.require_none(repetition(material.name, names_of(scene.materials)));
+    table.require_none(materials.add(material.name));
     scene.materials.push_back(material);
   }
   const auto bodies = top.tables("body", "body");
@@ -162,8 +166,8 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   for (const auto& table : bodies) {
     Body body = read_body(table, overrides.refine);
     if (auto* file = std::get_if<FileMesh>(&body.mesh)) find_mesh_file(table, *file, path);
-    table.require_none(repetition(body.name, names_of(scene.bodies)));
-    table.require_none(reference_problem("material", "material", body.material, names_of(scene.materials)));
+    table.require_none(body_names.add(body.name));
+    table.require_none(materials.reference_problem("material", "material", body.material));
     scene.bodies.push_back(body);
   }
   top.table("damping", "damping").numbers_into(scene.damping);
@@ -182,6 +186,7 @@ std::string read_text(const std::string& path) {
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
+  require_short_keys(text, path);
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {

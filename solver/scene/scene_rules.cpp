@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <solver/base/text_distance.hpp>
 #include <solver/scene_rules.hpp>
 
 namespace pinball {
@@ -127,19 +126,6 @@ std::optional<Problem> name_problem(const std::string& name) {
   });
   if (plain && !name.empty()) return {};
   return Problem{"name", fmt::format("expected a name of letters, digits, \"_\" and \"-\", got \"{}\"", name)};
-}
-
-std::optional<Problem> repetition(const std::string& name, const std::vector<std::string>& earlier) {
-  if (std::find(earlier.begin(), earlier.end(), name) == earlier.end()) return {};
-  return Problem{"name", fmt::format("expected a name of its own, got \"{}\" a second time", name)};
-}
-
-std::optional<Problem> reference_problem(std::string_view key, std::string_view kind, const std::string& name,
-                                         const std::vector<std::string>& names) {
-  if (std::find(names.begin(), names.end(), name) != names.end()) return {};
-  const std::string hint = names.empty() ? fmt::format("the scene has no [[{}]]", kind)
-                                         : fmt::format("nearest is \"{}\"", nearest(name, names));
-  return Problem{std::string(key), fmt::format("no {} is named \"{}\", {}", kind, name, hint)};
 }
 
 std::optional<Problem> direction_problem(std::string_view key, const Point& vector) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <vector>
+
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+
+/// The names of the tables of one kind, however many: each name is looked up in the same time.
+class Names {
+ public:
+  Names() = default;
+  /// The names of all of them, which may repeat.
+  template <class Named>
+  explicit Names(const std::vector<Named>& items) {
+    for (const auto& item : items) add(item.name);
+  }
+
+  bool has(const std::string& name) const { return known_.contains(name); }
+  /// A name that an earlier table has is a problem, and not added.
+  std::optional<Problem> add(const std::string& name);
+  /// A reference under `key` to a name of `kind` ("material") that is none of these.
+  std::optional<Problem> reference_problem(std::string_view key, std::string_view kind, const std::string& name) const;
+
+ private:
+  std::vector<std::string> in_order_;
+  std::unordered_set<std::string> known_;
+};
+
+}  // namespace pinball
