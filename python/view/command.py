@@ -36,6 +36,7 @@ class Wanted:
         self.sheet = options.out or (None if named else os.path.join(folder, "fields.png"))
         self.film = options.animation or (None if named else os.path.join(folder, "animation.webp"))
         self.page = not named
+        self.state = None if named else os.path.join(folder, "fields_paraview.py")
         self.history = os.path.join(folder, "history.png") if options.history or not named else None
 
 
@@ -44,6 +45,7 @@ def draw_fields(options, wanted):
     from view.display import VirtualDisplay
     from view.drawing import Drawing
     from view.page import pictures, put_into_page
+    from view.paraview import state_text
     from view.selection import choose_entries
 
     entries = entries_of(options.folder)
@@ -63,6 +65,11 @@ def draw_fields(options, wanted):
     if films:
         write_animation(wanted.film, films, options.fps)
         yield wanted.film
+    if wanted.state:
+        with open(wanted.state, "w", encoding="utf-8") as file:
+            pvd = os.path.abspath(os.path.join(options.folder, "fields.pvd"))
+            file.write(state_text(pvd, drawing.quantity, drawing.colours, drawing.frame))
+        yield wanted.state
     if wanted.page:
         with open(wanted.sheet, "rb") as sheet:
             content = pictures(sheet.read(), films, [time * drawing.factor for time, _ in frames], drawing.time_unit,

@@ -124,7 +124,10 @@ class Pictures(unittest.TestCase):
 
     def test_all_is_made_by_default(self):
         files = self.view()
-        self.assertEqual([file.name for file in files], ["fields.png", "animation.webp", "index.html", "history.png"])
+        self.assertEqual([file.name for file in files], ["fields.png", "animation.webp", "fields_paraview.py", "index.html", "history.png"])
+        state = files.pop(2).read_text()
+        compile(state, "fields_paraview.py", "exec")
+        self.assertIn(f"FileName='{self.out}/fields.pvd'", state)
         page = files.pop(2).read_text()
         self.assertIn("data:image/png;base64,", page)
         self.assertEqual(page.count('<img loading="lazy"'), self.outputs)
