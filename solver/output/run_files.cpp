@@ -40,7 +40,7 @@ bool is_run_file(const std::string& name) {
 bool is_picture_of_run(const std::string& name) {
   const std::filesystem::path path(name);
   const std::string stem = path.stem().string(), kind = path.extension().string();
-  return is_any_of(name, {"fields.png", "fields.pvsm", "history.png"}) ||
+  return is_any_of(name, {"fields.png", "fields_paraview.py", "history.png"}) ||
          (is_any_of(stem, {"view", "animation"}) &&
           is_any_of(kind, {".png", ".gif", ".mp4", ".webm", ".webp", ".html", ".pvsm"}));
 }

@@ -83,7 +83,7 @@ TEST_F(RunFolders, WhatAnEarlierRunHasLeftIsRemovedAndNothingElse) {
   const std::vector<std::string> of_run{
       "fields.pvd",         "fields_0007.vtu", "fields_12345.vtu",     "last_good.vtu",     "last_good.pinball",
       "checkpoint.pinball", "fields.png",      "history.png",          "index.html.part",   "animation.webp",
-      "fields.pvsm",        "view.png",        "fields_0001.vtu.part", "summary.json.part", "checkpoint.pinball.part"};
+      "fields_paraview.py", "view.png",        "fields_0001.vtu.part", "summary.json.part", "checkpoint.pinball.part"};
   const std::vector<std::string> others{"notes.txt",     "fields_.vtu", "fields_a.vtu",
                                         "my_index.html", "view.txt",    "a.part"};
   for (const std::string& name : of_run) leave(name);
