@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include <solver/base/error.hpp>
+#include <solver/program/commands.hpp>
 #include <solver/scene_rules.hpp>
 
-#include "commands.hpp"
 #include "first_scene.hpp"
 
 namespace pinball {
