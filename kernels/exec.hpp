@@ -6,6 +6,9 @@
 
 #if defined(_OPENMP)
 #include <omp.h>
+
+#include "region_failure.hpp"
+#include "thread_team.hpp"
 #endif
 
 /// Execution layer with the vocabulary and semantics of Kokkos: named kernels, range policies on an execution space,
@@ -14,7 +17,12 @@
 ///
 /// Results never depend on the number of threads: a `parallel_for` body writes only what belongs to its index, and
 /// `parallel_reduce` combines partial results of fixed pieces of the range in order.
+///
+/// A body may throw. Of several exceptions that of the first index is thrown, and what else was done is not defined.
 namespace pinball {
+
+/// More than any machine has.
+inline constexpr int most_threads = 4096;
 
 struct Serial {
   static int concurrency() { return 1; }
@@ -22,13 +30,34 @@ struct Serial {
 };
 
 #if defined(_OPENMP)
+/// Regions of OpenMP's own threads, who wait for each other as the environment of the host says.
 struct OpenMP {
   static int concurrency() { return omp_get_max_threads(); }
   static void set_concurrency(int threads) { omp_set_num_threads(threads); }
 };
+
+/// Threads of this library, as many as OpenMP would take in the same place. They wait for each other briefly, whatever
+/// the host has set, and not at all for one that has no processor (thread_team.hpp).
+struct Threads {
+  static int concurrency() { return omp_get_max_threads(); }
+  static void set_concurrency(int threads) { omp_set_num_threads(threads); }
+  /// Of a region that begins here: within one of the host that is alone allowed to be parallel, 1.
+  static int of_region() {
+    if (omp_get_active_level() >= omp_get_max_active_levels()) return 1;
+    const int threads = omp_get_max_threads(), limit = omp_get_thread_limit();
+    const int most = limit < most_threads ? limit : most_threads;
+    return threads < most ? threads : most;
+  }
+};
+
+#if defined(PINBALL_OPENMP_REGIONS)
 using DefaultExecutionSpace = OpenMP;
 #else
+using DefaultExecutionSpace = Threads;
+#endif
+#else
 using OpenMP = Serial;
+using Threads = Serial;
 using DefaultExecutionSpace = Serial;
 #endif
 
@@ -71,32 +100,70 @@ void parallel_for_coloured(const char* /*name*/, Serial /*space*/, const std::in
 
 #if defined(_OPENMP)
 
-template <class Body>
-void parallel_for(const char* /*name*/, RangePolicy<OpenMP> range, const Body& body) {
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = range.begin; i < range.end; ++i) body(i);
+/// Calls part(begin, end) for parts of the range, on the threads of a team.
+template <class Part>
+void run_parts(std::int64_t begin, std::int64_t end, const Part& part) {
+  const RangeWork work = [](const void* of, std::int64_t first, std::int64_t last) {
+    (*static_cast<const Part*>(of))(first, last);
+  };
+  ThreadTeam::of_this_thread().run(Threads::of_region(), begin, end, work, &part);
 }
 
-template <class Value, class Body, class Join>
-void parallel_reduce(const char* /*name*/, RangePolicy<OpenMP> range, Value& result, const Body& body,
-                     const Join& join) {
-  const std::int64_t count = range.end - range.begin;
-  Value partial[fixed_pieces]{};
-#pragma omp parallel for schedule(static)
-  for (std::int64_t p = 0; p < fixed_pieces; ++p) {
-    body(range.begin + count * p / fixed_pieces, range.begin + count * (p + 1) / fixed_pieces, partial[p]);
+template <class Body>
+void parallel_for(const char* /*name*/, RangePolicy<Threads> range, const Body& body) {
+  run_parts(range.begin, range.end, [&body](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i) body(i);
+  });
+}
+
+template <class Body>
+void parallel_for_coloured(const char* name, Threads /*space*/, const std::int32_t* colour_offsets,
+                           std::int32_t colours, const std::int32_t* items, const Body& body) {
+  for (std::int32_t c = 0; c < colours; ++c) {
+    parallel_for(name, RangePolicy<Threads>{colour_offsets[c], colour_offsets[c + 1]},
+                 [&](std::int64_t i) { body(items[i]); });
   }
-  for (std::int64_t p = 0; p < fixed_pieces; ++p) join(result, partial[p]);
+}
+
+/// Calls part(begin, end) for the calling OpenMP thread's part of the range, within a region.
+template <class Part>
+void run_own_part(RegionFailure& failure, std::int64_t begin, std::int64_t end, const Part& part) {
+  const std::int64_t thread = omp_get_thread_num(), threads = omp_get_num_threads(), count = end - begin;
+  failure.guard(thread, [&] { part(begin + count * thread / threads, begin + count * (thread + 1) / threads); });
+}
+
+template <class Body>
+void parallel_for(const char* /*name*/, RangePolicy<OpenMP> range, const Body& body) {
+  RegionFailure failure;
+#pragma omp parallel
+  run_own_part(failure, range.begin, range.end, [&body](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t i = begin; i < end; ++i) body(i);
+  });
+  failure.rethrow();
 }
 
 template <class Body>
 void parallel_for_coloured(const char* /*name*/, OpenMP /*space*/, const std::int32_t* colour_offsets,
                            std::int32_t colours, const std::int32_t* items, const Body& body) {
+  RegionFailure failure;
 #pragma omp parallel
   for (std::int32_t c = 0; c < colours; ++c) {
-#pragma omp for schedule(static)
-    for (std::int32_t i = colour_offsets[c]; i < colour_offsets[c + 1]; ++i) body(items[i]);
+    run_own_part(failure, colour_offsets[c], colour_offsets[c + 1], [&](std::int64_t begin, std::int64_t end) {
+      for (std::int64_t i = begin; i < end; ++i) body(items[i]);
+    });
+#pragma omp barrier
   }
+  failure.rethrow();
+}
+
+template <class Space, class Value, class Body, class Join>
+void parallel_reduce(const char* name, RangePolicy<Space> range, Value& result, const Body& body, const Join& join) {
+  const std::int64_t count = range.end - range.begin;
+  Value partial[fixed_pieces]{};
+  parallel_for(name, RangePolicy<Space>{0, fixed_pieces}, [&](std::int64_t p) {
+    body(range.begin + count * p / fixed_pieces, range.begin + count * (p + 1) / fixed_pieces, partial[p]);
+  });
+  for (std::int64_t p = 0; p < fixed_pieces; ++p) join(result, partial[p]);
 }
 
 #endif

@@ -6,11 +6,9 @@
 
 namespace pinball {
 
-/// More than any machine has; with still more of them the system ends the program.
-inline constexpr int most_threads = 4096;
-
 /// Whether the calling thread is that of a fork whose helpers are gone: they were threads of the process that it was
-/// forked from, and OpenMP would wait for them for ever. A thread that is made after the fork has helpers of its own.
+/// forked from, and OpenMP would wait for them for ever. A thread that is made after the fork has helpers of its own;
+/// where these are the library's, so has one that was forked.
 bool has_lost_its_helpers();
 
 /// The threads of the calling thread's parallel regions while this lives; then their number is what it was.

@@ -33,9 +33,10 @@
  * other layouts the nodes of the surface are gathered into such records, once in a step; memory for these is that of
  * 4 numbers per node and array. Undeformed places are kept too, 3 numbers per node.
  *
- * **Threads.** Work runs on the OpenMP threads of the calling thread (option `threads`). There is no global state: calls
- * on different instances may run at the same time; calls on one instance may not. **Determinism**: results do not depend
- * on the number of threads, on what other instances do, or on the layout of the arrays.
+ * **Threads.** Each thread that calls has helpers of its own, as many as OpenMP would take there or as the option
+ * `threads` says, which sleep between calls. There is no global state: calls on different instances may run at the same
+ * time; calls on one instance may not. **Determinism**: results do not depend on the number of threads, on what other
+ * instances do, or on the layout of the arrays.
  *
  * **Errors.** Functions return a pinball_contact_status; pinball_contact_message tells the argument, and its index (from
  * 0). After an error of arguments the instance is as before the call. No exception leaves these functions, and nothing
@@ -106,7 +107,7 @@ typedef struct pinball_contact_options {
   int32_t radius;          /**< pinball_contact_radius; PINBALL_CONTACT_RADIUS_INITIAL, without which no spheres */
   int32_t self;            /**< 1: a body may touch itself; 1 */
   int32_t keep_lists;      /**< 1: lists of what may touch serve many steps, with the same results; 1 */
-  int32_t threads;         /**< 0: as many as OpenMP gives the calling thread; else this many, up to 4096; 0 */
+  int32_t threads;         /**< 0: as many as OpenMP would take in the calling thread; else this many, up to 4096; 0 */
   double beta;             /**< penalty factor, > 0 [-]; 1 */
   double damping;          /**< of the springs, as a part of critical damping, >= 0 [-]; 0.1 */
   double friction;         /**< Coulomb coefficient while sliding, >= 0, with impulses only [-]; 0 */

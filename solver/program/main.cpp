@@ -1,10 +1,12 @@
+<<<<<<< HEAD
 #include <unistd.h>
+=======
+#include <fmt/format.h>
+>>>>>>> 76c8a1f (Threads of our own in place of OpenMP's regions: they do not wait for who has no processor)
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <limits>
 #include <string>
@@ -170,30 +172,14 @@ int run_program(int argc, char** argv) {
   return pinball::compare_command(comparison);
 }
 
-/// GCC's OpenMP threads wait for each other by spinning for milliseconds before they sleep, and a step has tens of such
-/// waits of microseconds each. Where another process wants a core, a thread that spins keeps its sibling from running.
-/// A short spin costs nothing where the machine is free. Measured with rod_plate (1842 elements, 468 steps) and 2
-/// threads on 2 cores, wall time:
-///
-///     GOMP_SPINCOUNT                           0          1000       3000       unset (300000)
-///     nothing else runs (real-time priority)   0.82 s     0.77 s     0.75 s     0.86 s
-///     one busy loop and compilers beside it    1.5-2.2 s  1.9-2.1 s  1.8-2.1 s  14-36 s
-///
-/// OpenMP reads its environment before main() begins, so the program starts itself again, once, with the variable set;
-/// whoever has set a policy keeps it. This is for the program alone: a host that embeds the library decides for itself.
-void let_threads_sleep(char** argv) {
-  if (std::getenv("GOMP_SPINCOUNT") != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
-  std::array<char, 4096> program{};
-  if (readlink("/proc/self/exe", program.data(), program.size() - 1) <= 0) return;
-  if (setenv("GOMP_SPINCOUNT", "1000", 1) != 0) return;
-  execv(program.data(), argv);  // returns only if it fails; then the program runs as it is
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
+<<<<<<< HEAD
   pinball::open_closed_streams();
   let_threads_sleep(argv);
+=======
+>>>>>>> 76c8a1f (Threads of our own in place of OpenMP's regions: they do not wait for who has no processor)
   try {
     const int status = run_program(argc, argv);
     pinball::finish_stdout();

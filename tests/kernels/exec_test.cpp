@@ -1,5 +1,17 @@
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <new>
 #include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
 
 #include <kernels/exec.hpp>
 #include <tests/support/support.hpp>
@@ -25,7 +37,7 @@ void with_threads(int threads, const Body& body) {
 
 template <class Space>
 class Exec : public ::testing::Test {};
-using Spaces = ::testing::Types<Serial, OpenMP>;
+using Spaces = ::testing::Types<Serial, OpenMP, Threads>;
 TYPED_TEST_SUITE(Exec, Spaces);
 
 TYPED_TEST(Exec, ParallelForCallsEachIndexOnce) {
@@ -129,6 +141,161 @@ TYPED_TEST(Exec, NoColoursMeanNoWork) {
                         [&](std::int32_t) { ++calls; });
   EXPECT_EQ(calls, 0);
 }
+
+/// Index whose exception leaves a region in which those above 700 and below 300 throw; -1: none has.
+template <class Space>
+std::int64_t thrown_by_many() {
+  try {
+    parallel_for("test", RangePolicy<Space>{0, 1000}, [](std::int64_t i) {
+      if (i == 0 || (i >= 300 && i < 700)) return;
+      throw std::out_of_range(std::to_string(i));
+    });
+  } catch (const std::out_of_range& error) {
+    return std::stoll(error.what());
+  }
+  return -1;
+}
+
+TYPED_TEST(Exec, TheFirstExceptionLeavesTheRegion) {
+  for (const int threads : {1, 2, 3, 8}) {
+    with_threads(threads, [&] {
+      for (int repeat = 0; repeat < 20; ++repeat) ASSERT_EQ(thrown_by_many<TypeParam>(), 1);
+      double sum = 0;
+      EXPECT_THROW(parallel_reduce(
+                       "sum", RangePolicy<TypeParam>{0, 64}, sum,
+                       [](std::int64_t begin, std::int64_t, double&) {
+                         if (begin > 40) throw std::bad_alloc();
+                       },
+                       [](double& result, double partial) { result += partial; }),
+                   std::bad_alloc);
+      const std::int32_t offsets[] = {0, 2, 4}, items[] = {0, 1, 2, 3};
+      EXPECT_THROW(parallel_for_coloured("test", TypeParam{}, offsets, 2, items,
+                                         [](std::int32_t item) {
+                                           if (item % 2 == 1) throw std::runtime_error("odd");
+                                         }),
+                   std::runtime_error);
+      int calls = 0;
+      parallel_for("after", RangePolicy<TypeParam>{0, 1}, [&](std::int64_t) { ++calls; });
+      EXPECT_EQ(calls, 1);
+    });
+  }
+}
+
+TYPED_TEST(Exec, ARegionInARegionIsWorkedByItsThread) {
+  with_threads(3, [] {
+    std::vector<int> calls(30 * 40, 0);
+    parallel_for("outer", RangePolicy<TypeParam>{0, 30}, [&](std::int64_t i) {
+      const auto thread = std::this_thread::get_id();
+      parallel_for("inner", RangePolicy<TypeParam>{0, 40}, [&](std::int64_t j) {
+        if (std::this_thread::get_id() == thread) ++calls[std::size_t(40 * i + j)];
+      });
+    });
+    EXPECT_EQ(calls, std::vector<int>(30 * 40, 1));
+  });
+}
+
+#if defined(_OPENMP)
+
+/// How many threads have worked on a region that is long enough for all of them to arrive.
+int threads_of_long_region() {
+  std::mutex mutex;
+  std::set<std::thread::id> seen;
+  parallel_for("long", RangePolicy<Threads>{0, 64}, [&](std::int64_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    const std::lock_guard<std::mutex> lock(mutex);
+    seen.insert(std::this_thread::get_id());
+  });
+  return static_cast<int>(seen.size());
+}
+
+TEST(ExecThreads, AreAsManyAsOpenMPWouldTake) {
+  for (const int threads : {1, 4, 2}) {
+    with_threads(threads, [&] { EXPECT_EQ(threads_of_long_region(), threads); });
+  }
+  int within = 0;
+#pragma omp parallel num_threads(2)
+  {
+#pragma omp single
+    within = threads_of_long_region();
+  }
+  EXPECT_EQ(within, 1) << "in a region of the host";
+}
+
+/// A helper that sleeps in the midst of the region, as one does that another process keeps from running.
+TEST(ExecThreads, OneThatIsAwayIsNotWaitedFor) {
+  with_threads(2, [] {
+    threads_of_long_region();  // there is a helper now
+    const auto own = std::this_thread::get_id();
+    int worked_here = 0;
+    parallel_for("away", RangePolicy<Threads>{0, 16}, [&](std::int64_t) {
+      const bool here = std::this_thread::get_id() == own;
+      if (here) ++worked_here;
+      std::this_thread::sleep_for(std::chrono::milliseconds(here ? 1 : 200));
+    });
+    EXPECT_GE(worked_here, 14) << "static halves would be 8";
+  });
+}
+
+TEST(ExecThreads, HostThreadsHaveTeamsOfTheirOwn) {
+  std::vector<std::thread> hosts;
+  std::atomic<int> wrong{0};
+  for (int host = 0; host < 4; ++host) {
+    hosts.emplace_back([host, &wrong] {
+      omp_set_num_threads(1 + host);
+      for (int repeat = 0; repeat < 200; ++repeat) {
+        std::vector<std::int64_t> squares(100);
+        parallel_for("test", RangePolicy<Threads>{0, 100}, [&](std::int64_t i) { squares[std::size_t(i)] = i * i; });
+        for (std::int64_t i = 0; i < 100; ++i) wrong += squares[std::size_t(i)] != i * i;
+      }
+    });
+  }
+  for (std::thread& host : hosts) host.join();
+  EXPECT_EQ(wrong, 0);
+}
+
+/// Exit status of work() in a process that is forked off here; negative: it had to be killed.
+template <class Work>
+int status_of_fork(const Work& work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::alarm(20);
+    ::_exit(work());
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(ExecThreads, AForkedProcessHasItsOwn) {
+#if defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "it lets no threads begin after a fork";
+#endif
+  with_threads(3, [] {
+    EXPECT_EQ(threads_of_long_region(), 3);
+    EXPECT_EQ(status_of_fork(threads_of_long_region), 3);
+    EXPECT_EQ(status_of_fork([] { return status_of_fork(threads_of_long_region); }), 3);
+    EXPECT_EQ(threads_of_long_region(), 3);
+  });
+}
+
+TEST(ExecThreads, WhereTheSystemHasNoMoreFewerDoTheSame) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need more address space than is left here";
+#endif
+  const auto sum_with_many_threads = [] {
+    const rlimit memory{std::size_t(256) << 20, std::size_t(256) << 20};  // for a few stacks
+    ::setrlimit(RLIMIT_AS, &memory);
+    omp_set_num_threads(4000);
+    std::vector<int> ones(10000, 0);
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      parallel_for("test", RangePolicy<Threads>{0, 10000}, [&](std::int64_t i) { ones[std::size_t(i)] = 1; });
+    }
+    return std::accumulate(ones.begin(), ones.end(), 0) == 10000 ? 7 : 8;
+  };
+  EXPECT_EQ(status_of_fork(sum_with_many_threads), 7);
+}
+
+#endif
 
 }  // namespace
 }  // namespace pinball

@@ -103,7 +103,7 @@ TEST(WrongScenes, NameTheKey) {
   EXPECT_EQ(with([](Scene& s) { s.loads.emplace_back().nodes.body = "c"; }),
             "load.0.body: no body is named \"c\", nearest is \"a\"");
   EXPECT_EQ(with([](Scene& s) { s.loads.emplace_back(); }),
-            "load.0.body: missing, expected at least one of body, plane, line, box and nearest");
+            "load.0.body: missing, expected at least one of body, plane, line, box, nearest, set and nodes");
   EXPECT_EQ(with([](Scene& s) { s.bodies.clear(); }), "body: missing, expected at least one [[body]]");
 }
 
