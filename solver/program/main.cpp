@@ -1,9 +1,3 @@
-<<<<<<< HEAD
-#include <unistd.h>
-=======
-#include <fmt/format.h>
->>>>>>> 76c8a1f (Threads of our own in place of OpenMP's regions: they do not wait for who has no processor)
-
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
@@ -175,11 +169,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-<<<<<<< HEAD
   pinball::open_closed_streams();
-  let_threads_sleep(argv);
-=======
->>>>>>> 76c8a1f (Threads of our own in place of OpenMP's regions: they do not wait for who has no processor)
   try {
     const int status = run_program(argc, argv);
     pinball::finish_stdout();
