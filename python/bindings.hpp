@@ -34,6 +34,7 @@ void bind_scene(py::module_& module);
 void bind_results(py::module_& module);
 void bind_simulation(py::module_& module);
 void bind_contact(py::module_& module);
+void bind_runs(py::module_& module);
 
 /// A class of plain data: made without arguments or with its fields by name, Material(name="steel", density=7850).
 template <class Data>

@@ -16,5 +16,6 @@ PYBIND11_MODULE(_core, module) {
   python::bind_results(module);
   python::bind_simulation(module);
   python::bind_contact(module);
+  python::bind_runs(module);
   module.attr("__name__") = own_name;
 }
