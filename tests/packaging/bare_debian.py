@@ -55,6 +55,14 @@ class BareDebian:
             raise AssertionError(f"{command}\nended with {run.returncode}:\n{run.stdout[-3000:]}{run.stderr[-3000:]}")
         return run.stdout + run.stderr
 
+    def can(self, command):
+        try:
+            self.run(command)
+        except AssertionError as why:
+            print(why)
+            return False
+        return True
+
     def install(self, *packages):
         return self.run("apt-get install -y --no-install-recommends " + " ".join(packages))
 

@@ -104,7 +104,9 @@ if __name__ == "__main__":
     sys.argv[1:] = []
     FOLDER.mkdir(parents=True, exist_ok=True)
     try:
-        BareDebian(FOLDER / "bookworm.tar", FOLDER / "root")
+        system = BareDebian(FOLDER / "bookworm.tar", FOLDER / "root")
+        if not system.can("apt-get update -o APT::Update::Error-Mode=any"):
+            raise NotHere("Debian's packages are out of reach, or this machine lets nobody change the root")
     except NotHere as why:
         print(f"Skipped: {why}")
         sys.exit(77)
