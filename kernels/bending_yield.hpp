@@ -41,18 +41,19 @@ PINBALL_FUNCTION T largest_effective_square(const T& mean, const T& variation) {
 
 /// mean: q_s^2, variation: q_S^2, alignment: r [stress^2]. The edges of sheared elements are not orthogonal, and r may
 /// seem larger than it can be.
-template <class T>
-PINBALL_FUNCTION YieldFactors<T> return_in_bending(const MaterialConstants<ScalarOf<T>>& m, const T& mean,
-                                                   const T& variation, const T& alignment, T& plastic_strain) {
+/// law: MaterialConstants, or another with plastic_increment() and return_modulus().
+template <class T, class Law>
+PINBALL_FUNCTION YieldFactors<T> return_in_bending(const Law& law, const T& mean, const T& variation,
+                                                   const T& alignment, T& plastic_strain) {
   const T sum = mean + number<T>(4.0 / 3.0) * variation;
   const T difference = minimum(number<T>(2.3094010767585030580) * alignment, sum);  // 2 k r
   const T q_plus = square_root(sum + difference), q_minus = square_root(sum - difference);
-  const T dl_plus = plastic_increment(m, q_plus, plastic_strain);
-  const T dl_minus = plastic_increment(m, q_minus, plastic_strain);
+  const T dl_plus = plastic_increment(law, q_plus, plastic_strain);
+  const T dl_minus = plastic_increment(law, q_minus, plastic_strain);
   plastic_strain += number<T>(0.5) * (dl_plus + dl_minus);
   // if (dl > 0) lost = 3 mu dl / q; else lost = 0 (q may be zero then)
   const auto plus_yields = dl_plus > T(0), minus_yields = dl_minus > T(0);
-  const T half_modulus(ScalarOf<T>(1.5) * m.mu);
+  const T half_modulus(half_return_modulus(law));
   const T used_plus = select(plus_yields, q_plus, T(1)), used_minus = select(minus_yields, q_minus, T(1));
   const T factor = half_modulus / (used_plus * used_minus);  // both quotients from one division
   const T plus = factor * used_minus * dl_plus, minus = factor * used_plus * dl_minus;
@@ -60,14 +61,13 @@ PINBALL_FUNCTION YieldFactors<T> return_in_bending(const MaterialConstants<Scala
 }
 
 /// The same where nothing is known of the alignment, r = 0: both points lose the same. Returns f.
-template <class T>
-PINBALL_FUNCTION T return_in_bending_unaligned(const MaterialConstants<ScalarOf<T>>& m, const T& mean,
-                                               const T& variation, T& plastic_strain) {
+template <class T, class Law>
+PINBALL_FUNCTION T return_in_bending_unaligned(const Law& law, const T& mean, const T& variation, T& plastic_strain) {
   const T q = square_root(mean + number<T>(4.0 / 3.0) * variation);
-  const T dl = plastic_increment(m, q, plastic_strain);
+  const T dl = plastic_increment(law, q, plastic_strain);
   plastic_strain += dl;
   const auto yields = dl > T(0);
-  return T(1) - select(yields, T(3 * m.mu) * dl / select(yields, q, T(1)), T(0));
+  return T(1) - select(yields, T(return_modulus(law)) * dl / select(yields, q, T(1)), T(0));
 }
 
 }  // namespace pinball

@@ -9,6 +9,7 @@
 #include "material.hpp"
 #include "rotation.hpp"
 #include "stable_time_step.hpp"
+#include "yield/general_yield.hpp"
 
 /// One pack of elements through one step: gather, strain, stress, erosion, forces, scatter (report figure 4, 3a-c).
 ///
@@ -22,11 +23,17 @@
 /// by work that does not need its result.
 namespace pinball {
 
+enum class YieldLaw {
+  linear,  ///< of MaterialConstants (material.hpp)
+  general  ///< of HardeningConstants, too: back stress, curves, rates (yield/general_yield.hpp)
+};
+
 struct ElementFeatures {
   bool plastic;  ///< von Mises plasticity; else elastic, without plastic strain
   bool erosion;  ///< elements may be eroded; keeps an internal energy per element
   bool bulk_viscosity;
   HourglassKind hourglass;
+  YieldLaw yield = YieldLaw::linear;  ///< plastic only
 };
 
 /// Element arrays in tiles of W = pack width: entry c of element e is at [(e / W) * N + c] * W + e % W for an array of
@@ -41,6 +48,8 @@ struct ElementView {
   S* hourglass_state;          ///< N = 12, only where keeps_hourglass_state: of KeptHourglass [stress]
   S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
   S* internal_energy;          ///< N = 1, erosion only [energy]
+  S* back_stress =
+      nullptr;  ///< N = 5: xx yy xy yz zx, general yield only; may be missing there: no back stress [stress]
 };
 
 /// Node records of four scalars (gather.hpp).
@@ -61,6 +70,7 @@ struct ElementConstants {
   AssumedStrainModuli<S> assumed_strain;  ///< of that form
   S hourglass_modulus;                    ///< kappa M of the stiffness form [stress]
   S specific_volume;                      ///< 1/density of the undeformed material [length^3/mass]
+  HardeningConstants<S> hardening{};      ///< general yield only
 };
 
 /// The step that elements have just made.
@@ -199,7 +209,19 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   [[maybe_unused]] bool any_lost = false;
   if constexpr (features.plastic) {
     plastic_strain = state(elements.plastic_strain + pack * W);
-    if constexpr (keeps_hourglass) {
+    if constexpr (features.yield == YieldLaw::general) {
+      S* const stored_back = elements.back_stress == nullptr ? nullptr : elements.back_stress + pack * 5 * W;
+      Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
+      if (stored_back != nullptr) {
+        back = rotate(rotation, read_back_stress<T>([&](int c) { return state(stored_back + c * W); }));
+      }
+      // A step of no length strains nothing, and its rates are those of the next.
+      if (dt > S(0)) {
+        GeneralYield<T> law(material, constants.hardening, symmetric_part(gradient), dt);
+        any_lost = return_generally(law, kept, stress, back, plastic_strain, lost);
+      }
+      if (stored_back != nullptr) write_back_stress(back, stored_back);
+    } else if constexpr (keeps_hourglass) {
       const Symmetric<T> deviator = deviator_of(stress);
       const T mean = effective_square(deviator), variation = kept.variation();
       const T yield = yield_stress(material, plastic_strain);

@@ -60,10 +60,11 @@ class KeptHourglass<T, HourglassKind::assumed_strain> {
 
   /// Square of its effective stress [stress^2].
   PINBALL_FUNCTION T variation() const { return effective_square(stress_); }
-  /// Returns what is lost. deviator: of the stress; mean: its q_s^2.
-  PINBALL_FUNCTION LostHourglassEnergy<T> yield(const MaterialConstants<ScalarOf<T>>& material,
-                                                const Symmetric<T>& deviator, const T& mean, const T& variation,
-                                                Symmetric<T>& stress, T& plastic_strain) {
+  /// Returns what is lost. material: as of bending_yield.hpp; deviator: of the stress less the back stress; mean: its
+  /// q_s^2.
+  template <class Law>
+  PINBALL_FUNCTION LostHourglassEnergy<T> yield(const Law& material, const Symmetric<T>& deviator, const T& mean,
+                                                const T& variation, Symmetric<T>& stress, T& plastic_strain) {
     const CommonStress<T> common = common_stress(edges_, deviator, stress_, material.mu);
     const YieldFactors<T> left = return_in_bending(material, mean, variation, common.alignment, plastic_strain);
     reduce(stress, T(1) - left.mean, deviator);
@@ -133,9 +134,9 @@ class KeptHourglass<T, HourglassKind::stiffness> {
   PINBALL_FUNCTION T variation() const { return T(16) * square(); }
   PINBALL_FUNCTION LostHourglassEnergy<T> everything() const { return lost(T(1), T(1)); }
   /// The forces have no tensor that the stress could have something in common with.
-  PINBALL_FUNCTION LostHourglassEnergy<T> yield(const MaterialConstants<ScalarOf<T>>& material,
-                                                const Symmetric<T>& deviator, const T& mean, const T& variation,
-                                                Symmetric<T>& stress, T& plastic_strain) {
+  template <class Law>
+  PINBALL_FUNCTION LostHourglassEnergy<T> yield(const Law& material, const Symmetric<T>& deviator, const T& mean,
+                                                const T& variation, Symmetric<T>& stress, T& plastic_strain) {
     const T left = return_in_bending_unaligned(material, mean, variation, plastic_strain), taken = T(1) - left;
     reduce(stress, taken, deviator);
     const LostHourglassEnergy<T> energy = lost(taken * (T(1) + left), taken);

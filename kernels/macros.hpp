@@ -8,6 +8,13 @@
 #define PINBALL_FUNCTION [[gnu::always_inline]] inline
 #endif
 
+/// The same for what is long, used by few scenes and in many kernels: compiled once, and called.
+#if defined(__CUDACC__)
+#define PINBALL_OUTLINED __host__ __device__ __noinline__
+#else
+#define PINBALL_OUTLINED [[gnu::noinline]] inline
+#endif
+
 /// Loops over corners, modes and tensor components have constant bounds and are unrolled completely, so that their
 /// arrays live in registers.
 #if defined(__CUDACC__)

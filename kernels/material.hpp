@@ -48,6 +48,16 @@ PINBALL_FUNCTION T plastic_increment(const MaterialConstants<ScalarOf<T>>& m, co
   return maximum(T(0), maximum(hardening, perfect));
 }
 
+/// What an increment of plastic strain takes of the effective stress [stress].
+template <class S>
+PINBALL_FUNCTION S return_modulus(const MaterialConstants<S>& m) {
+  return 3 * m.mu;
+}
+template <class S>
+PINBALL_FUNCTION S half_return_modulus(const MaterialConstants<S>& m) {
+  return S(1.5) * m.mu;
+}
+
 /// Yield stress at a plastic strain [stress].
 template <class T>
 PINBALL_FUNCTION T yield_stress(const MaterialConstants<ScalarOf<T>>& m, const T& plastic_strain) {

@@ -42,6 +42,10 @@ PINBALL_FUNCTION Symmetric<T> operator+(const Symmetric<T>& a, const Symmetric<T
   return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.yz + b.yz, a.zx + b.zx};
 }
 template <class T>
+PINBALL_FUNCTION Symmetric<T> operator-(const Symmetric<T>& a, const Symmetric<T>& b) {
+  return {a.xx - b.xx, a.yy - b.yy, a.zz - b.zz, a.xy - b.xy, a.yz - b.yz, a.zx - b.zx};
+}
+template <class T>
 PINBALL_FUNCTION Symmetric<T> operator*(const T& s, const Symmetric<T>& a) {
   return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.yz, s * a.zx};
 }

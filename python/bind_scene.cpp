@@ -32,6 +32,11 @@ void bind_sources(py::module_& module) {
 }
 
 void bind_parts(py::module_& module) {
+  bind_data<YieldCurve>(module, "YieldCurve", "Yield stress over plastic strain, at a strain rate.")
+      .def_readwrite("rate", &YieldCurve::rate, "[1/time]")
+      .def_readwrite("plastic_strain", &YieldCurve::plastic_strain, "from 0, ascending")
+      .def_readwrite("stress", &YieldCurve::stress, "[stress]");
+  bind_list<YieldCurve>(module, "YieldCurves");
   bind_data<Material>(module, "Material", "[[material]] of a scene, with bulk and shear modulus.")
       .def_readwrite("name", &Material::name)
       .def_readwrite("plastic", &Material::plastic)
@@ -41,7 +46,14 @@ void bind_parts(py::module_& module) {
       .def_readwrite("yield_stress", &Material::yield_stress, "[stress]")
       .def_readwrite("plastic_modulus", &Material::plastic_modulus, "of hardening [stress]")
       .def_readwrite("ultimate_stress", &Material::ultimate_stress, "where hardening ends [stress]")
-      .def_readwrite("erosion_strain", &Material::erosion_strain, "[-]; 0: never");
+      .def_readwrite("erosion_strain", &Material::erosion_strain, "[-]; 0: never")
+      .def_readwrite("isotropic_share", &Material::isotropic_share, "of hardening; the rest is kinematic [-]")
+      .def_readwrite("yield_curves", &Material::yield_curves, "in the place of yield_stress, of ascending rates")
+      .def_readwrite("rate_interpolation", &Material::rate_interpolation, "between yield curves")
+      .def_readwrite("strain_rate", &Material::strain_rate, "of which the yield stress depends")
+      .def_readwrite("rate_constant", &Material::rate_constant, "C of Cowper and Symonds; 0: no such law [1/time]")
+      .def_readwrite("rate_exponent", &Material::rate_exponent, "p of that law [-]")
+      .def_readwrite("rate_stress", &Material::rate_stress, "what the law multiplies; 0: the yield stress [stress]");
   bind_data<Body>(module, "Body", "[[body]] of a scene")
       .def_readwrite("name", &Body::name)
       .def_readwrite("material", &Body::material, "name of a Material")

@@ -26,6 +26,12 @@ void bind_settings(py::module_& module) {
       {{"automatic", ContactSearch::automatic}, {"tree", ContactSearch::tree}, {"hash", ContactSearch::hash}});
   bind_choice<NegativeVolume>(module, "NegativeVolume",
                               {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
+  bind_choice<StrainRate>(
+      module, "StrainRate",
+      {{"total", StrainRate::total}, {"deviatoric", StrainRate::deviatoric}, {"plastic", StrainRate::plastic}});
+  bind_choice<RateInterpolation>(
+      module, "RateInterpolation",
+      {{"linear", RateInterpolation::linear}, {"logarithmic", RateInterpolation::logarithmic}});
   bind_data<TimeSettings>(module, "TimeSettings", "[time] of a scene")
       .def_readwrite("end", &TimeSettings::end, "when the run stops [time]")
       .def_readwrite("cfl", &TimeSettings::cfl, "fraction of the stable step [-]")

@@ -10,6 +10,7 @@
 
 /// Lists of a scene are objects of their own, so that scene.bodies.append(...) changes the scene. Every file of the
 /// module has to know that.
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::YieldCurve>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Material>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Body>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::PlaneConstraint>)

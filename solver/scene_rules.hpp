@@ -21,6 +21,8 @@ struct Problem {
 /// Fills in what is not set and follows from other settings.
 void complete(ElementSettings& element);
 void complete(ContactSettings& contact);
+/// The yield stress of a material with yield curves: where the first begins.
+void complete(Material& material);
 /// The same for the whole scene; also brings normals and directions to unit length. A second call changes nothing.
 PINBALL_API void complete_scene(Scene& scene);
 
@@ -29,6 +31,7 @@ std::optional<Problem> problem_of(const TimeSettings& time);
 std::optional<Problem> problem_of(const ContactSettings& contact);
 /// yield_stress is given for an elastic material, too, which does not use it; 0: not given.
 std::optional<Problem> problem_of(const Material& material);
+std::optional<Problem> problem_of(const YieldCurve& curve);
 std::optional<Problem> problem_of(const TimeTable& table);
 std::optional<Problem> problem_of(const Box& box);
 

@@ -21,6 +21,8 @@ WITH_LEVELS = ("refined_layer", "rod_oblique", "sphere_floor", "sphere_sphere", 
 SELF = {"contact_patch": False, "newtons_cradle": False, "sphere_floor": False, "sphere_sphere": False, "taylor_plate": False,
         "two_bars": False}  # what scenes say of contact.self; the default is true
 STRETCHED = "body.block.velocity_gradient=[[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 2000.0]]"
+SHEARED = tuple(f"body.{body}.velocity_gradient=[[900.0, 500.0, 0.0], [-500.0, -900.0, 0.0], [0.0, 0.0, 0.0]]"
+                for body in ("isotropic", "mixed", "kinematic", "curve", "total_rate", "plastic_rate"))
 WEDGE = ('body.sphere.mesh={ type = "gmsh", file = "../../tests/data/wedge_41.msh" }', "body.sphere.position=[0.0, 0.0, 0.0]",
          "constraint.1.normal=[-0.5, 0.8660254037844386, 0.0]")
 
@@ -162,6 +164,9 @@ def further():
     yield Case("taylor_bar: from rest to a step a row", "taylor_bar", ("time.steps=60", "output.interval=step", "time.cfl=0.5"))
     yield Case("uniaxial_strain: stretched", "uniaxial_strain", (STRETCHED,), ("plasticity",), restart=True, quick=True)
     yield Case("uniaxial_strain: stretched, float", "uniaxial_strain", (STRETCHED,), ("plasticity",), precision="float", quick=True)
+    for precision in ("double", "float"):
+        yield Case(f"cyclic_shear: stretched, {precision}", "cyclic_shear", ("time.steps=400", *SHEARED), ("plasticity",),
+                   precision=precision, restart=True, quick=True)
     yield Case("sphere_wall: wedge of a Gmsh file", "sphere_wall", limited("sphere_wall", WEDGE), restart=True, quick=True)
     yield Case("two_blocks: noise", "two_blocks", ("body.lower.velocity_noise=1.0", "body.upper.angular_velocity=[50.0, 20.0, 0.0]"),
                ("contact",), quick=True)

@@ -59,7 +59,8 @@ bool untouched(const ElementStore<S>& elements, std::int64_t first_slot, std::in
                                         [](S value) { return value == S(0); });
   };
   return vanishes(elements.stress, 6) && vanishes(elements.plastic_strain, 1) &&
-         vanishes(elements.hourglass_state, 12) && vanishes(elements.viscous_stress, 1);
+         vanishes(elements.hourglass_state, 12) && vanishes(elements.viscous_stress, 1) &&
+         vanishes(elements.back_stress, 5);
 }
 
 }  // namespace

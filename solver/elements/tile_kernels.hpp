@@ -25,4 +25,8 @@ using TileKernel = void (*)(const ElementView<S>&, const NodeView<S>&, const Ele
 template <class S>
 TileKernel<S> choose_tile_kernel(const ElementFeatures& features);
 
+/// The same for YieldLaw::general. Behind choose_tile_kernel.
+template <class S>
+TileKernel<S> choose_general_tile_kernel(const ElementFeatures& features);
+
 }  // namespace pinball

@@ -1,4 +1,4 @@
-#include "tile_kernels_instances.hpp"
+#include "tile_kernels_linear.hpp"
 
 namespace pinball {
 

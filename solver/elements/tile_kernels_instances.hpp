@@ -34,6 +34,9 @@ class PackAhead {
     if (part == 6) {
       ask_for_state(elements_.mass, 1, 0, 1);
       if constexpr (features.plastic) ask_for_state(elements_.plastic_strain, 1, 0, 1);
+      if constexpr (features.yield == YieldLaw::general) {
+        if (elements_.back_stress != nullptr) ask_for_state(elements_.back_stress, 5, 0, 5);
+      }
     }
     if (part == 7) {
       if constexpr (features.bulk_viscosity) ask_for_state(elements_.viscous_stress, 1, 0, 1);
@@ -93,40 +96,29 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
   result.time_step = S(2) / rate;  // infinite for a tile without living elements
 }
 
-template <class S, bool plastic, bool erosion, bool viscosity>
+template <class S, bool plastic, bool erosion, bool viscosity, YieldLaw yield = YieldLaw::linear>
 TileKernel<S> choose_hourglass([[maybe_unused]] HourglassKind kind) {
   if constexpr (built::hourglass) {
     switch (kind) {
       case HourglassKind::stiffness:
-        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness}>;
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness, yield}>;
       case HourglassKind::assumed_strain:
-        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::assumed_strain}>;
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::assumed_strain, yield}>;
       case HourglassKind::viscous:
-        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous}>;
+        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous, yield}>;
       case HourglassKind::none:
         break;
     }
   }
-  return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::none}>;
+  return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::none, yield}>;
 }
 
-template <class S, bool plastic, bool erosion>
+template <class S, bool plastic, bool erosion, YieldLaw yield = YieldLaw::linear>
 TileKernel<S> choose_viscosity(const ElementFeatures& f) {
   if constexpr (built::bulk_viscosity) {
-    if (f.bulk_viscosity) return choose_hourglass<S, plastic, erosion, true>(f.hourglass);
+    if (f.bulk_viscosity) return choose_hourglass<S, plastic, erosion, true, yield>(f.hourglass);
   }
-  return choose_hourglass<S, plastic, erosion, false>(f.hourglass);
-}
-
-template <class S>
-TileKernel<S> choose_tile_kernel(const ElementFeatures& f) {
-  if constexpr (built::plasticity && built::erosion) {
-    if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
-  }
-  if constexpr (built::plasticity) {
-    if (f.plastic) return choose_viscosity<S, true, false>(f);
-  }
-  return choose_viscosity<S, false, false>(f);
+  return choose_hourglass<S, plastic, erosion, false, yield>(f.hourglass);
 }
 
 }  // namespace pinball

@@ -68,6 +68,7 @@ ElementFeatures features_of(const Scene& scene, const Material& material, bool e
   f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
   f.bulk_viscosity = scene.element.bulk_viscosity;
   f.hourglass = hourglass_kind(scene.element.hourglass);
+  if (has_general_yield(material)) f.yield = YieldLaw::general;
   return f;
 }
 
@@ -110,6 +111,11 @@ ElementStoreFeatures add_materials(Model<S>& model) {
   ElementStoreFeatures stored;
   for (const Material& material : model.scene.materials) {
     model.constants.push_back(constants_of<S>(model.scene, material));
+    if (has_general_yield(material)) {
+      model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
+      model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
+      stored.back_stress |= material.isotropic_share < 1;
+    }
     const ElementFeatures f = features_of(model.scene, material, model.constants.back().erode_negative_volume);
     model.parts.push_back({static_cast<std::int32_t>(model.parts.size()), f});
     stored.plastic |= f.plastic;
@@ -255,7 +261,7 @@ void Model<S>::persist(StateArchive& archive) {
   archive.of_fixed_size(nodes.position);
   archive.of_fixed_size(nodes.velocity);
   for (AlignedArray<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_state,
-                                 &elements.viscous_stress, &elements.internal_energy}) {
+                                 &elements.viscous_stress, &elements.internal_energy, &elements.back_stress}) {
     archive.of_fixed_size(*array);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <solver/scene.hpp>
 
 #include "stores.hpp"
+#include "yield_curves.hpp"
 
 namespace pinball {
 
@@ -98,7 +100,8 @@ struct Model {
 
   NodeStore<S> nodes;
   ElementStore<S> elements;
-  std::vector<ElementConstants<S>> constants;  ///< per material
+  std::vector<ElementConstants<S>> constants;                       ///< per material
+  std::vector<std::shared_ptr<const YieldCurves<S>>> yield_curves;  ///< what `constants` point to
   std::vector<Part> parts;
   std::vector<NodeConstraint<S>> constraints;   ///< orthonormal per node
   std::vector<NodePrescription<S>> prescribed;  ///< orthonormal per node, with the constraints

@@ -44,6 +44,7 @@ struct ElementStoreFeatures {
   bool erosion = false;
   bool bulk_viscosity = false;
   bool hourglass_state = false;
+  bool back_stress = false;
 };
 
 /// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * W + lane; some are padding.
@@ -59,6 +60,7 @@ struct ElementStore {
   AlignedArray<S> hourglass_state;
   AlignedArray<S> viscous_stress;
   AlignedArray<S> internal_energy;
+  AlignedArray<S> back_stress;
 
   ElementStore() = default;
   ElementStore(std::int64_t packs, const ElementStoreFeatures& features) : slots(packs * width) {
@@ -69,15 +71,16 @@ struct ElementStore {
     if (features.hourglass_state) hourglass_state = AlignedArray<S>(12 * slots);
     if (features.bulk_viscosity) viscous_stress = AlignedArray<S>(slots);
     if (features.erosion) internal_energy = AlignedArray<S>(slots);
+    if (features.back_stress) back_stress = AlignedArray<S>(5 * slots);
   }
 
   ElementView<S> view() {
-    return {corner.data(),          mass.data(),           stress.data(),         plastic_strain.data(),
-            hourglass_state.data(), viscous_stress.data(), internal_energy.data()};
+    return {corner.data(),          mass.data(),           stress.data(),          plastic_strain.data(),
+            hourglass_state.data(), viscous_stress.data(), internal_energy.data(), back_stress.data()};
   }
   std::size_t bytes() const {
     return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_state.bytes() +
-           viscous_stress.bytes() + internal_energy.bytes();
+           viscous_stress.bytes() + internal_energy.bytes() + back_stress.bytes();
   }
 
   /// Whether a slot holds an element that has not been eroded; padding does not.

@@ -12,16 +12,13 @@
 #include <solver/step/solver.hpp>
 
 #include "commands.hpp"
-#include "info_boundary.hpp"
-#include "info_skipped.hpp"
+#include "info/info_boundary.hpp"
+#include "info/info_material.hpp"
+#include "info/info_skipped.hpp"
 
 namespace pinball {
 
 namespace {
-
-std::string with_unit(double value, const std::string& unit) {
-  return unit.empty() ? fmt::format("{:.6g}", value) : fmt::format("{:.6g} {}", value, unit);
-}
 
 /// Of a mass that is itself a force times time squared over length: its "/in" becomes "/in^4".
 std::string density_unit(const Units& units) {
@@ -68,12 +65,7 @@ void print_materials(const Scene& scene, const Units& units) {
                with_unit(m.bulk_modulus, units.stress), with_unit(m.shear_modulus, units.stress));
     fmt::print("    velocity of longitudinal waves {}\n",
                with_unit(std::sqrt(wave_modulus / m.density), units.velocity));
-    if (!m.plastic) continue;
-    fmt::print("    yield stress {}, plastic modulus {}", with_unit(m.yield_stress, units.stress),
-               with_unit(m.plastic_modulus, units.stress));
-    if (m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress))
-      fmt::print(", ultimate stress {}", with_unit(m.ultimate_stress, units.stress));
-    fmt::print("\n");
+    if (m.plastic) print_hardening(m, units);
   }
 }
 

@@ -56,6 +56,10 @@ void visit_numbers(Material& material, const Visit& visit) {
   visit("density", material.density, positive, Need::required);
   visit("plastic_modulus", material.plastic_modulus, not_negative);
   visit("erosion_strain", material.erosion_strain, not_negative);
+  visit("isotropic_share", material.isotropic_share, Bound{.low = 0.0, .high = 1.0});
+  visit("rate_constant", material.rate_constant, not_negative);
+  visit("rate_exponent", material.rate_exponent, not_negative);
+  visit("rate_stress", material.rate_stress, not_negative);
 }
 
 template <class Visit>

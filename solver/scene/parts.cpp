@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace pinball {
 
@@ -29,6 +30,41 @@ void read_moduli(const SceneTable& table, Material& material) {
   material.shear_modulus = E / (2.0 * (1.0 + nu));
 }
 
+YieldCurve read_yield_curve(const SceneTable& table, bool with_rate) {
+  YieldCurve curve;
+  if (with_rate) curve.rate = table.number("rate", not_negative);
+  curve.plastic_strain = table.numbers("plastic_strain", not_negative);
+  curve.stress = table.numbers("stress", positive);
+  table.require_none(problem_of(curve));
+  return curve;
+}
+
+/// One curve, or some of different rates, in the place of the numbers of linear hardening.
+void read_yield_curves(const SceneTable& table, Material& material) {
+  const bool one = table.has("yield_curve");
+  if (!one && !table.has("yield_curves")) return;
+  const std::string_view key = one ? "yield_curve" : "yield_curves";
+  for (const std::string_view other : {"yield_curves", "yield_stress", "plastic_modulus", "ultimate_stress"}) {
+    if (other != key && table.has(other)) table.fail(other, fmt::format("expected none beside {}", key));
+  }
+  if (one) {
+    material.yield_curves.push_back(read_yield_curve(table.table(key, key), false));
+    return;
+  }
+  for (const SceneTable& curve : table.tables(key, key)) material.yield_curves.push_back(read_yield_curve(curve, true));
+  if (material.yield_curves.empty()) table.fail(key, "expected at least one curve, got none");
+}
+
+/// What only plasticity and erosion need.
+void forget_plasticity(Material& material) {
+  Material elastic;
+  elastic.name = material.name;
+  elastic.density = material.density;
+  elastic.bulk_modulus = material.bulk_modulus;
+  elastic.shear_modulus = material.shear_modulus;
+  material = elastic;
+}
+
 }  // namespace
 
 Point read_direction(const SceneTable& table, std::string_view key) {
@@ -47,14 +83,22 @@ Material read_material(const SceneTable& table) {
   read_moduli(table, material);
 
   const double infinity = std::numeric_limits<double>::infinity();
+  read_yield_curves(table, material);
+  const bool needs_yield_stress = material.plastic && material.yield_curves.empty();
   material.yield_stress =
-      material.plastic ? table.number("yield_stress", positive) : table.number("yield_stress", positive, 0.0);
+      needs_yield_stress ? table.number("yield_stress", positive) : table.number("yield_stress", positive, 0.0);
   material.ultimate_stress = table.number("ultimate_stress", positive, infinity);
+  material.rate_interpolation = table.choice<RateInterpolation>(
+      "rate_interpolation", {{"linear", RateInterpolation::linear}, {"logarithmic", RateInterpolation::logarithmic}},
+      material.rate_interpolation);
+  material.strain_rate = table.choice<StrainRate>(
+      "strain_rate",
+      {{"total", StrainRate::total}, {"deviatoric", StrainRate::deviatoric}, {"plastic", StrainRate::plastic}},
+      material.strain_rate);
+  complete(material);
   table.require_none(problem_of(material));
   // An elastic material may carry these keys, so that model alone turns plasticity off; it does not use them.
-  if (!material.plastic) {
-    material.yield_stress = material.plastic_modulus = material.ultimate_stress = material.erosion_strain = 0;
-  }
+  if (!material.plastic) forget_plasticity(material);
   return material;
 }
 

@@ -23,6 +23,7 @@ const std::vector<VerificationCase>& verification_cases() {
   static const std::vector<VerificationCase> cases{
       {"patch_test", verify_patch_test},
       {"uniaxial_strain", verify_uniaxial_strain},
+      {"cyclic_shear", verify_cyclic_shear},
       {"spinning_block", verify_spinning_block},
       {"block", verify_block},
       {"plate_impact", verify_plate_impact},

@@ -13,6 +13,7 @@ struct ElementState {
   std::array<Vec3<double>, 4> hourglass_state{};  ///< twelve numbers, by threes
   double viscous_stress = 0;
   double internal_energy = 0;
+  std::array<double, 5> back_stress{};
 };
 
 struct ElementScene {
@@ -21,6 +22,7 @@ struct ElementScene {
   std::vector<ElementState> element;
   ElementConstants<double> constants{};
   double dt = 0.01;
+  bool has_back_stress = true;
   double padding = std::numeric_limits<double>::quiet_NaN();  ///< what the state of padding elements holds
 
   void add(const Corners& x, const Corners& v, const ElementState& state) {
@@ -53,6 +55,8 @@ inline ElementConstants<double> element_constants() {
 template <class S>
 ElementConstants<S> converted(const ElementConstants<double>& c) {
   const MaterialConstants<double>& m = c.material;
+  HardeningConstants<S> hardening{};  // its arrays are of doubles
+  if constexpr (std::is_same_v<S, double>) hardening = c.hardening;
   return {{S(m.lambda), S(m.mu), S(m.yield_stress), S(m.plastic_modulus), S(m.ultimate_stress), S(m.erosion_strain),
            S(m.density), S(m.sound_speed)},
           S(c.hourglass_coefficient),
@@ -61,7 +65,8 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
           c.erode_negative_volume,
           assumed_strain_moduli(S(m.lambda), S(m.mu), S(c.hourglass_coefficient)),
           S(c.hourglass_coefficient) * hourglass_modulus(S(m.lambda), S(m.mu)),
-          S(1) / S(m.density)};
+          S(1) / S(m.density),
+          hardening};
 }
 
 template <class T, ElementFeatures features>
@@ -84,6 +89,7 @@ ElementOutcome advance(const ElementScene& scene) {
   AlignedVector<std::int32_t> corner(8 * packs * W);
   AlignedVector<S> mass(packs * W, S(0)), stress(6 * packs * W, padding), plastic_strain(packs * W, padding);
   AlignedVector<S> hourglass(12 * packs * W, padding), viscous(packs * W, padding), energy(packs * W, padding);
+  AlignedVector<S> back(5 * packs * W, padding);
   const auto place = [](std::size_t e, std::size_t c, std::size_t n) { return ((e / W) * n + c) * W + e % W; };
   for (std::size_t e = 0; e < packs * W; ++e) {
     const std::size_t real = e < count ? e : 0;
@@ -94,6 +100,7 @@ ElementOutcome advance(const ElementScene& scene) {
     viscous[e] = S(s.viscous_stress), energy[e] = S(s.internal_energy);
     const double components[6] = {s.stress.xx, s.stress.yy, s.stress.zz, s.stress.xy, s.stress.yz, s.stress.zx};
     for (std::size_t c = 0; c < 6; ++c) stress[place(e, c, 6)] = S(components[c]);
+    for (std::size_t c = 0; c < 5; ++c) back[place(e, c, 5)] = S(s.back_stress[c]);
     for (std::size_t a = 0; a < 4; ++a) {
       hourglass[place(e, 3 * a, 12)] = S(s.hourglass_state[a].x);
       hourglass[place(e, 3 * a + 1, 12)] = S(s.hourglass_state[a].y);
@@ -101,8 +108,9 @@ ElementOutcome advance(const ElementScene& scene) {
     }
   }
 
-  const ElementView<S> elements{corner.data(),    mass.data(),    stress.data(), plastic_strain.data(),
-                                hourglass.data(), viscous.data(), energy.data()};
+  const ElementView<S> elements{
+      corner.data(),    mass.data(),    stress.data(), plastic_strain.data(),
+      hourglass.data(), viscous.data(), energy.data(), scene.has_back_stress ? back.data() : nullptr};
   const NodeView<S> nodes{position.data(), velocity.data(), force.data()};
   ElementSums<T> sums;
   for (std::size_t p = 0; p < packs; ++p) {
@@ -121,6 +129,7 @@ ElementOutcome advance(const ElementScene& scene) {
     s.internal_energy = energy[e];
     s.stress = {stress[place(e, 0, 6)], stress[place(e, 1, 6)], stress[place(e, 2, 6)],
                 stress[place(e, 3, 6)], stress[place(e, 4, 6)], stress[place(e, 5, 6)]};
+    for (std::size_t c = 0; c < 5; ++c) s.back_stress[c] = back[place(e, c, 5)];
     for (std::size_t a = 0; a < 4; ++a) {
       s.hourglass_state[a] = {hourglass[place(e, 3 * a, 12)], hourglass[place(e, 3 * a + 1, 12)],
                               hourglass[place(e, 3 * a + 2, 12)]};

@@ -6,10 +6,10 @@ namespace {
 using namespace pinball;
 
 // Parameters of class type confuse the compiler in a __global__ template, so that plain ones choose the features.
-template <class S, bool everything, HourglassKind hourglass>
+template <class S, bool everything, HourglassKind hourglass, YieldLaw yield = YieldLaw::linear>
 __global__ void update_elements(ElementView<S> elements, NodeView<S> nodes, ElementConstants<S> constants, S dt,
                                 ElementSums<S>* sums) {
-  constexpr ElementFeatures features{everything, everything, everything, hourglass};
+  constexpr ElementFeatures features{everything, everything, everything, hourglass, yield};
   const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   update_element_pack<S, features>(elements, nodes, constants, ElementStep<S>{dt}, element, 0, sums[element]);
 }
@@ -128,6 +128,7 @@ template <class S>
 void instantiate() {
   update_elements<S, true, HourglassKind::stiffness><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_elements<S, true, HourglassKind::assumed_strain><<<1, 32>>>({}, {}, {}, S(0), nullptr);
+  update_elements<S, true, HourglassKind::assumed_strain, YieldLaw::general><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_elements<S, false, HourglassKind::viscous><<<1, 32>>>({}, {}, {}, S(0), nullptr);
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
   contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);

@@ -152,6 +152,18 @@ TEST(Restart, SubcyclingWithErosionAndContact) {
   expect_same_after_restart<double>(scene, {0.3, 0.7});
 }
 
+TEST(Restart, BackStressAndStrainRates) {
+  Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 20, -60})}, 8e-4, false);
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  scene.materials = {plastic_material("steel", 3e8, 0)};
+  scene.materials[0].isotropic_share = 0.3;
+  scene.materials[0].rate_constant = 500;
+  scene.materials[0].rate_exponent = 4;
+  scene.materials[0].strain_rate = StrainRate::plastic;
+  expect_same_after_restart<double>(scene);
+  expect_same_after_restart<float>(scene, {0.6});
+}
+
 TEST(StateArchive, GivesBackWhatItTook) {
   std::vector<std::pair<double, std::string>> pairs{{0.5, "half"}, {-1, ""}};
   std::vector<std::string> texts{"a", "long text with\nbreaks"};

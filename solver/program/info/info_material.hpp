@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include <solver/results/units.hpp>
+#include <solver/scene.hpp>
+
+namespace pinball {
+
+/// A number as `pinball info` shows it; unit: may be empty.
+std::string with_unit(double value, const std::string& unit);
+
+/// Lines of `pinball info` on how a plastic material yields.
+void print_hardening(const Material& material, const Units& units);
+
+}  // namespace pinball

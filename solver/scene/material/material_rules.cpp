@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+
+namespace {
+
+std::optional<Problem> problem_of_hardening(const Material& m) {
+  const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
+  if (ends && m.ultimate_stress < m.yield_stress) {
+    return Problem{"ultimate_stress",
+                   fmt::format("expected a number >= yield_stress = {}, got {}", m.yield_stress, m.ultimate_stress)};
+  }
+  if (m.isotropic_share < 1 && ends) {
+    return Problem{"ultimate_stress", fmt::format("expected none beside isotropic_share = {}", m.isotropic_share)};
+  }
+  if (m.isotropic_share < 1 && !m.yield_curves.empty()) {
+    return Problem{"isotropic_share",
+                   fmt::format("expected 1 beside yield curves, got {}: with them the yield surface only grows",
+                               m.isotropic_share)};
+  }
+  if (!m.yield_curves.empty() && (m.plastic_modulus > 0 || ends)) {
+    return Problem{ends ? "ultimate_stress" : "plastic_modulus", "expected none beside yield curves"};
+  }
+  return {};
+}
+
+std::optional<Problem> problem_of_rates(const Material& m) {
+  if (m.rate_constant > 0 && !(m.rate_exponent > 0)) {
+    return Problem{"rate_exponent", "expected a number > 0 beside rate_constant"};
+  }
+  if (m.rate_constant > 0 && m.yield_curves.size() > 1) {
+    return Problem{"rate_constant",
+                   fmt::format("expected 0 beside yield curves of several rates, got {}", m.rate_constant)};
+  }
+  if (m.rate_stress > 0 && !(m.rate_constant > 0)) {
+    return Problem{"rate_stress", "expected 0 without rate_constant"};
+  }
+  return {};
+}
+
+/// Of curve number c of a material.
+std::optional<Problem> problem_of_curve(const Material& m, std::size_t c) {
+  const YieldCurve& curve = m.yield_curves[c];
+  if (const auto problem = problem_of(curve)) {
+    return Problem{fmt::format("yield_curves.{}.{}", c, problem->key), problem->text};
+  }
+  for (std::size_t k = 1; k < curve.stress.size(); ++k) {
+    const double slope =
+        (curve.stress[k] - curve.stress[k - 1]) / (curve.plastic_strain[k] - curve.plastic_strain[k - 1]);
+    if (slope > -3 * m.shear_modulus) continue;
+    return Problem{m.yield_curves.size() > 1 ? "yield_curves" : "yield_curve",
+                   fmt::format("expected slopes > -3 shear_modulus = {:.6g}, got {:.6g} behind plastic strain {:.6g}",
+                               -3 * m.shear_modulus, slope, curve.plastic_strain[k - 1])};
+  }
+  if (m.yield_curves.size() == 1) return {};
+  if (!(curve.rate >= 0) || !std::isfinite(curve.rate)) {
+    return Problem{"yield_curves", fmt::format("expected rates >= 0, got {}", curve.rate)};
+  }
+  if (m.rate_interpolation == RateInterpolation::logarithmic && !(curve.rate > 0)) {
+    return Problem{"yield_curves",
+                   fmt::format("expected rates > 0 for rate_interpolation = \"logarithmic\", got {}", curve.rate)};
+  }
+  if (c > 0 && !(curve.rate > m.yield_curves[c - 1].rate)) {
+    return Problem{"yield_curves", fmt::format("expected curves of ascending rates, got {} after {}", curve.rate,
+                                               m.yield_curves[c - 1].rate)};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Problem> problem_of(const Material& material) {
+  if (const auto problem = problem_of_hardening(material)) return problem;
+  for (std::size_t c = 0; c < material.yield_curves.size(); ++c) {
+    if (const auto problem = problem_of_curve(material, c)) return problem;
+  }
+  return problem_of_rates(material);
+}
+
+std::optional<Problem> problem_of(const YieldCurve& curve) {
+  const auto& e = curve.plastic_strain;
+  if (e.empty() || e.front() != 0.0) {
+    return Problem{"plastic_strain", e.empty() ? "missing, expected numbers from 0 on"
+                                               : fmt::format("expected 0 as the first, got {}", e.front())};
+  }
+  for (std::size_t i = 1; i < e.size(); ++i) {
+    if (e[i] > e[i - 1] && std::isfinite(e[i])) continue;
+    return Problem{"plastic_strain", fmt::format("expected ascending numbers, got {} after {}", e[i], e[i - 1])};
+  }
+  if (curve.stress.size() != e.size()) {
+    return Problem{"stress", fmt::format("expected one number for each of the {} plastic strains, got {}", e.size(),
+                                         curve.stress.size())};
+  }
+  for (const double stress : curve.stress) {
+    if (!(stress > 0) || !std::isfinite(stress)) {
+      return Problem{"stress", fmt::format("expected numbers > 0, got {}", stress)};
+    }
+  }
+  return {};
+}
+
+}  // namespace pinball
