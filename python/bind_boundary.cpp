@@ -4,6 +4,10 @@ namespace pinball::python {
 
 void bind_boundary(py::module_& module) {
   bind_choice<Frame>(module, "Frame", {{"global", Frame::global}, {"cylindrical", Frame::cylindrical}});
+  bind_choice<MotionQuantity>(module, "MotionQuantity",
+                              {{"velocity", MotionQuantity::velocity},
+                               {"displacement", MotionQuantity::displacement},
+                               {"acceleration", MotionQuantity::acceleration}});
   bind_choice<ProbeKind>(module, "ProbeKind", {{"node", ProbeKind::node}, {"element", ProbeKind::element}});
   bind_data<Plane>(module, "Plane", "plane = { point, normal }")
       .def_readwrite("point", &Plane::point, "[length]")
@@ -46,11 +50,16 @@ void bind_boundary(py::module_& module) {
       .def_readwrite("nodes", &PrescribedVelocity::nodes)
       .def_readwrite("direction", &PrescribedVelocity::direction, "only along this; None: all three components")
       .def_readwrite("velocity", &PrescribedVelocity::velocity, "[length/time]")
-      .def_readwrite("table", &PrescribedVelocity::table);
+      .def_readwrite("table", &PrescribedVelocity::table)
+      .def_readwrite("quantity", &PrescribedVelocity::quantity, "what the factors give");
   bind_data<NodalLoad>(module, "Load", "[[load]]")
       .def_readwrite("nodes", &NodalLoad::nodes)
       .def_readwrite("force", &NodalLoad::force, "total [force]")
-      .def_readwrite("table", &NodalLoad::table);
+      .def_readwrite("table", &NodalLoad::table)
+      .def_readwrite("each", &NodalLoad::each, "the force is that on each of the nodes");
+  bind_data<Gravity>(module, "Gravity", "[[gravity]]")
+      .def_readwrite("acceleration", &Gravity::acceleration, "[length/time^2]")
+      .def_readwrite("table", &Gravity::table);
   bind_data<InitialVelocity>(module, "InitialVelocity", "[[initial_velocity]]")
       .def_readwrite("nodes", &InitialVelocity::nodes)
       .def_readwrite("velocity", &InitialVelocity::velocity, "[length/time]");
@@ -66,6 +75,7 @@ void bind_boundary(py::module_& module) {
   bind_list<RigidWall>(module, "RigidWalls");
   bind_list<PrescribedVelocity>(module, "PrescribedVelocities");
   bind_list<NodalLoad>(module, "Loads");
+  bind_list<Gravity>(module, "Gravities");
   bind_list<InitialVelocity>(module, "InitialVelocities");
   bind_list<Probe>(module, "Probes");
 }

@@ -96,6 +96,7 @@ void bind_scene(py::module_& module) {
       .def_readwrite("rigid_walls", &Scene::rigid_walls)
       .def_readwrite("prescribed_velocities", &Scene::prescribed_velocities)
       .def_readwrite("loads", &Scene::loads)
+      .def_readwrite("gravities", &Scene::gravities)
       .def_readwrite("initial_velocities", &Scene::initial_velocities)
       .def_readwrite("probes", &Scene::probes)
       .def_readwrite("output", &Scene::output)

@@ -18,6 +18,7 @@ PYBIND11_MAKE_OPAQUE(std::vector<pinball::FixedConstraint>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::RigidWall>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::PrescribedVelocity>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::NodalLoad>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::Gravity>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::InitialVelocity>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Probe>)
 

@@ -147,6 +147,7 @@ struct Scene {
   std::vector<RigidWall> rigid_walls;
   std::vector<PrescribedVelocity> prescribed_velocities;
   std::vector<NodalLoad> loads;
+  std::vector<Gravity> gravities;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Probe> probes;
   OutputSettings output;

@@ -48,7 +48,8 @@ struct TimeTable {
   std::vector<double> factors{};  ///< factors: one per time [-]
 
   double value(double time) const;
-  double integral(double time) const;  ///< from time 0 [time]
+  double integral(double time) const;         ///< from time 0 [time]
+  double second_integral(double time) const;  ///< of the integral, from time 0 [time^2]
 };
 
 enum class Frame { global, cylindrical };
@@ -71,12 +72,17 @@ struct RigidWall {
   double friction = 0;  ///< friction: Coulomb coefficient [-]
 };
 
-/// [[prescribed_velocity]]: the nodes move with a given velocity, whatever acts on them.
+/// What a table of prescribed motion gives, whose factors multiply the velocity that stands beside it.
+enum class MotionQuantity { velocity, displacement, acceleration };
+
+/// [[prescribed_velocity]]: the nodes move as given, whatever acts on them.
 struct PrescribedVelocity {
   NodeSelection nodes{};
   std::optional<Point> direction{};  ///< direction: only along this unit vector; default: all three components
   Point velocity{};                  ///< velocity; with a direction, speed times direction [length/time]
   TimeTable table{};                 ///< times, factors
+  /// quantity = "velocity" | "displacement" | "acceleration": velocity is then a length or an acceleration
+  MotionQuantity quantity = MotionQuantity::velocity;
 };
 
 /// [[load]]: a force on the nodes together, shared in proportion to their masses.
@@ -84,6 +90,13 @@ struct NodalLoad {
   NodeSelection nodes{};
   Point force{};      ///< force: total [force]
   TimeTable table{};  ///< times, factors
+  bool each = false;  ///< each: the force is that on each of the nodes
+};
+
+/// [[gravity]]: an acceleration of all bodies.
+struct Gravity {
+  Point acceleration{};  ///< acceleration [length/time^2]
+  TimeTable table{};     ///< times, factors
 };
 
 /// [[initial_velocity]]: of some nodes, in place of that of their body.

@@ -9,7 +9,8 @@
 namespace pinball {
 
 template <class S>
-BoundaryConditions<S>::BoundaryConditions(const Model<S>& model) : damping_(model.scene.damping.mass), walls_(model) {
+BoundaryConditions<S>::BoundaryConditions(const Model<S>& model)
+    : damping_(model.scene.damping.mass), gravities_(model.scene.gravities), walls_(model) {
   for (const NodalLoad& given : model.scene.loads) {
     Load load{given.force, given.table, {}, {}, {}};
     double mass = 0;
@@ -18,13 +19,16 @@ BoundaryConditions<S>::BoundaryConditions(const Model<S>& model) : damping_(mode
       mass += model.node_mass[load.nodes.back()];
     }
     for (const std::int32_t n : load.nodes) {
-      load.share.push_back(static_cast<S>(model.node_mass[n] / mass));
+      load.share.push_back(given.each ? S(1) : static_cast<S>(model.node_mass[n] / mass));
     }
     loads_.push_back(std::move(load));
   }
-  for (const PrescribedVelocity& given : model.scene.prescribed_velocities) velocity_tables_.push_back(given.table);
+  for (const PrescribedVelocity& given : model.scene.prescribed_velocities) {
+    velocity_tables_.push_back(given.table);
+    quantities_.push_back(given.quantity);
+  }
   reaction_.assign(model.prescribed.size(), S(0));
-  acts_ = !loads_.empty() || damping_ > 0 || !model.prescribed.empty() || walls_.any();
+  acts_ = !loads_.empty() || !gravities_.empty() || damping_ > 0 || !model.prescribed.empty() || walls_.any();
   any_ = acts_ || !model.constraints.empty();
   if (model.constraints.empty()) return;
   for (std::int32_t span = 0; span <= span_count(model.nodes.count); ++span) {
@@ -39,6 +43,7 @@ template <class S>
 void BoundaryConditions<S>::add_loads(Model<S>& model, double time) {
   if (!loads_.empty()) add_nodal_loads(model, time);
   if (!host_forces_.empty()) add_host_forces(model);
+  if (!gravities_.empty()) add_gravity(model, time);
   if (damping_ > 0) add_damping(model);
   std::fill(reaction_.begin(), reaction_.end(), S(0));
 }
@@ -93,6 +98,20 @@ void BoundaryConditions<S>::add_damping(Model<S>& model) {
   });
 }
 
+/// f = m g
+template <class S>
+void BoundaryConditions<S>::add_gravity(Model<S>& model, double time) {
+  gravity_ = {};
+  for (const Gravity& gravity : gravities_) {
+    const double factor = gravity.table.value(time);
+    for (std::size_t k = 0; k < 3; ++k) gravity_[k] += factor * gravity.acceleration[k];
+  }
+  parallel_for("gravity", RangePolicy<>{0, model.nodes.count}, [&](std::int64_t n) {
+    for (std::int64_t k = 0; k < 3; ++k)
+      model.nodes.force.data()[4 * n + k] += static_cast<S>(model.node_mass[n] * gravity_[k]);
+  });
+}
+
 template <class S>
 void BoundaryConditions<S>::constrain(Model<S>& model, const DueSpans& due) const {
   if (model.constraints.empty()) return;
@@ -106,14 +125,31 @@ void BoundaryConditions<S>::constrain(Model<S>& model, const DueSpans& due) cons
   });
 }
 
+namespace {
+
+/// Mean of the velocity over the coming step, or the velocity where that has no length; of a displacement the mean over
+/// the step before then.
+double mean_velocity(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step) {
+  const auto displacement = [&](double t) {
+    return quantity == MotionQuantity::velocity       ? table.integral(t)
+           : quantity == MotionQuantity::displacement ? table.value(t)
+                                                      : table.second_integral(t);
+  };
+  if (step.after > 0) return (displacement(time + step.after) - displacement(time)) / step.after;
+  if (quantity == MotionQuantity::velocity) return table.value(time);
+  if (quantity == MotionQuantity::acceleration) return table.integral(time);
+  return step.before > 0 ? (table.value(time) - table.value(time - step.before)) / step.before : 0.0;
+}
+
+}  // namespace
+
 /// Adds to the reactions what gives a node the mean of the prescribed velocity over the coming step, so that its place
 /// is that of the integral of the table.
 template <class S>
 void BoundaryConditions<S>::prescribe(Model<S>& model, double time, const StepLengths& step) {
   std::vector<double> factor;
-  for (const TimeTable& table : velocity_tables_) {
-    factor.push_back(step.after > 0 ? (table.integral(time + step.after) - table.integral(time)) / step.after
-                                    : table.value(time));
+  for (std::size_t t = 0; t < velocity_tables_.size(); ++t) {
+    factor.push_back(mean_velocity(velocity_tables_[t], quantities_[t], time, step));
   }
   for (std::size_t i = 0; i < model.prescribed.size(); ++i) {
     const NodePrescription<S>& p = model.prescribed[i];
@@ -155,6 +191,19 @@ ExternalWork BoundaryConditions<S>::work_of_step(const Model<S>& model, const St
     const S r = reaction_[i];
     const S force[3] = {r * p.normal[0], r * p.normal[1], r * p.normal[2]};
     sum.add(work_on(p.node, force));
+  }
+  if (!gravities_.empty()) {
+    parallel_reduce(
+        "work of gravity", RangePolicy<>{0, nodes.count}, sum,
+        [&](std::int64_t begin, std::int64_t end, ExternalWork& partial) {
+          for (std::int64_t n = begin; n < end; ++n) {
+            const double mass = model.node_mass[n];
+            const S force[3] = {static_cast<S>(mass * gravity_[0]), static_cast<S>(mass * gravity_[1]),
+                                static_cast<S>(mass * gravity_[2])};
+            partial.add(work_on(static_cast<std::int32_t>(n), force));
+          }
+        },
+        [](ExternalWork& whole, const ExternalWork& partial) { whole.add(partial); });
   }
   if (damping_ > 0) {
     parallel_reduce(

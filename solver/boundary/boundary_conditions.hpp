@@ -59,6 +59,7 @@ class BoundaryConditions {
   void add_nodal_loads(Model<S>& model, double time);
   void add_host_forces(Model<S>& model) const;
   void add_damping(Model<S>& model);
+  void add_gravity(Model<S>& model, double time);
   void constrain(Model<S>& model, const DueSpans& due) const;
   void prescribe(Model<S>& model, double time, const StepLengths& step);
   ExternalWork work_of_step(const Model<S>& model, const StepLengths& step) const;
@@ -68,8 +69,11 @@ class BoundaryConditions {
   std::vector<Load> loads_;
   AlignedArray<S> host_forces_;  ///< empty until asked for [force]
   double damping_ = 0;           ///< [1/time]
+  std::vector<Gravity> gravities_;
+  Point gravity_{};  ///< the sum of them at the time of the forces [length/time^2]
   std::vector<TimeTable> velocity_tables_;
-  std::vector<S> reaction_;  ///< per NodePrescription of the model [force]
+  std::vector<MotionQuantity> quantities_;  ///< of the tables
+  std::vector<S> reaction_;                 ///< per NodePrescription of the model [force]
   RigidWalls<S> walls_;
   double done_ = 0;  ///< work of all steps before the last
   ExternalWork last_;

@@ -11,7 +11,7 @@ template <class S>
 Schedule<S>::Schedule(const Model<S>& model) {
   if (model.tile_levels.empty()) return;
   const bool erodes = !model.elements.internal_energy.empty();
-  subcycling_.emplace(model, erodes || model.scene.damping.mass > 0);
+  subcycling_.emplace(model, erodes || model.scene.damping.mass > 0 || !model.scene.gravities.empty());
 }
 
 template <class S>

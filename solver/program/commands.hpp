@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,10 @@ namespace pinball {
 struct SceneOptions {
   std::string scene;  ///< name or path, not yet looked up
   SceneOverrides overrides;
-  int threads = 0;     ///< 0: what OpenMP takes by default
-  bool quiet = false;  ///< no progress on the terminal
+  int threads = 0;                            ///< 0: what OpenMP takes by default
+  bool quiet = false;                         ///< no progress on the terminal
+  std::optional<std::int64_t> chosen_case{};  ///< of a deck: those keywords of *CASE, too
+  bool lenient = false;                       ///< of a deck: unknown output and controls are ignored
 };
 
 struct RunOptions : SceneOptions {
@@ -30,6 +33,14 @@ struct CompareOptions : SceneOptions {
   int repeats = 3;
   std::string json;  ///< file for the table of results; empty: none
   std::string page;  ///< file for the page of results; empty: none
+};
+
+/// What of a deck of another program is to be written as a scene.
+struct ConvertOptions {
+  std::string deck, scene;  ///< paths
+  std::optional<std::int64_t> chosen_case{};
+  bool lenient = false;
+  bool force = false;  ///< replaces a scene that is there
 };
 
 struct VerifyOptions {
@@ -49,6 +60,9 @@ PINBALL_API int new_command(const NewOptions& options);
 
 /// Runs a scene, or goes on with a run from its checkpoint, and writes its results.
 PINBALL_API int run_command(const RunOptions& options);
+
+/// Writes a deck as a scene of this program.
+PINBALL_API int convert_command(const ConvertOptions& options);
 
 /// Prints what a scene holds, what will run and what is skipped.
 PINBALL_API int info_command(const RunOptions& options);

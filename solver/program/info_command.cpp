@@ -15,6 +15,7 @@
 #include "info/info_boundary.hpp"
 #include "info/info_material.hpp"
 #include "info/info_skipped.hpp"
+#include "scene_input.hpp"
 
 namespace pinball {
 
@@ -236,7 +237,7 @@ void print_info(const Scene& scene) {
 
 int info_command(const RunOptions& options) {
   if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
-  const Scene scene = read_scene(find_scene(options.scene), options.overrides);
+  const Scene scene = read_scene(scene_source(options));
   if (scene.precision == Precision::float32) {
     print_info<float>(scene);
   } else {

@@ -29,10 +29,28 @@ int report(const std::exception& error, int status) {
 /// An empty name is most likely a variable of a script that is not set.
 std::string check_not_empty(const std::string& text) { return text.empty() ? "expected a name, got none" : ""; }
 
+/// Of decks of other programs.
+template <class Options>
+void add_deck_options(CLI::App& command, Options& options) {
+  command.add_option("--case", options.chosen_case, "of a deck: one of its cases (*CASE)")->type_name("N");
+  command.add_flag("--lenient", options.lenient, "of a deck: leaves out output and controls that are not known");
+}
+
+void add_convert_options(CLI::App& command, pinball::ConvertOptions& options) {
+  command.add_option("DECK", options.deck, "LS-DYNA keyword file (.k, .key, .dyn)")->required();
+  command.add_option("SCENE", options.scene, "scene file to write (.toml)")->required();
+  add_deck_options(command, options);
+  command.add_flag("--force", options.force, "replaces a file that is there");
+}
+
 /// What `run`, `info` and `compare` have in common.
 CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
   CLI::Option* scene =
-      command.add_option("SCENE", options.scene, "TOML file, or name of a scene in data/scenes")->required();
+      command
+          .add_option("SCENE", options.scene,
+                      "TOML file, name of a scene in data/scenes, or an LS-DYNA keyword file (.k, .key, .dyn)")
+          ->required();
+  add_deck_options(command, options);
   command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME")
       ->expected(1)
       ->allow_extra_args(false)
@@ -133,6 +151,10 @@ int run_program(int argc, char** argv) {
   view->set_help_flag();
   view->prefix_command();
 
+  pinball::ConvertOptions conversion;
+  auto* convert = app.add_subcommand("convert", "write a deck of another program as a scene");
+  add_convert_options(*convert, conversion);
+
   pinball::NewOptions first;
   auto* create = app.add_subcommand("new", "write a first scene, with comments, to begin with");
   add_new_options(*create, first);
@@ -146,6 +168,7 @@ int run_program(int argc, char** argv) {
              "    pinball compare two_blocks --vary time.cfl=0.9,0.45\n"
              "    pinball compare impact.toml --vary contact.friction=0,0.2 --repeat 1 --json table.json\n");
   add_footer(*verify, "    pinball verify two_blocks taylor_bar\n    pinball verify --json table.json\n");
+  add_footer(*convert, "    pinball convert deck.k scene.toml\n    pinball convert deck.k low.toml --case 1 --force\n");
   add_footer(*create, "    pinball new impact\n    pinball new impact --out scenes --force\n");
 
   try {
@@ -162,6 +185,7 @@ int run_program(int argc, char** argv) {
   if (*info) return pinball::info_command(options);
   if (*verify) return pinball::verify_command(verification);
   if (*view) return pinball::view_command(view->remaining());
+  if (*convert) return pinball::convert_command(conversion);
   if (*create) return pinball::new_command(first);
   return pinball::compare_command(comparison);
 }

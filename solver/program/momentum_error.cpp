@@ -24,6 +24,7 @@ std::vector<Point> directions_acted_on(const Scene& scene) {
     if (wall.friction > 0) add_all();
   }
   for (const NodalLoad& load : scene.loads) add(load.force);
+  for (const Gravity& gravity : scene.gravities) add(gravity.acceleration);
   for (const FixedConstraint& fixed : scene.fixed_constraints) {
     if (fixed.frame == Frame::cylindrical) add_all();  // they turn with the place
     for (const Point& direction : fixed.directions) add(direction);

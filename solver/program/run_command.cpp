@@ -11,6 +11,7 @@
 #include <solver/results/warnings.hpp>
 
 #include "commands.hpp"
+#include "scene_input.hpp"
 #include "stop_signals.hpp"
 
 namespace pinball {
@@ -80,7 +81,7 @@ int run_command(const RunOptions& options) {
   if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
   if (!options.restart.empty()) return restart_command(options);
   if (options.scene.empty()) throw InputError("run: expected a SCENE, or --restart FILE");
-  const SceneSource source = read_scene_source(find_scene(options.scene), options.overrides);
+  const SceneSource source = scene_source(options);
   const Scene scene = read_scene(source);
   const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
   return run_and_print(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr, stop_is_asked});

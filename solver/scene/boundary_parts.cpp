@@ -81,6 +81,11 @@ RigidWall read_rigid_wall(const SceneTable& table, std::size_t number) {
 PrescribedVelocity read_prescribed_velocity(const SceneTable& table) {
   PrescribedVelocity result;
   result.nodes = read_selection(table);
+  result.quantity = table.choice<MotionQuantity>("quantity",
+                                                 {{"velocity", MotionQuantity::velocity},
+                                                  {"displacement", MotionQuantity::displacement},
+                                                  {"acceleration", MotionQuantity::acceleration}},
+                                                 result.quantity);
   result.table = read_time_table(table);
   if (table.has("direction") || table.has("speed")) {
     if (table.has("velocity")) table.fail("velocity", "expected either velocity or direction and speed, got both");
@@ -99,7 +104,15 @@ NodalLoad read_load(const SceneTable& table) {
   load.nodes = read_selection(table);
   table.numbers_into(load);
   load.table = read_time_table(table);
+  load.each = table.boolean("each", load.each);
   return load;
+}
+
+Gravity read_gravity(const SceneTable& table) {
+  Gravity gravity;
+  table.numbers_into(gravity);
+  gravity.table = read_time_table(table);
+  return gravity;
 }
 
 InitialVelocity read_initial_velocity(const SceneTable& table) {

@@ -13,6 +13,7 @@ FixedConstraint read_fixed_constraint(const SceneTable& table);
 RigidWall read_rigid_wall(const SceneTable& table, std::size_t number);
 PrescribedVelocity read_prescribed_velocity(const SceneTable& table);
 NodalLoad read_load(const SceneTable& table);
+Gravity read_gravity(const SceneTable& table);
 InitialVelocity read_initial_velocity(const SceneTable& table);
 Probe read_probe(const SceneTable& table);
 

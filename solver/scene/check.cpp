@@ -130,6 +130,10 @@ void check_boundary(Scene& scene) {
     table.numbers(load);
     table.require_none(problem_of(load.table));
   });
+  for_each(scene.gravities, "gravity", [&](const Table& table, Gravity& gravity, const auto&) {
+    table.numbers(gravity);
+    table.require_none(problem_of(gravity.table));
+  });
   for_each(scene.initial_velocities, "initial_velocity",
            [&](const Table& table, InitialVelocity& given, const auto& where) {
              names.check(table, given.nodes, where);

@@ -72,14 +72,23 @@ void list_motion(const Scene& scene, std::vector<SceneEntry>& all) {
     Entries table(all, numbered("prescribed_velocity", n));
     table.add("velocity", given.velocity, "L/T");
     table.add_words("direction", given.direction ? toml_text(*given.direction) : "all three", !given.direction, "-");
+    static const char* const quantities[] = {"velocity", "displacement", "acceleration"};
+    table.add_words("quantity", toml_text(quantities[static_cast<int>(given.quantity)]),
+                    given.quantity == MotionQuantity::velocity);
     list_factors(table, given.table);
     list_nodes(table, given.nodes);
   }
   for (std::size_t n = 0; n < scene.loads.size(); ++n) {
     Entries table(all, numbered("load", n));
     table.add_numbers(scene.loads[n], {});
+    table.add("each", scene.loads[n].each, false, "");
     list_factors(table, scene.loads[n].table);
     list_nodes(table, scene.loads[n].nodes);
+  }
+  for (std::size_t n = 0; n < scene.gravities.size(); ++n) {
+    Entries table(all, numbered("gravity", n));
+    table.add_numbers(scene.gravities[n], {});
+    list_factors(table, scene.gravities[n].table);
   }
   for (std::size_t n = 0; n < scene.initial_velocities.size(); ++n) {
     Entries table(all, numbered("initial_velocity", n));

@@ -87,6 +87,11 @@ void visit_numbers(NodalLoad& load, const Visit& visit) {
 }
 
 template <class Visit>
+void visit_numbers(Gravity& gravity, const Visit& visit) {
+  visit("acceleration", gravity.acceleration, any_number, Need::required);
+}
+
+template <class Visit>
 void visit_numbers(InitialVelocity& given, const Visit& visit) {
   visit("velocity", given.velocity, any_number, Need::required);
 }

@@ -123,6 +123,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
     scene.prescribed_velocities.push_back(read_prescribed_velocity(table));
   }
   for (const auto& table : tables("load")) scene.loads.push_back(read_load(table));
+  for (const auto& table : tables("gravity")) scene.gravities.push_back(read_gravity(table));
   for (const auto& table : tables("initial_velocity")) {
     scene.initial_velocities.push_back(read_initial_velocity(table));
   }

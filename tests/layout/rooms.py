@@ -26,6 +26,7 @@ ROOMS = {
     "keyword": ["solver/keyword/"],
     "mesh": ["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"],
     "scene": ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_rules.hpp"],
+    "deck": ["solver/deck/"],
     "model": ["solver/model/"],
     "results": ["solver/results/", "solver/results.hpp"],
     "elements": ["solver/elements/"],

@@ -21,6 +21,10 @@ std::string force_unit(const Units& units) {
   return fmt::format("{} {}^2", units.stress, units.length);
 }
 
+std::string acceleration_unit(const Units& units) {
+  return units.length.empty() ? "" : fmt::format("{}/{}^2", units.length, units.time);
+}
+
 }  // namespace
 
 template <class S>
@@ -46,6 +50,10 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
   for (const NodalLoad& load : scene.loads) {
     fmt::print("  load: {} on {} nodes {} ({})\n", vector_text(load.force, force_unit(units)),
                select_nodes(model.mesh, load.nodes).size(), describe(load.nodes), table_text(load.table));
+  }
+  for (const Gravity& gravity : scene.gravities) {
+    fmt::print("  gravity: {} ({})\n", vector_text(gravity.acceleration, acceleration_unit(units)),
+               table_text(gravity.table));
   }
   for (const InitialVelocity& v : scene.initial_velocities) {
     fmt::print("  initial velocity: {} of {} nodes {}\n", vector_text(v.velocity, units.velocity),

@@ -1,0 +1,280 @@
+#include "deck_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "keyword_rules.hpp"
+
+namespace pinball {
+
+namespace {
+
+constexpr std::array<int, 2> point_columns{20, 20};
+
+Point unit(Point d, const DeckPlace& place) {
+  const double length = std::sqrt(dot(d, d));
+  if (!(length > 0)) fail_at(place, "expected a direction, got a vector of no length");
+  for (double& component : d) component /= length;
+  return d;
+}
+
+/// A title as a name in a scene: letters, digits, "_" and "-".
+std::string name_of(const std::string& title) {
+  std::string name;
+  for (const char c : trimmed(title)) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    name += plain ? c : '_';
+  }
+  return name;
+}
+
+}  // namespace
+
+std::int64_t offset_of(const KeywordBlock& block, std::int64_t DeckTransform::*which) {
+  return block.transform ? (*block.transform).*which : 0;
+}
+
+DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& report_)
+    : deck(deck_), mesh(mesh_), report(report_) {
+  for (const KeywordBlock& block : deck.blocks) {
+    if (block.name == "PART") read_parts(block);
+    if (block.name == "SECTION_SOLID") read_section(block);
+    if (block.name == "HOURGLASS") read_hourglass(block);
+    if (block.name == "DEFINE_CURVE") read_curve(block);
+    if (block.name == "DEFINE_TABLE") read_table(block);
+    if (block.name == "DEFINE_VECTOR") read_vector(block);
+    if (block.name == "DEFINE_COORDINATE_SYSTEM" || block.name == "DEFINE_COORDINATE_VECTOR") read_system(block);
+    if (block.name.starts_with("SET_PART")) read_part_set(block);
+  }
+  name_bodies();
+}
+
+void DeckData::read_parts(const KeywordBlock& block) {
+  Cards cards(block);
+  while (const auto title = cards.next()) {
+    const auto card = cards.next();
+    if (!card) return;  // keyword_mesh has told
+    const Fields f = fields(*card);
+    const std::int64_t id = f.integer(0, "pid") + offset_of(block, &DeckTransform::part);
+    if (f.integer(3, "eosid", 0) != 0) report.refuse(card->place, "*PART with an equation of state");
+    if (f.integer(7, "tmid", 0) != 0) report.understood(fmt::format("part {}: heat (TMID) is not computed", id));
+    const std::int64_t other = offset_of(block, &DeckTransform::other);
+    const std::int64_t hourglass_id = f.integer(4, "hgid", 0);
+    all_parts_.push_back({id, f.integer(1, "secid", 0) + other,
+                          f.integer(2, "mid", 0) + offset_of(block, &DeckTransform::material),
+                          hourglass_id == 0 ? 0 : hourglass_id + other, "", card->place});
+    titles_[id] = std::string(trimmed(title->text));
+  }
+}
+
+void DeckData::read_section(const KeywordBlock& block) {
+  Cards cards(block);
+  while (true) {
+    if (block.title && !cards.next()) return;
+    const auto card = block.title ? cards.next() : cards.next_filled();
+    if (!card) return;
+    const Fields f = fields(*card);
+    section_form[f.integer(0, "secid") + offset_of(block, &DeckTransform::other)] = f.integer(1, "elform", 1);
+  }
+}
+
+void DeckData::read_hourglass(const KeywordBlock& block) {
+  Cards cards(block);
+  while (true) {
+    if (block.title && !cards.next()) return;
+    const auto card = block.title ? cards.next() : cards.next_filled();
+    if (!card) return;
+    const Fields f = fields(*card);
+    DeckHourglass h{f.integer(1, "ihq", 0), f.number(2, "qm", 0.1)};
+    if (h.form == 0) h.form = 1;
+    if (h.coefficient == 0) h.coefficient = 0.1;
+    if (f.number(4, "q1", 0.0) != 0 || f.number(5, "q2", 0.0) != 0)
+      report.understood(
+          fmt::format("*HOURGLASS ({}): bulk viscosity is the same for all parts, that of "
+                      "*CONTROL_BULK_VISCOSITY; Q1 and Q2 of a part are not used",
+                      card->place.text()));
+    hourglass[f.integer(0, "hgid") + offset_of(block, &DeckTransform::other)] = h;
+  }
+}
+
+void DeckData::read_curve(const KeywordBlock& block) {
+  Cards cards(block);
+  if (block.title) cards.next();
+  const Card head = cards.require("the number of the curve");
+  const Fields f = fields(head);
+  const auto factor = [&f](std::size_t field, const char* name) {
+    const double value = f.number(field, name, 1.0);
+    return value == 0 ? 1.0 : value;
+  };
+  const double sfa = factor(2, "sfa"), sfo = factor(3, "sfo");
+  const double offa = f.number(4, "offa", 0.0), offo = f.number(5, "offo", 0.0);
+  DeckCurve curve;
+  while (const auto card = cards.next_filled()) {
+    const Fields point(*card, deck.parameters, point_columns);
+    curve.abscissa.push_back(sfa * (point.number(0, "abscissa", 0.0) + offa));
+    curve.ordinate.push_back(sfo * (point.number(1, "ordinate", 0.0) + offo));
+  }
+  curves_[f.integer(0, "lcid") + offset_of(block, &DeckTransform::define)] = std::move(curve);
+}
+
+/// Values, and then as many curves, which follow as keywords of their own in the order of the values.
+void DeckData::read_table(const KeywordBlock& block) {
+  Cards cards(block);
+  if (block.title) cards.next();
+  const Card head = cards.require("the number of the table");
+  const std::int64_t add = offset_of(block, &DeckTransform::define);
+  auto& table = tables_[fields(head).integer(0, "tbid") + add];
+  while (const auto card = cards.next_filled()) {
+    const Fields point(*card, deck.parameters, point_columns);
+    table.emplace_back(point.number(0, "value", 0.0), point.integer(1, "lcid", 0));
+  }
+  auto next = static_cast<std::size_t>(&block - deck.blocks.data()) + 1;
+  for (auto& [value, id] : table) {
+    if (id != 0) {
+      id += add;
+      continue;
+    }
+    while (next < deck.blocks.size() && deck.blocks[next].name != "DEFINE_CURVE") ++next;
+    if (next == deck.blocks.size()) fail_at(block.place, "*DEFINE_TABLE: expected a curve for each of its values");
+    Cards of_curve(deck.blocks[next]);
+    if (deck.blocks[next].title) of_curve.next();
+    const Card number = of_curve.require("the number of the curve");
+    id = fields(number).integer(0, "lcid") + add;
+    ++next;
+  }
+}
+
+void DeckData::read_vector(const KeywordBlock& block) {
+  Cards cards(block);
+  while (true) {
+    if (block.title && !cards.next()) return;
+    const auto card = block.title ? cards.next() : cards.next_filled();
+    if (!card) return;
+    const Fields f = fields(*card);
+    Point d{};
+    for (std::size_t k = 0; k < 3; ++k) d[k] = f.number(4 + k, "head", 0.0) - f.number(1 + k, "tail", 0.0);
+    vectors_[f.integer(0, "vid") + offset_of(block, &DeckTransform::define)] = unit(d, card->place);
+  }
+}
+
+/// Origin, a point of the x axis and one of the xy plane; or the x axis and a vector of the xy plane.
+void DeckData::read_system(const KeywordBlock& block) {
+  Cards cards(block);
+  if (block.title) cards.next();
+  const Card first = cards.require("the number of the system");
+  const Fields f = fields(first);
+  Point x{}, in_plane{};
+  if (block.name == "DEFINE_COORDINATE_VECTOR") {
+    for (std::size_t k = 0; k < 3; ++k) {
+      x[k] = f.number(1 + k, "x", 0.0);
+      in_plane[k] = f.number(4 + k, "v", 0.0);
+    }
+  } else {
+    const Card second = cards.require("a point of the xy plane");
+    const Fields more = fields(second);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double origin = f.number(1 + k, "o", 0.0);
+      x[k] = f.number(4 + k, "l", 0.0) - origin;
+      in_plane[k] = more.number(k, "p", 0.0) - origin;
+    }
+  }
+  const Point e1 = unit(x, first.place), e3 = unit(cross(e1, in_plane), first.place);
+  systems_[f.integer(0, "cid") + offset_of(block, &DeckTransform::define)] = {e1, cross(e3, e1), e3};
+}
+
+void DeckData::read_part_set(const KeywordBlock& block) {
+  Cards cards(block);
+  if (block.title) cards.next();
+  const Card head = cards.require("the number of the set");
+  const std::int64_t add = offset_of(block, &DeckTransform::part), to_set = offset_of(block, &DeckTransform::set);
+  std::vector<std::int64_t> members;
+  const bool generate = block.name.ends_with("_GENERATE"), sums = block.name.ends_with("_ADD");
+  while (const auto card = cards.next_filled()) {
+    const Fields f = fields(*card);
+    for (std::size_t i = 0; i < 8; i += generate ? 2 : 1) {
+      const std::int64_t number = f.integer(i, "part", 0);
+      if (number == 0) continue;
+      if (sums) {
+        const auto other = part_set(number + to_set, card->place);
+        members.insert(members.end(), other.begin(), other.end());
+      } else {
+        for (std::int64_t id = number; id <= (generate ? f.integer(i + 1, "last part", number) : number); ++id) {
+          const auto has_number = [&](const MeshPart& part) { return part.id == id + add; };
+          if (!generate || std::ranges::any_of(mesh.parts, has_number)) members.push_back(id + add);
+        }
+      }
+    }
+  }
+  part_sets_[fields(head).integer(0, "sid") + to_set] = std::move(members);
+}
+
+void DeckData::name_bodies() {
+  std::vector<std::int64_t> elements(mesh.parts.size(), 0);
+  for (const std::int32_t part : mesh.part) ++elements[part];
+  used.assign(mesh.mesh.nodes.size(), false);
+  for (const auto& hexahedron : mesh.mesh.hexahedra) {
+    for (const std::int32_t node : hexahedron) used[node] = true;
+  }
+  std::set<std::string> taken;
+  for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+    if (elements[p] == 0) continue;
+    const auto found = std::ranges::find(all_parts_, mesh.parts[p].id, &DeckPart::id);
+    if (found == all_parts_.end()) {
+      const auto first = std::ranges::find(mesh.part, static_cast<std::int32_t>(p)) - mesh.part.begin();
+      fail_at(
+          {std::make_shared<const std::string>(mesh.path), mesh.line[first]},
+          fmt::format("element {} is of part {}, which no *PART defines", mesh.element_ids[first], mesh.parts[p].id));
+    }
+    DeckPart part = *found;
+    part.body = name_of(titles_[part.id]);
+    if (part.body.empty() || !taken.insert(part.body).second) part.body = fmt::format("part_{}", part.id);
+    taken.insert(part.body);
+    parts.push_back(std::move(part));
+  }
+}
+
+const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const {
+  const auto found = curves_.find(id);
+  if (found == curves_.end()) fail_at(place, fmt::format("no *DEFINE_CURVE has the number {}", id));
+  if (found->second.abscissa.empty()) fail_at(place, fmt::format("*DEFINE_CURVE {} has no points", id));
+  return found->second;
+}
+
+const std::vector<std::pair<double, std::int64_t>>* DeckData::table(std::int64_t id) const {
+  const auto found = tables_.find(id);
+  return found == tables_.end() ? nullptr : &found->second;
+}
+
+Point DeckData::vector(std::int64_t id, const DeckPlace& place) const {
+  const auto found = vectors_.find(id);
+  if (found == vectors_.end()) fail_at(place, fmt::format("no *DEFINE_VECTOR has the number {}", id));
+  return found->second;
+}
+
+std::array<Point, 3> DeckData::axes(std::int64_t system, const DeckPlace& place) const {
+  if (system == 0) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const auto found = systems_.find(system);
+  if (found == systems_.end())
+    fail_at(place, fmt::format("no *DEFINE_COORDINATE_SYSTEM or _VECTOR has the number {}", system));
+  return found->second;
+}
+
+std::vector<std::int64_t> DeckData::part_set(std::int64_t id, const DeckPlace& place) const {
+  const auto found = part_sets_.find(id);
+  if (found == part_sets_.end()) fail_at(place, fmt::format("no *SET_PART has the number {}", id));
+  return found->second;
+}
+
+std::optional<std::string> DeckData::body_of(std::int64_t part, const DeckPlace& place) const {
+  const auto found = std::ranges::find(parts, part, &DeckPart::id);
+  if (found != parts.end()) return found->body;
+  if (std::ranges::find(all_parts_, part, &DeckPart::id) == all_parts_.end())
+    fail_at(place, fmt::format("no *PART has the number {}", part));
+  return std::nullopt;
+}
+
+}  // namespace pinball

@@ -1,0 +1,38 @@
+#include "deck_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <solver/base/error.hpp>
+
+namespace pinball {
+
+void DeckReport::count(std::vector<Count>& counts, const std::string& what, const DeckPlace& place,
+                       const std::string& reason) {
+  const auto same = [&](const Count& one) { return one.what == what && one.reason == reason; };
+  auto found = std::ranges::find_if(counts, same);
+  if (found == counts.end()) found = counts.insert(counts.end(), {what, reason, place, 0});
+  ++found->times;
+}
+
+std::string DeckReport::line(const Count& one) {
+  const std::string where =
+      one.times == 1 ? one.first.text() : fmt::format("{} times, first in {}", one.times, one.first.text());
+  return fmt::format("{} ({}){}", one.what, where, one.reason.empty() ? "" : ": " + one.reason);
+}
+
+void DeckReport::require_all_done(const std::string& file) const {
+  if (refused_.empty()) return;
+  std::string text = fmt::format("{}: cannot be run, for this version has not:", file);
+  for (const Count& one : refused_) text += "\n  " + line(one);
+  throw InputError(text);
+}
+
+std::vector<std::string> DeckReport::ignored() const {
+  std::vector<std::string> lines;
+  for (const Count& one : ignored_) lines.push_back(line(one));
+  return lines;
+}
+
+}  // namespace pinball

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <solver/keyword/keyword_deck.hpp>
+
+namespace pinball {
+
+/// What of a deck is done, ignored and refused, gathered until all of it is known.
+class DeckReport {
+ public:
+  void understood(const std::string& line) { understood_.push_back(line); }
+  void ignore(const KeywordBlock& block) { count(ignored_, block.star_name(), block.place, ""); }
+  void refuse(const KeywordBlock& block, const std::string& reason = "") {
+    count(refused_, block.star_name(), block.place, reason);
+  }
+  /// Something of a keyword that is done otherwise.
+  void refuse(const DeckPlace& place, const std::string& what) { count(refused_, what, place, ""); }
+
+  /// Throws InputError with all that is refused, if there is anything.
+  void require_all_done(const std::string& file) const;
+  const std::vector<std::string>& understood() const { return understood_; }
+  std::vector<std::string> ignored() const;
+
+ private:
+  struct Count {
+    std::string what, reason;
+    DeckPlace first;
+    int times = 0;
+  };
+  static void count(std::vector<Count>& counts, const std::string& what, const DeckPlace& place,
+                    const std::string& reason);
+  static std::string line(const Count& one);
+
+  std::vector<std::string> understood_;
+  std::vector<Count> ignored_, refused_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pinball {
+
+enum class Treatment {
+  done,     ///< becomes part of the scene
+  mesh,     ///< is read with the mesh
+  ignored,  ///< cannot change the answer: output, and controls of what is not there
+  refused   ///< known, and not there yet
+};
+
+/// What is done with a keyword. docs/decks.md shows these rules (a test compares).
+struct KeywordRule {
+  const char* name;  ///< with "*" at its end: all that begin so
+  Treatment treatment;
+  const char* remark;
+};
+
+const std::vector<KeywordRule>& keyword_rules();
+
+/// The name by which a keyword is known here: MAT_003 is MAT_PLASTIC_KINEMATIC.
+std::string keyword_alias(const std::string& name);
+
+/// The rule of the longest name that fits; null: unknown.
+const KeywordRule* rule_of(const std::string& name);
+
+}  // namespace pinball

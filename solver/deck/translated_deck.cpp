@@ -1,0 +1,119 @@
+#include "translated_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+
+#include <solver/base/error.hpp>
+#include <solver/mesh/keyword_mesh.hpp>
+
+#include "deck_data.hpp"
+#include "deck_parts.hpp"
+#include "keyword_rules.hpp"
+
+namespace pinball {
+
+namespace {
+
+using Translate = void (*)(DeckData&, const KeywordBlock&, TomlText&);
+
+/// Keywords that become tables one by one, in the order of the deck; all others are looked at together.
+Translate translation_of(const std::string& name) {
+  static const std::map<std::string, Translate> table{
+      {"MAT_ELASTIC", translate_material},
+      {"MAT_PLASTIC_KINEMATIC", translate_material},
+      {"MAT_PIECEWISE_LINEAR_PLASTICITY", translate_material},
+      {"BOUNDARY_PRESCRIBED_MOTION_NODE", translate_prescribed_motion},
+      {"BOUNDARY_PRESCRIBED_MOTION_SET", translate_prescribed_motion},
+      {"INITIAL_VELOCITY", translate_initial_velocity},
+      {"INITIAL_VELOCITY_SET", translate_initial_velocity},
+      {"INITIAL_VELOCITY_NODE", translate_initial_velocity_of_nodes},
+      {"INITIAL_VELOCITY_GENERATION", translate_velocity_generation},
+      {"LOAD_NODE_SET", translate_node_load},
+      {"LOAD_NODE_POINT", translate_node_load},
+      {"LOAD_BODY_X", translate_body_load},
+      {"LOAD_BODY_Y", translate_body_load},
+      {"LOAD_BODY_Z", translate_body_load},
+  };
+  const auto found = table.find(name);
+  return found == table.end() ? nullptr : found->second;
+}
+
+bool is_output_or_control(const std::string& name) {
+  return name.starts_with("CONTROL") || name.starts_with("DATABASE") || name.starts_with("PARAMETER");
+}
+
+/// What each keyword is: the deck is refused as a whole, before its mesh is read.
+void sort_keywords(const KeywordDeck& deck, bool lenient, DeckReport& report) {
+  for (const KeywordBlock& block : deck.blocks) {
+    const KeywordRule* rule = rule_of(keyword_alias(block.name));
+    if (rule == nullptr) {
+      if (lenient && is_output_or_control(block.name)) {
+        report.ignore(block);
+      } else {
+        report.refuse(block);
+      }
+    } else if (rule->treatment == Treatment::ignored) {
+      report.ignore(block);
+    } else if (rule->treatment == Treatment::refused) {
+      report.refuse(block, rule->remark);
+    }
+  }
+}
+
+void describe_mesh(const DeckData& data, DeckReport& report) {
+  std::vector<std::int64_t> elements(data.mesh.parts.size(), 0);
+  for (const std::int32_t part : data.mesh.part) ++elements[part];
+  for (std::size_t p = 0; p < data.mesh.parts.size(); ++p) {
+    for (const DeckPart& part : data.parts) {
+      if (part.id == data.mesh.parts[p].id)
+        report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}", part.id, part.body, elements[p],
+                                      part.material));
+    }
+  }
+}
+
+}  // namespace
+
+bool is_deck(const std::string& path) {
+  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
+  return ending == ".k" || ending == ".key" || ending == ".dyn";
+}
+
+TranslatedDeck translate_deck(const std::string& path, const DeckOptions& options) {
+  const KeywordDeck deck = read_keyword_deck(path, options.chosen_case);
+  DeckReport report;
+  sort_keywords(deck, options.lenient, report);
+  report.require_all_done(path);
+  const MeshFile mesh = keyword_mesh(deck);
+  if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT_SOLID), there are none");
+  DeckData data(deck, mesh, report);
+
+  TomlText scene;
+  scene.comment(fmt::format("{} as this program understands it.", std::filesystem::path(path).filename().string()));
+  translate_controls(data, scene);
+  translate_contact(data, scene);
+  const std::string mesh_file =
+      options.name_in_scene.empty() ? std::filesystem::path(path).filename().string() : options.name_in_scene;
+  TomlText bodies, boundary;
+  std::size_t walls = 0;
+  translate_parts(data, mesh_file, bodies);
+  translate_node_codes(data, boundary);
+  translate_single_point_constraints(data, boundary);
+  for (const KeywordBlock& block : deck.blocks) {
+    const std::string name = keyword_alias(block.name);
+    if (name == "RIGIDWALL_PLANAR") translate_rigid_wall(data, block, walls++, boundary);
+    const Translate translate = translation_of(name);
+    if (translate != nullptr) translate(data, block, name.starts_with("MAT_") ? scene : boundary);
+  }
+  translate_probes(data, boundary);
+  describe_mesh(data, report);
+  if (deck.left_out_of_case > 0)
+    report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}", deck.left_out_of_case,
+                                  fmt::join(deck.cases, ", ")));
+  report.require_all_done(path);
+  return {scene.text() + '\n' + bodies.text() + '\n' + boundary.text(), report.understood(), report.ignored()};
+}
+
+}  // namespace pinball

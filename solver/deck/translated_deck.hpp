@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pinball {
+
+/// How a deck is to be understood.
+struct DeckOptions {
+  std::optional<std::int64_t> chosen_case;  ///< --case: of those of *CASE; none: what belongs to no case
+  bool lenient = false;                     ///< --lenient: unknown output and control keywords are ignored, not refused
+  /// How the scene names the deck, from which its meshes are read; empty: the file's own name, beside the scene.
+  std::string name_in_scene;
+};
+
+/// A deck of another program as a scene of this one.
+struct TranslatedDeck {
+  std::string scene;                    ///< text of a scene file; mesh files are named relative to its folder
+  std::vector<std::string> understood;  ///< lines that say what was made of what, and where they differ
+  std::vector<std::string> ignored;     ///< keywords that cannot change the answer, with how many and where
+};
+
+/// Whether a path is that of a deck by its ending: .k, .key, .dyn.
+bool is_deck(const std::string& path);
+
+/// Throws InputError: "FILE:LINE: ..." for what is wrong, and one message with every keyword that cannot be done, how
+/// many there are and where the first is.
+TranslatedDeck translate_deck(const std::string& path, const DeckOptions& options = {});
+
+}  // namespace pinball

@@ -1,0 +1,35 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <solver/base/error.hpp>
+#include <solver/deck/translated_deck.hpp>
+#include <solver/output/output_file.hpp>
+#include <solver/scene.hpp>
+
+#include "commands.hpp"
+#include "scene_input.hpp"
+
+namespace pinball {
+
+namespace fs = std::filesystem;
+
+int convert_command(const ConvertOptions& options) {
+  if (!is_deck(options.deck)) throw InputError(options.deck + ": expected a deck (.k, .key, .dyn)");
+  if (!options.force && fs::exists(options.scene)) {
+    throw InputError(options.scene + ": is there already; --force replaces it");
+  }
+  const fs::path folder = fs::absolute(options.scene).parent_path();
+  const std::string deck = fs::absolute(options.deck).lexically_proximate(folder).string();
+  const TranslatedDeck translated = translate_deck(options.deck, {options.chosen_case, options.lenient, deck});
+  read_scene({options.scene, translated.scene, {}});  // what would not be read is not written
+  OutputFile file(options.scene);
+  file.write(translated.scene);
+  file.commit();
+  print_deck(translated, options.deck);
+  fmt::print("{} is the scene; its meshes are read from {}\n", options.scene, deck);
+  return 0;
+}
+
+}  // namespace pinball
