@@ -173,6 +173,7 @@ struct RunSummary {
   std::string overlapping_bodies;      ///< "a and b": the first two that shared space at the start; empty: none did
   std::string overlap_at_end;          ///< the same two at the end, with the number of points inside; empty: none do
   std::string unseen_balls;            ///< which balls find each other too late, and how late; empty: none do
+  std::string unstable_hourglass;      ///< an hourglass coefficient too large for the steps; empty: it is not
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements
 };

@@ -7,20 +7,37 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/point.hpp>
 #include <solver/model/model_surface.hpp>
 #include <solver/model/node_selection.hpp>
 
 namespace pinball {
 
+namespace {
+
+/// A point of the plane that is not far from the mesh: what lies far away in the plane moves it across when it is
+/// rounded.
+Point near_point(const Plane& plane, const Point& node, double mesh_size) {
+  const Point away = minus(node, plane.point);
+  if (!(norm(away) > 16 * mesh_size)) return plane.point;
+  const double gap = dot(away, plane.normal);
+  Point foot = node;
+  for (std::size_t k = 0; k < 3; ++k) foot[k] -= gap * plane.normal[k];
+  return foot;
+}
+
+}  // namespace
+
 template <class S>
 RigidWalls<S>::RigidWalls(const Model<S>& model) {
   if (model.scene.rigid_walls.empty()) return;
   const HeldDirections held = held_directions(model);
-  const double tolerance = 1e-9 * mesh_size(model.mesh);
+  const double size = mesh_size(model.mesh), tolerance = 1e-9 * size;
   for (const RigidWall& given : model.scene.rigid_walls) {
     Wall wall{};
+    const Point point = near_point(given.plane, model.mesh.nodes[0], size);
     for (std::size_t k = 0; k < 3; ++k) {
-      wall.point[k] = static_cast<S>(given.plane.point[k]);
+      wall.point[k] = static_cast<S>(point[k]);
       wall.normal[k] = static_cast<S>(given.plane.normal[k]);
     }
     wall.friction = static_cast<S>(given.friction);

@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <solver/base/error.hpp>
@@ -14,6 +16,7 @@
 #include <solver/base/tile_size.hpp>
 #include <solver/scene_rules.hpp>
 
+#include "material_held.hpp"
 #include "node_selection.hpp"
 #include "ordering.hpp"
 #include "step_levels.hpp"
@@ -83,8 +86,7 @@ struct TileGroup {
 std::vector<TileGroup> cut_into_tiles(const Scene& scene, const ModelMesh& mesh,
                                       const std::vector<std::uint8_t>& levels, int pack) {
   const std::size_t count = mesh.hexahedra.size();
-  std::vector<std::size_t> material_of_body;
-  for (const Body& body : scene.bodies) material_of_body.push_back(material_index(scene, body.material));
+  const std::vector<std::size_t> material_of_body = material_of_bodies(scene);
   std::map<std::pair<std::size_t, std::uint8_t>, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
   for (std::size_t e = 0; e < count; ++e) {
@@ -111,6 +113,7 @@ ElementStoreFeatures add_materials(Model<S>& model) {
   ElementStoreFeatures stored;
   for (const Material& material : model.scene.materials) {
     model.constants.push_back(constants_of<S>(model.scene, material));
+    require_held(model.scene, material, model.constants.back());
     if (has_general_yield(material)) {
       model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
@@ -175,8 +178,8 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features) {
   model.element_mass.resize(model.mesh.hexahedra.size());
   model.node_mass.assign(model.mesh.nodes.size(), 0.0);
   std::vector<double> density_of_body;
-  for (const Body& body : model.scene.bodies) {
-    density_of_body.push_back(model.scene.materials[material_index(model.scene, body.material)].density);
+  for (const std::size_t material : material_of_bodies(model.scene)) {
+    density_of_body.push_back(model.scene.materials[material].density);
   }
   std::int32_t e = 0;
   for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
@@ -248,12 +251,18 @@ void set_initial_velocity(Model<S>& model) {
 
 }  // namespace
 
-std::size_t material_index(const Scene& scene, const std::string& name) {
-  const auto found =
-      std::find_if(scene.materials.begin(), scene.materials.end(), [&](const Material& m) { return m.name == name; });
-  if (found == scene.materials.end())
-    throw InputError(fmt::format("{}no material named {}", message_head(scene), name));
-  return found - scene.materials.begin();
+std::vector<std::size_t> material_of_bodies(const Scene& scene) {
+  std::unordered_map<std::string_view, std::size_t> numbers;
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) numbers.try_emplace(scene.materials[m].name, m);
+  std::vector<std::size_t> materials;
+  for (const Body& body : scene.bodies) {
+    const auto found = numbers.find(body.material);
+    if (found == numbers.end()) {
+      throw InputError(fmt::format("{}no material named {}", message_head(scene), body.material));
+    }
+    materials.push_back(found->second);
+  }
+  return materials;
 }
 
 template <class S>

@@ -38,9 +38,10 @@ struct ModelMesh {
   const std::string& body_of_element(std::int64_t element) const { return body_names[body[element]]; }
   /// Place of corner 0 to 7 of an element [length].
   const Point& corner(std::int64_t element, int i) const { return nodes[hexahedra[element][i]]; }
-  std::array<Point, 8> corners(std::int64_t element) const {
+  std::array<Point, 8> corners(std::int64_t element) const { return corners_of(hexahedra[element]); }
+  std::array<Point, 8> corners_of(const std::array<std::int32_t, 8>& hexahedron) const {
     std::array<Point, 8> points;
-    for (int i = 0; i < 8; ++i) points[i] = corner(element, i);
+    for (std::size_t i = 0; i < 8; ++i) points[i] = nodes[hexahedron[i]];
     return points;
   }
 };
@@ -133,8 +134,8 @@ struct Model {
 /// How a message about a scene begins: "FILE: ", or nothing for a scene that was made in code.
 std::string message_head(const Scene& scene);
 
-/// Number of the material of that name. Throws InputError if there is none.
-std::size_t material_index(const Scene& scene, const std::string& name);
+/// Number of the material of each body. Throws InputError if there is none of that name.
+std::vector<std::size_t> material_of_bodies(const Scene& scene);
 
 /// Generates and places the meshes of all bodies. Throws InputError for an inverted or flat element, naming it.
 ModelMesh build_mesh(const Scene& scene);

@@ -8,6 +8,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 
+#include "element_checks.hpp"
 #include "model.hpp"
 
 namespace pinball {
@@ -36,16 +37,6 @@ Point element_extent(const ModelMesh& mesh, std::size_t element) {
 }
 
 namespace {
-
-/// Largest distance of a corner from the first one: 0 only if all are the same point.
-double diameter(const std::array<Point, 8>& corners) {
-  double largest = 0;
-  const Point& a = corners[0];
-  for (const Point& b : corners) {
-    largest = std::max(largest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
-  }
-  return largest;
-}
 
 /// Files and generators name what is wrong; of arrays only the scene knows to which body they belong.
 Mesh mesh_of(const Body& body) {
@@ -94,6 +85,7 @@ class Assembly {
 
   void add_mesh(std::size_t b) {
     Mesh mesh = mesh_of(scene_.bodies[b]);
+    check_volumes(mesh, b);
     place_of_body(mesh, b);
     const std::int32_t offset = add_nodes(mesh.nodes.size(), b);
     all_.nodes.insert(all_.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
@@ -102,6 +94,21 @@ class Assembly {
       for (std::int32_t& node : hexahedron) node += offset;
       add_element(hexahedron, b, [&] { return fmt::format("element {}", e); });
     }
+  }
+
+  /// In the body's own frame, where no place far away hides what the shape is.
+  void check_volumes(const Mesh& mesh, std::size_t b) const {
+    for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+      std::array<Point, 8> corners;
+      for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[mesh.hexahedra[e][i]];
+      require_none(volume_problem(corners, scene_.precision), b, [&] { return fmt::format("element {}", e); });
+    }
+  }
+
+  template <class Name>
+  void require_none(const std::string& problem, std::size_t b, const Name& name) const {
+    if (problem.empty()) return;
+    throw InputError(fmt::format("{}body {}: {} {}", message_head(scene_), scene_.bodies[b].name, name(), problem));
   }
 
   void place_of_body(Mesh& mesh, std::size_t b) const {
@@ -126,13 +133,7 @@ class Assembly {
   void add_element(const std::array<std::int32_t, 8>& hexahedron, std::size_t b, const Name& name) {
     all_.hexahedra.push_back(hexahedron);
     all_.body.push_back(static_cast<std::int32_t>(b));
-    const std::array<Point, 8> corners = all_.corners(all_.element_count() - 1);
-    const double volume = volume_by_quadrature(corners);
-    // A flat element has a volume of round-off, of either sign.
-    if (!(volume > 1e-12 * std::pow(diameter(corners), 3))) {
-      throw InputError(fmt::format("{}body {}: {} is inverted or flat: its volume is {:.6g}, expected > 0",
-                                   message_head(scene_), scene_.bodies[b].name, name(), volume));
-    }
+    require_none(rounding_problem(all_.corners(all_.element_count() - 1), scene_.precision), b, name);
   }
 
   Placed& file_of(std::size_t b) {
@@ -179,6 +180,8 @@ class Assembly {
     for (const std::int32_t e : elements) {
       std::array<std::int32_t, 8> hexahedron = file.mesh.hexahedra[e];
       for (std::int32_t& node : hexahedron) node = placed.node[node];
+      require_none(volume_problem(all_.corners_of(hexahedron), scene_.precision), b,
+                   [&] { return element_name(file, e); });
       add_element(hexahedron, b, [&] { return element_name(file, e); });
     }
   }

@@ -110,9 +110,7 @@ double element_stable_step(const ModelMesh& mesh, std::size_t element, const Mat
 ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh) {
   const std::size_t count = mesh.hexahedra.size();
   std::vector<const Material*> of_body;
-  for (const Body& body : scene.bodies) {
-    of_body.push_back(&scene.materials[material_index(scene, body.material)]);
-  }
+  for (const std::size_t material : material_of_bodies(scene)) of_body.push_back(&scene.materials[material]);
   std::vector<double> stable_steps(count);
   for (std::size_t e = 0; e < count; ++e) {
     stable_steps[e] = element_stable_step(mesh, e, *of_body[mesh.body[e]]);

@@ -116,6 +116,7 @@ std::vector<std::string> start_warnings(const RunSummary& summary) {
                     "of near-cubes of one size",
                     summary.unseen_balls));
   }
+  if (!summary.unstable_hourglass.empty()) found.push_back(summary.unstable_hourglass);
   add_limits_of_contact(summary, found);
   return found;
 }

@@ -77,10 +77,9 @@ void Guards<S>::check_volumes(const InternalForceResult<S>& element) const {
       worst = slot;
     }
   }
-  throw RunError(fmt::format(
-      "{} of {} elements have no volume left {}, first of all {}: {}, "
-      "element.negative_volume=\"erode\", or an erosion_strain for the material",
-      element.inverted_count, model_.element_count(), when(), element_name(model_, worst), try_smaller_steps));
+  fail(fmt::format("{} of {} elements have no volume left {}, first of all {}", element.inverted_count,
+                   model_.element_count(), when(), element_name(model_, worst)),
+       fmt::format("{}, element.negative_volume=\"erode\", or an erosion_strain for the material", try_smaller_steps));
 }
 
 template <class S>
@@ -91,34 +90,36 @@ void Guards<S>::check_finite(double energy) const {
     if (!model_.elements.alive(slot)) continue;
     const std::string part = not_finite_part(model_, slot);
     if (!part.empty()) {
-      throw RunError(fmt::format("the {} of {} is not finite {}: {}, and look at its material and its shape there",
-                                 part, element_name(model_, slot), when(), try_smaller_steps));
+      fail(fmt::format("the {} of {} is not finite {}", part, element_name(model_, slot), when()),
+           fmt::format("{}, and look at its material and its shape there", try_smaller_steps));
     }
     if (beside < 0 && corner_not_finite(model_, slot)) beside = slot;
   }
   if (beside >= 0) {
-    throw RunError(
-        fmt::format("a node of {} has a velocity that is not finite {}: {}, and look at loads, prescribed "
-                    "velocities and contact there",
-                    element_name(model_, beside), when(), try_smaller_steps));
+    fail(fmt::format("a node of {} has a velocity that is not finite {}", element_name(model_, beside), when()),
+         fmt::format("{}, and look at loads, prescribed velocities and contact there", try_smaller_steps));
   }
-  throw RunError(fmt::format("the energy is not finite {}, though all elements are: {}, or precision=\"double\"",
-                             when(), try_smaller_steps));
+  fail(fmt::format("the energy is not finite {}, though all elements are", when()),
+       fmt::format("{}, or precision=\"double\"", try_smaller_steps));
 }
 
 template <class S>
 void Guards<S>::check_energy(const EnergyLedger& ledger) const {
   if (std::abs(ledger.balance_error_in_motion()) <= model_.scene.guard.energy_error) return;
-  throw RunError(
-      fmt::format("the energy balance is off by {:.3g} % of the energy in motion {}, more than guard.energy_error = "
-                  "{:.3g} %; the time step is set by {}: {}, or a finer mesh where most is going on",
-                  100 * ledger.balance_error_in_motion(), when(), 100 * model_.scene.guard.energy_error,
-                  step_limit(model_, clock_), try_smaller_steps));
+  fail(fmt::format("the energy balance is off by {:.3g} % of the energy in motion {}, more than guard.energy_error = "
+                   "{:.3g} %; the time step is set by {}",
+                   100 * ledger.balance_error_in_motion(), when(), 100 * model_.scene.guard.energy_error,
+                   step_limit(model_, clock_)),
+       fmt::format("{}, or a finer mesh where most is going on", try_smaller_steps));
 }
 
 template <class S>
 void Guards<S>::check_time_step() const {
   const double ratio = model_.scene.guard.time_step_collapse, dt = clock_.dt();
+  if (clock_.lost()) {
+    throw RunError(fmt::format("no number of steps of {:.3g}, as {}, reaches time.end = {:.6g}; the step is set by {}",
+                               dt, when(), model_.scene.time.end, step_limit(model_, clock_)));
+  }
   if (!(dt > 0 && dt < ratio * clock_.dt_max() && clock_.remaining() > 2 * dt)) return;
   throw RunError(
       fmt::format("the stable step has collapsed to {:.3g} {}, less than guard.time_step_collapse = {:.3g} of the "
@@ -127,6 +128,11 @@ void Guards<S>::check_time_step() const {
                   clock_.limited_by() == StepLimit::contact
                       ? "try a smaller contact.beta, or contact.enforcement=\"lagrange\", which does not limit it"
                       : "try an erosion_strain for its material, or a better shape of its mesh"));
+}
+
+template <class S>
+void Guards<S>::fail(const std::string& what, const std::string& advice) const {
+  throw RunError(fmt::format("{}: {}", what, cause_.empty() ? advice : cause_));
 }
 
 template <class S>

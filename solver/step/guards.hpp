@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <solver/elements/internal_forces.hpp>
@@ -19,6 +20,9 @@ class Guards {
   Guards(const Model<S>& model, const InternalForces<S>& forces, const StepClock& clock)
       : model_(model), forces_(forces), clock_(clock) {}
 
+  /// What is known to make the scene unstable: told in place of other advice.
+  void blame(std::string cause) { cause_ = std::move(cause); }
+
   /// Elements that are turned inside out, where they are not to be eroded for it.
   void check_volumes(const InternalForceResult<S>& element) const;
   /// energy: a sum that every element and every node goes into. A number that is not finite reaches it in the step in
@@ -26,15 +30,17 @@ class Guards {
   void check_finite(double energy) const;
   /// guard.energy_error, of what is in motion in its own frame
   void check_energy(const EnergyLedger& ledger) const;
-  /// guard.time_step_collapse
+  /// guard.time_step_collapse, and a step that does not move the time on
   void check_time_step() const;
 
  private:
   std::string when() const;
+  [[noreturn]] void fail(const std::string& what, const std::string& advice) const;
 
   const Model<S>& model_;
   const InternalForces<S>& forces_;
   const StepClock& clock_;
+  std::string cause_;
 };
 
 }  // namespace pinball

@@ -58,6 +58,7 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
     summary.overlap_at_end =
         fmt::format("{} and {}, by {} of their nodes and points of elements", now.first, now.second, now.points);
   }
+  summary.unstable_hourglass = solver.unstable_hourglass();
   if (solver.unseen_balls()) summary.unseen_balls = sentence_of(solver.model(), *solver.unseen_balls());
 }
 

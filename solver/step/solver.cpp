@@ -14,6 +14,7 @@
 #include "places.hpp"
 #include "report.hpp"
 #include "require_built.hpp"
+#include "start_checks.hpp"
 
 namespace pinball {
 
@@ -29,9 +30,9 @@ double sound_swallowing_of(const Scene& scene) {
   const ContactSettings& contact = scene.contact;
   const bool springs = contact.enforcement == Enforcement::penalty;
   const bool damped = scene.damping.mass > 0 || (springs && contact.damping > ContactSettings().damping);
-  const bool plastic = std::any_of(scene.bodies.begin(), scene.bodies.end(), [&scene](const Body& body) {
-    return scene.materials[material_index(scene, body.material)].plastic;
-  });
+  const std::vector<std::size_t> materials = material_of_bodies(scene);
+  const bool plastic = std::any_of(materials.begin(), materials.end(),
+                                   [&scene](std::size_t material) { return scene.materials[material].plastic; });
   return damped || plastic || contact.static_friction > 0 ? 0.0 : sound::contact_swallowed;
 }
 
@@ -46,7 +47,7 @@ Solver<S>::Solver(const Scene& scene)
       boundary_(model_),
       probes_(model_),
       contact_(model_),
-      clock_(model_.scene.time),
+      clock_(model_.scene.time, model_.scene.damping.mass),
       guards_(model_, internal_forces_, clock_) {
   if (contact() != nullptr) {
     clock_.limit_by_impact_speed(longest_contact_step(model_));
@@ -55,6 +56,9 @@ Solver<S>::Solver(const Scene& scene)
     sound_swallowing_ = sound_swallowing_of(model_.scene);
   }
   require_built(model_, boundary_.any());
+  check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
+  unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
+  guards_.blame(unstable_hourglass_);
   initial_momentum_ = momentum(model_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include <solver/base/state_archive.hpp>
 #include <solver/boundary/boundary_conditions.hpp>
@@ -82,6 +83,8 @@ class Solver {
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
   const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
   const std::optional<UnseenBalls>& unseen_balls() const { return unseen_balls_; }
+  /// What makes hourglass forces unstable from the start, as a sentence; empty: nothing.
+  const std::string& unstable_hourglass() const { return unstable_hourglass_; }
   /// The part of the energy in motion up to which contact may swallow it; 0 where the scene asks for what does [-].
   double sound_swallowing() const { return sound_swallowing_; }
   const Timers& timers() const { return timers_; }
@@ -126,6 +129,7 @@ class Solver {
   InitialOverlap overlap_at_end_;
   InitialOverlap initial_overlap_;           ///< only looked for in a scene with contact
   std::optional<UnseenBalls> unseen_balls_;  ///< only looked for where the gap is that of balls
+  std::string unstable_hourglass_;
   double sound_swallowing_ = 0;
   std::optional<double> kinetic_before_change_;  ///< velocities may have been changed since [energy]
 };

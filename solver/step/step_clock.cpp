@@ -6,9 +6,17 @@
 
 namespace pinball {
 
-StepClock::StepClock(const TimeSettings& settings)
+namespace {
+
+/// Beyond so many steps a step is lost in the sum of them.
+constexpr double most_steps = 0x1p53;
+
+}  // namespace
+
+StepClock::StepClock(const TimeSettings& settings, double damping)
     : end_(settings.end),
       cfl_(settings.cfl),
+      damping_(damping),
       steps_at_end_(settings.steps),
       longest_impact_step_(std::numeric_limits<double>::infinity()) {}
 
@@ -21,6 +29,17 @@ bool StepClock::at_end(std::int32_t cycle_steps) const {
 
 void StepClock::limit_by_impact_speed(double step) { longest_impact_step_ = std::min(longest_impact_step_, step); }
 
+/// The mass damping a is lagged: a mode of frequency w is stable if w^2 dt^2/4 + a dt/2 <= 1. Where cfl leaves no room
+/// for that, the step is shorter, by 5 % more than has to be; and never so long that damping turns a motion round (a dt
+/// > 1).
+double StepClock::longest_step(double stable) const {
+  const double undamped = cfl_ * stable;
+  if (damping_ == 0 || cfl_ * cfl_ + 0.5 * damping_ * undamped <= 1) return undamped;
+  const double half = 0.5 * damping_, frequency = 2 / stable;
+  const double damped = 2 / (half + std::hypot(half, frequency));
+  return std::min({undamped, std::max(cfl_, 0.95) * damped, 1 / damping_});
+}
+
 void StepClock::choose(const Due& due, const StepBound& bound) {
   force_time_ = time_;
   dt_before_ = dt_;
@@ -29,7 +48,7 @@ void StepClock::choose(const Due& due, const StepBound& bound) {
     dt_ = 0;
     return;
   }
-  const double chosen = std::min(cfl_ * bound.stable, longest_impact_step_);
+  const double chosen = std::min(longest_step(bound.stable), longest_impact_step_);
   // A step that followed the vibrations of its element would feed them: a free cube at strains of 1e-3 gained half its
   // energy in 70,000 steps. So the step is kept until it is too long, or well below what is allowed.
   constexpr double raised_from = 1.05;
@@ -37,7 +56,10 @@ void StepClock::choose(const Due& due, const StepBound& bound) {
   // What remains is divided into equal steps (cycles), so that the last ones are not cut: a sudden change of the step
   // changes the energy of the fast modes that central differences keep, by the square of (dt x frequency).
   const double remaining = (end_ - time_) / bound.cycle_steps;
-  dt_ = remaining / std::max(1.0, std::ceil(remaining / (keeps ? dt_ : chosen) - 1e-9));
+  const double step = keeps ? dt_ : chosen, steps = std::ceil(remaining / step - 1e-9);
+  dt_ = steps < most_steps ? remaining / std::max(1.0, steps) : step;  // beyond, time.steps ends the run
+  const double beside = steps_at_end_ < 0 ? end_ : time_;
+  lost_ = !(beside + dt_ > beside);
   dt_max_ = std::max(dt_max_, dt_);
   // The division says nothing about stability.
   if (dt_min_ == 0 || chosen < dt_min_) {

@@ -16,7 +16,8 @@ enum class StepLimit { none, element, contact, impact_speed };
 /// and energies to force_time(), velocities to the middle between the two.
 class StepClock {
  public:
-  explicit StepClock(const TimeSettings& settings);
+  /// damping: a of the force -a m v on every node [1/time]
+  explicit StepClock(const TimeSettings& settings, double damping = 0);
 
   double time() const { return time_; }              ///< of the positions
   double force_time() const { return force_time_; }  ///< of the forces, stresses and energies
@@ -29,12 +30,14 @@ class StepClock {
   StepLimit limited_by() const { return limited_by_; }           ///< at dt_min()
   std::int64_t limiting_slot() const { return limiting_slot_; }  ///< for StepLimit::element
   double remaining() const { return end_ - time_; }              ///< until time.end
+  bool lost() const { return lost_; }  ///< the step is lost beside the end, or the time where steps are counted
 
   /// Whether time.end or time.steps will be reached by a cycle of steps of which the last is still to be made.
   bool at_end(std::int32_t cycle_steps) const;
 
   /// No step is longer from now on, whatever is stable (longest_contact_step).
   void limit_by_impact_speed(double step);
+  double longest_impact_step() const { return longest_impact_step_; }
   /// The forces of time() are known, and with them what bounds the coming step, or cycle of steps.
   void choose(const Due& due, const StepBound& bound);
   /// The positions have moved.
@@ -43,7 +46,9 @@ class StepClock {
   void persist(StateArchive& archive);
 
  private:
-  double end_, cfl_;
+  double longest_step(double stable) const;
+
+  double end_, cfl_, damping_;
   std::int64_t steps_at_end_;
   double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;
   std::int64_t steps_ = 0;
@@ -51,6 +56,7 @@ class StepClock {
   double dt_min_ = 0, dt_max_ = 0;
   StepLimit limited_by_ = StepLimit::none;
   std::int64_t limiting_slot_ = -1;
+  bool lost_ = false;
 };
 
 }  // namespace pinball

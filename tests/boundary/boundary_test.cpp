@@ -91,6 +91,24 @@ TEST(RigidWall, KeepsConstraintsAndHoldsBothOfTwoWalls) {
   }
 }
 
+/// A point of the plane that lies far away says the same as one beneath the body, also in single precision.
+TEST(RigidWall, MayBeGivenByAPointFarAway) {
+  const double slope = 0.5, size = std::hypot(1, slope);
+  const auto impulse = [&](double away, auto precision) {
+    Scene scene = scene_of({block("a", {4, 4, 4}, 0.25, {0, 0, 0}, {0, 0, -20})}, 1e-3, false);
+    scene.rigid_walls = {{"wall", {{away, 0, -0.51 + slope * away}, {-slope / size, 0, 1 / size}}, "", "here"}};
+    Solver<decltype(precision)> solver(scene);
+    run(solver);
+    return solver.boundary().walls().at(0).impulse;
+  };
+  const double near = impulse(0, 1.0);
+  EXPECT_GT(near, 1000);
+  for (const double away : {1e2, 1e4, 1e6}) {
+    EXPECT_NEAR(impulse(away, 1.0), near, 1e-5 * near) << away;
+    EXPECT_NEAR(impulse(away, 1.0F), near, 1e-3 * near) << away;
+  }
+}
+
 TEST(RigidWall, NodesBehindItAreAnError) {
   Scene scene = scene_of({block("a", {1, 1, 1}, 0.1, {0, 0, -0.01})}, 1e-4, false);
   scene.rigid_walls = {{"wall", {{0, 0, 0}, {0, 0, 1}}, "", "scene.toml:7:1: rigid_wall.wall"}};

@@ -110,6 +110,10 @@ TEST(Warnings, WhatIsKnownAtTheStart) {
   EXPECT_THAT(warnings(s),
               ElementsAre(AllOf(testing::StartsWith(s.unseen_balls), HasSubstr("contact.gap = \"face\""))));
   EXPECT_EQ(start_warnings(s), warnings(s));
+  s.unseen_balls = "";
+  s.unstable_hourglass = "the hourglass coefficient is too large";
+  EXPECT_THAT(warnings(s), ElementsAre(s.unstable_hourglass));
+  EXPECT_EQ(start_warnings(s), warnings(s));
 }
 
 TEST(Warnings, SweepsThatWereNotEnough) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include <solver/model/model.hpp>
+
+/// What the meshes and materials of a scene show of its numbers before the first step.
+namespace pinball {
+
+/// Throws InputError for a time.end that no number of stable steps reaches, and for a damping.mass of which one stable
+/// step makes nonsense: beyond 2/dt it turns every motion round and enlarges it.
+///
+/// longest_impact_step: StepClock::longest_impact_step [time]
+void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step);
+
+/// A sentence on an element.hourglass_coefficient that is too large for the steps; empty where it is not.
+///
+/// The viscous form damps the hourglass modes of an element at the rate d = 64 k c A/V (theory.md, 4.4; 64 k c/h for a
+/// cube), which lagged is stable up to d dt = 2:
+///
+///     k <= V / (32 c A dt) ,      0.047 for a cube at nu = 0.3 and time.cfl = 0.9 .
+///
+/// LS-DYNA and others name QH = 4 k. The other two forms have frequencies of at most that of the material at a
+/// coefficient of 1, and are sure to be stable up to 1/cfl^2.
+std::string find_unstable_hourglass(const Scene& scene, const ModelMesh& mesh);
+
+}  // namespace pinball
