@@ -69,6 +69,25 @@ Face keyed_face(const Hexahedron& hexahedron, std::int32_t slot) {
   return {static_cast<std::uint64_t>(highest) << 32 | static_cast<std::uint64_t>(third), second, slot};
 }
 
+bool have_same_nodes(Hexahedron a, Hexahedron b) {
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  return a == b;
+}
+
+/// Throws InputError where two elements of the same nodes are each other's neighbours: nothing would be exposed.
+void check_twins(const std::vector<Hexahedron>& hexahedra, const std::vector<std::array<std::int32_t, 6>>& neighbours) {
+  for (std::size_t element = 0; element < neighbours.size(); ++element) {
+    const std::array<std::int32_t, 6>& beyond = neighbours[element];
+    for (std::size_t face = 1; face < 6; ++face) {
+      const std::int32_t other = beyond[face];
+      if (other < 0 || std::find(beyond.begin(), beyond.begin() + face, other) == beyond.begin() + face) continue;
+      if (have_same_nodes(hexahedra[element], hexahedra[static_cast<std::size_t>(other)]))
+        throw InputError(message_of("mesh: elements ", element, " and ", other, " have the same nodes"));
+    }
+  }
+}
+
 std::int32_t checked_node_count(const std::vector<Hexahedron>& hexahedra) {
   std::int32_t highest = -1;
   for (std::size_t element = 0; element < hexahedra.size(); ++element)
@@ -125,6 +144,7 @@ std::vector<std::array<std::int32_t, 6>> face_neighbours(const std::vector<Hexah
       ++i;
     }
   }
+  check_twins(hexahedra, neighbours);
   return neighbours;
 }
 

@@ -19,7 +19,8 @@
  *
  * Each update is followed by exactly one pinball_contact_add_forces.
  *
- * **Units** are any consistent set. **Numbers** of one instance are all double or all float. **Indices** of nodes count
+ * **Units** are any consistent set. **Numbers** of one instance are all double or all float. Those that contact reads of
+ * positions, velocities and forces are finite, and so are their squares: this is checked where they are read. **Indices** of nodes count
  * from `first_index`. **Bodies**: nodes of different bodies may touch; nodes of one body do where they were well apart in
  * the undeformed mesh (option `self`).
  *
@@ -64,10 +65,10 @@ enum pinball_contact_status {
   PINBALL_CONTACT_BAD_OPTION = 3,    /**< an option has no such value, or does not go with another */
   PINBALL_CONTACT_BAD_COUNT = 4,     /**< a count or a stride that cannot be */
   PINBALL_CONTACT_BAD_INDEX = 5,     /**< an index out of range */
-  PINBALL_CONTACT_BAD_NUMBER = 6,    /**< not finite, or a mass, volume, radius or modulus that is not positive */
-  PINBALL_CONTACT_BAD_MESH = 7,      /**< elements that cannot be neighbours: three at one face */
+  PINBALL_CONTACT_BAD_NUMBER = 6,    /**< see "Numbers"; or a mass, volume, radius or modulus that is not positive */
+  PINBALL_CONTACT_BAD_MESH = 7,      /**< elements that cannot be neighbours: three at one face, two the same */
   PINBALL_CONTACT_BAD_ORDER = 8,     /**< a call out of its turn in the step */
-  PINBALL_CONTACT_OUT_OF_MEMORY = 9,
+  PINBALL_CONTACT_OUT_OF_MEMORY = 9, /**< an instance that was made is of no use any more, but for its message */
   PINBALL_CONTACT_FAILED = 10        /**< an internal check failed: the instance is of no use any more */
 };
 
@@ -90,9 +91,10 @@ enum pinball_contact_radius { PINBALL_CONTACT_RADIUS_INITIAL = 0, PINBALL_CONTAC
 /** What a message is about. */
 enum pinball_contact_log_level { PINBALL_CONTACT_NOTE = 0, PINBALL_CONTACT_ERROR = 1 };
 
-/** Told what an instance has to say; message: valid during the call only. */
+/** Told what an instance has to say; message: valid during the call only. It returns: what it throws goes no further. */
 typedef void (*pinball_contact_log_hook)(void *user, int level, const char *message);
-/** Told of an internal check that failed, before the call returns PINBALL_CONTACT_FAILED. It may end the program. */
+/** Told of an internal check that failed, before the call returns PINBALL_CONTACT_FAILED. It may end the program;
+ * what it throws goes no further. */
 typedef void (*pinball_contact_assert_hook)(void *user, const char *expression, const char *file, int line);
 
 /** Settings of an instance. To be filled by pinball_contact_options_init first. */

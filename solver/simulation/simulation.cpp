@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cmath>
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
@@ -73,6 +74,7 @@ bool Simulation::step() {
 }
 
 bool Simulation::run_until(double time) {
+  if (std::isnan(time)) throw InputError("run_until: expected a time, got nan");
   while (this->time() < time * (1 - 1e-12)) {
     if (!step()) return false;
   }

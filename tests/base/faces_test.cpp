@@ -92,6 +92,22 @@ TEST(Faces, SurfaceIsClosedAndOfTheTopologyOfASphere) {
   }
 }
 
+TEST(Faces, OfTheSameElementTwiceAreRefused) {
+  Hexahedra hexahedra = generate_block({{1, 1, 1}, {1, 1, 2}}).hexahedra;
+  const auto twin = hexahedra[1];
+  const std::array turned{twin[1], twin[2], twin[3], twin[0], twin[5], twin[6], twin[7], twin[4]};
+  for (const auto& other : {twin, turned}) {
+    try {
+      face_neighbours({twin, other});
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "mesh: elements 0 and 1 have the same nodes");
+    }
+  }
+  // A ring of three: each shares a face with each.
+  EXPECT_NO_THROW(face_neighbours({{0, 1, 3, 2, 4, 5, 7, 6}, {2, 3, 9, 8, 6, 7, 11, 10}, {8, 9, 1, 0, 10, 11, 5, 4}}));
+}
+
 TEST(Faces, NameTheElementOfABadFace) {
   Hexahedra hexahedra = generate_block({{1, 1, 1}, {1, 1, 2}}).hexahedra;
   hexahedra.push_back({4, 5, 7, 6, 12, 13, 15, 14});  // a second element on top of the first

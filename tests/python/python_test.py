@@ -131,6 +131,12 @@ class Arrays(unittest.TestCase):
         for body, before in zip(s.bodies, (0.1, 0.0)):  # velocities are half a step behind
             self.assertAlmostEqual(body.velocity[0], before + 2 * (s.time - s.dt / 2), delta=1e-9)
 
+    def test_wrong_calls_are_named(self):
+        with self.assertRaisesRegex(pinball.InputError, "run_until: expected a time, got nan"):
+            self.simulation.run_until(np.nan)
+        with self.assertRaisesRegex(pinball.InputError, "threads: expected an integer"):
+            pinball.Simulation(pinball.read_scene("two_bars"), threads=2**31 - 1)
+
     def test_copies_fill_arrays_of_the_caller(self):
         s = self.simulation
         s.run_until(5.5)

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -124,13 +125,15 @@ TEST(WrongCalls, AreNamed) {
   EXPECT_EQ(input_error([&] { simulation.copy(NodeField::mass, ArrayView{}); }),
             "copy: to: expected an array, got a null pointer");
   EXPECT_EQ(input_error([&] { simulation.nodes_of("c"); }), "body: there is no body named \"c\"");
+  EXPECT_EQ(input_error([&] { simulation.run_until(std::nan("")); }), "run_until: expected a time, got nan");
+  EXPECT_EQ(simulation.steps(), 0);
   EXPECT_EQ(input_error([&] { simulation.on_step(nullptr); }), "on_step: expected a function, got none");
   Scene scene = impact();
   scene.time.subcycling = true;
   Simulation subcycled(scene);
   EXPECT_EQ(input_error([&] { subcycled.velocities_to_change(); }),
             "velocities: expected time.subcycling = false, with it they cannot be changed");
-  for (const int threads : {-1, 4097}) {
+  for (const int threads : {-1, 4097, std::numeric_limits<int>::max()}) {
     EXPECT_EQ(input_error([&] { const Simulation none(scene, {threads}); }),
               "threads: expected an integer >= 0 and <= 4096, got " + std::to_string(threads));
   }

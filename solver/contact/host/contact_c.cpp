@@ -24,19 +24,32 @@ struct pinball_contact {
 
 namespace {
 
+/// What hooks throw goes no further: they are told, and not asked.
+template <class Hook>
+void call_hook(const Hook& hook) noexcept {
+  try {
+    hook();
+  } catch (...) {
+  }
+}
+
+void tell(const pinball_contact& of, pinball_contact_log_level level, const char* message) noexcept {
+  if (of.log != nullptr) call_hook([&] { of.log(of.log_user, level, message); });
+}
+
 int fail(pinball_contact& of, pinball_contact_status status, const char* message) noexcept {
   try {
     of.message = message;
   } catch (...) {  // without memory for it
     of.message.clear();
   }
-  if (of.log != nullptr) of.log(of.log_user, PINBALL_CONTACT_ERROR, message);
+  tell(of, PINBALL_CONTACT_ERROR, message);
   return status;
 }
 
 int fail_check(pinball_contact& of, const char* expression, int line) noexcept {
   of.broken = true;
-  if (of.failed != nullptr) of.failed(of.failed_user, expression, __FILE__, line);
+  if (of.failed != nullptr) call_hook([&] { of.failed(of.failed_user, expression, __FILE__, line); });
   return fail(of, PINBALL_CONTACT_FAILED, expression);
 }
 
@@ -56,6 +69,8 @@ int guarded(pinball_contact& of, const Work& work) noexcept {
     return fail(of, PINBALL_CONTACT_OUT_OF_MEMORY, "out of memory");
   } catch (const std::exception& error) {
     return fail_check(of, error.what(), __LINE__);
+  } catch (...) {
+    return fail_check(of, "nothing unknown is thrown", __LINE__);
   }
 }
 
@@ -102,7 +117,7 @@ int pinball_contact_create(const pinball_contact_options* options, const pinball
     if (of.log != nullptr) {
       const std::string note =
           pinball::message_of(of.contact->surface_elements(), " elements and spheres with an exposed face");
-      of.log(of.log_user, PINBALL_CONTACT_NOTE, note.c_str());
+      tell(of, PINBALL_CONTACT_NOTE, note.c_str());
     }
     return PINBALL_CONTACT_OK;
   });

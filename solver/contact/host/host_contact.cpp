@@ -15,20 +15,18 @@ namespace pinball {
 
 namespace {
 
-template <class Vectors>
-void require_vectors(const Vectors& vectors, const char* name) {
+template <class S, class Vectors>
+void require_vectors(const Vectors& vectors, std::int64_t nodes, const char* name) {
   for (const void* component : {static_cast<const void*>(vectors.x), static_cast<const void*>(vectors.y),
                                 static_cast<const void*>(vectors.z)}) {
     require_pointer(component, name);
   }
-  if (vectors.stride < 1) {
-    throw HostError(PINBALL_CONTACT_BAD_COUNT, name, ".stride: expected 1 or more, got ", vectors.stride);
-  }
+  require_stride<S>(vectors.stride, nodes, message_of(name, ".").c_str());
 }
 
 void require_step(double dt, const char* name) {
-  if (dt >= 0 && std::isfinite(dt)) return;
-  throw HostError(PINBALL_CONTACT_BAD_NUMBER, name, ": expected a number >= 0, got ", dt);
+  if (dt >= 0 && is_sound(dt)) return;
+  throw HostError(PINBALL_CONTACT_BAD_NUMBER, name, ": expected a number >= 0 with a finite square, got ", dt);
 }
 
 template <class S>
@@ -61,7 +59,7 @@ class HostContactOf final : public HostContact {
 
   pinball_contact_result add_forces(const pinball_contact_arrays* arrays, double dt_after) override {
     check(arrays);
-    require_vectors(arrays->force, "arrays->force");
+    require_vectors<S>(arrays->force, source_.node_count, "arrays->force");
     check_force_records(*arrays);
     require_step(dt_after, "dt_after");
     if (!updated_) throw HostError(PINBALL_CONTACT_BAD_ORDER, "add_forces: expected update before it");
@@ -77,10 +75,10 @@ class HostContactOf final : public HostContact {
   std::int32_t surface_elements() const override { return contact_->surface_elements(); }
 
  private:
-  static void check(const pinball_contact_arrays* arrays) {
+  void check(const pinball_contact_arrays* arrays) const {
     require_version(arrays, "arrays");
-    require_vectors(arrays->position, "arrays->position");
-    require_vectors(arrays->velocity, "arrays->velocity");
+    require_vectors<S>(arrays->position, source_.node_count, "arrays->position");
+    require_vectors<S>(arrays->velocity, source_.node_count, "arrays->velocity");
   }
 
   static void check_force_records(const pinball_contact_arrays& arrays) {

@@ -22,6 +22,9 @@ class HostError : public std::exception {
   std::string message_;
 };
 
+/// What messages say of numbers that are not finite, or too large.
+inline constexpr const char* unsound = ": expected numbers whose squares are finite";
+
 inline void require_pointer(const void* pointer, const char* name) {
   if (pointer == nullptr) throw HostError(PINBALL_CONTACT_NULL_POINTER, name, ": is null");
 }

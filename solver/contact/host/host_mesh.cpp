@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <solver/base/tile_size.hpp>
 
@@ -199,6 +200,24 @@ void HostMesh<S>::check_held() const {
     throw HostError(PINBALL_CONTACT_BAD_NUMBER, "mesh->held_direction: entry ", i,
                     " is not of unit length: ", std::sqrt(length2));
   }
+  check_held_of_nodes();
+}
+
+/// Two directions of a node that are not orthogonal would take away more than there is.
+template <class S>
+void HostMesh<S>::check_held_of_nodes() const {
+  const std::vector<HeldDirection> held = this->held();
+  std::vector<std::size_t> by_node(held.size());
+  std::iota(by_node.begin(), by_node.end(), std::size_t(0));
+  std::stable_sort(by_node.begin(), by_node.end(), [&](auto a, auto b) { return held[a].node < held[b].node; });
+  for (std::size_t i = 0; i < by_node.size(); ++i) {
+    for (std::size_t j = i; j-- > 0 && held[by_node[j]].node == held[by_node[i]].node;) {
+      const Point &a = held[by_node[j]].normal, &b = held[by_node[i]].normal;
+      if (std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) < 1e-5) continue;
+      throw HostError(PINBALL_CONTACT_BAD_NUMBER, "mesh->held_direction: entries ", by_node[j], " and ", by_node[i],
+                      " are of one node and not orthogonal");
+    }
+  }
 }
 
 template <class S>
@@ -220,9 +239,7 @@ template <class S>
 void HostMesh<S>::check_nodes(const HostVectors<S>& position) const {
   require_pointer(mesh_.mass, "mesh->mass");
   if (position.x == nullptr || position.y == nullptr || position.z == nullptr) require_pointer(nullptr, "position");
-  if (position.stride < 1) {
-    throw HostError(PINBALL_CONTACT_BAD_COUNT, "position->stride: expected 1 or more, got ", position.stride);
-  }
+  require_stride<S>(position.stride, mesh_.node_count, "position->");
   for (std::int32_t e = 0; e < all(); ++e) {
     for (const std::int32_t node : corners(e)) {
       const S inverse = static_cast<S>(1.0 / mass(node));
@@ -230,8 +247,9 @@ void HostMesh<S>::check_nodes(const HostVectors<S>& position) const {
         throw HostError(PINBALL_CONTACT_BAD_NUMBER, "mesh->mass[", node, "]: expected a number > 0, got ", mass(node));
       }
       const std::array<S, 3> x = position[node];
-      if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2])) continue;
-      throw HostError(PINBALL_CONTACT_BAD_NUMBER, "position: node ", node, " is at ", x[0], ", ", x[1], ", ", x[2]);
+      if (is_sound(x)) continue;
+      throw HostError(PINBALL_CONTACT_BAD_NUMBER, "position: node ", node, " is at ", x[0], ", ", x[1], ", ", x[2],
+                      unsound);
     }
   }
 }

@@ -1,13 +1,36 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <solver/contact/contact.h>
 #include <solver/contact/surface/surface_source.hpp>
 
+#include "host_error.hpp"
+
 namespace pinball {
+
+/// Whether a number of a host can be computed with: finite, and its square, too.
+template <class S>
+bool is_sound(S number) {
+  return std::isfinite(number * number);
+}
+template <class S>
+bool is_sound(const std::array<S, 3>& vector) {
+  return is_sound(vector[0]) && is_sound(vector[1]) && is_sound(vector[2]);
+}
+
+/// Throws HostError for a stride that leads out of what memory can have.
+template <class S>
+void require_stride(std::int64_t stride, std::int64_t nodes, const char* name) {
+  const std::int64_t most = std::numeric_limits<std::ptrdiff_t>::max() / static_cast<std::ptrdiff_t>(sizeof(S)) / nodes;
+  if (stride >= 1 && stride <= most) return;
+  throw HostError(PINBALL_CONTACT_BAD_COUNT, name, "stride: expected 1 ... ", most, ", got ", stride);
+}
 
 /// One vector per node in the arrays of a host.
 template <class S>
@@ -71,6 +94,7 @@ class HostMesh {
   void check_elements() const;
   void check_spheres();
   void check_held() const;
+  void check_held_of_nodes() const;
   void check_tiles() const;
   void check_nodes(const HostVectors<S>& position) const;
 

@@ -23,13 +23,19 @@ double undeformed_volume(const ContactElement& element) {
   return hexahedron_volume(uniform_gradient(modes), modes);
 }
 
-/// Whether some of many records of four are not finite: the zeros summed are numbers no more. Two sums, so that one
-/// need not wait for the other; of whole records, which is one instruction.
 template <class S>
-class FiniteCheck {
+[[noreturn]] void throw_unsound(const char* name, std::int32_t node, const std::array<S, 3>& v) {
+  throw HostError(PINBALL_CONTACT_BAD_NUMBER, "arrays->", name, ": node ", node, " has ", v[0], ", ", v[1], ", ", v[2],
+                  unsound);
+}
+
+/// Whether some of many records of four are not sound: the zeros summed are numbers no more. Two sums, so that one need
+/// not wait for the other; of whole records, which is one instruction.
+template <class S>
+class SoundCheck {
  public:
   void add(const S (&v)[4], std::int64_t i) {
-    for (std::size_t k = 0; k < 4; ++k) zero_[i & 1][k] += S(0) * v[k];
+    for (std::size_t k = 0; k < 4; ++k) zero_[i & 1][k] += S(0) * (v[k] * v[k]);
   }
   bool fails() const {
     S sum = 0;
@@ -136,8 +142,10 @@ InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool wi
     if (e >= mesh_.elements()) {
       topology.exposed[slot] = 0x3F;
     } else {
-      if (mesh_.element_volumes() == nullptr && !(undeformed_volume(element(static_cast<std::int64_t>(slot))) > 0)) {
-        throw HostError(PINBALL_CONTACT_BAD_NUMBER, "position: element ", e, " of mesh->corners has no volume");
+      const double volume = element(static_cast<std::int64_t>(slot)).volume;
+      if (!(volume > 0) || !std::isfinite(volume)) {
+        throw HostError(PINBALL_CONTACT_BAD_NUMBER, "position: element ", e,
+                        " of mesh->corners has no volume > 0: ", volume);
       }
       const unsigned hidden = mesh_.hidden_faces() != nullptr ? mesh_.hidden_faces()[e] : 0U;
       for (unsigned f = 0; f < 6; ++f) {
@@ -209,7 +217,7 @@ const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<
   parallel_reduce(
       "gather nodes", RangePolicy<>{0, static_cast<std::int64_t>(nodes.size())}, wrong,
       [&](std::int64_t begin, std::int64_t end, bool& partial) {
-        FiniteCheck<S> check;
+        SoundCheck<S> check;
         for (std::int64_t i = begin; i < end; ++i) {
           const std::int32_t node = nodes[i];
           S v[4];
@@ -228,9 +236,7 @@ const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<
       [](bool& whole, bool partial) { whole = whole || partial; });
   for (std::size_t i = 0; wrong && i < nodes.size(); ++i) {
     const std::array<S, 3> v = vectors[nodes[i]];
-    if (std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2])) continue;
-    throw HostError(PINBALL_CONTACT_BAD_NUMBER, "arrays->", name, ": node ", nodes[i], " has ", v[0], ", ", v[1], ", ",
-                    v[2]);
+    if (!is_sound(v)) throw_unsound(name, nodes[i], v);
   }
   return in_place ? vectors.x : records.data();
 }
@@ -261,22 +267,20 @@ void HostSurface<S>::gather_impulse_nodes(const pinball_contact_arrays& arrays,
   if (nodes.empty()) return;
   this->velocity = gather(arrays.velocity, velocities_, nodes, "velocity");
   gather_forces(arrays, nodes);
-  for (const std::int32_t node : nodes) {
-    const S* const f = this->f(node);
-    if (std::isfinite(f[0]) && std::isfinite(f[1]) && std::isfinite(f[2])) continue;
-    throw HostError(PINBALL_CONTACT_BAD_NUMBER, "arrays->force: node ", node, " has ", f[0], ", ", f[1], ", ", f[2]);
-  }
 }
 
 template <class S>
 void HostSurface<S>::gather_forces(const pinball_contact_arrays& arrays, const std::vector<std::int32_t>& nodes) {
+  const HostVectors<S> host({arrays.force.x, arrays.force.y, arrays.force.z, arrays.force.stride});
+  for (const std::int32_t node : nodes) {
+    if (!is_sound(host[node])) throw_unsound("force", node, host[node]);
+  }
   if (arrays.force_records == 1) {
     this->force = static_cast<S*>(arrays.force.x);
     return;
   }
   if (forces_.empty()) forces_.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
   this->force = forces_.data();
-  const HostVectors<S> host({arrays.force.x, arrays.force.y, arrays.force.z, arrays.force.stride});
   for (const std::int32_t node : nodes) {
     const std::array<S, 3> f = host[node];
     const S start[4] = {f[0], f[1], f[2], 0};

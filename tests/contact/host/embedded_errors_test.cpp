@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -144,6 +145,25 @@ TEST(EmbeddedErrors, OfCreationNameTheArgument) {
       {"radius", [](Case& c) { c.sphere_radius[0] = -0.3; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->sphere_radius[0]"},
       {"held", [](Case& c) { c.held_node[0] = 17; }, PINBALL_CONTACT_BAD_INDEX, "mesh->held_node[0]"},
       {"direction", [](Case& c) { c.held_direction[2] = 2; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->held_direction"},
+      {"two directions",
+       [](Case& c) {
+         c.held_node = {3, 2, 3}, c.held_direction = {0, 0, 1, 0, 0, 1, 0, 0.6, 0.8};
+         c.mesh.held_count = 3, c.mesh.held_node = c.held_node.data(), c.mesh.held_direction = c.held_direction.data();
+       },
+       PINBALL_CONTACT_BAD_NUMBER, "mesh->held_direction: entries 0 and 2 are of one node and not orthogonal"},
+      {"the same element twice", [](Case& c) { std::copy_n(c.corners.begin(), 8, c.corners.begin() + 8); },
+       PINBALL_CONTACT_BAD_MESH, "elements 0 and 1 have the same nodes"},
+      {"far stride", [](Case& c) { c.start.stride = std::int64_t{1} << 58; }, PINBALL_CONTACT_BAD_COUNT,
+       "position->stride"},
+      {"far away", [](Case& c) { c.position[3 * 7 + 1] = 1e300; }, PINBALL_CONTACT_BAD_NUMBER, "position: node 7"},
+      {"large",
+       [](Case& c) {
+         for (double& x : c.position) x *= 1e120;
+         c.mesh.element_volume = nullptr;
+       },
+       PINBALL_CONTACT_BAD_NUMBER, "position: element 0 of mesh->corners has no volume > 0: inf"},
+      {"most threads", [](Case& c) { c.options.threads = std::numeric_limits<std::int32_t>::max(); },
+       PINBALL_CONTACT_BAD_OPTION, "options->threads"},
       {"tiles", [](Case& c) { c.tiles[1] = 1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->tile_offsets[1]"},
       {"no place", [](Case& c) { c.start.y = nullptr; }, PINBALL_CONTACT_NULL_POINTER, "position"},
       {"stride", [](Case& c) { c.start.stride = 0; }, PINBALL_CONTACT_BAD_COUNT, "position->stride"},
@@ -234,6 +254,9 @@ TEST(EmbeddedErrors, OfUpdateLeaveEverythingAsItWas) {
       {"place", [](Case& c) { c.position[3 * 9 + 2] = nan; }, PINBALL_CONTACT_BAD_NUMBER, "arrays->position: node 9"},
       {"far", [](Case& c) { c.position[3 * 16] = infinite; }, PINBALL_CONTACT_BAD_NUMBER, "arrays->position: node 16"},
       {"speed", [](Case& c) { c.velocity[0] = nan; }, PINBALL_CONTACT_BAD_NUMBER, "arrays->velocity: node 0"},
+      {"far stride", [](Case& c) { c.arrays.position.stride = std::int64_t{1} << 59; }, PINBALL_CONTACT_BAD_COUNT,
+       "arrays->position.stride"},
+      {"fast", [](Case& c) { c.velocity[3 * 8] = -1e300; }, PINBALL_CONTACT_BAD_NUMBER, "arrays->velocity: node 8"},
       {"step", [](Case& c) { c.dt_before = -1; }, PINBALL_CONTACT_BAD_NUMBER, "dt_before"},
   };
   expect_harmless(all, PINBALL_CONTACT_PENALTY, true);
@@ -247,9 +270,14 @@ TEST(EmbeddedErrors, OfAddForcesLeaveEverythingAsItWas) {
       {"records", [](Case& c) { c.arrays.force_records = 1; }, PINBALL_CONTACT_BAD_OPTION, "arrays->force_records"},
       {"step", [](Case& c) { c.dt_after = nan; }, PINBALL_CONTACT_BAD_NUMBER, "dt_after"},
   };
-  expect_harmless(all, PINBALL_CONTACT_PENALTY, false);
+  all.push_back({"far stride", [](Case& c) { c.arrays.force.stride = std::numeric_limits<std::int64_t>::max(); },
+                 PINBALL_CONTACT_BAD_COUNT, "arrays->force.stride"});
+  all.push_back({"long step", [](Case& c) { c.dt_after = 1e300; }, PINBALL_CONTACT_BAD_NUMBER, "dt_after"});
   all.push_back(
       {"force", [](Case& c) { c.force[3 * 4 + 1] = nan; }, PINBALL_CONTACT_BAD_NUMBER, "arrays->force: node 4"});
+  all.push_back({"large force", [](Case& c) { c.force[3 * 4 + 1] = 1e300; }, PINBALL_CONTACT_BAD_NUMBER,
+                 "arrays->force: node 4"});
+  expect_harmless(all, PINBALL_CONTACT_PENALTY, false);
   expect_harmless(all, PINBALL_CONTACT_LAGRANGE, false);
 }
 
@@ -286,12 +314,28 @@ TEST(EmbeddedErrors, HooksAreTold) {
   ASSERT_EQ(told.errors.size(), 1U);
   EXPECT_EQ(told.errors[0], pinball_contact_message(contact));
   EXPECT_TRUE(told.failed.empty());
-  // Velocities whose squares no number can hold: energies overflow, which is checked.
-  for (std::size_t i = 2; i < c.velocity.size(); i += 3) c.velocity[i] = i < 24 ? 1e200 : -1e200;
+  // Energies that no number can hold.
+  for (std::size_t i = 2; i < c.velocity.size(); i += 3) c.velocity[i] = i < 24 ? 1e154 : -1e154;
   EXPECT_EQ(pinball_contact_update(contact, &c.arrays, 1e-4), PINBALL_CONTACT_OK);
   EXPECT_EQ(pinball_contact_add_forces(contact, &c.arrays, 1e-4, nullptr), PINBALL_CONTACT_FAILED);
   EXPECT_EQ(told.failed.size(), 1U);
   EXPECT_EQ(pinball_contact_update(contact, &c.arrays, 1e-4), PINBALL_CONTACT_FAILED) << "it is of no use any more";
+  pinball_contact_destroy(contact);
+}
+
+TEST(EmbeddedErrors, WhatHooksThrowGoesNoFurther) {
+  Case c;
+  c.options.log = [](void*, int, const char*) { throw std::runtime_error("of the host"); };
+  c.options.failed = [](void*, const char*, const char*, int) { throw 7; };
+  pinball_contact* contact = nullptr;
+  ASSERT_EQ(pinball_contact_create(&c.options, &c.mesh, &c.start, &contact), PINBALL_CONTACT_OK);
+  EXPECT_EQ(pinball_contact_update(contact, nullptr, 0), PINBALL_CONTACT_NULL_POINTER);
+  EXPECT_STREQ(pinball_contact_message(contact), "arrays: is null");
+  ASSERT_EQ(pinball_contact_update(contact, &c.arrays, 0), PINBALL_CONTACT_OK);
+  EXPECT_EQ(pinball_contact_add_forces(contact, &c.arrays, 1e-4, nullptr), PINBALL_CONTACT_OK);
+  for (std::size_t i = 2; i < c.velocity.size(); i += 3) c.velocity[i] = i < 24 ? 1e154 : -1e154;
+  EXPECT_EQ(pinball_contact_update(contact, &c.arrays, 1e-4), PINBALL_CONTACT_OK);
+  EXPECT_EQ(pinball_contact_add_forces(contact, &c.arrays, 1e-4, nullptr), PINBALL_CONTACT_FAILED);
   pinball_contact_destroy(contact);
 }
 
