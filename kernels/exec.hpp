@@ -100,28 +100,36 @@ void parallel_for_coloured(const char* /*name*/, Serial /*space*/, const std::in
 
 #if defined(_OPENMP)
 
-/// Calls part(begin, end) for parts of the range, on the threads of a team.
-template <class Part>
-void run_parts(std::int64_t begin, std::int64_t end, const Part& part) {
-  const RangeWork work = [](const void* of, std::int64_t first, std::int64_t last) {
-    (*static_cast<const Part*>(of))(first, last);
-  };
-  ThreadTeam::of_this_thread().run(Threads::of_region(), begin, end, work, &part);
-}
+/// Work on a range of indices, for a team. A type with a name: so has its machine code, which tools look for.
+template <class Body>
+struct RangeOf {
+  const Body& body;
+  static void work(const void* of, std::int64_t begin, std::int64_t end) {
+    const Body& body = static_cast<const RangeOf*>(of)->body;
+    for (std::int64_t i = begin; i < end; ++i) body(i);
+  }
+};
 
 template <class Body>
 void parallel_for(const char* /*name*/, RangePolicy<Threads> range, const Body& body) {
-  run_parts(range.begin, range.end, [&body](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t i = begin; i < end; ++i) body(i);
-  });
+  const RangeOf<Body> work{body};
+  ThreadTeam::of_this_thread().run(Threads::of_region(), range.begin, range.end, &RangeOf<Body>::work, &work);
 }
+
+/// The items of a colour.
+template <class Body>
+struct ItemsOf {
+  const std::int32_t* items;
+  const Body& body;
+  void operator()(std::int64_t i) const { body(items[i]); }
+};
 
 template <class Body>
 void parallel_for_coloured(const char* name, Threads /*space*/, const std::int32_t* colour_offsets,
                            std::int32_t colours, const std::int32_t* items, const Body& body) {
   for (std::int32_t c = 0; c < colours; ++c) {
-    parallel_for(name, RangePolicy<Threads>{colour_offsets[c], colour_offsets[c + 1]},
-                 [&](std::int64_t i) { body(items[i]); });
+    const RangePolicy<Threads> range{colour_offsets[c], colour_offsets[c + 1]};
+    parallel_for(name, range, ItemsOf<Body>{items, body});
   }
 }
 
@@ -156,13 +164,22 @@ void parallel_for_coloured(const char* /*name*/, OpenMP /*space*/, const std::in
   failure.rethrow();
 }
 
+/// A piece of a sum.
+template <class Value, class Body>
+struct PieceOf {
+  std::int64_t begin, count;
+  Value* partial;
+  const Body& body;
+  void operator()(std::int64_t p) const {
+    body(begin + count * p / fixed_pieces, begin + count * (p + 1) / fixed_pieces, partial[p]);
+  }
+};
+
 template <class Space, class Value, class Body, class Join>
 void parallel_reduce(const char* name, RangePolicy<Space> range, Value& result, const Body& body, const Join& join) {
-  const std::int64_t count = range.end - range.begin;
   Value partial[fixed_pieces]{};
-  parallel_for(name, RangePolicy<Space>{0, fixed_pieces}, [&](std::int64_t p) {
-    body(range.begin + count * p / fixed_pieces, range.begin + count * (p + 1) / fixed_pieces, partial[p]);
-  });
+  parallel_for(name, RangePolicy<Space>{0, fixed_pieces},
+               PieceOf<Value, Body>{range.begin, range.end - range.begin, partial, body});
   for (std::int64_t p = 0; p < fixed_pieces; ++p) join(result, partial[p]);
 }
 

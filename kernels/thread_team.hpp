@@ -243,7 +243,7 @@ class ThreadTeam {
 
   /// Calls work(of, ...) for pieces that make up the range, with up to so many threads, and returns when all is done.
   /// Throws what the piece that comes first in the range has thrown.
-  void run(int threads, std::int64_t begin, std::int64_t end, RangeWork work, const void* of) {
+  [[gnu::noinline]] void run(int threads, std::int64_t begin, std::int64_t end, RangeWork work, const void* of) {
     if (threads > end - begin) threads = static_cast<int>(end - begin);
     bool& inside = ThreadCrew::inside_region();
     if (threads <= 1 || inside || !has_crew(threads)) {
