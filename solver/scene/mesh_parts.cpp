@@ -25,19 +25,18 @@ std::vector<int> refined(const SceneTable& table, std::string_view key, const st
 }
 
 /// A mesh that could never be run. `elements` is a product that may not fit an integer.
-void check_count(const SceneTable& table, std::string_view key, double elements) {
+void check_count(const SceneTable& table, std::string_view key, double elements, const MeshScale& scale) {
   constexpr double most = 5e8;  // nodes are numbered with 32 bits, and have four numbers each
   if (elements > most) table.fail(key, fmt::format("{:.3g} elements are more than a mesh can hold", elements));
-  constexpr double least_bytes = 400;  // of an element with its nodes, in single precision and without contact
-  const double memory = memory_bytes(), needed = elements * least_bytes;
+  const double memory = memory_bytes(), needed = elements * scale.least_bytes;
   if (memory > 0 && needed > memory) {
     table.fail(key, fmt::format("{:.3g} elements are more than this machine's memory can hold: expected at most {:.3g} "
                                 "for {:.3g} GiB",
-                                elements, memory / least_bytes, memory / 1073741824.0));
+                                elements, memory / scale.least_bytes, memory / 1073741824.0));
   }
 }
 
-MeshSettings read_block(const SceneTable& table, int refine) {
+MeshSettings read_block(const SceneTable& table, const MeshScale& scale) {
   BlockMesh mesh;
   const auto lengths = table.lists("size", positive);
   const auto elements = table.integer_lists("elements", 1);
@@ -47,7 +46,7 @@ MeshSettings read_block(const SceneTable& table, int refine) {
       table.fail("elements", fmt::format("expected as many sections as of size along {}, {}, got {}", "xyz"[k],
                                          lengths[k].size(), elements[k].size()));
     }
-    const std::vector<int> counts = refined(table, "elements", elements[k], refine);
+    const std::vector<int> counts = refined(table, "elements", elements[k], scale.refine);
     double along = 0.0;
     for (std::size_t s = 0; s < counts.size(); ++s) {
       mesh.size[k] += lengths[k][s];
@@ -55,13 +54,13 @@ MeshSettings read_block(const SceneTable& table, int refine) {
       if (counts.size() > 1) mesh.sections[k].push_back({lengths[k][s], counts[s]});
     }
     count *= along;
-    check_count(table, "elements", count);
+    check_count(table, "elements", count, scale);
     mesh.elements[k] = static_cast<int>(along);
   }
   return mesh;
 }
 
-MeshSettings read_rod(const SceneTable& table, int refine) {
+MeshSettings read_rod(const SceneTable& table, const MeshScale& scale) {
   RoundNosedRodMesh mesh;
   mesh.radius = table.number("radius", positive);
   mesh.length = table.number("length", positive);
@@ -72,12 +71,12 @@ MeshSettings read_rod(const SceneTable& table, int refine) {
   mesh.half = table.boolean("half", mesh.half);
   std::vector<std::int64_t> core(mesh.core.begin(), mesh.core.end());
   if (table.has("core")) core = table.integers("core", 2, 1);
-  const auto core_counts = refined(table, "core", core, refine);
+  const auto core_counts = refined(table, "core", core, scale.refine);
   std::copy_n(core_counts.begin(), 2, mesh.core.begin());
-  mesh.ring = refined(table, "ring", {table.integer("ring", 1, mesh.ring)}, refine)[0];
-  mesh.layers = refined(table, "layers", {table.integer("layers", 1)}, refine)[0];
+  mesh.ring = refined(table, "ring", {table.integer("ring", 1, mesh.ring)}, scale.refine)[0];
+  mesh.layers = refined(table, "layers", {table.integer("layers", 1)}, scale.refine)[0];
   const double across = (static_cast<double>(mesh.core[0]) + 2.0 * mesh.ring) * (mesh.core[1] + 2.0 * mesh.ring);
-  check_count(table, "layers", across * (static_cast<double>(mesh.layers) + mesh.ring));
+  check_count(table, "layers", across * (static_cast<double>(mesh.layers) + mesh.ring), scale);
   return mesh;
 }
 
@@ -111,84 +110,96 @@ int read_core(const SceneTable& table, Section section, int refine) {
   return refined(table, "core", {count}, refine)[0];
 }
 
-MeshSettings read_cylinder(const SceneTable& table, int refine) {
+MeshSettings read_cylinder(const SceneTable& table, const MeshScale& scale) {
   CylinderMesh mesh;
   mesh.radius = table.number("radius", positive);
   mesh.length = table.number("length", positive);
   mesh.section = read_section(table);
-  mesh.layers = refined_count(table, "layers", 0, refine);
+  mesh.layers = refined_count(table, "layers", 0, scale.refine);
   double section = 0.0;
   if (mesh.section == Section::wedge) {
     require_absent(table, {"core", "ring"}, "where section = \"wedge\", which has radial");
     mesh.angle = read_angle(table);
-    mesh.radial = refined_count(table, "radial", 0, refine);
+    mesh.radial = refined_count(table, "radial", 0, scale.refine);
     section = mesh.radial;
   } else {
     require_absent(table, {"angle", "radial"}, "where section is not \"wedge\"");
-    mesh.core = read_core(table, mesh.section, refine);
-    mesh.ring = refined_count(table, "ring", 1, refine);
+    mesh.core = read_core(table, mesh.section, scale.refine);
+    mesh.ring = refined_count(table, "ring", 1, scale.refine);
     section = mesh.core * (mesh.core + 4.0 * mesh.ring);
   }
-  check_count(table, "layers", section * mesh.layers);
+  check_count(table, "layers", section * mesh.layers, scale);
   return mesh;
 }
 
-MeshSettings read_sphere(const SceneTable& table, int refine) {
+MeshSettings read_sphere(const SceneTable& table, const MeshScale& scale) {
   SphereMesh mesh;
   mesh.radius = table.number("radius", positive);
   mesh.section = read_section(table);
-  mesh.ring = refined_count(table, "ring", 1, refine);
+  mesh.ring = refined_count(table, "ring", 1, scale.refine);
   mesh.grading = table.number("grading", {.low = 0.0, .low_open = true, .high = 1.0}, mesh.grading);
   double elements = 0.0;
   if (mesh.section == Section::wedge) {
     mesh.angle = read_angle(table);
-    const auto core = refined(table, "core", table.integers("core", 2, 1), refine);
+    const auto core = refined(table, "core", table.integers("core", 2, 1), scale.refine);
     std::copy_n(core.begin(), 2, mesh.core.begin());
     elements = (mesh.core[0] + static_cast<double>(mesh.ring)) * (mesh.core[1] + 2.0 * mesh.ring);
   } else {
     require_absent(table, {"angle"}, "where section is not \"wedge\"");
-    const int core = read_core(table, mesh.section, refine);
+    const int core = read_core(table, mesh.section, scale.refine);
     mesh.core = {core, core};
     elements = static_cast<double>(core) * core * (core + 6.0 * mesh.ring);
   }
-  check_count(table, "core", elements);
+  check_count(table, "core", elements, scale);
   return mesh;
 }
 
 /// part_key: what the format calls a part.
-MeshSettings read_file(const SceneTable& table, int refine, MeshFormat format, std::string_view part_key) {
+MeshSettings read_file(const SceneTable& table, const MeshScale& scale, MeshFormat format, std::string_view part_key) {
   FileMesh mesh;
   mesh.format = format;
   mesh.file = table.text("file");
   mesh.part = table.text(part_key, "");
   mesh.scale = table.number("scale", positive, mesh.scale);
-  if (refine > 1)
+  if (scale.refine > 1)
     table.fail("file", fmt::format("--refine {}: expected 1, a mesh from a file cannot be refined; Gmsh itself can "
                                    "(gmsh -refine)",
-                                   refine));
+                                   scale.refine));
   return mesh;
 }
 
-MeshSettings read_gmsh(const SceneTable& table, int refine) {
-  return read_file(table, refine, MeshFormat::gmsh, "physical");
+MeshSettings read_gmsh(const SceneTable& table, const MeshScale& scale) {
+  return read_file(table, scale, MeshFormat::gmsh, "physical");
 }
 
-MeshSettings read_keyword(const SceneTable& table, int refine) {
-  return read_file(table, refine, MeshFormat::keyword, "part");
+MeshSettings read_keyword(const SceneTable& table, const MeshScale& scale) {
+  return read_file(table, scale, MeshFormat::keyword, "part");
 }
 
 }  // namespace
 
-MeshSettings read_mesh(const SceneTable& body, int refine) {
+/// Peaks of memory of one step of an elastic cube of 10^6 elements (5 * 10^5 with contact), in single and double
+/// precision: 279 and 433 bytes per element with viscous hourglass forces and nothing else, 370 and 618 with stiffness,
+/// 573 and 850 with bulk viscosity and contact, too. What is assumed is a tenth less.
+double least_bytes_of_element(const Scene& scene) {
+  const double number = scene.precision == Precision::float32 ? sizeof(float) : sizeof(double);
+  const bool state =
+      scene.element.hourglass != HourglassControl::none && scene.element.hourglass != HourglassControl::viscous;
+  const bool contact = scene.contact.method != ContactMethod::none;
+  const double measured = 125 + 38 * number + (state ? 23 * number : 0) + (contact ? 165 + 6 * number : 0);
+  return 0.9 * measured;
+}
+
+MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale) {
   if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
-  using Reader = MeshSettings (*)(const SceneTable&, int);
+  using Reader = MeshSettings (*)(const SceneTable&, const MeshScale&);
   const std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},       {"round_nosed_rod", read_rod},
                                                             {"cylinder", read_cylinder}, {"sphere", read_sphere},
                                                             {"gmsh", read_gmsh},         {"keyword", read_keyword}};
   const SceneTable any = body.table("mesh", "mesh");
   const Reader reader = any.choice<Reader>("type", readers);
   // Read again as that kind, so that the keys of the others are unknown.
-  return reader(body.table("mesh", any.text("type")), refine);
+  return reader(body.table("mesh", any.text("type")), scale);
 }
 
 }  // namespace pinball

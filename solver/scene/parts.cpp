@@ -102,11 +102,11 @@ Material read_material(const SceneTable& table) {
   return material;
 }
 
-Body read_body(const SceneTable& table, int refine) {
+Body read_body(const SceneTable& table, const MeshScale& scale) {
   Body body;
   body.name = table.name("name");
   body.material = table.text("material");
-  body.mesh = read_mesh(table, refine);
+  body.mesh = read_mesh(table, scale);
   table.numbers_into(body);
   if (table.has("axis")) body.axis = read_direction(table, "axis");
   body.velocity_gradient = table.matrix("velocity_gradient");

@@ -13,11 +13,19 @@ Point read_direction(const SceneTable& table, std::string_view key);
 /// One [[material]]. Moduli of either kind become K and G; an elastic material carries no yield or erosion data.
 Material read_material(const SceneTable& table);
 
-/// One [[body]], the element counts of its mesh multiplied by `refine`. Whether its material exists is not checked.
-Body read_body(const SceneTable& table, int refine);
+/// What the mesh of a body is read for.
+struct MeshScale {
+  int refine = 1;          ///< multiplies element counts
+  double least_bytes = 0;  ///< memory that a run takes for an element with its nodes
+};
+/// What the tables of a scene besides its bodies say of that memory.
+double least_bytes_of_element(const Scene& scene);
 
-/// The mesh of a body, its element counts multiplied by `refine`.
-MeshSettings read_mesh(const SceneTable& body, int refine);
+/// One [[body]]. Whether its material exists is not checked.
+Body read_body(const SceneTable& table, const MeshScale& scale);
+
+/// The mesh of a body. Throws InputError for one that this machine's memory cannot hold.
+MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale);
 
 /// One [[constraint]] of type "symmetry", its normal a unit vector. Whether its body exists is not checked.
 PlaneConstraint read_constraint(const SceneTable& table);

@@ -164,8 +164,9 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   }
   const auto bodies = top.tables("body", "body");
   if (bodies.empty()) top.fail("body", "missing, expected at least one [[body]]");
+  const MeshScale scale{overrides.refine, least_bytes_of_element(scene)};
   for (const auto& table : bodies) {
-    Body body = read_body(table, overrides.refine);
+    Body body = read_body(table, scale);
     if (auto* file = std::get_if<FileMesh>(&body.mesh)) find_mesh_file(table, *file, path);
     table.require_none(body_names.add(body.name));
     table.require_none(materials.reference_problem("material", "material", body.material));

@@ -215,7 +215,7 @@ TEST_F(SceneTest, MeshesOfNoSize) {
             "14:81: body.bar.mesh.ring: expected an integer >= 1, got 0");
   EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [2000, 2000, 2000] }")),
             "14:55: body.bar.mesh.elements: 8e+09 elements are more than a mesh can hold");
-  if (memory_bytes() < 400 * 3.43e8) {
+  if (memory_bytes() < 700 * 3.43e8) {
     EXPECT_THAT(
         error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [700, 700, 700] }")),
         testing::StartsWith("14:55: body.bar.mesh.elements: 3.43e+08 elements are more than this machine's memory"));
