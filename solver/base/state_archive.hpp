@@ -58,6 +58,19 @@ class StateArchive {
     if (count(array.size(), sizeof(array[0])) != array.size()) throw_foreign();
     raw(array.data(), array.size() * sizeof(array[0]));
   }
+  /// What is read has to be so: a number that something is found by is never trusted.
+  void require(bool so) const {
+    if (reads() && !so) throw_foreign();
+  }
+  /// The same for all of several numbers: least, ..., end - 1.
+  template <class Numbers>
+  void require_all(const Numbers& numbers, std::int64_t least, std::int64_t end) const {
+    if (!reads()) return;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const auto number = static_cast<std::int64_t>(numbers[i]);
+      if (number < least || number >= end) throw_foreign();
+    }
+  }
   [[noreturn]] static void throw_foreign() {
     throw InputError("the state does not fit the scene: it is damaged, or of another program");
   }
@@ -72,6 +85,12 @@ class StateArchive {
   void value(T& one) {
     static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
     raw(&one, sizeof one);
+  }
+  void value(bool& one) {
+    std::uint8_t there = one ? 1 : 0;
+    value(there);
+    require(there <= 1);
+    one = there != 0;
   }
   template <class A, class B>
   void value(std::pair<A, B>& pair) {

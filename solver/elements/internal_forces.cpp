@@ -85,6 +85,12 @@ std::vector<std::int64_t> eroded_slots(const Model<S>& model, const std::vector<
   return slots;
 }
 
+template <class S>
+void InternalForces<S>::persist(StateArchive& archive, const Model<S>& model) {
+  archive.of_fixed_size(results_);
+  for (const TileResult<S>& tile : results_) archive.require(model.may_be_place(tile.time_step_slot));
+}
+
 template class InternalForces<double>;
 template class InternalForces<float>;
 template std::vector<std::int64_t> eroded_slots(const Model<double>&, const std::vector<TileResult<double>>&);

@@ -40,7 +40,7 @@ class InternalForces {
   /// just made [time]. What is not due does no work and keeps its stable step.
   InternalForceResult<S> compute(Model<S>& model, Schedule<S>& schedule, const Due& due, S dt);
 
-  void persist(StateArchive& archive) { archive.of_fixed_size(results_); }
+  void persist(StateArchive& archive, const Model<S>& model);
 
   /// Results of the last step per tile: where elements were eroded or inverted.
   const std::vector<TileResult<S>>& tiles() const { return results_; }

@@ -276,11 +276,19 @@ void Subcycling<S>::persist(StateArchive& archive, const Model<S>& model) {
   archive.of_fixed_size(own_);
   archive.of_fixed_size(elements_);
   archive(planned_step_, cycles_);
+  archive.require(cycles_ >= 0 && cycles_ <= longest_plan);
+  for (std::size_t t = 0; archive.reads() && t < level_.size(); ++t) {
+    const int highest = model.tile_levels[t].highest;
+    for (const int level : {level_[t], next_level_[t], highest_[t]}) archive.require(level >= 0 && level <= highest);
+    archive.require(own_[t] >= 0 && own_[t] <= model.tile_levels[t].own && elements_[t] >= 0);
+    archive.require(elements_[t] <= (model.tile_packs[t + 1] - model.tile_packs[t]) * ElementStore<S>::width);
+  }
   if (archive.reads()) sort_by_level(model);
   for (MixedNodes& mixed : mixed_) {
     archive.of_fixed_size(mixed.first);
     archive.of_fixed_size(mixed.differences);
     archive(mixed.steps);
+    archive.require(mixed.steps >= 0 && mixed.steps <= cycle_steps());
   }
 }
 

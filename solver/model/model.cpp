@@ -273,6 +273,9 @@ void Model<S>::persist(StateArchive& archive) {
                                  &elements.viscous_stress, &elements.internal_energy, &elements.back_stress}) {
     archive.of_fixed_size(*array);
   }
+  for (std::int64_t slot = 0; archive.reads() && slot < elements.slots; ++slot) {
+    archive.require(!is_padding(slot) || !elements.alive(slot));
+  }
 }
 
 template <class S>

@@ -126,6 +126,8 @@ struct Model {
     return {tile_packs[tile] * W, tile_packs[tile + 1] * W};
   }
   bool is_padding(std::int64_t slot) const { return element_of_slot[slot] < 0; }
+  /// Whether a number that was read is the slot of an element, or negative: none.
+  bool may_be_place(std::int64_t slot) const { return slot < 0 || (slot < elements.slots && !is_padding(slot)); }
   std::size_t bytes() const;  ///< of all arrays of the size of the mesh
   /// The state of nodes and elements between steps: node forces are zero then.
   void persist(StateArchive& archive);

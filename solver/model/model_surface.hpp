@@ -19,6 +19,7 @@ class ModelSurface final : public SurfaceSource<S> {
   /// For who adds no forces.
   explicit ModelSurface(const Model<S>& model) : ModelSurface(model, nullptr) {}
 
+  bool is_element(std::int64_t slot) const override { return slot >= 0 && model_.may_be_place(slot); }
   ContactElement element(std::int64_t slot) const override;
   bool may_soon_erode(std::int64_t slot) const override;
 

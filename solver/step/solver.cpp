@@ -230,7 +230,7 @@ std::size_t Solver<S>::bytes() const {
 template <class S>
 void Solver<S>::persist(StateArchive& archive) {
   model_.persist(archive);
-  internal_forces_.persist(archive);
+  internal_forces_.persist(archive, model_);
   schedule_.persist(archive, model_);
   boundary_.persist(archive);
   contact_.persist(archive, model_);
@@ -240,6 +240,19 @@ void Solver<S>::persist(StateArchive& archive) {
   counts_.persist(archive);
   timers_.persist(archive);
   archive(initial_momentum_, kinetic_before_change_);
+  if (archive.reads()) check_places(archive);
+}
+
+/// What a state says of places where something happened is looked up for messages and for the summary.
+template <class S>
+void Solver<S>::check_places(const StateArchive& archive) const {
+  archive.require(model_.may_be_place(clock_.limiting_slot()) && counts_.deepest_node() < model_.nodes.count);
+  for (const Watched kind : {Watched::balance, Watched::hourglass_created, Watched::hourglass_large}) {
+    archive.require(model_.may_be_place(watch_.place(kind)));
+  }
+  for (const Watched kind : {Watched::contact_created, Watched::contact_swallowed}) {
+    archive.require(watch_.place(kind) < model_.nodes.count);
+  }
 }
 
 template class Solver<double>;

@@ -97,6 +97,7 @@ class Solver {
   void persist(StateArchive& archive);
 
  private:
+  void check_places(const StateArchive& archive) const;
   void advance(bool last);
   void take_changed_velocities();
   void make_step(const Due& due);

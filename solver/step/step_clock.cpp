@@ -80,6 +80,9 @@ void StepClock::advance(const Due& due) {
 void StepClock::persist(StateArchive& archive) {
   archive(time_, force_time_, dt_, dt_before_, steps_, longest_impact_step_, dt_min_, dt_max_, limited_by_,
           limiting_slot_);
+  archive.require(std::isfinite(time_) && time_ >= 0 && force_time_ >= 0 && force_time_ <= time_ && steps_ >= 0);
+  archive.require(std::isfinite(dt_) && dt_ >= 0 && dt_before_ >= 0 && longest_impact_step_ > 0);
+  archive.require(limited_by_ >= StepLimit::none && limited_by_ <= StepLimit::impact_speed);
 }
 
 }  // namespace pinball

@@ -176,9 +176,11 @@ void FaceAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& so
   ContactAlgorithm<S>::persist(archive, source);
   surface_.persist(archive, source);
   if (archive.reads()) edges_.collect(surface_);
-  lists_.persist(archive, surface_, edges_, spheres_, this->settings_);
+  lists_.persist(archive, surface_, edges_, spheres_, this->settings_, source.node_count);
+  if (archive.reads() && lists_.valid()) choose_listed();
   archive(searches_since_, deep_);
   archive.of_fixed_size(depth_);
+  archive.require_all(deep_, 0, source.node_count);
 }
 
 template <class S>

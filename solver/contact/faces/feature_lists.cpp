@@ -274,14 +274,16 @@ void FeatureLists<S>::join_sphere_pairs() {
 /// Pairs of boxes are found again from where all was when they were found: erosions to come need them.
 template <class S>
 void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-                              const SphereSurface<S>& spheres, const ContactSettings& settings) {
+                              const SphereSurface<S>& spheres, const ContactSettings& settings,
+                              std::int32_t node_count) {
   archive(valid_, watched_, scope_.last_step, scope_.horizon, scope_.depth, was_active_, spheres_.with_segments,
           spheres_.with_spheres);
   nodes_.persist(archive);
   edges_.persist(archive);
   clock_.persist(archive);
-  motion_.persist(archive);
+  motion_.persist(archive, node_count, valid_ || watched_);
   if (!archive.reads() || !valid_) return;
+  check(archive, surface, edges, spheres);
   AlignedArray<S> position, velocity;
   motion_.put_start(position, velocity);
   NodeRecords<S> nodes;
@@ -292,6 +294,24 @@ void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& su
   edges_.give_back(found_edges_);
   fill_node_pairs(surface);
   fill_edge_pairs(edges);
+}
+
+/// Of lists that were read, and hold: that they are of this surface.
+template <class S>
+void FeatureLists<S>::check(const StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+                            const SphereSurface<S>& spheres) const {
+  const std::size_t segments = surface.segments().size(), slaves = surface.slaves().size();
+  archive.require(scope_.depth.size() == slaves && was_active_.size() == segments);
+  nodes_.check(archive, slaves, segments, native_width<S>);
+  edges_.check(archive, edges.edges().size(), edges.edges().size(), native_width<S>);
+  const auto check_spheres = [&](const std::vector<Pair>& pairs, std::size_t seconds) {
+    for (const Pair& pair : pairs) {
+      archive.require_all(std::array{pair[0]}, 0, static_cast<std::int64_t>(spheres.spheres().size()));
+      archive.require_all(std::array{pair[1]}, 0, static_cast<std::int64_t>(seconds));
+    }
+  };
+  check_spheres(spheres_.with_segments, segments);
+  check_spheres(spheres_.with_spheres, spheres.spheres().size());
 }
 
 template <class S>

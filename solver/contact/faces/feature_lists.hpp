@@ -74,10 +74,13 @@ class FeatureLists {
   }
   std::int64_t places() const { return entries() - nodes_.pieces.entries + nodes_.pieces.places; }
   void persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
-               const SphereSurface<S>& spheres, const ContactSettings& settings);
+               const SphereSurface<S>& spheres, const ContactSettings& settings, std::int32_t node_count);
+  bool valid() const { return valid_; }
   std::size_t bytes() const;
 
  private:
+  void check(const StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
+             const SphereSurface<S>& spheres) const;
   S steps_to_last(const SegmentSurface<S>& surface) const;
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const SphereSurface<S>& spheres);
   /// Pairs of boxes, and what these are found by. nodes: as when motion_ was started.

@@ -64,6 +64,27 @@ void SortedPairs::give_back(Found& found) const {
   }
 }
 
+void SortedPairs::check(const StateArchive& archive, std::size_t firsts, std::size_t seconds,
+                        std::int64_t width) const {
+  const std::int64_t places = pieces.places;
+  archive.require(pieces.count >= 1 && pieces.count <= fixed_pieces && places >= 0 && places % width == 0);
+  archive.require(first.size() == static_cast<std::size_t>(places) && second.size() == first.size());
+  archive.require(begin_.size() == firsts && end_.size() == firsts);
+  archive.require_all(first, 0, static_cast<std::int64_t>(firsts));
+  archive.require_all(second, 0, static_cast<std::int64_t>(seconds));
+  archive.require_all(begin_, 0, places + 1);
+  archive.require_all(end_, 0, places + 1);
+  for (std::size_t f = 0; f < firsts; ++f) archive.require(begin_[f] <= end_[f]);
+  std::int64_t before = 0, entries = 0;
+  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
+    const std::int64_t begin = pieces.begin[piece], end = pieces.end[piece];
+    archive.require(begin >= before && begin % width == 0 && end >= begin && end <= places);
+    before = end;
+    entries += end - begin;
+  }
+  archive.require(entries == pieces.entries);
+}
+
 std::size_t SortedPairs::bytes() const {
   return (first.capacity() + second.capacity()) * sizeof(first[0]) +
          (begin_.capacity() + end_.capacity()) * sizeof(begin_[0]);

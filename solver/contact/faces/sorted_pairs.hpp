@@ -39,6 +39,8 @@ struct SortedPairs {
   /// The pairs as if they had been found so.
   void give_back(Found& found) const;
   void persist(StateArchive& archive) { archive(pieces, first, second, begin_, end_); }
+  /// Of a list that was read, and holds: that it is one of as many firsts and seconds.
+  void check(const StateArchive& archive, std::size_t firsts, std::size_t seconds, std::int64_t width) const;
   std::size_t bytes() const;
 
  private:

@@ -18,6 +18,9 @@ class HostSurface final : public SurfaceSource<S> {
  public:
   HostSurface(const pinball_contact_options& options, HostMesh<S> mesh, const pinball_contact_input& position);
 
+  bool is_element(std::int64_t slot) const override {
+    return slot >= 0 && slot < this->slots && element_of_slot_[slot] >= 0;
+  }
   ContactElement element(std::int64_t slot) const override;
   bool may_soon_erode(std::int64_t slot) const override { return alive_at(slot) == 2; }
   void before_search() const override;

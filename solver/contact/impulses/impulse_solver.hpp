@@ -130,6 +130,7 @@ class ImpulseSolver {
   void sum_up(ImpulseResult& result);
   void remember();
   void name_memory();
+  void check(const StateArchive& archive, std::int32_t node_count) const;
   /// Calls body(i) for all rows, in any order.
   template <class Body>
   void for_rows(const char* name, const Body& body) const;

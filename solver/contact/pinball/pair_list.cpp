@@ -261,6 +261,41 @@ double PairList<S>::end_pairs_of_inactive(const S* outward) {
 }
 
 template <class S>
+void PairList<S>::persist(StateArchive& archive, const SurfacePinballs<S>& pinballs) {
+  archive(piece_, listed_, slot_, first_, second_, offset_, stored_);
+  if (archive.reads()) check(archive, pinballs);
+}
+
+/// Of a list that was read: that it is one of these pinballs.
+template <class S>
+void PairList<S>::check(const StateArchive& archive, const SurfacePinballs<S>& pinballs) const {
+  constexpr std::int64_t W = native_width<S>;
+  archive.require_all(listed_, 0, pinballs.count);
+  archive.require(slot_.size() == listed_.size());
+  for (std::size_t i = 0; i < listed_.size(); ++i) {
+    archive.require(slot_[i] == pinballs.slot[listed_[i]] && (i == 0 || listed_[i - 1] < listed_[i]));
+  }
+  const auto count = static_cast<std::int64_t>(first_.size());
+  archive.require(second_.size() == first_.size() && offset_.size() == first_.size() &&
+                  stored_.size() == first_.size());
+  archive.require_all(first_, 0, size());
+  archive.require_all(second_, 0, size());
+  std::int64_t place = 0;
+  std::int32_t pinball = 0;
+  for (const Piece& p : piece_) {
+    archive.require(p.begin >= place && p.begin % W == 0 && p.end >= p.begin && p.end <= count);
+    place = (p.end + W - 1) / W * W;
+    archive.require(place <= count && p.pinballs_begin == pinball && p.pinballs_end >= pinball);
+    pinball = p.pinballs_end;
+    archive.require(pinball <= size());
+    for (std::int64_t i = p.begin; i < p.end; ++i) {
+      archive.require(first_[i] >= p.pinballs_begin && first_[i] < pinball && first_[i] < second_[i]);
+    }
+  }
+  archive.require(pinball == size());
+}
+
+template <class S>
 std::int64_t PairList<S>::pairs() const {
   std::int64_t sum = 0;
   for (const Piece& p : piece_) sum += p.end - p.begin;

@@ -50,7 +50,7 @@ class PairList {
   /// Ends all pairs of which a pinball takes no part any more; returns their spring energy [energy].
   /// outward: records of the listed pinballs, whose fourth number is B R, or 0.
   double end_pairs_of_inactive(const S* outward);
-  void persist(StateArchive& archive) { archive(piece_, listed_, slot_, first_, second_, offset_, stored_); }
+  void persist(StateArchive& archive, const SurfacePinballs<S>& pinballs);
   std::size_t bytes() const;
 
  private:
@@ -65,6 +65,7 @@ class PairList {
     std::size_t pairs = 0;
     std::int32_t pinballs = 0;  ///< of the piece, that have a pair
   };
+  void check(const StateArchive& archive, const SurfacePinballs<S>& pinballs) const;
   void remember();
   void recall();
   /// Place of a pair of listed pinballs; -1 if it is not listed.

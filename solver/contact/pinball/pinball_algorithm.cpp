@@ -272,12 +272,14 @@ void PinballAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Poi
 template <class S>
 void PinballAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   ContactAlgorithm<S>::persist(archive, source);
-  surface_.persist(archive);
+  surface_.persist(archive, source);
   all_.persist(archive, source, this->settings_.radius_factor);
-  motion_.persist(archive);
-  list_.persist(archive);
+  motion_.persist(archive, source.node_count, true);
+  list_.persist(archive, all_);
   clock_.persist(archive);
   archive(uncovered_, radius_, list_valid_, surface_changed_);
+  for (const std::int32_t slot : uncovered_) archive.require(source.is_element(slot));
+  archive.require(radius_.empty() || radius_.size() == all_.radius.size());
   if (archive.reads()) collect_listed(source);
   archive.of_fixed_size(pinballs_.centre);
   archive.of_fixed_size(pinballs_.outward);

@@ -98,7 +98,8 @@ void SurfacePinballs<S>::persist(StateArchive& archive, const SurfaceSource<S>& 
   clear();
   chosen.assign(static_cast<std::size_t>(source.slots), 0);
   for (const std::int32_t s : slots) {
-    chosen.at(static_cast<std::size_t>(s)) = 1;
+    archive.require(source.is_element(s) && (slot.empty() || slot.back() < s));
+    chosen[s] = 1;
     append(source, radius_factor, s);
   }
 }

@@ -52,7 +52,6 @@ bool group_moves(const S* ball) {
 
 template <class S>
 void BallTree<S>::build(const MovingBalls<S>& balls) {
-  using T = Pack<S, native_width<S>>;
   constexpr int G = ball_group<S>;
   view_.groups = static_cast<std::int32_t>(groups_of(balls.count(), G));
   view_.ball = balls.data();
@@ -64,7 +63,7 @@ void BallTree<S>::build(const MovingBalls<S>& balls) {
       [this](std::int64_t begin, std::int64_t end, bool& moves) {
         for (std::int64_t b = begin * G; b < end * G; ++b) {
           const S* ball = view_.ball + b * 7 * G;
-          put_box(b < view_.groups ? box_of_balls<T>(ball) : empty_box<S>(), lowest_.data(), b);
+          put_box(b < view_.groups ? finite_box_of_balls(ball) : empty_box<S>(), lowest_.data(), b);
           moves = moves || (b < view_.groups && group_moves(ball));
         }
       },
@@ -99,7 +98,7 @@ template <class S>
 template <bool moves>
 std::size_t NearBalls<S>::find_near(const BallTreeView<S>& tree, const S* own, std::int32_t from) {
   using T = Pack<S, native_width<S>>;
-  const MovingBox<S> box = box_of_balls<T>(own);
+  const MovingBox<S> box = finite_box_of_balls(own);
   const auto parts = static_cast<std::int32_t>(part_.size());
   std::int32_t* part_end = near_part_.data();
   for (std::int32_t p = 0; p < parts; p += G) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,6 +33,18 @@ class MovingBalls {
   std::int32_t count_ = 0;
   AlignedArray<S> record_;
 };
+
+/// Box of the balls of a group, finite: however far these reach, nothing meets the box that nothing is in.
+template <class S>
+MovingBox<S> finite_box_of_balls(const S* ball) {
+  constexpr S largest = std::numeric_limits<S>::max();
+  MovingBox<S> box = box_of_balls<Pack<S, native_width<S>>>(ball);
+  for (int c = 0; c < 12; ++c) {
+    S& bound = box.bound[c];
+    bound = c % 6 < 3 ? std::max(bound, -largest) : std::min(bound, largest);
+  }
+  return box;
+}
 
 /// Boxes over moving balls (kernels/ball_tree.hpp), built anew for each set of balls in the same memory.
 template <class S>

@@ -126,13 +126,18 @@ void SurfaceMotion<S>::put_start(AlignedArray<S>& position, AlignedArray<S>& vel
 }
 
 template <class S>
-void SurfaceMotion<S>::persist(StateArchive& archive) {
+void SurfaceMotion<S>::persist(StateArchive& archive, std::int32_t node_count, bool watched) {
   std::uint64_t count = count_;
   archive(count, node_, size_, start_, allowed2_, allowance_);
   if (!archive.reads()) return;
   count_ = static_cast<std::size_t>(count);
+  const bool knows_nodes = allowance_.size() == static_cast<std::size_t>(node_count);
+  archive.require(knows_nodes || (allowance_.empty() && node_.empty() && !watched));
+  archive.require(count_ % native_width<S> == 0 && (count_ == 0 || count_ == node_.size()));
+  archive.require(size_.size() == node_.size() && start_.size() == 6 * count_ && allowed2_.size() == count_);
+  archive.require_all(node_, 0, node_count);
   is_watched_.assign(allowance_.size(), 0);  // both are made together
-  for (const std::int32_t node : node_) is_watched_.at(static_cast<std::size_t>(node)) = 1;
+  for (const std::int32_t node : node_) is_watched_[node] = 1;
 }
 
 template <class S>

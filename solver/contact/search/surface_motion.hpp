@@ -72,7 +72,8 @@ class SurfaceMotion {
   }
   /// Node records of what start() was given of the nodes watched; nothing of others.
   void put_start(AlignedArray<S>& position, AlignedArray<S>& velocity) const;
-  void persist(StateArchive& archive);
+  /// node_count: of the store; watched: whether there are nodes that are watched.
+  void persist(StateArchive& archive, std::int32_t node_count, bool watched);
   std::size_t bytes() const;
 
  private:

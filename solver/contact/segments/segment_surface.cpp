@@ -235,14 +235,18 @@ void SegmentSurface<S>::update(const SurfaceSource<S>& source) {
 /// Which faces wait was decided when they were collected: they are not what would wait now.
 template <class S>
 void SegmentSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
-  topology_.persist(archive);
+  topology_.persist(archive, source);
   std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
   for (const Segment& s : segments_) {
     faces[s.slot] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(s.face));
   }
   archive.of_fixed_size(faces);
+  for (std::size_t slot = 0; archive.reads() && slot < faces.size(); ++slot) {
+    archive.require(faces[slot] == 0 || (faces[slot] < 64 && source.is_element(static_cast<std::int64_t>(slot))));
+  }
   if (archive.reads()) collect_faces(source, faces);
   archive(chosen_, changed_);
+  archive.require_all(chosen_, 0, static_cast<std::int64_t>(packs()));
 }
 
 template <class S>

@@ -333,9 +333,16 @@ template <class S>
 void SlidelineAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   ContactAlgorithm<S>::persist(archive, source);
   surface_.persist(archive, source);
-  search_.persist(archive);
+  search_.persist(archive, surface_, source.node_count);
   archive(memory_, touches_);  // touches: for the report alone
-  if (memory_.size() != surface_.slaves().size()) StateArchive::throw_foreign();
+  archive.require(memory_.size() == surface_.slaves().size());
+  for (const PairMemory& memory : memory_) {
+    archive.require(memory.slot == -1 || (source.is_element(memory.slot) && memory.face >= 0 && memory.face < 6));
+  }
+  for (const Touch& touch : touches_) {
+    archive.require(touch.slave < surface_.slaves().size() && touch.segment >= 0);
+    archive.require(static_cast<std::size_t>(touch.segment) < surface_.segments().size());
+  }
 }
 
 template <class S>

@@ -110,7 +110,6 @@ void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SegmentSurf
 
 template <class S>
 void SlidelineSearch<S>::find(const SegmentSurface<S>& surface) {
-  using T = Pack<S, native_width<S>>;
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   const std::int64_t groups = (slaves_.count() + G - 1) / G;
@@ -123,7 +122,7 @@ void SlidelineSearch<S>::find(const SegmentSurface<S>& surface) {
     const std::int64_t begin = groups * piece / fixed_pieces, end = groups * (piece + 1) / fixed_pieces;
     for (std::int64_t group = begin; group < end; ++group) {
       const S* own = slaves_.data() + group * 7 * G;
-      near.enter(tree, box_of_balls<T>(own), 0);
+      near.enter(tree, finite_box_of_balls(own), 0);
       const auto near_groups = near.find(tree, own, 0);
       NearBalls<S>::leave_out_passing(tree, own, near_groups);
       for (int i = 0; i < G && group * G + i < slaves_.count(); ++i) {
@@ -145,6 +144,18 @@ void SlidelineSearch<S>::find(const SegmentSurface<S>& surface) {
   candidate_.clear();
   candidate_.reserve(static_cast<std::size_t>(start_.back()));
   for (const std::vector<std::int32_t>& list : found) candidate_.insert(candidate_.end(), list.begin(), list.end());
+}
+
+template <class S>
+void SlidelineSearch<S>::persist(StateArchive& archive, const SegmentSurface<S>& surface, std::int32_t node_count) {
+  archive(valid_, watched_, start_, candidate_);
+  clock_.persist(archive);
+  motion_.persist(archive, node_count, valid_ || watched_);
+  if (!archive.reads() || !valid_) return;
+  archive.require(start_.size() == surface.slaves().size() + 1 && start_.front() == 0);
+  archive.require(std::is_sorted(start_.begin(), start_.end()));
+  archive.require(start_.back() == static_cast<std::int64_t>(candidate_.size()));
+  archive.require_all(candidate_, 0, static_cast<std::int64_t>(surface.segments().size()));
 }
 
 template <class S>

@@ -41,11 +41,7 @@ class SlidelineSearch {
   /// mesh. The radius of a slave, which this is measured by, is that of the surface around it as it is now: lists,
   /// which last, have all that may pass.
   bool may_touch(const Slave& own, const Segment& other) const { return may_touch(own, other, own.radius); }
-  void persist(StateArchive& archive) {
-    archive(valid_, watched_, start_, candidate_);
-    clock_.persist(archive);
-    motion_.persist(archive);
-  }
+  void persist(StateArchive& archive, const SegmentSurface<S>& surface, std::int32_t node_count);
   std::int64_t entries() const { return static_cast<std::int64_t>(candidate_.size()); }  ///< of all lists
   std::size_t bytes() const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -38,16 +39,29 @@ class Surface {
       }
     }
   }
-  void persist(StateArchive& archive) {
+  template <class Source>
+  void persist(StateArchive& archive, const Source& source) {
     archive.of_fixed_size(alive_);
     archive.of_fixed_size(exposed_);
     archive(exposed_count_, exposed_faces_);
+    if (archive.reads()) check(archive, [&source](std::int64_t slot) { return source.is_element(slot); });
   }
   std::int64_t slots() const { return static_cast<std::int64_t>(alive_.size()); }
   std::size_t bytes() const { return alive_.capacity() * (2 + sizeof(neighbour_[0])); }
 
  private:
   void erode(std::int64_t slot);
+  template <class IsElement>
+  void check(const StateArchive& archive, const IsElement& is_element) const {
+    std::int64_t count = 0, faces = 0;
+    for (std::int64_t slot = 0; slot < slots(); ++slot) {
+      const std::uint8_t exposed = exposed_[slot];
+      archive.require(alive_[slot] <= 1 && exposed < 64 && (is_element(slot) || (alive_[slot] | exposed) == 0));
+      count += exposed != 0 ? 1 : 0;
+      faces += std::popcount(exposed);
+    }
+    archive.require(count == exposed_count_ && faces == exposed_faces_);
+  }
 
   std::vector<std::uint8_t> alive_;
   std::vector<std::uint8_t> exposed_;

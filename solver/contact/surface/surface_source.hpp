@@ -64,6 +64,8 @@ class SurfaceSource : public NodeRecords<S> {
   std::span<const std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
   const Colouring* tile_colours = nullptr;
 
+  /// Whether a number is the slot of an element, eroded or not, and not of padding.
+  virtual bool is_element(std::int64_t slot) const = 0;
   /// slot: one that is not padding.
   virtual ContactElement element(std::int64_t slot) const = 0;
   /// Whether an element of the surface may soon erode. A guess, for lists that are to last over erosions: what lies
