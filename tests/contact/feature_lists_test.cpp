@@ -69,7 +69,7 @@ class ErodingBlocks {
     lists.build(source(), surface_, edges_, spheres_, settings_, depth, dt, true);
   }
   void persist(Lists& lists, StateArchive& archive) const {
-    lists.persist(archive, surface_, edges_, spheres_, settings_);
+    lists.persist(archive, surface_, edges_, spheres_, settings_, model_.nodes.count);
   }
   bool follow(Lists& lists) const { return lists.follow_erosion(surface_, edges_); }
   /// Takes some of the elements that were on the surface at first.
