@@ -15,8 +15,13 @@ namespace {
 Scene example() {
   Scene scene;
   scene.time.end = 2.0;
-  scene.materials = {
-      {.name = "steel", .plastic = true, .density = 1, .bulk_modulus = 2, .shear_modulus = 1, .yield_stress = 0.1}};
+  scene.materials = {{.name = "steel",
+                      .plastic = true,
+                      .density = 1,
+                      .bulk_modulus = 2,
+                      .shear_modulus = 1,
+                      .yield_stress = 0.1,
+                      .yield_curves = {}}};
   Body body;
   body.name = "bar";
   body.material = "steel";
