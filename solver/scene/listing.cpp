@@ -96,6 +96,25 @@ void list_output(const Scene& scene, std::vector<SceneEntry>& all) {
   table.add("fields", output.fields, OutputSettings{}.fields, "");
 }
 
+std::string curve_text(const YieldCurve& curve, bool with_rate) {
+  return fmt::format("{{ {}plastic_strain = {}, stress = {} }}",
+                     with_rate ? fmt::format("rate = {}, ", toml_text(curve.rate)) : "",
+                     toml_text(curve.plastic_strain), toml_text(curve.stress));
+}
+
+void list_curves(Entries& table, const Material& material) {
+  const std::vector<YieldCurve>& curves = material.yield_curves;
+  table.add_words("yield_curve", curves.size() == 1 ? curve_text(curves[0], false) : "none", curves.size() != 1);
+  std::string texts;
+  for (const YieldCurve& curve : curves) texts += (texts.empty() ? "" : ", ") + curve_text(curve, true);
+  table.add_words("yield_curves", curves.size() > 1 ? fmt::format("[{}]", texts) : "none", curves.size() < 2);
+  const bool linear = material.rate_interpolation == RateInterpolation::linear;
+  table.add_words("rate_interpolation", toml_text(linear ? "linear" : "logarithmic"), linear);
+  const StrainRate rate = material.strain_rate;
+  const char* const name = rate == StrainRate::total ? "total" : rate == StrainRate::plastic ? "plastic" : "deviatoric";
+  table.add_words("strain_rate", toml_text(name), rate == StrainRate::total);
+}
+
 void list_materials(const Scene& scene, std::vector<SceneEntry>& all) {
   for (const Material& material : scene.materials) {
     Entries table(all, "material." + material.name);
@@ -108,6 +127,7 @@ void list_materials(const Scene& scene, std::vector<SceneEntry>& all) {
     table.add("yield_stress", material.yield_stress, stress);
     const bool bounded = material.ultimate_stress > 0 && std::isfinite(material.ultimate_stress);
     table.add_words("ultimate_stress", bounded ? toml_text(material.ultimate_stress) : "infinite", !bounded, stress);
+    list_curves(table, material);
   }
 }
 
@@ -138,7 +158,10 @@ std::string Entries::unit_of(std::string_view key) const {
                                                                                 {"angular_velocity", "1/T"},
                                                                                 {"force", "M L/T^2"},
                                                                                 {"plastic_modulus", "M/(L T^2)"},
-                                                                                {"mass", "1/T"}};
+                                                                                {"mass", "1/T"},
+                                                                                {"acceleration", "L/T^2"},
+                                                                                {"rate_constant", "1/T"},
+                                                                                {"rate_stress", "M/(L T^2)"}};
   for (const auto& [name, unit] : units) {
     if (name == key) return std::string(unit);
   }

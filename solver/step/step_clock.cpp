@@ -59,7 +59,7 @@ void StepClock::choose(const Due& due, const StepBound& bound) {
   const double step = keeps ? dt_ : chosen, steps = std::ceil(remaining / step - 1e-9);
   dt_ = steps < most_steps ? remaining / std::max(1.0, steps) : step;  // beyond, time.steps ends the run
   const double beside = steps_at_end_ < 0 ? end_ : time_;
-  lost_ = !(beside + dt_ > beside);
+  lost_ = end_ - time_ > 1e-12 * end_ && !(beside + dt_ > beside);
   dt_max_ = std::max(dt_max_, dt_);
   // The division says nothing about stability.
   if (dt_min_ == 0 || chosen < dt_min_) {
