@@ -37,13 +37,14 @@ function(pinball_objects target)
   add_library(${target} OBJECT ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE Pinball::kernels pinball_warnings pinball_codegen ${arg_COMPILES_WITH})
   if(arg_LEVEL)
-    target_compile_options(${target} PRIVATE -march=${arg_LEVEL})
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-march=${arg_LEVEL}>)
     if(PINBALL_HAS_PREFER_VECTOR_WIDTH AND arg_LEVEL STREQUAL "x86-64-v4")
-      target_compile_options(${target} PRIVATE -mprefer-vector-width=512)
+      target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-mprefer-vector-width=512>)
     endif()
   endif()
   set_target_properties(${target} PROPERTIES
-    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden CUDA_VISIBILITY_PRESET hidden HIP_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON)
   # To read these takes longer than to compile most of the sources: once for all libraries of a level. That each source
   # includes what it needs is not seen to by it: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON does.
   set(first pinball_contact_objects)

@@ -4,7 +4,7 @@
 
 #include "macros.hpp"
 
-#if defined(__AVX512VL__) && !defined(__CUDACC__)
+#if defined(__AVX512VL__) && !defined(PINBALL_DEVICE_COMPILER)
 #include <immintrin.h>
 #endif
 
@@ -16,7 +16,7 @@ namespace pinball {
 
 /// Number of the lowest bit that is set; some bit has to be.
 PINBALL_FUNCTION int lowest_bit(unsigned bits) {
-#if defined(__CUDA_ARCH__)
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
   return __ffs(static_cast<int>(bits)) - 1;
 #else
   return __builtin_ctz(bits);
@@ -25,7 +25,7 @@ PINBALL_FUNCTION int lowest_bit(unsigned bits) {
 
 namespace detail {
 
-#if defined(__AVX512VL__) && !defined(__CUDACC__)
+#if defined(__AVX512VL__) && !defined(PINBALL_DEVICE_COMPILER)
 inline constexpr bool has_compress = true;
 PINBALL_FUNCTION void compress_8(unsigned bits, const std::int32_t* from, std::int32_t* to) {
   const __m256i all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
@@ -53,7 +53,7 @@ template <int lanes, class Value>
 PINBALL_FUNCTION int write_lanes(unsigned bits, const Value* from, Value* to) {
   const int count = __builtin_popcount(bits);
   if constexpr (detail::has_compress && lanes % 8 == 0) {
-#if defined(__AVX512VL__) && !defined(__CUDACC__)
+#if defined(__AVX512VL__) && !defined(PINBALL_DEVICE_COMPILER)
     for (int first = 0; first < lanes; first += 8) {
       const unsigned eight = bits >> first & 0xFFU;
       detail::compress_8(eight, from + first, to);
@@ -71,7 +71,7 @@ template <int lanes>
 PINBALL_FUNCTION int write_numbers(unsigned bits, std::int32_t first, std::int32_t* to) {
   const int count = __builtin_popcount(bits);
   if constexpr (detail::has_compress && lanes % 8 == 0) {
-#if defined(__AVX512VL__) && !defined(__CUDACC__)
+#if defined(__AVX512VL__) && !defined(PINBALL_DEVICE_COMPILER)
     for (int eight = 0; eight < lanes; eight += 8) {
       detail::compress_numbers_8(bits >> eight & 0xFFU, first + eight, to);
       to += __builtin_popcount(bits >> eight & 0xFFU);

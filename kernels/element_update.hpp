@@ -36,13 +36,14 @@ struct ElementFeatures {
   YieldLaw yield = YieldLaw::linear;  ///< plastic only
 };
 
-/// Element arrays in tiles of W = pack width: entry c of element e is at [(e / W) * N + c] * W + e % W for an array of
-/// N components. All aligned to the pack. Padding elements repeat the nodes of a real one and have mass 0; their other
-/// state is never used.
+/// Element arrays in rows of L elements: entry c of element e is at [(e / L) * N + c] * L + e % L for an array of N
+/// components. L is the width of a pack where packs work them, and 32 where threads of a device do, lane after lane of
+/// a warp. All aligned to the row. Padding elements repeat the nodes of a real one and have mass 0; their other state
+/// is never used.
 template <class S>
 struct ElementView {
   const std::int32_t* corner;  ///< N = 8: node numbers
-  S* mass;                     ///< N = 1: element mass [mass]; 0 marks padding and eroded elements
+  S* mass;                     ///< N = 1: of the material [mass]; 0 marks padding and eroded elements
   S* stress;                   ///< N = 6: xx yy zz xy yz zx [stress]
   S* plastic_strain;           ///< N = 1, plastic only [-]
   S* hourglass_state;          ///< N = 12, only where keeps_hourglass_state: of KeptHourglass [stress]
@@ -50,6 +51,8 @@ struct ElementView {
   S* internal_energy;          ///< N = 1, erosion only [energy]
   S* back_stress =
       nullptr;  ///< N = 5: xx yy xy yz zx, general yield only; may be missing there: no back stress [stress]
+  /// N = 1: `mass` over the mass with which the element's nodes move; missing: they are the same [-]
+  const S* mass_share = nullptr;
 };
 
 /// Node records of four scalars (gather.hpp).
@@ -93,37 +96,77 @@ struct ElementSums {
   int inverted_count = 0;  ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
 };
 
+/// Where element `first`, the first of a pack, has its component 0 in an array of n components in rows of L.
+template <int L>
+PINBALL_FUNCTION std::int64_t place_in_rows(std::int64_t first, int n) {
+  return first / L * L * n + first % L;
+}
+
 /// What a caller that asks for nothing ahead puts between the parts of update_element_pack.
 struct NothingAhead {
   PINBALL_FUNCTION void operator()(int /*part*/) const {}
 };
 
-/// pack: number of the pack; pack_in_tile: the same counted from the start of its tile.
-/// ahead(0) ... ahead(7) are called in turn, spread over the work: places to ask the caches for what is worked next.
-/// All at once would fill the queue of lines on their way, and the processor would stand still.
-template <class T, ElementFeatures features, class Ahead = NothingAhead>
+/// Forces of corners are added to the records of their nodes, corner after corner, and of each lane after lane.
+template <class S>
+struct AddedToNodes {
+  S* force;  ///< records of four (NodeView) [force]
+
+  template <class T, int L>
+  PINBALL_FUNCTION void take(std::int64_t /*first*/, const std::int32_t* corner, const Vec3<T> (&value)[8]) const {
+    PINBALL_UNROLL
+    for (int i = 0; i < 8; ++i) {
+      add_to_records(force, corner + i * L, value[i].x, value[i].y, value[i].z, T(0));
+    }
+  }
+};
+
+/// Forces of corners are kept for who adds them up later: component c of corner i is number 3 i + c of an array of
+/// N = 24 like those of ElementView. Those of dead packs stay as they are: zero since their elements eroded.
+template <class S>
+struct KeptAtCorners {
+  S* force;                ///< [force]
+  std::int64_t begin = 0;  ///< element with which the array begins, the first of a row
+
+  template <class T, int L>
+  PINBALL_FUNCTION void take(std::int64_t first, const std::int32_t* /*corner*/, const Vec3<T> (&value)[8]) const {
+    S* const place = force + place_in_rows<L>(first - begin, 24);
+    PINBALL_UNROLL
+    for (int i = 0; i < 8; ++i) {
+      store(value[i].x, place + (3 * i + 0) * L);
+      store(value[i].y, place + (3 * i + 1) * L);
+      store(value[i].z, place + (3 * i + 2) * L);
+    }
+  }
+};
+
+/// pack: number of the pack; pack_in_tile: the same counted from the start of its tile. L: of the rows (ElementView).
+/// forces: AddedToNodes or KeptAtCorners. ahead(0) ... ahead(7) are called in turn, spread over the work: places to ask
+/// the caches for what is worked next. All at once would fill the queue of lines on their way, and the processor would
+/// stand still.
+template <class T, ElementFeatures features, int L = width_of<T>, class Forces, class Ahead = NothingAhead>
 PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
                                           const ElementConstants<ScalarOf<T>>& constants,
                                           const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
-                                          ElementSums<T>& sums, const Ahead& ahead = {}) {
+                                          ElementSums<T>& sums, const Forces& forces, const Ahead& ahead = {}) {
   using S = ScalarOf<T>;
   const S dt = step.length;
-  constexpr int W = width_of<T>;
+  const std::int64_t first = pack * width_of<T>;
   const MaterialConstants<S>& material = constants.material;
 
-  const T mass = load<T>(elements.mass + pack * W);
+  const T mass = load<T>(elements.mass + first);
   const auto alive = mass > T(0);
   if (!any_lane(alive)) return;
   const auto state = [&alive](const S* array) { return select(alive, load<T>(array), T(0)); };
 
   // Gather
-  const std::int32_t* corner = elements.corner + pack * 8 * W;
+  const std::int32_t* corner = elements.corner + place_in_rows<L>(first, 8);
   Vec3<T> value[8];
   PINBALL_UNROLL
-  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(nodes.velocity, corner + i * W);
+  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(nodes.velocity, corner + i * L);
   const HexahedronModes<T> v = to_modes(value);
   PINBALL_UNROLL
-  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(nodes.position, corner + i * W);
+  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(nodes.position, corner + i * L);
   const HexahedronModes<T> x = to_modes(value);
   ahead(0);
 
@@ -171,14 +214,16 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
                                T(material.sound_speed), length, dilatation);
   }
   const T inverse_square = inverse_volume * inverse_volume;
+  T inverse_inertia = inverse_mass;
+  if (elements.mass_share != nullptr) inverse_inertia = inverse_inertia * load<T>(elements.mass_share + first);
   const T stable_rate = element_stable_rate(inverse_square * largest_b_b, inverse_square * trace_b_b, volume,
-                                            inverse_mass, T(material.lambda), T(material.mu), viscosity);
+                                            inverse_inertia, T(material.lambda), T(material.mu), viscosity);
   ahead(3);
 
   // Stress
-  S* stored = elements.stress + pack * 6 * W;
-  const Symmetric<T> stress_old{state(stored),         state(stored + W),     state(stored + 2 * W),
-                                state(stored + 3 * W), state(stored + 4 * W), state(stored + 5 * W)};
+  S* stored = elements.stress + place_in_rows<L>(first, 6);
+  const Symmetric<T> stress_old{state(stored),         state(stored + L),     state(stored + 2 * L),
+                                state(stored + 3 * L), state(stored + 4 * L), state(stored + 5 * L)};
   // The increment belongs to the middle of the rotation: half of it turns with the old stress. Added whole after the
   // rotation it would be turned by half a step, a skew part of the stiffness that feeds the high modes of a spinning
   // body.
@@ -194,8 +239,9 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     for (int a = 0; a < 4; ++a) h[a] = T(dt) * hourglass_rate(gradient, x_mid, v, a);
   }
   [[maybe_unused]] KeptHourglass<T, features.hourglass> kept;
-  [[maybe_unused]] S* const hourglass_state = keeps_hourglass ? elements.hourglass_state + pack * 12 * W : nullptr;
-  [[maybe_unused]] const auto before = [&](int c) { return state(hourglass_state + c * W); };
+  [[maybe_unused]] S* const hourglass_state =
+      keeps_hourglass ? elements.hourglass_state + place_in_rows<L>(first, 12) : nullptr;
+  [[maybe_unused]] const auto before = [&](int c) { return state(hourglass_state + c * L); };
   if constexpr (features.hourglass == HourglassKind::assumed_strain) {
     kept.begin(constants.assumed_strain, x_mid, x, whole, h, mass * T(constants.specific_volume), volume_mid, before);
   } else if constexpr (features.hourglass == HourglassKind::stiffness) {
@@ -208,19 +254,20 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   [[maybe_unused]] LostHourglassEnergy<T> lost{T(0), T(0)};
   [[maybe_unused]] bool any_lost = false;
   if constexpr (features.plastic) {
-    plastic_strain = state(elements.plastic_strain + pack * W);
+    plastic_strain = state(elements.plastic_strain + first);
     if constexpr (features.yield == YieldLaw::general) {
-      S* const stored_back = elements.back_stress == nullptr ? nullptr : elements.back_stress + pack * 5 * W;
+      S* const stored_back =
+          elements.back_stress == nullptr ? nullptr : elements.back_stress + place_in_rows<L>(first, 5);
       Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
       if (stored_back != nullptr) {
-        back = rotate(rotation, read_back_stress<T>([&](int c) { return state(stored_back + c * W); }));
+        back = rotate(rotation, read_back_stress<T>([&](int c) { return state(stored_back + c * L); }));
       }
       // A step of no length strains nothing, and its rates are those of the next.
       if (dt > S(0)) {
         GeneralYield<T> law(material, constants.hardening, symmetric_part(gradient), dt);
         any_lost = return_generally(law, kept, stress, back, plastic_strain, lost);
       }
-      if (stored_back != nullptr) write_back_stress(back, stored_back);
+      if (stored_back != nullptr) write_back_stress<T, L>(back, stored_back);
     } else if constexpr (keeps_hourglass) {
       const Symmetric<T> deviator = deviator_of(stress);
       const T mean = effective_square(deviator), variation = kept.variation();
@@ -236,7 +283,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   if constexpr (keeps_hourglass) {
     hourglass = kept.force();
     PINBALL_UNROLL
-    for (int c = 0; c < 12; ++c) store(kept.component(c), hourglass_state + c * W);
+    for (int c = 0; c < 12; ++c) store(kept.component(c), hourglass_state + c * L);
     sums.hourglass += kept.work();
   }
   ahead(5);
@@ -255,7 +302,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
       carries = carries && !fails;
       inverted = inverted && !fails;
       sums.eroded_count += count_lanes(fails);
-      store(select(fails, T(0), mass), elements.mass + pack * W);
+      store(select(fails, T(0), mass), elements.mass + first);
       stress = select(fails, Symmetric<T>{T(0), T(0), T(0), T(0), T(0), T(0)}, stress);
       if constexpr (keeps_hourglass) {
         any_lost = true;
@@ -265,7 +312,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
         PINBALL_UNROLL
         for (int a = 0; a < 4; ++a) hourglass.p[a] = select(fails, Vec3<T>{T(0), T(0), T(0)}, hourglass.p[a]);
         PINBALL_UNROLL
-        for (int c = 0; c < 12; ++c) store(select(fails, T(0), kept.component(c)), hourglass_state + c * W);
+        for (int c = 0; c < 12; ++c) store(select(fails, T(0), kept.component(c)), hourglass_state + c * L);
       }
       viscosity = select(fails, T(0), viscosity);
     }
@@ -274,13 +321,13 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   ahead(6);
 
   // State of the next step
-  if constexpr (features.plastic) store(plastic_strain, elements.plastic_strain + pack * W);
+  if constexpr (features.plastic) store(plastic_strain, elements.plastic_strain + first);
   store(stress.xx, stored);
-  store(stress.yy, stored + W);
-  store(stress.zz, stored + 2 * W);
-  store(stress.xy, stored + 3 * W);
-  store(stress.yz, stored + 4 * W);
-  store(stress.zx, stored + 5 * W);
+  store(stress.yy, stored + L);
+  store(stress.zz, stored + 2 * L);
+  store(stress.xy, stored + 3 * L);
+  store(stress.yz, stored + 4 * L);
+  store(stress.zx, stored + 5 * L);
   const auto larger = carries && stable_rate > sums.stable_rate;
   sums.stable_rate = select(larger, stable_rate, sums.stable_rate);
   sums.stable_rate_pack = select(larger, T(static_cast<S>(pack_in_tile)), sums.stable_rate_pack);
@@ -311,13 +358,13 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   }
   sums.internal += work;
   if constexpr (features.erosion) {
-    const T energy = state(elements.internal_energy + pack * W) + work;
-    store(energy, elements.internal_energy + pack * W);
+    const T energy = state(elements.internal_energy + first) + work;
+    store(energy, elements.internal_energy + first);
     if (any_fails) sums.eroded += select(fails, energy, T(0));
   }
   if constexpr (features.bulk_viscosity) {
-    const T q_old = state(elements.viscous_stress + pack * W), q = viscosity * dilatation;
-    store(q, elements.viscous_stress + pack * W);
+    const T q_old = state(elements.viscous_stress + first), q = viscosity * dilatation;
+    store(q, elements.viscous_stress + first);
     sums.viscous += number<T>(0.5) * volume_mid * (q_old + q) * volumetric;
     stress.xx += q;
     stress.yy += q;
@@ -345,11 +392,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   force_hourglass[3] = minus_weight * hourglass.p[3];
   from_modes(force_linear, force_hourglass, value);
 
-  // Scatter
-  PINBALL_UNROLL
-  for (int i = 0; i < 8; ++i) {
-    add_to_records(nodes.force, corner + i * W, value[i].x, value[i].y, value[i].z, T(0));
-  }
+  forces.template take<T, L>(first, corner, value);
 }
 
 }  // namespace pinball

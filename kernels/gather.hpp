@@ -13,7 +13,7 @@
 /// way, lane after lane, so that lanes that share a node add up correctly and in a fixed order.
 ///
 /// Contract: base is aligned to four scalars; index holds width_of<T> valid record numbers, which may repeat.
-#if defined(__AVX512F__) && !defined(__CUDACC__)
+#if defined(__AVX512F__) && !defined(PINBALL_DEVICE_COMPILER)
 #include <immintrin.h>
 #endif
 
@@ -58,7 +58,7 @@ PINBALL_FUNCTION void add_lanes(ScalarOf<T>* base, const std::int32_t* index, co
   }
 }
 
-#if defined(__AVX2__) && !defined(__CUDACC__)
+#if defined(__AVX2__) && !defined(PINBALL_DEVICE_COMPILER)
 
 // Transposes in the compilers' vector types: __builtin_shufflevector(a, b, i...) picks elements of the pair (a, b).
 using Double4 = double __attribute__((vector_size(32)));
@@ -157,7 +157,7 @@ inline constexpr bool has_wide_records = false;
 
 #endif
 
-#if defined(__AVX512F__) && !defined(__CUDACC__)
+#if defined(__AVX512F__) && !defined(PINBALL_DEVICE_COMPILER)
 
 using Double8 = double __attribute__((vector_size(64)));
 using Float16 = float __attribute__((vector_size(64)));
@@ -239,7 +239,7 @@ PINBALL_FUNCTION void add_wide(float* base, const std::int32_t* index, Float16 a
 template <class T>
 PINBALL_FUNCTION void gather_records(const ScalarOf<T>* base, const std::int32_t* index, T& a, T& b, T& c, T& d) {
   if constexpr (detail::has_wide_records<T>) {
-#if defined(__AVX2__) && !defined(__CUDACC__)
+#if defined(__AVX2__) && !defined(PINBALL_DEVICE_COMPILER)
     typename detail::WideType<ScalarOf<T>, width_of<T>>::Type ra, rb, rc, rd;
     detail::gather_wide(base, index, ra, rb, rc, rd);
     a = T(ra), b = T(rb), c = T(rc), d = T(rd);
@@ -263,7 +263,7 @@ template <class T>
 PINBALL_FUNCTION void add_to_records(ScalarOf<T>* base, const std::int32_t* index, const T& a, const T& b, const T& c,
                                      const T& d) {
   if constexpr (detail::has_wide_records<T>) {
-#if defined(__AVX2__) && !defined(__CUDACC__)
+#if defined(__AVX2__) && !defined(PINBALL_DEVICE_COMPILER)
     using Wide = typename detail::WideType<ScalarOf<T>, width_of<T>>::Type;
     detail::add_wide(base, index, static_cast<Wide>(a), static_cast<Wide>(b), static_cast<Wide>(c),
                      static_cast<Wide>(d));

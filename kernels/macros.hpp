@@ -1,23 +1,31 @@
 #pragma once
 
+/// Where a compiler of device code reads, for host and device: one thread works on one lane.
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define PINBALL_DEVICE_COMPILER 1
+#endif
+
 /// PINBALL_FUNCTION marks every function that a device will have to run: it is inlined into the calling loop, so that a
-/// kernel over packs becomes one straight piece of vector code, and it is compiled for host and device by nvcc.
-#if defined(__CUDACC__)
-#define PINBALL_FUNCTION __host__ __device__ __forceinline__
+/// kernel over packs becomes one straight piece of vector code, and it is compiled for host and device by nvcc and
+/// hipcc. (Tests define it to see each function by itself.)
+#if defined(PINBALL_FUNCTION)
+#elif defined(PINBALL_DEVICE_COMPILER)
+#define PINBALL_FUNCTION __host__ __device__ inline __attribute__((always_inline))
 #else
 #define PINBALL_FUNCTION [[gnu::always_inline]] inline
 #endif
 
 /// The same for what is long, used by few scenes and in many kernels: compiled once, and called.
-#if defined(__CUDACC__)
-#define PINBALL_OUTLINED __host__ __device__ __noinline__
+#if defined(PINBALL_OUTLINED)
+#elif defined(PINBALL_DEVICE_COMPILER)
+#define PINBALL_OUTLINED __host__ __device__ __attribute__((noinline)) inline
 #else
 #define PINBALL_OUTLINED [[gnu::noinline]] inline
 #endif
 
 /// Loops over corners, modes and tensor components have constant bounds and are unrolled completely, so that their
 /// arrays live in registers.
-#if defined(__CUDACC__)
+#if defined(PINBALL_DEVICE_COMPILER)
 #define PINBALL_UNROLL _Pragma("unroll")
 #elif defined(__clang__)
 #define PINBALL_UNROLL _Pragma("clang loop unroll(full)")

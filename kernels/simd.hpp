@@ -5,7 +5,7 @@
 
 #include "macros.hpp"
 
-#if !defined(__CUDACC__)
+#if !defined(PINBALL_DEVICE_COMPILER)
 #include <experimental/simd>
 #endif
 #if defined(__clang__) && defined(__AVX512VL__)
@@ -53,7 +53,7 @@ PINBALL_FUNCTION unsigned lane_bits(const MaskOf<T>& mask) {
   if constexpr (width_of<T> == 1) {
     return mask ? 1U : 0U;
   } else {
-#if !defined(__CUDACC__)
+#if !defined(PINBALL_DEVICE_COMPILER)
     constexpr unsigned all = (1ULL << width_of<T>)-1;
     return static_cast<unsigned>(mask.__to_bitset().to_ullong()) & all;
 #endif
@@ -70,7 +70,7 @@ PINBALL_FUNCTION float lane_minimum(float a) { return a; }
 PINBALL_FUNCTION double lane(double a, int) { return a; }
 PINBALL_FUNCTION float lane(float a, int) { return a; }
 
-#if defined(__CUDACC__)
+#if defined(PINBALL_DEVICE_COMPILER)
 
 /// One thread of a device works on one lane.
 template <class T, int W>
@@ -200,6 +200,11 @@ PINBALL_FUNCTION T lane(const stdx::simd<T, Abi>& a, int i) {
 template <class T, int W>
 using Pack = typename PackType<T, W>::Type;
 
+/// Lanes of the widest register of any processor that this is written for. What is summed in rows of so many has the
+/// same bits for packs of any width.
+template <class T>
+inline constexpr int widest_pack = 64 / static_cast<int>(sizeof(T));
+
 /// A constant in all lanes, rounded to the precision of T. (A pack of floats cannot be built from a double.)
 template <class T>
 PINBALL_FUNCTION T number(double value) {
@@ -212,7 +217,7 @@ PINBALL_FUNCTION T load(const ScalarOf<T>* source) {
   if constexpr (width_of<T> == 1) {
     return *source;
   } else {
-#if !defined(__CUDACC__)
+#if !defined(PINBALL_DEVICE_COMPILER)
     return T(source, stdx::vector_aligned);
 #endif
   }
@@ -224,7 +229,7 @@ PINBALL_FUNCTION void store(const T& value, ScalarOf<T>* target) {
   if constexpr (width_of<T> == 1) {
     *target = value;
   } else {
-#if !defined(__CUDACC__)
+#if !defined(PINBALL_DEVICE_COMPILER)
     value.copy_to(target, stdx::vector_aligned);
 #endif
   }
@@ -236,7 +241,7 @@ PINBALL_FUNCTION T lane_numbers() {
   if constexpr (width_of<T> == 1) {
     return T(0);
   } else {
-#if !defined(__CUDACC__)
+#if !defined(PINBALL_DEVICE_COMPILER)
     return T([](auto i) { return static_cast<ScalarOf<T>>(static_cast<int>(i)); });
 #endif
   }

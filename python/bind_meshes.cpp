@@ -98,12 +98,20 @@ void bind_meshes(py::module_& module) {
       .def_readwrite("ring", &SphereMesh::ring, "layers of elements around the core")
       .def_readwrite("grading", &SphereMesh::grading,
                      "elements at the pole z = -radius are smaller by this factor [-]");
-  bind_choice<MeshFormat>(module, "MeshFormat", {{"gmsh", MeshFormat::gmsh}, {"keyword", MeshFormat::keyword}});
+  bind_choice<MeshFormat>(module, "MeshFormat",
+                          {{"gmsh", MeshFormat::gmsh},
+                           {"keyword", MeshFormat::keyword},
+                           {"exodus", MeshFormat::exodus},
+                           {"vtk", MeshFormat::vtk},
+                           {"abaqus", MeshFormat::abaqus}});
   bind_data<FileMesh>(module, "FileMesh", "A mesh from a file.")
       .def_readwrite("format", &FileMesh::format)
       .def_readwrite("file", &FileMesh::file)
       .def_readwrite("part", &FileMesh::part, "part or set of elements, Gmsh's physical volume; empty: all")
-      .def_readwrite("scale", &FileMesh::scale, "multiplies the coordinates [-]");
+      .def_readwrite("chosen_case", &FileMesh::chosen_case, "of a deck; None: what belongs to no case")
+      .def_readwrite("scale", &FileMesh::scale, "multiplies the coordinates [-]")
+      .def_readwrite("array", &FileMesh::array,
+                     "of vtk: integers of the cells that number the parts; empty: by its name");
   bind_array_mesh(module);
 }
 

@@ -53,6 +53,7 @@ void bind_results(py::module_& module) {
       .def_readonly("eroded_elements", &BodyResult::eroded_elements)
       .def_readonly("mass_initial", &BodyResult::mass_initial, "[mass]")
       .def_readonly("mass_remaining", &BodyResult::mass_remaining, "without eroded elements [mass]")
+      .def_readonly("mass_added", &BodyResult::mass_added, "of mass_initial, for the step [mass]")
       .def_readonly("velocity", &BodyResult::velocity, "mean [length/time]")
       .def_readonly("max_plastic_strain", &BodyResult::max_plastic_strain, "[-]");
   DataClass<HistoryRow>(module, "HistoryRow", "One row of history.csv.")

@@ -37,15 +37,18 @@ py::object run(const SourcedScene& given, const std::string& out, std::int64_t c
   options.out = out;
   options.checkpoint_every = checkpoint_every;
   // The source is that of the scene only if the scene is what is read from it.
-  if (scene.source && py::cast(SourcedScene{read_scene(*scene.source), scene.source}).equal(py::cast(scene))) {
-    options.source = &*scene.source;
+  if (scene.source) {
+    SourcedScene again{read_scene(*scene.source), scene.source};
+    again.device = scene.device;
+    if (py::cast(again).equal(py::cast(scene))) options.source = &*scene.source;
   }
   return recorded(options, [&scene](const RecordOptions& with) { return run_recorded(scene, with); });
 }
 
 py::object restart(const std::string& checkpoint, const std::string& out, const std::vector<std::string>& set,
-                   std::int64_t checkpoint_every) {
+                   std::int64_t checkpoint_every, Device device) {
   RecordOptions options;
+  options.device = device;
   options.out = out;
   options.checkpoint_every = checkpoint_every;
   return recorded(options, [&](const RecordOptions& with) { return restart_recorded(checkpoint, set, with); });
@@ -61,6 +64,7 @@ void bind_runs(py::module_& module) {
       "leaves all files of the run so far. Returns what summary.json holds.");
   module.def("restart_recorded", &restart, py::arg("checkpoint"), py::arg("out") = "",
              py::arg("set") = std::vector<std::string>{}, py::arg("checkpoint_every") = 0,
+             py::arg("device") = Device::none,
              "Goes on as `pinball run --restart` does; out: empty: the folder of the checkpoint.");
 }
 

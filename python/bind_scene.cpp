@@ -31,6 +31,38 @@ void bind_sources(py::module_& module) {
           py::prepend());
 }
 
+void bind_contact_parts(py::module_& module) {
+  bind_data<MeshSetName>(module, "MeshSetName", "A set of a mesh file.")
+      .def_readwrite("set", &MeshSetName::set, "its name or number")
+      .def_readwrite("file", &MeshSetName::file, "the mesh file that has it; empty: the only one");
+  bind_list<MeshSetName>(module, "MeshSetNames");
+  bind_data<ContactSide>(module, "ContactSide", "Bodies and sets on one side of a contact.")
+      .def_readwrite("bodies", &ContactSide::bodies)
+      .def_readwrite("elements", &ContactSide::elements)
+      .def_readwrite("faces", &ContactSide::faces)
+      .def_readwrite("nodes", &ContactSide::nodes);
+  bind_data<ContactPair>(module, "ContactPair", "[[contact.pair]] of a scene")
+      .def_readwrite("name", &ContactPair::name)
+      .def_readwrite("first", &ContactPair::first)
+      .def_readwrite("second", &ContactPair::second, "empty: the members of the first among each other")
+      .def_readwrite("friction", &ContactPair::friction, "[-]; negative: that of the scene")
+      .def_readwrite("static_friction", &ContactPair::static_friction, "[-]; negative: as friction")
+      .def_readwrite("friction_decay", &ContactPair::friction_decay, "[time/length]; negative: none")
+      .def_readwrite("start", &ContactPair::start, "[time]")
+      .def_readwrite("end", &ContactPair::end, "[time]")
+      .def_readwrite("where", &ContactPair::where, "for messages");
+  bind_data<TiedContact>(module, "TiedContact", "[[contact.tied]] of a scene")
+      .def_readwrite("name", &TiedContact::name)
+      .def_readwrite("first", &TiedContact::first, "whose nodes follow")
+      .def_readwrite("second", &TiedContact::second, "whose faces they follow")
+      .def_readwrite("tolerance", &TiedContact::tolerance, "[length]; negative: 0.05 of a face's shorter diagonal")
+      .def_readwrite("start", &TiedContact::start, "[time]")
+      .def_readwrite("end", &TiedContact::end, "[time]")
+      .def_readwrite("where", &TiedContact::where, "for messages");
+  bind_list<ContactPair>(module, "ContactPairs");
+  bind_list<TiedContact>(module, "TiedContacts");
+}
+
 void bind_parts(py::module_& module) {
   bind_data<YieldCurve>(module, "YieldCurve", "Yield stress over plastic strain, at a strain rate.")
       .def_readwrite("rate", &YieldCurve::rate, "[1/time]")
@@ -63,7 +95,8 @@ void bind_parts(py::module_& module) {
       .def_readwrite("velocity", &Body::velocity, "[length/time]")
       .def_readwrite("angular_velocity", &Body::angular_velocity, "about the centroid [1/time]")
       .def_readwrite("velocity_gradient", &Body::velocity_gradient, "3 x 3, about the centroid [1/time]")
-      .def_readwrite("velocity_noise", &Body::velocity_noise, "amplitude [length/time]");
+      .def_readwrite("velocity_noise", &Body::velocity_noise, "amplitude [length/time]")
+      .def_readwrite("element", &Body::element, "in place of the scene's; None: as there");
   bind_list<Material>(module, "Materials");
   bind_list<Body>(module, "Bodies");
 }
@@ -74,6 +107,7 @@ void bind_scene(py::module_& module) {
   bind_settings(module);
   bind_meshes(module);
   bind_parts(module);
+  bind_contact_parts(module);
   bind_boundary(module);
   bind_sources(module);
   bind_data<SourcedScene>(module, "Scene", "What is to be run: the fields are those of a scene file.")
@@ -82,10 +116,13 @@ void bind_scene(py::module_& module) {
       .def_readwrite("title", &Scene::title)
       .def_readwrite("units", &Scene::units, "named, never converted")
       .def_readwrite("precision", &Scene::precision)
+      .def_readwrite("device", &Scene::device, "where steps are made: of no file")
       .def_readwrite("refine", &Scene::refine, "already in the numbers of elements")
       .def_readwrite("time", &Scene::time)
       .def_readwrite("element", &Scene::element)
       .def_readwrite("contact", &Scene::contact)
+      .def_readwrite("contact_pairs", &Scene::contact_pairs)
+      .def_readwrite("tied_contacts", &Scene::tied_contacts)
       .def_readwrite("skip", &Scene::skip)
       .def_readwrite("guard", &Scene::guard)
       .def_readwrite("materials", &Scene::materials)
@@ -96,6 +133,7 @@ void bind_scene(py::module_& module) {
       .def_readwrite("rigid_walls", &Scene::rigid_walls)
       .def_readwrite("prescribed_velocities", &Scene::prescribed_velocities)
       .def_readwrite("loads", &Scene::loads)
+      .def_readwrite("pressures", &Scene::pressures)
       .def_readwrite("gravities", &Scene::gravities)
       .def_readwrite("initial_velocities", &Scene::initial_velocities)
       .def_readwrite("probes", &Scene::probes)

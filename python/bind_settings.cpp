@@ -4,6 +4,8 @@ namespace pinball::python {
 
 void bind_settings(py::module_& module) {
   bind_choice<Precision>(module, "Precision", {{"float", Precision::float32}, {"double", Precision::float64}});
+  bind_choice<Device>(module, "Device",
+                      {{"none", Device::none}, {"mock", Device::mock}, {"cuda", Device::cuda}, {"hip", Device::hip}});
   bind_choice<HourglassControl>(module, "HourglassControl",
                                 {{"none", HourglassControl::none},
                                  {"viscous", HourglassControl::viscous},
@@ -32,11 +34,14 @@ void bind_settings(py::module_& module) {
   bind_choice<RateInterpolation>(
       module, "RateInterpolation",
       {{"linear", RateInterpolation::linear}, {"logarithmic", RateInterpolation::logarithmic}});
+  bind_choice<MassScaling>(module, "MassScaling", {{"small", MassScaling::small}, {"all", MassScaling::all}});
   bind_data<TimeSettings>(module, "TimeSettings", "[time] of a scene")
       .def_readwrite("end", &TimeSettings::end, "when the run stops [time]")
       .def_readwrite("cfl", &TimeSettings::cfl, "fraction of the stable step [-]")
       .def_readwrite("steps", &TimeSettings::steps, "stop after so many; -1: no limit")
-      .def_readwrite("subcycling", &TimeSettings::subcycling, "larger elements make larger steps");
+      .def_readwrite("subcycling", &TimeSettings::subcycling, "larger elements make larger steps")
+      .def_readwrite("smallest_step", &TimeSettings::smallest_step, "which mass is added for; 0: none [time]")
+      .def_readwrite("mass_scaling", &TimeSettings::mass_scaling, "whose mass changes for it");
   bind_data<ElementSettings>(module, "ElementSettings", "[element] of a scene")
       .def_readwrite("hourglass", &ElementSettings::hourglass)
       .def_readwrite("hourglass_coefficient", &ElementSettings::hourglass_coefficient,
@@ -54,6 +59,8 @@ void bind_settings(py::module_& module) {
       .def_readwrite("friction", &ContactSettings::friction, "Coulomb coefficient while sliding [-]")
       .def_readwrite("static_friction", &ContactSettings::static_friction,
                      "the same at rest [-]; negative: as friction")
+      .def_readwrite("friction_decay", &ContactSettings::friction_decay,
+                     "between both, over the velocity [time/length]")
       .def_readwrite("radius", &ContactSettings::radius)
       .def_readwrite("radius_factor", &ContactSettings::radius_factor, "on the radii of the balls [-]")
       .def_readwrite("self", &ContactSettings::self, "whether a body may touch itself")
@@ -71,7 +78,9 @@ void bind_settings(py::module_& module) {
       .def_readwrite("every_step", &OutputSettings::every_step)
       .def_readwrite("field_interval", &OutputSettings::field_interval, "between field files [time]; 0: none")
       .def_readwrite("field_times", &OutputSettings::field_times, "[time]")
-      .def_readwrite("fields", &OutputSettings::fields);
+      .def_readwrite("fields", &OutputSettings::fields)
+      .def_readwrite("body_energies", &OutputSettings::body_energies,
+                     "energies, momentum and mass of each body in the history");
 }
 
 }  // namespace pinball::python

@@ -80,7 +80,7 @@ void bind_simulation(py::module_& module) {
            "of "
            "scenes that were read and not changed.")
       .def_static("from_checkpoint", &Object::from_checkpoint, py::arg("path"), py::arg("threads") = 0,
-                  py::arg("set") = std::vector<std::string>{},
+                  py::arg("set") = std::vector<std::string>{}, py::arg("device") = Device::none,
                   "The simulation of a checkpoint, also of one that `pinball run` has written; set: \"KEY=VALUE\" of "
                   "time.end, time.steps, time.cfl, output.* or guard.*");
 }

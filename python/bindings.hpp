@@ -18,9 +18,13 @@ PYBIND11_MAKE_OPAQUE(std::vector<pinball::FixedConstraint>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::RigidWall>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::PrescribedVelocity>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::NodalLoad>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::Pressure>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Gravity>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::InitialVelocity>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Probe>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::ContactPair>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::TiedContact>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::MeshSetName>)
 
 namespace pinball::python {
 

@@ -133,7 +133,8 @@ void SimulationObject::save_checkpoint(const std::string& path) {
   if (!source_) {
     throw InputError("checkpoint: expected a scene of a file, which it holds the text of; pickle takes any simulation");
   }
-  const SourcedScene as_read{checked_scene(read_scene(*source_)), source_};
+  SourcedScene as_read{checked_scene(read_scene(*source_)), source_};
+  as_read.device = simulation.scene().device;  // of no file
   if (!py::cast(as_read).equal(py::cast(scene()))) {
     throw InputError(
         "checkpoint: expected the scene as it was read, got one that was changed; pickle takes any simulation");
@@ -142,9 +143,12 @@ void SimulationObject::save_checkpoint(const std::string& path) {
 }
 
 std::unique_ptr<SimulationObject> SimulationObject::from_checkpoint(const std::string& path, int threads,
-                                                                    const std::vector<std::string>& set) {
+                                                                    const std::vector<std::string>& set,
+                                                                    Device device) {
   const SceneSource source = scene_of_checkpoint(path, set);
-  auto made = std::make_unique<SimulationObject>(SourcedScene{read_scene(source), source}, threads);
+  SourcedScene scene{read_scene(source), source};
+  scene.device = device;
+  auto made = std::make_unique<SimulationObject>(scene, threads);
   load_checkpoint(path, made->simulation_);
   return made;
 }

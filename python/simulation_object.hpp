@@ -31,7 +31,7 @@ class SimulationObject {
   SourcedScene scene();
   void save_checkpoint(const std::string& path);
   static std::unique_ptr<SimulationObject> from_checkpoint(const std::string& path, int threads,
-                                                           const std::vector<std::string>& set);
+                                                           const std::vector<std::string>& set, Device device);
   py::dict state();  ///< for pickle
   static std::unique_ptr<SimulationObject> from_state(const py::dict& state);
 

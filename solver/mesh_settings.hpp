@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -70,16 +71,19 @@ struct SphereMesh {
   double grading = 1.0;           ///< elements at the pole z = -radius are smaller by this factor [-]
 };
 
-enum class MeshFormat { gmsh, keyword };
+/// vtk: legacy files (.vtk) and those of XML (.vtu), which the first bytes tell apart.
+enum class MeshFormat { gmsh, keyword, exodus, vtk, abaqus };
 
-/// mesh = { type = "gmsh", file = "part.msh", physical = "name", scale = 1 } or { type = "keyword", file = "part.k",
-/// part = "1", scale = 1 }. Bodies of one file with the same scale, axis and position share the nodes that their
+/// mesh = { type = "gmsh", file = "part.msh", physical = "name", scale = 1 }, or of another type, with part in the
+/// place of physical. Bodies of one file with the same case, scale, axis and position share the nodes that their
 /// elements have in common.
 struct FileMesh {
   MeshFormat format = MeshFormat::gmsh;
   std::string file;    ///< as it can be opened; in the scene relative to the folder of the scene file
   std::string part;    ///< part, physical: name or number of a part or of a set of elements; default: all elements
   double scale = 1.0;  ///< multiplies the coordinates
+  std::optional<std::int64_t> chosen_case{};  ///< case: of a deck; none: what belongs to no case
+  std::string array{};  ///< of vtk: the integers of the cells that number the parts; default: by its name
 };
 
 /// The mesh of a body in the memory of a host. It is read, and copied once, while the model is built: elements are

@@ -24,6 +24,8 @@ struct RecordOptions {
   /// Asked after each step: whether the run is to end there, with all its files and, where `source` is known, a
   /// checkpoint.pinball to go on from with the same bits. Empty: it goes on to its end.
   std::function<bool()> stop{};
+  /// Of a run that goes on from a checkpoint (restart.hpp): where it does. Other runs: where their scene says.
+  Device device = Device::none;
 };
 
 /// Runs a scene to its end and writes history, fields and summary into the folder, and checkpoint.pinball if asked for.

@@ -16,15 +16,18 @@ namespace pinball {
 /// cannot be written.
 PINBALL_API void save_checkpoint(const std::string& path, Simulation& simulation, const SceneSource& source);
 
-/// What the scene of a checkpoint is read from. set: "KEY=VALUE" of time.end, time.steps, time.cfl, output.* or
-/// guard.*. Throws InputError for a file that is damaged or of another kind, other keys, and mesh files that have
-/// changed.
+/// What the scene of a checkpoint is read from. set: "KEY=VALUE" of time.end, time.steps, time.cfl, output.* but
+/// body_energies, or guard.*. Throws InputError for a file that is damaged or of another kind, other keys, and mesh
+/// files that have changed.
 PINBALL_API SceneSource scene_of_checkpoint(const std::string& path, const std::vector<std::string>& set = {});
 
 /// Brings a simulation of that scene to the state. Throws InputError where it does not fit.
 PINBALL_API void load_checkpoint(const std::string& path, Simulation& simulation);
 
-/// run_recorded() from a checkpoint on, as `pinball run --restart`. options.out: empty: the folder of the checkpoint;
+/// Where a run that goes on from a checkpoint writes, if nothing else is said.
+PINBALL_API std::string folder_of_checkpoint(const std::string& path);
+
+/// run_recorded() from a checkpoint on, as `pinball run --restart`. options.out: empty: folder_of_checkpoint();
 /// options.source and options.restart are not looked at.
 PINBALL_API RunSummary restart_recorded(const std::string& path, const std::vector<std::string>& set,
                                         const RecordOptions& options);

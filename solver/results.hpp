@@ -32,6 +32,7 @@ struct BodyResult {
   std::int64_t eroded_elements = 0;
   double mass_initial = 0.0;        ///< mass of all its elements [mass]
   double mass_remaining = 0.0;      ///< mass of the elements that are not eroded [mass]
+  double mass_added = 0.0;          ///< what of mass_initial no material has (time.smallest_step) [mass]
   Point velocity{};                 ///< of the remaining elements, mass-weighted [length/time]
   double max_plastic_strain = 0.0;  ///< among the remaining elements [-]
 };
@@ -39,9 +40,42 @@ struct BodyResult {
 /// What a rigid wall has felt.
 struct WallResult {
   std::string name;
-  double force = 0.0;      ///< along its normal, at present [force]
-  double force_max = 0.0;  ///< largest of one step [force]
-  double impulse = 0.0;    ///< given to the bodies [mass length/time]
+  double force = 0.0;         ///< along its normal, at present [force]
+  double force_max = 0.0;     ///< largest of one step [force]
+  double impulse = 0.0;       ///< given to the bodies [mass length/time]
+  bool moves = false;         ///< it has a speed or a mass
+  double displacement = 0.0;  ///< along the normal [length]
+  double velocity = 0.0;      ///< of a wall that moves, along the normal [length/time]
+};
+
+/// What a pressure has done.
+struct PressureResult {
+  std::string name;
+  Point force{};      ///< of all its faces together, at present [force]
+  double work = 0.0;  ///< done on the bodies, up to the time of the forces [energy]
+};
+
+/// What constraints, prescribed velocities and accelerations of one name exert on the nodes.
+struct ForceResult {
+  std::string name;
+  Point force{};  ///< at present [force]
+};
+
+/// What the two sides of a contact pair have done to each other.
+struct PairResult {
+  std::string name;
+  Point force{};           ///< on the first side, at present [force]
+  double force_max = 0.0;  ///< size of the largest of one step [force]
+  Point impulse{};         ///< given to the first side [mass length/time]
+};
+
+/// What has become of the nodes of a tied contact at the start.
+struct TiedResult {
+  std::string name;
+  std::int64_t nodes = 0;  ///< follow a face
+  std::int64_t near = 0;   ///< lie within five times the tolerance, and beyond it
+  std::int64_t held = 0;   ///< near enough, but held in all directions or moved as prescribed
+  std::int64_t taken = 0;  ///< near enough, but tied already, or corners of faces that others are tied to
 };
 
 /// What one quantity of a probe is at the end.
@@ -128,6 +162,7 @@ enum class RunStatus {
 /// Everything that summary.json holds.
 struct RunSummary {
   std::string scene, title, units, version, precision;
+  std::string device;  ///< where its steps are made: "none", on the host; "mock", "cuda", "hip"
   RunStatus status = RunStatus::running;
   std::string error;    ///< of a run that has failed
   std::string started;  ///< when its files were begun, UTC: "2024-05-31T08:15:00Z"; empty: it has none
@@ -154,15 +189,20 @@ struct RunSummary {
   /// Hourglass energy below and above zero, of the largest internal energy, or of a hundredth of energy_in_motion where
   /// that is more.
   WatchedShare hourglass_created, hourglass_large;
+  double mass_added = 0.0;       ///< to all bodies for time.smallest_step [mass]
+  std::string large_added_mass;  ///< where it is more than is sound, as a sentence; empty: nowhere
   Point momentum_initial{}, momentum_final{};
   std::vector<BodyResult> bodies;
   std::vector<WallResult> walls;
+  std::vector<PressureResult> pressures;
   std::vector<ProbeResult> probes;
   std::string contact_method, contact_enforcement;
-  std::string contact_gap;     ///< "pinball": between balls; "face"
-  std::int64_t pinballs = 0;   ///< at the end
-  std::int64_t pairs_max = 0;  ///< most pairs in contact at one step
-  SweepCounts sweeps;          ///< of impulses of contact, by lagrange
+  std::string contact_gap;                ///< "pinball": between balls; "face"
+  std::vector<PairResult> contact_pairs;  ///< of the scene
+  std::vector<TiedResult> tied;           ///< of the scene, at the start
+  std::int64_t pinballs = 0;              ///< at the end
+  std::int64_t pairs_max = 0;             ///< most pairs in contact at one step
+  SweepCounts sweeps;                     ///< of impulses of contact, by lagrange
   std::int64_t searches = 0, searches_skipped = 0;
   std::int64_t inner_element_steps = 0;  ///< of elements that are not in contact, because no face of theirs is exposed
   std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have
@@ -173,7 +213,10 @@ struct RunSummary {
   std::string overlapping_bodies;      ///< "a and b": the first two that shared space at the start; empty: none did
   std::string overlap_at_end;          ///< the same two at the end, with the number of points inside; empty: none do
   std::string unseen_balls;            ///< which balls find each other too late, and how late; empty: none do
-  std::string unstable_hourglass;      ///< an hourglass coefficient too large for the steps; empty: it is not
+  std::vector<std::string>
+      mesh_warnings;                    ///< of meshes of files: nodes on each other, folded elements, what is left out
+  std::vector<std::string> near_nodes;  ///< selections that nodes lie near to and that do not take them, in words
+  std::string unstable_hourglass;       ///< an hourglass coefficient too large for the steps; empty: it is not
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements
 };

@@ -9,6 +9,7 @@
 #include "contact/contact_settings.hpp"
 #include "mesh_settings.hpp"
 #include "scene_boundary.hpp"
+#include "scene_contact.hpp"
 
 /// A scene: plain data with defaults, read from a file or filled in by a host; no arrays of the size of the mesh.
 /// Every field carries the TOML key that sets it. Units are the scene's own consistent set. What is called "not set"
@@ -27,12 +28,19 @@ inline double default_hourglass_coefficient(HourglassControl control) {
                                                      : 0.0;
 }
 
+enum class MassScaling { small, all };
+
 struct TimeSettings {
   double end = 0.0;         ///< time.end: when the run stops [time], required
   double cfl = 0.9;         ///< time.cfl: fraction of the stable step, 0 < cfl <= 1.2
   std::int64_t steps = -1;  ///< time.steps: stop after so many steps; -1: no limit
   /// time.subcycling: elements that are stable with a larger step make one, a power of two times the smallest
   bool subcycling = false;
+  /// time.smallest_step: elements that would need a smaller one get as much mass as makes it stable; 0: none [time]
+  double smallest_step = 0.0;
+  /// time.mass_scaling = "small" | "all": only those, or mass is added to and taken from all, so that all have that
+  /// step
+  MassScaling mass_scaling = MassScaling::small;
 };
 
 struct ElementSettings {
@@ -45,6 +53,8 @@ struct ElementSettings {
   double quadratic_viscosity = 1.2;  ///< element.quadratic_viscosity: b2 [-]
   /// element.negative_volume = "stop" | "erode"; default: erode where a material erodes, stop elsewhere
   std::optional<NegativeVolume> negative_volume;
+
+  bool operator==(const ElementSettings&) const = default;
 };
 
 struct SkipSettings {
@@ -105,13 +115,19 @@ struct Body {
   std::array<Point, 3> velocity_gradient{};
   double velocity_noise =
       0.0;  ///< velocity_noise: adds a deterministic pseudo-random velocity of this amplitude [length/time]
+  /// element: in place of [element] of the scene; in a file what it leaves out is as there
+  std::optional<ElementSettings> element;
 };
 
 /// One [[constraint]] table. type = "symmetry": nodes on the plane may not move along its normal.
 struct PlaneConstraint {
   Point point{};
-  Point normal{};    ///< of unit length
-  std::string body;  ///< body: only nodes of this body; default: all
+  Point normal{};        ///< of unit length
+  std::string body;      ///< body: only nodes of this body; default: all
+  std::string set{};     ///< set: these nodes of a mesh file, in the place of those on the plane
+  double tolerance = 0;  ///< tolerance: how far from the plane nodes may be; 0: by the mesh [length]
+  std::string where{};   ///< for messages
+  std::string name{};    ///< name: of its force on the nodes; those of one name together; empty: not asked for
 };
 
 struct DampingSettings {
@@ -123,9 +139,15 @@ struct OutputSettings {
   bool every_step = false;          ///< output.interval = "step": a history row per step
   double field_interval = 0.0;      ///< output.field_interval: between field outputs [time]; 0: none
   std::vector<double> field_times;  ///< output.field_times: field output at these times [time]
+  /// output.body_energies: energies, momentum and mass of each body in history.csv. Tiles of elements are then of one
+  /// body each: where bodies share a material, results are others in their last digits
+  bool body_energies = false;
   /// output.fields: which of these
   std::vector<std::string> fields{"velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive"};
 };
+
+/// Where the arrays of a run lie, and its steps are made.
+enum class Device { none, mock, cuda, hip };
 
 struct Scene {
   std::string name;                          ///< file name without folder and ending
@@ -133,10 +155,13 @@ struct Scene {
   std::string title;                         ///< title
   std::string units;                         ///< units = "in-lbf-s": named, never converted
   Precision precision = Precision::float64;  ///< precision = "double" | "float"
+  Device device = Device::none;              ///< --device
   int refine = 1;                            ///< --refine: already multiplied into the element counts of the meshes
   TimeSettings time;
   ElementSettings element;
   ContactSettings contact;
+  std::vector<ContactPair> contact_pairs;  ///< [[contact.pair]]; none: all touches all
+  std::vector<TiedContact> tied_contacts;  ///< [[contact.tied]]
   SkipSettings skip;
   GuardSettings guard;
   std::vector<Material> materials;
@@ -147,6 +172,7 @@ struct Scene {
   std::vector<RigidWall> rigid_walls;
   std::vector<PrescribedVelocity> prescribed_velocities;
   std::vector<NodalLoad> loads;
+  std::vector<Pressure> pressures;
   std::vector<Gravity> gravities;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<Probe> probes;

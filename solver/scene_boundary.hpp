@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +28,7 @@ struct Box {
 };
 
 /// Which nodes: those of `body` that fulfil everything given, at their initial places; with `nearest`, the one of them
-/// that is nearest to the point (the first of several).
+/// that is nearest to the point (the first of several). A set of elements, of faces or a part stands for its nodes.
 struct NodeSelection {
   std::string where{};           ///< "FILE:LINE:COLUMN: KEY" of the table, for messages; "load.0" in a host's scene
   std::string body{};            ///< body; empty: of all bodies
@@ -34,9 +36,11 @@ struct NodeSelection {
   std::optional<Line> line{};    ///< line = { point, direction }: on the line
   std::optional<Box> box{};      ///< box = { low, high }: in the box or on its faces
   std::optional<Point> nearest{};
-  std::string set{};                  ///< set: name or number of a set of nodes in a mesh file
+  std::string set{};                  ///< set: name or number in a mesh file, of nodes, faces, elements or a part
   std::vector<std::int64_t> nodes{};  ///< nodes: numbers that the mesh file gives them
   std::string file{};                 ///< file: the mesh file that the set or the numbers are of; empty: the only one
+  std::string without{};              ///< without: a set whose nodes are left out
+  double tolerance = 0;  ///< tolerance: how far from plane, line and box nodes may be; 0: by the mesh [length]
 
   /// Whether nothing is given that says which nodes.
   bool all() const { return body.empty() && !plane && !line && !box && !nearest && set.empty() && nodes.empty(); }
@@ -52,6 +56,15 @@ struct TimeTable {
   double second_integral(double time) const;  ///< of the integral, from time 0 [time^2]
 };
 
+/// When something acts: from start on, and before end.
+struct TimeSpan {
+  double start = 0;                                      ///< start; <= 0: from the beginning [time]
+  double end = std::numeric_limits<double>::infinity();  ///< end [time]
+
+  bool contains(double time) const { return (start <= 0 || time >= start) && time < end; }
+  bool always() const { return start <= 0 && end == std::numeric_limits<double>::infinity(); }
+};
+
 enum class Frame { global, cylindrical };
 
 /// [[constraint]] type = "fixed": the nodes may not move along some directions.
@@ -61,15 +74,26 @@ struct FixedConstraint {
   std::vector<Point> directions{};
   Frame frame = Frame::global;  ///< frame = "global" | "cylindrical"
   Line axis{};                  ///< axis = { point, direction } of the cylindrical frame
+  TimeSpan when{};              ///< start, end
+  std::string name{};           ///< name: of its force on the nodes; those of one name together; empty: not asked for
 };
 
-/// [[rigid_wall]]: a plane that no node crosses, free to be left.
+/// [[rigid_wall]]: a plane that no node crosses, free to be left. With a mass it moves along its normal as the nodes
+/// push it; else with a speed as given.
 struct RigidWall {
   std::string name{};  ///< name: unique; default: wall_NUMBER
   Plane plane{};       ///< point, normal: the normal points to the free side
   std::string body{};  ///< body: only nodes of this body; default: all
   std::string where{};
-  double friction = 0;  ///< friction: Coulomb coefficient [-]
+  double friction = 0;           ///< friction: Coulomb coefficient [-]
+  bool sliding = true;           ///< sliding = false: nodes do not move along the wall while they touch it
+  NodeSelection nodes{};         ///< set, nodes, box, without: only these nodes; default: all
+  TimeSpan when{};               ///< start, end
+  std::optional<Point> edge{};   ///< edge: direction of the first side of a rectangle with a corner in `point`
+  std::array<double, 2> size{};  ///< size: of its sides, along edge and normal x edge; 0: without end [length]
+  double mass = 0;               ///< mass: of a wall that is pushed; 0: nothing moves it [mass]
+  double speed = 0;              ///< speed: along the normal, with a mass that at the start [length/time]
+  TimeTable table{};             ///< times, factors of the speed; without a mass
 };
 
 /// What a table of prescribed motion gives, whose factors multiply the velocity that stands beside it.
@@ -83,6 +107,8 @@ struct PrescribedVelocity {
   TimeTable table{};                 ///< times, factors
   /// quantity = "velocity" | "displacement" | "acceleration": velocity is then a length or an acceleration
   MotionQuantity quantity = MotionQuantity::velocity;
+  TimeSpan when{};     ///< start, end: the nodes are free before and after; factors are of the time of the run
+  std::string name{};  ///< name: as of a constraint
 };
 
 /// [[load]]: a force on the nodes together, shared in proportion to their masses.
@@ -93,21 +119,39 @@ struct NodalLoad {
   bool each = false;  ///< each: the force is that on each of the nodes
 };
 
-/// [[gravity]]: an acceleration of all bodies.
+/// [[pressure]]: on faces of elements, against their outward normals, wherever these go. The faces that are listed,
+/// those of a set, or the exposed ones all of whose corners are selected. Faces of eroded elements are free of it.
+struct Pressure {
+  std::string name{};     ///< name: unique; default: pressure_NUMBER
+  NodeSelection faces{};  ///< set, body, plane, ...
+  /// faces: four nodes each (of a triangle the last one twice), by the numbers that the mesh file gives them
+  std::vector<std::array<std::int64_t, 4>> corners{};
+  double pressure = 0;  ///< pressure: where the factor is 1; positive: it presses [stress]
+  TimeTable table{};    ///< times, factors
+  double start = 0;     ///< start: none before; times count from it [time]
+};
+
+/// [[gravity]]: an acceleration of all bodies, or of some.
 struct Gravity {
-  Point acceleration{};  ///< acceleration [length/time^2]
-  TimeTable table{};     ///< times, factors
+  Point acceleration{};               ///< acceleration [length/time^2]
+  TimeTable table{};                  ///< times, factors
+  std::vector<std::string> bodies{};  ///< bodies; empty: all
+  std::string name{};                 ///< name: as of a constraint
 };
 
 /// [[initial_velocity]]: of some nodes, in place of that of their body.
 struct InitialVelocity {
   NodeSelection nodes{};
-  Point velocity{};  ///< velocity [length/time]
+  Point velocity{};                                    ///< velocity [length/time]
+  Point angular_velocity{};                            ///< angular_velocity: adds w x (x - centre) [1/time]
+  Point centre{};                                      ///< centre: a point of the axis [length]
+  std::array<bool, 3> components{{true, true, true}};  ///< components: those that are set; the others stay
 };
 
 enum class ProbeKind { node, element };
 
-/// [[probe]]: history of the node or the element nearest to a point, chosen at the start.
+/// [[probe]]: history of a node or an element: the one nearest to a point at the start, or the one that a mesh file
+/// gives a number.
 struct Probe {
   std::string name{};                   ///< name: unique, also among the bodies
   ProbeKind kind = ProbeKind::node;     ///< kind = "node" | "element"
@@ -115,6 +159,8 @@ struct Probe {
   std::string body{};                   ///< body: only of this body; default: all
   std::vector<std::string> quantities;  ///< quantities: see probe_quantities(); default: all of the kind
   std::string where{};
+  /// node, element: its number in the mesh file that `body` is from, in the place of a point
+  std::optional<std::int64_t> number{};
 };
 
 /// What a probe of a kind can watch: "position", "displacement", "velocity"; "stress", "effective_stress",

@@ -21,6 +21,8 @@ struct Problem {
 /// Fills in what is not set and follows from other settings.
 void complete(ElementSettings& element);
 void complete(ContactSettings& contact);
+/// contact: completed.
+void complete(ContactPair& pair, const ContactSettings& contact);
 /// The yield stress of a material with yield curves: where the first begins.
 void complete(Material& material);
 /// The same for the whole scene; also brings normals and directions to unit length. A second call changes nothing.
@@ -29,10 +31,15 @@ PINBALL_API void complete_scene(Scene& scene);
 /// Of completed settings.
 std::optional<Problem> problem_of(const TimeSettings& time);
 std::optional<Problem> problem_of(const ContactSettings& contact);
+/// contact: for what is common to all pairs.
+std::optional<Problem> problem_of(const ContactPair& pair, const ContactSettings& contact);
+std::optional<Problem> problem_of(const TiedContact& tied);
 /// yield_stress is given for an elastic material, too, which does not use it; 0: not given.
 std::optional<Problem> problem_of(const Material& material);
 std::optional<Problem> problem_of(const YieldCurve& curve);
 std::optional<Problem> problem_of(const TimeTable& table);
+std::optional<Problem> problem_of(const TimeSpan& when);
+std::optional<Problem> problem_of(const RigidWall& wall);
 std::optional<Problem> problem_of(const Box& box);
 
 /// Names are parts of dotted keys and of column headings: letters, digits, "_" and "-" only.

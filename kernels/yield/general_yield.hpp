@@ -193,14 +193,14 @@ PINBALL_FUNCTION Symmetric<T> read_back_stress(const State& state) {
   const T xx = state(0), yy = state(1);
   return {xx, yy, -(xx + yy), state(2), state(3), state(4)};
 }
-template <class T>
+/// L: of the rows (ElementView).
+template <class T, int L = width_of<T>>
 PINBALL_FUNCTION void write_back_stress(const Symmetric<T>& back, ScalarOf<T>* stored) {
-  constexpr int W = width_of<T>;
   store(back.xx, stored);
-  store(back.yy, stored + W);
-  store(back.xy, stored + 2 * W);
-  store(back.yz, stored + 3 * W);
-  store(back.zx, stored + 4 * W);
+  store(back.yy, stored + L);
+  store(back.xy, stored + 2 * L);
+  store(back.yz, stored + 3 * L);
+  store(back.zx, stored + 4 * L);
 }
 
 }  // namespace pinball

@@ -27,7 +27,7 @@ PINBALL_FUNCTION float look_up(const float* array, float index, int stride) {
   return array[static_cast<int>(index) * stride];
 }
 
-#if !defined(__CUDACC__)
+#if !defined(PINBALL_DEVICE_COMPILER)
 
 template <class T, class Abi>
 PINBALL_FUNCTION stdx::simd<T, Abi> power(const stdx::simd<T, Abi>& base, T exponent) {

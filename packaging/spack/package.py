@@ -23,6 +23,10 @@ class Pinball(CMakePackage):
     depends_on("nlohmann-json@3.11:", when="+solver", type="build")
     depends_on("tomlplusplus@3.3:", when="+solver")
     depends_on("pkgconfig", when="+solver", type=("build", "link"))
+    # For meshes of Exodus and VTK.
+    depends_on("netcdf-c", when="+solver")
+    depends_on("pugixml", when="+solver")
+    depends_on("zlib-api", when="+solver")
 
     depends_on("py-pybind11@2.10:", when="+python", type="build")
     depends_on("py-numpy", when="+python", type=("build", "run"))

@@ -1,39 +1,45 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/model/model.hpp>
-#include <solver/model/node_spans.hpp>
 #include <solver/results.hpp>
 
+#include "face_pressures.hpp"
+#include "gravity_loads.hpp"
+#include "named_forces.hpp"
 #include "rigid_walls.hpp"
+#include "space/boundary_kernels.hpp"
 
 namespace pinball {
 
-/// What acts on the nodes from outside: loads (the scene's and the host's), damping, constraints, prescribed velocities
-/// and rigid walls, in this order, each of them with the last word over those before. All of them act through the force
-/// of a node, so that integration and energies need not know of them.
+/// What acts on the nodes from outside: loads (the scene's and the host's), pressures, gravity, damping, constraints,
+/// prescribed velocities and rigid walls, in this order, each of them with the last word over those before. All of them
+/// act through the force of a node, so that integration and energies need not know of them.
 template <class S>
 class BoundaryConditions {
  public:
   /// Throws InputError for a selection without nodes and for a node behind a wall.
-  explicit BoundaryConditions(const Model<S>& model);
+  BoundaryConditions(const Model<S>& model, std::unique_ptr<const BoundaryKernels<S>> kernels);
 
   /// Whether the scene has any of it.
   bool any() const { return any_; }
 
-  // In this order, after the forces of elements and springs are known and before the integration; time: of the forces.
+  // In this order, after the forces of elements and springs are known and before the integration. nodes: of the space
+  // of the kernels; time: of the forces.
 
+  /// Takes the constraints and prescribed velocities that act at this time; whether they are others than before.
+  bool follow(Model<S>& model, const NodeArrays<S>& nodes, double time, const StepLengths& step);
   /// Adds loads and damping to the forces of the nodes.
-  void add_loads(Model<S>& model, double time);
+  void add_loads(const NodeArrays<S>& nodes, double time);
   /// Constraints and prescribed velocities: changes forces and, in constrained directions, velocities; once more where
   /// contact has added forces since. due: what is integrated then.
-  void hold(Model<S>& model, double time, const StepLengths& step, const DueSpans& due = {});
+  void hold(const NodeArrays<S>& nodes, double time, const StepLengths& step, const DueSpans& due = {});
   /// Adds the reactions of the walls, and counts the work of all.
-  void add_wall_reactions(Model<S>& model, const StepLengths& step);
+  void add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step);
 
   double work() const { return done_ + last_.now; }  ///< done on the model up to the time of the forces [energy]
   /// Counts work that was done between two steps.
@@ -42,38 +48,46 @@ class BoundaryConditions {
   /// the host writes. They are no part of the state that is saved.
   AlignedArray<S>& host_forces(const Model<S>& model);
   void persist(StateArchive& archive) {
-    archive(done_, last_);
+    archive(done_, last_, changed_);
+    archive.require(changed_ <= changes_.size());
+    was_read_ = archive.reads();  // the model has the constraints of another time
+    pressures_.persist(archive);
     walls_.persist(archive);
   }
   const std::vector<WallResult>& walls() const { return walls_.results(); }
+  std::vector<PressureResult> pressures() const { return pressures_.results(); }
+  /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
+  /// name; time: of the forces.
+  std::vector<ForceResult> forces(const Model<S>& model, double time) const;
+  const std::vector<std::string>& force_names() const { return named_.names(); }
   std::size_t bytes() const;
 
  private:
   struct Load {
-    Point force{};
-    TimeTable table;
-    std::vector<std::int32_t> nodes;
-    std::vector<S> share;        ///< of the force, per node [-]
-    std::array<S, 3> present{};  ///< total, at the time of the forces [force]
+    NodalLoad given;
+    std::unique_ptr<NodeForceKernels<S>> nodes;
   };
-  void add_nodal_loads(Model<S>& model, double time);
-  void add_host_forces(Model<S>& model) const;
-  void add_damping(Model<S>& model);
-  void add_gravity(Model<S>& model, double time);
-  void constrain(Model<S>& model, const DueSpans& due) const;
-  void prescribe(Model<S>& model, double time, const StepLengths& step);
-  ExternalWork work_of_step(const Model<S>& model, const StepLengths& step) const;
+  static Load load_of(const Model<S>& model, const NodalLoad& given, const BoundaryKernels<S>& kernels);
+  void find_changes(const Scene& scene);
+  void take_constraints(const Model<S>& model);
+  ExternalWork work_of_step(const NodeArrays<S>& nodes, const StepLengths& step);
 
-  bool any_ = false, acts_ = false;               ///< acts_: does work
-  std::vector<std::size_t> constraints_of_span_;  ///< first of each span of nodes; spans + 1 entries
+  bool any_ = false, acts_ = false;  ///< acts_: does work
+  std::vector<double> changes_;      ///< when constraints or prescribed velocities begin or end, in order
+  bool was_read_ = false;
+  std::uint64_t changed_ = 0;  ///< how many of them are past
+  std::unique_ptr<const BoundaryKernels<S>> kernels_;
   std::vector<Load> loads_;
-  AlignedArray<S> host_forces_;  ///< empty until asked for [force]
-  double damping_ = 0;           ///< [1/time]
-  std::vector<Gravity> gravities_;
-  Point gravity_{};  ///< the sum of them at the time of the forces [length/time^2]
+  AlignedArray<S> host_forces_;                   ///< empty until asked for [force]
+  std::unique_ptr<NodeForceKernels<S>> of_host_;  ///< null: until then
+  std::unique_ptr<NodeForceKernels<S>> damping_;  ///< null: there is none
+  NamedForces named_;
+  GravityLoads<S> gravity_;
   std::vector<TimeTable> velocity_tables_;
   std::vector<MotionQuantity> quantities_;  ///< of the tables
-  std::vector<S> reaction_;                 ///< per NodePrescription of the model [force]
+  std::unique_ptr<HeldNodeKernels<S>> held_;
+  bool constrains_ = false, prescribes_ = false;  ///< at present
+  FacePressures<S> pressures_;
   RigidWalls<S> walls_;
   double done_ = 0;  ///< work of all steps before the last
   ExternalWork last_;

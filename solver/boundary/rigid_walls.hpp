@@ -1,13 +1,14 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <memory>
 #include <vector>
 
-#include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/model/model.hpp>
 #include <solver/results.hpp>
+
+#include "space/boundary_kernels.hpp"
+#include "wall_motion.hpp"
 
 namespace pinball {
 
@@ -25,41 +26,42 @@ namespace pinball {
 /// Where constraints hold a node, only the part of the reaction along its free directions moves it. Several walls act
 /// one after the other: where their normals are not perpendicular, a node in the corner may for a step be behind the
 /// earlier ones.
+///
+/// A wall with an end, in space or in time, takes the nodes that come from its free side; those that have gone past it
+/// are left alone. A node is above a rectangle where its foot on the plane is, before the step.
 template <class S>
 class RigidWalls {
  public:
-  /// Throws InputError that names a node that lies behind a wall at the start.
-  explicit RigidWalls(const Model<S>& model);
+  /// Throws InputError that names a node that lies behind a wall at the start, by more than meshes are rounded: up to
+  /// that the wall stands back.
+  RigidWalls(const Model<S>& model, const BoundaryKernels<S>& kernels);
 
   bool any() const { return !walls_.empty(); }
 
-  /// Adds the reactions to the forces of the nodes, after everything else that acts on them.
-  void apply(Model<S>& model, const StepLengths& step);
+  /// Those that constraints and prescribed velocities of the model have now.
+  void take_held_directions(const Model<S>& model);
+  /// Adds the reactions to the forces of the nodes, after everything else that acts on them; time: of the forces.
+  void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step);
   /// Work of the reactions that apply() has set; to be called when all forces are known.
-  ExternalWork work(const Model<S>& model, const StepLengths& step) const;
+  ExternalWork work(const NodeArrays<S>& nodes, const StepLengths& step) const;
 
   void persist(StateArchive& archive) {
-    for (WallResult& wall : results_) archive(wall.force, wall.force_max, wall.impulse);
+    for (WallResult& wall : results_)
+      archive(wall.force, wall.force_max, wall.impulse, wall.displacement, wall.velocity);
   }
   const std::vector<WallResult>& results() const { return results_; }
   std::size_t bytes() const;
 
  private:
   struct Wall {
-    S point[3], normal[3];
-    S friction;
-    std::vector<std::int32_t> nodes;     ///< the last ones have a free direction of their own
-    std::vector<std::array<S, 3>> free;  ///< projection of the normal, for the last nodes
-    std::vector<S> reaction;             ///< per node [force]
-    std::vector<std::array<S, 3>> drag;  ///< friction per node, only where there is any [force]
-
-    /// Direction in which the wall can push its i-th node.
-    const S* direction(std::size_t i) const {
-      const std::size_t plain = nodes.size() - free.size();
-      return i < plain ? normal : free[i - plain].data();
-    }
+    WallPlane<S> plane;
+    TimeSpan when;
+    WallMotion motion;
+    std::unique_ptr<WallKernels<S>> nodes;
   };
-  static std::array<S, 3> drag(const Wall& wall, S reaction, const S* v, const S* f, S step, S inverse_mass);
+  static Wall wall_of(const Model<S>& model, const RigidWall& given, const BoundaryKernels<S>& kernels);
+  static void stand_back(const Model<S>& model, const RigidWall& given, WallPlane<S>& plane);
+  static void react(const NodeArrays<S>& nodes, Wall& wall, WallResult& result, double time, const StepLengths& step);
 
   std::vector<Wall> walls_;
   std::vector<WallResult> results_;

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <solver/model/model.hpp>
+
+#include "space/boundary_kernels.hpp"
 
 namespace pinball {
 
@@ -15,19 +17,17 @@ namespace pinball {
 template <class S>
 class SymmetryWalls {
  public:
-  explicit SymmetryWalls(const Model<S>& model);
+  SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>& kernels);
 
   /// To be called after the integration; position_step: the step just made with the present velocities [time].
-  void reflect(Model<S>& model, S position_step) const;
+  void reflect(const NodeArrays<S>& nodes, S position_step) const {
+    for (const auto& wall : walls_) wall->reflect(nodes, position_step);
+  }
 
   std::size_t bytes() const;
 
  private:
-  struct Wall {
-    Point point, inward;              ///< inward: unit normal towards the bodies
-    std::vector<std::int32_t> nodes;  ///< of the bodies that the plane belongs to, without those that lie in it
-  };
-  std::vector<Wall> walls_;
+  std::vector<std::unique_ptr<ReflectionKernels<S>>> walls_;  ///< each with the nodes of its bodies that are not in it
 };
 
 }  // namespace pinball

@@ -30,6 +30,9 @@ struct ContactSettings {
   double damping = 0.1;           ///< contact.damping: fraction xi of critical damping, p1 = 2 xi sqrt(p2 m) [-]
   double friction = 0.0;          ///< contact.friction: Coulomb coefficient while sliding [-]
   double static_friction = -1.0;  ///< contact.static_friction: at rest; negative: not set, becomes friction [-]
+  /// contact.friction_decay: with it friction is mu + (mu_s - mu) exp(-decay |v|) of the sliding velocity v; 0: that at
+  /// rest or that of sliding [time/length]
+  double friction_decay = 0.0;
   ContactRadius radius = ContactRadius::initial;    ///< contact.radius = "initial" | "current"
   double radius_factor = 1.0;                       ///< contact.radius_factor: on the radius of (3.2) [-]
   bool self = true;                                 ///< contact.self: a body may touch itself

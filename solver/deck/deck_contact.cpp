@@ -1,99 +1,204 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "boundary_text.hpp"
 #include "deck_parts.hpp"
 
+/// *CONTACT_...: in the form of R11 of the manual: cards 1 to 3 as SSID MSID SSTYP MSTYP SBOXID MBOXID SPR MPR, FS FD
+/// DC VC VDC PENCHK BT DT and SFS SFM SST MST SFST SFMT FSF VSF, after the card of _ID; what follows scales penalties.
 namespace pinball {
 
 namespace {
 
-using Bodies = std::set<std::string>;
+/// One side of a contact, as the key of a scene.
+struct DeckSide {
+  std::vector<std::string> bodies;
+  std::string set;  ///< "faces" or "nodes": kind of a set, in the place of bodies
+  std::int64_t id = 0;
+
+  std::string text() const {
+    return set.empty() ? toml(bodies) : fmt::format("{{ {} = {} }}", set, toml(std::to_string(id)));
+  }
+};
 
 /// One contact keyword.
 struct DeckContact {
-  Bodies slave, master;  ///< master: empty for a single surface
-  bool single = false;
-  double friction = 0, static_friction = 0;
+  std::string name, heading;  ///< heading: keyword and place
+  bool single = false, tied = false;
+  DeckSide slave, master;
+  double friction = 0, static_friction = 0, decay = 0;
+  double start = 0, end = 0;  ///< end: 0: none
+  double tolerance = -1;      ///< of a tied contact; negative: none is given
 };
 
-Bodies all_bodies(const DeckData& data) {
-  Bodies bodies;
-  for (const DeckPart& part : data.parts) bodies.insert(part.body);
-  return bodies;
+bool is_contact(const std::string& name) {
+  return name.starts_with("CONTACT_") && !name.starts_with("CONTACT_FORCE_TRANSDUCER");
 }
 
-/// Bodies of a side; none for what is not made of parts, which is refused.
-Bodies side(DeckData& data, const KeywordBlock& block, const Fields& f, std::size_t which) {
+std::vector<std::string> all_but(const DeckData& data, const std::vector<std::string>& bodies) {
+  std::vector<std::string> others = all_bodies(data);
+  std::erase_if(others, [&](const std::string& b) { return std::ranges::find(bodies, b) != bodies.end(); });
+  return others;
+}
+
+/// which: 0 the slave side, 1 the master side.
+DeckSide side_of(DeckData& data, const KeywordBlock& block, const Fields& f, std::size_t which) {
   const std::int64_t id = f.integer(which, "ssid, msid", 0), kind = f.integer(2 + which, "sstyp, mstyp", 0);
-  if ((id == 0 && which == 0) || kind == 5) return all_bodies(data);
-  Bodies bodies;
-  if (kind != 2 && kind != 3) {
-    data.report.refuse(f.place(), fmt::format("{} of sets of segments, nodes or shells", block.star_name()));
-    return bodies;
+  const std::int64_t set = id + offset_of(block, &DeckTransform::set);
+  DeckSide side;
+  if ((id == 0 && which == 0) || kind == 5) {
+    side.bodies = all_bodies(data);
+  } else if (kind == 2) {
+    side.bodies = bodies_of(data, data.part_set(set, f.place()), f.place());
+  } else if (kind == 3) {
+    side.bodies = bodies_of(data, {id + offset_of(block, &DeckTransform::part)}, f.place());
+  } else if (kind == 6) {
+    side.bodies = all_but(data, bodies_of(data, data.part_set(set, f.place()), f.place()));
+  } else if (kind == 0 || (kind == 4 && which == 0 && block.name.find("NODES_TO_SURFACE") != std::string::npos)) {
+    side.set = kind == 0 ? "faces" : "nodes";
+    side.id = set;
+    return side;
+  } else {
+    data.report.refuse(f.place(), fmt::format("{} with SSTYP or MSTYP {}", block.star_name(), kind));
+    return side;
   }
-  const auto parts = kind == 2 ? data.part_set(id + offset_of(block, &DeckTransform::set), f.place())
-                               : std::vector{id + offset_of(block, &DeckTransform::part)};
-  for (const std::int64_t part : parts) {
-    if (const auto body = data.body_of(part, f.place())) bodies.insert(*body);
-  }
-  return bodies;
+  if (side.bodies.empty())
+    data.report.refuse(f.place(), fmt::format("{} with a side that has no parts with solids", block.star_name()));
+  return side;
+}
+
+/// FS at rest, FD while sliding, DC the decay between both; all times FSF.
+void read_friction(DeckData& data, const KeywordBlock& block, const Fields& f, double factor, DeckContact& contact) {
+  const double fs = f.number(0, "fs", 0.0), fd = f.number(1, "fd", 0.0), dc = f.number(2, "dc", 0.0);
+  if (fs < 0 || fs == 2)
+    data.report.refuse(f.place(),
+                       fmt::format("{} with FS = {}, friction of parts or from a table", block.star_name(), fs));
+  if (f.number(3, "vc", 0.0) != 0 && (fs > 0 || fd > 0))
+    data.report.refuse(f.place(), block.star_name() + " with a limit of the friction stress (VC)");
+  contact.static_friction = factor * fs;
+  contact.friction = factor * (dc > 0 ? fd : fs);
+  contact.decay = dc > 0 && fd != fs ? dc : 0.0;
+}
+
+void read_times(DeckData& data, const KeywordBlock& block, const Fields& f, DeckContact& contact) {
+  contact.start = f.number(6, "bt", 0.0);
+  contact.end = f.number(7, "dt", 0.0);
+  if (contact.start < 0 || contact.end < 0)
+    data.report.refuse(f.place(), block.star_name() + " with a negative birth or death");
+  if (contact.end >= 1e19) contact.end = 0;
 }
 
 DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
   Cards cards(block);
-  if (block.id || block.title) cards.next();
-  const Card first = cards.require("the surfaces of the contact"), second = cards.next_or_blank();
-  const Fields f = data.fields(first), constants = data.fields(second);
   DeckContact contact;
+  if (block.id || block.title) {
+    const std::int64_t id = data.fields(cards.require("the number of the contact")).integer(0, "cid", 0);
+    if (id > 0) contact.name = fmt::format("contact_{}", id);
+  }
+  const Card first = cards.require("the surfaces of the contact"), second = cards.next_or_blank(),
+             third = cards.next_or_blank();
+  const Fields f = data.fields(first), constants = data.fields(second), scales = data.fields(third);
+  contact.heading = fmt::format("{} {}", block.star_name(), first.place.text());
   contact.single = block.name.ends_with("SINGLE_SURFACE") || block.name.ends_with("GENERAL");
+  contact.tied = block.name.starts_with("CONTACT_TIED_");
   if (f.integer(4, "sboxid", 0) != 0 || f.integer(5, "mboxid", 0) != 0)
     data.report.refuse(first.place, block.star_name() + " with boxes");
-  contact.slave = side(data, block, f, 0);
-  if (!contact.single) contact.master = side(data, block, f, 1);
-  const double fs = constants.number(0, "fs", 0.0), fd = constants.number(1, "fd", 0.0),
-               dc = constants.number(2, "dc", 0.0);
-  contact.static_friction = fs;
-  contact.friction = dc > 0 ? fd : fs;
-  if (dc > 0 && fd != fs)
-    data.report.understood(
-        fmt::format("{} ({}): friction is FS at rest and FD while sliding; the decay DC between them "
-                    "is not used",
-                    block.star_name(), second.place.text()));
-  const double death = constants.number(7, "dt", 0.0);
-  if (constants.number(6, "bt", 0.0) != 0 || (death != 0 && death < 1e19))
-    data.report.refuse(second.place, block.star_name() + " with birth or death");
+  contact.slave = side_of(data, block, f, 0);
+  if (!contact.single) contact.master = side_of(data, block, f, 1);
+  const double fsf = scales.number(6, "fsf", 0.0), thickness = scales.number(2, "sst", 0.0),
+               of_master = scales.number(3, "mst", 0.0);
+  read_times(data, block, constants, contact);
+  if (contact.tied) {
+    if (thickness < 0 || of_master < 0) contact.tolerance = 0.6 * std::abs(thickness + of_master);
+    return contact;
+  }
+  read_friction(data, block, constants, fsf > 0 ? fsf : 1.0, contact);
   if (constants.number(4, "vdc", 0.0) != 0)
-    data.report.understood(fmt::format("{} ({}): damping of contact (VDC) is not used: impulses do not ring",
-                                       block.star_name(), second.place.text()));
+    data.report.understood(
+        fmt::format("{}: damping of contact (VDC) is not used: impulses do not ring", contact.heading));
   return contact;
+}
+
+/// Of several with one number the later ones have none.
+void name_contacts(std::vector<DeckContact>& contacts) {
+  std::set<std::string> taken;
+  for (DeckContact& contact : contacts) {
+    if (!contact.name.empty() && !taken.insert(contact.name).second) contact.name.clear();
+  }
+}
+
+void write_friction(const DeckContact& contact, TomlText& scene) {
+  scene.key("friction", contact.friction);
+  if (contact.static_friction != contact.friction) scene.key("static_friction", contact.static_friction);
+  if (contact.decay > 0) scene.key("friction_decay", contact.decay);
+}
+
+void write_times(const DeckContact& contact, TomlText& scene) {
+  if (contact.start > 0) scene.key("start", contact.start);
+  if (contact.end > 0) scene.key("end", contact.end);
+}
+
+void write_sides(const DeckContact& contact, TomlText& scene) {
+  if (!contact.name.empty()) scene.key("name", contact.name);
+  scene.raw("first", contact.slave.text());
+  if (!contact.single) scene.raw("second", contact.master.text());
+}
+
+/// A lone single surface of all parts needs no pairs.
+bool is_contact_of_all(const DeckData& data, const std::vector<const DeckContact*>& touching) {
+  const DeckContact& only = *touching.front();
+  return touching.size() == 1 && only.single && only.slave.set.empty() && only.slave.bodies == all_bodies(data) &&
+         only.start == 0 && only.end == 0;
+}
+
+void write_touching(DeckData& data, const std::vector<const DeckContact*>& touching, TomlText& scene) {
+  scene.table("contact", touching.front()->heading);
+  scene.key("method", "pinball");
+  if (is_contact_of_all(data, touching)) {
+    write_friction(*touching.front(), scene);
+  } else {
+    for (const DeckContact* contact : touching) {
+      scene.entry("contact.pair", contact->heading);
+      write_sides(*contact, scene);
+      write_friction(*contact, scene);
+      write_times(*contact, scene);
+    }
+  }
+  for (const DeckContact* contact : touching)
+    data.report.understood(fmt::format("{}: exact contact of faces and edges, without penalties", contact->heading));
+  if (touching.size() > 1)
+    data.report.understood("where several contacts name the same two surfaces, the last one counts");
+}
+
+void write_tied(DeckData& data, const DeckContact& contact, TomlText& scene) {
+  scene.entry("contact.tied", contact.heading);
+  write_sides(contact, scene);
+  if (contact.tolerance >= 0) scene.key("tolerance", contact.tolerance);
+  write_times(contact, scene);
+  const bool offset = contact.heading.find("_OFFSET") != std::string::npos;
+  data.report.understood(fmt::format("{}: nodes of the first side are tied to faces of the second, and put on them{}",
+                                     contact.heading, offset ? ", offset or not" : ""));
 }
 
 }  // namespace
 
 void translate_contact(DeckData& data, TomlText& scene) {
   std::vector<DeckContact> contacts;
-  const KeywordBlock* last = nullptr;
   for (const KeywordBlock& block : data.deck.blocks) {
-    if (!block.name.starts_with("CONTACT_AUTOMATIC_") && !block.name.starts_with("CONTACT_ERODING_")) continue;
-    contacts.push_back(read_contact(data, block));
-    last = &block;
+    if (is_contact(block.name)) contacts.push_back(read_contact(data, block));
   }
-  if (contacts.empty()) return;
-  const Bodies all = all_bodies(data);
-  const DeckContact& first = contacts.front();
-  const bool whole = first.single && first.slave == all;
-  const bool two = !first.single && all.size() == 2 && first.slave.size() == 1 && first.master.size() == 1 &&
-                   first.slave != first.master;
-  if (contacts.size() > 1 || !(whole || two))
-    data.report.refuse(last->place, fmt::format("contact of some parts of a deck alone ({})", last->star_name()));
-  scene.table("contact", fmt::format("{} {}", last->star_name(), last->place.text()));
-  scene.key("method", "pinball");
-  scene.key("self", whole);
-  scene.key("friction", first.friction);
-  if (first.static_friction > first.friction) scene.key("static_friction", first.static_friction);
-  data.report.understood(fmt::format("{}: exact contact of faces and edges, without penalties", last->star_name()));
+  name_contacts(contacts);
+  std::vector<const DeckContact*> touching;
+  for (const DeckContact& contact : contacts) {
+    if (!contact.tied) touching.push_back(&contact);
+  }
+  if (!touching.empty()) write_touching(data, touching, scene);
+  for (const DeckContact& contact : contacts) {
+    if (contact.tied) write_tied(data, contact, scene);
+  }
 }
 
 }  // namespace pinball

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
-
-#include <solver/keyword/number_index.hpp>
 
 #include "deck_parts.hpp"
 
@@ -13,15 +10,26 @@ namespace pinball {
 
 namespace {
 
-/// The first card of the last keyword of a name, which is the one that counts; none: the deck has none.
-std::optional<Card> last_card(const DeckData& data, const std::string& name) {
-  std::optional<Card> found;
-  for (const KeywordBlock& block : data.deck.blocks) {
-    if (block.name != name) continue;
-    Cards cards(block);
-    if (const auto card = cards.next()) found = card;
-  }
-  return found;
+/// DT2MS < 0: elements whose stable step is below its amount get mass; > 0: mass is added to all and taken from all, so
+/// that this is the step of each. The step of the run is TSSFAC times it.
+void write_mass_scaling(DeckData& data, const Fields& f, double factor, TomlText& scene) {
+  const double dt2ms = f.number(4, "dt2ms", 0.0);
+  const auto second = last_card(data, "CONTROL_TIMESTEP", 1);
+  const auto more = [&](std::size_t field, const char* name) {
+    return second ? data.fields(*second).number(field, name, 0.0) : 0.0;
+  };
+  if (more(0, "dt2msf") != 0)
+    data.report.refuse(second->place, "*CONTROL_TIMESTEP with a step over the initial one (DT2MSF)");
+  if (more(1, "dt2mslc") != 0) data.report.refuse(second->place, "*CONTROL_TIMESTEP with a curve of DT2MS (DT2MSLC)");
+  if (dt2ms == 0) return;
+  if (more(2, "imscl") != 0) data.report.refuse(second->place, "*CONTROL_TIMESTEP with selective mass scaling (IMSCL)");
+  scene.key("smallest_step", factor * std::abs(dt2ms));
+  if (dt2ms > 0) scene.key("mass_scaling", "all");
+  if (dt2ms < 0 && f.integer(7, "ms1st", 0) == 0)
+    data.report.understood(
+        fmt::format("*CONTROL_TIMESTEP ({}): mass is added at the start, and not again where "
+                    "elements become smaller (as with MS1ST = 1)",
+                    f.place().text()));
 }
 
 void write_time(DeckData& data, TomlText& scene) {
@@ -31,62 +39,18 @@ void write_time(DeckData& data, TomlText& scene) {
             "expected *CONTROL_TERMINATION with the time of the end");
   const Fields end = data.fields(*termination);
   scene.table("time");
+  scene.from("*CONTROL_TERMINATION", termination->place.text());
   scene.key("end", end.number(0, "endtim"));
   if (const std::int64_t cycles = end.integer(1, "endcyc", 0); cycles > 0) scene.key("steps", cycles);
   const auto step = last_card(data, "CONTROL_TIMESTEP");
   if (!step) return;
   const Fields f = data.fields(*step);
-  const double factor = f.number(1, "tssfac", 0.9);
-  scene.key("cfl", factor == 0 ? 0.9 : factor);
-  if (f.number(4, "dt2ms", 0.0) != 0) data.report.refuse(step->place, "*CONTROL_TIMESTEP with mass scaling (DT2MS)");
+  const double given = f.number(1, "tssfac", 0.9), factor = given == 0 ? 0.9 : given;
+  scene.from("*CONTROL_TIMESTEP", step->place.text());
+  scene.key("cfl", factor);
   if (f.integer(5, "lctm", 0) != 0)
     data.report.refuse(step->place, "*CONTROL_TIMESTEP with a curve of the step (LCTM)");
-}
-
-/// The form of hourglass control that all parts have, and its coefficient.
-void write_element(DeckData& data, TomlText& scene) {
-  DeckHourglass common;
-  if (const auto card = last_card(data, "CONTROL_HOURGLASS")) {
-    const Fields f = data.fields(*card);
-    common = {f.integer(0, "ihq", 0), f.number(1, "qh", 0.1)};
-    if (common.form == 0) common.form = 1;
-    if (common.coefficient == 0) common.coefficient = 0.1;
-  }
-  std::set<std::pair<std::string, double>> forms;
-  for (const DeckPart& part : data.parts) {
-    DeckHourglass h = common;
-    if (part.hourglass != 0) {
-      const auto found = data.hourglass.find(part.hourglass);
-      if (found == data.hourglass.end())
-        fail_at(part.place, fmt::format("no *HOURGLASS has the number {}", part.hourglass));
-      h = found->second;
-    }
-    const auto section = data.section_form.find(part.section);
-    const bool full = section != data.section_form.end() && (section->second == 2 || section->second < 0);
-    if (full || h.form == 6 || h.form == 7) {
-      forms.emplace("assumed_strain", 1.0);
-    } else if (h.form >= 1 && h.form <= 3) {
-      forms.emplace("viscous", h.coefficient / 4);
-    } else if (h.form == 4 || h.form == 5) {
-      forms.emplace("stiffness", h.coefficient);
-    } else {
-      data.report.refuse(part.place, fmt::format("hourglass control of form {}", h.form));
-    }
-  }
-  if (forms.size() > 1) data.report.refuse(data.parts.front().place, "parts with different hourglass control");
-  scene.table("element");
-  if (!forms.empty()) {
-    scene.key("hourglass", forms.begin()->first);
-    scene.key("hourglass_coefficient", forms.begin()->second);
-  }
-  double q1 = 1.5, q2 = 0.06;
-  if (const auto card = last_card(data, "CONTROL_BULK_VISCOSITY")) {
-    const Fields f = data.fields(*card);
-    q1 = f.number(0, "q1", 1.5);
-    q2 = f.number(1, "q2", 0.06);
-  }
-  scene.key("quadratic_viscosity", std::sqrt(q1));
-  scene.key("linear_viscosity", q2);
+  write_mass_scaling(data, f, factor, scene);
 }
 
 void write_damping(DeckData& data, TomlText& scene) {
@@ -110,7 +74,7 @@ void write_damping(DeckData& data, TomlText& scene) {
 
 void write_output(DeckData& data, TomlText& scene) {
   double rows = std::numeric_limits<double>::infinity();
-  for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "NODOUT", "ELOUT", "SLEOUT"}) {
+  for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"}) {
     const auto card = last_card(data, std::string("DATABASE_") + name);
     if (!card) continue;
     const double interval = data.fields(*card).number(0, "dt", 0.0);
@@ -118,6 +82,7 @@ void write_output(DeckData& data, TomlText& scene) {
   }
   scene.table("output");
   if (std::isfinite(rows)) scene.key("interval", rows);
+  if (last_card(data, "DATABASE_MATSUM")) scene.key("body_energies", true);
   if (const auto card = last_card(data, "DATABASE_BINARY_D3PLOT")) {
     const double interval = data.fields(*card).number(0, "dt", 0.0);
     if (interval > 0) scene.key("field_interval", interval);
@@ -135,31 +100,10 @@ void translate_controls(DeckData& data, TomlText& scene) {
       data.report.refuse(card->place, "*CONTROL_SOLUTION with SOLN other than 0");
   }
   write_time(data, scene);
-  write_element(data, scene);
+  data.part_elements = deck_elements(data);
+  write_element(data.part_elements.front(), scene);
   write_damping(data, scene);
   write_output(data, scene);
-}
-
-void translate_probes(DeckData& data, TomlText& scene) {
-  const NumberIndex index(data.mesh.node_ids);
-  std::set<std::int64_t> watched;
-  for (const KeywordBlock& block : data.deck.blocks) {
-    if (block.name != "DATABASE_HISTORY_NODE") continue;
-    Cards cards(block);
-    while (const auto card = cards.next_filled()) {
-      const Fields f = data.fields(*card);
-      for (std::size_t i = 0; i < (block.id ? 1U : 8U); ++i) {
-        const std::int64_t id = f.integer(i, "node", 0) + offset_of(block, &DeckTransform::node);
-        const std::int32_t place = index.find(id);
-        if (f.integer(i, "node", 0) == 0 || !watched.insert(id).second) continue;
-        if (place < 0) fail_at(card->place, fmt::format("{}: node {} is not there", block.star_name(), id));
-        if (!data.used[place]) continue;
-        scene.entry("probe", fmt::format("{} {}", block.star_name(), card->place.text()));
-        scene.key("name", fmt::format("node_{}", id));
-        scene.key("point", data.mesh.mesh.nodes[place]);
-      }
-    }
-  }
 }
 
 }  // namespace pinball

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <set>
 
+#include <solver/base/error.hpp>
+#include <solver/keyword/keyword_scanner.hpp>
+
 #include "keyword_rules.hpp"
 
 namespace pinball {
@@ -34,14 +37,10 @@ std::string name_of(const std::string& title) {
 
 }  // namespace
 
-std::int64_t offset_of(const KeywordBlock& block, std::int64_t DeckTransform::*which) {
-  return block.transform ? (*block.transform).*which : 0;
-}
-
 DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& report_)
     : deck(deck_), mesh(mesh_), report(report_) {
   for (const KeywordBlock& block : deck.blocks) {
-    if (block.name == "PART") read_parts(block);
+    if (is_part(block)) read_parts(block);
     if (block.name == "SECTION_SOLID") read_section(block);
     if (block.name == "HOURGLASS") read_hourglass(block);
     if (block.name == "DEFINE_CURVE") read_curve(block);
@@ -49,56 +48,40 @@ DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& 
     if (block.name == "DEFINE_VECTOR") read_vector(block);
     if (block.name == "DEFINE_COORDINATE_SYSTEM" || block.name == "DEFINE_COORDINATE_VECTOR") read_system(block);
     if (block.name.starts_with("SET_PART")) read_part_set(block);
+    if (block.name == "DEFINE_BOX") read_box(block);
   }
   name_bodies();
 }
 
 void DeckData::read_parts(const KeywordBlock& block) {
-  Cards cards(block);
-  while (const auto title = cards.next()) {
-    const auto card = cards.next();
-    if (!card) return;  // keyword_mesh has told
-    const Fields f = fields(*card);
+  const std::int64_t other = offset_of(block, &DeckTransform::other);
+  for_each_part(block, [&](const Card& title, const Card& card) {
+    const Fields f = fields(card);
     const std::int64_t id = f.integer(0, "pid") + offset_of(block, &DeckTransform::part);
-    if (f.integer(3, "eosid", 0) != 0) report.refuse(card->place, "*PART with an equation of state");
+    if (f.integer(3, "eosid", 0) != 0) report.refuse(card.place, "*PART with an equation of state");
     if (f.integer(7, "tmid", 0) != 0) report.understood(fmt::format("part {}: heat (TMID) is not computed", id));
-    const std::int64_t other = offset_of(block, &DeckTransform::other);
     const std::int64_t hourglass_id = f.integer(4, "hgid", 0);
     all_parts_.push_back({id, f.integer(1, "secid", 0) + other,
                           f.integer(2, "mid", 0) + offset_of(block, &DeckTransform::material),
-                          hourglass_id == 0 ? 0 : hourglass_id + other, "", card->place});
-    titles_[id] = std::string(trimmed(title->text));
-  }
+                          hourglass_id == 0 ? 0 : hourglass_id + other, "", card.place});
+    titles_[id] = std::string(trimmed(title.text));
+  });
 }
 
 void DeckData::read_section(const KeywordBlock& block) {
-  Cards cards(block);
-  while (true) {
-    if (block.title && !cards.next()) return;
-    const auto card = block.title ? cards.next() : cards.next_filled();
-    if (!card) return;
-    const Fields f = fields(*card);
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = fields(card);
     section_form[f.integer(0, "secid") + offset_of(block, &DeckTransform::other)] = f.integer(1, "elform", 1);
-  }
+  });
 }
 
 void DeckData::read_hourglass(const KeywordBlock& block) {
-  Cards cards(block);
-  while (true) {
-    if (block.title && !cards.next()) return;
-    const auto card = block.title ? cards.next() : cards.next_filled();
-    if (!card) return;
-    const Fields f = fields(*card);
-    DeckHourglass h{f.integer(1, "ihq", 0), f.number(2, "qm", 0.1)};
-    if (h.form == 0) h.form = 1;
-    if (h.coefficient == 0) h.coefficient = 0.1;
-    if (f.number(4, "q1", 0.0) != 0 || f.number(5, "q2", 0.0) != 0)
-      report.understood(
-          fmt::format("*HOURGLASS ({}): bulk viscosity is the same for all parts, that of "
-                      "*CONTROL_BULK_VISCOSITY; Q1 and Q2 of a part are not used",
-                      card->place.text()));
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = fields(card);
+    const DeckHourglass h{f.integer(1, "ihq", 0), f.number(2, "qm", 0.0), f.number(4, "q1", 0.0),
+                          f.number(5, "q2", 0.0)};
     hourglass[f.integer(0, "hgid") + offset_of(block, &DeckTransform::other)] = h;
-  }
+  });
 }
 
 void DeckData::read_curve(const KeywordBlock& block) {
@@ -149,16 +132,24 @@ void DeckData::read_table(const KeywordBlock& block) {
 }
 
 void DeckData::read_vector(const KeywordBlock& block) {
-  Cards cards(block);
-  while (true) {
-    if (block.title && !cards.next()) return;
-    const auto card = block.title ? cards.next() : cards.next_filled();
-    if (!card) return;
-    const Fields f = fields(*card);
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = fields(card);
     Point d{};
     for (std::size_t k = 0; k < 3; ++k) d[k] = f.number(4 + k, "head", 0.0) - f.number(1 + k, "tail", 0.0);
-    vectors_[f.integer(0, "vid") + offset_of(block, &DeckTransform::define)] = unit(d, card->place);
-  }
+    vectors_[f.integer(0, "vid") + offset_of(block, &DeckTransform::define)] = unit(d, card.place);
+  });
+}
+
+void DeckData::read_box(const KeywordBlock& block) {
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = fields(card);
+    Box box{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = f.number(1 + 2 * k, "minimum", 0.0);
+      box.high[k] = f.number(2 + 2 * k, "maximum", 0.0);
+    }
+    boxes_[f.integer(0, "boxid") + offset_of(block, &DeckTransform::define)] = box;
+  });
 }
 
 /// Origin, a point of the x axis and one of the xy plane; or the x axis and a vector of the xy plane.
@@ -187,29 +178,44 @@ void DeckData::read_system(const KeywordBlock& block) {
 }
 
 void DeckData::read_part_set(const KeywordBlock& block) {
+  std::string form = block.name;
+  const bool collects = take_ending(form, "_COLLECT");
+  form.erase(0, std::string_view("SET_PART").size());
+  if (form != "" && form != "_LIST" && form != "_LIST_GENERATE" && form != "_ADD" && form != "_GENERATE") {
+    report.refuse(block, "a form of sets that is not read");
+    return;
+  }
   Cards cards(block);
   if (block.title) cards.next();
   const Card head = cards.require("the number of the set");
-  const std::int64_t add = offset_of(block, &DeckTransform::part), to_set = offset_of(block, &DeckTransform::set);
+  const std::int64_t id = fields(head).integer(0, "sid") + offset_of(block, &DeckTransform::set);
   std::vector<std::int64_t> members;
+  while (const auto card = cards.next_filled()) add_parts(block, *card, members);
+  std::vector<std::int64_t>& set = part_sets_[id];
+  if (!collects) set.clear();
+  set.insert(set.end(), members.begin(), members.end());
+}
+
+/// Parts, first and last ones, or sets: of the parts in between those that have solids.
+void DeckData::add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const {
+  const Fields f = fields(card);
   const bool generate = block.name.ends_with("_GENERATE"), sums = block.name.ends_with("_ADD");
-  while (const auto card = cards.next_filled()) {
-    const Fields f = fields(*card);
-    for (std::size_t i = 0; i < 8; i += generate ? 2 : 1) {
-      const std::int64_t number = f.integer(i, "part", 0);
-      if (number == 0) continue;
-      if (sums) {
-        const auto other = part_set(number + to_set, card->place);
-        members.insert(members.end(), other.begin(), other.end());
-      } else {
-        for (std::int64_t id = number; id <= (generate ? f.integer(i + 1, "last part", number) : number); ++id) {
-          const auto has_number = [&](const MeshPart& part) { return part.id == id + add; };
-          if (!generate || std::ranges::any_of(mesh.parts, has_number)) members.push_back(id + add);
-        }
+  const std::int64_t add = offset_of(block, &DeckTransform::part);
+  for (std::size_t i = 0; i < 8; i += generate ? 2 : 1) {
+    const std::int64_t first = f.integer(i, "part", 0);
+    if (first == 0) continue;
+    if (sums) {
+      const auto other = part_set(first + offset_of(block, &DeckTransform::set), card.place);
+      members.insert(members.end(), other.begin(), other.end());
+    } else if (generate) {
+      const std::int64_t last = f.integer(i + 1, "last part", first);
+      for (const MeshPart& part : mesh.parts) {
+        if (part.id >= first + add && part.id <= last + add) members.push_back(part.id);
       }
+    } else {
+      members.push_back(first + add);
     }
   }
-  part_sets_[fields(head).integer(0, "sid") + to_set] = std::move(members);
 }
 
 void DeckData::name_bodies() {
@@ -219,21 +225,23 @@ void DeckData::name_bodies() {
   for (const auto& hexahedron : mesh.mesh.hexahedra) {
     for (const std::int32_t node : hexahedron) used[node] = true;
   }
-  std::set<std::string> taken;
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
     if (elements[p] == 0) continue;
     const auto found = std::ranges::find(all_parts_, mesh.parts[p].id, &DeckPart::id);
     if (found == all_parts_.end()) {
       const auto first = std::ranges::find(mesh.part, static_cast<std::int32_t>(p)) - mesh.part.begin();
-      fail_at(
-          {std::make_shared<const std::string>(mesh.path), mesh.line[first]},
-          fmt::format("element {} is of part {}, which no *PART defines", mesh.element_ids[first], mesh.parts[p].id));
+      throw InputError(fmt::format("{}: element {} is of part {}, which no *PART defines",
+                                   place_of_element(mesh, static_cast<std::int32_t>(first)), mesh.element_ids[first],
+                                   mesh.parts[p].id));
     }
-    DeckPart part = *found;
+    parts.push_back(*found);
+  }
+  std::ranges::sort(parts, {}, &DeckPart::id);  // whatever their order in the deck: the scene is the same
+  std::set<std::string> taken;
+  for (DeckPart& part : parts) {
     part.body = name_of(titles_[part.id]);
     if (part.body.empty() || !taken.insert(part.body).second) part.body = fmt::format("part_{}", part.id);
     taken.insert(part.body);
-    parts.push_back(std::move(part));
   }
 }
 
@@ -247,6 +255,12 @@ const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const 
 const std::vector<std::pair<double, std::int64_t>>* DeckData::table(std::int64_t id) const {
   const auto found = tables_.find(id);
   return found == tables_.end() ? nullptr : &found->second;
+}
+
+const Box& DeckData::box(std::int64_t id, const DeckPlace& place) const {
+  const auto found = boxes_.find(id);
+  if (found == boxes_.end()) fail_at(place, fmt::format("no *DEFINE_BOX has the number {}", id));
+  return found->second;
 }
 
 Point DeckData::vector(std::int64_t id, const DeckPlace& place) const {

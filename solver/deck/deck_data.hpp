@@ -11,6 +11,7 @@
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/keyword_deck.hpp>
 #include <solver/mesh/mesh_file.hpp>
+#include <solver/scene_boundary.hpp>
 
 #include "deck_report.hpp"
 
@@ -22,16 +23,27 @@ struct DeckPart {
   DeckPlace place;
 };
 
+/// *HOURGLASS, or the defaults that *CONTROL_HOURGLASS and *CONTROL_BULK_VISCOSITY give it.
 struct DeckHourglass {
-  std::int64_t form = 1;     ///< IHQ
-  double coefficient = 0.1;  ///< QH, QM
+  std::int64_t form = 0;             ///< IHQ; 0: the default
+  double coefficient = 0;            ///< QH, QM; 0: the default
+  double quadratic = 0, linear = 0;  ///< Q1, Q2; 0: the default
+};
+
+/// Hourglass control and bulk viscosity of a part, as a scene has them.
+struct DeckElement {
+  std::string hourglass;
+  double coefficient = 0, quadratic_viscosity = 0, linear_viscosity = 0;
+
+  bool operator==(const DeckElement&) const = default;
 };
 
 struct DeckCurve {
   std::vector<double> abscissa, ordinate;
 };
 
-/// What keywords of a deck refer to by number, read before anything that refers to it.
+/// What keywords of a deck refer to by number, read before anything that refers to it. What returns something of a
+/// number throws InputError "FILE:LINE: ..." at `place` where the deck does not have it.
 class DeckData {
  public:
   /// deck, mesh and report have to stay.
@@ -41,15 +53,18 @@ class DeckData {
   const MeshFile& mesh;
   DeckReport& report;
 
-  std::vector<DeckPart> parts;  ///< those with solids, in the order of the deck
+  std::vector<DeckPart> parts;  ///< those with solids, by their numbers
   std::map<std::int64_t, std::int64_t> section_form;
   std::map<std::int64_t, DeckHourglass> hourglass;
-  std::vector<bool> used;  ///< per node of the mesh: whether a solid of a part has it
+  std::vector<DeckElement> part_elements;  ///< of each part, once the controls are translated
+  int motions = 0;                         ///< prescribed ones that are translated
+  std::vector<bool> used;                  ///< per node of the mesh: whether a solid of a part has it
 
   const DeckCurve& curve(std::int64_t id, const DeckPlace& place) const;
   bool is_curve(std::int64_t id) const { return curves_.contains(id); }
-  /// Pairs of a rate and the curve for it.
+  /// Pairs of a strain rate [1/time] and the number of the curve for it; null: no *DEFINE_TABLE has this number.
   const std::vector<std::pair<double, std::int64_t>>* table(std::int64_t id) const;
+  const Box& box(std::int64_t id, const DeckPlace& place) const;
   /// Unit vector of *DEFINE_VECTOR.
   Point vector(std::int64_t id, const DeckPlace& place) const;
   /// Unit vectors of a local system; those of the global one for 0.
@@ -67,21 +82,21 @@ class DeckData {
   void read_hourglass(const KeywordBlock& block);
   void read_curve(const KeywordBlock& block);
   void read_table(const KeywordBlock& block);
+  void read_box(const KeywordBlock& block);
   void read_vector(const KeywordBlock& block);
   void read_system(const KeywordBlock& block);
   void read_part_set(const KeywordBlock& block);
+  void add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const;
   void name_bodies();
 
   std::map<std::int64_t, DeckCurve> curves_;
   std::map<std::int64_t, std::vector<std::pair<double, std::int64_t>>> tables_;
+  std::map<std::int64_t, Box> boxes_;
   std::map<std::int64_t, Point> vectors_;
   std::map<std::int64_t, std::array<Point, 3>> systems_;
   std::map<std::int64_t, std::vector<std::int64_t>> part_sets_;
   std::map<std::int64_t, std::string> titles_;
   std::vector<DeckPart> all_parts_;
 };
-
-/// offset: of *INCLUDE_TRANSFORM, for numbers of that kind.
-std::int64_t offset_of(const KeywordBlock& block, std::int64_t DeckTransform::*which);
 
 }  // namespace pinball

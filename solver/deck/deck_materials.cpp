@@ -13,13 +13,21 @@ bool is_used(const DeckData& data, std::int64_t material) {
   return std::ranges::any_of(data.parts, [material](const DeckPart& part) { return part.material == material; });
 }
 
-void write_head(std::int64_t id, const std::string& title, bool plastic, const Fields& f, TomlText& scene) {
+void write_head(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
+                TomlText& scene) {
+  const bool plastic = keyword_alias(block.name) != "MAT_ELASTIC";
   scene.entry("material", title);
+  scene.from(block.star_name(), f.place().text());
   scene.key("name", fmt::format("mat_{}", id));
   scene.key("model", plastic ? "von_mises" : "elastic");
   scene.key("density", f.number(1, "ro"));
   scene.key("young_modulus", f.number(2, "e"));
   scene.key("poisson_ratio", f.number(3, "pr"));
+}
+
+/// A value that is not used is told.
+void not_used(DeckData& data, const Fields& f, const std::string& what) {
+  data.report.understood(fmt::format("{}: {} is used", f.place().text(), what));
 }
 
 /// E Et/(E - Et): slope over the plastic strain.
@@ -30,12 +38,36 @@ double plastic_modulus(const Fields& f, double tangent) {
   return young * tangent / (young - tangent);
 }
 
-void write_rate(const Fields& f, double constant, double exponent, int vp, TomlText& scene) {
-  if (vp != 0 && vp != 1 && vp != -1) fail_at(f.place(), fmt::format("vp: expected 0, 1 or -1, got {}", vp));
-  if (constant == 0 || exponent == 0) return;
-  scene.key("rate_constant", constant);
-  scene.key("rate_exponent", exponent);
-  scene.key("strain_rate", vp == 1 ? "plastic" : vp == -1 ? "deviatoric" : "total");
+struct DeckRate {
+  double constant = 0, exponent = 0;  ///< C and P; 0: no such law
+  int vp = 0;                         ///< VP
+
+  DeckRate(const Fields& f, const char* constant_name, const char* exponent_name, std::size_t vp_field)
+      : constant(f.number(0, constant_name, 0.0)),
+        exponent(f.number(1, exponent_name, 0.0)),
+        vp(static_cast<int>(f.integer(vp_field, "vp", 0))) {
+    if (vp != 0 && vp != 1 && vp != -1) fail_at(f.place(), fmt::format("vp: expected 0, 1 or -1, got {}", vp));
+  }
+  bool is_law() const { return constant != 0 && exponent != 0; }
+};
+
+void write_strain_rate(const DeckRate& rate, TomlText& scene) {
+  scene.key("strain_rate", rate.vp == 1 ? "plastic" : rate.vp == -1 ? "deviatoric" : "total");
+}
+
+/// Cowper and Symonds.
+void write_rate(DeckData& data, const Fields& f, const DeckRate& rate, TomlText& scene) {
+  if (!rate.is_law() && (rate.constant != 0 || rate.exponent != 0))
+    not_used(data, f, "only one of the two constants of the strain rate is given, so that none");
+  if (!rate.is_law()) return;
+  scene.key("rate_constant", rate.constant);
+  scene.key("rate_exponent", rate.exponent);
+  write_strain_rate(rate, scene);
+}
+
+void write_failure(const Fields& f, const char* name, double strain, TomlText& scene) {
+  if (strain < 0) fail_at(f.place(), fmt::format("{}: expected a strain >= 0, got {}", name, strain));
+  if (strain > 0 && strain < 1e19) scene.key("erosion_strain", strain);
 }
 
 /// *MAT_003
@@ -47,10 +79,8 @@ void write_plastic_kinematic(DeckData& data, const Fields& f, Cards& cards, Toml
   const double beta = f.number(6, "beta", 0.0);
   if (beta < 0 || beta > 1) fail_at(f.place(), fmt::format("beta: expected 0 to 1, got {}", beta));
   scene.key("isotropic_share", beta);
-  write_rate(more, more.number(0, "src", 0.0), more.number(1, "srp", 0.0), static_cast<int>(more.integer(3, "vp", 0)),
-             scene);
-  const double failure = more.number(2, "fs", 0.0);
-  if (failure > 0 && failure < 1e19) scene.key("erosion_strain", failure);
+  write_rate(data, more, DeckRate(more, "src", "srp", 3), scene);
+  write_failure(more, "fs", more.number(2, "fs", 0.0), scene);
 }
 
 std::string curve_text(const DeckCurve& curve, const DeckPlace& place, double factor = 1.0, double rate = -1.0) {
@@ -73,77 +103,124 @@ std::vector<double> card_of_numbers(const DeckData& data, Cards& cards) {
   return values;
 }
 
-/// Curves over the rate: of a table; or the static curve times what a curve gives for each rate.
-void write_rate_curves(DeckData& data, const Fields& f, std::int64_t lcss, std::int64_t lcsr, TomlText& scene) {
+/// A table: a curve for each rate; logarithms of the rates where the first is below 0.
+void write_table(DeckData& data, const Fields& f, std::int64_t lcss, TomlText& scene) {
+  const auto& table = *data.table(lcss);
   std::vector<std::string> curves;
-  const auto* table = data.table(lcss);
-  if (table != nullptr) {
-    const bool logarithmic = !table->empty() && table->front().first < 0;
-    for (const auto& [rate, id] : *table) {
-      curves.push_back(curve_text(data.curve(id, f.place()), f.place(), 1.0, logarithmic ? std::exp(rate) : rate));
-    }
-    if (logarithmic) scene.key("rate_interpolation", "logarithmic");
-  } else {
-    const DeckCurve& factors = data.curve(lcsr, f.place());
-    for (std::size_t i = 0; i < factors.abscissa.size(); ++i) {
-      curves.push_back(curve_text(data.curve(lcss, f.place()), f.place(), factors.ordinate[i], factors.abscissa[i]));
-    }
+  const bool logarithmic = !table.empty() && table.front().first < 0;
+  for (const auto& [rate, id] : table) {
+    curves.push_back(curve_text(data.curve(id, f.place()), f.place(), 1.0, logarithmic ? std::exp(rate) : rate));
+  }
+  if (logarithmic) scene.key("rate_interpolation", "logarithmic");
+  scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
+}
+
+/// LCSR: the static curve times what that curve gives for each rate.
+void write_scaled_curves(const DeckCurve& factors, const DeckCurve& curve, const Fields& f, TomlText& scene) {
+  std::vector<std::string> curves;
+  for (std::size_t i = 0; i < factors.abscissa.size(); ++i) {
+    curves.push_back(curve_text(curve, f.place(), factors.ordinate[i], factors.abscissa[i]));
   }
   scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
 }
 
-/// *MAT_024
+/// EPS1 to EPS8 and ES1 to ES8: as many as ascend; none: all stresses are blank.
+std::optional<DeckCurve> curve_of_points(const std::vector<double>& eps, const std::vector<double>& es,
+                                         const DeckPlace& place) {
+  const auto given = [](double value) { return value != 0; };
+  if (std::ranges::none_of(es, given)) return {};
+  DeckCurve curve;
+  std::size_t i = 0;
+  for (; i < eps.size() && (i == 0 || eps[i] > eps[i - 1]); ++i) {
+    curve.abscissa.push_back(eps[i]);
+    curve.ordinate.push_back(es[i]);
+  }
+  if (std::any_of(eps.begin() + static_cast<std::ptrdiff_t>(i), eps.end(), given) ||
+      std::any_of(es.begin() + static_cast<std::ptrdiff_t>(i), es.end(), given))
+    fail_at(place, fmt::format("eps1 to eps8: expected ascending strains, got {} after {}", eps[i], eps[i - 1]));
+  return curve;
+}
+
+/// SIGY and ETAN as a curve, whose slope goes on.
+DeckCurve linear_curve(const Fields& f) {
+  const double yield = f.number(4, "sigy");
+  return {{0, 1}, {yield, yield + plastic_modulus(f, f.number(5, "etan", 0.0))}};
+}
+
+/// *MAT_024. Of several forms of hardening LCSS counts before EPS and ES, and these before SIGY and ETAN.
 void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards, TomlText& scene) {
   const Card card = cards.next_or_blank();
-  const Fields rate = data.fields(card);
+  const Fields second = data.fields(card);
   const auto to_curve = [&](std::int64_t id) { return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define); };
-  const std::int64_t lcss = to_curve(rate.integer(2, "lcss", 0)), lcsr = to_curve(rate.integer(3, "lcsr", 0));
+  const std::int64_t lcss = to_curve(second.integer(2, "lcss", 0)), lcsr = to_curve(second.integer(3, "lcsr", 0));
   const std::vector<double> eps = card_of_numbers(data, cards), es = card_of_numbers(data, cards);
-  const auto vp = static_cast<int>(rate.integer(4, "vp", 0));
-  const bool points = std::ranges::any_of(es, [](double value) { return value != 0; });
-  if (data.table(lcss) != nullptr || (lcss != 0 && lcsr != 0)) {
-    write_rate_curves(data, f, lcss, lcsr, scene);
-    if (vp != 0) scene.key("strain_rate", vp == 1 ? "plastic" : "deviatoric");
+  const auto points = curve_of_points(eps, es, f.place());
+  const DeckRate rate(second, "c", "p", 4);
+  const bool is_table = data.table(lcss) != nullptr, by_curves = is_table || lcsr != 0;
+  if (lcss != 0 && points) not_used(data, f, "LCSS, and not the points EPS and ES,");
+  if ((lcss != 0 || points) && f.number(5, "etan", 0.0) != 0)
+    not_used(data, f, "the curve of hardening, and not ETAN,");
+  if (is_table && lcsr != 0) data.report.refuse(f.place(), "*MAT_024 with a table (LCSS) and with LCSR");
+  if (by_curves && rate.is_law())
+    data.report.refuse(f.place(), "*MAT_024 with curves of the strain rate (LCSS, LCSR) and with C and P");
+  if (is_table) {
+    write_table(data, f, lcss, scene);
+  } else if (lcsr != 0) {
+    const DeckCurve curve = lcss != 0 ? data.curve(lcss, f.place()) : points ? *points : linear_curve(f);
+    write_scaled_curves(data.curve(lcsr, f.place()), curve, f, scene);
   } else if (lcss != 0) {
     scene.raw("yield_curve", curve_text(data.curve(lcss, f.place()), f.place()));
   } else if (points) {
-    DeckCurve curve;
-    for (std::size_t i = 0; i < eps.size(); ++i) {
-      if (i > 0 && eps[i] <= eps[i - 1]) break;
-      curve.abscissa.push_back(eps[i]);
-      curve.ordinate.push_back(es[i]);
-    }
-    scene.raw("yield_curve", curve_text(curve, f.place()));
+    scene.raw("yield_curve", curve_text(*points, f.place()));
   } else {
     scene.key("yield_stress", f.number(4, "sigy"));
     scene.key("plastic_modulus", plastic_modulus(f, f.number(5, "etan", 0.0)));
   }
-  if (lcsr != 0 && lcss == 0) data.report.refuse(rate.place(), "*MAT_024 with LCSR and without LCSS");
-  write_rate(rate, rate.number(0, "c", 0.0), rate.number(1, "p", 0.0), vp, scene);
+  if (by_curves) {
+    write_strain_rate(rate, scene);
+  } else {
+    write_rate(data, second, rate, scene);
+    // VP = 1: the law adds a multiple of SIGY; without SIGY, and with other VP, one of the static yield stress.
+    const double yield = f.number(4, "sigy", 0.0);
+    if (rate.is_law() && rate.vp == 1 && yield > 0) scene.key("rate_stress", yield);
+  }
   const double failure = f.number(6, "fail", 0.0);
-  if (failure < 0) data.report.refuse(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)");
-  if (failure > 0 && failure < 1e19) scene.key("erosion_strain", failure);
+  if (failure < 0) {
+    data.report.refuse(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)");
+  } else {
+    write_failure(f, "fail", failure, scene);
+  }
   if (f.number(7, "tdel", 0.0) != 0)
     data.report.understood(fmt::format("{}: TDEL (failure by the time step) is not used", f.place().text()));
 }
 
 }  // namespace
 
+std::int64_t material_number(const DeckData& data, const KeywordBlock& block) {
+  Cards cards(block);
+  if (block.title) cards.next();
+  const Card card = cards.require("the constants of the material");
+  return data.fields(card).integer(0, "mid") + offset_of(block, &DeckTransform::material);
+}
+
 void translate_material(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   Cards cards(block);
   const std::string title = block.title ? std::string(trimmed(cards.require("a title").text)) : "";
   const Card card = cards.require("the constants of the material");
   const Fields f = data.fields(card);
-  const std::int64_t id = f.integer(0, "mid") + offset_of(block, &DeckTransform::material);
+  const std::int64_t id = material_number(data, block);
   if (!is_used(data, id)) return;
   const std::string kind = keyword_alias(block.name);
-  write_head(id, title, kind != "MAT_ELASTIC", f, scene);
+  write_head(id, title, block, f, scene);
+  if (kind == "MAT_ELASTIC" && (f.number(4, "da", 0.0) != 0 || f.number(5, "db", 0.0) != 0))
+    data.report.understood(fmt::format("{}: DA and DB are for beams: they are not used", f.place().text()));
   if (kind == "MAT_PLASTIC_KINEMATIC") write_plastic_kinematic(data, f, cards, scene);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") write_piecewise_linear(data, block, f, cards, scene);
 }
 
-void translate_parts(DeckData& data, const std::string& mesh_file, TomlText& scene) {
-  for (const DeckPart& part : data.parts) {
+void translate_parts(DeckData& data, const std::string& mesh, TomlText& scene) {
+  for (std::size_t p = 0; p < data.parts.size(); ++p) {
+    const DeckPart& part = data.parts[p];
     const auto form = data.section_form.find(part.section);
     if (form == data.section_form.end())
       fail_at(part.place, fmt::format("no *SECTION_SOLID has the number {}", part.section));
@@ -161,9 +238,11 @@ void translate_parts(DeckData& data, const std::string& mesh_file, TomlText& sce
         data.report.refuse(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second));
     }
     scene.entry("body");
+    scene.from("*PART", part.place.text());
     scene.key("name", part.body);
     scene.key("material", fmt::format("mat_{}", part.material));
-    scene.raw("mesh", fmt::format("{{ type = \"keyword\", file = {}, part = \"{}\" }}", toml(mesh_file), part.id));
+    scene.raw("mesh", fmt::format("{{ type = \"keyword\", {}, part = \"{}\" }}", mesh, part.id));
+    if (data.part_elements[p] != data.part_elements.front()) write_body_element(data.part_elements[p], scene);
   }
 }
 

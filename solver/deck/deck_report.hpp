@@ -12,12 +12,15 @@ namespace pinball {
 class DeckReport {
  public:
   void understood(const std::string& line) { understood_.push_back(line); }
-  void ignore(const KeywordBlock& block) { count(ignored_, block.star_name(), block.place, ""); }
+  void ignore(const KeywordBlock& block) { ignore(block.place, block.star_name()); }
+  void ignore(const DeckPlace& place, const std::string& what) { count(ignored_, what, place, ""); }
   void refuse(const KeywordBlock& block, const std::string& reason = "") {
     count(refused_, block.star_name(), block.place, reason);
   }
   /// Something of a keyword that is done otherwise.
-  void refuse(const DeckPlace& place, const std::string& what) { count(refused_, what, place, ""); }
+  void refuse(const DeckPlace& place, const std::string& what, const std::string& reason = "") {
+    count(refused_, what, place, reason);
+  }
 
   /// Throws InputError with all that is refused, if there is anything.
   void require_all_done(const std::string& file) const;

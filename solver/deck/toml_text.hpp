@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -35,7 +36,14 @@ std::string toml(const std::vector<Value>& values) {
   return text + ']';
 }
 
-/// Text of a scene that grows table by table.
+/// From which line on a scene says what a card of a deck says.
+struct TextOrigin {
+  std::size_t line = 1;
+  std::string place, keyword;  ///< "deck.k:12", "*MAT_ELASTIC"; empty: no card
+};
+
+/// Text of a scene that grows table by table. A comment behind the name of a table that begins "*KEYWORD FILE:LINE"
+/// says from which card the table is.
 class TomlText {
  public:
   void table(const char* name, const std::string& comment = "") { head(fmt::format("[{}]", name), comment); }
@@ -46,13 +54,49 @@ class TomlText {
   }
   void raw(const char* name, const std::string& value) { text_ += fmt::format("{} = {}\n", name, value); }
   void comment(const std::string& text) { text_ += "# " + text + '\n'; }
+  /// What follows is of this card.
+  void from(const std::string& keyword, const std::string& place) {
+    origins_.push_back({1 + static_cast<std::size_t>(std::ranges::count(text_, '\n')), place, keyword});
+  }
+  void append(const TomlText& more) {
+    text_ += '\n';
+    const auto before = static_cast<std::size_t>(std::ranges::count(text_, '\n'));
+    for (TextOrigin origin : more.origins_) {
+      origin.line += before;
+      origins_.push_back(origin);
+    }
+    text_ += more.text_;
+  }
   const std::string& text() const { return text_; }
+  const std::vector<TextOrigin>& origins() const { return origins_; }
 
  private:
   void head(const std::string& line, const std::string& comment) {
-    text_ += (text_.empty() ? "" : "\n") + line + (comment.empty() ? "" : "  # " + comment) + '\n';
+    if (!text_.empty()) text_ += '\n';
+    const bool names_card = comment.starts_with('*') && comment.find(' ') != std::string::npos;
+    const std::size_t blank = end_of_keyword(comment);
+    from(names_card ? comment.substr(0, blank) : "", names_card ? first_place(comment.substr(blank + 1)) : "");
+    text_ += line + (comment.empty() ? "" : "  # " + comment) + '\n';
+  }
+  /// The blank behind a keyword, which may be of several words.
+  static std::size_t end_of_keyword(const std::string& comment) {
+    std::size_t blank = std::min(comment.find(' '), comment.size());
+    while (blank < comment.size()) {
+      const std::size_t next = comment.find(' ', blank + 1);
+      const bool word =
+          std::ranges::all_of(comment.substr(blank + 1, next - blank - 1), [](char c) { return c >= 'A' && c <= 'Z'; });
+      if (!word || next == std::string::npos) break;
+      blank = next;
+    }
+    return blank;
+  }
+  /// Up to the line number: a remark may follow it.
+  static std::string first_place(const std::string& text) {
+    const std::size_t colon = text.find_first_of("0123456789", text.find(':'));
+    return text.substr(0, text.find_first_not_of("0123456789", colon));
   }
   std::string text_;
+  std::vector<TextOrigin> origins_;
 };
 
 }  // namespace pinball

@@ -21,17 +21,18 @@ using Translate = void (*)(DeckData&, const KeywordBlock&, TomlText&);
 /// Keywords that become tables one by one, in the order of the deck; all others are looked at together.
 Translate translation_of(const std::string& name) {
   static const std::map<std::string, Translate> table{
-      {"MAT_ELASTIC", translate_material},
-      {"MAT_PLASTIC_KINEMATIC", translate_material},
-      {"MAT_PIECEWISE_LINEAR_PLASTICITY", translate_material},
       {"BOUNDARY_PRESCRIBED_MOTION_NODE", translate_prescribed_motion},
       {"BOUNDARY_PRESCRIBED_MOTION_SET", translate_prescribed_motion},
+      {"BOUNDARY_PRESCRIBED_MOTION_RIGID", translate_prescribed_motion},
       {"INITIAL_VELOCITY", translate_initial_velocity},
       {"INITIAL_VELOCITY_SET", translate_initial_velocity},
       {"INITIAL_VELOCITY_NODE", translate_initial_velocity_of_nodes},
       {"INITIAL_VELOCITY_GENERATION", translate_velocity_generation},
       {"LOAD_NODE_SET", translate_node_load},
       {"LOAD_NODE_POINT", translate_node_load},
+      {"LOAD_SEGMENT", translate_segment_load},
+      {"LOAD_SEGMENT_SET", translate_segment_set_load},
+      {"LOAD_BODY_VECTOR", translate_body_load},
       {"LOAD_BODY_X", translate_body_load},
       {"LOAD_BODY_Y", translate_body_load},
       {"LOAD_BODY_Z", translate_body_load},
@@ -74,6 +75,23 @@ void describe_mesh(const DeckData& data, DeckReport& report) {
   }
 }
 
+/// By their numbers: whatever their order in the deck, the scene is the same.
+void translate_materials(DeckData& data, TomlText& scene) {
+  std::multimap<std::int64_t, const KeywordBlock*> materials;
+  for (const KeywordBlock& block : data.deck.blocks) {
+    if (block.name.starts_with("MAT_")) materials.emplace(material_number(data, block), &block);
+  }
+  for (const auto& [number, block] : materials) translate_material(data, *block, scene);
+}
+
+/// Where a body has its mesh from: the deck itself.
+std::string mesh_keys(const std::string& path, const DeckOptions& options) {
+  const std::string file =
+      options.name_in_scene.empty() ? std::filesystem::path(path).filename().string() : options.name_in_scene;
+  return fmt::format("file = {}{}", toml(file),
+                     options.chosen_case ? fmt::format(", case = {}", *options.chosen_case) : std::string());
+}
+
 }  // namespace
 
 bool is_deck(const std::string& path) {
@@ -94,26 +112,28 @@ TranslatedDeck translate_deck(const std::string& path, const DeckOptions& option
   scene.comment(fmt::format("{} as this program understands it.", std::filesystem::path(path).filename().string()));
   translate_controls(data, scene);
   translate_contact(data, scene);
-  const std::string mesh_file =
-      options.name_in_scene.empty() ? std::filesystem::path(path).filename().string() : options.name_in_scene;
   TomlText bodies, boundary;
   std::size_t walls = 0;
-  translate_parts(data, mesh_file, bodies);
+  translate_parts(data, mesh_keys(path, options), bodies);
   translate_node_codes(data, boundary);
   translate_single_point_constraints(data, boundary);
+  translate_materials(data, scene);
   for (const KeywordBlock& block : deck.blocks) {
     const std::string name = keyword_alias(block.name);
-    if (name == "RIGIDWALL_PLANAR") translate_rigid_wall(data, block, walls++, boundary);
+    if (name.starts_with("RIGIDWALL_PLANAR")) translate_rigid_wall(data, block, walls++, boundary);
     const Translate translate = translation_of(name);
-    if (translate != nullptr) translate(data, block, name.starts_with("MAT_") ? scene : boundary);
+    if (translate != nullptr) translate(data, block, boundary);
   }
   translate_probes(data, boundary);
   describe_mesh(data, report);
+  for (const std::string& note : deck.parameters.notes()) report.understood(note);
   if (deck.left_out_of_case > 0)
     report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}", deck.left_out_of_case,
                                   fmt::join(deck.cases, ", ")));
   report.require_all_done(path);
-  return {scene.text() + '\n' + bodies.text() + '\n' + boundary.text(), report.understood(), report.ignored()};
+  scene.append(bodies);
+  scene.append(boundary);
+  return {scene.text(), report.understood(), report.ignored(), scene.origins()};
 }
 
 }  // namespace pinball

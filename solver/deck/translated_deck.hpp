@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "toml_text.hpp"
+
 namespace pinball {
 
 /// How a deck is to be understood.
@@ -20,6 +22,11 @@ struct TranslatedDeck {
   std::string scene;                    ///< text of a scene file; mesh files are named relative to its folder
   std::vector<std::string> understood;  ///< lines that say what was made of what, and where they differ
   std::vector<std::string> ignored;     ///< keywords that cannot change the answer, with how many and where
+  std::vector<TextOrigin> origins;      ///< which lines of the scene are of which cards
+
+  /// A message that names lines of the scene, as "NAME:LINE:COLUMN: KEY", with the cards in their place: "deck.k:12:
+  /// *MAT_ELASTIC (ro)". name: that by which the scene was read.
+  std::string in_cards(const std::string& message, const std::string& name) const;
 };
 
 /// Whether a path is that of a deck by its ending: .k, .key, .dyn.

@@ -26,8 +26,9 @@ void for_each_tile(const Colouring& tiles, const Body& body) {
 template <class S>
 void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step) {
   const std::int32_t part = model.tile_part[tile];
-  kernel_of_part_[part](model.elements.view(), model.nodes.view(), model.constants[part], step, model.tile_packs[tile],
-                        model.tile_packs[tile + 1], results_[tile]);
+  kernel_of_part_[part]({model.elements.view(), model.nodes.view(), model.constants[part], step, model.tile_packs[tile],
+                         model.tile_packs[tile + 1]},
+                        results_[tile]);
 }
 
 template <class S>

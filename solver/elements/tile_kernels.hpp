@@ -16,10 +16,19 @@ struct TileResult {
   std::int32_t inverted_count = 0;
 };
 
-/// Works the packs first_pack ... last_pack - 1 of one tile through a step.
+/// Packs first ... last - 1: a tile, of one part.
 template <class S>
-using TileKernel = void (*)(const ElementView<S>&, const NodeView<S>&, const ElementConstants<S>&,
-                            const ElementStep<S>&, std::int64_t first_pack, std::int64_t last_pack, TileResult<S>&);
+struct TilePacks {
+  ElementView<S> elements;
+  NodeView<S> nodes;
+  const ElementConstants<S>& constants;
+  ElementStep<S> step;
+  std::int64_t first, last;
+};
+
+/// Works one tile through a step.
+template <class S>
+using TileKernel = void (*)(const TilePacks<S>& tile, TileResult<S>&);
 
 /// The kernel for a combination of features: each is compiled for itself, the choice is made once, at the start.
 template <class S>

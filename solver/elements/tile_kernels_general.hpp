@@ -6,11 +6,8 @@
 namespace pinball {
 
 template <class S>
-TileKernel<S> choose_general_tile_kernel(const ElementFeatures& f) {
-  if constexpr (built::plasticity && built::erosion) {
-    if (f.erosion) return choose_viscosity<S, true, true, YieldLaw::general>(f);
-  }
-  return choose_viscosity<S, true, false, YieldLaw::general>(f);
+TileKernel<S> choose_general_tile_kernel(const ElementFeatures& features) {
+  return choose_general_features(UpdatesTiles<S>{}, features);
 }
 
 }  // namespace pinball

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <kernels/element_update.hpp>
-#include <solver/base/built_features.hpp>
+#include <algorithm>
 
+#include <kernels/element_update.hpp>
+
+#include "element_features.hpp"
 #include "tile_kernels.hpp"
 
 /// The kernels behind choose_tile_kernel. Included by one source file per precision, because compiling them takes long.
@@ -68,15 +70,48 @@ class PackAhead {
   bool there_;
 };
 
-template <class S, ElementFeatures features>
-void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const ElementConstants<S>& constants,
-                 const ElementStep<S>& step, std::int64_t first_pack, std::int64_t last_pack, TileResult<S>& result) {
-  using T = Pack<S, native_width<S>>;
+/// One pack of a tile.
+template <class T, ElementFeatures features, class Forces>
+PINBALL_FUNCTION void update_pack_of_tile(const TilePacks<ScalarOf<T>>& tile, std::int64_t pack, const Forces& forces,
+                                          ElementSums<T>& sums) {
+  const PackAhead<T, features> ahead(tile.elements, tile.nodes, pack + 3, pack + 3 < tile.last);
+  update_element_pack<T, features>(tile.elements, tile.nodes, tile.constants, tile.step, pack,
+                                   static_cast<int>(pack - tile.first), sums, forces, ahead);
+}
+
+/// A block of packs that are narrower than it: their forces are kept until all are known.
+template <class T, ElementFeatures features>
+PINBALL_FUNCTION void update_block_of_tile(const TilePacks<ScalarOf<T>>& tile, std::int64_t first,
+                                           ElementSums<T>& sums) {
+  using S = ScalarOf<T>;
+  constexpr int W = width_of<T>, packs = widest_pack<S> / W;
+  alignas(64) S kept[24 * W * packs] = {};
+  const std::int64_t last = std::min<std::int64_t>(first + packs, tile.last);
+  for (std::int64_t pack = first; pack < last; ++pack) {
+    update_pack_of_tile<T, features>(tile, pack, KeptAtCorners<S>{kept, first * W}, sums);
+  }
+  for (int i = 0; i < 8; ++i) {
+    for (std::int64_t pack = first; pack < last; ++pack) {
+      const S* const force = kept + ((pack - first) * 24 + 3 * i) * W;
+      add_to_records(tile.nodes.force, tile.elements.corner + (pack * 8 + i) * W, load<T>(force), load<T>(force + W),
+                     load<T>(force + 2 * W), T(0));
+    }
+  }
+}
+
+/// T: a pack of any width, that of the rows of the arrays.
+template <class T, ElementFeatures features>
+PINBALL_FUNCTION void update_packs(const TilePacks<ScalarOf<T>>& tile, TileResult<ScalarOf<T>>& result) {
+  using S = ScalarOf<T>;
   ElementSums<T> sums;
-  for (std::int64_t pack = first_pack; pack < last_pack; ++pack) {
-    const PackAhead<T, features> ahead(elements, nodes, pack + 3, pack + 3 < last_pack);
-    update_element_pack<T, features>(elements, nodes, constants, step, pack, static_cast<int>(pack - first_pack), sums,
-                                     ahead);
+  if constexpr (width_of<T> >= widest_pack<S>) {
+    for (std::int64_t pack = tile.first; pack < tile.last; ++pack) {
+      update_pack_of_tile<T, features>(tile, pack, AddedToNodes<S>{tile.nodes.force}, sums);
+    }
+  } else {
+    for (std::int64_t pack = tile.first; pack < tile.last; pack += widest_pack<S> / width_of<T>) {
+      update_block_of_tile<T, features>(tile, pack, sums);
+    }
   }
   result.internal = static_cast<double>(lane_sum(sums.internal));
   result.hourglass = static_cast<double>(lane_sum(sums.hourglass));
@@ -89,36 +124,25 @@ void update_tile(const ElementView<S>& elements, const NodeView<S>& nodes, const
   for (int i = 0; i < width_of<T>; ++i) {
     if (lane(sums.stable_rate, i) > rate) {
       rate = lane(sums.stable_rate, i);
-      const auto pack = first_pack + static_cast<std::int64_t>(lane(sums.stable_rate_pack, i));
+      const auto pack = tile.first + static_cast<std::int64_t>(lane(sums.stable_rate_pack, i));
       result.time_step_slot = pack * width_of<T> + i;
     }
   }
   result.time_step = S(2) / rate;  // infinite for a tile without living elements
 }
 
-template <class S, bool plastic, bool erosion, bool viscosity, YieldLaw yield = YieldLaw::linear>
-TileKernel<S> choose_hourglass([[maybe_unused]] HourglassKind kind) {
-  if constexpr (built::hourglass) {
-    switch (kind) {
-      case HourglassKind::stiffness:
-        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::stiffness, yield}>;
-      case HourglassKind::assumed_strain:
-        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::assumed_strain, yield}>;
-      case HourglassKind::viscous:
-        return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::viscous, yield}>;
-      case HourglassKind::none:
-        break;
-    }
-  }
-  return update_tile<S, ElementFeatures{plastic, erosion, viscosity, HourglassKind::none, yield}>;
+template <class S, ElementFeatures features>
+void update_tile(const TilePacks<S>& tile, TileResult<S>& result) {
+  update_packs<Pack<S, native_width<S>>, features>(tile, result);
 }
 
-template <class S, bool plastic, bool erosion, YieldLaw yield = YieldLaw::linear>
-TileKernel<S> choose_viscosity(const ElementFeatures& f) {
-  if constexpr (built::bulk_viscosity) {
-    if (f.bulk_viscosity) return choose_hourglass<S, plastic, erosion, true, yield>(f.hourglass);
+/// The kernel that update_tile is for each of the features.
+template <class S>
+struct UpdatesTiles {
+  template <ElementFeatures features>
+  TileKernel<S> of() const {
+    return update_tile<S, features>;
   }
-  return choose_hourglass<S, plastic, erosion, false, yield>(f.hourglass);
-}
+};
 
 }  // namespace pinball

@@ -6,17 +6,11 @@
 namespace pinball {
 
 template <class S>
-TileKernel<S> choose_tile_kernel(const ElementFeatures& f) {
+TileKernel<S> choose_tile_kernel(const ElementFeatures& features) {
   if constexpr (built::plasticity) {
-    if (f.plastic && f.yield == YieldLaw::general) return choose_general_tile_kernel<S>(f);
+    if (is_general(features)) return choose_general_tile_kernel<S>(features);
   }
-  if constexpr (built::plasticity && built::erosion) {
-    if (f.plastic && f.erosion) return choose_viscosity<S, true, true>(f);
-  }
-  if constexpr (built::plasticity) {
-    if (f.plastic) return choose_viscosity<S, true, false>(f);
-  }
-  return choose_viscosity<S, false, false>(f);
+  return choose_linear_features(UpdatesTiles<S>{}, features);
 }
 
 }  // namespace pinball

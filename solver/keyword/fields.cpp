@@ -45,9 +45,9 @@ std::optional<std::int64_t> deck_integer(std::string_view text) {
   std::int64_t value = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error == std::errc() && stop == end) return value;
+  if (error == std::errc() && stop == end && std::abs(static_cast<double>(value)) <= largest_integer) return value;
   const std::optional<double> number = deck_number(text);  // "5." or "1.0E+7"
-  if (!number || *number != std::floor(*number) || std::abs(*number) > 9e15) return std::nullopt;
+  if (!number || *number != std::floor(*number) || std::abs(*number) > largest_integer) return std::nullopt;
   return static_cast<std::int64_t>(*number);
 }
 
@@ -77,6 +77,10 @@ Fields::Fields(const Card& card, const Parameters& parameters, std::span<const i
     }
     return;
   }
+  // Nobody knows what columns a tab stands for.
+  if (const std::size_t tab = rest.find('\t');
+      tab != std::string_view::npos && tab + 1 < rest.find_last_not_of(" \t") + 1)
+    fail_at(place_, "there is a tab in a card of columns: expected blanks, or commas between the fields");
   for (const int width : widths) {
     if (rest.empty()) break;
     const std::size_t length = std::min<std::size_t>(static_cast<std::size_t>(width), rest.size());

@@ -22,11 +22,14 @@ std::string_view trimmed(std::string_view text);
 std::optional<std::int64_t> deck_integer(std::string_view text);
 std::optional<double> deck_number(std::string_view text);
 
+/// Whole numbers beyond this are none, so that their sums with the offsets of *INCLUDE_TRANSFORM are numbers, too.
+inline constexpr double largest_integer = 9e15;
+
 inline constexpr std::array<int, 8> eight_by_ten{10, 10, 10, 10, 10, 10, 10, 10};
 
 /// The fields of a card: columns of given widths, or, where the card has a comma, what stands between commas. Blank
 /// fields, and those behind the end of the card, have their defaults. All that read throw InputError with the place of
-/// the card, the name of the field and what was expected.
+/// the card, the name of the field and what was expected. The card has to outlive them.
 class Fields {
  public:
   Fields(const Card& card, const Parameters& parameters, std::span<const int> widths = eight_by_ten);

@@ -12,7 +12,7 @@ std::optional<Card> Cards::next() {
     std::string_view line = body_.substr(0, end);
     body_.remove_prefix(end == std::string_view::npos ? body_.size() : end + 1);
     ++place_.line;
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     if (!line.empty() && line.front() == '$') continue;
     return Card{line, place_};
   }

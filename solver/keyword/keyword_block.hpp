@@ -37,6 +37,11 @@ struct KeywordBlock {
   std::string star_name() const { return '*' + name + (title ? "_TITLE" : "") + (id ? "_ID" : ""); }
 };
 
+/// What *INCLUDE_TRANSFORM adds to numbers of one kind in a block.
+inline std::int64_t offset_of(const KeywordBlock& block, std::int64_t DeckTransform::*which) {
+  return block.transform ? (*block.transform).*which : 0;
+}
+
 /// The lines of a block that are no comments, one after the other.
 class Cards {
  public:
@@ -57,5 +62,32 @@ class Cards {
   DeckPlace place_;
   const KeywordBlock* block_;
 };
+
+/// The cards of a keyword that has one for each of its things, with one more before each where it has _TITLE or _ID.
+template <class Read>
+void for_each_card(const KeywordBlock& block, const Read& read) {
+  Cards cards(block);
+  const bool headed = block.title || block.id;
+  while (!headed || cards.next()) {
+    const std::optional<Card> card = cards.next_filled();
+    if (!card) return;
+    read(*card);
+  }
+}
+
+/// The same of *PART, each of which has a title, a card, and with _CONTACT one more.
+template <class Read>
+void for_each_part(const KeywordBlock& block, const Read& read) {
+  Cards cards(block);
+  while (const std::optional<Card> title = cards.next()) {
+    const std::optional<Card> card = cards.next();
+    if (title->blank() && (!card || card->blank())) continue;
+    if (!card) fail_at(title->place, block.star_name() + ": expected a line of numbers after the title");
+    read(*title, *card);
+    if (block.name == "PART_CONTACT") cards.next();
+  }
+}
+
+inline bool is_part(const KeywordBlock& block) { return block.name == "PART" || block.name == "PART_CONTACT"; }
 
 }  // namespace pinball

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <stdexcept>
@@ -11,6 +12,7 @@
 
 #include "expression.hpp"
 #include "fields.hpp"
+#include "keyword_scanner.hpp"
 
 namespace pinball {
 
@@ -26,23 +28,48 @@ std::pair<char, std::string> kind_and_name(std::string_view declaration, const D
   return {kind, name};
 }
 
+/// Ten columns, or up to a comma that is not one between the arguments of a function.
+std::size_t end_of_declaration(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  const bool free = comma != std::string_view::npos && text.find('(') > comma;
+  return free ? comma : std::min<std::size_t>(10, text.size());
+}
+
 }  // namespace
 
 void Parameters::read(const KeywordBlock& block) {
+  std::string name = block.name;
+  changes_ = false;
+  while (true) {
+    if (take_ending(name, "_LOCAL") || take_ending(name, "_MUTABLE")) {
+      changes_ = true;
+    } else if (!take_ending(name, "_NOECHO")) {
+      break;
+    }
+  }
+  if (name != "PARAMETER" && name != "PARAMETER_EXPRESSION") fail_at(block.place, '*' + block.name + " is not read");
   Cards cards(block);
-  const bool expressions = block.name == "PARAMETER_EXPRESSION";
+  if (name == "PARAMETER_EXPRESSION") {
+    read_expressions(cards);
+  } else {
+    while (const std::optional<Card> card = cards.next_filled()) read_values(*card);
+  }
+}
+
+void Parameters::read_duplication(const KeywordBlock& block) {
+  Cards cards(block);
+  const Card card = cards.next_or_blank();
+  duplication_ = Fields(card, *this).integer(0, "dflag", 1);
+}
+
+void Parameters::read_expressions(Cards& cards) {
   std::optional<Card> card = cards.next_filled();
   while (card) {
-    if (!expressions) {
-      read_values(*card);
-      card = cards.next_filled();
-      continue;
-    }
     const std::string_view text = card->text;
-    const std::size_t comma = text.find(',');
-    const std::size_t name_end = comma < 10 ? comma : 10;
-    const std::string_view declaration = text.substr(0, name_end);
-    std::string expression(text.size() > name_end ? text.substr(name_end + (comma < 10 ? 1 : 0)) : std::string_view{});
+    const std::size_t end = end_of_declaration(text);
+    const std::string_view declaration = text.substr(0, end);
+    const bool comma = end < text.size() && text[end] == ',';
+    std::string expression(text.substr(std::min(end + (comma ? 1 : 0), text.size())));
     const DeckPlace place = card->place;
     // A line whose first ten columns are blank goes on with the expression of the line before.
     while ((card = cards.next_filled()) && trimmed(card->text.substr(0, 10)).empty()) expression += card->text;
@@ -60,41 +87,46 @@ void Parameters::read_values(const Card& card) {
 
 void Parameters::set(std::string_view declaration, std::string_view text, const DeckPlace& place) {
   const auto [kind, name] = kind_and_name(declaration, place);
-  if (kind == 'c') {
-    values_[name] = std::string(text);
-    return;
-  }
+  if (kind == 'c') return define(name, Value(std::string(text)), place);
   const std::optional<double> number = deck_number(text);
   if (!number) fail_at(place, fmt::format("parameter {}: expected a number, got \"{}\"", name, text));
-  if (kind == 'i') {
-    values_[name] = static_cast<std::int64_t>(std::llround(*number));
-  } else {
-    values_[name] = *number;
-  }
+  define(name, kind, kind == 'i' ? std::round(*number) : *number, place);
 }
 
 void Parameters::read_expression(std::string_view declaration, std::string expression, const DeckPlace& place) {
   const auto [kind, name] = kind_and_name(declaration, place);
-  if (kind == 'c') {
-    values_[name] = std::string(trimmed(expression));
-    return;
-  }
+  if (kind == 'c') return define(name, Value(std::string(trimmed(expression))), place);
+  double value = 0;
   try {
-    const double value = evaluate_expression(expression, [&](std::string_view other) { return number(other, place); });
+    value = evaluate_expression(expression, [&](std::string_view other) { return number(other, place); });
     if (!std::isfinite(value)) throw std::invalid_argument("the value is not finite");
-    if (kind == 'i') {
-      values_[name] = static_cast<std::int64_t>(value);
-    } else {
-      values_[name] = value;
-    }
   } catch (const std::invalid_argument& error) {
     fail_at(place, fmt::format("parameter {}: {}", name, error.what()));
   }
+  define(name, kind, kind == 'i' ? std::trunc(value) : value, place);
+}
+
+void Parameters::define(const std::string& name, char kind, double number, const DeckPlace& place) {
+  if (kind != 'i') return define(name, Value(number), place);
+  if (std::abs(number) > largest_integer)
+    fail_at(place, fmt::format("parameter {}: expected a smaller whole number, got {:.6g}", name, number));
+  define(name, Value(static_cast<std::int64_t>(number)), place);
+}
+
+/// Fields are read when all of the deck is known: a value that is another one from some place on cannot be had.
+void Parameters::define(const std::string& name, Value value, const DeckPlace& place) {
+  const auto [found, is_new] = values_.try_emplace(name, Parameter{value, place});
+  if (is_new || found->second.value == value) return;
+  const std::string twice = fmt::format("parameter {} has another value in {}", name, found->second.place.text());
+  if (changes_) fail_at(place, twice + ": _LOCAL and _MUTABLE are read where a name has one value in the whole deck");
+  if (duplication_ != 1 && duplication_ != 5)
+    fail_at(place, fmt::format("{}: *PARAMETER_DUPLICATION with DFLAG {} is not read", twice, duplication_));
+  notes_.push_back(fmt::format("{}: {}, which holds", place.text(), twice));
 }
 
 const Parameters::Value& Parameters::find(std::string_view name, const DeckPlace& place) const {
   const auto found = values_.find(lower_case(name));
-  if (found != values_.end()) return found->second;
+  if (found != values_.end()) return found->second.value;
   std::vector<std::string> known;
   for (const auto& [other, value] : values_) known.push_back(other);
   fail_at(place, fmt::format("no parameter is named {}{}", name,

@@ -10,6 +10,7 @@
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/number_index.hpp>
 
+#include "keyword_segments.hpp"
 #include "keyword_sets.hpp"
 #include "keyword_transformation.hpp"
 
@@ -21,12 +22,6 @@ constexpr std::array<int, 6> node_columns{8, 16, 16, 16, 8, 8}, wide_node_column
 constexpr std::array<int, 10> solid_columns{8, 8, 8, 8, 8, 8, 8, 8, 8, 8},
     wide_solid_columns{10, 10, 10, 10, 10, 10, 10, 10, 10, 10};
 
-/// A solid as it stands in the deck.
-struct Solid {
-  std::array<std::int64_t, 8> nodes;
-  DeckPlace place;
-};
-
 class Reader {
  public:
   explicit Reader(const KeywordDeck& deck) : deck_(deck), transformations_(deck) {}
@@ -34,34 +29,41 @@ class Reader {
   MeshFile read() {
     file_.path = deck_.files.front();
     for (const KeywordBlock& block : deck_.blocks) {
+      require_readable(block);
       if (block.name == "NODE") read_nodes(block);
-      if (block.name == "PART") read_parts(block);
+      if (is_part(block)) read_parts(block);
     }
-    check_numbers(file_.node_ids, node_places_, "node");
+    check_node_numbers();
     nodes_ = NumberIndex(file_.node_ids);
     for (const KeywordBlock& block : deck_.blocks) {
       if (block.name == "ELEMENT_SOLID") read_solids(block);
     }
-    check_solid_numbers();
+    check_element_numbers();
+    if (!file_.held.empty()) file_.held.resize(file_.node_ids.size(), 0);
     KeywordSets(deck_, file_, nodes_).read();
+    read_keyword_segments(deck_, nodes_, file_);
     return std::move(file_);
   }
 
  private:
   struct Run {
     std::size_t first;
-    DeckPlace keyword;
+    const KeywordBlock* block;
   };
 
-  static std::int64_t offset(const KeywordBlock& block, std::int64_t DeckTransform::*which) {
-    return block.transform ? (*block.transform).*which : 0;
+  /// What would make another mesh, if it were passed over.
+  static void require_readable(const KeywordBlock& block) {
+    const std::string& name = block.name;
+    const bool readable = name == "ELEMENT_SOLID" || name == "NODE";
+    if (!readable && (name.starts_with("ELEMENT_SOLID") || name.starts_with("NODE_") || name.starts_with("INCLUDE")))
+      fail_at(block.place, block.star_name() + " is not read");
   }
 
   void read_nodes(const KeywordBlock& block) {
     const std::span<const int> columns(block.wide ? wide_node_columns : node_columns);
     const Transformation* moved = transformations_.of(block);
-    const std::int64_t add = offset(block, &DeckTransform::node);
-    node_places_.push_back({file_.node_ids.size(), block.place});
+    const std::int64_t add = offset_of(block, &DeckTransform::node);
+    node_blocks_.push_back({file_.node_ids.size(), &block});
     Cards cards(block);
     while (const auto card = cards.next_filled()) {
       const Fields fields(*card, deck_.parameters, columns);
@@ -69,21 +71,27 @@ class Reader {
       Point x{fields.number(1, "x", 0.0), fields.number(2, "y", 0.0), fields.number(3, "z", 0.0)};
       if (moved != nullptr) x = moved->apply(x);
       file_.mesh.nodes.push_back(x);
+      hold(fields);
     }
   }
 
+  /// TC: which directions of the node just read are held.
+  void hold(const Fields& fields) {
+    static constexpr std::uint8_t directions_of_code[8] = {0, 1, 2, 4, 3, 6, 5, 7};
+    const std::int64_t code = fields.integer(4, "tc", 0);
+    if (code < 0 || code > 7) fail_at(fields.place(), fmt::format("*NODE: tc: expected 0 to 7, got {}", code));
+    if (code == 0) return;
+    file_.held.resize(file_.node_ids.size(), 0);
+    file_.held.back() = directions_of_code[code];
+  }
+
   void read_parts(const KeywordBlock& block) {
-    Cards cards(block);
-    while (const auto title = cards.next()) {
-      const auto card = cards.next();
-      if (!card) {
-        if (title->blank()) return;
-        fail_at(title->place, "*PART: expected a line of numbers after the title");
-      }
-      const std::int64_t id = Fields(*card, deck_.parameters).integer(0, "pid") + offset(block, &DeckTransform::part);
+    for_each_part(block, [&](const Card& title, const Card& card) {
+      const std::int64_t id = Fields(card, deck_.parameters).integer(0, "pid") + offset_of(block, &DeckTransform::part);
+      if (!defined_parts_.insert(id).second) fail_at(card.place, fmt::format("part {} is given twice", id));
       part_of(id);
-      file_.parts[part_places_.at(id)].name = std::string(trimmed(title->text));
-    }
+      file_.parts[part_places_.at(id)].name = std::string(trimmed(title.text));
+    });
   }
 
   std::int32_t part_of(std::int64_t id) {
@@ -95,12 +103,12 @@ class Reader {
   /// Number, part and eight nodes in one line; or the nodes, of which there may be ten, in the next one.
   void read_solids(const KeywordBlock& block) {
     const std::span<const int> columns(block.wide ? wide_solid_columns : solid_columns);
-    const std::int64_t to_node = offset(block, &DeckTransform::node),
-                       to_element = offset(block, &DeckTransform::element),
-                       to_part = offset(block, &DeckTransform::part);
+    const std::int64_t to_node = offset_of(block, &DeckTransform::node),
+                       to_element = offset_of(block, &DeckTransform::element),
+                       to_part = offset_of(block, &DeckTransform::part);
     const Transformation* moved = transformations_.of(block);
     const bool mirrored = moved != nullptr && moved->determinant() < 0;
-    solid_places_.push_back({file_.element_ids.size(), block.place});
+    file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), *block.place.file});
     Cards cards(block);
     while (const auto card = cards.next_filled()) {
       const Fields head(*card, deck_.parameters, columns);
@@ -131,36 +139,44 @@ class Reader {
       if (fields.integer(i, "node", 0) != 0)
         fail_element(fields, "has ten nodes: a tetrahedron, which is not read yet");
     }
-    const std::set<std::int32_t> different(corners.begin(), corners.end());
-    if (different.size() <= 4) fail_element(fields, "is a tetrahedron, which is not read yet");
+    if (different(corners) <= 4) fail_element(fields, "is a tetrahedron, which is not read yet");
     if (mirrored) std::swap_ranges(corners.begin(), corners.begin() + 4, corners.begin() + 4);
     file_.mesh.hexahedra.push_back(corners);
+  }
+
+  static std::size_t different(std::array<std::int32_t, 8> corners) {
+    std::sort(corners.begin(), corners.end());
+    return static_cast<std::size_t>(std::unique(corners.begin(), corners.end()) - corners.begin());
   }
 
   [[noreturn]] void fail_element(const Fields& fields, const std::string& problem) const {
     fail_at(fields.place(), fmt::format("*ELEMENT_SOLID: element {} {}", file_.element_ids.back(), problem));
   }
 
-  /// places: of the keywords in which the numbers stand.
-  static void check_numbers(const std::vector<std::int64_t>& numbers, const std::vector<Run>& places,
-                            const char* what) {
-    const std::int32_t repeated = NumberIndex(numbers).repeated();
+  void check_element_numbers() const {
+    const std::int32_t repeated = NumberIndex(file_.element_ids).repeated();
     if (repeated < 0) return;
-    const DeckPlace* keyword = nullptr;
-    for (const Run& run : places) {
-      if (run.first <= static_cast<std::size_t>(repeated)) keyword = &run.keyword;
-    }
-    fail_at(*keyword, fmt::format("{} {} is given twice", what, numbers[repeated]));
+    throw InputError(
+        fmt::format("{}: element {} is given twice", place_of_element(file_, repeated), file_.element_ids[repeated]));
   }
 
-  void check_solid_numbers() const { check_numbers(file_.element_ids, solid_places_, "element"); }
+  void check_node_numbers() const {
+    const std::int32_t repeated = NumberIndex(file_.node_ids).repeated();
+    if (repeated < 0) return;
+    const auto is_later = [repeated](const Run& run) { return run.first > static_cast<std::size_t>(repeated); };
+    const Run& run = *(std::ranges::find_if(node_blocks_, is_later) - 1);
+    Cards cards(*run.block);
+    for (auto i = run.first; i < static_cast<std::size_t>(repeated); ++i) cards.next_filled();
+    fail_at(cards.next_filled()->place, fmt::format("node {} is given twice", file_.node_ids[repeated]));
+  }
 
   const KeywordDeck& deck_;
   Transformations transformations_;
   MeshFile file_;
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
-  std::vector<Run> node_places_, solid_places_;
+  std::set<std::int64_t> defined_parts_;
+  std::vector<Run> node_blocks_;
 };
 
 }  // namespace

@@ -7,9 +7,13 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
+#include <solver/keyword/number_index.hpp>
 
-#include "gmsh_reader.hpp"
+#include "abaqus/abaqus_mesh.hpp"
+#include "exodus/exodus_reader.hpp"
+#include "gmsh/gmsh_reader.hpp"
 #include "keyword_mesh.hpp"
+#include "vtk/vtk_reader.hpp"
 
 namespace pinball {
 
@@ -20,7 +24,7 @@ template <class Named>
 const Named* find_named(const std::vector<Named>& items, const std::string& name) {
   const Named* found = nullptr;
   for (const Named& item : items) {
-    if (item.name == name) found = &item;
+    if (item.name == name && !name.empty()) found = &item;
   }
   if (found != nullptr) return found;
   for (const Named& item : items) {
@@ -44,13 +48,58 @@ void add_names(const std::vector<Named>& items, std::vector<std::string>& names)
       known.empty() ? std::string("there are none") : fmt::format("nearest is \"{}\"", nearest(name, known))));
 }
 
+MeshFile read_format(const FileMesh& settings, const std::vector<std::string>& parts) {
+  switch (settings.format) {
+    case MeshFormat::gmsh:
+      return read_gmsh(settings.file, parts);
+    case MeshFormat::keyword:
+      return keyword_mesh(read_keyword_deck(settings.file, settings.chosen_case));
+    case MeshFormat::exodus:
+      return read_exodus(settings.file, parts);
+    case MeshFormat::vtk:
+      return read_vtk(settings.file, settings.array, parts);
+    case MeshFormat::abaqus:
+      return abaqus_mesh(read_abaqus_deck(settings.file)).file;
+  }
+  return {};
+}
+
+/// Numbers may stand twice where what they number is the same.
+void check_numbers(const MeshFile& file) {
+  const auto fail = [&](const char* what, std::int64_t id) {
+    throw InputError(fmt::format("{}: {} {} is given twice, and not the same", file.path, what, id));
+  };
+  const NumberIndex nodes(file.node_ids);
+  for (std::size_t n = 0; nodes.repeated() >= 0 && n < file.node_ids.size(); ++n) {
+    if (file.mesh.nodes[nodes.find(file.node_ids[n])] != file.mesh.nodes[n]) fail("node", file.node_ids[n]);
+  }
+  const NumberIndex elements(file.element_ids);
+  for (std::size_t e = 0; elements.repeated() >= 0 && e < file.element_ids.size(); ++e) {
+    if (file.mesh.hexahedra[elements.find(file.element_ids[e])] != file.mesh.hexahedra[e])
+      fail("element", file.element_ids[e]);
+  }
+}
+
+template <class Set>
+void add_groups(const std::vector<Set>& sets, MeshGroup::Kind kind, std::vector<MeshGroup>& groups) {
+  for (const Set& set : sets) {
+    std::size_t members = 0;
+    if constexpr (requires { set.members; }) {
+      members = set.members.size();
+    } else {
+      members = set.faces.size();
+    }
+    groups.push_back({kind, set.id, set.name, members});
+  }
+}
+
 }  // namespace
 
 MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts) {
   std::vector<std::string> wanted = parts;
   if (std::ranges::count(wanted, "") > 0) wanted.clear();
-  MeshFile file = settings.format == MeshFormat::gmsh ? read_gmsh(settings.file, wanted)
-                                                      : keyword_mesh(read_keyword_deck(settings.file));
+  MeshFile file = read_format(settings, wanted);
+  check_numbers(file);
   for (Point& node : file.mesh.nodes) {
     for (double& coordinate : node) coordinate *= settings.scale;
   }
@@ -81,7 +130,20 @@ std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::stri
   fail_unknown(file, "part or set of elements", part, known);
 }
 
+const std::string& path_of_element(const MeshFile& file, std::int32_t element) {
+  const std::string* path = &file.path;
+  for (const MeshLines& lines : file.lines_of) {
+    if (lines.first <= element) path = &lines.file;
+  }
+  return *path;
+}
+
+std::string place_of_element(const MeshFile& file, std::int32_t element) {
+  return file.line.empty() ? file.path : fmt::format("{}:{}", path_of_element(file, element), file.line[element]);
+}
+
 const MeshSet* find_set(const std::vector<MeshSet>& sets, const std::string& name) { return find_named(sets, name); }
+const FaceSet* find_set(const std::vector<FaceSet>& sets, const std::string& name) { return find_named(sets, name); }
 
 std::vector<std::string> set_names(const std::vector<MeshSet>& sets) {
   std::vector<std::string> names;
@@ -89,9 +151,73 @@ std::vector<std::string> set_names(const std::vector<MeshSet>& sets) {
   return names;
 }
 
+std::vector<MeshGroup> groups_of(const MeshFile& file) {
+  std::vector<MeshGroup> groups;
+  for (const MeshPart& part : file.parts) groups.push_back({MeshGroup::Kind::part, part.id, part.name, 0});
+  for (const std::int32_t part : file.part) {
+    if (part >= 0) ++groups[part].members;
+  }
+  add_groups(file.element_sets, MeshGroup::Kind::elements, groups);
+  add_groups(file.node_sets, MeshGroup::Kind::nodes, groups);
+  add_groups(file.face_sets, MeshGroup::Kind::faces, groups);
+  return groups;
+}
+
+std::vector<std::int32_t> nodes_of_faces(const std::vector<std::array<std::int32_t, 4>>& faces) {
+  std::vector<std::int32_t> nodes;
+  for (const auto& face : faces) nodes.insert(nodes.end(), face.begin(), face.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::erase(nodes, -1);
+  return nodes;
+}
+
+void keep_used_nodes(MeshFile& file) {
+  std::vector<std::int32_t> place(file.mesh.nodes.size(), -1);
+  for (const auto& hexahedron : file.mesh.hexahedra) {
+    for (const std::int32_t node : hexahedron) place[node] = 0;
+  }
+  if (std::ranges::count(place, -1) == 0) return;
+  std::int32_t kept = 0;
+  for (std::size_t n = 0; n < place.size(); ++n) {
+    if (place[n] < 0) continue;
+    file.mesh.nodes[kept] = file.mesh.nodes[n];
+    if (!file.node_ids.empty()) file.node_ids[kept] = file.node_ids[n];
+    place[n] = kept++;
+  }
+  file.mesh.nodes.resize(kept);
+  if (!file.node_ids.empty()) file.node_ids.resize(kept);
+  for (auto& hexahedron : file.mesh.hexahedra) {
+    for (std::int32_t& node : hexahedron) node = place[node];
+  }
+  for (MeshSet& set : file.node_sets) {
+    for (std::int32_t& node : set.members) node = place[node];
+    std::erase(set.members, -1);
+  }
+  for (FaceSet& set : file.face_sets) {
+    for (auto& face : set.faces) {
+      for (std::int32_t& node : face) node = place[node];
+    }
+  }
+}
+
+std::string element_name(const MeshFile& file, std::int32_t e) {
+  const std::string number = fmt::format("element {}", file.element_ids.empty() ? e : file.element_ids[e]);
+  return file.line.empty() ? number : fmt::format("{} (line {} of {})", number, file.line[e], path_of_element(file, e));
+}
+
+std::vector<std::string> set_names(const std::vector<FaceSet>& sets) {
+  std::vector<std::string> names;
+  add_names(sets, names);
+  return names;
+}
+
 std::vector<std::string> files_of(const FileMesh& settings) {
-  if (settings.format == MeshFormat::gmsh) return {settings.file};
-  return read_keyword_deck(settings.file).files;
+  if (settings.format == MeshFormat::keyword) {
+    return read_keyword_deck(settings.file, settings.chosen_case).files;
+  }
+  if (settings.format == MeshFormat::abaqus) return read_abaqus_deck(settings.file).files;
+  return {settings.file};
 }
 
 }  // namespace pinball

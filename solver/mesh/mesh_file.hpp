@@ -22,13 +22,19 @@ struct MeshSet {
 struct FaceSet {
   std::int64_t id = 0;
   std::string name;
-  std::vector<std::array<std::int32_t, 4>> faces;
-  std::string problem{};  ///< as of a MeshSet
+  std::vector<std::array<std::int32_t, 4>> faces;  ///< corner -1: of a node that no hexahedron has
+  std::string problem{};                           ///< as of a MeshSet
 };
 
 struct MeshPart {
   std::int64_t id = 0;
   std::string name;
+};
+
+/// From which hexahedron on the lines are those of an included file.
+struct MeshLines {
+  std::int32_t first = 0;
+  std::string file;
 };
 
 /// All that a file says of a mesh: nodes and hexahedra, which of them belong to which part, and sets. Numbers (ids) are
@@ -40,22 +46,51 @@ struct MeshFile {
   std::vector<std::int64_t> element_ids;  ///< per hexahedron
   std::vector<std::int32_t> part;         ///< per hexahedron, place in `parts`
   std::vector<std::int32_t> line;         ///< per hexahedron, in its file; empty: not known
+  std::vector<MeshLines> lines_of;        ///< in the order of the hexahedra; empty: all are lines of the file itself
+  std::vector<std::uint8_t> held;         ///< per node: bits of x, y, z that the file itself holds; empty: none
   std::vector<MeshPart> parts;
   std::vector<MeshSet> node_sets, element_sets;
   std::vector<FaceSet> face_sets;
+  std::vector<std::string> notes{};  ///< what was left out, in sentences
 };
 
-/// Reads the file of a mesh, with its coordinates scaled. parts: which are needed ("": all).
+/// Reads the file of a mesh, with its coordinates scaled. parts: which are needed ("": all). Throws InputError for a
+/// number that two nodes, or two elements, of different content have.
 MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts);
 
 /// Elements of a part: that of this name or number, or else the set of elements of it; all for "". Throws InputError
 /// where there is none; it names the nearest.
 std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::string& part);
 
+/// The file, or the included one, that a hexahedron stands in.
+const std::string& path_of_element(const MeshFile& file, std::int32_t element);
+/// "FILE:LINE" where it stands; the file alone where the line is not known.
+std::string place_of_element(const MeshFile& file, std::int32_t element);
+
 /// The set of this name, or else of this number; null: none. Of several the last one counts, as in a deck.
 const MeshSet* find_set(const std::vector<MeshSet>& sets, const std::string& name);
+const FaceSet* find_set(const std::vector<FaceSet>& sets, const std::string& name);
 /// All names and numbers, for messages.
 std::vector<std::string> set_names(const std::vector<MeshSet>& sets);
+std::vector<std::string> set_names(const std::vector<FaceSet>& sets);
+
+/// A part or set of a file, for who wants to know what there is.
+struct MeshGroup {
+  enum class Kind { part, elements, nodes, faces } kind;
+  std::int64_t id = 0;  ///< 0: none
+  std::string name;
+  std::size_t members = 0;  ///< elements, nodes or faces
+};
+std::vector<MeshGroup> groups_of(const MeshFile& file);
+
+/// The nodes of faces, ascending, each once; of faces of no hexahedron those that there are.
+std::vector<std::int32_t> nodes_of_faces(const std::vector<std::array<std::int32_t, 4>>& faces);
+
+/// Drops the nodes that no hexahedron has, also from the sets; of faces their corners become -1.
+void keep_used_nodes(MeshFile& file);
+
+/// What a message calls an element: by the file's own number and, where they are known, its line.
+std::string element_name(const MeshFile& file, std::int32_t element);
 
 /// The file itself, and those that it includes.
 std::vector<std::string> files_of(const FileMesh& settings);

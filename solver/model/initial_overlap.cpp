@@ -128,9 +128,21 @@ std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const Bod
   return count;
 }
 
+/// Whether some pair lets two bodies touch; of sets any body may be a part.
+bool may_touch(const std::vector<ContactPair>& pairs, const std::string& a, const std::string& b) {
+  const auto holds = [](const ContactSide& side, const std::string& body) {
+    return !side.elements.empty() || !side.faces.empty() || !side.nodes.empty() ||
+           std::ranges::find(side.bodies, body) != side.bodies.end();
+  };
+  return pairs.empty() || std::any_of(pairs.begin(), pairs.end(), [&](const ContactPair& pair) {
+           const ContactSide& second = pair.second.empty() ? pair.first : pair.second;
+           return (holds(pair.first, a) && holds(second, b)) || (holds(pair.first, b) && holds(second, a));
+         });
+}
+
 }  // namespace
 
-InitialOverlap find_initial_overlap(const ModelMesh& mesh, double depth) {
+InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<ContactPair>& pairs, double depth) {
   std::vector<BodyParts> bodies(mesh.body_names.size());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     BodyParts& body = bodies[mesh.body_of_node[n]];
@@ -143,7 +155,7 @@ InitialOverlap find_initial_overlap(const ModelMesh& mesh, double depth) {
   for (std::size_t a = 0; a < bodies.size(); ++a) {
     for (std::size_t b = a + 1; b < bodies.size(); ++b) {
       const Bounds box = common(bodies[a].box, bodies[b].box);
-      if (box.empty()) continue;
+      if (box.empty() || !may_touch(pairs, mesh.body_names[a], mesh.body_names[b])) continue;
       const std::int64_t points =
           points_inside(mesh, bodies[a], bodies[b], box, depth) + points_inside(mesh, bodies[b], bodies[a], box, depth);
       if (points > 0) return {mesh.body_names[a], mesh.body_names[b], points};

@@ -8,16 +8,21 @@
 #include <map>
 #include <random>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
 #include <solver/base/error.hpp>
 #include <solver/base/point.hpp>
 #include <solver/base/tile_size.hpp>
+#include <solver/model/selection/left_out_faces.hpp>
+#include <solver/model/selection/node_selection.hpp>
 #include <solver/scene_rules.hpp>
 
+#include "contact/ties.hpp"
+#include "elements/element_parts.hpp"
+#include "elements/mass_scaling.hpp"
 #include "material_held.hpp"
-#include "node_selection.hpp"
 #include "ordering.hpp"
 #include "step_levels.hpp"
 
@@ -26,7 +31,7 @@ namespace pinball {
 namespace {
 
 template <class S>
-ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
+ElementConstants<S> constants_of(const Material& material, const ElementSettings& settings) {
   const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus;
   const double modulus = lambda + 2 * material.shear_modulus;
   const double infinite = std::numeric_limits<double>::infinity();
@@ -39,14 +44,14 @@ ElementConstants<S> constants_of(const Scene& scene, const Material& material) {
   c.material.erosion_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
   c.material.density = static_cast<S>(material.density);
   c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
-  c.hourglass_coefficient = static_cast<S>(scene.element.hourglass_coefficient);
+  c.hourglass_coefficient = static_cast<S>(settings.hourglass_coefficient);
   c.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass_coefficient);
   c.hourglass_modulus = c.hourglass_coefficient * hourglass_modulus(c.material.lambda, c.material.mu);
   c.specific_volume = static_cast<S>(1 / material.density);
-  c.linear_viscosity = static_cast<S>(scene.element.linear_viscosity);
-  c.quadratic_viscosity = static_cast<S>(scene.element.quadratic_viscosity);
-  const NegativeVolume policy = scene.element.negative_volume.value_or(
-      material.erosion_strain > 0 ? NegativeVolume::erode : NegativeVolume::stop);
+  c.linear_viscosity = static_cast<S>(settings.linear_viscosity);
+  c.quadratic_viscosity = static_cast<S>(settings.quadratic_viscosity);
+  const NegativeVolume policy =
+      settings.negative_volume.value_or(material.erosion_strain > 0 ? NegativeVolume::erode : NegativeVolume::stop);
   c.erode_negative_volume = policy == NegativeVolume::erode;
   return c;
 }
@@ -65,33 +70,36 @@ HourglassKind hourglass_kind(HourglassControl control) {
   return HourglassKind::none;
 }
 
-ElementFeatures features_of(const Scene& scene, const Material& material, bool erode_negative_volume) {
+ElementFeatures features_of(const Material& material, const ElementSettings& settings, bool erode_negative_volume) {
   ElementFeatures f{};
   f.erosion = erode_negative_volume || (material.plastic && material.erosion_strain > 0);
   f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
-  f.bulk_viscosity = scene.element.bulk_viscosity;
-  f.hourglass = hourglass_kind(scene.element.hourglass);
+  f.bulk_viscosity = settings.bulk_viscosity;
+  f.hourglass = hourglass_kind(settings.hourglass);
   if (has_general_yield(material)) f.yield = YieldLaw::general;
   return f;
 }
 
-/// Elements of one material and one level of steps, cut into tiles of whole packs.
+/// Elements of one part and one level of steps, and of one body where that is asked for, cut into tiles of whole packs
+/// of any width.
 struct TileGroup {
-  std::size_t material = 0;
+  std::size_t part = 0;
   std::uint8_t level = 0;
+  std::int32_t body = 0;
   TileOrder tiles;
 };
 
-/// levels: of the steps of the elements; empty if all make the same.
-std::vector<TileGroup> cut_into_tiles(const Scene& scene, const ModelMesh& mesh,
-                                      const std::vector<std::uint8_t>& levels, int pack) {
+/// levels: of the steps of the elements; empty if all make the same. by_body: no tile is of several bodies. pack: lanes
+/// of the widest.
+std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh& mesh,
+                                      const std::vector<std::uint8_t>& levels, bool by_body, int pack) {
   const std::size_t count = mesh.hexahedra.size();
-  const std::vector<std::size_t> material_of_body = material_of_bodies(scene);
-  std::map<std::pair<std::size_t, std::uint8_t>, std::vector<std::int32_t>> members;
+  std::map<std::tuple<std::size_t, std::uint8_t, std::int32_t>, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
   for (std::size_t e = 0; e < count; ++e) {
-    const std::size_t material = material_of_body[mesh.body[e]];
-    members[{material, levels.empty() ? std::uint8_t{0} : levels[e]}].push_back(static_cast<std::int32_t>(e));
+    const std::int32_t body = mesh.body[e];
+    members[{parts.of_body[body], levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0}].push_back(
+        static_cast<std::int32_t>(e));
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
   }
@@ -100,27 +108,29 @@ std::vector<TileGroup> cut_into_tiles(const Scene& scene, const ModelMesh& mesh,
     // Threads share the tiles of one level: each level needs several.
     const std::size_t together = levels.empty() ? count : elements.size();
     const std::int64_t size = tile_size(static_cast<std::int64_t>(together));
-    groups.push_back({kind.first, kind.second, compact_tiles(centres, extents, std::move(elements), size, pack)});
+    const auto [part, level, body] = kind;
+    groups.push_back({part, level, body, compact_tiles(centres, extents, std::move(elements), size, pack)});
   }
   return groups;
 }
 
 using Hexahedra = std::vector<std::array<std::int32_t, 8>>;
 
-/// One part per material; returns what the elements of all of them need to store.
+/// Returns what the elements of all parts need to store.
 template <class S>
-ElementStoreFeatures add_materials(Model<S>& model) {
+ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
   ElementStoreFeatures stored;
-  for (const Material& material : model.scene.materials) {
-    model.constants.push_back(constants_of<S>(model.scene, material));
+  for (const auto& [number, settings] : parts.parts) {
+    const Material& material = model.scene.materials[number];
+    model.constants.push_back(constants_of<S>(material, settings));
     require_held(model.scene, material, model.constants.back());
     if (has_general_yield(material)) {
       model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
       stored.back_stress |= material.isotropic_share < 1;
     }
-    const ElementFeatures f = features_of(model.scene, material, model.constants.back().erode_negative_volume);
-    model.parts.push_back({static_cast<std::int32_t>(model.parts.size()), f});
+    const ElementFeatures f = features_of(material, settings, model.constants.back().erode_negative_volume);
+    model.parts.push_back({static_cast<std::int32_t>(number), f, settings});
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;
     stored.bulk_viscosity |= f.bulk_viscosity;
@@ -131,15 +141,17 @@ ElementStoreFeatures add_materials(Model<S>& model) {
 
 /// Tiles, each of whole packs of one material, and their colours; returns the elements in the order of their slots.
 template <class S>
-Hexahedra add_tiles(Model<S>& model) {
+Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vector<double>& mass_factor) {
   constexpr int W = ElementStore<S>::width;
   const ElementLevels levels =
-      model.scene.time.subcycling ? element_step_levels(model.scene, model.mesh) : ElementLevels{};
+      model.scene.time.subcycling ? element_step_levels(model.scene, model.mesh, mass_factor) : ElementLevels{};
   Hexahedra ordered;
   std::vector<std::int32_t> tile_elements{0};
   model.tile_packs.push_back(0);
   model.slot_of_element.resize(model.mesh.hexahedra.size());
-  for (const auto& [material, level, tiles] : cut_into_tiles(model.scene, model.mesh, levels.level, W)) {
+  const bool by_body = model.scene.output.body_energies;
+  for (const auto& [part, level, body, tiles] :
+       cut_into_tiles(parts, model.mesh, levels.level, by_body, widest_pack<S>)) {
     for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
       const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
       const std::int64_t pack = model.tile_packs.back();
@@ -153,7 +165,8 @@ Hexahedra add_tiles(Model<S>& model) {
       }
       model.tile_packs.push_back(pack + (last - first + W - 1) / W);
       model.element_of_slot.resize(model.tile_packs.back() * W, -1);
-      model.tile_part.push_back(static_cast<std::int32_t>(material));
+      model.tile_part.push_back(static_cast<std::int32_t>(part));
+      if (by_body) model.tile_body.push_back(body);
       if (!levels.own.empty()) model.tile_levels.push_back({level, own});
       tile_elements.push_back(static_cast<std::int32_t>(ordered.size()));
     }
@@ -171,11 +184,14 @@ void fill_nodes(Model<S>& model) {
   }
 }
 
-/// Corners and masses of the elements, and the masses of the nodes: an eighth of each of their elements.
+/// Corners and masses of the elements, and the masses of the nodes: an eighth of each of their elements. mass_factor:
+/// of what a material gives, per element; empty: 1.
 template <class S>
-void fill_elements(Model<S>& model, const ElementStoreFeatures& features) {
+void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const std::vector<double>& mass_factor) {
   model.elements = ElementStore<S>(model.tile_packs.back(), features);
   model.element_mass.resize(model.mesh.hexahedra.size());
+  model.added_mass.resize(mass_factor.size());
+  model.added_node_mass.assign(mass_factor.empty() ? 0 : model.mesh.nodes.size(), 0.0);
   model.node_mass.assign(model.mesh.nodes.size(), 0.0);
   std::vector<double> density_of_body;
   for (const std::size_t material : material_of_bodies(model.scene)) {
@@ -188,11 +204,18 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features) {
       e = model.element_of_slot[slot];
       model.element_mass[e] = density_of_body[model.mesh.body[e]] * element_volume(model.mesh, e);
       model.elements.mass[slot] = static_cast<S>(model.element_mass[e]);
+      if (!mass_factor.empty()) {
+        model.added_mass[e] = (mass_factor[e] - 1) * model.element_mass[e];
+        model.element_mass[e] += model.added_mass[e];
+        model.elements.mass_share[slot] = static_cast<S>(1 / mass_factor[e]);
+      }
     }
     for (int i = 0; i < 8; ++i) {  // of padding: those of the element before it
       const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
       model.elements.corner[ElementStore<S>::at(slot, i, 8)] = node;
-      if (!padding) model.node_mass[node] += model.element_mass[e] / 8;
+      if (padding) continue;
+      model.node_mass[node] += model.element_mass[e] / 8;
+      if (!model.added_mass.empty()) model.added_node_mass[node] += model.added_mass[e] / 8;
     }
   }
 }
@@ -244,9 +267,24 @@ void set_initial_velocity(Model<S>& model) {
   for (const InitialVelocity& given : model.scene.initial_velocities) {
     for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
       S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
-      for (std::size_t k = 0; k < 3; ++k) velocity[k] = static_cast<S>(given.velocity[k]);
+      const Point spin = cross(given.angular_velocity, minus(model.mesh.nodes[n], given.centre));
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (given.components[k]) velocity[k] = static_cast<S>(given.velocity[k] + spin[k]);
+      }
     }
   }
+}
+
+/// From the numbers of the scene to those of the stores.
+template <class S>
+void number_ties(Model<S>& model) {
+  for (TiedNode& tied : model.tied_nodes) {
+    tied.node = model.node_of_scene_node[tied.node];
+    for (std::int32_t& corner : tied.corner) corner = model.node_of_scene_node[corner];
+    tied.slot = model.slot_of_element[tied.slot];
+  }
+  std::sort(model.tied_nodes.begin(), model.tied_nodes.end(),
+            [](const TiedNode& a, const TiedNode& b) { return a.node < b.node; });
 }
 
 }  // namespace
@@ -283,7 +321,7 @@ std::size_t Model<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes.bytes() + elements.bytes() + of(mesh.nodes) + of(mesh.hexahedra) + of(mesh.body) +
          of(mesh.body_of_node) + of(constraints) + of(prescribed) + of(element_of_slot) + of(slot_of_element) +
-         of(node_of_scene_node) + of(element_mass) + of(node_mass);
+         of(node_of_scene_node) + of(element_mass) + of(added_mass) + of(node_mass) + of(added_node_mass);
 }
 
 template <class S>
@@ -295,15 +333,22 @@ Model<S> build_model(const Scene& given) {
   for (Body& body : model.scene.bodies) {
     if (std::holds_alternative<ArrayMesh>(body.mesh)) body.mesh = ArrayMesh{};  // the host's arrays may go now
   }
-  const ElementStoreFeatures features = add_materials(model);
-  const Hexahedra ordered = add_tiles(model);
+  model.tied_nodes = find_ties(model.scene, model.mesh, model.tie_counts);
+  const ElementParts parts = element_parts(model.scene);
+  ElementStoreFeatures features = add_parts(model, parts);
+  const std::vector<double> mass_factor = mass_factors(model.scene, model.mesh, parts);
+  features.mass_share = !mass_factor.empty();
+  const Hexahedra ordered = add_tiles(model, parts, mass_factor);
   const auto node_count = static_cast<std::int32_t>(model.mesh.nodes.size());
   model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
   fill_nodes(model);
-  fill_elements(model, features);
+  fill_elements(model, features, mass_factor);
   invert_node_masses(model);
-  add_constraints(model);
+  number_ties(model);
+  set_constraints(model, 0);
   set_initial_velocity(model);
+  const std::vector<std::string> left_out = find_left_out_faces(model.scene, model.mesh);
+  model.mesh.warnings.insert(model.mesh.warnings.end(), left_out.begin(), left_out.end());
   return model;
 }
 

@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include <kernels/boundary/held_nodes.hpp>
 #include <solver/base/colouring.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/contact/tied/tied_nodes.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/scene.hpp>
 
@@ -21,7 +23,12 @@ namespace pinball {
 struct FileNodes {
   std::string path;
   std::vector<std::pair<std::int64_t, std::int32_t>> numbers;  ///< number in the file and node, by number; may be empty
-  std::vector<MeshSet> sets;                                   ///< of nodes of the model
+  /// Number in the file and element, by number; empty where no probe asks for one.
+  std::vector<std::pair<std::int64_t, std::int32_t>> element_numbers{};
+  std::vector<MeshSet> sets;          ///< of nodes of the model
+  std::vector<MeshSet> element_sets;  ///< of elements of the model; parts, and then sets
+  std::vector<FaceSet> face_sets;     ///< of nodes of the model, those of its elements alone
+  std::vector<MeshGroup> groups{};    ///< all parts and sets of the file
 };
 
 /// The meshes of all bodies together, in the order of the scene; cold.
@@ -33,6 +40,9 @@ struct ModelMesh {
   std::vector<std::string> body_names;
   std::vector<std::vector<std::int32_t>> shared;  ///< per body: nodes of its elements that an earlier body has; sorted
   std::vector<FileNodes> files;                   ///< of the bodies that are from files
+  std::vector<std::int32_t> file_of_body{};       ///< place in `files`, per body; -1: it is from none
+  std::vector<std::string> warnings{};            ///< what is wrong with meshes of files
+  std::vector<float> edge;  ///< per node the shortest edge of its elements; empty: nothing asks for it [length]
 
   std::int64_t element_count() const { return static_cast<std::int64_t>(hexahedra.size()); }
   const std::string& body_of_element(std::int64_t element) const { return body_names[body[element]]; }
@@ -46,26 +56,21 @@ struct ModelMesh {
   }
 };
 
-/// Elements of one material: consecutive tiles, computed by one specialised kernel.
+/// Elements of one material with one kind of settings (element_parts.hpp): consecutive tiles, computed by one
+/// specialised kernel.
 struct Part {
   std::int32_t material = 0;
   ElementFeatures features{};
+  ElementSettings settings;
 };
 
-/// One constrained direction of one node.
-template <class S>
-struct NodeConstraint {
-  std::int32_t node;
-  S normal[3];
-};
-
-/// One direction of one node, along which its velocity is given.
-template <class S>
-struct NodePrescription {
-  std::int32_t node;
-  S normal[3];
-  S speed;             ///< along the normal, where the factor is 1 [length/time]
-  std::int32_t table;  ///< number of the [[prescribed_velocity]], whose times and factors it follows
+/// What has become of a tied contact at the start, in nodes of its first side.
+struct TieCount {
+  std::string name;
+  std::int64_t tied = 0;   ///< follow a face
+  std::int64_t near = 0;   ///< lie within five times the tolerance, and beyond it
+  std::int64_t held = 0;   ///< near enough, but held in all directions or moved as prescribed
+  std::int64_t taken = 0;  ///< near enough, but tied already, or corners of faces that others are tied to
 };
 
 /// Steps that a tile may make where elements have steps of their own (step_levels.hpp).
@@ -101,24 +106,39 @@ struct Model {
 
   NodeStore<S> nodes;
   ElementStore<S> elements;
-  std::vector<ElementConstants<S>> constants;                       ///< per material
+  std::vector<ElementConstants<S>> constants;                       ///< per part
   std::vector<std::shared_ptr<const YieldCurves<S>>> yield_curves;  ///< what `constants` point to
   std::vector<Part> parts;
   std::vector<NodeConstraint<S>> constraints;   ///< orthonormal per node
   std::vector<NodePrescription<S>> prescribed;  ///< orthonormal per node, with the constraints
 
+  std::vector<TiedNode> tied_nodes;         ///< in the numbers of the stores
+  std::vector<TieCount> tie_counts;         ///< per tied contact
+  const S* contact_inverse_mass = nullptr;  ///< what contact by springs divides by; null: that of the nodes [1/mass]
+  /// Nodes whose masses ties have moved, with those that they have without ties [mass].
+  const std::vector<std::pair<std::int32_t, double>>* masses_without_ties = nullptr;
+
   std::vector<std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
   std::vector<std::int32_t> tile_part;   ///< per tile
+  std::vector<std::int32_t> tile_body;   ///< per tile; empty where tiles may be of several (output.body_energies)
   Colouring tile_colours;
   std::vector<TileLevels> tile_levels;  ///< per tile; empty without subcycling
 
   std::vector<std::int32_t> element_of_slot;     ///< scene number of the element, -1 for padding
   std::vector<std::int64_t> slot_of_element;     ///< per element of the scene
   std::vector<std::int32_t> node_of_scene_node;  ///< store number per node of the scene
-  std::vector<double> element_mass;              ///< initial, per element of the scene [mass]
+  std::vector<double> element_mass;              ///< initial, with what is added, per element of the scene [mass]
+  std::vector<double> added_mass;                ///< the part of it that no material has; empty: none [mass]
   std::vector<double> node_mass;                 ///< per node of the store [mass]
+  std::vector<double> added_node_mass;           ///< the part of it that no material has; empty: none [mass]
 
   std::int64_t element_count() const { return mesh.element_count(); }
+  double material_mass(std::size_t element) const {
+    return added_mass.empty() ? element_mass[element] : element_mass[element] - added_mass[element];
+  }
+  double material_mass_of_node(std::size_t node) const {
+    return added_node_mass.empty() ? node_mass[node] : node_mass[node] - added_node_mass[node];
+  }
   std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
   /// Slots of a tile, its padding among them.
   SlotRange slots_of(std::int64_t tile) const {
@@ -150,9 +170,10 @@ Point element_centre(const ModelMesh& mesh, std::size_t element);
 /// Edges of the box around an element [length].
 Point element_extent(const ModelMesh& mesh, std::size_t element);
 
-/// Fills in constraints and prescribed velocities. Throws InputError for a selection without nodes.
+/// Fills in the constraints and prescribed velocities of a time, in place of those that are there. Throws InputError
+/// for a selection without nodes.
 template <class S>
-void add_constraints(Model<S>& model);
+void set_constraints(Model<S>& model, double time);
 
 /// Builds the stores. Throws InputError for what only the mesh shows to be wrong.
 template <class S>

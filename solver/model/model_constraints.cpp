@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include <solver/base/point.hpp>
+#include <solver/model/selection/node_selection.hpp>
 
 #include "model.hpp"
-#include "node_selection.hpp"
 
 namespace pinball {
 
@@ -12,10 +12,11 @@ namespace {
 
 /// A direction in which the velocity of a node is given, before those of one node are made orthogonal.
 struct GivenDirection {
-  std::int32_t node = 0;    ///< of the store
-  Point direction{};        ///< of unit length
-  double speed = 0;         ///< along it [length/time]
-  std::int32_t table = -1;  ///< of the prescribed velocity; -1: a constraint
+  std::int32_t node = 0;   ///< of the store
+  Point direction{};       ///< of unit length
+  double speed = 0;        ///< along it [length/time]
+  std::int32_t table = 0;  ///< number of the prescribed velocity, or of the constraint
+  bool held = false;       ///< a constraint
 };
 
 /// The directions of a fixed constraint at a place, in global components. On the axis of a cylindrical frame nothing
@@ -43,45 +44,58 @@ std::vector<Point> directions_at(const FixedConstraint& fixed, const Point& plac
   return result;
 }
 
-}  // namespace
-
+/// Of all nodes: constraints first, then prescribed velocities, each in the order of the scene.
 template <class S>
-void add_constraints(Model<S>& model) {
+std::vector<GivenDirection> given_directions(const Model<S>& model, double time) {
   const Scene& scene = model.scene;
   const double tolerance = 1e-9 * mesh_size(model.mesh);
   std::vector<GivenDirection> directions;
-  const auto hold = [&](std::int32_t scene_node, const Point& direction, double speed, std::int32_t table) {
-    const std::int32_t node = model.node_of_scene_node[scene_node];
-    directions.push_back({node, direction, speed, table});
+  std::int32_t constraint = 0;
+  const auto hold = [&](std::int32_t scene_node, const Point& direction) {
+    directions.push_back({model.node_of_scene_node[scene_node], direction, 0, constraint, true});
+  };
+  const auto move = [&](std::int32_t scene_node, const Point& direction, double speed, std::int32_t table) {
+    directions.push_back({model.node_of_scene_node[scene_node], direction, speed, table, false});
   };
   for (const PlaneConstraint& plane : scene.constraints) {
-    const NodeSelection on_plane{.body = plane.body, .plane = Plane{plane.point, plane.normal}};
-    for (const std::int32_t n : matching_nodes(model.mesh, on_plane)) hold(n, plane.normal, 0, -1);
+    for (const std::int32_t n : matching_nodes(model.mesh, nodes_of(plane))) hold(n, plane.normal);
+    ++constraint;
   }
   for (const FixedConstraint& fixed : scene.fixed_constraints) {
     for (const std::int32_t n : select_nodes(model.mesh, fixed.nodes)) {
+      if (!fixed.when.contains(time)) break;
       const Point& place = model.mesh.nodes[n];
-      for (const Point& d : directions_at(fixed, place, tolerance)) hold(n, d, 0, -1);
+      for (const Point& d : directions_at(fixed, place, tolerance)) hold(n, d);
     }
+    ++constraint;
   }
   for (std::size_t t = 0; t < scene.prescribed_velocities.size(); ++t) {
     const PrescribedVelocity& given = scene.prescribed_velocities[t];
     for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
+      if (!given.when.contains(time)) break;
       const auto table = static_cast<std::int32_t>(t);
       if (given.direction) {
-        hold(n, *given.direction, dot(given.velocity, *given.direction), table);
+        move(n, *given.direction, dot(given.velocity, *given.direction), table);
         continue;
       }
       for (std::size_t k = 0; k < 3; ++k) {
         Point axis{};
         axis[k] = 1;
-        hold(n, axis, given.velocity[k], table);
+        move(n, axis, given.velocity[k], table);
       }
     }
   }
+  return directions;
+}
 
-  // Orthonormal per node, so that removing one direction leaves the others removed. Constraints come first, then what
-  // is first in the file.
+}  // namespace
+
+template <class S>
+void set_constraints(Model<S>& model, double time) {
+  model.constraints.clear();
+  model.prescribed.clear();
+  std::vector<GivenDirection> directions = given_directions(model, time);
+  // Orthonormal per node, so that removing one direction leaves the others removed: the first of a node counts most.
   std::stable_sort(directions.begin(), directions.end(),
                    [](const GivenDirection& a, const GivenDirection& b) { return a.node < b.node; });
   std::vector<Point> basis;
@@ -93,18 +107,18 @@ void add_constraints(Model<S>& model) {
     if (length < 1e-6) continue;
     basis.push_back(d);
     const S x = static_cast<S>(d[0]), y = static_cast<S>(d[1]), z = static_cast<S>(d[2]);
-    if (h.table < 0) {
-      model.constraints.push_back({h.node, {x, y, z}});
+    if (h.held) {
+      model.constraints.push_back({h.node, {x, y, z}, h.table});
       continue;
     }
     // Of a whole velocity, what is left along d; of a speed along one direction, what gives it that component.
-    const PrescribedVelocity& given = scene.prescribed_velocities[h.table];
+    const PrescribedVelocity& given = model.scene.prescribed_velocities[h.table];
     const double speed = given.direction ? h.speed / length : dot(given.velocity, d);
     model.prescribed.push_back({h.node, {x, y, z}, static_cast<S>(speed), h.table});
   }
 }
 
-template void add_constraints<double>(Model<double>&);
-template void add_constraints<float>(Model<float>&);
+template void set_constraints<double>(Model<double>&, double);
+template void set_constraints<float>(Model<float>&, double);
 
 }  // namespace pinball

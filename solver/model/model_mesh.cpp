@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <solver/base/error.hpp>
+#include <solver/base/point.hpp>
 #include <solver/mesh/array_mesh.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/model/checks/file_checks.hpp>
+#include <solver/model/contact/contact_sides.hpp>
+#include <solver/model/selection/file_nodes.hpp>
+#include <solver/model/selection/node_selection.hpp>
 
 #include "element_checks.hpp"
 #include "model.hpp"
@@ -49,11 +55,21 @@ Mesh mesh_of(const Body& body) {
   }
 }
 
+constexpr std::array<std::pair<int, int>, 12> edges_of_hexahedron{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
 bool same_file(const Body& a, const Body& b) {
   const auto* mine = std::get_if<FileMesh>(&a.mesh);
   const auto* other = std::get_if<FileMesh>(&b.mesh);
   return mine != nullptr && other != nullptr && mine->file == other->file && mine->format == other->format &&
-         mine->scale == other->scale && a.axis == b.axis && a.position == b.position;
+         mine->chosen_case == other->chosen_case && mine->scale == other->scale && mine->array == other->array &&
+         a.axis == b.axis && a.position == b.position;
+}
+
+/// Whether any probe names an element by its number.
+bool numbers_elements(const Scene& scene) {
+  return std::ranges::any_of(
+      scene.probes, [](const Probe& probe) { return probe.kind == ProbeKind::element && probe.number.has_value(); });
 }
 
 /// Puts the meshes of the bodies together.
@@ -71,7 +87,13 @@ class Assembly {
         add_mesh(b);
       }
     }
-    for (const Placed& placed : files_) name_nodes(placed);
+    for (const Placed& placed : files_) {
+      all_.files.push_back(file_nodes(placed.file, placed.node, placed.element));
+      if (numbers_elements(scene_)) add_element_numbers(placed.file, placed.element, all_.files.back());
+    }
+    check_files();
+    all_.file_of_body = file_of_body_;
+    find_edges();
     return std::move(all_);
   }
 
@@ -79,8 +101,8 @@ class Assembly {
   /// A file at its place, and which of its nodes the model has by now.
   struct Placed {
     MeshFile file;
-    std::vector<std::int32_t> node;   ///< of the model, per node of the file; -1: none
-    std::vector<std::int32_t> taken;  ///< body, per element of the file; -1: none
+    std::vector<std::int32_t> node;     ///< of the model, per node of the file; -1: none
+    std::vector<std::int32_t> element;  ///< of the model, per element of the file; -1: none
   };
 
   void add_mesh(std::size_t b) {
@@ -148,7 +170,7 @@ class Assembly {
     Placed placed{read_mesh_file(*settings, parts), {}, {}};
     place_of_body(placed.file.mesh, b);
     placed.node.assign(placed.file.mesh.nodes.size(), -1);
-    placed.taken.assign(placed.file.mesh.hexahedra.size(), -1);
+    placed.element.assign(placed.file.mesh.hexahedra.size(), -1);
     return files_.emplace_back(std::move(placed));
   }
 
@@ -164,7 +186,7 @@ class Assembly {
     }
     std::vector<bool> used(placed.node.size(), false);
     for (const std::int32_t e : elements) {
-      take_element(placed, e, b);
+      require_free(placed, e, b);
       for (const std::int32_t node : file.mesh.hexahedra[e]) used[node] = true;
     }
     for (std::size_t n = 0; n < used.size(); ++n) {
@@ -182,39 +204,49 @@ class Assembly {
       for (std::int32_t& node : hexahedron) node = placed.node[node];
       require_none(volume_problem(all_.corners_of(hexahedron), scene_.precision), b,
                    [&] { return element_name(file, e); });
+      placed.element[e] = static_cast<std::int32_t>(all_.element_count());
       add_element(hexahedron, b, [&] { return element_name(file, e); });
     }
   }
 
-  void take_element(Placed& placed, std::int32_t e, std::size_t b) const {
-    if (placed.taken[e] >= 0) {
-      throw InputError(fmt::format("{}body {}: {} belongs to body {}, too", message_head(scene_), scene_.bodies[b].name,
-                                   element_name(placed.file, e), scene_.bodies[placed.taken[e]].name));
-    }
-    placed.taken[e] = static_cast<std::int32_t>(b);
+  void require_free(const Placed& placed, std::int32_t e, std::size_t b) const {
+    if (placed.element[e] < 0) return;
+    throw InputError(fmt::format("{}body {}: {} belongs to body {}, too", message_head(scene_), scene_.bodies[b].name,
+                                 element_name(placed.file, e), all_.body_of_element(placed.element[e])));
   }
 
-  /// As its file calls it.
-  static std::string element_name(const MeshFile& file, std::int32_t e) {
-    const std::string number = fmt::format("element {}", file.element_ids.empty() ? e : file.element_ids[e]);
-    return file.line.empty() ? number : fmt::format("{} (line {} of {})", number, file.line[e], file.path);
+  /// Per element of the file; -1: none.
+  std::vector<std::int32_t> bodies_of(const Placed& placed) const {
+    std::vector<std::int32_t> bodies = placed.element;
+    for (std::int32_t& element : bodies) element = element < 0 ? -1 : all_.body[element];
+    return bodies;
   }
 
-  void name_nodes(const Placed& placed) {
-    FileNodes named{placed.file.path, {}, {}};
-    for (std::size_t n = 0; n < placed.file.node_ids.size(); ++n) {
-      if (placed.node[n] >= 0) named.numbers.emplace_back(placed.file.node_ids[n], placed.node[n]);
+  void check_files() {
+    if (files_.empty()) return;
+    const TiedSides ties(scene_, all_);
+    for (const Placed& placed : files_) {
+      const auto may_be_tied = [&](std::int32_t a, std::int32_t b) {
+        return ties.have(placed.node[a], placed.node[b]);
+      };
+      const auto warnings = check_file(placed.file, bodies_of(placed), all_.body_names, may_be_tied);
+      all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
     }
-    std::sort(named.numbers.begin(), named.numbers.end());
-    for (const MeshSet& set : placed.file.node_sets) {
-      MeshSet of_model{set.id, set.name, {}, set.problem};
-      for (const std::int32_t n : set.members) {
-        if (placed.node[n] >= 0) of_model.members.push_back(placed.node[n]);
+  }
+
+  /// By which selections know how far from a plane its nodes may be.
+  void find_edges() {
+    if (!selects_by_place(scene_)) return;
+    all_.edge.assign(all_.nodes.size(), std::numeric_limits<float>::max());
+    for (const auto& hexahedron : all_.hexahedra) {
+      for (const auto& [first, second] : edges_of_hexahedron) {
+        const std::int32_t a = hexahedron[first], b = hexahedron[second];
+        if (a == b) continue;  // collapsed
+        const auto length = static_cast<float>(norm(minus(all_.nodes[a], all_.nodes[b])));
+        all_.edge[a] = std::min(all_.edge[a], length);
+        all_.edge[b] = std::min(all_.edge[b], length);
       }
-      std::sort(of_model.members.begin(), of_model.members.end());
-      named.sets.push_back(std::move(of_model));
     }
-    all_.files.push_back(std::move(named));
   }
 
   const Scene& scene_;

@@ -6,6 +6,7 @@
 #include <solver/base/built_features.hpp>
 #include <solver/base/faces.hpp>
 
+#include "contact/contact_sides.hpp"
 #include "exposed_faces.hpp"
 
 namespace pinball {
@@ -27,7 +28,8 @@ ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(mod
   this->position = model.nodes.position.data();
   this->velocity = model.nodes.velocity.data();
   this->force = node_force;
-  this->inverse_mass = model.nodes.inverse_mass.data();
+  this->inverse_mass =
+      model.contact_inverse_mass != nullptr ? model.contact_inverse_mass : model.nodes.inverse_mass.data();
   this->slots = model.elements.slots;
   this->tile_packs = model.tile_packs;
   this->tile_colours = &model.tile_colours;
@@ -36,7 +38,7 @@ ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(mod
 template <class S>
 ContactElement ModelSurface<S>::element(std::int64_t slot) const {
   const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
-  const Material& material = model_.scene.materials[part_of(model_, slot)];
+  const Material& material = model_.scene.materials[model_.parts[part_of(model_, slot)].material];
   ContactElement element{};
   for (int i = 0; i < 8; ++i) {
     const auto corner = static_cast<std::size_t>(i);
@@ -45,7 +47,7 @@ ContactElement ModelSurface<S>::element(std::int64_t slot) const {
   }
   element.body = model_.mesh.body[e];
   element.mass = model_.element_mass[e];
-  element.volume = model_.element_mass[e] / material.density;
+  element.volume = model_.material_mass(e) / material.density;
   element.radius = ball_radius(element.volume);
   element.bulk_modulus = material.bulk_modulus;
   return element;
@@ -94,8 +96,9 @@ std::unique_ptr<ContactAlgorithm<S>> make_model_contact([[maybe_unused]] const M
     const ContactSettings& settings = model.scene.contact;
     if (settings.method == ContactMethod::none) return nullptr;
     const bool by_impulses = settings.enforcement != Enforcement::penalty;
-    return make_contact(settings, ModelSurface<S>(model),
-                        {surface_topology(model), by_impulses ? held_directions(model) : HeldDirections()});
+    return make_contact(
+        settings, ModelSurface<S>(model),
+        {surface_topology(model), by_impulses ? held_directions(model) : HeldDirections(), make_contact_pairs(model)});
   }
   return nullptr;
 }

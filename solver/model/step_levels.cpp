@@ -7,9 +7,10 @@
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/faces.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
+#include <solver/model/selection/node_selection.hpp>
+#include <solver/model/selection/pressed_faces.hpp>
 
 #include "exposed_faces.hpp"
-#include "node_selection.hpp"
 
 namespace pinball {
 
@@ -44,6 +45,11 @@ void for_each_node_acted_on(const Scene& scene, const ModelMesh& mesh, const Vis
   }
   for (const PrescribedVelocity& prescribed : scene.prescribed_velocities) {
     for (const std::int32_t n : select_nodes(mesh, prescribed.nodes)) visit(n);
+  }
+  for (const Pressure& pressure : scene.pressures) {
+    for (const PressedFace& face : pressed_faces(mesh, scene.constraints, pressure)) {
+      for (const std::int32_t n : face.corners) visit(n);
+    }
   }
   if (scene.contact.method == ContactMethod::none && scene.rigid_walls.empty()) return;
   const std::vector<std::uint8_t> exposed =
@@ -107,13 +113,14 @@ double element_stable_step(const ModelMesh& mesh, std::size_t element, const Mat
   return 2 / rate;
 }
 
-ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh) {
+ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh, const std::vector<double>& mass_factor) {
   const std::size_t count = mesh.hexahedra.size();
   std::vector<const Material*> of_body;
   for (const std::size_t material : material_of_bodies(scene)) of_body.push_back(&scene.materials[material]);
   std::vector<double> stable_steps(count);
   for (std::size_t e = 0; e < count; ++e) {
     stable_steps[e] = element_stable_step(mesh, e, *of_body[mesh.body[e]]);
+    if (!mass_factor.empty()) stable_steps[e] *= std::sqrt(mass_factor[e]);
   }
   const double least = *std::min_element(stable_steps.begin(), stable_steps.end());
   const std::vector<StepGroup> groups = histogram(stable_steps, least);

@@ -44,7 +44,10 @@ struct ElementLevels {
 /// A node on which something else than elements may act (contact, rigid walls, loads, prescribed velocities) belongs to
 /// the smallest step too. With larger ones around it, it would be pushed by the elements in one step out of several,
 /// and back by contact in the others.
-ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh);
+///
+/// mass_factor: of mass_factors (mass_scaling.hpp).
+ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh,
+                                  const std::vector<double>& mass_factor = {});
 
 /// Smallest of the stable steps of an element without viscosity, as the kernel finds it [time].
 double element_stable_step(const ModelMesh& mesh, std::size_t element, const Material& material);

@@ -45,6 +45,7 @@ struct ElementStoreFeatures {
   bool bulk_viscosity = false;
   bool hourglass_state = false;
   bool back_stress = false;
+  bool mass_share = false;
 };
 
 /// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * W + lane; some are padding.
@@ -61,6 +62,7 @@ struct ElementStore {
   AlignedArray<S> viscous_stress;
   AlignedArray<S> internal_energy;
   AlignedArray<S> back_stress;
+  AlignedArray<S> mass_share;  ///< never changes; only where mass is added
 
   ElementStore() = default;
   ElementStore(std::int64_t packs, const ElementStoreFeatures& features) : slots(packs * width) {
@@ -72,15 +74,23 @@ struct ElementStore {
     if (features.bulk_viscosity) viscous_stress = AlignedArray<S>(slots);
     if (features.erosion) internal_energy = AlignedArray<S>(slots);
     if (features.back_stress) back_stress = AlignedArray<S>(5 * slots);
+    if (features.mass_share) mass_share = AlignedArray<S>(slots);
   }
 
   ElementView<S> view() {
-    return {corner.data(),          mass.data(),           stress.data(),          plastic_strain.data(),
-            hourglass_state.data(), viscous_stress.data(), internal_energy.data(), back_stress.data()};
+    return {corner.data(),
+            mass.data(),
+            stress.data(),
+            plastic_strain.data(),
+            hourglass_state.data(),
+            viscous_stress.data(),
+            internal_energy.data(),
+            back_stress.data(),
+            mass_share.empty() ? nullptr : mass_share.data()};
   }
   std::size_t bytes() const {
     return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_state.bytes() +
-           viscous_stress.bytes() + internal_energy.bytes() + back_stress.bytes();
+           viscous_stress.bytes() + internal_energy.bytes() + back_stress.bytes() + mass_share.bytes();
   }
 
   /// Whether a slot holds an element that has not been eroded; padding does not.

@@ -22,7 +22,7 @@ namespace pinball {
 namespace {
 
 constexpr std::array<char, 8> magic{'P', 'I', 'N', 'B', 'A', 'L', 'L', '\n'};
-constexpr std::uint64_t format_version = 5;  ///< to be raised with every change of what is persistent
+constexpr std::uint64_t format_version = 7;  ///< to be raised with every change of what is persistent
 
 struct FileHeader {
   std::array<char, 8> magic{};
@@ -136,13 +136,13 @@ void check_mesh_files(const CheckpointHead& head) {
 void change_scene(SceneSource& source, const std::vector<std::string>& set) {
   for (const std::string& change : set) {
     const std::string key = parse_override("--set", change).key;
-    const bool free = key == "time.end" || key == "time.steps" || key == "time.cfl" || key.starts_with("output.") ||
-                      key.starts_with("guard.");
+    const bool free = key == "time.end" || key == "time.steps" || key == "time.cfl" || key.starts_with("guard.") ||
+                      (key.starts_with("output.") && key != "output.body_energies");
     if (!free) {
-      throw InputError(
-          fmt::format("--set {}: with --restart expected time.end, time.steps, time.cfl, output.* or guard.*: the "
-                      "state depends on the other keys",
-                      change));
+      throw InputError(fmt::format(
+          "--set {}: with --restart expected time.end, time.steps, time.cfl, output.* but body_energies, or "
+          "guard.*: the state depends on the other keys",
+          change));
     }
     source.overrides.set.push_back(change);
   }

@@ -56,7 +56,7 @@ Checkpoint read_checkpoint(const std::string& path);
 void check_mesh_files(const CheckpointHead& head);
 
 /// Adds changes of the command line. Throws InputError for keys that the state depends on: all but time.end,
-/// time.steps, time.cfl, output.* and guard.*.
+/// time.steps, time.cfl, output.* but body_energies, and guard.*.
 void change_scene(SceneSource& source, const std::vector<std::string>& set);
 
 }  // namespace pinball

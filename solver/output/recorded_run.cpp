@@ -22,6 +22,8 @@ class RecordedRun {
     const RunSummary summary = simulation_.summary();
     folder_.begin(summary);
     if (options_.quiet) return;
+    if (const std::string added = added_mass_text(summary); !added.empty()) print_message(added);
+    for (const TiedResult& tied : summary.tied) print_message("contact.tied " + tied_text(tied));
     for (const std::string& warning : start_warnings(summary)) print_message("warning: " + warning);
   }
 

@@ -39,6 +39,11 @@ SceneSource scene_of_checkpoint(const std::string& path, const std::vector<std::
 
 void load_checkpoint(const std::string& path, Simulation& simulation) { take_state(read_checkpoint(path), simulation); }
 
+std::string folder_of_checkpoint(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
 RunSummary restart_recorded(const std::string& path, const std::vector<std::string>& set,
                             const RecordOptions& options) {
   const Checkpoint checkpoint = read_checkpoint(path);
@@ -46,11 +51,10 @@ RunSummary restart_recorded(const std::string& path, const std::vector<std::stri
   RecordOptions from_here = options;
   from_here.source = &source;
   from_here.restart = &checkpoint;
-  if (options.out.empty()) {
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    from_here.out = folder.empty() ? "." : folder.string();
-  }
-  return run_recorded(read_scene(source), from_here);
+  if (options.out.empty()) from_here.out = folder_of_checkpoint(path);
+  Scene scene = read_scene(source);
+  scene.device = options.device;
+  return run_recorded(scene, from_here);
 }
 
 }  // namespace pinball

@@ -7,6 +7,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/version.h>
+#include <solver/device/devices.hpp>
 #include <solver/summary.hpp>
 
 #include "checkpoint.hpp"
@@ -36,6 +37,7 @@ RunSummary known_of(const Scene& scene) {
   head.units = scene.units;
   head.version = PINBALL_VERSION;
   head.precision = scene.precision == Precision::float32 ? "float" : "double";
+  head.device = device_name(scene.device);
   head.started = time_now();
   return head;
 }

@@ -42,12 +42,34 @@ Json body_json(const BodyResult& body) {
           {"eroded_elements", body.eroded_elements},
           {"mass_initial", body.mass_initial},
           {"mass_remaining", body.mass_remaining},
+          {"mass_added", body.mass_added},
           {"velocity", body.velocity},
           {"max_plastic_strain", body.max_plastic_strain}};
 }
 
+/// Of the mass of the materials; no bodies: null.
+double added_percent(const RunSummary& s) {
+  double mass = -s.mass_added;
+  for (const BodyResult& body : s.bodies) mass += body.mass_initial;
+  return 100 * s.mass_added / mass;
+}
+
 Json wall_json(const WallResult& wall) {
-  return {{"name", wall.name}, {"impulse", wall.impulse}, {"force_max", wall.force_max}};
+  Json json{{"name", wall.name}, {"impulse", wall.impulse}, {"force_max", wall.force_max}};
+  if (wall.moves) json.update(Json{{"displacement", wall.displacement}, {"velocity", wall.velocity}});
+  return json;
+}
+
+Json pressure_json(const PressureResult& pressure) {
+  return {{"name", pressure.name}, {"force", pressure.force}, {"work", pressure.work}};
+}
+
+Json pair_json(const PairResult& pair) {
+  return {{"name", pair.name}, {"impulse", pair.impulse}, {"force_max", pair.force_max}};
+}
+
+Json tied_json(const TiedResult& tied) {
+  return {{"name", tied.name}, {"nodes", tied.nodes}, {"near", tied.near}, {"held", tied.held}, {"taken", tied.taken}};
 }
 
 Json probe_json(const ProbeResult& probe) {
@@ -83,6 +105,7 @@ Json head_json(const RunSummary& s) {
           {"units", s.units},
           {"version", s.version},
           {"precision", s.precision},
+          {"device", s.device},
           {"threads", s.threads},
           {"simd_width", s.simd_width},
           {"elements", s.elements},
@@ -107,9 +130,14 @@ std::string summary_json(const RunSummary& s) {
   for (const PhaseSeconds& phase : s.phases) phases[phase.name] = phases.value(phase.name, 0.0) + phase.seconds;
   Json bodies = Json::array();
   for (const BodyResult& body : s.bodies) bodies.push_back(body_json(body));
-  Json walls = Json::array(), probes = Json::array();
+  Json walls = Json::array(), pressures = Json::array(), probes = Json::array();
   for (const WallResult& wall : s.walls) walls.push_back(wall_json(wall));
+  for (const PressureResult& pressure : s.pressures) pressures.push_back(pressure_json(pressure));
   for (const ProbeResult& probe : s.probes) probes.push_back(probe_json(probe));
+  Json pairs = Json::array();
+  for (const PairResult& pair : s.contact_pairs) pairs.push_back(pair_json(pair));
+  Json ties = Json::array();
+  for (const TiedResult& tied : s.tied) ties.push_back(tied_json(tied));
   const double element_steps = static_cast<double>(s.elements) * static_cast<double>(s.steps);
 
   Json json = head_json(s);
@@ -128,9 +156,13 @@ std::string summary_json(const RunSummary& s) {
       {"energy", energy_json(s)},
       {"momentum", {{"initial", s.momentum_initial}, {"final", s.momentum_final}}},
       {"bodies", bodies},
+      {"mass_scaling", {{"added", s.mass_added}, {"percent", added_percent(s)}}},
       {"rigid_walls", walls},
+      {"pressures", pressures},
       {"contact",
        {{"method", s.contact_method},
+        {"pairs", pairs},
+        {"tied", ties},
         {"enforcement", s.contact_enforcement},
         {"gap", s.contact_gap},
         {"pinballs", s.pinballs},

@@ -16,6 +16,7 @@ namespace pinball {
 struct SceneOptions {
   std::string scene;  ///< name or path, not yet looked up
   SceneOverrides overrides;
+  Device device = Device::none;
   int threads = 0;                            ///< 0: what OpenMP takes by default
   bool quiet = false;                         ///< no progress on the terminal
   std::optional<std::int64_t> chosen_case{};  ///< of a deck: those keywords of *CASE, too
@@ -26,6 +27,11 @@ struct RunOptions : SceneOptions {
   std::string out;                    ///< folder for the results; empty: out/SCENE, or that of the checkpoint
   std::int64_t checkpoint_every = 0;  ///< steps or cycles; 0: no checkpoints
   std::string restart;                ///< checkpoint to go on from, in place of a scene; empty: none
+};
+
+struct InfoOptions : SceneOptions {
+  std::string out;       ///< folder in which a run would leave its results
+  bool devices = false;  ///< which there are, and what of the scene runs there
 };
 
 struct CompareOptions : SceneOptions {
@@ -44,6 +50,7 @@ struct ConvertOptions {
 };
 
 struct VerifyOptions {
+  Device device = Device::none;
   std::vector<std::string> scenes;  ///< empty: all verification scenes
   std::string json;                 ///< file for the table of results; empty: none
   std::string page;                 ///< file for the page of results; empty: none
@@ -64,8 +71,8 @@ PINBALL_API int run_command(const RunOptions& options);
 /// Writes a deck as a scene of this program.
 PINBALL_API int convert_command(const ConvertOptions& options);
 
-/// Prints what a scene holds, what will run and what is skipped.
-PINBALL_API int info_command(const RunOptions& options);
+/// Prints what a scene holds, what will run and what is skipped; or which devices there are.
+PINBALL_API int info_command(const InfoOptions& options);
 
 /// Runs a scene with each combination of values, side by side, and prints one table; 1 if a variant fails.
 PINBALL_API int compare_command(const CompareOptions& options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <kernels/exec.hpp>
+#include <solver/device/devices.hpp>
 #include <solver/scene/machine.hpp>
 
 #include "commands.hpp"
@@ -14,11 +15,13 @@ namespace pinball {
 
 int compare_command(const CompareOptions& options) {
   if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
+  require_device(options.device);
   check_result_path("--json", options.json);
   check_result_path("--page", options.page);
   const std::vector<std::string> vary =
       options.vary.empty() ? std::vector<std::string>{"contact.method=pinball,slideline"} : options.vary;
-  const std::vector<Variant> variants = make_variants(find_scene(options.scene), options.overrides, vary);
+  std::vector<Variant> variants = make_variants(find_scene(options.scene), options.overrides, vary);
+  for (Variant& variant : variants) variant.scene.device = options.device;
   const std::vector<VariantRuns> runs =
       run_comparison(variants, {options.repeats, options.quiet, !options.page.empty()});
   if (!options.json.empty()) write_result_file(options.json, comparison_json(runs));

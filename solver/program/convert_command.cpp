@@ -16,14 +16,18 @@ namespace pinball {
 namespace fs = std::filesystem;
 
 int convert_command(const ConvertOptions& options) {
-  if (!is_deck(options.deck)) throw InputError(options.deck + ": expected a deck (.k, .key, .dyn)");
+  if (!is_any_deck(options.deck)) throw InputError(options.deck + ": expected a deck (.k, .key, .dyn, .inp)");
   if (!options.force && fs::exists(options.scene)) {
     throw InputError(options.scene + ": is there already; --force replaces it");
   }
   const fs::path folder = fs::absolute(options.scene).parent_path();
   const std::string deck = fs::absolute(options.deck).lexically_proximate(folder).string();
-  const TranslatedDeck translated = translate_deck(options.deck, {options.chosen_case, options.lenient, deck});
-  read_scene({options.scene, translated.scene, {}});  // what would not be read is not written
+  const TranslatedDeck translated = translate_any_deck(options.deck, {options.chosen_case, options.lenient, deck});
+  try {
+    read_scene({options.scene, translated.scene, {}});  // what would not be read is not written
+  } catch (const InputError& error) {
+    throw InputError(translated.in_cards(error.what(), options.scene));
+  }
   OutputFile file(options.scene);
   file.write(translated.scene);
   file.commit();

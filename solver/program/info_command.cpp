@@ -5,15 +5,19 @@
 #include <cmath>
 
 #include <kernels/exec.hpp>
+#include <solver/base/error.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/output/progress.hpp>
 #include <solver/results/units.hpp>
+#include <solver/results/warnings.hpp>
 #include <solver/step/solver.hpp>
 
 #include "commands.hpp"
 #include "info/info_boundary.hpp"
+#include "info/info_devices.hpp"
 #include "info/info_material.hpp"
+#include "info/info_mesh.hpp"
 #include "info/info_skipped.hpp"
 #include "scene_input.hpp"
 
@@ -27,26 +31,46 @@ std::string density_unit(const Units& units) {
   return units.mass.ends_with("/" + units.length) ? units.mass + "^4" : units.mass + "/" + units.length + "^3";
 }
 
-std::string readable_bytes(double bytes) {
-  if (bytes < 1e6) return fmt::format("{:.3g} kB", bytes / 1e3);
-  if (bytes < 1e9) return fmt::format("{:.3g} MB", bytes / 1e6);
-  return fmt::format("{:.3g} GB", bytes / 1e9);
+std::string volume_text(double volume, const Units& units) {
+  return fmt::format("volume {:.10g}{}", volume, units.length.empty() ? "" : " " + units.length + "^3");
+}
+
+/// Of a body from a file as it lies in the model: the file is not read again.
+MeshQuality quality_of(const ModelMesh& mesh, const Body& body, std::int32_t number, Mesh& all_nodes) {
+  if (!std::holds_alternative<FileMesh>(body.mesh)) return measure_quality(generate(body.mesh));
+  if (all_nodes.nodes.empty()) all_nodes.nodes = mesh.nodes;
+  all_nodes.hexahedra.clear();
+  for (std::size_t e = 0; e < mesh.body.size(); ++e) {
+    if (mesh.body[e] == number) all_nodes.hexahedra.push_back(mesh.hexahedra[e]);
+  }
+  return measure_quality(all_nodes);
 }
 
 template <class S>
 void print_bodies(const Model<S>& model, const Units& units) {
   fmt::print("bodies\n");
+  double volume = 0;
+  Mesh all_nodes;
   for (std::size_t b = 0; b < model.scene.bodies.size(); ++b) {
     const Body& body = model.scene.bodies[b];
     const auto number = static_cast<std::int32_t>(b);
-    double mass = 0;
-    for (std::size_t e = 0; e < model.mesh.body.size(); ++e)
-      mass += model.mesh.body[e] == number ? model.element_mass[e] : 0;
+    double mass = 0, added = 0;
+    for (std::size_t e = 0; e < model.mesh.body.size(); ++e) {
+      if (model.mesh.body[e] != number) continue;
+      mass += model.element_mass[e];
+      if (!model.added_mass.empty()) added += model.added_mass[e];
+    }
     fmt::print("  {}: {} elements, {} nodes, mass {}, of {}\n", body.name,
                std::count(model.mesh.body.begin(), model.mesh.body.end(), number),
                std::count(model.mesh.body_of_node.begin(), model.mesh.body_of_node.end(), number),
                with_unit(mass, units.mass), body.material);
-    const MeshQuality q = measure_quality(generate(body.mesh));
+    if (added != 0) {
+      fmt::print("    of its mass {} is added (time.smallest_step), {:.3g} % of that of its material\n",
+                 with_unit(added, units.mass), 100 * added / (mass - added));
+    }
+    const MeshQuality q = quality_of(model.mesh, body, number, all_nodes);
+    volume += q.volume;
+    fmt::print("    {}\n", volume_text(q.volume, units));
     fmt::print(
         "    mesh: edges {:.4g} to {}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on "
         "average\n",
@@ -55,6 +79,7 @@ void print_bodies(const Model<S>& model, const Units& units) {
     fmt::print("    velocity ({:.6g}, {:.6g}, {:.6g}){}\n", body.velocity[0], body.velocity[1], body.velocity[2],
                units.velocity.empty() ? "" : " " + units.velocity);
   }
+  if (model.scene.bodies.size() > 1) fmt::print("  all: {}\n", volume_text(volume, units));
 }
 
 void print_materials(const Scene& scene, const Units& units) {
@@ -70,8 +95,7 @@ void print_materials(const Scene& scene, const Units& units) {
   }
 }
 
-std::string hourglass_text(const Scene& scene, HourglassKind kind) {
-  const double coefficient = scene.element.hourglass_coefficient;
+std::string hourglass_text(double coefficient, HourglassKind kind) {
   if (kind == HourglassKind::assumed_strain) {
     return coefficient == 1 ? "assumed-strain hourglass control"
                             : fmt::format("assumed-strain hourglass control, factor {:.4g}", coefficient);
@@ -79,6 +103,16 @@ std::string hourglass_text(const Scene& scene, HourglassKind kind) {
   const char* form = kind == HourglassKind::stiffness ? "stiffness" : "viscous";
   return coefficient >= 0 ? fmt::format("hourglass control, {} form, coefficient {:.4g}", form, coefficient)
                           : fmt::format("hourglass control, {} form", form);
+}
+
+/// The bodies that have these settings in the place of the scene's.
+std::string own_settings_text(const Scene& scene, const ElementSettings& settings, const std::string& material) {
+  std::string names;
+  for (const Body& body : scene.bodies) {
+    if (body.material != material || !body.element || *body.element != settings) continue;
+    names += (names.empty() ? " in " : ", ") + body.name;
+  }
+  return names;
 }
 
 std::string output_text(const Scene& scene, const Units& units) {
@@ -157,16 +191,19 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   fmt::print("what will run\n");
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     const ElementFeatures& f = model.parts[p].features;
-    const Material& material = scene.materials[p];
-    fmt::print("  elements of {}: {}", material.name, material.plastic ? "plasticity" : "elasticity");
+    const Material& material = scene.materials[static_cast<std::size_t>(model.parts[p].material)];
+    const ElementSettings& settings = model.parts[p].settings;
+    fmt::print("  elements of {}{}: {}", material.name, own_settings_text(scene, settings, material.name),
+               material.plastic ? "plasticity" : "elasticity");
     if (material.plastic && material.erosion_strain > 0) {
       fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
     }
     if (model.constants[p].erode_negative_volume) fmt::print(", erosion of inverted elements");
-    if (f.hourglass != HourglassKind::none) fmt::print(", {}", hourglass_text(scene, f.hourglass));
+    if (f.hourglass != HourglassKind::none)
+      fmt::print(", {}", hourglass_text(settings.hourglass_coefficient, f.hourglass));
     if (f.bulk_viscosity) {
-      fmt::print(", bulk viscosity (linear {:.4g}, quadratic {:.4g})", scene.element.linear_viscosity,
-                 scene.element.quadratic_viscosity);
+      fmt::print(", bulk viscosity (linear {:.4g}, quadratic {:.4g})", settings.linear_viscosity,
+                 settings.quadratic_viscosity);
     }
     fmt::print("\n");
   }
@@ -174,6 +211,13 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   if (solver.contact() != nullptr) {
     print_contact(*solver.contact(), scene.contact, model.element_count());
     print_search(scene);
+    for (const ContactPair& pair : scene.contact_pairs) {
+      fmt::print("  contact pair {}: friction {:.4g} at rest, {:.4g} sliding{}\n", pair.name, pair.static_friction,
+                 pair.friction, pair.second.empty() ? ", of its first side alone" : "");
+    }
+  }
+  for (const TieCount& count : model.tie_counts) {
+    fmt::print("  tied contact {}\n", tied_text({count.name, count.tied, count.near, count.held, count.taken}));
   }
   print_boundary_conditions(model, units);
   fmt::print("  output: {}\n", output_text(scene, units));
@@ -227,6 +271,7 @@ void print_info(const Scene& scene) {
              solver.model().mesh.nodes.size(), scene.bodies.size(), scene.bodies.size() == 1 ? "y" : "ies",
              with_unit(scene.time.end, units.time));
   print_bodies(solver.model(), units);
+  print_mesh_files(solver.model().mesh);
   print_materials(scene, units);
   print_what_runs(solver, units);
   print_what_is_skipped(solver, units);
@@ -235,14 +280,19 @@ void print_info(const Scene& scene) {
 
 }  // namespace
 
-int info_command(const RunOptions& options) {
-  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
-  const Scene scene = read_scene(scene_source(options));
-  if (scene.precision == Precision::float32) {
-    print_info<float>(scene);
-  } else {
-    print_info<double>(scene);
+int info_command(const InfoOptions& options) {
+  if (options.devices) print_devices();
+  if (options.scene.empty()) {
+    if (options.devices) return 0;
+    throw InputError("info: expected a SCENE, or --device");
   }
+  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
+  const SceneInput input = scene_input(options);
+  input.with_places([&] {
+    const Scene scene = read_scene(input.source);
+    scene.precision == Precision::float32 ? print_info<float>(scene) : print_info<double>(scene);
+    if (options.devices) print_missing_on_devices(scene);
+  });
   return 0;
 }
 

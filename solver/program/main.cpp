@@ -37,18 +37,34 @@ void add_deck_options(CLI::App& command, Options& options) {
 }
 
 void add_convert_options(CLI::App& command, pinball::ConvertOptions& options) {
-  command.add_option("DECK", options.deck, "LS-DYNA keyword file (.k, .key, .dyn)")->required();
+  command.add_option("DECK", options.deck, "LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp)")->required();
   command.add_option("SCENE", options.scene, "scene file to write (.toml)")->required();
   add_deck_options(command, options);
   command.add_flag("--force", options.force, "replaces a file that is there");
+}
+
+void add_device_option(CLI::App& command, pinball::Device& device) {
+  using pinball::Device;
+  command
+      .add_option_function<std::string>(
+          "--device",
+          [&device](const std::string& name) {
+            device = name == "mock"   ? Device::mock
+                     : name == "cuda" ? Device::cuda
+                     : name == "hip"  ? Device::hip
+                                      : Device::none;
+          },
+          "where steps are made (default: none, on the processor)")
+      ->check(CLI::IsMember({"none", "mock", "cuda", "hip"}));
 }
 
 /// What `run`, `info` and `compare` have in common.
 CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
   CLI::Option* scene =
       command
-          .add_option("SCENE", options.scene,
-                      "TOML file, name of a scene in data/scenes, or an LS-DYNA keyword file (.k, .key, .dyn)")
+          .add_option(
+              "SCENE", options.scene,
+              "TOML file, name of a scene in data/scenes, LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp)")
           ->required();
   add_deck_options(command, options);
   command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME")
@@ -71,13 +87,15 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
   return scene;
 }
 
-void add_info_options(CLI::App& command, pinball::RunOptions& options) {
-  add_scene_options(command, options);
+void add_info_options(CLI::App& command, pinball::InfoOptions& options) {
+  add_scene_options(command, options)->required(false);
+  command.add_flag("--device", options.devices, "which devices there are, and what of SCENE, if any, runs there");
   command.add_option("--out", options.out, "folder for the results (default: out/<scene>)")->check(check_not_empty);
 }
 
 void add_run_options(CLI::App& command, pinball::RunOptions& options) {
   add_scene_options(command, options)->required(false);
+  add_device_option(command, options.device);
   command
       .add_option("--out", options.out,
                   "folder for the results (default: out/<scene>; with --restart the folder of FILE)")
@@ -96,6 +114,7 @@ void add_run_options(CLI::App& command, pinball::RunOptions& options) {
 
 void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
   add_scene_options(command, options);
+  add_device_option(command, options.device);
   command
       .add_option("--vary", options.vary,
                   "KEY=V1,V2,...: runs the scene with each value; several --vary: with all combinations, the first one "
@@ -132,12 +151,14 @@ int run_program(int argc, char** argv) {
   pinball::RunOptions options;
   auto* run = app.add_subcommand("run", "run a scene");
   add_run_options(*run, options);
+  pinball::InfoOptions asked;
   auto* info = app.add_subcommand("info", "what a scene holds, what will run, what is skipped");
-  add_info_options(*info, options);
+  add_info_options(*info, asked);
 
   pinball::VerifyOptions verification;
   auto* verify = app.add_subcommand("verify", "compare the verification scenes with their references");
   verify->add_option("SCENE", verification.scenes, "only these scenes");
+  add_device_option(*verify, verification.device);
   verify->add_option("--json", verification.json, "write the table of results to this file")->check(check_not_empty);
   verify->add_option("--page", verification.page, "write a page for a browser to this file")->check(check_not_empty);
 
@@ -182,7 +203,7 @@ int run_program(int argc, char** argv) {
 
   pinball::catch_stop_signals(*run ? pinball::AtSignal::ask : pinball::AtSignal::end);
   if (*run) return pinball::run_command(options);
-  if (*info) return pinball::info_command(options);
+  if (*info) return pinball::info_command(asked);
   if (*verify) return pinball::verify_command(verification);
   if (*view) return pinball::view_command(view->remaining());
   if (*convert) return pinball::convert_command(conversion);

@@ -21,9 +21,10 @@ std::vector<Point> directions_acted_on(const Scene& scene) {
   for (const PlaneConstraint& plane : scene.constraints) add(plane.normal);
   for (const RigidWall& wall : scene.rigid_walls) {
     add(wall.plane.normal);
-    if (wall.friction > 0) add_all();
+    if (wall.friction > 0 || !wall.sliding) add_all();
   }
   for (const NodalLoad& load : scene.loads) add(load.force);
+  if (!scene.pressures.empty()) add_all();
   for (const Gravity& gravity : scene.gravities) add(gravity.acceleration);
   for (const FixedConstraint& fixed : scene.fixed_constraints) {
     if (fixed.frame == Frame::cylindrical) add_all();  // they turn with the place

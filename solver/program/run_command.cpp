@@ -1,13 +1,12 @@
 #include <fmt/core.h>
 
-#include <filesystem>
-
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
-#include <solver/output/checkpoint.hpp>
+#include <solver/device/devices.hpp>
 #include <solver/output/message.hpp>
 #include <solver/output/run_files.hpp>
 #include <solver/recorded_run.hpp>
+#include <solver/restart.hpp>
 #include <solver/results/warnings.hpp>
 
 #include "commands.hpp"
@@ -44,13 +43,12 @@ void print_result(const RunSummary& s, const std::string& out) {
   for (const std::string& warning : warnings(s)) print_message("warning: " + warning);
 }
 
-/// Runs, and tells what has become of it. Returns the exit status.
-int run_and_print(const Scene& scene, const RecordOptions& options) {
-  const RunSummary summary = run_recorded(scene, options);
-  print_result(summary, options.out);
+/// Tells what has become of a run. Returns the exit status.
+int print_end(const RunSummary& summary, const std::string& out) {
+  print_result(summary, out);
   if (summary.status != RunStatus::stopped) return 0;
   print_message(fmt::format("stopped in step {}; this goes on: pinball run --restart {}", summary.steps,
-                            in_folder(options.out, checkpoint_name)));
+                            in_folder(out, checkpoint_name)));
   return 128 + stop_signal();
 }
 
@@ -64,27 +62,29 @@ int restart_command(const RunOptions& options) {
   if (options.overrides.refine != 1 || options.overrides.precision) {
     throw InputError("--restart: expected neither --refine nor --precision, they are in the checkpoint");
   }
-  const Checkpoint checkpoint = read_checkpoint(options.restart);
-  SceneSource source = checkpoint.head.source;
-  change_scene(source, options.overrides.set);
-  check_mesh_files(checkpoint.head);
-  const Scene scene = read_scene(source);
-  const std::filesystem::path file(options.restart);
-  const std::string folder = file.has_parent_path() ? file.parent_path().string() : std::string{'.'};
-  const std::string& out = options.out.empty() ? folder : options.out;
-  return run_and_print(scene, {out, options.quiet, options.checkpoint_every, &source, &checkpoint, stop_is_asked});
+  const std::string out = options.out.empty() ? folder_of_checkpoint(options.restart) : options.out;
+  return print_end(
+      restart_recorded(options.restart, options.overrides.set,
+                       {out, options.quiet, options.checkpoint_every, nullptr, nullptr, stop_is_asked, options.device}),
+      out);
 }
 
 }  // namespace
 
 int run_command(const RunOptions& options) {
   if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
+  require_device(options.device);
   if (!options.restart.empty()) return restart_command(options);
   if (options.scene.empty()) throw InputError("run: expected a SCENE, or --restart FILE");
-  const SceneSource source = scene_source(options);
-  const Scene scene = read_scene(source);
-  const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
-  return run_and_print(scene, {out, options.quiet, options.checkpoint_every, &source, nullptr, stop_is_asked});
+  const SceneInput input = scene_input(options);
+  return input.with_places([&] {
+    Scene scene = read_scene(input.source);
+    scene.device = options.device;
+    const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
+    return print_end(
+        run_recorded(scene, {out, options.quiet, options.checkpoint_every, &input.source, nullptr, stop_is_asked}),
+        out);
+  });
 }
 
 }  // namespace pinball

@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include <solver/base/error.hpp>
+#include <solver/deck/abaqus/translated_abaqus.hpp>
 #include <solver/deck/translated_deck.hpp>
 
 namespace pinball {
@@ -18,11 +20,46 @@ void require_scene(const std::string& path) {
   while (std::getline(file, line)) {
     if (line.empty() || line.front() == '$' || line.front() == '\r') continue;
     if (line.front() != '*') return;
-    throw InputError(path + ": expected a scene, this is a deck of keywords: name it .k, .key or .dyn");
+    throw InputError(path +
+                     ": expected a scene, this is a deck of keywords: name it .k, .key or .dyn if it is one of "
+                     "LS-DYNA, .inp if it is one of Abaqus");
+  }
+}
+
+/// A scene by another name: it begins with a table, a comment or a key.
+void require_no_scene(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  while (std::getline(file, line) && line.find_first_not_of(" \t\r") == std::string::npos) {
+  }
+  const bool is_key = line.find(" = ") != std::string::npos && !line.starts_with('*') && !line.starts_with('$');
+  if (line.starts_with('[') || line.starts_with('#') || is_key)
+    throw InputError(path + ": expected a deck of keywords, this is a scene: name it .toml");
+}
+
+/// Abaqus input by another name: comments of two stars, or parameters behind a keyword.
+void require_no_abaqus_input(const std::string& path) {
+  std::ifstream file(path);
+  std::string line;
+  for (int lines = 0; lines < 100 && std::getline(file, line);) {
+    if (line.empty() || line.front() == '$' || line.front() == '\r') continue;
+    if (line.starts_with("**") || (line.front() == '*' && !line.starts_with("*KEYWORD") &&
+                                   line.find(',') < line.find('=') && line.find('=') < line.size()))
+      throw InputError(path + ": expected an LS-DYNA keyword file, this is Abaqus input: name it .inp");
+    ++lines;
   }
 }
 
 }  // namespace
+
+bool is_any_deck(const std::string& path) { return is_deck(path) || is_abaqus_deck(path); }
+
+TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options) {
+  require_no_scene(path);
+  if (is_abaqus_deck(path)) return translate_abaqus(path, options);
+  require_no_abaqus_input(path);
+  return translate_deck(path, options);
+}
 
 void print_deck(const TranslatedDeck& deck, const std::string& path) {
   fmt::print("{}, as this program understands it:\n", path);
@@ -31,19 +68,33 @@ void print_deck(const TranslatedDeck& deck, const std::string& path) {
   for (const std::string& line : deck.ignored) fmt::print("    {}\n", line);
 }
 
-SceneSource scene_source(const SceneOptions& options) {
-  if (!is_deck(options.scene)) {
-    if (options.chosen_case || options.lenient) {
-      throw InputError(options.scene + ": --case and --lenient are for decks (.k, .key, .dyn)");
-    }
-    const std::string path = find_scene(options.scene);
-    require_scene(path);
-    return read_scene_source(path, options.overrides);
+namespace {
+
+/// The file that the command line names, or the scene or deck of that name which comes with the program.
+std::string path_of(const std::string& name) {
+  if (!is_any_deck(name) || std::filesystem::exists(name)) return find_scene(name);
+  try {
+    return find_scene(name);
+  } catch (const InputError&) {
+    return name;  // no such file, which is what the reader says
   }
-  const TranslatedDeck deck = translate_deck(options.scene, {options.chosen_case, options.lenient, ""});
-  if (!options.quiet) print_deck(deck, options.scene);
-  // The name is that of the deck; lines in messages are those of the scene.
-  return {options.scene + " as a scene", deck.scene, options.overrides};
+}
+
+}  // namespace
+
+SceneInput scene_input(const SceneOptions& options) {
+  const std::string path = path_of(options.scene);
+  if (!is_any_deck(path)) {
+    if (options.chosen_case || options.lenient) {
+      throw InputError(options.scene + ": --case and --lenient are for decks (.k, .key, .dyn, .inp)");
+    }
+    require_scene(path);
+    return {read_scene_source(path, options.overrides), {}};
+  }
+  TranslatedDeck deck = translate_any_deck(path, {options.chosen_case, options.lenient, ""});
+  if (!options.quiet) print_deck(deck, path);
+  SceneSource source{path + " as a scene", deck.scene, options.overrides};
+  return {std::move(source), std::move(deck)};
 }
 
 }  // namespace pinball

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include <solver/base/error.hpp>
 #include <solver/deck/translated_deck.hpp>
 #include <solver/scene.hpp>
 
@@ -7,11 +10,34 @@
 
 namespace pinball {
 
+/// Whether a path is that of a deck of another program by its ending: .k, .key, .dyn, .inp.
+bool is_any_deck(const std::string& path);
+
+/// The deck as a scene, whatever program it is of. Throws InputError.
+TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options);
+
 /// What was made of a deck, and what of it is ignored.
 void print_deck(const TranslatedDeck& deck, const std::string& path);
 
-/// Source of the scene that the command line names: a scene file, the name of a scene, or a deck of another program,
-/// of which it prints what was understood and what is ignored. Throws InputError.
-SceneSource scene_source(const SceneOptions& options);
+/// The scene that the command line names, and the deck of another program that it may be made of.
+struct SceneInput {
+  SceneSource source;
+  std::optional<TranslatedDeck> deck;
+
+  /// Does something with the scene. InputError of it names the cards of the deck in place of lines of its scene.
+  template <class Act>
+  auto with_places(const Act& act) const {
+    try {
+      return act();
+    } catch (const InputError& error) {
+      if (!deck) throw;
+      throw InputError(deck->in_cards(error.what(), source.path));
+    }
+  }
+};
+
+/// A scene file, the name of a scene, or a deck, of which it prints what was understood and what is ignored. Throws
+/// InputError.
+SceneInput scene_input(const SceneOptions& options);
 
 }  // namespace pinball

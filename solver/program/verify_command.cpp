@@ -7,6 +7,8 @@
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
 #include <solver/base/version.h>
+#include <solver/device/device_run.hpp>
+#include <solver/device/devices.hpp>
 #include <solver/output/page/page.hpp>
 #include <solver/output/page/resources.hpp>
 #include <solver/verification/verification.hpp>
@@ -40,6 +42,18 @@ std::vector<VerificationCase> chosen_cases(const std::vector<std::string>& scene
     chosen.push_back(*found);
   }
   return chosen;
+}
+
+/// Takes the cases out that no device can do yet, and says which.
+void leave_out_missing(std::vector<VerificationCase>& cases) {
+  std::string left_out;
+  std::erase_if(cases, [&left_out](const VerificationCase& verification) {
+    const std::string missing = missing_on_device(read_scene(find_scene(verification.scene)));
+    if (missing.empty()) return false;
+    left_out += fmt::format("{}{} ({})", left_out.empty() ? "" : ", ", verification.scene, missing);
+    return true;
+  });
+  fmt::print("not on a device yet: {}\n", left_out);
 }
 
 /// The source comes last, so that long ones spoil nothing.
@@ -84,11 +98,14 @@ std::string rows_page(const std::vector<VerificationRow>& rows, bool pass) {
 int verify_command(const VerifyOptions& options) {
   // Small scenes of many steps: threads would wait for each other most of the time.
   DefaultExecutionSpace::set_concurrency(1);
+  require_device(options.device);
   check_result_path("--json", options.json);
   check_result_path("--page", options.page);
   std::vector<VerificationRow> rows;
-  for (const VerificationCase& verification : chosen_cases(options.scenes)) {
-    const std::vector<VerificationRow> more = verify_scene(verification);
+  std::vector<VerificationCase> cases = chosen_cases(options.scenes);
+  if (options.device != Device::none && options.scenes.empty()) leave_out_missing(cases);
+  for (const VerificationCase& verification : cases) {
+    const std::vector<VerificationRow> more = verify_scene(verification, options.device);
     rows.insert(rows.end(), more.begin(), more.end());
   }
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const VerificationRow& r) { return !r.pass; });

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/model/selection/named_nodes.hpp>
+
 namespace pinball {
 
 namespace {
@@ -28,26 +30,36 @@ double effective_stress(const double* s) {
   return std::sqrt(0.5 * direct + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
 }
 
+Point place_of(const ModelMesh& mesh, const Probe& probe, std::size_t i) {
+  return probe.kind == ProbeKind::node ? mesh.nodes[i] : element_centre(mesh, i);
+}
+
+/// Of the nodes or elements of its body the one nearest to its point, the first of several.
+std::size_t nearest_place(const ModelMesh& mesh, const Probe& probe) {
+  std::size_t best = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto& body_of = probe.kind == ProbeKind::node ? mesh.body_of_node : mesh.body;
+  for (std::size_t i = 0; i < body_of.size(); ++i) {
+    if (!probe.body.empty() && probe.body != mesh.body_names[body_of[i]]) continue;
+    const double distance = square_of_distance(place_of(mesh, probe, i), probe.point);
+    if (!(distance < nearest)) continue;
+    nearest = distance;
+    best = i;
+  }
+  return best;
+}
+
 }  // namespace
 
 template <class S>
 Probes<S>::Probes(const Model<S>& model) {
   const ModelMesh& mesh = model.mesh;
   for (const Probe& probe : model.scene.probes) {
-    Watched best{probe, 0, "", {}};
-    double nearest = std::numeric_limits<double>::infinity();
     const bool node = probe.kind == ProbeKind::node;
-    const auto& body_of = node ? mesh.body_of_node : mesh.body;
-    for (std::size_t i = 0; i < body_of.size(); ++i) {
-      const std::string& body = mesh.body_names[body_of[i]];
-      if (!probe.body.empty() && probe.body != body) continue;
-      const Point place = node ? mesh.nodes[i] : element_centre(mesh, i);
-      const double distance = square_of_distance(place, probe.point);
-      if (!(distance < nearest)) continue;
-      nearest = distance;
-      best = {probe, i, body, place};
-    }
-    watched_.push_back(best);
+    const std::size_t i =
+        probe.number ? static_cast<std::size_t>(place_of_number(mesh, probe)) : nearest_place(mesh, probe);
+    const std::string& first = mesh.body_names[node ? mesh.body_of_node[i] : mesh.body[i]];
+    watched_.push_back({probe, i, probe.body.empty() ? first : probe.body, place_of(mesh, probe, i)});
   }
 }
 

@@ -9,7 +9,8 @@
 
 namespace pinball {
 
-/// The nodes and elements that [[probe]] tables watch: chosen once by their initial places, read when a row is written.
+/// The nodes and elements that [[probe]] tables watch: chosen once by their initial places or numbers, read
+/// when a row is written.
 template <class S>
 class Probes {
  public:

@@ -28,5 +28,7 @@ inline constexpr double hourglass_created = 0.01;
 /// Least internal energy, of the energy in motion, that hourglass energy is compared with: a tenth of less is nothing
 /// that a result depends on, and a body at rest has none but round-off [-].
 inline constexpr double least_internal = 0.01;
+/// Mass that is added to a body, and taken from it, for time.smallest_step, over that of its material [-].
+inline constexpr double added_mass = 0.05;
 
 }  // namespace pinball::sound

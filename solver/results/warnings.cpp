@@ -104,8 +104,22 @@ std::vector<std::string> warnings(const RunSummary& summary) {
   return found;
 }
 
+std::string added_mass_text(const RunSummary& summary) {
+  if (summary.mass_added == 0) return "";
+  double all = 0;
+  std::string bodies;
+  for (const BodyResult& body : summary.bodies) {
+    all += body.mass_initial - body.mass_added;
+    if (body.mass_added == 0) continue;
+    bodies += fmt::format("{} {} {:.6g} ({:.3g} %)", bodies.empty() ? ": body" : ", body", body.name, body.mass_added,
+                          100 * body.mass_added / (body.mass_initial - body.mass_added));
+  }
+  return fmt::format("mass added for time.smallest_step: {:.6g}, {:.3g} % of all{}", summary.mass_added,
+                     100 * summary.mass_added / all, bodies);
+}
+
 std::vector<std::string> start_warnings(const RunSummary& summary) {
-  std::vector<std::string> found;
+  std::vector<std::string> found = summary.mesh_warnings;
   if (!summary.overlapping_bodies.empty()) {
     found.push_back(fmt::format("bodies {} overlap at the start: contact cannot tell from which side they came",
                                 summary.overlapping_bodies));
@@ -117,8 +131,24 @@ std::vector<std::string> start_warnings(const RunSummary& summary) {
                     summary.unseen_balls));
   }
   if (!summary.unstable_hourglass.empty()) found.push_back(summary.unstable_hourglass);
+  if (!summary.large_added_mass.empty()) found.push_back(summary.large_added_mass);
+  for (const TiedResult& tied : summary.tied) {
+    if (tied.nodes > 0) continue;
+    found.push_back(fmt::format("contact.tied {}: try a larger tolerance, or other sides", tied_text(tied)));
+  }
+  found.insert(found.end(), summary.near_nodes.begin(), summary.near_nodes.end());
   add_limits_of_contact(summary, found);
   return found;
+}
+
+std::string tied_text(const TiedResult& tied) {
+  std::string text = fmt::format("{}: {} node{} tied", tied.name, tied.nodes, tied.nodes == 1 ? " is" : "s are");
+  if (tied.near > 0)
+    text += fmt::format(", {} within five times the tolerance {} not", tied.near, tied.near == 1 ? "is" : "are");
+  if (tied.held > 0) text += fmt::format(", {} held or moved {} not", tied.held, tied.held == 1 ? "is" : "are");
+  if (tied.taken > 0)
+    text += fmt::format(", {} tied already or tied to {} not", tied.taken, tied.taken == 1 ? "is" : "are");
+  return text;
 }
 
 }  // namespace pinball

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "parts.hpp"
 
@@ -10,16 +11,23 @@ namespace pinball {
 
 namespace {
 
+/// Of its force in history.csv; empty: not asked for.
+std::string optional_name(const SceneTable& table) { return table.has("name") ? table.name("name") : std::string(); }
+
 std::string where_of(const SceneTable& table) { return fmt::format("{}: {}", table.where(), table.path()); }
 
 Line read_line(const SceneTable& table) {
   return {table.point("point", any_number, Point{}), read_direction(table, "direction")};
 }
 
-NodeSelection read_selection(const SceneTable& table) {
+/// What is given; it may be nothing.
+NodeSelection read_any_selection(const SceneTable& table) {
   NodeSelection nodes;
   nodes.where = where_of(table);
   nodes.body = table.text("body", "");
+  nodes.tolerance = table.number("tolerance", not_negative, nodes.tolerance);
+  nodes.file = table.text("file", "");
+  nodes.without = table.text("without", "");
   if (table.has("plane")) {
     const SceneTable plane = table.table("plane", "plane");
     nodes.plane = Plane{plane.point("point", any_number, Point{}), read_direction(plane, "normal")};
@@ -33,8 +41,21 @@ NodeSelection read_selection(const SceneTable& table) {
   if (table.has("nearest")) nodes.nearest = table.point("nearest", any_number);
   nodes.set = table.text("set", "");
   if (table.has("nodes")) nodes.nodes = table.integers("nodes", 0);
+  return nodes;
+}
+
+NodeSelection read_selection(const SceneTable& table) {
+  const NodeSelection nodes = read_any_selection(table);
   if (nodes.all()) table.fail_missing("body", "at least one of body, plane, line, box, nearest, set and nodes");
   return nodes;
+}
+
+TimeSpan read_time_span(const SceneTable& table) {
+  TimeSpan when;
+  when.start = table.number("start", any_number, when.start);
+  if (table.has("end")) when.end = table.number("end", any_number);
+  table.require_none(problem_of(when));
+  return when;
 }
 
 TimeTable read_time_table(const SceneTable& table) {
@@ -53,7 +74,9 @@ const std::vector<std::string>& probe_quantities(ProbeKind kind) {
 
 FixedConstraint read_fixed_constraint(const SceneTable& table) {
   FixedConstraint constraint;
+  constraint.name = optional_name(table);
   constraint.nodes = read_selection(table);
+  constraint.when = read_time_span(table);
   constraint.frame =
       table.choice<Frame>("frame", {{"global", Frame::global}, {"cylindrical", Frame::cylindrical}}, constraint.frame);
   const bool cylindrical = constraint.frame == Frame::cylindrical;
@@ -74,12 +97,26 @@ RigidWall read_rigid_wall(const SceneTable& table, std::size_t number) {
   wall.name = table.has("name") ? table.name("name") : fmt::format("wall_{}", number);
   table.numbers_into(wall);
   wall.plane.normal = read_direction(table, "normal");
-  wall.body = table.text("body", "");
+  wall.nodes = read_any_selection(table);
+  wall.body = std::exchange(wall.nodes.body, "");
+  wall.when = read_time_span(table);
+  wall.sliding = table.boolean("sliding", wall.sliding);
+  if (table.has("edge")) wall.edge = read_direction(table, "edge");
+  if (table.has("size")) {
+    const std::vector<double> size = table.numbers("size", not_negative);
+    if (size.size() != 2) table.fail("size", fmt::format("expected 2 numbers, got {}", size.size()));
+    wall.size = {size[0], size[1]};
+  }
+  wall.mass = table.number("mass", not_negative, wall.mass);
+  wall.speed = table.number("speed", any_number, wall.speed);
+  wall.table = read_time_table(table);
+  table.require_none(problem_of(wall));
   return wall;
 }
 
 PrescribedVelocity read_prescribed_velocity(const SceneTable& table) {
   PrescribedVelocity result;
+  result.name = optional_name(table);
   result.nodes = read_selection(table);
   result.quantity = table.choice<MotionQuantity>("quantity",
                                                  {{"velocity", MotionQuantity::velocity},
@@ -87,6 +124,7 @@ PrescribedVelocity read_prescribed_velocity(const SceneTable& table) {
                                                   {"acceleration", MotionQuantity::acceleration}},
                                                  result.quantity);
   result.table = read_time_table(table);
+  result.when = read_time_span(table);
   if (table.has("direction") || table.has("speed")) {
     if (table.has("velocity")) table.fail("velocity", "expected either velocity or direction and speed, got both");
     if (!table.has("direction")) table.fail_missing("direction", "an array of 3 numbers");
@@ -108,25 +146,60 @@ NodalLoad read_load(const SceneTable& table) {
   return load;
 }
 
-Gravity read_gravity(const SceneTable& table) {
+Pressure read_pressure(const SceneTable& table, std::size_t number) {
+  Pressure pressure;
+  pressure.name = table.has("name") ? table.name("name") : fmt::format("pressure_{}", number);
+  pressure.corners = table.faces("faces");
+  pressure.faces = pressure.corners.empty() ? read_selection(table) : read_any_selection(table);
+  table.numbers_into(pressure);
+  pressure.table = read_time_table(table);
+  return pressure;
+}
+
+Gravity read_gravity(const SceneTable& table, const std::vector<std::string>& bodies) {
   Gravity gravity;
+  gravity.name = optional_name(table);
   table.numbers_into(gravity);
+  gravity.bodies = table.texts("bodies", bodies);
   gravity.table = read_time_table(table);
   return gravity;
 }
 
 InitialVelocity read_initial_velocity(const SceneTable& table) {
-  InitialVelocity given{read_selection(table), {}};
+  InitialVelocity given;
+  given.nodes = read_selection(table);
   table.numbers_into(given);
+  if (!table.has("velocity") && !table.has("angular_velocity")) table.point("velocity", any_number);
+  if (!table.has("components")) return given;
+  static const std::vector<std::string> names{"x", "y", "z"};
+  const std::vector<std::string> listed = table.texts("components", names);
+  for (std::size_t k = 0; k < 3; ++k) given.components[k] = std::ranges::count(listed, names[k]) > 0;
   return given;
 }
+
+namespace {
+
+/// At most one of point, node and element says what is watched; a number also says of which kind it is.
+void read_number(const SceneTable& table, Probe& probe) {
+  const bool node = table.has("node"), element = table.has("element");
+  if (!node && !element) return;
+  const char* key = node ? "node" : "element";
+  if ((node && element) || table.has("point")) table.fail(key, "expected only one of point, node and element");
+  probe.number = table.integer(key, 0);
+  probe.kind = node ? ProbeKind::node : ProbeKind::element;
+}
+
+}  // namespace
 
 Probe read_probe(const SceneTable& table) {
   Probe probe;
   probe.where = where_of(table);
   probe.name = table.name("name");
+  read_number(table, probe);
   probe.kind =
       table.choice<ProbeKind>("kind", {{"node", ProbeKind::node}, {"element", ProbeKind::element}}, probe.kind);
+  if (probe.number && table.has(probe.kind == ProbeKind::node ? "element" : "node"))
+    table.fail("kind", "expected the kind of what the number is of");
   table.numbers_into(probe);
   probe.body = table.text("body", "");
   const auto& all = probe_quantities(probe.kind);

@@ -13,7 +13,10 @@ FixedConstraint read_fixed_constraint(const SceneTable& table);
 RigidWall read_rigid_wall(const SceneTable& table, std::size_t number);
 PrescribedVelocity read_prescribed_velocity(const SceneTable& table);
 NodalLoad read_load(const SceneTable& table);
-Gravity read_gravity(const SceneTable& table);
+/// `number`: of the pressure in the file, for its default name.
+Pressure read_pressure(const SceneTable& table, std::size_t number);
+/// `bodies`: their names.
+Gravity read_gravity(const SceneTable& table, const std::vector<std::string>& bodies);
 InitialVelocity read_initial_velocity(const SceneTable& table);
 Probe read_probe(const SceneTable& table);
 

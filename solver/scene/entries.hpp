@@ -79,6 +79,9 @@ class Entries {
   std::string table_;
 };
 
+void list_element(const ElementSettings& element, const std::string& name, std::vector<SceneEntry>& all);
+/// Pairs and tied contacts.
+void list_contact_parts(const Scene& scene, std::vector<SceneEntry>& all);
 void list_bodies(const Scene& scene, std::vector<SceneEntry>& all);
 /// What acts from outside, and probes.
 void list_boundary(const Scene& scene, std::vector<SceneEntry>& all);

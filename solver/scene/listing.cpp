@@ -23,6 +23,8 @@ void list_time(const Scene& scene, std::vector<SceneEntry>& all) {
   table.add_numbers(time, {});
   table.add_words("steps", time.steps < 0 ? "-1 (no limit)" : toml_text(time.steps), time.steps < 0);
   table.add("subcycling", time.subcycling, false, "");
+  const bool small = time.mass_scaling == MassScaling::small;
+  table.add_words("mass_scaling", toml_text(small ? "small" : "all"), small);
 }
 
 const char* name_of(HourglassControl control) {
@@ -32,9 +34,10 @@ const char* name_of(HourglassControl control) {
                                                   : "assumed_strain";
 }
 
-void list_element(const Scene& scene, std::vector<SceneEntry>& all) {
-  const ElementSettings& element = scene.element;
-  Entries table(all, "element");
+}  // namespace
+
+void list_element(const ElementSettings& element, const std::string& name, std::vector<SceneEntry>& all) {
+  Entries table(all, name);
   table.add_words("hourglass", toml_text(name_of(element.hourglass)), element.hourglass == ElementSettings{}.hourglass);
   table.add("bulk_viscosity", element.bulk_viscosity, true, "");
   ElementSettings without;
@@ -47,6 +50,8 @@ void list_element(const Scene& scene, std::vector<SceneEntry>& all) {
                       : toml_text(*element.negative_volume == NegativeVolume::stop ? "stop" : "erode"),
                   !element.negative_volume);
 }
+
+namespace {
 
 const char* name_of(ContactMethod method) {
   return method == ContactMethod::none ? "none" : method == ContactMethod::pinball ? "pinball" : "slideline";
@@ -94,6 +99,7 @@ void list_output(const Scene& scene, std::vector<SceneEntry>& all) {
   table.add("field_interval", output.field_interval, 0.0, "T");
   table.add("field_times", output.field_times, {}, "T");
   table.add("fields", output.fields, OutputSettings{}.fields, "");
+  table.add("body_energies", output.body_energies, false, "");
 }
 
 std::string curve_text(const YieldCurve& curve, bool with_rate) {
@@ -148,11 +154,16 @@ std::string toml_text(const std::string& text) {
 
 std::string Entries::unit_of(std::string_view key) const {
   static const std::vector<std::pair<std::string_view, std::string_view>> units{{"end", "T"},
+                                                                                {"smallest_step", "T"},
                                                                                 {"interval", "T"},
                                                                                 {"field_interval", "T"},
                                                                                 {"density", "M/L^3"},
                                                                                 {"position", "L"},
                                                                                 {"point", "L"},
+                                                                                {"centre", "L"},
+                                                                                {"tolerance", "L"},
+                                                                                {"start", "T"},
+                                                                                {"pressure", "M/(L T^2)"},
                                                                                 {"velocity", "L/T"},
                                                                                 {"velocity_noise", "L/T"},
                                                                                 {"angular_velocity", "1/T"},
@@ -160,6 +171,8 @@ std::string Entries::unit_of(std::string_view key) const {
                                                                                 {"plastic_modulus", "M/(L T^2)"},
                                                                                 {"mass", "1/T"},
                                                                                 {"acceleration", "L/T^2"},
+                                                                                {"start", "T"},
+                                                                                {"friction_decay", "T/L"},
                                                                                 {"rate_constant", "1/T"},
                                                                                 {"rate_stress", "M/(L T^2)"}};
   for (const auto& [name, unit] : units) {
@@ -172,8 +185,9 @@ std::vector<SceneEntry> list_scene(const Scene& scene) {
   std::vector<SceneEntry> all;
   list_top(scene, all);
   list_time(scene, all);
-  list_element(scene, all);
+  list_element(scene.element, "element", all);
   list_contact(scene, all);
+  list_contact_parts(scene, all);
   list_guards_and_skips(scene, all);
   list_output(scene, all);
   list_materials(scene, all);

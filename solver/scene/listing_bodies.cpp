@@ -1,3 +1,5 @@
+#include <solver/mesh/mesh_format.hpp>
+
 #include "entries.hpp"
 
 namespace pinball {
@@ -75,9 +77,11 @@ void list_mesh(Entries& table, const SphereMesh& mesh) {
 
 void list_mesh(Entries& table, const FileMesh& mesh) {
   const bool gmsh = mesh.format == MeshFormat::gmsh;
-  table.add("type", gmsh ? "gmsh" : "keyword");
+  table.add("type", name_of(mesh.format));
   table.add("file", mesh.file);
   table.add_name(gmsh ? "physical" : "part", mesh.part, gmsh ? "all volumes" : "all elements");
+  if (mesh.chosen_case) table.add("case", *mesh.chosen_case);
+  if (mesh.format == MeshFormat::vtk) table.add_name("array", mesh.array, "the first of known names");
   table.add("scale", mesh.scale, 1.0, "-");
 }
 
@@ -94,6 +98,8 @@ void list_bodies(const Scene& scene, std::vector<SceneEntry>& all) {
     table.add_numbers(body, {});
     table.add_words("axis", body.axis ? toml_text(*body.axis) : "not turned", !body.axis, "-");
     table.add("velocity_gradient", body.velocity_gradient, {}, "1/T");
+    table.add_words("element", body.element ? "its own, below" : "that of the scene", !body.element);
+    if (body.element) list_element(*body.element, "body." + body.name + ".element", all);
     Entries mesh(all, "body." + body.name + ".mesh");
     std::visit([&mesh](const auto& settings) { list_mesh(mesh, settings); }, body.mesh);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <solver/mesh/mesh_format.hpp>
+
 #include "machine.hpp"
 #include "parts.hpp"
 
@@ -161,6 +163,8 @@ MeshSettings read_file(const SceneTable& table, const MeshScale& scale, MeshForm
   mesh.file = table.text("file");
   mesh.part = table.text(part_key, "");
   mesh.scale = table.number("scale", positive, mesh.scale);
+  if (format == MeshFormat::keyword && table.has("case")) mesh.chosen_case = table.integer("case", 0);
+  if (format == MeshFormat::vtk) mesh.array = table.text("array", "");
   if (scale.refine > 1)
     table.fail("file", fmt::format("--refine {}: expected 1, a mesh from a file cannot be refined; Gmsh itself can "
                                    "(gmsh -refine)",
@@ -172,8 +176,22 @@ MeshSettings read_gmsh(const SceneTable& table, const MeshScale& scale) {
   return read_file(table, scale, MeshFormat::gmsh, "physical");
 }
 
-MeshSettings read_keyword(const SceneTable& table, const MeshScale& scale) {
-  return read_file(table, scale, MeshFormat::keyword, "part");
+template <MeshFormat Format>
+MeshSettings read_parts(const SceneTable& table, const MeshScale& scale) {
+  return read_file(table, scale, Format, "part");
+}
+
+/// Any file, whose ending says what it is.
+MeshSettings read_by_ending(const SceneTable& table, const MeshScale& scale) {
+  const std::string file = table.text("file");
+  const auto format = format_by_ending(file);
+  if (!format) {
+    table.fail("file", fmt::format("expected a file that ends in {}, or a type that says what it is, got \"{}\"",
+                                   known_endings(), file));
+  }
+  if (*format != MeshFormat::vtk && table.has("array")) table.fail("array", "is for files of VTK alone");
+  if (*format != MeshFormat::keyword && table.has("case")) table.fail("case", "is for LS-DYNA keyword files alone");
+  return read_file(table, scale, *format, "part");
 }
 
 }  // namespace
@@ -181,10 +199,9 @@ MeshSettings read_keyword(const SceneTable& table, const MeshScale& scale) {
 /// Peaks of memory of one step of an elastic cube of 10^6 elements (5 * 10^5 with contact), in single and double
 /// precision: 279 and 433 bytes per element with viscous hourglass forces and nothing else, 370 and 618 with stiffness,
 /// 573 and 850 with bulk viscosity and contact, too. What is assumed is a tenth less.
-double least_bytes_of_element(const Scene& scene) {
+double least_bytes_of_element(const Scene& scene, const ElementSettings& element) {
   const double number = scene.precision == Precision::float32 ? sizeof(float) : sizeof(double);
-  const bool state =
-      scene.element.hourglass != HourglassControl::none && scene.element.hourglass != HourglassControl::viscous;
+  const bool state = element.hourglass != HourglassControl::none && element.hourglass != HourglassControl::viscous;
   const bool contact = scene.contact.method != ContactMethod::none;
   const double measured = 125 + 38 * number + (state ? 23 * number : 0) + (contact ? 165 + 6 * number : 0);
   return 0.9 * measured;
@@ -193,9 +210,16 @@ double least_bytes_of_element(const Scene& scene) {
 MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale) {
   if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
   using Reader = MeshSettings (*)(const SceneTable&, const MeshScale&);
-  const std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},       {"round_nosed_rod", read_rod},
-                                                            {"cylinder", read_cylinder}, {"sphere", read_sphere},
-                                                            {"gmsh", read_gmsh},         {"keyword", read_keyword}};
+  const std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},
+                                                            {"round_nosed_rod", read_rod},
+                                                            {"cylinder", read_cylinder},
+                                                            {"sphere", read_sphere},
+                                                            {"file", read_by_ending},
+                                                            {"gmsh", read_gmsh},
+                                                            {"keyword", read_parts<MeshFormat::keyword>},
+                                                            {"exodus", read_parts<MeshFormat::exodus>},
+                                                            {"vtk", read_parts<MeshFormat::vtk>},
+                                                            {"abaqus", read_parts<MeshFormat::abaqus>}};
   const SceneTable any = body.table("mesh", "mesh");
   const Reader reader = any.choice<Reader>("type", readers);
   // Read again as that kind, so that the keys of the others are unknown.

@@ -22,4 +22,19 @@ std::optional<Problem> Names::reference_problem(std::string_view key, std::strin
   return Problem{std::string(key), fmt::format("no {} is named \"{}\", {}", kind, name, hint)};
 }
 
+std::optional<Problem> column_problem(const std::string& pair, const Names& bodies) {
+  constexpr std::string_view ending = "_contact";
+  if (!pair.ends_with(ending) || !bodies.has(pair.substr(0, pair.size() - ending.size()))) return {};
+  return Problem{"name",
+                 fmt::format("\"{}\" would give its columns of history.csv the names of those of a body", pair)};
+}
+
+std::optional<Problem> force_name_problem(const std::string& name, const Scene& scene) {
+  if (name.empty()) return {};
+  if (auto problem = name_problem(name)) return problem;
+  const bool taken = Names(scene.pressures).has(name) || Names(scene.contact_pairs).has(name);
+  if (!taken) return column_problem(name, Names(scene.bodies));
+  return Problem{"name", fmt::format("expected a name that no pressure and no contact pair has, got \"{}\"", name)};
+}
+
 }  // namespace pinball

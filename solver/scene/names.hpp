@@ -31,4 +31,11 @@ class Names {
   std::unordered_set<std::string> known_;
 };
 
+/// The columns NAME_force_x of a pair would be those of a body, BODY_contact_force_x.
+std::optional<Problem> column_problem(const std::string& pair, const Names& bodies);
+
+/// The columns NAME_force_x of constraints, prescribed velocities and accelerations would be those of a pressure, a
+/// pair or a body. An empty name has none.
+std::optional<Problem> force_name_problem(const std::string& name, const Scene& scene);
+
 }  // namespace pinball

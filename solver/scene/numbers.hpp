@@ -14,6 +14,7 @@ template <class Visit>
 void visit_numbers(TimeSettings& time, const Visit& visit) {
   visit("end", time.end, positive, Need::required);
   visit("cfl", time.cfl, Bound{.low = 0.0, .low_open = true, .high = 1.2});
+  visit("smallest_step", time.smallest_step, not_negative);
 }
 
 template <class Visit>
@@ -29,8 +30,23 @@ void visit_numbers(ContactSettings& contact, const Visit& visit) {
   visit("damping", contact.damping, not_negative);
   visit("friction", contact.friction, not_negative);
   visit("static_friction", contact.static_friction, not_negative);
+  visit("friction_decay", contact.friction_decay, not_negative);
   visit("radius_factor", contact.radius_factor, Bound{.low = 0.0, .low_open = true, .high = largest_radius_factor});
   visit("skin", contact.skin, Bound{.low = 0.0, .high = largest_skin});
+}
+
+/// `end` may be left out, and is then no number.
+template <class Visit>
+void visit_numbers(ContactPair& pair, const Visit& visit) {
+  visit("friction", pair.friction, not_negative);
+  visit("static_friction", pair.static_friction, not_negative);
+  visit("friction_decay", pair.friction_decay, not_negative);
+  visit("start", pair.start, any_number);
+}
+
+template <class Visit>
+void visit_numbers(TiedContact& tied, const Visit& visit) {
+  visit("start", tied.start, any_number);
 }
 
 template <class Visit>
@@ -73,6 +89,7 @@ void visit_numbers(Body& body, const Visit& visit) {
 template <class Visit>
 void visit_numbers(PlaneConstraint& constraint, const Visit& visit) {
   visit("point", constraint.point, any_number);
+  visit("tolerance", constraint.tolerance, not_negative);
 }
 
 template <class Visit>
@@ -87,18 +104,26 @@ void visit_numbers(NodalLoad& load, const Visit& visit) {
 }
 
 template <class Visit>
+void visit_numbers(Pressure& pressure, const Visit& visit) {
+  visit("pressure", pressure.pressure, any_number, Need::required);
+  visit("start", pressure.start, any_number);
+}
+
+template <class Visit>
 void visit_numbers(Gravity& gravity, const Visit& visit) {
   visit("acceleration", gravity.acceleration, any_number, Need::required);
 }
 
 template <class Visit>
 void visit_numbers(InitialVelocity& given, const Visit& visit) {
-  visit("velocity", given.velocity, any_number, Need::required);
+  visit("velocity", given.velocity, any_number);
+  visit("angular_velocity", given.angular_velocity, any_number);
+  visit("centre", given.centre, any_number);
 }
 
 template <class Visit>
 void visit_numbers(Probe& probe, const Visit& visit) {
-  visit("point", probe.point, any_number, Need::required);
+  if (!probe.number) visit("point", probe.point, any_number, Need::required);
 }
 
 }  // namespace pinball

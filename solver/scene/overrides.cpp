@@ -81,6 +81,15 @@ toml::table& element(toml::node& node, const std::vector<std::string>& parts, co
   fail(where, key, fmt::format("no {} is named \"{}\", nearest is \"{}\"", kind, parts[1], nearest(parts[1], names)));
 }
 
+/// The table of a list that a number selects.
+toml::table& numbered(toml::array& array, const std::string& part, const std::string& key, const std::string& where) {
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    auto* table = array.get_as<toml::table>(i);
+    if (table && part == std::to_string(i)) return *table;
+  }
+  fail(where, key, fmt::format("expected a number from 0 to {}, got {}", static_cast<int>(array.size()) - 1, part));
+}
+
 /// Moves the value to its key. `where` names the change, `source` goes to tables and keys that are made on the way.
 void assign(toml::table& scene, const std::string& key, toml::node& value, const std::string& where,
             const toml::source_region& source) {
@@ -97,6 +106,9 @@ void assign(toml::table& scene, const std::string& key, toml::node& value, const
     toml::node* node = table->get(parts[next]);
     if (!node) {
       node = &table->insert_or_assign(toml::key(parts[next], source), toml::table{}).first->second;
+    } else if (node->is_array() && next + 2 < parts.size()) {  // contact.pair.NUMBER.KEY
+      table = &numbered(*node->as_array(), parts[++next], key, where);
+      continue;
     } else if (!node->is_table()) {
       fail(where, key, fmt::format("{} is no table, it is {}", parts[next], describe(*node)));
     }

@@ -102,11 +102,13 @@ Material read_material(const SceneTable& table) {
   return material;
 }
 
-Body read_body(const SceneTable& table, const MeshScale& scale) {
+Body read_body(const SceneTable& table, const Scene& scene) {
   Body body;
   body.name = table.name("name");
   body.material = table.text("material");
-  body.mesh = read_mesh(table, scale);
+  if (table.has("element")) body.element = read_element(table.table("element", "element of a body"), scene.element);
+  const ElementSettings& element = body.element ? *body.element : scene.element;
+  body.mesh = read_mesh(table, {scene.refine, least_bytes_of_element(scene, element)});
   table.numbers_into(body);
   if (table.has("axis")) body.axis = read_direction(table, "axis");
   body.velocity_gradient = table.matrix("velocity_gradient");
@@ -116,9 +118,12 @@ Body read_body(const SceneTable& table, const MeshScale& scale) {
 PlaneConstraint read_constraint(const SceneTable& table) {
   PlaneConstraint constraint;
   table.choice<int>("type", {{"symmetry", 0}});
+  if (table.has("name")) constraint.name = table.name("name");
   table.numbers_into(constraint);
   constraint.normal = read_direction(table, "normal");
   constraint.body = table.text("body", "");
+  constraint.set = table.text("set", "");
+  constraint.where = fmt::format("{}: {}", table.where(), table.path());
   return constraint;
 }
 

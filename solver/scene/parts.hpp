@@ -18,11 +18,14 @@ struct MeshScale {
   int refine = 1;          ///< multiplies element counts
   double least_bytes = 0;  ///< memory that a run takes for an element with its nodes
 };
-/// What the tables of a scene besides its bodies say of that memory.
-double least_bytes_of_element(const Scene& scene);
+/// What the tables of a scene besides its bodies say of that memory; element: settings of the body.
+double least_bytes_of_element(const Scene& scene, const ElementSettings& element);
 
-/// One [[body]]. Whether its material exists is not checked.
-Body read_body(const SceneTable& table, const MeshScale& scale);
+/// [element], or body.NAME.element. otherwise: where the table says nothing.
+ElementSettings read_element(const SceneTable& table, const ElementSettings& otherwise);
+
+/// One [[body]] of a scene, of which all but bodies has been read. Whether its material exists is not checked.
+Body read_body(const SceneTable& table, const Scene& scene);
 
 /// The mesh of a body. Throws InputError for one that this machine's memory cannot hold.
 MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale);

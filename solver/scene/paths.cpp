@@ -73,7 +73,9 @@ std::string find_scene(const std::string& name_or_path) {
   if (is_file(name_or_path)) return name_or_path;
   const auto folders = scene_folders();
   for (const auto& folder : folders) {
-    for (const auto& candidate : {folder / name_or_path, folder / (name_or_path + ".toml")}) {
+    const fs::path decks = folder.parent_path() / "decks";
+    for (const auto& candidate : {folder / name_or_path, folder / (name_or_path + ".toml"), decks / name_or_path,
+                                  decks / (name_or_path + ".k")}) {
       if (is_file(candidate)) return candidate.string();
     }
   }

@@ -9,6 +9,7 @@
 #include <solver/scene.hpp>
 
 #include "boundary_parts.hpp"
+#include "contact/contact_parts.hpp"
 #include "key_depth.hpp"
 #include "names.hpp"
 #include "overrides.hpp"
@@ -25,29 +26,9 @@ TimeSettings read_time(const SceneTable& table) {
   time.steps = table.integer("steps", -1, time.steps);
   table.require_none(problem_of(time));
   time.subcycling = table.boolean("subcycling", time.subcycling);
+  time.mass_scaling = table.choice<MassScaling>(
+      "mass_scaling", {{"small", MassScaling::small}, {"all", MassScaling::all}}, time.mass_scaling);
   return time;
-}
-
-ElementSettings read_element(const SceneTable& table) {
-  ElementSettings element;
-  element.hourglass = table.choice<HourglassControl>("hourglass",
-                                                     {{"none", HourglassControl::none},
-                                                      {"viscous", HourglassControl::viscous},
-                                                      {"stiffness", HourglassControl::stiffness},
-                                                      {"assumed_strain", HourglassControl::assumed_strain}},
-                                                     element.hourglass);
-  // A coefficient that was meant for one form would mean something else to another.
-  if (table.has("hourglass_coefficient") && !table.has("hourglass")) {
-    table.fail("hourglass_coefficient", "needs hourglass beside it, the form that it is a coefficient of");
-  }
-  element.bulk_viscosity = table.boolean("bulk_viscosity", element.bulk_viscosity);
-  table.numbers_into(element);
-  if (table.has("negative_volume")) {
-    element.negative_volume = table.choice<NegativeVolume>(
-        "negative_volume", {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
-  }
-  complete(element);
-  return element;
 }
 
 ContactSettings read_contact(const SceneTable& table) {
@@ -79,6 +60,7 @@ OutputSettings read_output(const SceneTable& table) {
   visit_numbers(output, [&](std::string_view key, double& value, const Bound& bound) {
     if (key != "interval" || !output.every_step) value = table.number(key, bound, value);
   });
+  output.body_energies = table.boolean("body_energies", output.body_energies);
   output.field_times = table.numbers("field_times", not_negative);
   std::sort(output.field_times.begin(), output.field_times.end());
   if (table.has("fields")) output.fields = table.texts("fields", output.fields);
@@ -94,6 +76,22 @@ void find_mesh_file(const SceneTable& body, FileMesh& mesh, const std::string& s
   mesh.file = path.string();
 }
 
+/// What touches what; bodies are known by now.
+void read_contact_parts(const SceneTable& contact, Scene& scene) {
+  const Names bodies(scene.bodies);
+  Names pairs, ties;
+  for (const SceneTable& table : contact.tables("pair", "contact_pair")) {
+    const ContactPair pair = read_contact_pair(table, scene, bodies);
+    table.require_none(pairs.add(pair.name));
+    scene.contact_pairs.push_back(pair);
+  }
+  for (const SceneTable& table : contact.tables("tied", "contact_tied")) {
+    const TiedContact tied = read_tied_contact(table, scene, bodies);
+    table.require_none(ties.add(tied.name));
+    scene.tied_contacts.push_back(tied);
+  }
+}
+
 /// What acts from outside, and probes; bodies are known by now.
 void read_boundary(const SceneTable& top, Scene& scene) {
   const Names bodies(scene.bodies);
@@ -104,13 +102,16 @@ void read_boundary(const SceneTable& top, Scene& scene) {
     }
     return all;
   };
+  std::vector<std::pair<SceneTable, std::string>> forces;
   for (const auto& any : tables("constraint")) {
     const auto type = any.choice<std::string>("type", {{"symmetry", "symmetry"}, {"fixed", "fixed"}});
     const SceneTable table = any.as(type);
     if (type == "symmetry") {
       scene.constraints.push_back(read_constraint(table));
+      forces.emplace_back(table, scene.constraints.back().name);
     } else {
       scene.fixed_constraints.push_back(read_fixed_constraint(table));
+      forces.emplace_back(table, scene.fixed_constraints.back().name);
     }
   }
   Names walls;
@@ -121,9 +122,22 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   }
   for (const auto& table : tables("prescribed_velocity")) {
     scene.prescribed_velocities.push_back(read_prescribed_velocity(table));
+    forces.emplace_back(table, scene.prescribed_velocities.back().name);
   }
   for (const auto& table : tables("load")) scene.loads.push_back(read_load(table));
-  for (const auto& table : tables("gravity")) scene.gravities.push_back(read_gravity(table));
+  Names pressures;
+  for (const auto& table : tables("pressure")) {
+    const Pressure pressure = read_pressure(table, scene.pressures.size());
+    table.require_none(pressures.add(pressure.name));
+    scene.pressures.push_back(pressure);
+  }
+  std::vector<std::string> names;
+  for (const Body& body : scene.bodies) names.push_back(body.name);
+  for (const auto& table : tables("gravity")) {
+    scene.gravities.push_back(read_gravity(table, names));
+    forces.emplace_back(table, scene.gravities.back().name);
+  }
+  for (const auto& [table, name] : forces) table.require_none(force_name_problem(name, scene));
   for (const auto& table : tables("initial_velocity")) {
     scene.initial_velocities.push_back(read_initial_velocity(table));
   }
@@ -147,7 +161,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
                                           scene.precision);
   if (overrides.precision) scene.precision = *overrides.precision;
   scene.time = read_time(top.table("time", "time"));
-  scene.element = read_element(top.table("element", "element"));
+  scene.element = read_element(top.table("element", "element"), {});
   scene.contact = read_contact(top.table("contact", "contact"));
   const SceneTable skip = top.table("skip", "skip");
   scene.skip.contact_search = skip.boolean("contact_search", scene.skip.contact_search);
@@ -164,14 +178,14 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   }
   const auto bodies = top.tables("body", "body");
   if (bodies.empty()) top.fail("body", "missing, expected at least one [[body]]");
-  const MeshScale scale{overrides.refine, least_bytes_of_element(scene)};
   for (const auto& table : bodies) {
-    Body body = read_body(table, scale);
+    Body body = read_body(table, scene);
     if (auto* file = std::get_if<FileMesh>(&body.mesh)) find_mesh_file(table, *file, path);
     table.require_none(body_names.add(body.name));
     table.require_none(materials.reference_problem("material", "material", body.material));
     scene.bodies.push_back(body);
   }
+  read_contact_parts(top.table("contact", "contact"), scene);
   top.table("damping", "damping").numbers_into(scene.damping);
   read_boundary(top, scene);
   return scene;

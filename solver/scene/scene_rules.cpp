@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <solver/base/point.hpp>
 #include <solver/scene_rules.hpp>
 
 namespace pinball {
@@ -44,9 +45,18 @@ void make_unit(NodeSelection& nodes) {
 void complete_scene(Scene& scene) {
   complete(scene.element);
   complete(scene.contact);
+  for (std::size_t p = 0; p < scene.contact_pairs.size(); ++p) {
+    ContactPair& pair = scene.contact_pairs[p];
+    complete(pair, scene.contact);
+    if (pair.name.empty()) pair.name = fmt::format("pair_{}", p);
+  }
+  for (std::size_t t = 0; t < scene.tied_contacts.size(); ++t) {
+    if (scene.tied_contacts[t].name.empty()) scene.tied_contacts[t].name = fmt::format("tied_{}", t);
+  }
   for (Material& material : scene.materials) complete(material);
   for (Body& body : scene.bodies) {
     if (body.axis) make_unit(*body.axis);
+    if (body.element) complete(*body.element);
   }
   for (PlaneConstraint& plane : scene.constraints) make_unit(plane.normal);
   for (FixedConstraint& fixed : scene.fixed_constraints) {
@@ -56,6 +66,8 @@ void complete_scene(Scene& scene) {
   }
   for (std::size_t w = 0; w < scene.rigid_walls.size(); ++w) {
     make_unit(scene.rigid_walls[w].plane.normal);
+    make_unit(scene.rigid_walls[w].nodes);
+    if (scene.rigid_walls[w].edge) make_unit(*scene.rigid_walls[w].edge);
     if (scene.rigid_walls[w].name.empty()) scene.rigid_walls[w].name = fmt::format("wall_{}", w);
   }
   for (PrescribedVelocity& given : scene.prescribed_velocities) {
@@ -63,6 +75,10 @@ void complete_scene(Scene& scene) {
     if (given.direction) make_unit(*given.direction);
   }
   for (NodalLoad& load : scene.loads) make_unit(load.nodes);
+  for (std::size_t p = 0; p < scene.pressures.size(); ++p) {
+    make_unit(scene.pressures[p].faces);
+    if (scene.pressures[p].name.empty()) scene.pressures[p].name = fmt::format("pressure_{}", p);
+  }
   for (InitialVelocity& given : scene.initial_velocities) make_unit(given.nodes);
   for (Probe& probe : scene.probes) {
     if (probe.quantities.empty()) probe.quantities = probe_quantities(probe.kind);
@@ -79,18 +95,19 @@ std::optional<Problem> problem_of(const ContactSettings& contact) {
   if (contact.method != ContactMethod::slideline && penalty && contact.gap == ContactGap::face) {
     return Problem{"gap", "\"face\" needs enforcement = \"projection\" or \"lagrange\" in this version"};
   }
-  if (contact.static_friction < contact.friction) {
+  const bool any_friction = contact.static_friction > 0 || contact.friction > 0;
+  if (contact.static_friction < contact.friction && !(contact.friction_decay > 0)) {
     return Problem{"static_friction", fmt::format("expected a number >= friction = {:.6g}, got {:.6g}",
                                                   contact.friction, contact.static_friction)};
   }
   if (contact.enforcement == Enforcement::projection && contact.static_friction > contact.friction) {
     return Problem{"static_friction", "another value than friction needs enforcement = \"lagrange\""};
   }
-  if (penalty && contact.static_friction > 0) {
+  if (penalty && any_friction) {
     return Problem{contact.friction > 0 ? "friction" : "static_friction",
                    "expected 0: friction needs enforcement = \"projection\" or \"lagrange\""};
   }
-  if (contact.method == ContactMethod::pinball && contact.gap == ContactGap::pinball && contact.static_friction > 0) {
+  if (contact.method == ContactMethod::pinball && contact.gap == ContactGap::pinball && any_friction) {
     return Problem{contact.friction > 0 ? "friction" : "static_friction",
                    "expected 0: balls do not touch where elements do, friction needs gap = \"face\""};
   }
@@ -108,6 +125,26 @@ std::optional<Problem> problem_of(const TimeTable& table) {
                    fmt::format("expected increasing times, got {} after {}", table.times[i], table.times[i - 1])};
   }
   return {};
+}
+
+std::optional<Problem> problem_of(const TimeSpan& when) {
+  if (when.end > when.start && when.end > 0) return {};
+  return Problem{"end", fmt::format("expected a time > start and > 0, got {}", when.end)};
+}
+
+/// What goes together; its numbers and its span of time are checked by themselves.
+std::optional<Problem> problem_of(const RigidWall& wall) {
+  if (wall.mass > 0 && !wall.table.times.empty())
+    return Problem{"times", "a wall with a mass moves as it is pushed, expected either mass or times"};
+  if (!wall.sliding && wall.friction > 0)
+    return Problem{"friction", "expected either friction or sliding = false, got both"};
+  const bool finite = wall.size[0] > 0 || wall.size[1] > 0;
+  if (finite && !wall.edge) return Problem{"edge", "missing, expected the direction of the first side beside size"};
+  if (!wall.edge) return {};
+  if (!finite) return Problem{"size", "expected two lengths beside edge, at least one of them > 0"};
+  Point inside = *wall.edge;
+  if (make_orthogonal(inside, {wall.plane.normal}) > 1e-6 * norm(*wall.edge)) return {};
+  return Problem{"edge", "expected a direction across the normal, got one along it"};
 }
 
 std::optional<Problem> problem_of(const Box& box) {

@@ -302,6 +302,32 @@ std::vector<std::string> SceneTable::texts(std::string_view key, const std::vect
   return values;
 }
 
+std::vector<TextOrTable> SceneTable::texts_or_tables(std::string_view key, std::string_view kind,
+                                                     const std::string& expected) const {
+  const toml::node* node = find(key);
+  if (!node) fail_missing(key, expected);
+  std::vector<TextOrTable> values;
+  const auto take = [&](const toml::node& one, const std::string& path) {
+    const auto text = one.value_exact<std::string>();
+    if (text && !text->empty()) {
+      values.push_back({*text, {}});
+    } else if (one.is_table()) {
+      values.push_back({"", SceneTable(*one.as_table(), path, location(one.source(), where_), kind)});
+    } else {
+      pinball::fail(location(one.source(), where_), path,
+                    fmt::format("expected {}, got {}", expected, pinball::describe(one)));
+    }
+  };
+  if (!node->is_array()) {
+    take(*node, key_path(key));
+    return values;
+  }
+  const toml::array& array = *node->as_array();
+  for (std::size_t i = 0; i < array.size(); ++i) take(*array.get(i), element_path(key_path(key), i));
+  if (values.empty()) fail(key, fmt::format("expected {}, got none", expected));
+  return values;
+}
+
 std::size_t SceneTable::choice_index(std::string_view key, const toml::node& node,
                                      const std::vector<std::string>& names,
                                      const std::vector<std::string>& later) const {

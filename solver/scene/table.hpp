@@ -43,6 +43,8 @@ std::string describe(const toml::node& node);
 /// The texts in quotes, joined as in: "a", "b" or "c".
 std::string alternatives(const std::vector<std::string>& texts);
 
+struct TextOrTable;
+
 /// One table of the scene. Optional keys take the fallback, required ones are an error where they are missing.
 class SceneTable {
  public:
@@ -92,10 +94,15 @@ class SceneTable {
   /// Unit vectors, each given as one of the three names or by its components: ["x", [0, 1, 1]]; "all" stands for the
   /// three of the names. Required, at least one.
   std::vector<Point> directions(std::string_view key, const std::array<const char*, 3>& names) const;
+  /// A text or a table, or an array of them, the tables all of one kind; `expected` says what. Required.
+  std::vector<TextOrTable> texts_or_tables(std::string_view key, std::string_view kind,
+                                           const std::string& expected) const;
   /// Any number of integers >= low.
   std::vector<std::int64_t> integers(std::string_view key, std::int64_t low) const;
   /// `count` integers >= low; required.
   std::vector<std::int64_t> integers(std::string_view key, std::size_t count, std::int64_t low) const;
+  /// Any number of faces of four corners, integers >= 0.
+  std::vector<std::array<std::int64_t, 4>> faces(std::string_view key) const;
   /// Three numbers, or lists of numbers in their places: [1, 1, [0.4, 0.2, 0.4]]; required.
   std::array<std::vector<double>, 3> lists(std::string_view key, const Bound& bound) const;
   /// The same of integers >= low.
@@ -143,6 +150,11 @@ class SceneTable {
   const toml::table* table_;
   std::string path_;
   std::string where_;
+};
+
+struct TextOrTable {
+  std::string text;  ///< empty: it is a table
+  std::optional<SceneTable> table;
 };
 
 }  // namespace pinball

@@ -40,4 +40,18 @@ std::vector<Point> SceneTable::directions(std::string_view key, const std::array
   return result;
 }
 
+std::vector<std::array<std::int64_t, 4>> SceneTable::faces(std::string_view key) const {
+  std::vector<std::array<std::int64_t, 4>> faces;
+  const toml::node* node = find(key);
+  if (!node) return faces;
+  const auto& array = array_of(*node, key_path(key), "an array of faces, each of 4 integers", std::nullopt);
+  for (std::size_t i = 0; i < array.size(); ++i) {
+    const std::string path = fmt::format("{}[{}]", key_path(key), i);
+    const auto& corners = array_of(*array.get(i), path, "an array of 4 integers", 4);
+    auto& face = faces.emplace_back();
+    for (std::size_t c = 0; c < 4; ++c) face[c] = integer_of(*corners.get(c), fmt::format("{}[{}]", path, c), 0);
+  }
+  return faces;
+}
+
 }  // namespace pinball

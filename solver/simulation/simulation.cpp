@@ -5,6 +5,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
+#include <solver/device/devices.hpp>
 #include <solver/step/report.hpp>
 
 #include "simulation_implementation.hpp"
@@ -36,6 +37,7 @@ Simulation::Simulation(const Scene& given, const SimulationOptions& options)
   }
   const ThreadCount threads(options.threads);
   const Scene scene = checked_scene(given);
+  require_device(scene.device);
   implementation_->options = options;
   if (scene.precision == Precision::float32) {
     implementation_->solver = std::make_unique<Solver<float>>(scene);

@@ -3,9 +3,10 @@
 namespace pinball {
 
 template <class S>
-ContactWork ContactStage<S>::before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double dt,
-                                                Timers& timers, RunCounts& counts) {
+ContactWork ContactStage<S>::before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double time,
+                                                double dt, Timers& timers, RunCounts& counts) {
   if (!built::contact || !contact_) return {};
+  contact_->set_time(time);
   const ModelSurface<S> source(model);
   timers.measure(Phase::pinballs, [&] { contact_->update_surface(source, eroded_slots(model, tiles)); });
   const std::int64_t searches = contact_->searches();
@@ -20,8 +21,11 @@ ContactWork ContactStage<S>::before_constraints(Model<S>& model, const std::vect
 template <class S>
 ContactWork ContactStage<S>::after_constraints(Model<S>& model, const StepLengths& step, Timers& timers) {
   if (!built::contact || !contact_) return {};
-  return timers.measure(Phase::contact_forces,
-                        [&] { return contact_->after_constraints(ModelSurface<S>(model), step); });
+  return timers.measure(Phase::contact_forces, [&] {
+    const ContactWork work = contact_->after_constraints(ModelSurface<S>(model), step);
+    if (pairs_.any()) pairs_.book([this](std::vector<Point>& sums) { contact_->add_pair_forces(sums); }, step);
+    return work;
+  });
 }
 
 template class ContactStage<double>;

@@ -9,6 +9,7 @@
 #include <solver/model/model_surface.hpp>
 #include <solver/results/timers.hpp>
 
+#include "contact/pair_ledger.hpp"
 #include "run_counts.hpp"
 
 namespace pinball {
@@ -17,27 +18,41 @@ namespace pinball {
 template <class S>
 class ContactStage {
  public:
-  explicit ContactStage(const Model<S>& model) : contact_(make_model_contact(model)) {}
+  explicit ContactStage(const Model<S>& model)
+      : contact_(make_model_contact(model)),
+        pairs_(contact_ ? model.scene.contact_pairs : std::vector<ContactPair>()) {}
 
   const ContactAlgorithm<S>* contact() const { return contact_.get(); }
   /// Whether after_constraints adds forces, some of them perhaps in held directions.
   bool acts_on_velocities() const { return built::contact && contact_ && contact_->acts_on_velocities(); }
   /// Elements that take part; negative without contact.
   std::int64_t surface_elements() const { return built::contact && contact_ ? contact_->surface_elements() : -1; }
+  void set_ties(const TiedNodes<S>& ties, bool changed) {
+    if (contact_) contact_->set_ties(ties, changed);
+  }
   /// Surface, search, and what acts before constraints do: penalty forces, added to the nodes. tiles: what the elements
-  /// did in this step; dt: the step just made [time].
-  ContactWork before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double dt, Timers& timers,
-                                 RunCounts& counts);
+  /// did in this step; time: of the forces; dt: the step just made [time].
+  ContactWork before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double time, double dt,
+                                 Timers& timers, RunCounts& counts);
   /// What acts on velocities that constraints leave: impulses, as forces added to the nodes.
   ContactWork after_constraints(Model<S>& model, const StepLengths& step, Timers& timers);
 
+  /// Force and impulse of each pair of the scene.
+  const std::vector<PairResult>& pairs() const { return pairs_.results(); }
+  /// To be called when constraints have begun or ended.
+  void take_held_directions(const Model<S>& model) {
+    if (built::contact && contact_) contact_->take_held_directions(held_directions(model));
+  }
+
   void persist(StateArchive& archive, const Model<S>& model) {
+    pairs_.persist(archive);
     if (contact_) contact_->persist(archive, ModelSurface<S>(model));
   }
   std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
 
  private:
   std::unique_ptr<ContactAlgorithm<S>> contact_;
+  PairLedger pairs_;
 };
 
 }  // namespace pinball

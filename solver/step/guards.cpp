@@ -67,15 +67,12 @@ void Guards<S>::check_volumes(const InternalForceResult<S>& element) const {
   if (element.inverted_count == 0) return;
   std::int64_t worst = -1;
   double least = 0;
-  for (std::size_t t = 0; t < forces_.tiles().size(); ++t) {
-    if (forces_.tiles()[t].inverted_count == 0) continue;
-    for (const std::int64_t slot : model_.slots_of(t)) {
-      if (!model_.elements.alive(slot)) continue;
-      const double ratio = volume_ratio(model_, slot, clock_.dt());
-      if (worst >= 0 && !(ratio < least)) continue;
-      least = ratio;
-      worst = slot;
-    }
+  for (std::int64_t slot = 0; slot < model_.elements.slots; ++slot) {
+    if (!model_.elements.alive(slot)) continue;
+    const double ratio = volume_ratio(model_, slot, clock_.dt());
+    if (worst >= 0 && !(ratio < least)) continue;
+    least = ratio;
+    worst = slot;
   }
   fail(fmt::format("{} of {} elements have no volume left {}, first of all {}", element.inverted_count,
                    model_.element_count(), when(), element_name(model_, worst)),

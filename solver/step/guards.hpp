@@ -17,8 +17,8 @@ namespace pinball {
 template <class S>
 class Guards {
  public:
-  Guards(const Model<S>& model, const InternalForces<S>& forces, const StepClock& clock)
-      : model_(model), forces_(forces), clock_(clock) {}
+  /// model: up to date where a number is not finite, or an element has no volume.
+  Guards(const Model<S>& model, const StepClock& clock) : model_(model), clock_(clock) {}
 
   /// What is known to make the scene unstable: told in place of other advice.
   void blame(std::string cause) { cause_ = std::move(cause); }
@@ -38,7 +38,6 @@ class Guards {
   [[noreturn]] void fail(const std::string& what, const std::string& advice) const;
 
   const Model<S>& model_;
-  const InternalForces<S>& forces_;
   const StepClock& clock_;
   std::string cause_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/base/external_work.hpp>
+#include <kernels/boundary/external_work.hpp>
 #include <solver/model/model.hpp>
 #include <solver/model/node_spans.hpp>
 

@@ -61,8 +61,7 @@ std::string node_name(const Model<S>& model, std::int64_t node) {
 template <class S>
 std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& contact) {
   std::vector<Point> force(static_cast<std::size_t>(model.nodes.count), Point{});
-  std::vector<double> radius(static_cast<std::size_t>(model.elements.slots), 0.0);
-  contact.report(ModelSurface<S>(model), force, radius);
+  contact.add_node_forces(force);
   std::int64_t most = -1;
   double largest = 0;
   for (const std::int32_t node : model.node_of_scene_node) {  // the first in the order of the scene

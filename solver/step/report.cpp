@@ -6,6 +6,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/version.h>
+#include <solver/device/devices.hpp>
 #include <solver/results/state_hash.hpp>
 
 #include "report_soundness.hpp"
@@ -40,6 +41,7 @@ std::vector<BodyResult> body_results(const Model<S>& model) {
     BodyResult& r = results[model.mesh.body[e]];
     ++r.elements;
     r.mass_initial += model.element_mass[e];
+    if (!model.added_mass.empty()) r.mass_added += model.added_mass[e];
     if (!model.elements.alive(slot)) {
       ++r.eroded_elements;
       continue;
@@ -60,42 +62,12 @@ std::vector<BodyResult> body_results(const Model<S>& model) {
 }
 
 template <class S>
-std::vector<std::string> more_columns(const Solver<S>& solver) {
-  std::vector<std::string> columns;
-  for (const WallResult& wall : solver.boundary().walls()) {
-    for (const char* quantity : {"force", "impulse"}) columns.push_back(fmt::format("{}_{}", wall.name, quantity));
-  }
-  const std::vector<std::string> of_probes = solver.probes().columns();
-  columns.insert(columns.end(), of_probes.begin(), of_probes.end());
-  if (solver.contact() == nullptr) return columns;
-  for (const Body& body : solver.model().scene.bodies) {
-    for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_contact_force_{}", body.name, axis));
-  }
-  return columns;
-}
-
-template <class S>
-std::vector<Point> contact_forces_on_nodes(const Solver<S>& solver, std::vector<double>& radius) {
+std::vector<Point> contact_forces_on_nodes(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
   std::vector<Point> in_store(model.mesh.nodes.size(), Point{}), force(model.mesh.nodes.size(), Point{});
-  radius.assign(static_cast<std::size_t>(model.elements.slots), 0.0);
-  solver.contact()->report(ModelSurface<S>(model), in_store, radius);
+  solver.contact()->add_node_forces(in_store);
   for (std::size_t n = 0; n < force.size(); ++n) force[n] = in_store[model.node_of_scene_node[n]];
   return force;
-}
-
-/// What contact does to each body as a whole [force].
-template <class S>
-std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
-  const Model<S>& model = solver.model();
-  std::vector<double> radius;
-  const std::vector<Point> force = contact_forces_on_nodes(solver, radius);
-  std::vector<Point> sums(model.scene.bodies.size(), Point{});
-  for (std::size_t n = 0; n < force.size(); ++n) {
-    Point& sum = sums[static_cast<std::size_t>(model.mesh.body_of_node[n])];
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += force[n][k];
-  }
-  return sums;
 }
 
 template <class S>
@@ -108,30 +80,6 @@ ProgressState progress_state(const Solver<S>& solver) {
           elements - solver.counts().eroded_elements(),
           elements,
           solver.contact() != nullptr ? solver.counts().pairs() : -1};
-}
-
-template <class S>
-HistoryRow history_row(const Solver<S>& solver) {
-  const Model<S>& model = solver.model();
-  HistoryRow row;
-  row.step = solver.steps();
-  row.time = solver.force_time();
-  row.dt = solver.dt() > 0 ? solver.dt() : solver.clock().dt_before();
-  row.energy = solver.energies();
-  row.balance_error = solver.balance_error();
-  row.momentum = momentum(model);
-  row.bodies = body_results(model);
-  for (const WallResult& wall : solver.boundary().walls()) {
-    row.more.push_back(wall.force);
-    row.more.push_back(wall.impulse);
-  }
-  const std::vector<double> of_probes = solver.probes().values(model, solver.dt());
-  row.more.insert(row.more.end(), of_probes.begin(), of_probes.end());
-  if (solver.contact() == nullptr) return row;
-  for (const Point& force : contact_forces_on_bodies(solver)) {
-    row.more.insert(row.more.end(), force.begin(), force.end());
-  }
-  return row;
 }
 
 template <class S>
@@ -168,8 +116,9 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
     s.alive[e] = model.elements.alive(slot) ? 1 : 0;
   }
   if (solver.contact() != nullptr) {
-    std::vector<double> radius;
-    s.contact_force = contact_forces_on_nodes(solver, radius);
+    std::vector<double> radius(static_cast<std::size_t>(model.elements.slots), 0.0);
+    s.contact_force = contact_forces_on_nodes(solver);
+    solver.contact()->put_radii(ModelSurface<S>(model), radius);
     for (std::size_t e = 0; e < elements; ++e) {
       s.pinball_radius[e] = radius[model.slot_of_element[e]];
     }
@@ -205,6 +154,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.title = scene.title;
   summary.units = scene.units;
   summary.precision = sizeof(S) == sizeof(double) ? "double" : "float";
+  summary.device = device_name(scene.device);
   summary.simd_width = ElementStore<S>::width;
   summary.elements = model.element_count();
   summary.nodes = static_cast<std::int64_t>(model.mesh.nodes.size());
@@ -230,13 +180,19 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.momentum_initial = solver.initial_momentum();
   summary.momentum_final = momentum(model);
   summary.bodies = body_results(model);
+  for (const double added : model.added_mass) summary.mass_added += added;
   summary.walls = solver.boundary().walls();
+  summary.pressures = solver.boundary().pressures();
   summary.probes = solver.probes().results(model, solver.dt());
+  for (const TieCount& count : model.tie_counts) {
+    summary.tied.push_back({count.name, count.tied, count.near, count.held, count.taken});
+  }
   summary.contact_method = contact != nullptr ? contact->name() : "none";
   summary.contact_enforcement = contact != nullptr ? enforcement_name(scene.contact.enforcement) : "none";
   if (contact != nullptr) {
     const bool balls = scene.contact.method == ContactMethod::pinball && scene.contact.gap == ContactGap::pinball;
     summary.contact_gap = balls ? "pinball" : "face";
+    summary.contact_pairs = solver.contact_pairs();
     summary.pinballs = contact->surface_elements();
     summary.searches = contact->searches();
     summary.searches_skipped = contact->searches_skipped();
@@ -259,8 +215,14 @@ std::uint64_t fingerprint(const Model<S>& model) {
   StateHash hash;
   const auto add = [&hash](const auto& array) { hash.add(array.data(), array.size() * sizeof(array[0])); };
   add(model.elements.corner);
-  add(model.nodes.inverse_mass);
-  add(model.node_mass);
+  if (model.masses_without_ties == nullptr) {
+    add(model.nodes.inverse_mass);
+    add(model.node_mass);
+  } else {  // ties move masses in the course of a run
+    std::vector<double> mass = model.node_mass;
+    for (const auto& [n, without] : *model.masses_without_ties) mass[static_cast<std::size_t>(n)] = without;
+    add(mass);
+  }
   add(model.element_mass);
   add(model.element_of_slot);
   add(model.tile_packs);
@@ -296,12 +258,8 @@ template std::uint64_t state_hash(const Model<double>&);
 template std::uint64_t state_hash(const Model<float>&);
 template std::uint64_t fingerprint(const Model<double>&);
 template std::uint64_t fingerprint(const Model<float>&);
-template std::vector<std::string> more_columns(const Solver<double>&);
-template std::vector<std::string> more_columns(const Solver<float>&);
 template ProgressState progress_state(const Solver<double>&);
 template ProgressState progress_state(const Solver<float>&);
-template HistoryRow history_row(const Solver<double>&);
-template HistoryRow history_row(const Solver<float>&);
 template FieldSnapshot snapshot(const Solver<double>&);
 template FieldSnapshot snapshot(const Solver<float>&);
 template void fill_summary(const Solver<double>&, RunSummary&);

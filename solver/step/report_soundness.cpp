@@ -2,7 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <string>
+#include <vector>
+
+#include <solver/results/sound_bounds.hpp>
 
 #include "places.hpp"
 #include "report.hpp"
@@ -34,6 +38,30 @@ std::string sentence_of(const Model<S>& model, const UnseenBalls& unseen) {
              : fmt::format("{} may pass between each other", balls);
 }
 
+/// The body that has most added to it, and taken from it, where that is more than is sound.
+template <class S>
+std::string large_added_mass(const Model<S>& model) {
+  if (model.added_mass.empty()) return "";
+  std::vector<double> changed(model.mesh.body_names.size(), 0.0), material(changed.size(), 0.0);
+  for (std::size_t e = 0; e < model.added_mass.size(); ++e) {
+    const auto body = static_cast<std::size_t>(model.mesh.body[e]);
+    changed[body] += std::abs(model.added_mass[e]);
+    material[body] += model.material_mass(e);
+  }
+  std::size_t worst = 0;
+  for (std::size_t b = 0; b < changed.size(); ++b) {
+    if (changed[b] * material[worst] > changed[worst] * material[b]) worst = b;
+  }
+  const double share = changed[worst] / material[worst];
+  if (!(share > sound::added_mass)) return "";
+  return fmt::format(
+      "time.smallest_step = {:.6g} {} body {} by {:.3g} % of it, more than {:.3g} %: what it does in time is another, "
+      "try a smaller one, or larger elements",
+      model.scene.time.smallest_step,
+      model.scene.time.mass_scaling == MassScaling::all ? "changes the mass of" : "raises the mass of",
+      model.mesh.body_names[worst], 100 * share, 100 * sound::added_mass);
+}
+
 }  // namespace
 
 template <class S>
@@ -58,7 +86,10 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
     summary.overlap_at_end =
         fmt::format("{} and {}, by {} of their nodes and points of elements", now.first, now.second, now.points);
   }
+  summary.mesh_warnings = solver.model().mesh.warnings;
+  summary.near_nodes = solver.near_nodes();
   summary.unstable_hourglass = solver.unstable_hourglass();
+  summary.large_added_mass = large_added_mass(solver.model());
   if (solver.unseen_balls()) summary.unseen_balls = sentence_of(solver.model(), *solver.unseen_balls());
 }
 

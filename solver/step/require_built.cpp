@@ -23,7 +23,7 @@ void require_built(const Model<S>& model, bool with_boundary_conditions) {
   }
   require(built::contact, model.scene.contact.method != ContactMethod::none, "contact", "contact.method=\"none\"");
   require(built::boundary_conditions, with_boundary_conditions, "boundary conditions",
-          "no constraints, prescribed velocities, loads, damping or rigid walls");
+          "no constraints, prescribed velocities, loads, pressures, damping or rigid walls");
   require(built::resting, model.scene.skip.resting, "leaving out tiles at rest", "skip.resting=false");
 }
 

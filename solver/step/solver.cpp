@@ -1,14 +1,18 @@
 #include "solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include <solver/base/built_features.hpp>
 #include <solver/base/error.hpp>
+#include <solver/boundary/space/make_boundary_kernels.hpp>
+#include <solver/boundary/space/model_arrays.hpp>
+#include <solver/model/selection/near_nodes.hpp>
 #include <solver/results/sound_bounds.hpp>
 
-#include "drift_energy.hpp"
+#include "energy/drift_energy.hpp"
 #include "impact_speed.hpp"
 #include "integration.hpp"
 #include "places.hpp"
@@ -33,7 +37,9 @@ double sound_swallowing_of(const Scene& scene) {
   const std::vector<std::size_t> materials = material_of_bodies(scene);
   const bool plastic = std::any_of(materials.begin(), materials.end(),
                                    [&scene](std::size_t material) { return scene.materials[material].plastic; });
-  return damped || plastic || contact.static_friction > 0 ? 0.0 : sound::contact_swallowed;
+  const bool rubs = std::any_of(scene.contact_pairs.begin(), scene.contact_pairs.end(),
+                                [](const ContactPair& pair) { return pair.static_friction > 0; });
+  return damped || plastic || rubs || contact.static_friction > 0 ? 0.0 : sound::contact_swallowed;
 }
 
 }  // namespace
@@ -41,25 +47,48 @@ double sound_swallowing_of(const Scene& scene) {
 template <class S>
 Solver<S>::Solver(const Scene& scene)
     : model_(build_model<S>(scene)),
+      device_(scene.device == Device::none ? nullptr : std::make_unique<DeviceRun<S>>(model_)),
       internal_forces_(model_),
       schedule_(model_),
-      symmetry_walls_(model_),
-      boundary_(model_),
+      symmetry_walls_(model_, *boundary_kernels()),
+      boundary_(model_, boundary_kernels()),
       probes_(model_),
+      body_energies_(model_),
+      tied_(model_),
       contact_(model_),
       clock_(model_.scene.time, model_.scene.damping.mass),
-      guards_(model_, internal_forces_, clock_) {
+      guards_(model_, clock_) {
   if (contact() != nullptr) {
     clock_.limit_by_impact_speed(longest_contact_step(model_));
-    initial_overlap_ = find_initial_overlap(model_.mesh);
+    initial_overlap_ = find_initial_overlap(model_.mesh, model_.scene.contact_pairs);
     unseen_balls_ = find_unseen_balls(model_.scene, model_.mesh);
     sound_swallowing_ = sound_swallowing_of(model_.scene);
   }
   require_built(model_, boundary_.any());
   check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
+  near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
   guards_.blame(unstable_hourglass_);
   initial_momentum_ = momentum(model_);
+}
+
+template <class S>
+std::unique_ptr<BoundaryKernels<S>> Solver<S>::boundary_kernels() const {
+  return device_ ? device_->boundary_kernels() : make_host_boundary_kernels<S>();
+}
+
+/// What boundary conditions work on, on the device or the host.
+template <class S>
+NodeArrays<S> Solver<S>::nodes() {
+  return device_ ? device_->nodes() : node_arrays(model_);
+}
+
+template <class S>
+Model<S>& Solver<S>::change_model() {
+  schedule_.forget_resting();
+  model();
+  if (device_) device_->host_has_changed();
+  return model_;
 }
 
 template <class S>
@@ -81,7 +110,7 @@ void Solver<S>::finish() {
     places.push_back({static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])});
   }
   std::swap(model_.mesh.nodes, places);
-  overlap_at_end_ = find_initial_overlap(model_.mesh, sound::depth_at_end);
+  overlap_at_end_ = find_initial_overlap(model_.mesh, model_.scene.contact_pairs, sound::depth_at_end);
   std::swap(model_.mesh.nodes, places);
 }
 
@@ -90,26 +119,50 @@ void Solver<S>::finish() {
 template <class S>
 void Solver<S>::make_step(const Due& due) {
   const InternalForceResult<S> element = internal_forces(due);  // 3    f -= B^T sigma V, and the stable step
+  const ContactWork ties = tie_and_let_go();                    //      which nodes are tied from now on
   const ContactWork springs = contact_before_constraints();     // 4    f += penalty of contact
   choose_time_step(due, element, springs);                      //      dt_(n+1/2)
-  boundary_forces(due);                                         // 1-2  f += loads, damping; constraints, prescribed v
+  boundary_forces(due);                                         // 1-2  f += loads, damping; ties; constraints, given v
   const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; constraints again
   wall_reactions();                                             //      f += rigid walls
   const double kinetic = integrate(due);                        // 5-6  v += dt f/m, x += dt v, f = 0
   reflect_at_symmetry_planes();                                 //      what erosion has set free
-  keep_accounts(due, element, springs + impulses, kinetic);     //      energies, counts, guards
+  follow_ties();                                                //      tied nodes go where their faces do
+  keep_accounts(due, element, ties + springs + impulses, kinetic);  //      energies, counts, guards
   clock_.advance(due);
 }
 
 template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
-  return timers_.measure(Phase::internal_forces,
-                         [&] { return internal_forces_.compute(model_, schedule_, due, static_cast<S>(clock_.dt())); });
+  const auto dt = static_cast<S>(clock_.dt());
+  return timers_.measure(Phase::internal_forces, [&] {
+    if (device_) return device_->update_elements(model_, dt, boundary_.any());
+    return internal_forces_.compute(model_, schedule_, due, dt);
+  });
+}
+
+/// After what erodes in this step is known, before contact looks at what may touch.
+template <class S>
+ContactWork Solver<S>::tie_and_let_go() {
+  ContactWork work;
+  if (!tied_.any()) return work;
+  timers_.measure(Phase::boundary_conditions, [&] {
+    if (tied_.update(model_, clock_.time())) contact_.set_ties(tied_.nodes(), true);
+  });
+  work.dissipated = tied_.take_lost_energy();
+  return work;
 }
 
 template <class S>
 ContactWork Solver<S>::contact_before_constraints() {
-  return contact_.before_constraints(model_, internal_forces_.tiles(), clock_.dt(), timers_, counts_);
+  return contact_.before_constraints(model_, internal_forces_.tiles(), clock_.time(), clock_.dt(), timers_, counts_);
+}
+
+/// The last word on tied nodes: whatever constraints, walls and planes of symmetry do, they do to the corners.
+template <class S>
+void Solver<S>::follow_ties() {
+  if (!tied_.any()) return;
+  timers_.measure(Phase::integration, [&] { tied_.follow(model_); });
 }
 
 /// The largest step that elements and contact allow, for the whole cycle.
@@ -121,12 +174,19 @@ void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& e
   });
 }
 
+/// Ties come when all forces on tied nodes are known, and before constraints: these then act on corners with the forces
+/// and masses of what is tied to them.
 template <class S>
 void Solver<S>::boundary_forces(const Due& due) {
-  if (!built::boundary_conditions || !boundary_.any()) return;
+  const bool acts = built::boundary_conditions && boundary_.any();
+  if (!acts && !tied_.any()) return;
   timers_.measure(Phase::boundary_conditions, [&] {
-    boundary_.add_loads(model_, clock_.time());
-    boundary_.hold(model_, clock_.time(), clock_.lengths(), schedule_.due_spans(due));
+    if (acts && boundary_.follow(model_, nodes(), clock_.time(), clock_.lengths()))
+      contact_.take_held_directions(model_);
+    if (acts) boundary_.add_loads(nodes(), clock_.time());
+    if (tied_.any()) tied_.distribute(model_);
+    if (!acts) return;
+    boundary_.hold(nodes(), clock_.time(), clock_.lengths(), schedule_.due_spans(due));
   });
 }
 
@@ -135,7 +195,7 @@ ContactWork Solver<S>::contact_after_constraints(const Due& due) {
   const ContactWork work = contact_.after_constraints(model_, clock_.lengths(), timers_);
   if (contact_.acts_on_velocities()) {  // they may have loaded nodes that are held
     timers_.measure(Phase::boundary_conditions,
-                    [&] { boundary_.hold(model_, clock_.time(), clock_.lengths(), schedule_.due_spans(due)); });
+                    [&] { boundary_.hold(nodes(), clock_.time(), clock_.lengths(), schedule_.due_spans(due)); });
   }
   return work;
 }
@@ -143,13 +203,16 @@ ContactWork Solver<S>::contact_after_constraints(const Due& due) {
 template <class S>
 void Solver<S>::wall_reactions() {
   if (!built::boundary_conditions || !boundary_.any()) return;
-  timers_.measure(Phase::boundary_conditions, [&] { boundary_.add_wall_reactions(model_, clock_.lengths()); });
+  timers_.measure(Phase::boundary_conditions,
+                  [&] { boundary_.add_wall_reactions(nodes(), clock_.time(), clock_.lengths()); });
 }
 
 /// Returns the kinetic energy at the time of the forces, of the nodes that are integrated in this step of the cycle.
 template <class S>
 double Solver<S>::integrate(const Due& due) {
   return timers_.measure(Phase::integration, [&] {
+    if (due.all() && body_energies_.any()) body_energies_.take_kinetic(model_, clock_.lengths());
+    if (device_) return device_->integrate(clock_.lengths());
     const double kinetic = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths());
     schedule_.end_step(model_.nodes);
     return kinetic;
@@ -159,7 +222,7 @@ double Solver<S>::integrate(const Due& due) {
 template <class S>
 void Solver<S>::reflect_at_symmetry_planes() {
   if (counts_.eroded_elements() == 0) return;
-  timers_.measure(Phase::integration, [&] { symmetry_walls_.reflect(model_, static_cast<S>(clock_.dt())); });
+  timers_.measure(Phase::integration, [&] { symmetry_walls_.reflect(nodes(), static_cast<S>(clock_.dt())); });
 }
 
 /// The total of the energies is checked where all elements are at one time.
@@ -167,9 +230,12 @@ template <class S>
 void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
                               double kinetic) {
   ledger_.book(element, contact, boundary_.work(), clock_.dt_before());
+  body_energies_.book(model_, internal_forces_.tiles());
   counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count(), clock_.force_time());
+  const double energy = kinetic + energies().total();
+  if (element.inverted_count > 0 || !std::isfinite(energy)) model();  // where is looked for on the host
   guards_.check_volumes(element);
-  guards_.check_finite(kinetic + energies().total());
+  guards_.check_finite(energy);
   if (!due.all()) return;
   if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>);
   ledger_.close(due.first, kinetic);
@@ -187,7 +253,7 @@ void Solver<S>::watch_energies() {
     if (watch_.just_beyond(kind)) watch_.set_place(kind, most_pushed_node(model_, *contact()));
   }
   for (const Watched kind : {Watched::hourglass_created, Watched::hourglass_large}) {
-    if (watch_.just_beyond(kind)) watch_.set_place(kind, most_hourglassed_slot(model_));
+    if (watch_.just_beyond(kind)) watch_.set_place(kind, most_hourglassed_slot(model()));
   }
 }
 
@@ -224,18 +290,23 @@ AlignedArray<S>& Solver<S>::host_forces() {
 template <class S>
 std::size_t Solver<S>::bytes() const {
   return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
-         boundary_.bytes();
+         boundary_.bytes() + tied_.bytes() + body_energies_.bytes() + (device_ ? device_->bytes() : 0);
 }
 
 template <class S>
 void Solver<S>::persist(StateArchive& archive) {
+  if (!archive.reads()) model();
   model_.persist(archive);
+  if (archive.reads() && device_) device_->host_has_changed();
   internal_forces_.persist(archive, model_);
   schedule_.persist(archive, model_);
   boundary_.persist(archive);
+  tied_.persist(archive, model_);
+  if (archive.reads() && tied_.any()) contact_.set_ties(tied_.nodes(), false);
   contact_.persist(archive, model_);
   clock_.persist(archive);
   ledger_.persist(archive);
+  body_energies_.persist(archive);
   watch_.persist(archive);
   counts_.persist(archive);
   timers_.persist(archive);

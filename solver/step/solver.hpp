@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <solver/base/state_archive.hpp>
 #include <solver/boundary/boundary_conditions.hpp>
 #include <solver/boundary/symmetry_walls.hpp>
+#include <solver/device/device_run.hpp>
 #include <solver/elements/internal_forces.hpp>
 #include <solver/elements/schedule.hpp>
 #include <solver/model/initial_overlap.hpp>
@@ -16,7 +19,9 @@
 #include <solver/results/probes.hpp>
 #include <solver/results/timers.hpp>
 
+#include "contact/tied_stage.hpp"
 #include "contact_stage.hpp"
+#include "energy/body_energies.hpp"
 #include "energy_ledger.hpp"
 #include "energy_watch.hpp"
 #include "guards.hpp"
@@ -48,12 +53,13 @@ class Solver {
   /// Whether time.end or time.steps of the scene is reached; then finish() is due.
   bool at_end() const { return clock_.at_end(schedule_.cycle_steps()); }
 
-  const Model<S>& model() const { return model_; }
-  /// To change it between steps: the next step works all elements, also those at rest.
-  Model<S>& change_model() {
-    schedule_.forget_resting();
+  /// Of a run on a device the mirror on the host, brought up to date.
+  const Model<S>& model() const {
+    if (device_) device_->bring_back(model_);
     return model_;
   }
+  /// To change it between steps: the next step works all elements, also those at rest.
+  Model<S>& change_model();
   /// To change velocities before the next step. What that adds to the kinetic energy is work from outside; before the
   /// first step it is part of what the run begins with. Throws InputError for a scene with subcycling, in which nodes
   /// have several velocities.
@@ -76,13 +82,18 @@ class Solver {
   const EnergyWatch& watch() const { return watch_; }
   const RunCounts& counts() const { return counts_; }
   const ContactAlgorithm<S>* contact() const { return contact_.contact(); }
+  const TiedStage<S>& tied() const { return tied_; }
+  const std::vector<PairResult>& contact_pairs() const { return contact_.pairs(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
   const Subcycling<S>* subcycling() const { return schedule_.subcycling(); }
   const Probes<S>& probes() const { return probes_; }
+  const BodyEnergies<S>& body_energies() const { return body_energies_; }
   const InitialOverlap& initial_overlap() const { return initial_overlap_; }
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
   const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
   const std::optional<UnseenBalls>& unseen_balls() const { return unseen_balls_; }
+  /// Selections that nodes lie near to and that do not take them, a sentence each.
+  const std::vector<std::string>& near_nodes() const { return near_nodes_; }
   /// What makes hourglass forces unstable from the start, as a sentence; empty: nothing.
   const std::string& unstable_hourglass() const { return unstable_hourglass_; }
   /// The part of the energy in motion up to which contact may swallow it; 0 where the scene asks for what does [-].
@@ -101,8 +112,11 @@ class Solver {
   void advance(bool last);
   void take_changed_velocities();
   void make_step(const Due& due);
+  std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const;
+  NodeArrays<S> nodes();
 
   InternalForceResult<S> internal_forces(const Due& due);
+  ContactWork tie_and_let_go();
   ContactWork contact_before_constraints();
   void choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   void boundary_forces(const Due& due);
@@ -110,15 +124,19 @@ class Solver {
   void wall_reactions();
   double integrate(const Due& due);
   void reflect_at_symmetry_planes();
+  void follow_ties();
   void keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact, double kinetic);
   void watch_energies();
 
-  Model<S> model_;
+  mutable Model<S> model_;                ///< mutable: of a run on a device a mirror
+  std::unique_ptr<DeviceRun<S>> device_;  ///< null: the host makes the steps
   InternalForces<S> internal_forces_;
   Schedule<S> schedule_;
   SymmetryWalls<S> symmetry_walls_;
   BoundaryConditions<S> boundary_;
   Probes<S> probes_;
+  BodyEnergies<S> body_energies_;
+  TiedStage<S> tied_;
   ContactStage<S> contact_;
   StepClock clock_;
   EnergyLedger ledger_;
@@ -130,6 +148,7 @@ class Solver {
   InitialOverlap overlap_at_end_;
   InitialOverlap initial_overlap_;           ///< only looked for in a scene with contact
   std::optional<UnseenBalls> unseen_balls_;  ///< only looked for where the gap is that of balls
+  std::vector<std::string> near_nodes_;
   std::string unstable_hourglass_;
   double sound_swallowing_ = 0;
   std::optional<double> kinetic_before_change_;  ///< velocities may have been changed since [energy]

@@ -6,60 +6,52 @@
 #include <cmath>
 #include <limits>
 
-#include <kernels/bulk_viscosity.hpp>
-#include <kernels/stable_time_step.hpp>
 #include <solver/base/error.hpp>
-#include <solver/base/hexahedron_of_points.hpp>
+#include <solver/model/elements/element_start.hpp>
+#include <solver/model/elements/mass_scaling.hpp>
 
 namespace pinball {
 
 namespace {
 
-/// An element at the start.
-struct Element {
-  double volume, face_area, sound_speed;
-  double stable_step;  ///< with linear bulk viscosity, as the kernel finds it at rest [time]
-};
+/// The elements of a mesh, each with its settings and the mass that is added to it.
+class StartElements {
+ public:
+  StartElements(const Scene& scene, const ModelMesh& mesh)
+      : scene_(scene), mesh_(mesh), parts_(element_parts(scene)), mass_factor_(mass_factors(scene, mesh, parts_)) {}
 
-Element element_of(const ModelMesh& mesh, std::int64_t e, const Material& material, const ElementSettings& settings) {
-  const HexahedronModes<double> x = modes_of(mesh.corners(e));
-  const UniformGradient<double> b = uniform_gradient(x);
-  const Symmetric<double> b_b = gradient_square(b);
-  Element element{};
-  element.volume = hexahedron_volume(b, x);
-  element.face_area = face_area(trace(b_b));
-  const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus, mu = material.shear_modulus;
-  element.sound_speed = std::sqrt((lambda + 2 * mu) / material.density);
-  const double viscosity = settings.bulk_viscosity
-                               ? bulk_viscosity(settings.linear_viscosity, 0.0, material.density, element.sound_speed,
-                                                element.volume / element.face_area, 0.0)
-                               : 0.0;
-  const double inverse_square = 1 / (element.volume * element.volume);
-  element.stable_step =
-      2 / element_stable_rate(inverse_square * largest_principal_value(b_b), inverse_square * trace(b_b),
-                              element.volume, 1 / (material.density * element.volume), lambda, mu, viscosity);
-  return element;
-}
-
-template <class Visit>
-void for_each_element(const Scene& scene, const ModelMesh& mesh, const Visit& visit) {
-  const std::vector<std::size_t> materials = material_of_bodies(scene);
-  for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
-    const auto body = static_cast<std::size_t>(mesh.body[static_cast<std::size_t>(e)]);
-    visit(e, element_of(mesh, e, scene.materials[materials[body]], scene.element));
+  const ElementSettings& settings(std::int64_t e) const { return part(e).settings; }
+  double mass_factor(std::int64_t e) const {
+    return mass_factor_.empty() ? 1.0 : mass_factor_[static_cast<std::size_t>(e)];
   }
-}
+  ElementStart start(std::int64_t e) const {
+    return element_start(mesh_, static_cast<std::size_t>(e), scene_.materials[part(e).material], settings(e));
+  }
+  double stable_step(std::int64_t e) const { return start(e).stable_step(mass_factor(e)); }
+
+ private:
+  const ElementPart& part(std::int64_t e) const {
+    const auto body = static_cast<std::size_t>(mesh_.body[static_cast<std::size_t>(e)]);
+    return parts_.parts[parts_.of_body[body]];
+  }
+
+  const Scene& scene_;
+  const ModelMesh& mesh_;
+  ElementParts parts_;
+  std::vector<double> mass_factor_;
+};
 
 struct SmallestStep {
   double step = std::numeric_limits<double>::infinity();
   std::int64_t element = 0;
 };
 
-SmallestStep smallest_step(const Scene& scene, const ModelMesh& mesh) {
+SmallestStep smallest_step(const StartElements& elements, const ModelMesh& mesh) {
   SmallestStep smallest;
-  for_each_element(scene, mesh, [&smallest](std::int64_t e, const Element& element) {
-    if (element.stable_step < smallest.step) smallest = {element.stable_step, e};
-  });
+  for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
+    const double step = elements.stable_step(e);
+    if (step < smallest.step) smallest = {step, e};
+  }
   return smallest;
 }
 
@@ -67,30 +59,58 @@ std::string name_of(const ModelMesh& mesh, std::int64_t element) {
   return fmt::format("element {} of body {}", element, mesh.body_of_element(element));
 }
 
+/// How a message names the settings of an element: those of its body, or of all.
+std::string settings_of(const Scene& scene, const ModelMesh& mesh, std::int64_t element) {
+  const auto body = static_cast<std::size_t>(mesh.body[static_cast<std::size_t>(element)]);
+  return scene.bodies[body].element ? fmt::format("body.{}.element", scene.bodies[body].name) : "element";
+}
+
+bool is_viscous(const ElementSettings& settings) { return settings.hourglass == HourglassControl::viscous; }
+
+/// The element whose coefficient is furthest beyond its bound.
 std::string viscous_sentence(const Scene& scene, const ModelMesh& mesh) {
-  const double k = scene.element.hourglass_coefficient;
-  const double least = smallest_step(scene, mesh).step;
-  double most = std::numeric_limits<double>::infinity();
-  std::int64_t worst = 0;
-  for_each_element(scene, mesh, [&](std::int64_t e, const Element& element) {
-    const double step = scene.time.cfl * (scene.time.subcycling ? element.stable_step : least);
-    const double bound = element.volume / (32 * element.sound_speed * element.face_area * step);
-    if (bound < most) {
+  const StartElements elements(scene, mesh);
+  const double least = smallest_step(elements, mesh).step;
+  double most = 0, furthest = 1;
+  std::int64_t worst = -1;
+  for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
+    if (!is_viscous(elements.settings(e))) continue;
+    const ElementStart element = elements.start(e);
+    const double factor = elements.mass_factor(e);
+    const double step = scene.time.cfl * (scene.time.subcycling ? element.stable_step(factor) : least);
+    const double bound = factor * element.volume / (32 * element.sound_speed * element.face_area * step);
+    const double beyond = elements.settings(e).hourglass_coefficient / bound;
+    if (beyond > furthest) {
+      furthest = beyond;
       most = bound;
       worst = e;
     }
-  });
-  if (!(k > most)) return "";
+  }
+  if (worst < 0) return "";
+  const double k = elements.settings(worst).hourglass_coefficient;
   return fmt::format(
-      "element.hourglass_coefficient = {:.4g} is beyond {:.3g}, up to which viscous hourglass forces are stable in {} "
+      "{}.hourglass_coefficient = {:.4g} is beyond {:.3g}, up to which viscous hourglass forces are stable in {} "
       "with time.cfl = {:.4g}: where the number is the QH of another code, give QH/4, which is {:.4g}",
-      k, most, name_of(mesh, worst), scene.time.cfl, k / 4);
+      settings_of(scene, mesh, worst), k, most, name_of(mesh, worst), scene.time.cfl, k / 4);
+}
+
+/// Of the other two forms; name: of the table that has the settings.
+std::string stiff_sentence(const ElementSettings& element, const std::string& name, double cfl) {
+  const double most = 1 / (cfl * cfl);
+  if (element.hourglass == HourglassControl::none || is_viscous(element)) return "";
+  if (!(element.hourglass_coefficient > std::max(1.0, most))) return "";
+  return fmt::format(
+      "{}.hourglass_coefficient = {:.4g} is beyond {:.3g}, up to which {} are sure to be stable with time.cfl = "
+      "{:.4g}: the default is {:.4g}",
+      name, element.hourglass_coefficient, std::max(1.0, most),
+      element.hourglass == HourglassControl::stiffness ? "hourglass forces of the stiffness form" : "assumed strains",
+      cfl, default_hourglass_coefficient(element.hourglass));
 }
 
 }  // namespace
 
 void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step) {
-  const SmallestStep smallest = smallest_step(scene, mesh);
+  const SmallestStep smallest = smallest_step(StartElements(scene, mesh), mesh);
   const double stable = scene.time.cfl * smallest.step, step = std::min(stable, longest_impact_step);
   const double end = scene.time.end;
   const std::string at = name_of(mesh, smallest.element);
@@ -116,17 +136,15 @@ void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longe
 }
 
 std::string find_unstable_hourglass(const Scene& scene, const ModelMesh& mesh) {
-  const ElementSettings& element = scene.element;
-  if (element.hourglass == HourglassControl::none) return "";
-  if (element.hourglass == HourglassControl::viscous) return viscous_sentence(scene, mesh);
-  const double most = 1 / (scene.time.cfl * scene.time.cfl);
-  if (!(element.hourglass_coefficient > std::max(1.0, most))) return "";
-  return fmt::format(
-      "element.hourglass_coefficient = {:.4g} is beyond {:.3g}, up to which {} are sure to be stable with time.cfl = "
-      "{:.4g}: the default is {:.4g}",
-      element.hourglass_coefficient, std::max(1.0, most),
-      element.hourglass == HourglassControl::stiffness ? "hourglass forces of the stiffness form" : "assumed strains",
-      scene.time.cfl, default_hourglass_coefficient(element.hourglass));
+  bool viscous = false;
+  for (const Body& body : scene.bodies) {
+    const ElementSettings& settings = body.element ? *body.element : scene.element;
+    viscous = viscous || is_viscous(settings);
+    const std::string name = body.element ? fmt::format("body.{}.element", body.name) : "element";
+    const std::string sentence = stiff_sentence(settings, name, scene.time.cfl);
+    if (!sentence.empty()) return sentence;
+  }
+  return viscous ? viscous_sentence(scene, mesh) : "";
 }
 
 }  // namespace pinball

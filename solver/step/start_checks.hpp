@@ -13,7 +13,8 @@ namespace pinball {
 /// longest_impact_step: StepClock::longest_impact_step [time]
 void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step);
 
-/// A sentence on an element.hourglass_coefficient that is too large for the steps; empty where it is not.
+/// A sentence on the hourglass_coefficient that is furthest beyond what the steps allow, of [element] or of a body;
+/// empty where none is.
 ///
 /// The viscous form damps the hourglass modes of an element at the rate d = 64 k c A/V (theory.md, 4.4; 64 k c/h for a
 /// cube), which lagged is stable up to d dt = 2:

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include <solver/base/external_work.hpp>
+#include <kernels/boundary/external_work.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/elements/schedule.hpp>
 #include <solver/scene.hpp>

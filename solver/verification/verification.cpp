@@ -43,10 +43,12 @@ const std::vector<VerificationCase>& verification_cases() {
   return cases;
 }
 
-std::vector<VerificationRow> verify_scene(const VerificationCase& verification) {
+std::vector<VerificationRow> verify_scene(const VerificationCase& verification, Device device) {
   std::vector<VerificationRow> rows;
   try {
-    rows = verification.run(read_scene(find_scene(verification.scene)));
+    Scene scene = read_scene(find_scene(verification.scene));
+    scene.device = device;
+    rows = verification.run(scene);
   } catch (const RunError& error) {
     rows = {{"", "run to the end", std::nan(""), 0.0, error.what(), std::nan(""), 0.0, false}};
   }

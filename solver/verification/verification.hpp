@@ -38,7 +38,7 @@ struct VerificationCase {
 
 const std::vector<VerificationCase>& verification_cases();
 
-/// Runs one case; a run that fails becomes a row that does not pass.
-std::vector<VerificationRow> verify_scene(const VerificationCase& verification);
+/// Runs one case on a device; a run that fails becomes a row that does not pass.
+std::vector<VerificationRow> verify_scene(const VerificationCase& verification, Device device = Device::none);
 
 }  // namespace pinball

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <solver/model/model.hpp>
+#include <solver/model/selection/pressed_faces.hpp>
 
 #include "deck_case.hpp"
 
@@ -16,16 +17,8 @@ class Deck : public DeckTest {};
 
 TEST_F(Deck, OfACubeIsAScene) {
   const Scene s = scene(cube + elastic + ends + "*TITLE\nA cube\n");
-  EXPECT_EQ(s.title, "A cube");
   EXPECT_EQ(s.name, "deck");
-  EXPECT_EQ(s.time.end, 1e-6);
-  EXPECT_EQ(s.bodies.at(0).name, "cube");
-  EXPECT_EQ(s.materials.at(0).density, 7.85e-9);
-  EXPECT_DOUBLE_EQ(s.materials.at(0).shear_modulus, 210000. / 2.6);
-  EXPECT_EQ(s.contact.method, ContactMethod::none);
-  const Model<double> model = build_model<double>(s);
-  EXPECT_EQ(model.element_count(), 1);
-  EXPECT_DOUBLE_EQ(model.element_mass[0], 7.85e-9);
+  expect_cube(s, "cube");
 }
 
 TEST_F(Deck, HasTheDefaultsOfDecks) {
@@ -108,6 +101,101 @@ TEST_F(Deck, HasWallsAndLoads) {
   EXPECT_EQ(s.gravities.at(0).acceleration[2], -1) << "the frame goes up, bodies feel their weight";
 }
 
+TEST_F(Deck, HoldsAndMovesFromBirthToDeath) {
+  const std::string curve = "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n*DEFINE_VECTOR\n6,0,0,0,0,3,4\n";
+  const Scene s = scene(cube + elastic + ends + set_of_top + curve +
+                        "*BOUNDARY_SPC_SET_BIRTH_DEATH\n3,0,1\n1.E-7,5.E-7\n*BOUNDARY_SPC_NODE_BIRTH_DEATH\n1,0,1\n"
+                        "0.,2.E-7\n2,0,1\n0.,1.E20\n*BOUNDARY_PRESCRIBED_MOTION_SET\n3,-4,0,5,2.,6,7.E-7,1.E-7\n"
+                        "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n1,4,0,5,,6\n");
+  ASSERT_EQ(s.fixed_constraints.size(), 3u);
+  EXPECT_EQ(s.fixed_constraints[0].when.start, 1e-7);
+  EXPECT_EQ(s.fixed_constraints[0].when.end, 5e-7);
+  EXPECT_TRUE(s.fixed_constraints[1].when.always());
+  EXPECT_EQ(s.fixed_constraints[2].when.end, 2e-7);
+  ASSERT_EQ(s.prescribed_velocities.size(), 2u);
+  EXPECT_FALSE(s.prescribed_velocities[0].direction) << "-4: the nodes are held across the vector";
+  EXPECT_EQ(s.prescribed_velocities[0].velocity, (Point{0, 0.6, 0.8}));
+  EXPECT_EQ(s.prescribed_velocities[0].when.start, 1e-7);
+  EXPECT_EQ(s.prescribed_velocities[0].when.end, 7e-7);
+  EXPECT_EQ(s.prescribed_velocities[1].nodes.body, "cube");
+  EXPECT_EQ(s.prescribed_velocities[1].direction.value(), (Point{0, 0.6, 0.8}));
+  EXPECT_THAT(error(cube + elastic + ends + curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,8,0,5,,6\n1,1,4,5\n"),
+              HasSubstr("*BOUNDARY_PRESCRIBED_MOTION_NODE with DOF 8 (deck.k:29)\n"
+                        "  *BOUNDARY_PRESCRIBED_MOTION_NODE with VAD 4 (deck.k:30)"));
+  EXPECT_THAT(translate(cube + elastic + ends + curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n1,6,0,5\n").understood,
+              testing::Contains(HasSubstr("a rotation of nodes of solids (DOF 6) means nothing")));
+}
+
+TEST_F(Deck, BeginsWithSpinsBoxesAndLocalSystems) {
+  const Scene s =
+      scene(cube + elastic + ends + set_of_top +
+            "*DEFINE_BOX\n4,-1,2,-1,2,-1.,0.5\n*DEFINE_COORDINATE_VECTOR\n9,0,1,0,-1,0,0\n"
+            "*INITIAL_VELOCITY_GENERATION\n1,2,-3.,1.,0.,0.,0,9\n1.,2.,3.,0.,0.,2.\n"
+            "*INITIAL_VELOCITY_GENERATION\n3,3,7.\n0.,0.,0.,-999,1,5\n"
+            "*INITIAL_VELOCITY\n0,3,4\n5.,0.,0.\n0.,6.,0.\n*INITIAL_VELOCITY_NODE\n1,1.,0.,0.,0.,0.,0.,9\n");
+  ASSERT_EQ(s.initial_velocities.size(), 5u);
+  EXPECT_EQ(s.initial_velocities[0].velocity, (Point{0, 1, 0})) << "x of the system is the global y";
+  EXPECT_EQ(s.initial_velocities[0].angular_velocity, (Point{0, 0, -3}));
+  EXPECT_EQ(s.initial_velocities[0].centre, (Point{1, 2, 3}));
+  EXPECT_EQ(s.initial_velocities[1].angular_velocity, (Point{0, 0, 7})) << "from node 1 to node 5";
+  EXPECT_EQ(s.initial_velocities[1].nodes.set, "3");
+  EXPECT_EQ(s.initial_velocities[2].nodes.box.value().high, (Point{2, 2, 0.5}));
+  EXPECT_EQ(s.initial_velocities[2].nodes.without, "3");
+  EXPECT_EQ(s.initial_velocities[3].velocity, (Point{0, 6, 0})) << "of those that NSIDEX leaves out";
+  EXPECT_EQ(s.initial_velocities[4].velocity, (Point{0, 1, 0}));
+  const Model<double> model = build_model<double>(s);
+  EXPECT_EQ(model.nodes.velocity_of(model.node_of_scene_node[1])[0], 5);
+  EXPECT_EQ(model.nodes.velocity_of(model.node_of_scene_node[5])[1], 6);
+  EXPECT_THAT(error(cube + elastic + ends + "*INITIAL_VELOCITY\n0,0,8\n1.\n"),
+              HasSubstr("deck.k:23: no *DEFINE_BOX has the number 8"));
+}
+
+TEST_F(Deck, HasWallsOfSetsThatEndAndMove) {
+  const Scene s = scene(cube + elastic + ends + set_of_top + "*DEFINE_BOX\n4,-1,2,-1,2,-1.,0.5\n" +
+                        "*RIGIDWALL_PLANAR_ID\n1,floor\n3,0,4,0.,1.E-7,2.E-7\n0.,0.,-1.,0.,0.,5.,1.\n"
+                        "*RIGIDWALL_PLANAR_FINITE\n0,3\n1.,2.,-1.,1.,2.,0.,0.3\n1.,5.,-1.,4.,0.\n"
+                        "*RIGIDWALL_PLANAR_MOVING\n0\n0.,0.,-2.,0.,0.,5.\n12.,-7.\n");
+  ASSERT_EQ(s.rigid_walls.size(), 3u);
+  EXPECT_EQ(s.rigid_walls[0].nodes.set, "3");
+  EXPECT_TRUE(s.rigid_walls[0].nodes.box);
+  EXPECT_FALSE(s.rigid_walls[0].sliding);
+  EXPECT_EQ(s.rigid_walls[0].when.start, 1e-7);
+  EXPECT_EQ(s.rigid_walls[0].when.end, 2e-7);
+  EXPECT_EQ(s.rigid_walls[1].nodes.without, "3");
+  EXPECT_EQ(s.rigid_walls[1].edge.value(), (Point{0, 1, 0}));
+  EXPECT_EQ(s.rigid_walls[1].size, (std::array<double, 2>{4, 0}));
+  EXPECT_EQ(s.rigid_walls[2].mass, 12);
+  EXPECT_EQ(s.rigid_walls[2].speed, -7);
+  EXPECT_THAT(error(cube + elastic + ends + "*RIGIDWALL_PLANAR\n0\n0.,0.,-1.,0.,0.,5.,2.\n"),
+              HasSubstr("nodes that stick (FRIC > 1)"));
+}
+
+TEST_F(Deck, PressesOnSegments) {
+  const std::string loads =
+      "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n*SET_SEGMENT\n3\n5,6,7,8\n*LOAD_SEGMENT_SET\n3,5,2.E3,1.E-7\n"
+      "*LOAD_SEGMENT\n5,-4.,0.,1,2,6,5\n5,-4.,0.,4,3,7,8\n";
+  const Scene s = scene(cube + elastic + ends + set_of_top + loads);
+  ASSERT_EQ(s.pressures.size(), 2u);
+  EXPECT_EQ(s.pressures[0].faces.set, "3") << "sets of segments have numbers of their own";
+  EXPECT_EQ(s.pressures[0].start, 1e-7);
+  EXPECT_THAT(s.pressures[0].table.factors, ElementsAre(2e3, 2e3));
+  EXPECT_EQ(s.pressures[1].corners.size(), 2u);
+  const Model<double> model = build_model<double>(s);
+  EXPECT_EQ(pressed_faces(model.mesh, {}, s.pressures[0]).size(), 1u);
+  EXPECT_EQ(pressed_faces(model.mesh, {}, s.pressures[1]).size(), 2u);
+}
+
+TEST_F(Deck, AcceleratesPartsAlongVectors) {
+  const std::string loads =
+      "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n*SET_PART\n2\n1\n*LOAD_BODY_PARTS\n2\n*LOAD_BODY_VECTOR\n5,3.\n0.,0.,-2.\n"
+      "*DEFINE_COORDINATE_VECTOR\n9,0,1,0,-1,0,0\n*LOAD_BODY_X\n5,1.,,,,,9\n";
+  const Scene s = scene(cube + elastic + ends + loads);
+  ASSERT_EQ(s.gravities.size(), 2u);
+  EXPECT_EQ(s.gravities[0].acceleration[2], 1);
+  EXPECT_THAT(s.gravities[0].bodies, ElementsAre("cube"));
+  EXPECT_EQ(s.gravities[1].acceleration[1], -1);
+}
+
 TEST_F(Deck, ParametersAndCasesReachTheScene) {
   const std::string deck =
       cube + elastic + "*PARAMETER\nR end,2.5\n*CONTROL_TERMINATION\n&end\n*INITIAL_VELOCITY CID=2\n0\n1.,0.,0.\n";
@@ -116,21 +204,98 @@ TEST_F(Deck, ParametersAndCasesReachTheScene) {
   EXPECT_EQ(scene(deck, {.chosen_case = 2, .lenient = false, .name_in_scene = ""}).initial_velocities.size(), 1u);
 }
 
-TEST_F(Deck, OfTwoPartsIsJoinedAndMayBeInContact) {
-  const std::string two =
-      cube +
-      "*NODE\n11,0,0,1.1\n12,1,0,1.1\n13,1,1,1.1\n14,0,1,1.1\n15,0,0,2\n16,1,0,2\n17,1,1,2\n18,0,1,2\n"
-      "*ELEMENT_SOLID\n20,2,11,12,13,14,15,16,17,18\n*PART\ncube\n2,1,1\n";
-  const std::string contact = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n7,name\n1,2,3,3\n0.3,0.1,5.\n";
-  const Scene s = scene(two + elastic + ends + contact);
+TEST_F(Deck, ACaseBringsItsPartOfTheMesh) {
+  const std::string deck = cube + elastic + ends +
+                           "*CASE_BEGIN_2\n*NODE\n9,0,0,2\n11,1,0,2\n12,1,1,2\n13,0,1,2\n*ELEMENT_SOLID\n"
+                           "11,1,5,6,7,8,9,11,12,13\n*SET_NODE_LIST\n4\n9\n*BOUNDARY_SPC_SET\n4,0,1,1,1\n*CASE_END_2\n";
+  EXPECT_EQ(build_model<double>(scene(deck)).element_count(), 1);
+  const Model<double> model =
+      build_model<double>(scene(deck, {.chosen_case = 2, .lenient = false, .name_in_scene = ""}));
+  EXPECT_EQ(model.element_count(), 2);
+  EXPECT_EQ(model.constraints.size(), 3u);
+}
+
+TEST_F(Deck, SetsOfPartsHaveTheirForms) {
+  const std::string velocity = "*INITIAL_VELOCITY_GENERATION\n5,1,0.,4.,5.,6.\n\n";
+  for (const std::string set : {"*SET_PART_LIST_GENERATE\n5\n1,9000000000000000\n", "*SET_PART_LIST_COLLECT\n5\n1\n",
+                                "*SET_PART_LIST_TITLE\nname\n5\n1\n", "*SET_PART_LIST\n4\n1\n*SET_PART_ADD\n5\n4\n"})
+    EXPECT_EQ(scene(cube + elastic + ends + set + velocity).initial_velocities.size(), 1u) << set;
+  EXPECT_THAT(error(cube + elastic + ends + "*SET_PART_COLUMN\n5\n1,2\n"), HasSubstr("*SET_PART_COLUMN (deck.k:22)"));
+}
+
+TEST_F(Deck, PartsMayHaveACardOfContact) {
+  std::string parts = cube;
+  parts.replace(parts.find("*PART\n"), 6, "*PART_CONTACT\n");
+  parts.replace(parts.find("*SECTION"), 0, "0.1,0.2\n");
+  EXPECT_EQ(scene(parts + elastic + ends).bodies.at(0).name, "cube");
+}
+
+/// A second cube, of part 2, above the first.
+const std::string two_cubes = cube + "*NODE\n" + square_lines(11, 1.1) + square_lines(15, 2) +
+                              "*ELEMENT_SOLID\n20,2,11,12,13,14,15,16,17,18\n*PART\ncube\n2,1,1\n" + elastic + ends;
+
+TEST_F(Deck, OfTwoPartsHasAPair) {
+  const Scene s =
+      scene(two_cubes + "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n7,name\n1,2,3,3\n0.3,0.1,5.,0,0,0,1.0E-7,2.0E-7\n");
   EXPECT_EQ(s.bodies.at(1).name, "part_2") << "a second title of that name";
   EXPECT_EQ(s.contact.method, ContactMethod::pinball);
-  EXPECT_FALSE(s.contact.self);
-  EXPECT_EQ(s.contact.friction, 0.1);
-  EXPECT_EQ(s.contact.static_friction, 0.3);
-  EXPECT_TRUE(scene(two + elastic + ends + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2\n").contact.self);
-  EXPECT_THAT(error(two + elastic + ends + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n1,0,3\n\n"),
-              HasSubstr("contact of some parts of a deck alone"));
+  const ContactPair& pair = s.contact_pairs.at(0);
+  EXPECT_EQ(pair.name, "contact_7");
+  EXPECT_THAT(pair.first.bodies, ElementsAre("cube"));
+  EXPECT_THAT(pair.second.bodies, ElementsAre("part_2"));
+  EXPECT_EQ(pair.friction, 0.1);
+  EXPECT_EQ(pair.static_friction, 0.3);
+  EXPECT_EQ(pair.friction_decay, 5);
+  EXPECT_EQ(pair.start, 1e-7);
+  EXPECT_EQ(pair.end, 2e-7);
+}
+
+TEST_F(Deck, WithASingleSurfaceOfAllNeedsNoPairs) {
+  const Scene all = scene(two_cubes + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.2,0.1\n");
+  EXPECT_TRUE(all.contact_pairs.empty());
+  EXPECT_TRUE(all.contact.self);
+  EXPECT_EQ(all.contact.friction, 0.2) << "without DC the coefficient is FS";
+  const Scene one = scene(two_cubes + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n1,0,3\n\n");
+  ASSERT_EQ(one.contact_pairs.size(), 1u);
+  EXPECT_THAT(one.contact_pairs[0].first.bodies, ElementsAre("cube"));
+  EXPECT_TRUE(one.contact_pairs[0].second.empty());
+}
+
+TEST_F(Deck, HasContactsOfSets) {
+  const std::string sets =
+      "*SET_PART_LIST\n4\n2\n*SET_SEGMENT\n5\n5,6,7,8\n*SET_NODE_LIST\n6\n11,12\n*SET_PART_LIST\n9\n1\n";
+  const Scene s = scene(two_cubes + sets +
+                        "*CONTACT_ERODING_SURFACE_TO_SURFACE\n4,5,2,0\n0.5\n,,,,,,0.5\n1,1,1\n"
+                        "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n6,9,4,6\n\n*CONTACT_NODES_TO_SURFACE\n6,5,4,0\n");
+  ASSERT_EQ(s.contact_pairs.size(), 3u);
+  EXPECT_THAT(s.contact_pairs[0].first.bodies, ElementsAre("part_2"));
+  EXPECT_EQ(s.contact_pairs[0].second.faces.at(0).set, "5");
+  EXPECT_EQ(s.contact_pairs[0].friction, 0.25) << "FSF";
+  EXPECT_EQ(s.contact_pairs[1].first.nodes.at(0).set, "6");
+  EXPECT_THAT(s.contact_pairs[1].second.bodies, ElementsAre("part_2")) << "all but set 9";
+  EXPECT_EQ(s.contact_pairs[2].second.faces.at(0).set, "5");
+}
+
+TEST_F(Deck, HasTiedContacts) {
+  const Scene s = scene(two_cubes + "*CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET_ID\n3,glue\n2,1,3,3\n\n,,-0.1,-0.1\n");
+  EXPECT_EQ(s.contact.method, ContactMethod::none);
+  const TiedContact& tied = s.tied_contacts.at(0);
+  EXPECT_EQ(tied.name, "contact_3");
+  EXPECT_THAT(tied.first.bodies, ElementsAre("part_2"));
+  EXPECT_DOUBLE_EQ(tied.tolerance, 0.12);
+  EXPECT_EQ(build_model<double>(s).tie_counts.at(0).tied, 4);
+  const Scene far = scene(two_cubes + "*CONTACT_TIED_NODES_TO_SURFACE\n2,1,3,3\n");
+  EXPECT_EQ(build_model<double>(far).tie_counts.at(0).tied, 0) << "0.1 is more than 0.05 of the diagonal";
+  EXPECT_EQ(build_model<double>(far).tie_counts[0].near, 4);
+}
+
+TEST_F(Deck, RefusesContactThatWouldBeAnother) {
+  const auto refused = [&](const std::string& cards) { return error(two_cubes + cards); };
+  EXPECT_THAT(refused("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,0,0,4\n"), HasSubstr("with boxes"));
+  EXPECT_THAT(refused("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n3,0,1\n"), HasSubstr("SSTYP or MSTYP 1"));
+  EXPECT_THAT(refused("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n-1.0\n"), HasSubstr("FS = -1"));
+  EXPECT_THAT(refused("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0.1,0,3.\n"), HasSubstr("friction stress (VC)"));
+  EXPECT_THAT(refused("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n1,2,3,3\n"), HasSubstr("TIEBREAK"));
 }
 
 TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
@@ -163,6 +328,17 @@ TEST_F(Deck, WhatIsMissingIsNamedWithItsPlace) {
   EXPECT_THAT(error(no_section + elastic + ends), HasSubstr("no *SECTION_SOLID has the number 1"));
   EXPECT_THAT(error(cube + elastic + ends + "*BOUNDARY_SPC_NODE\n99,0,1\n"),
               HasSubstr("deck.k:23: *BOUNDARY_SPC_NODE: node 99 is not there"));
+}
+
+TEST_F(Deck, ErrorsOfItsSceneNameItsCards) {
+  EXPECT_THAT(error_in_cards(cube + "*MAT_ELASTIC\n1,-7.85E-9,210000.,0.3\n" + ends),
+              HasSubstr("deck.k:19: *MAT_ELASTIC (ro): material.mat_1.density: expected a number > 0, got -7.85e-09"));
+  EXPECT_THAT(error_in_cards(cube + ends), HasSubstr("deck.k:15: *PART (mid): "));
+  EXPECT_THAT(error_in_cards(cube + elastic + "*CONTROL_TERMINATION\n-1.\n"),
+              HasSubstr("deck.k:21: *CONTROL_TERMINATION (endtim): time.end: expected"));
+  EXPECT_THAT(error_in_cards(cube + elastic + ends + "*BOUNDARY_SPC_SET\n77,0,1\n"),
+              HasSubstr("deck.k:23: *BOUNDARY_SPC_SET: "));
+  EXPECT_THAT(error_in_cards(cube + elastic + ends + "*INITIAL_VELOCITY\n77\n1.\n"), HasSubstr(" *INITIAL_VELOCITY: "));
 }
 
 /// Cards in another order, commas for columns and other numbers make the same scene.

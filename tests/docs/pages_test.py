@@ -12,7 +12,7 @@ sys.path.insert(0, str(ROOT / "tests" / "layout"))
 import rooms  # noqa: E402
 
 PAGES = [ROOT / page for page in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "bench/README.md", "data/scenes/README.md",
-                                  "data/reference/README.md"]] + sorted((ROOT / "docs").glob("*.md"))
+                                  "data/decks/README.md", "data/reference/README.md"]] + sorted((ROOT / "docs").glob("*.md"))
 TOP = {entry.name for entry in ROOT.iterdir()} - {"build", "out", ".git"}
 LONGEST_LINE = 125
 LONGEST_PAGE = {"README.md": 150, "CONTRIBUTING.md": 90, "docs/architecture.md": 300}

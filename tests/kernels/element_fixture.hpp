@@ -115,7 +115,7 @@ ElementOutcome advance(const ElementScene& scene) {
   ElementSums<T> sums;
   for (std::size_t p = 0; p < packs; ++p) {
     update_element_pack<T, features>(elements, nodes, converted<S>(scene.constants), ElementStep<S>{S(scene.dt)},
-                                     std::int64_t(p), int(p), sums);
+                                     std::int64_t(p), int(p), sums, AddedToNodes<S>{nodes.force});
   }
 
   ElementOutcome out;

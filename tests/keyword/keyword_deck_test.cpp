@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,21 +10,13 @@
 #include <solver/keyword/expression.hpp>
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/keyword_deck.hpp>
+#include <tests/support/error_of.hpp>
 
 namespace pinball::test {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string error_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::vector<std::string> names_of(const KeywordDeck& deck) {
   std::vector<std::string> names;
@@ -74,6 +67,22 @@ TEST(DeckFields, AnErrorNamesFileLineFieldAndText) {
             "a.k:3: mid (field 3): expected a whole number, got nothing");
 }
 
+TEST(DeckNumber, AWholeNumberBeyondAllMeshesIsNone) {
+  EXPECT_EQ(deck_integer("9000000000000000"), 9000000000000000);
+  EXPECT_FALSE(deck_integer("9223372036854775807"));
+}
+
+TEST(DeckFields, ATabBetweenColumnsIsRefused) {
+  const Parameters none;
+  const DeckPlace place{std::make_shared<const std::string>("a.k"), 3};
+  EXPECT_EQ(error_of([&] {
+              Fields(Card{"         1\t 7.85", place}, none);
+            }),
+            "a.k:3: there is a tab in a card of columns: expected blanks, or commas between the fields");
+  EXPECT_EQ(Fields(Card{"         1 \t ", place}, none).integer(0, "mid"), 1) << "behind the last field";
+  EXPECT_EQ(Fields(Card{"1,\t2", place}, none).integer(1, "mid"), 2);
+}
+
 TEST(DeckExpression, FollowsTheRulesOfArithmetic) {
   const auto value_of = [](std::string_view name) { return name == "a" ? 3.0 : 0.0; };
   EXPECT_EQ(evaluate_expression("1 + 2*a", value_of), 7.0);
@@ -102,6 +111,35 @@ TEST(KeywordDeck, KnowsNamesOptionsAndComments) {
   EXPECT_EQ(number->text, "  1");
   EXPECT_EQ(number->place.line, 6);
   EXPECT_FALSE(cards.next());
+}
+
+TEST(KeywordDeck, ReadsLinesOfAllSystems) {
+  const std::string unix_lines = "*KEYWORD\n*TITLE\na\n*PART\nb\n  1";
+  const KeywordDeck expected = parse_keyword_deck(unix_lines, "a.k");
+  for (const std::string end : {"\r\n", "\r", "\r\r\n"}) {
+    std::string text = "\xEF\xBB\xBF" + unix_lines;
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + end.size()))
+      text.replace(at, 1, end);
+    const KeywordDeck deck = parse_keyword_deck(text, "a.k");
+    ASSERT_EQ(names_of(deck), names_of(expected));
+    Cards cards(deck.blocks[1]);
+    EXPECT_EQ(cards.next()->text, "b");
+    const auto last = cards.next();
+    ASSERT_TRUE(last);
+    EXPECT_EQ(last->text, "  1");
+    EXPECT_EQ(last->place.line, 6);
+  }
+}
+
+TEST(KeywordDeck, AKeywordMayHaveOtherColumnsThanItsFile) {
+  const auto wide = [](const std::string& text) {
+    std::vector<bool> all;
+    for (const KeywordBlock& block : parse_keyword_deck(text, "a.k").blocks) all.push_back(block.wide);
+    return all;
+  };
+  EXPECT_THAT(wide("*KEYWORD 2000000 I10=Y\n*NODE\n*NODE-\n*keyword_id\nproject\n*NODE\n"),
+              ElementsAre(true, false, true));
+  EXPECT_THAT(wide("*KEYWORD\n*NODE%\n*NODE \n"), ElementsAre(true, false));
 }
 
 TEST(KeywordDeck, RefusesLongCards) {
@@ -137,6 +175,29 @@ TEST(KeywordDeck, ParametersStandForNumbersAndTexts) {
 TEST(KeywordDeck, AnExpressionThatFailsIsNamedWithItsPlace) {
   EXPECT_THAT(error_of([] { parse_keyword_deck("*PARAMETER_EXPRESSION\nR a,1/0\n", "a.k"); }),
               HasSubstr("a.k:2: parameter a: the value is not finite"));
+}
+
+TEST(KeywordDeck, AnExpressionMayStandBehindAComma) {
+  const KeywordDeck deck =
+      parse_keyword_deck("*PARAMETER_EXPRESSION\nR averylongname, max(2,3)\nR    short max(4,5)\n", "a.k");
+  const DeckPlace place{std::make_shared<const std::string>("a.k"), 1};
+  EXPECT_EQ(deck.parameters.value("&averylongname", place), "3");
+  EXPECT_EQ(deck.parameters.value("&short", place), "5");
+}
+
+TEST(KeywordDeck, AParameterHasOneValueInAllOfTheDeck) {
+  const auto value = [](const std::string& text) {
+    const DeckPlace place{std::make_shared<const std::string>("a.k"), 1};
+    return parse_keyword_deck(text, "a.k").parameters.value("&a", place);
+  };
+  EXPECT_EQ(value("*PARAMETER\nRa,1\n*PARAMETER\nRa,2\n"), "1") << "as LS-DYNA has it by default";
+  EXPECT_THAT(parse_keyword_deck("*PARAMETER\nRa,1\n*PARAMETER\nRa,2\n", "a.k").parameters.notes(),
+              ElementsAre("a.k:4: parameter a has another value in a.k:2, which holds"));
+  EXPECT_EQ(value("*PARAMETER_LOCAL\nRa,1\n*PARAMETER_MUTABLE\nRa,1\n"), "1");
+  EXPECT_THAT(error_of([&] { value("*PARAMETER\nRa,1\n*PARAMETER_LOCAL\nRa,2\n"); }), HasSubstr("a.k:4: parameter a"));
+  EXPECT_THAT(error_of([&] { value("*PARAMETER_DUPLICATION\n2\n*PARAMETER\nRa,1\n*PARAMETER\nRa,2\n"); }),
+              HasSubstr("DFLAG 2 is not read"));
+  EXPECT_THAT(error_of([&] { value("*PARAMETER\nIa,1e300\n"); }), HasSubstr("expected a smaller whole number"));
 }
 
 const char* const cases = R"(*KEYWORD
@@ -183,6 +244,23 @@ TEST_F(IncludingDeck, ReadsFilesWhereTheyAreNamed) {
   EXPECT_THAT(names_of(deck), ElementsAre("*PART", "*NODE", "*ELEMENT_SOLID", "*TITLE"));
   EXPECT_EQ(deck.files.size(), 3u);
   EXPECT_EQ(deck.blocks[1].place.text(), path("parts/mesh.k") + ":1");
+}
+
+TEST_F(IncludingDeck, LooksBesideTheIncludingFileAndBesideTheDeck) {
+  write("main.k", "*KEYWORD I10=Y\n*INCLUDE\nparts\\inner.k\n*INCLUDE-\nother.k\n");
+  write("parts/inner.k", "*INCLUDE\nbeside.k\nother.k\n");
+  write("parts/beside.k", "*NODE\n");
+  write("other.k", "*PART\n");
+  const KeywordDeck deck = read_keyword_deck(path("main.k"));
+  EXPECT_THAT(names_of(deck), ElementsAre("*NODE", "*PART", "*PART"));
+  EXPECT_TRUE(deck.blocks[0].wide) << "columns are those of the including file";
+  EXPECT_FALSE(deck.blocks[2].wide);
+}
+
+TEST_F(IncludingDeck, FilesThatIncludeEachOtherTwiceAreStopped) {
+  for (int i = 0; i < 40; ++i) write(fmt::format("{}.k", i), fmt::format("*INCLUDE\n{0}.k\n{0}.k\n", i + 1));
+  write("40.k", "*NODE\n");
+  EXPECT_THAT(error_of([&] { read_keyword_deck(path("0.k")); }), HasSubstr("includes more than 10000 files"));
 }
 
 TEST_F(IncludingDeck, AFileThatIsMissingOrIncludesItselfIsAnErrorWithItsPlace) {

@@ -37,16 +37,27 @@ target_compile_options(contact_header_compiles_as_c PRIVATE -std=c99 -Wall -Wext
 add_test(NAME rooms COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/rooms_test.py)
 set_tests_properties(rooms PROPERTIES LABELS layout)
 
-# The kernels as device code, where a compiler for it is found.
+# The kernels as device code, where a compiler for it is found. Threads are of the host alone.
+file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/kernels/*.hpp)
+list(REMOVE_ITEM headers kernels/exec/thread_team.hpp kernels/exec/region_failure.hpp)
+list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
+list(JOIN headers "\n" all_headers)
+file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/device/kernel_headers.hpp CONTENT "${all_headers}\n" @ONLY)
 find_package(CUDAToolkit QUIET)
 if(CUDAToolkit_NVCC_EXECUTABLE)
-  file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/kernels/*.hpp)
-  list(TRANSFORM headers PREPEND "#include <")
-  list(JOIN headers ">\n" all_headers)
-  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/device/kernel_headers.hpp CONTENT "${all_headers}>\n" @ONLY)
   add_test(NAME kernels_compile_with_nvcc
-    COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -ccbin ${CMAKE_CXX_COMPILER} -Werror all-warnings
-            -I${PROJECT_SOURCE_DIR} -I${CMAKE_CURRENT_BINARY_DIR}/device
-            -c ${CMAKE_CURRENT_SOURCE_DIR}/kernels/kernels_on_device.cu -o ${CMAKE_CURRENT_BINARY_DIR}/device/kernels.o)
+    COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/device/device_code_test.py ${CUDAToolkit_NVCC_EXECUTABLE}
+            ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/device)
   set_tests_properties(kernels_compile_with_nvcc PROPERTIES LABELS kernels)
+endif()
+find_program(PINBALL_HIPCC hipcc)
+mark_as_advanced(PINBALL_HIPCC)
+if(PINBALL_HIPCC)
+  foreach(source kernels exec)
+    add_test(NAME ${source}_compile_with_hipcc
+      COMMAND ${PINBALL_HIPCC} -std=c++20 --offload-arch=gfx90a -O3 -Werror -I${PROJECT_SOURCE_DIR}
+              -I${CMAKE_CURRENT_BINARY_DIR}/device -x hip -c ${CMAKE_CURRENT_SOURCE_DIR}/device/${source}.cu
+              -o ${CMAKE_CURRENT_BINARY_DIR}/device/${source}_hip.o)
+    set_tests_properties(${source}_compile_with_hipcc PROPERTIES LABELS kernels)
+  endforeach()
 endif()

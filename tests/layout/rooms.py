@@ -10,10 +10,12 @@ import sys
 # Lowest first. A room is a folder, or the public headers named for it, which lie above their room's folder.
 ROOMS = {
     "kernels": ["kernels/"],
+    "exec": ["kernels/exec/", "kernels/exec.hpp"],
     "base": ["solver/base/"],
     "contact interface": ["solver/contact/contact.h", "solver/contact/embedded_contact.hpp",
                           "solver/contact/contact_settings.hpp"],
     "contact/surface": ["solver/contact/surface/"],
+    "contact/tied": ["solver/contact/tied/"],
     "contact/search": ["solver/contact/search/"],
     "contact/impulses": ["solver/contact/impulses/"],
     "contact/algorithm": ["solver/contact/algorithm/"],
@@ -24,13 +26,17 @@ ROOMS = {
     "contact": ["solver/contact/make_contact.cpp"],
     "contact/host": ["solver/contact/host/"],
     "keyword": ["solver/keyword/"],
+    "abaqus": ["solver/abaqus/"],
     "mesh": ["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"],
-    "scene": ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_rules.hpp"],
+    "scene": ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_contact.hpp",
+              "solver/scene_rules.hpp"],
     "deck": ["solver/deck/"],
+    "deck/abaqus": ["solver/deck/abaqus/"],
     "model": ["solver/model/"],
     "results": ["solver/results/", "solver/results.hpp"],
     "elements": ["solver/elements/"],
     "boundary": ["solver/boundary/"],
+    "device": ["solver/device/"],
     "step": ["solver/step/"],
     "simulation": ["solver/simulation/", "solver/simulation.hpp"],
     "output": ["solver/output/", "solver/recorded_run.hpp", "solver/restart.hpp", "solver/run_page.hpp",
@@ -48,16 +54,16 @@ APART = [("contact/pinball", "contact/faces"), ("contact/pinball", "contact/slid
          ("contact/faces", "contact/slideline"), ("elements", "boundary"), ("program", "python")]
 
 # Hosts get these, and nothing else. They include by paths from where they lie, so that they hold wherever they are put.
-PUBLIC = re.compile(r"kernels/(yield/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*")
+PUBLIC = re.compile(r"kernels/((boundary|exec|yield)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*")
 ONLY_PUBLIC = ["python"]
 
-# Headers of the language, the system and other libraries. Kernels: no container, no stream; threads and what they throw
-# for the execution layer. Contact, which
-# hosts embed: no other library, no file and no terminal.
+# Headers of the language, the system and other libraries. Kernels: formulas alone, no container, no stream. The execution
+# layer: the language, threads and devices. Contact, which hosts embed: no other library, no file and no terminal.
 CONTACT_ROOMS = [room for room in ROOMS if room == "base" or room.startswith("contact")]
 LANGUAGE = re.compile(r"[a-z_]+|std(def|int)\.h|sys/mman\.h|unistd\.h")
 FILES_AND_TERMINAL = re.compile(r"cstdio|iostream|fstream|filesystem|print")
-OF_KERNELS = re.compile(r"cmath|cstdint|cstddef|experimental/simd|immintrin\.h|omp\.h|atomic|exception|new|utility|pthread\.h|sched\.h")
+OF_KERNELS = re.compile(r"cmath|cstdint|cstddef|experimental/simd|immintrin\.h|utility")
+OF_EXEC = re.compile(LANGUAGE.pattern + r"|omp\.h|pthread\.h|sched\.h|cuda_runtime\.h|hip/hip_runtime\.h|Kokkos_Core\.hpp")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.M)
 SOURCES = {".h", ".hpp", ".cpp", ".cu"}
@@ -79,6 +85,8 @@ def target_of(tree, path, bracket, name):
 def outside_problem(room, name):
     if room == "kernels":
         return None if OF_KERNELS.fullmatch(name) else "is not for kernels"
+    if room == "exec":
+        return None if OF_EXEC.fullmatch(name) and not FILES_AND_TERMINAL.fullmatch(name) else "is not for the execution layer"
     if room in CONTACT_ROOMS:
         return None if LANGUAGE.fullmatch(name) and not FILES_AND_TERMINAL.fullmatch(name) else "is not for contact"
     return None

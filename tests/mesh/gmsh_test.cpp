@@ -8,10 +8,12 @@
 
 #include <solver/base/faces.hpp>
 #include <solver/mesh/generators.hpp>
-#include <solver/mesh/gmsh_reader.hpp>
+#include <solver/mesh/gmsh/gmsh_reader.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/model/model.hpp>
+#include <tests/support/error_of.hpp>
 #include <tests/support/scene_fixture.hpp>
+#include <tests/support/scene_text.hpp>
 
 /// tests/data/two_volumes_*.msh: "left part", two hexahedra in x = 0 ... 2, and "right", two prisms in x = 2 ... 3;
 /// with a point and a surface, numbers with gaps and, in format 4.1, nodes with parametric coordinates.
@@ -28,23 +30,12 @@ std::string text_of(const std::string& version) {
   return text.str();
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
-
 std::vector<std::string> physicals_of(const std::string& physical) {
   return physical.empty() ? std::vector<std::string>{} : std::vector{physical};
 }
 
 std::string error_of(const std::string& text, const std::string& physical = "") {
-  try {
-    parse_gmsh(text, "a.msh", physicals_of(physical));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { parse_gmsh(text, "a.msh", physicals_of(physical)); });
 }
 
 class Gmsh : public testing::TestWithParam<std::string> {};
@@ -86,6 +77,30 @@ TEST_P(Gmsh, BothFormatsHoldTheSamePoints) {
     for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(mesh.nodes[mesh.hexahedra[e][i]], other.nodes[other.hexahedra[e][i]]);
 }
 
+std::vector<std::int32_t> members(const MeshFile& file, const std::string& set) {
+  const MeshSet* found = find_set(file.node_sets, set);
+  return found == nullptr ? std::vector<std::int32_t>{-1} : found->members;
+}
+
+TEST_P(Gmsh, GroupsArePartsAndSets) {
+  const MeshFile file = parse_gmsh(text_of(GetParam()), "a.msh", {});
+  EXPECT_EQ(elements_of_part(file, "left part"), (std::vector<std::int32_t>{0, 1}));
+  EXPECT_EQ(elements_of_part(file, "2"), (std::vector<std::int32_t>{2, 3}));
+  EXPECT_EQ(parse_gmsh(text_of(GetParam()), "a.msh", {"2"}).mesh.hexahedra.size(), 2u) << "by number";
+  const std::vector<std::int32_t> end = members(file, "clamped end");
+  ASSERT_EQ(end.size(), 4u);
+  for (const std::int32_t node : end) EXPECT_EQ(file.mesh.nodes[node][0], 0);
+  EXPECT_EQ(members(file, "3"), end) << "by number";
+  ASSERT_EQ(file.face_sets.size(), 1u);
+  EXPECT_EQ(file.face_sets[0].name, "clamped end");
+  EXPECT_EQ(nodes_of_faces(file.face_sets[0].faces), end);
+  for (const std::int64_t number : {1, 8}) EXPECT_EQ(std::ranges::count(file.node_ids, number), 1) << number;
+  // Of the other part alone: none of its nodes is at the clamped end.
+  const MeshFile right = parse_gmsh(text_of(GetParam()), "a.msh", {"right"});
+  EXPECT_TRUE(members(right, "clamped end").empty());
+  EXPECT_EQ(right.face_sets.at(0).faces, (std::vector<std::array<std::int32_t, 4>>{{-1, -1, -1, -1}}));
+}
+
 TEST_P(Gmsh, EveryFileCutShortIsAnError) {
   const std::string text = text_of(GetParam());
   const std::size_t whole = text.find_last_not_of('\n') + 1;
@@ -119,12 +134,13 @@ TEST_P(Gmsh, NamesAreNamedWhereTheyAreNotFound) {
             "a.msh: no physical volume is named \"left\": it has none with a name");
 }
 
-TEST_P(Gmsh, OtherVersionsAndBinaryFilesAreRejected) {
+TEST_P(Gmsh, OtherVersionsAreRejected) {
   const std::string text = text_of(GetParam()), version = GetParam() == "22" ? "2.2" : "4.1";
   EXPECT_EQ(error_of(replaced(text, version + " 0", "4 0")),
             "a.msh:2: expected format 2.2 or 4.1 (gmsh -format msh41 or msh22 writes them), got \"4\"");
-  EXPECT_EQ(error_of(replaced(text, " 0 8", " 1 8")),
-            "a.msh:2: expected 0 for a text file (gmsh writes one with Mesh.Binary = 0), got \"1\"");
+  EXPECT_EQ(error_of(replaced(text, " 0 8", " 2 8")),
+            "a.msh:2: expected 0 for a text file, 1 for a binary one, got \"2\"");
+  EXPECT_THAT(error_of(replaced(text, " 0 8", " 1 8")), testing::HasSubstr("expected the number 1 in four bytes, got"));
   EXPECT_EQ(error_of("solid x\n"), "a.msh:1: expected $MeshFormat, got \"solid\"");
   EXPECT_EQ(error_of(""), "a.msh:1: expected $MeshFormat, got the end of the file");
 }
@@ -161,7 +177,7 @@ TEST(GmshFormat22, NamesTheLineOfABadElement) {
             "a.msh:36: expected 8-node hexahedra (type 5) or 6-node prisms (type 6), got 4-node tetrahedra (type 4)");
   EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 4 2 2 2"), "left part"), "no error");  // not of this volume
   EXPECT_EQ(error_of(replaced(text, "\n2 1 0 0\n", "\n2 1 nan 0\n")),
-            "a.msh:13: expected a coordinate of node 2, got \"nan\"");
+            "a.msh:13: expected a coordinate of a node, got \"nan\"");
   EXPECT_EQ(error_of(replaced(text, "\n3 1 1 0\n", "\n2 1 1 0\n")),
             "a.msh:14: expected a node of its own, got \"2 again\"");
 }
@@ -219,12 +235,7 @@ TEST_F(GmshScene, SaysWhatIsWrong) {
 TEST_F(GmshScene, AFlatOrInvertedElementIsRejected) {
   const auto build_error = [this](const std::string& text) -> std::string {
     write(text);
-    try {
-      build_mesh(read(scene(", physical = \"right\"")));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::error_of([&] { build_mesh(read(scene(", physical = \"right\""))); });
   };
   const std::string text = text_of("22");
   EXPECT_EQ(build_error(text), "no error");

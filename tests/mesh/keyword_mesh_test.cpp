@@ -7,6 +7,7 @@
 #include <solver/base/error.hpp>
 #include <solver/mesh/keyword_mesh.hpp>
 #include <solver/mesh/quality.hpp>
+#include <tests/support/error_of.hpp>
 
 namespace pinball::test {
 namespace {
@@ -30,12 +31,7 @@ const std::string one_line =
 MeshFile read(const std::string& text) { return keyword_mesh(parse_keyword_deck(text, "a.k")); }
 
 std::string error_of(const std::string& text) {
-  try {
-    read(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_of([&] { read(text); });
 }
 
 TEST(KeywordMesh, ReadsBothLayoutsOfSolids) {
@@ -64,8 +60,13 @@ TEST(KeywordMesh, WhatIsWrongIsNamedByItsNumberAndLine) {
             "a.k:11: *ELEMENT_SOLID: element 7 has node 99, which is not there");
   EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,14,14,14,14\n"),
             "a.k:11: *ELEMENT_SOLID: element 7 is a tetrahedron, which is not read yet");
-  EXPECT_EQ(error_of(nodes + one_line + one_line), "a.k:12: element 7 is given twice");
-  EXPECT_EQ(error_of(nodes + nodes), "a.k:10: node 11 is given twice");
+  EXPECT_EQ(error_of(nodes + one_line + one_line), "a.k:13: element 7 is given twice");
+  EXPECT_EQ(error_of(nodes + nodes), "a.k:11: node 11 is given twice");
+  EXPECT_EQ(error_of(nodes + "*NODE\n$\n19,0,0,0\n\n12,0,0,0\n"), "a.k:14: node 12 is given twice");
+  EXPECT_EQ(error_of(nodes + "*PART\na\n1\n\n\nb\n1\n"), "a.k:16: part 1 is given twice");
+  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID_ORTHO\n"), "a.k:10: *ELEMENT_SOLID_ORTHO is not read");
+  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,12\n"),
+            "a.k:12: *ELEMENT_SOLID: element 7 has ten nodes: a tetrahedron, which is not read yet");
 }
 
 std::vector<std::int32_t> members(const MeshFile& file, const std::string& set) {
@@ -87,6 +88,50 @@ TEST(KeywordMesh, HasTheSetsOfTheDeck) {
   EXPECT_EQ(members(file, "6").size(), 8u);
   EXPECT_THAT(elements_of_part(file, "1"), ElementsAre(0));
   EXPECT_THAT(file.face_sets[0].faces[0], ElementsAre(0, 1, 2, 3));
+}
+
+TEST(KeywordMesh, SetsHaveAllForms) {
+  const MeshFile file = read(nodes + one_line +
+                             "*SET_NODE_LIST_GENERATE_INCREMENT\n1\n11,18,3\n*SET_NODE_COLUMN\n2\n13,0.5\n14,0.5\n"
+                             "*SET_NODE_LIST_COLLECT\n3\n11\n*SET_NODE_LIST_COLLECT_TITLE\nmore\n3\n12\n"
+                             "*SET_NODE_GENERAL\n4\nALL\nDBOX,5\n*DEFINE_BOX\n5,-1,2,-1,2,0.5,2\n"
+                             "*SET_NODE_GENERAL\n6\nPART,3\nDPART,3\nNODE,11,12\n*SET_NODE_LIST_SMOOTH\n7\n11\n");
+  EXPECT_THAT(members(file, "1"), ElementsAre(0, 3, 6));
+  EXPECT_THAT(members(file, "2"), ElementsAre(2, 3));
+  EXPECT_THAT(members(file, "3"), ElementsAre(0, 1));
+  EXPECT_THAT(members(file, "4"), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(members(file, "6"), ElementsAre(0, 1));
+  EXPECT_THAT(find_set(file.node_sets, "7")->problem, HasSubstr("*SET_NODE_LIST_SMOOTH is not read"));
+}
+
+TEST(KeywordMesh, SegmentsOfPartsAndBoxesAreFacesOfTheSurface) {
+  const MeshFile file =
+      read(nodes + "*NODE\n21,2,0,0\n22,2,1,0\n23,2,0,1\n24,2,1,1\n" + one_line +
+           "*ELEMENT_SOLID\n8,4,12,21,22,13,16,23,24,17\n*DEFINE_BOX\n5,-1,3,-1,2,0.5,2\n"
+           "*SET_SEGMENT_GENERAL\n1\nPART,3\n*SET_SEGMENT_GENERAL\n2\nALL\n*SET_SEGMENT_GENERAL\n3\nBOX,5\n"
+           "*SET_SEGMENT_GENERAL\n4\nPART,3\nDSEG,14,13,12,11\n*SET_SEGMENT_COLLECT\n1\n11,12,13\n");
+  ASSERT_EQ(file.face_sets.size(), 4u);
+  EXPECT_EQ(file.face_sets[0].faces.size(), 5u + 1) << "the face between both parts is inside";
+  EXPECT_THAT(file.face_sets[0].faces[5], ElementsAre(0, 1, 2, 2));
+  EXPECT_EQ(file.face_sets[1].faces.size(), 10u);
+  EXPECT_EQ(file.face_sets[2].faces.size(), 2u);
+  EXPECT_EQ(file.face_sets[3].faces.size(), 4u);
+}
+
+TEST(KeywordMesh, LinesOfElementsAreThoseOfTheirFile) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "keyword_mesh";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "inner.k") << "*KEYWORD\n" << nodes << one_line;
+  std::ofstream(folder / "outer.k") << "*KEYWORD\n*INCLUDE\ninner.k\n*ELEMENT_SOLID\n8,3,11,12,13,14,15,16,17,18\n";
+  const MeshFile file = keyword_mesh(read_keyword_deck((folder / "outer.k").string()));
+  EXPECT_EQ(place_of_element(file, 0), (folder / "inner.k").string() + ":12");
+  EXPECT_EQ(place_of_element(file, 1), (folder / "outer.k").string() + ":5");
+}
+
+TEST(KeywordMesh, HoldsWhatTcSays) {
+  EXPECT_THAT(read("*NODE\n1,0,0,0\n2,0,0,0,4\n3,0,0,0,7\n4,0,0,0\n").held, ElementsAre(0, 3, 7, 0));
+  EXPECT_TRUE(read(nodes).held.empty());
+  EXPECT_EQ(error_of("*NODE\n1,0,0,0,8\n"), "a.k:2: *NODE: tc: expected 0 to 7, got 8");
 }
 
 TEST(KeywordMesh, ASetWithMembersThatAreNotThereIsAnErrorForItsUser) {

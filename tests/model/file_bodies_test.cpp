@@ -6,31 +6,23 @@
 #include <sstream>
 
 #include <solver/model/model.hpp>
-#include <solver/model/node_selection.hpp>
+#include <solver/model/selection/node_selection.hpp>
+#include <solver/model/selection/pressed_faces.hpp>
+#include <tests/support/cube_text.hpp>
+#include <tests/support/error_of.hpp>
 #include <tests/support/scene_fixture.hpp>
 
 /// Bodies that are parts of one mesh file.
 namespace pinball::test {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
-/// Two unit cubes, parts 1 and 2, that share the face of nodes 5 to 8; nodes are numbered in tens.
-const char* const two_cubes = R"(*KEYWORD
-*NODE
-10,0,0,0
-20,1,0,0
-30,1,1,0
-40,0,1,0
-50,0,0,1
-60,1,0,1
-70,1,1,1
-80,0,1,1
-90,0,0,2
-100,1,0,2
-110,1,1,2
-120,0,1,2
-*ELEMENT_SOLID
+/// Two unit cubes, parts 1 and 2, that share the face of nodes 50 to 80; nodes are numbered in tens, and the last four
+/// are of no solid.
+const std::string two_cubes = "*KEYWORD\n*NODE\n" + cube_lines(10, 10) + square_lines(90, 2, 10) + R"(*ELEMENT_SOLID
 1,1,10,20,30,40,50,60,70,80
 2,2,50,60,70,80,90,100,110,120
 *SET_NODE_LIST_TITLE
@@ -40,8 +32,27 @@ top
 *SET_NODE_LIST
 8
 10,999
-*END
-)";
+*SET_SEGMENT_TITLE
+lid
+7
+90,100,110,120
+*SET_SEGMENT_TITLE
+between
+9
+50,60,70,80
+*SET_SEGMENT_TITLE
+ends
+11
+90,100,110,120
+10,20,30,40
+130,140,150,160
+*SET_SOLID_TITLE
+second
+10
+2
+*NODE
+)" + square_lines(130, 9, 10) +
+                              "*END\n";
 
 class FileBodies : public SceneTest {
  protected:
@@ -58,14 +69,6 @@ class FileBodies : public SceneTest {
     }
     lines.insert(lines.end(), more.begin(), more.end());
     return read(lines);
-  }
-  std::string build_error(const std::function<void()>& act) {
-    try {
-      act();
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
   }
   static NodeSelection selection(const std::string& set, const std::vector<std::int64_t>& nodes = {}) {
     NodeSelection s;
@@ -98,7 +101,7 @@ TEST_F(FileBodies, HaveTheMassOfBothAtTheSharedNodes) {
 }
 
 TEST_F(FileBodies, AnElementBelongsToOneBodyAlone) {
-  EXPECT_THAT(build_error([&] { build_mesh(scene("scale = 1")); }), HasSubstr("body upper: element 1 (line 16 of"));
+  EXPECT_THAT(error_of([&] { build_mesh(scene("scale = 1")); }), HasSubstr("body upper: element 1 (line 16 of"));
 }
 
 TEST_F(FileBodies, NodesAreChosenBySetsAndNumbersOfTheFile) {
@@ -109,14 +112,62 @@ TEST_F(FileBodies, NodesAreChosenBySetsAndNumbersOfTheFile) {
   EXPECT_EQ(select_nodes(mesh, selection("top", {120, 10})), (std::vector<std::int32_t>{11}));
 }
 
+/// A set of nodes comes before one of faces, and that before one of elements; parts come last.
+TEST_F(FileBodies, NodesAreThoseOfFacesElementsAndPartsToo) {
+  const ModelMesh mesh = build_mesh(scene());
+  EXPECT_EQ(select_nodes(mesh, selection("lid")), (std::vector<std::int32_t>{8, 9, 10, 11}));
+  EXPECT_EQ(select_nodes(mesh, selection("second")), (std::vector<std::int32_t>{4, 5, 6, 7, 8, 9, 10, 11}));
+  EXPECT_EQ(select_nodes(mesh, selection("1")), (std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+  NodeSelection without = selection("second");
+  without.without = "lid";
+  EXPECT_EQ(select_nodes(mesh, without), (std::vector<std::int32_t>{4, 5, 6, 7}));
+}
+
+TEST_F(FileBodies, FacesArePressedBySetsAndNumbersOfTheFile) {
+  const ModelMesh mesh = build_mesh(scene());
+  const auto faces = [&](const NodeSelection& nodes, const std::vector<std::array<std::int64_t, 4>>& corners = {}) {
+    Pressure pressure;
+    pressure.faces = nodes;
+    pressure.corners = corners;
+    return pressed_faces(mesh, {}, pressure);
+  };
+  const auto lid = faces(selection("lid"));
+  ASSERT_EQ(lid.size(), 1u);
+  EXPECT_EQ(lid[0].element, 1);
+  EXPECT_EQ(lid[0].corners, (std::array<std::int32_t, 4>{8, 9, 10, 11}));
+  EXPECT_EQ(faces(selection("7")).size(), 1u) << "of faces rather than of nodes";
+  EXPECT_EQ(faces(selection("second")).size(), 5u) << "what is exposed of an element";
+  EXPECT_EQ(faces(selection(""), {{110, 70, 60, 100}, {120, 110, 100, 90}}).size(), 2u) << "either way round";
+  EXPECT_THAT(error_of([&] { faces(selection("between")); }),
+              HasSubstr("here: the face with the corners (0, 0, 1) (1, 0, 1) (1, 1, 1) (0, 1, 1) lies between two"));
+  EXPECT_THAT(error_of([&] { faces(selection(""), {{10, 20, 90, 100}}); }), HasSubstr("is one of no hexahedron"));
+}
+
+/// Those of part 2, which is in no body, and those with nodes that no solid has.
+TEST_F(FileBodies, FacesOfASetThatNoBodyHasAreTold) {
+  const auto told = [&](const std::string& lines, const std::string& mesh) {
+    return build_model<double>(read(with(14, mesh + "\n" + lines))).mesh.warnings;
+  };
+  const std::string lower = R"(mesh = { type = "keyword", file = "cubes.k", part = "1" })",
+                    both = R"(mesh = { type = "keyword", file = "cubes.k" })";
+  const std::string pressure = "[[pressure]]\npressure = 1\nset = \"ends\"",
+                    pair = "[contact]\nmethod = \"pinball\"\n[[contact.pair]]\nfirst = { faces = \"11\" }",
+                    tied = "[[contact.tied]]\nfirst = \"bar\"\nsecond = { faces = \"ends\" }";
+  EXPECT_THAT(told(pressure, lower), ElementsAre(HasSubstr("2 of the 3 faces of the set ends are of no body")));
+  EXPECT_THAT(told(pressure, both), ElementsAre(HasSubstr("1 of the 3 faces of the set ends is of no body")));
+  EXPECT_THAT(told(pair, lower), ElementsAre(HasSubstr("contact.pair.0.first: 2 of the 3 faces of the set 11")));
+  EXPECT_THAT(told(tied, lower), ElementsAre(HasSubstr("contact.tied.0.second: 2 of the 3 faces of the set ends")));
+  EXPECT_THAT(told("[[pressure]]\npressure = 1\nset = \"lid\"", both), IsEmpty());
+}
+
 TEST_F(FileBodies, WhatIsNotInTheFileIsNamed) {
   const ModelMesh mesh = build_mesh(scene());
-  EXPECT_THAT(build_error([&] { select_nodes(mesh, selection("tip")); }),
-              HasSubstr("has no set of nodes \"tip\", nearest is \"top\""));
-  EXPECT_THAT(build_error([&] { select_nodes(mesh, selection("", {15})); }), HasSubstr("has no node 15"));
-  EXPECT_THAT(build_error([&] { select_nodes(mesh, selection("8")); }),
+  EXPECT_THAT(error_of([&] { select_nodes(mesh, selection("tip")); }),
+              HasSubstr("has no set of nodes, faces or elements, and no part, \"tip\", nearest is \"top\""));
+  EXPECT_THAT(error_of([&] { select_nodes(mesh, selection("", {15})); }), HasSubstr("has no node 15"));
+  EXPECT_THAT(error_of([&] { select_nodes(mesh, selection("8")); }),
               HasSubstr("cubes.k:24: *SET_NODE_LIST: node 999 is not there"));
-  EXPECT_THAT(build_error([&] { build_mesh(scene("part = \"upper\"")); }), HasSubstr("no part or set of elements"));
+  EXPECT_THAT(error_of([&] { build_mesh(scene("part = \"upper\"")); }), HasSubstr("no part or set of elements"));
 }
 
 TEST_F(FileBodies, AreSelectedInAScene) {
@@ -137,6 +188,45 @@ TEST_F(FileBodies, OfAGmshFileAreJoinedToo) {
     lines.emplace_back(line);
   }
   EXPECT_EQ(build_mesh(read(lines)).nodes.size(), 16u);
+}
+
+/// Two bodies of a file, of parts by these names.
+std::vector<std::string> two_bodies(const std::string& file, const std::string& first, const std::string& second) {
+  std::vector<std::string> lines = minimal;
+  lines.at(13) = fmt::format(R"(mesh = {{ type = "file", file = "{}", part = "{}" }})", file, first);
+  for (const std::string& line :
+       {std::string("[[body]]"), std::string("name = \"right\""), std::string("material = \"copper\""),
+        fmt::format(R"(mesh = {{ type = "file", file = "{}", part = "{}" }})", file, second)}) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+TEST_F(FileBodies, OfEveryFormatAreJoined) {
+  const std::string data = PINBALL_SOURCE_DIR "/tests/data/";
+  struct Case {
+    std::string file, first, second;
+    std::size_t nodes, shared;
+  };
+  for (const Case& c :
+       {Case{data + "two_volumes_22.msh", "left part", "right", 16, 4},
+        Case{data + "two_volumes_41.msh", "1", "2", 16, 4}, Case{data + "exodus/two_blocks.g", "left", "20", 14, 4},
+        Case{data + "exodus/two_blocks_hdf5.g", "10", "right", 14, 4},
+        Case{data + "vtk/grid_raw_zlib.vtu", "3", "4", 14, 4}, Case{data + "vtk/grid_binary.vtk", "3", "4", 14, 4}}) {
+    SCOPED_TRACE(c.file);
+    const ModelMesh mesh = build_mesh(read(two_bodies(c.file, c.first, c.second)));
+    EXPECT_EQ(mesh.nodes.size(), c.nodes);
+    EXPECT_EQ(mesh.shared[1].size(), c.shared);
+  }
+}
+
+TEST_F(FileBodies, AreOfFilesWhoseEndingsAreKnown) {
+  std::ofstream(folder_ / "mesh.stl") << "solid";
+  const std::string message = error(with(14, R"(mesh = { type = "file", file = "mesh.stl" })"));
+  EXPECT_THAT(message,
+              HasSubstr("body.bar.mesh.file: expected a file that ends in .msh, .k, .key, .dyn, .g, .e, .exo"));
+  EXPECT_THAT(error(with(14, R"(mesh = { type = "file", file = "cubes.k", array = "material" })")),
+              HasSubstr("body.bar.mesh.array: is for files of VTK alone"));
 }
 
 }  // namespace

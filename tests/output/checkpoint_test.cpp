@@ -114,7 +114,8 @@ TEST_F(Checkpoints, ARunCanBeMadeLonger) {
 
 TEST_F(Checkpoints, KeysThatTheStateDependsOnAreRejected) {
   leave_checkpoint("two_blocks", 10);
-  for (const char* change : {"contact.beta=2", "variant=fast", "output=1", "element.negative_volume=erode"}) {
+  for (const char* change :
+       {"contact.beta=2", "variant=fast", "output=1", "element.negative_volume=erode", "output.body_energies=true"}) {
     expect_input_error("--restart " + file_ + " --set " + change, "with --restart expected time.end");
   }
   expect_input_error("--restart " + file_ + " --set output.intervall=1", "nearest is output.interval");

@@ -12,11 +12,13 @@
 #include <solver/output/field_output.hpp>
 #include <solver/output/history.hpp>
 #include <solver/output/output_file.hpp>
+#include <tests/support/error_of.hpp>
 #include <tests/support/output_case.hpp>
 
 namespace pinball {
 namespace {
 
+using test::error_of;
 using test::TemporaryFolder;
 using test::two_blocks;
 
@@ -71,16 +73,6 @@ struct Vtu {
     EXPECT_EQ(text.substr(data + end), "\n  </AppendedData>\n</VTKFile>\n");
   }
 };
-
-template <class Call>
-std::string run_error(Call call) {
-  try {
-    call();
-  } catch (const RunError& error) {
-    return error.what();
-  }
-  return "no RunError";
-}
 
 TEST(FieldOutput, HoldsEveryFieldOfTheSnapshot) {
   const TemporaryFolder folder("vtu");
@@ -163,7 +155,8 @@ TEST(FieldOutput, RejectsUnknownFieldsAndWrongSizes) {
   EXPECT_THROW(FieldWriter(folder.path.string(), "fields", {"strain"}), InputError);
   FieldSnapshot s = two_blocks(0.0, 0.0);
   s.velocity.pop_back();
-  EXPECT_THAT(run_error([&] { write_vtu(folder / "a.vtu", s); }), testing::HasSubstr("velocity has 45 values"));
+  EXPECT_THAT(error_of<RunError>([&] { write_vtu(folder / "a.vtu", s); }),
+              testing::HasSubstr("velocity has 45 values"));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.vtu"));
 }
 
@@ -203,12 +196,12 @@ TEST(FieldOutput, WritesTheLastGoodState) {
 TEST(OutputErrors, NameTheFileAndTheReason) {
   const TemporaryFolder folder("errors");
   std::ofstream(folder / "file") << "no folder";
-  EXPECT_THAT(run_error([&] { FieldWriter(folder / "file/out", "fields"); }), testing::HasSubstr("file/out"));
-  EXPECT_THAT(run_error([&] { HistoryWriter(folder / "file/out", {}); }), testing::HasSubstr("file/out"));
+  EXPECT_THAT(error_of<RunError>([&] { FieldWriter(folder / "file/out", "fields"); }), testing::HasSubstr("file/out"));
+  EXPECT_THAT(error_of<RunError>([&] { HistoryWriter(folder / "file/out", {}); }), testing::HasSubstr("file/out"));
 
   FieldWriter writer(folder.path.string(), "fields");
   std::filesystem::create_directory(folder / "fields_0000.vtu.part");
-  EXPECT_THAT(run_error([&] { writer.write(two_blocks(0.0, 0.0)); }),
+  EXPECT_THAT(error_of<RunError>([&] { writer.write(two_blocks(0.0, 0.0)); }),
               testing::AllOf(testing::HasSubstr("fields_0000.vtu: "), testing::HasSubstr("directory")));
   EXPECT_FALSE(std::filesystem::exists(folder / "fields.pvd"));
 }
@@ -217,7 +210,7 @@ TEST(OutputErrors, ShowAFullDisk) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
   const TemporaryFolder folder("full");
   std::filesystem::create_symlink("/dev/full", folder / "a.txt.part");
-  EXPECT_THAT(run_error([&] {
+  EXPECT_THAT(error_of<RunError>([&] {
                 OutputFile file(folder / "a.txt");
                 file.write("text");
                 file.commit();
@@ -225,7 +218,8 @@ TEST(OutputErrors, ShowAFullDisk) {
               testing::AllOf(testing::HasSubstr("a.txt: "), testing::HasSubstr("space")));
   EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
   std::filesystem::create_symlink("/dev/full", folder / "history.csv");
-  EXPECT_THAT(run_error([&] { HistoryWriter(folder.path.string(), {}); }), testing::HasSubstr("history.csv: "));
+  EXPECT_THAT(error_of<RunError>([&] { HistoryWriter(folder.path.string(), {}); }),
+              testing::HasSubstr("history.csv: "));
 }
 
 TEST(History, HasTheColumnsAndReachesTheFileRowByRow) {
@@ -266,7 +260,7 @@ TEST(History, HasTheColumnsAndReachesTheFileRowByRow) {
 TEST(History, RejectsARowOfOtherBodiesAndQuotesNames) {
   const TemporaryFolder folder("quotes");
   HistoryWriter writer(folder.path.string(), {"a,\"b\""});
-  EXPECT_THAT(run_error([&] { writer.write(test::history_row(0, 0.0)); }), testing::HasSubstr("2 bodies"));
+  EXPECT_THAT(error_of<RunError>([&] { writer.write(test::history_row(0, 0.0)); }), testing::HasSubstr("2 bodies"));
   EXPECT_THAT(read_text(folder / "history.csv"), testing::HasSubstr(",\"a,\"\"b\"\"_velocity_x\","));
 }
 

@@ -11,6 +11,7 @@
 #include <solver/output/checkpoint.hpp>
 #include <solver/output/folder_lock.hpp>
 #include <solver/recorded_run.hpp>
+#include <tests/support/error_of.hpp>
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
 #include <tests/support/scene_text.hpp>
@@ -21,18 +22,9 @@ namespace {
 
 using Json = nlohmann::json;
 using test::content;
+using test::error_of;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-template <class Error, class Call>
-std::string error_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 class RunFolders : public testing::Test {
  protected:

@@ -25,6 +25,7 @@ RunSummary example() {
   s.units = "in-lbf-s";
   s.version = "0.1.0";
   s.precision = "double";
+  s.device = "none";
   s.threads = 2;
   s.simd_width = 8;
   s.elements = 1842;
@@ -54,13 +55,13 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(
-      keys(json),
-      ElementsAre("scene", "title", "status", "error", "started", "units", "version", "precision", "threads",
-                  "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds", "phase_seconds",
-                  "element_steps", "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
-                  "element_steps_subcycled", "element_steps_per_second", "energy", "momentum", "bodies", "rigid_walls",
-                  "contact", "skipped", "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings"));
+  EXPECT_THAT(keys(json),
+              ElementsAre("scene", "title", "status", "error", "started", "units", "version", "precision", "device",
+                          "threads", "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds",
+                          "phase_seconds", "element_steps", "element_steps_skipped", "element_steps_eroded",
+                          "element_steps_resting", "element_steps_subcycled", "element_steps_per_second", "energy",
+                          "momentum", "bodies", "mass_scaling", "rigid_walls", "pressures", "contact", "skipped",
+                          "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(keys(json["energy"]),
               ElementsAre("kinetic", "internal", "hourglass", "bulk_viscosity", "contact", "contact_stored",
@@ -70,10 +71,11 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));
   ASSERT_EQ(json["bodies"].size(), 2U);
   EXPECT_THAT(keys(json["bodies"][0]), ElementsAre("name", "elements", "eroded_elements", "mass_initial",
-                                                   "mass_remaining", "velocity", "max_plastic_strain"));
-  EXPECT_THAT(keys(json["contact"]), ElementsAre("method", "enforcement", "gap", "pinballs", "pairs_max", "sweeps",
-                                                 "searches", "searches_skipped", "max_penetration_ratio",
-                                                 "max_penetration_time", "max_penetration_place"));
+                                                   "mass_remaining", "mass_added", "velocity", "max_plastic_strain"));
+  EXPECT_THAT(
+      keys(json["contact"]),
+      ElementsAre("method", "pairs", "tied", "enforcement", "gap", "pinballs", "pairs_max", "sweeps", "searches",
+                  "searches_skipped", "max_penetration_ratio", "max_penetration_time", "max_penetration_place"));
   EXPECT_THAT(keys(json["contact"]["sweeps"]), ElementsAre("mean", "largest", "solutions", "at_bound", "unsolved"));
   EXPECT_THAT(keys(json["skipped"]), ElementsAre("resting_element_steps", "subcycled_element_steps", "searches",
                                                  "inner_element_steps", "bytes_not_stored"));

@@ -93,6 +93,8 @@ class Completion:
 
     def test_offers_choices(self):
         self.assertEqual(self.complete("run", "block", "--precision", ""), {"float", "double"})
+        self.assertEqual(self.complete("verify", "--device", ""), {"none", "mock", "cuda", "hip"})
+        self.assertNotIn("mock", self.complete("info", "--device", ""))
 
     def test_offers_nothing_where_a_number_is_wanted(self):
         self.assertEqual(self.complete("run", "--threads", ""), set())

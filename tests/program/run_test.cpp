@@ -255,6 +255,20 @@ TEST_F(Program, IntervalsThatTimeCannotCountAreThoseOfSteps) {
   EXPECT_THAT(result("fields.pvd"), HasSubstr("fields_0002.vtu"));
 }
 
+TEST_F(Program, InfoListsPartsAndSetsOfMeshFilesAndVolumes) {
+  const std::string mesh = PINBALL_SOURCE_DIR "/tests/data/exodus/two_blocks.g";
+  const Finished info = run(
+      "info " + scene(test::replaced(cube_scene, R"({ type = "block", size = [0.1, 0.1, 0.1], elements = [1, 1, 1] })",
+                                     R"({ type = "file", file = ")" + mesh + R"(", scale = 0.1 })")));
+  EXPECT_EQ(info.status, 0) << info.text;
+  for (const char* text : {"volume 0.0025 m^3", "parts, with their elements: left (10): 2, right (20): 1",
+                           "sets of nodes, with their nodes: ends (1): 8, roof (7): 4, bottom (1): 4, 2: 1",
+                           "sets of faces, with their faces: ends (1): 2, roof (7): 1",
+                           "block 15 (skin) has 1 elements of type SHELL4 with 4 nodes, which are left out"}) {
+    EXPECT_THAT(info.text, HasSubstr(text));
+  }
+}
+
 TEST_F(Program, InfoTellsWhatRunsAndWhatIsSkipped) {
   const Finished rod = run("info rod_plate");
   EXPECT_EQ(rod.status, 0) << rod.text;

@@ -15,7 +15,7 @@ SCENES = sorted(path.stem for path in (ROOT / "data" / "scenes").glob("*.toml"))
 # C++ structs of scenes by their Python classes, with the fields that have another name in Python.
 CLASSES = {"PlaneConstraint": "SymmetryPlane", "FixedConstraint": "Fixed", "NodalLoad": "Load"}
 NAMES = {("Scene", "constraints"): "symmetry_planes", ("Scene", "fixed_constraints"): "fixed"}
-HEADERS = ["scene.hpp", "scene_boundary.hpp", "mesh_settings.hpp", "contact/contact_settings.hpp"]
+HEADERS = ["scene.hpp", "scene_boundary.hpp", "scene_contact.hpp", "mesh_settings.hpp", "contact/contact_settings.hpp"]
 
 
 def structs():
@@ -25,7 +25,8 @@ def structs():
         for name, body in re.findall(r"^struct (\w+) \{\n(.*?)^\};", text, re.M | re.S):
             body = re.sub(r"<[^<>]*>|\{[^{}]*\}|=[^;]*", "", re.sub(r"<[^<>]*>", "", body))  # types, then values
             members = re.findall(r"^  [\w:]+ (\w+(?:, \w+)*)\s*;", body, re.M)
-            yield name, [member for declaration in members for member in declaration.split(", ")]
+            yield name, [member for declaration in members for member in declaration.split(", ")
+                         if member != "operator"]
 
 
 class Fields(unittest.TestCase):

@@ -45,6 +45,27 @@ class Runs(unittest.TestCase):
         rows = [(self.folder / name / "history.csv").read_text() for name in ("whole", "part")]
         self.assertEqual(rows[0].splitlines()[-1], rows[1].splitlines()[-1])
 
+    def test_go_on_from_a_checkpoint_of_another_device(self):
+        scene = pinball.read_scene("block", set=["time.steps=20"])
+        scene.device = "mock"
+        expected = pinball.run_recorded(scene, str(self.folder / "part"), checkpoint_every=10)
+        self.assertEqual(expected["device"], "mock")
+        checkpoint = str(self.folder / "part" / "checkpoint.pinball")
+        self.assertEqual(pinball.Simulation.from_checkpoint(checkpoint, device="mock").scene.device, pinball.Device.mock)
+        again = pinball.restart_recorded(checkpoint, set=["time.steps=21"])
+        self.assertEqual((again["device"], again["steps"]), ("none", 21))
+
+    def test_are_refused_where_there_is_no_such_device(self):
+        scene, refused = pinball.read_scene("block"), 0
+        for device in ("cuda", "hip"):
+            scene.device = device
+            try:
+                pinball.Simulation(scene)
+            except pinball.InputError as error:
+                self.assertRegex(str(error), f"^device {device}: ")
+                refused += 1
+        self.assertGreaterEqual(refused, 1)  # no module is built for both
+
     def test_of_changed_scenes_have_no_checkpoints(self):
         scene = pinball.read_scene("two_blocks")
         scene.bodies[0].velocity = [1, 0, 0]

@@ -105,6 +105,112 @@ interval = "step")"}));
   EXPECT_TRUE(scene.output.every_step);
 }
 
+TEST_F(SceneBoundaryTest, ReadsWhatEndsMovesAndPresses) {
+  const Scene scene = read(with({R"([[constraint]]
+type = "fixed"
+directions = "all"
+body = "bar"
+tolerance = 0.25
+start = 1
+end = 2
+[[constraint]]
+type = "symmetry"
+normal = [0, 1, 0]
+set = "cut"
+tolerance = 0.5
+[[rigid_wall]]
+normal = [0, 0, 5]
+set = "skin"
+without = "edge"
+box = { low = [0, 0, 0], high = [1, 1, 0] }
+sliding = false
+mass = 4
+speed = -3
+edge = [2, 0, 0]
+size = [1, 0]
+end = 7
+[[rigid_wall]]
+normal = [0, 1, 0]
+speed = 1
+times = [0, 1]
+factors = [0, 2]
+[[prescribed_velocity]]
+body = "bar"
+velocity = [1, 2, 3]
+start = 0.5
+[[pressure]]
+name = "gas"
+body = "bar"
+plane = { normal = [1, 0, 0] }
+pressure = 5
+times = [0, 1]
+factors = [0, 2]
+start = 3
+[[pressure]]
+faces = [[1, 2, 3, 4], [5, 6, 7, 7]]
+file = "bar.k"
+pressure = -1
+[[gravity]]
+acceleration = [0, 0, -1]
+bodies = ["bar"]
+[[initial_velocity]]
+body = "bar"
+angular_velocity = [7, 8, 9]
+centre = [1, 1, 1]
+components = ["x", "z"])"}));
+  EXPECT_EQ(scene.fixed_constraints.at(0).nodes.tolerance, 0.25);
+  EXPECT_EQ(scene.fixed_constraints[0].when.start, 1);
+  EXPECT_EQ(scene.fixed_constraints[0].when.end, 2);
+  EXPECT_EQ(scene.constraints.at(0).set, "cut");
+  EXPECT_EQ(scene.constraints[0].tolerance, 0.5);
+  const RigidWall& wall = scene.rigid_walls.at(0);
+  EXPECT_EQ(wall.nodes.set, "skin");
+  EXPECT_EQ(wall.nodes.without, "edge");
+  EXPECT_EQ(wall.nodes.box.value().high, (Point{1, 1, 0}));
+  EXPECT_FALSE(wall.sliding);
+  EXPECT_EQ(wall.mass, 4);
+  EXPECT_EQ(wall.speed, -3);
+  EXPECT_EQ(wall.edge.value(), (Point{1, 0, 0}));
+  EXPECT_EQ(wall.size, (std::array<double, 2>{1, 0}));
+  EXPECT_EQ(wall.when.end, 7);
+  EXPECT_EQ(scene.rigid_walls[1].table.factors, (std::vector<double>{0, 2}));
+  EXPECT_EQ(scene.prescribed_velocities.at(0).when.start, 0.5);
+  EXPECT_EQ(scene.pressures.at(0).name, "gas");
+  EXPECT_EQ(scene.pressures[0].pressure, 5);
+  EXPECT_EQ(scene.pressures[0].start, 3);
+  EXPECT_TRUE(scene.pressures[0].faces.plane);
+  EXPECT_EQ(scene.pressures[1].name, "pressure_1");
+  EXPECT_EQ(scene.pressures[1].corners.at(1), (std::array<std::int64_t, 4>{5, 6, 7, 7}));
+  EXPECT_EQ(scene.pressures[1].faces.file, "bar.k");
+  EXPECT_EQ(scene.gravities.at(0).bodies, (std::vector<std::string>{"bar"}));
+  EXPECT_EQ(scene.initial_velocities.at(0).angular_velocity, (Point{7, 8, 9}));
+  EXPECT_EQ(scene.initial_velocities[0].centre, (Point{1, 1, 1}));
+  EXPECT_EQ(scene.initial_velocities[0].components, (std::array<bool, 3>{true, false, true}));
+}
+
+TEST_F(SceneBoundaryTest, WhatDoesNotGoTogetherIsNamed) {
+  const auto wall = [&](const std::vector<std::string>& keys) {
+    std::vector<std::string> lines{"[[rigid_wall]]", "normal = [0, 0, 1]"};
+    lines.insert(lines.end(), keys.begin(), keys.end());
+    return error(with(lines));
+  };
+  EXPECT_EQ(wall({"mass = 1", "times = [0, 1]", "factors = [0, 1]"}),
+            "18:9: rigid_wall.0.times: a wall with a mass moves as it is pushed, expected either mass or times");
+  EXPECT_EQ(wall({"sliding = false", "friction = 0.5"}),
+            "18:12: rigid_wall.0.friction: expected either friction or sliding = false, got both");
+  EXPECT_EQ(wall({"size = [1, 1]"}),
+            "15:1: rigid_wall.0.edge: missing, expected the direction of the first side beside size");
+  EXPECT_EQ(wall({"size = [1, 1]", "edge = [0, 0, 3]"}),
+            "18:8: rigid_wall.0.edge: expected a direction across the normal, got one along it");
+  EXPECT_EQ(wall({"start = 2", "end = 1"}), "18:7: rigid_wall.0.end: expected a time > start and > 0, got 1");
+  EXPECT_EQ(error(with({"[[pressure]]", "pressure = 1"})),
+            "15:1: pressure.0.body: missing, expected at least one of body, plane, line, box, nearest, set and nodes");
+  EXPECT_EQ(error(with({"[[pressure]]", "pressure = 1", "faces = [[1, 2, 3]]"})),
+            "17:10: pressure.0.faces[0]: expected an array of 4 integers, got an array of 3 values");
+  EXPECT_EQ(error(with({"[[gravity]]", "acceleration = [0, 0, 1]", "bodies = [\"baar\"]"})),
+            "17:11: gravity.0.bodies[0]: expected \"bar\", got \"baar\"");
+}
+
 TEST_F(SceneBoundaryTest, MissingAndWrongValues) {
   EXPECT_EQ(error(with({"[[rigid_wall]]", "normal = [0, 0, 0]"})),
             "16:10: rigid_wall.0.normal: expected a vector of non-zero, finite length, got [0, 0, 0]");

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <tests/support/error_of.hpp>
+
 #include "array_scene.hpp"
 #include "simulation_case.hpp"
 
@@ -19,14 +21,9 @@ using test::block;
 using test::elastic_material;
 using test::impact;
 
-/// The InputError that building a simulation of the scene throws; "" if it throws none.
+/// The InputError of building a simulation of the scene.
 std::string input_error_of(const Scene& scene) {
-  try {
-    const Simulation simulation(scene);
-  } catch (const std::exception& error) {
-    return dynamic_cast<const InputError*>(&error) != nullptr ? error.what() : std::string("another error");
-  }
-  return "";
+  return test::error_of([&] { const Simulation simulation(scene); });
 }
 
 class WrongArrays : public testing::Test {
@@ -111,30 +108,22 @@ TEST(WrongScenes, NameTheKey) {
 TEST(WrongCalls, AreNamed) {
   Simulation simulation(impact());
   std::vector<double> memory(3 * 128, 7.0);
-  const auto input_error = [&](const auto& call) {
-    try {
-      call();
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(input_error([&] { simulation.copy(NodeField::position, view_records(memory.data(), 127, 3)); }),
+  EXPECT_EQ(test::error_of([&] { simulation.copy(NodeField::position, view_records(memory.data(), 127, 3)); }),
             "copy: to: expected 128 records of 3, got 127 of 3");
   EXPECT_EQ(memory, std::vector<double>(3 * 128, 7.0));
-  EXPECT_EQ(input_error([&] { simulation.copy(NodeField::mass, ArrayView{}); }),
+  EXPECT_EQ(test::error_of([&] { simulation.copy(NodeField::mass, ArrayView{}); }),
             "copy: to: expected an array, got a null pointer");
-  EXPECT_EQ(input_error([&] { simulation.nodes_of("c"); }), "body: there is no body named \"c\"");
-  EXPECT_EQ(input_error([&] { simulation.run_until(std::nan("")); }), "run_until: expected a time, got nan");
+  EXPECT_EQ(test::error_of([&] { simulation.nodes_of("c"); }), "body: there is no body named \"c\"");
+  EXPECT_EQ(test::error_of([&] { simulation.run_until(std::nan("")); }), "run_until: expected a time, got nan");
   EXPECT_EQ(simulation.steps(), 0);
-  EXPECT_EQ(input_error([&] { simulation.on_step(nullptr); }), "on_step: expected a function, got none");
+  EXPECT_EQ(test::error_of([&] { simulation.on_step(nullptr); }), "on_step: expected a function, got none");
   Scene scene = impact();
   scene.time.subcycling = true;
   Simulation subcycled(scene);
-  EXPECT_EQ(input_error([&] { subcycled.velocities_to_change(); }),
+  EXPECT_EQ(test::error_of([&] { subcycled.velocities_to_change(); }),
             "velocities: expected time.subcycling = false, with it they cannot be changed");
   for (const int threads : {-1, 4097, std::numeric_limits<int>::max()}) {
-    EXPECT_EQ(input_error([&] { const Simulation none(scene, {threads}); }),
+    EXPECT_EQ(test::error_of([&] { const Simulation none(scene, {threads}); }),
               "threads: expected an integer >= 0 and <= 4096, got " + std::to_string(threads));
   }
 }

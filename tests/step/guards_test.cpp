@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <tests/support/error_of.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// What ends a run that has gone wrong, and what it says.
@@ -14,15 +15,10 @@ using namespace test;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// What a step fails with; "" if it does not.
+/// What a step fails with.
 template <class S>
 std::string failure(Solver<S>& solver) {
-  try {
-    solver.step();
-  } catch (const RunError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of<RunError>([&] { solver.step(); });
 }
 
 Scene two_bodies() {

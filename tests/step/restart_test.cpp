@@ -117,6 +117,39 @@ TEST(Restart, EveryKindOfBoundaryCondition) {
   expect_same_after_restart<float>(scene, {0.5});
 }
 
+TEST(Restart, AddedMassesAndSettingsOfBodies) {
+  Scene scene = pressed_blocks(4e-4);
+  scene.bodies[1].element = ElementSettings{};
+  Solver<double> first(scene);
+  first.step();
+  scene.time.smallest_step = 1.3 * first.clock().dt_min();
+  expect_same_after_restart<double>(scene);
+  expect_same_after_restart<float>(scene, {0.5});
+}
+
+TEST(Restart, WhatBeginsAndEndsAndMoves) {
+  Scene scene = pressed_blocks(4e-4);
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  scene.prescribed_velocities[0].when = {1e-4, 2e-4};
+  FixedConstraint fixed;
+  fixed.nodes.body = "b";
+  fixed.directions = {{0.6, 0, 0.8}};
+  fixed.when = {2.2e-4, 3.5e-4};
+  scene.fixed_constraints = {fixed};
+  scene.rigid_walls[0].mass = 500;
+  scene.rigid_walls[1].speed = 3;
+  scene.rigid_walls[1].when.end = 3e-4;
+  Pressure pressure;
+  pressure.name = "gas";
+  pressure.faces.body = "b";
+  pressure.faces.plane = Plane{{0, 0, 1.13}, {0, 0, 1}};
+  pressure.pressure = 1e7;
+  pressure.start = 5e-5;
+  scene.pressures = {pressure};
+  expect_same_after_restart<double>(scene, {0.2, 0.4, 0.6, 0.8, 0.95});
+}
+
 TEST(Restart, SphereAtAWall) {
   Scene scene = read_scene(find_scene("sphere_wall"));
   scene.time.end *= 0.05;

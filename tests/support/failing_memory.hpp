@@ -11,7 +11,7 @@
 #include <new>
 
 /// For a program of one source: memory that is refused when the test says so. It replaces operator new and, but for the
-/// address sanitizer, which has its own, the allocation behind AlignedArray.
+/// address sanitizer, which has its own, the allocation behind Array.
 namespace pinball::test {
 
 struct Memory {

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include <solver/base/error.hpp>
 #include <solver/scene.hpp>
+#include <tests/support/error_of.hpp>
+#include <tests/support/folder_case.hpp>
 
 /// Scenes of a few lines, written to a file of their own, and the errors that reading them gives.
 namespace pinball::test {
@@ -33,15 +30,12 @@ inline const std::vector<std::string> minimal{
     "mesh = { type = \"block\", size = [1, 2, 3], elements = [2, 3, 4] }",  // 14
 };
 
-class SceneTest : public testing::Test {
+class SceneTest : public FolderTest {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() / fmt::format("pinball_{}_{}", test->name(), ::getpid());
-    std::filesystem::create_directories(folder_);
+    FolderTest::SetUp();
     file_ = (folder_ / "scene.toml").string();
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   Scene read(const std::vector<std::string>& lines, const SceneOverrides& overrides = {}) {
     std::ofstream file(file_);
@@ -64,17 +58,11 @@ class SceneTest : public testing::Test {
 
   /// The error's text with the file's name cut off; "no error" if there is none.
   std::string error(const std::vector<std::string>& lines, const SceneOverrides& overrides = {}) {
-    try {
-      read(lines, overrides);
-    } catch (const InputError& problem) {
-      const std::string text = problem.what();
-      return text.starts_with(file_) ? text.substr(file_.size() + 1) : text;
-    }
-    return "no error";
+    const std::string text = error_of([&] { read(lines, overrides); });
+    return text.starts_with(file_) ? text.substr(file_.size() + 1) : text;
   }
   std::string set_error(const std::string& key_value) { return error(minimal, {.set = {key_value}}); }
 
-  std::filesystem::path folder_;
   std::string file_;
 };
 

@@ -8,6 +8,7 @@
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/verification/solver_run.hpp>
+#include <tests/support/error_of.hpp>
 
 /// Scenes of a few blocks, made in code, for the tests of the solver.
 namespace pinball::test {
@@ -137,14 +138,9 @@ double kinetic_energy(const Solver<S>& solver) {
   return 0.5 * twice;
 }
 
-/// The InputError that building the solver of a scene throws; "" if it throws none.
+/// The InputError of building the solver of a scene.
 inline std::string input_error_of(const Scene& scene) {
-  try {
-    const Solver<double> solver(scene);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { const Solver<double> solver(scene); });
 }
 
 }  // namespace pinball::test

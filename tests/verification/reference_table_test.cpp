@@ -5,6 +5,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/verification/reference_table.hpp>
+#include <tests/support/error_of.hpp>
 #include <tests/support/output_case.hpp>
 
 namespace pinball {
@@ -19,12 +20,7 @@ ReferenceTable table_of(const test::TemporaryFolder& folder, const std::string& 
 }
 
 std::string error(const test::TemporaryFolder& folder, const std::string& text) {
-  try {
-    table_of(folder, text).column("x");
-  } catch (const InputError& problem) {
-    return problem.what();
-  }
-  return "no error";
+  return test::error_of([&] { table_of(folder, text).column("x"); });
 }
 
 TEST(ReferenceTable, ReadsNamedColumns) {

@@ -13,13 +13,13 @@ const std::vector<std::int32_t> no_nodes;
 
 template <class S>
 ContactAlgorithm<S>::ContactAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
-                                      HeldDirections held)
-    : settings_(settings) {
+                                      InitialSurface& start)
+    : settings_(settings), pairs_(std::move(start.pairs)) {
   // A damped spring is stable for dt <= 2/w (sqrt(1 + xi^2) - xi): as an undamped one of the higher frequency.
   const double xi = settings.damping;
   damping_factor_ = 1.0 / std::pow(std::sqrt(1 + xi * xi) - xi, 2);
   if (settings.enforcement != Enforcement::penalty) {
-    impulses_ = std::make_unique<ImpulseSolver<S>>(settings, source.node_count, std::move(held));
+    impulses_ = std::make_unique<ImpulseSolver<S>>(settings, source.node_count, std::move(start.held), pairs_.get());
   }
 }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
-#include <solver/base/external_work.hpp>
+#include <kernels/boundary/external_work.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/base/sweep_counts.hpp>
 #include <solver/contact/contact_settings.hpp>
@@ -66,11 +67,21 @@ template <class S>
 class ContactAlgorithm {
  public:
   /// settings: those of all steps; a copy is kept.
-  ContactAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, HeldDirections held);
+  ContactAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface& start);
   virtual ~ContactAlgorithm() = default;
   ContactAlgorithm(const ContactAlgorithm&) = delete;
   ContactAlgorithm& operator=(const ContactAlgorithm&) = delete;
 
+  /// Chooses the pairs that may touch at a time, that of the forces of the coming step.
+  void set_time(double time) {
+    if (pairs_ && pairs_->set_time(time)) lists_outdated_ = true;
+  }
+  /// Which nodes are tied. ties: has to stay where it is; changed: others than when the lists were made.
+  void set_ties(const TiedNodes<S>& ties, bool changed) {
+    if (pairs_) pairs_->set_tied(ties.ties_of_nodes());
+    if (impulses_) impulses_->set_ties(&ties);
+    lists_outdated_ = lists_outdated_ || changed;
+  }
   /// Takes eroded elements out and brings up to date what the other stages read of the surface. eroded: slots of those
   /// that eroded since the last call, ascending; padding and elements that are out already may be among them.
   virtual void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) = 0;
@@ -88,11 +99,24 @@ class ContactAlgorithm {
   /// Whether after_constraints adds forces: what it adds in held directions the constraints have to take up again.
   bool acts_on_velocities() const { return impulses_ != nullptr; }
 
+  /// Others than before, from the next after_constraints on.
+  void take_held_directions(HeldDirections held) {
+    if (impulses_) impulses_->take_held_directions(std::move(held));
+  }
+
   virtual const char* name() const = 0;
-  /// Adds the contact force of the last step on each node of the store [force]; radius of the pinball of each slot
-  /// [length], where there is one. For output.
-  virtual void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
-                      std::vector<double>& slot_radius) const = 0;
+  /// Adds the contact force of the last step on each node of the store [force]. For output.
+  virtual void add_node_forces(std::vector<Point>& node_force) const = 0;
+  /// Radius of the pinball of each slot [length], where there is one. For output.
+  virtual void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const = 0;
+  /// Adds to the force on the first side of each pair that of the last step [force].
+  void add_pair_forces(std::vector<Point>& sums) const {
+    if (impulses_) {
+      impulses_->add_pair_forces(sums);
+    } else {
+      add_pair_forces_of_springs(sums);
+    }
+  }
   virtual const Surface& surface() const = 0;
   std::int32_t surface_elements() const { return surface().exposed_count(); }  ///< that take part
   /// Nodes to which add_forces adds after a before_step with pairs in contact, some perhaps several times; none with
@@ -109,6 +133,7 @@ class ContactAlgorithm {
   /// another time has other pairs, over which energies are summed in another order, and lasts for another time.
   virtual void persist(StateArchive& archive, const SurfaceSource<S>& source) {
     archive(searches_, searches_skipped_);
+    if (pairs_) pairs_->persist(archive);
     if (impulses_) impulses_->persist(archive, source);
   }
   std::int64_t searches() const { return searches_; }
@@ -120,8 +145,13 @@ class ContactAlgorithm {
   virtual void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) = 0;
   virtual const std::vector<std::int32_t>& nodes_of_springs() = 0;
   virtual void collect_impulses(const SurfaceSource<S>& source, double dt) = 0;
+  virtual void add_pair_forces_of_springs(std::vector<Point>& sums) const = 0;
+  /// Whether lists that hold by themselves may be kept: they may last, and no other pairs may touch than before.
+  bool may_keep_lists(const SurfaceSource<S>& source) const { return source.lists_last && !lists_outdated_; }
 
   const ContactSettings settings_;
+  std::unique_ptr<ContactPairs> pairs_;         ///< none: all may touch all
+  bool lists_outdated_ = false;                 ///< others may touch than when the lists were made
   std::unique_ptr<ImpulseSolver<S>> impulses_;  ///< only with enforcement by impulses
   double damping_factor_ = 1;                   ///< of the squared frequency of the springs, for their damping
   std::int64_t searches_ = 0, searches_skipped_ = 0;

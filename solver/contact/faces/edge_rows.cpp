@@ -149,6 +149,7 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
   row.depth = 0 - gap;
   row.size = sides1.radius + sides2.radius;
   row.reach = std::min(sides1.size, sides2.size);
+  if (step.pairs != nullptr) row.pair = step.pairs->edges(first.node[0], first.node[1], second.node[0], second.node[1]);
   row.add_side(first.node, {1 - pair.s, pair.s}, -1);
   row.add_side(second.node, {1 - pair.t, pair.t}, 1);
   double closing = 0;

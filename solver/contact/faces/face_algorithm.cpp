@@ -50,11 +50,12 @@ double largest_approach(const SurfaceSource<S>& source, const std::vector<std::i
 
 template <class S>
 FaceAlgorithm<S>::FaceAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source, InitialSurface start)
-    : ContactAlgorithm<S>(settings, source, std::move(start.held)),
+    : ContactAlgorithm<S>(settings, source, start),
       surface_(source, std::move(start.topology)),
       spheres_(source, surface_.topology()),
       depth_(static_cast<std::size_t>(source.node_count), 0) {
   edges_.collect(surface_);
+  lists_.set_pairs(this->pairs_.get());
   // Bodies that overlap from the start come no nearer.
   for (const auto& slave : surface_.slaves()) {
     deep_.push_back(slave.node);
@@ -78,7 +79,7 @@ void FaceAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const std:
 template <class S>
 void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
   const bool reuse = source.lists_last;
-  if (reuse && lists_.holds(source)) {
+  if (this->may_keep_lists(source) && lists_.holds(source)) {
     ++this->searches_skipped_;
     return;
   }
@@ -92,6 +93,7 @@ void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
     lists_.invalidate();
   }
   lists_.build(source, surface_, edges_, spheres_, this->settings_, depth_, static_cast<S>(dt), reuse);
+  this->lists_outdated_ = false;
   choose_listed();
   surface_.update(source);
 }
@@ -128,7 +130,8 @@ void FaceAlgorithm<S>::choose_listed() {
 template <class S>
 void FaceAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   lists_.count_step(static_cast<S>(dt));
-  const StepReach step{dt, largest_approach(source, listed_nodes_, dt), depth_.data(), !deep_.empty()};
+  const StepReach step{dt, largest_approach(source, listed_nodes_, dt), depth_.data(), !deep_.empty(),
+                       this->pairs_.get()};
   node_rows_.find(source, surface_, lists_.nodes(), step);
   edge_rows_.find(source, surface_, edges_, lists_.edges(), step);
   sphere_rows_.find(source, surface_, spheres_, lists_.spheres(), dt);
@@ -159,8 +162,12 @@ void FaceAlgorithm<S>::note_depths() {
 }
 
 template <class S>
-void FaceAlgorithm<S>::report(const SurfaceSource<S>& /*source*/, std::vector<Point>& node_force,
-                              std::vector<double>& slot_radius) const {
+void FaceAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
+  this->impulses_->add_node_forces(node_force);
+}
+
+template <class S>
+void FaceAlgorithm<S>::put_radii(const SurfaceSource<S>& /*source*/, std::vector<double>& slot_radius) const {
   for (const auto& segment : surface_.segments()) {
     if (!surface_.exposed(segment.slot, segment.face)) continue;
     slot_radius[segment.slot] = static_cast<double>(segment.radius);
@@ -168,7 +175,6 @@ void FaceAlgorithm<S>::report(const SurfaceSource<S>& /*source*/, std::vector<Po
   for (const auto& sphere : spheres_.spheres()) {
     if (surface_.topology().alive(sphere.slot)) slot_radius[sphere.slot] = static_cast<double>(sphere.radius);
   }
-  this->impulses_->add_node_forces(node_force);
 }
 
 template <class S>

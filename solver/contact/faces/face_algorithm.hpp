@@ -27,8 +27,8 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "pinball"; }
-  void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
-              std::vector<double>& slot_radius) const override;
+  void add_node_forces(std::vector<Point>& node_force) const override;
+  void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
   ListSize listed() const override {
     return {static_cast<std::int64_t>(surface_.slaves().size()) + spheres_.count(), lists_.entries(), lists_.places()};
@@ -40,6 +40,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   ContactWork spring_forces(const SurfaceSource<S>& /*source*/, S /*dt*/) override { return {}; }
   void add_spring_forces(const SurfaceSource<S>& /*source*/, ContactWork& /*work*/) override {}
   const std::vector<std::int32_t>& nodes_of_springs() override { return no_springs_; }
+  void add_pair_forces_of_springs(std::vector<Point>& /*sums*/) const override {}
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
   void note_depths();
   /// Has what is listed brought up to date in every step, and nothing else; notes the nodes of it.

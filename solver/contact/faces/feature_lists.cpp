@@ -89,7 +89,13 @@ void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurfa
   const auto body_of = [&](std::int32_t i) {
     return i < segments ? surface.segments()[i].body : spheres.spheres()[i - segments].body;
   };
+  const auto allowed = [&](std::int32_t a, std::int32_t b) {
+    if (allowed_ == nullptr || b >= segments) return true;
+    const auto &own = surface.segments()[a], &other = surface.segments()[b];
+    return allowed_->faces_may(own.slot, own.face, own.node, other.slot, other.face, other.node);
+  };
   pairs_.find(bounds_.boxes(), settings.search, [&](std::int32_t a, std::int32_t b) {
+    if (!allowed(a, b)) return false;
     const bool one_body = body_of(a) == body_of(b);
     if (b >= segments) return settings.self || !one_body;
     return (settings.self || !one_body) && bounds_.around(a).may_face(bounds_.around(b));
@@ -192,7 +198,7 @@ void FeatureLists<S>::find_in_pair(const SegmentSurface<S>& surface, const EdgeT
     std::array<std::int32_t, 4> near{};
     std::size_t count = 0;
     for (const std::int32_t e : edges.edges_of(own)) {
-      if (e < 0 || (take == Take::own && owner_of(surface, edges, e) != own)) continue;
+      if (e < 0 || (take == Take::own && allowed_ == nullptr && owner_of(surface, edges, e) != own)) continue;
       if (bounds_.edge_facing(e).may_face(bounds_.around(other)) && meet(bounds_.edge_box(e), box)) near[count++] = e;
     }
     return std::pair(near, count);
@@ -209,6 +215,8 @@ void FeatureLists<S>::find_in_pair(const SegmentSurface<S>& surface, const EdgeT
       const std::int32_t e = of_a[i], f = of_b[j];
       if (take == Take::changed && !has_changed(e) && !has_changed(f)) continue;
       if (!bounds_.edge_facing(e).may_face(bounds_.edge_facing(f)) || edges.share_node(e, f)) continue;
+      const std::int32_t *const nodes = edges.edges()[e].node, *const others = edges.edges()[f].node;
+      if (allowed_ != nullptr && !allowed_->edges(nodes[0], nodes[1], others[0], others[1]).may) continue;
       if (meet(bounds_.edge_box(e), bounds_.edge_box(f)))
         found_edges_[piece].push_back({std::min(e, f), std::max(e, f)});
     }
@@ -222,9 +230,15 @@ void FeatureLists<S>::find_nodes_in_pair(const SegmentSurface<S>& surface, std::
   const std::array<std::int32_t, 8>& corners = surface.segments()[other].corners;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::int32_t slave = slaves[k];
-    const bool taken = take == Take::own ? surface.slaves()[slave].owner == own
+    // Where only some may touch, a node need not be where its owner is: it is taken from all of its segments.
+    const bool taken = take == Take::own ? allowed_ != nullptr || surface.slaves()[slave].owner == own
                                          : changed_slave_[slave] != 0 || was_active_[other] == 0;
     if (!taken) continue;
+    const auto& segment = surface.segments()[other];
+    if (allowed_ != nullptr &&
+        !allowed_->node_and_face(surface.slaves()[slave].node, segment.slot, segment.face, segment.node).may) {
+      continue;
+    }
     if (!meet(bounds_.node_box(slave), box)) continue;
     if (!bounds_.node_facing(slave).may_face(bounds_.facing(other))) continue;
     if (std::find(slaves.begin(), slaves.begin() + k, slave) != slaves.begin() + k) continue;  // of a triangle

@@ -48,6 +48,8 @@ class FeatureLists {
     std::vector<Pair> with_spheres;
   };
 
+  /// The pairs of the scene that may touch, or null; they have to stay. Lists are to be built anew when others may.
+  void set_pairs(const ContactPairs* pairs) { allowed_ = pairs; }
   /// Builds the lists from nothing. dt: the step just made; last: the lists are
   /// to last, else they are for the coming step alone. depth: per node of the store, how deep it is [length].
   void build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,
@@ -102,6 +104,7 @@ class FeatureLists {
   void fill_node_pairs(const SegmentSurface<S>& surface);
   void fill_edge_pairs(const EdgeTable<S>& edges);
 
+  const ContactPairs* allowed_ = nullptr;
   bool valid_ = false, watched_ = false;
   ListClock<S> clock_;
   SurfaceMotion<S> motion_;

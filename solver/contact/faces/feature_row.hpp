@@ -20,6 +20,7 @@ struct FeatureRow {
   double reach;             ///< size of the segment, or of the smaller one: what gaps are found by [length]
   std::int32_t slave = -1;  ///< of a node against a face: its number in the surface
   bool dropped = false;     ///< another row has its part
+  PairOf pair{};            ///< of the scene, by which they touch
 
   /// Adds the nodes of one side, whose weights sum to 1 or -1. Those with weights that are nothing but round-off are
   /// left out: a node right on a node is a row of two nodes. The largest weight takes up what they had.
@@ -44,7 +45,7 @@ struct FeatureRow {
   }
   template <class S>
   void give_to(ImpulseSolver<S>& impulses) const {
-    impulses.add_row(first, second, direction, depth, size);
+    impulses.add_row(first, second, direction, depth, size, pair);
     for (int k = 0; k < nodes; ++k) impulses.add_node(node[k], weight[k]);
   }
 };
@@ -55,6 +56,7 @@ struct StepReach {
   double approach;     ///< the way that nodes can make towards each other, as far as their velocities tell [length]
   const float* depth;  ///< per node of the store: the deepest that it was in a row of the step before [length]
   bool some_deep;      ///< any of these is not zero
+  const ContactPairs* pairs = nullptr;  ///< of the scene, by which things touch; null: there are none
 };
 
 /// Depth up to which edges may have passed each other, over the size of the smaller segment.

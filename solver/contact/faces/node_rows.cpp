@@ -171,6 +171,9 @@ class NodeMeeting {
     row.depth = 0 - foot.gap;
     row.size = static_cast<double>(slave_.radius + segment.radius);
     row.reach = size_of(foot);
+    if (step_.pairs != nullptr) {
+      row.pair = step_.pairs->node_and_face(slave_.node, segment.slot, segment.face, segment.node);
+    }
     row.add_node(slave_.node, -1);
     row.add_side(segment.node, foot.weight, 1);
   }

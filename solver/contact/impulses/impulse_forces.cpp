@@ -100,7 +100,7 @@ void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>& source, std::int64_t 
     pair.taken = pair.lost.now + pair.lost.later;  // without friction
     pair.memory.lost += pair.taken;
     pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
-    if (has_friction()) pair.lost.add(keep_friction(pack, l, after - rate * Vec3<double>{a[0], a[1], a[2]}, step));
+    if (has_friction()) pair.lost.join(keep_friction(pack, l, after - rate * Vec3<double>{a[0], a[1], a[2]}, step));
     if (!(pair.force > 0)) continue;
     for (int k = 0; k < row.nodes; ++k) {
       S* const force = source.f(node_[row.node[k]]);
@@ -125,7 +125,7 @@ ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t pack, int lane, const 
   ExternalWork lost;
   for (int c = 0; c < 3; ++c) {
     pair.memory.friction[c] = impulse[c] / step.velocity();
-    lost.add(work_of(pair.memory.friction[c], pair.sliding_before[c], rate[c], step));
+    lost.join(work_of(pair.memory.friction[c], pair.sliding_before[c], rate[c], step));
   }
   return lost;
 }
@@ -157,6 +157,19 @@ void ImpulseSolver<S>::add_node_forces(std::vector<Point>& node_force) const {
 }
 
 template <class S>
+void ImpulseSolver<S>::add_pair_forces(std::vector<Point>& sums) const {
+  for (std::size_t i = 0; i < pair_of_row_.size(); ++i) {
+    const Pair& pair = pairs_[i];
+    const PairOf of = pair_of_row_[i];
+    if (!(pair.force > 0) || of.pair < 0) continue;
+    Point& sum = sums[static_cast<std::size_t>(of.pair)];
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum[c] += of.sign * (pair.force * rows_[i].direction[c] + (has_friction() ? pair.memory.friction[c] : 0));
+    }
+  }
+}
+
+template <class S>
 void ImpulseSolver<S>::remember() {
   memory_.clear();
   for (const std::int32_t i : active_) {
@@ -178,6 +191,7 @@ void ImpulseSolver<S>::name_memory() {
   template void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>&, std::int64_t, const StepLengths&); \
   template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                                 \
   template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;                             \
+  template void ImpulseSolver<S>::add_pair_forces(std::vector<Point>&) const;                             \
   template void ImpulseSolver<S>::remember();                                                             \
   template void ImpulseSolver<S>::name_memory();
 PINBALL_INSTANTIATE(double)

@@ -58,10 +58,13 @@ void ImpulseSolver<S>::for_rows(const char* name, const Body& body) const {
 }
 
 template <class S>
-ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held)
+ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held,
+                                const ContactPairs* pairs)
     : lagrange_(settings.enforcement == Enforcement::lagrange),
-      friction_at_rest_(settings.static_friction),
-      friction_sliding_(settings.friction),
+      friction_{settings.friction, settings.static_friction, settings.friction_decay},
+      contact_pairs_(pairs),
+      has_friction_(settings.static_friction > 0 || settings.friction > 0 ||
+                    (pairs != nullptr && pairs->has_friction())),
       node_place_(static_cast<std::size_t>(node_count), -1),
       held_(std::move(held)) {}
 
@@ -69,6 +72,7 @@ template <class S>
 void ImpulseSolver<S>::begin_rows() {
   rows_.clear();
   pairs_.clear();
+  pair_of_row_.clear();
   active_.clear();
   node_.clear();
   last_entry_.clear();
@@ -77,7 +81,8 @@ void ImpulseSolver<S>::begin_rows() {
 
 template <class S>
 void ImpulseSolver<S>::add_row(std::int64_t first, std::int64_t second, const Vec3<double>& direction, double depth,
-                               double size) {
+                               double size, PairOf pair_of_row) {
+  if (contact_pairs_ != nullptr) pair_of_row_.push_back(pair_of_row);
   rows_.rows.push_back({{direction.x, direction.y, direction.z}, rows_.node.size(), 0});
   Pair& pair = pairs_.emplace_back();
   pair.depth = depth;
@@ -228,8 +233,19 @@ void ImpulseSolver<S>::begin_friction(double velocity_step) {
     for (int k = 0; k < row.nodes; ++k) {
       friction.inverse_mass += row.weight[k] * row.weight[k] * friction_mobility(nodes_[row.node[k]]);
     }
-    friction.coefficient = pairs_[i].memory.slides ? friction_sliding_ : friction_at_rest_;
+    friction.coefficient = friction_of(static_cast<std::size_t>(i));
   });
+}
+
+/// Coefficient of a row. With a decay that of the velocity in the middle of the step before.
+template <class S>
+double ImpulseSolver<S>::friction_of(std::size_t i) const {
+  const PairOf of = contact_pairs_ != nullptr ? pair_of_row_[i] : PairOf{};
+  const PairRule& rule = of.pair < 0 ? friction_ : contact_pairs_->rule(of.pair);
+  if (!(rule.friction_decay > 0)) return pairs_[i].memory.slides ? rule.friction : rule.static_friction;
+  const double* v = pairs_[i].sliding_before;
+  const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  return rule.friction + (rule.static_friction - rule.friction) * std::exp(-rule.friction_decay * speed);
 }
 
 /// What the sweeps are compared with.
@@ -269,6 +285,7 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   if (velocity_step == 0) {
     rows_.clear();
     pairs_.clear();
+    pair_of_row_.clear();
   }
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const double ratio = pairs_[i].seen / pairs_[i].size;

@@ -2,15 +2,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include <kernels/boundary/external_work.hpp>
 #include <kernels/tensor.hpp>
 #include <solver/base/aligned_array.hpp>
-#include <solver/base/external_work.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/contact_settings.hpp>
+#include <solver/contact/surface/contact_pairs.hpp>
 #include <solver/contact/surface/held_directions.hpp>
 #include <solver/contact/surface/surface_source.hpp>
+#include <solver/contact/tied/tied_nodes.hpp>
 
 #include "contact_rows.hpp"
 #include "pair_names.hpp"
@@ -50,18 +53,33 @@ struct ImpulseResult {
 template <class S>
 class ImpulseSolver {
  public:
-  ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held);
+  /// pairs: null, or kept by whoever keeps this.
+  ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held,
+                const ContactPairs* pairs = nullptr);
 
+  void take_held_directions(HeldDirections held) { held_ = std::move(held); }
   /// Begins the rows of the coming step (kernels/contact_row.hpp); those of the step before are gone.
   void begin_rows();
   /// Adds the row of two things that may touch within the coming step; its nodes follow. Each pair has one row.
   /// first, second: names that the pair keeps from step to step; direction: from body 2 to body 1; depth: penetration
   /// at the present positions, or negative gap [length]; size: what the depth is compared with, R1 + R2 [length].
-  void add_row(std::int64_t first, std::int64_t second, const Vec3<double>& direction, double depth, double size);
+  /// pair: by which they touch.
+  void add_row(std::int64_t first, std::int64_t second, const Vec3<double>& direction, double depth, double size,
+               PairOf pair = {});
   /// Adds a node of the store to the last row. weight: negative for the nodes of body 1, positive for those of body 2;
   /// each side sums to 1. Collapsed elements and spheres have a node at several corners: its weights add up. What has
   /// no weight is left out.
-  void add_node(std::int32_t node, double weight);
+  /// A tied node is where its corners are: they take its place.
+  void add_node(std::int32_t node, double weight) {
+    const TiedNode* const tie = ties_ != nullptr ? ties_->tie_of(node) : nullptr;
+    if (tie == nullptr) {
+      add_free_node(node, weight);
+      return;
+    }
+    for (std::size_t k = 0; k < 4; ++k) add_free_node(tie->corner[k], tie->weight[k] * weight);
+  }
+  /// ties: null, or kept by whoever keeps this.
+  void set_ties(const TiedNodes<S>* ties) { ties_ = ties; }
   /// All rows are there. dt: the step just made.
   void finish_rows(const SurfaceSource<S>& source, double dt);
 
@@ -75,6 +93,8 @@ class ImpulseSolver {
 
   /// Adds the contact forces of the last solution, per node of the store [force].
   void add_node_forces(std::vector<Point>& node_force) const;
+  /// Adds to the force on the first side of each pair that of the last solution [force].
+  void add_pair_forces(std::vector<Point>& sums) const;
 
   void persist(StateArchive& archive, const SurfaceSource<S>& source);
   std::size_t bytes() const;
@@ -114,7 +134,8 @@ class ImpulseSolver {
   void set_rates(double velocity_step, double dt);
   void set_rate(std::size_t i, double velocity_step, double dt);
   void choose_active();
-  bool has_friction() const { return friction_at_rest_ > 0; }
+  bool has_friction() const { return has_friction_; }
+  double friction_of(std::size_t i) const;
   void begin_friction(double velocity_step);
   void solve_coupled(ImpulseResult& result);
   double largest_rate() const;
@@ -138,22 +159,28 @@ class ImpulseSolver {
   template <class Body>
   void for_nodes(const char* name, const Body& body) const;
 
+  void add_free_node(std::int32_t node, double weight);
+
+  const TiedNodes<S>* ties_ = nullptr;
   bool lagrange_ = false;
-  double friction_at_rest_ = 0, friction_sliding_ = 0;  ///< coefficients [-]
-  ContactRows rows_;                                    ///< of places in node_
-  std::vector<FrictionRow> frictions_;                  ///< one per row, only where there is friction
-  std::vector<Pair> pairs_;                             ///< one per row
-  std::vector<std::int32_t> active_;                    ///< rows that take part
-  RowPacks packs_;                                      ///< of the active rows
-  std::vector<ImpulseNode> nodes_;                      ///< per entry of node_
-  std::vector<double> release_share_;                   ///< per entry of nodes_: sum of |w| over the rows that open
-  AlignedArray<double> velocity_;                       ///< records of four numbers, per entry of node_
-  std::vector<std::int32_t> node_;                      ///< of the store, per entry of nodes_
-  std::vector<LastEntry> last_entry_;                   ///< per entry of node_
-  std::vector<PairMemory> memory_;                      ///< of the last step, in the order of its rows
-  PairNames names_;                                     ///< where the memory of a pair is
-  std::size_t next_memory_ = 0;                         ///< where that of the next row is looked for first
-  std::vector<std::int32_t> node_place_;                ///< per node of the store: place in nodes_ or -1
+  PairRule friction_;                  ///< of rows without a pair
+  const ContactPairs* contact_pairs_;  ///< or null
+  bool has_friction_ = false;
+  std::vector<PairOf> pair_of_row_;       ///< one per row, only where there are pairs
+  ContactRows rows_;                      ///< of places in node_
+  std::vector<FrictionRow> frictions_;    ///< one per row, only where there is friction
+  std::vector<Pair> pairs_;               ///< one per row
+  std::vector<std::int32_t> active_;      ///< rows that take part
+  RowPacks packs_;                        ///< of the active rows
+  std::vector<ImpulseNode> nodes_;        ///< per entry of node_
+  std::vector<double> release_share_;     ///< per entry of nodes_: sum of |w| over the rows that open
+  AlignedArray<double> velocity_;         ///< records of four numbers, per entry of node_
+  std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
+  std::vector<LastEntry> last_entry_;     ///< per entry of node_
+  std::vector<PairMemory> memory_;        ///< of the last step, in the order of its rows
+  PairNames names_;                       ///< where the memory of a pair is
+  std::size_t next_memory_ = 0;           ///< where that of the next row is looked for first
+  std::vector<std::int32_t> node_place_;  ///< per node of the store: place in nodes_ or -1
   HeldDirections held_;
   double taken_ = 0;         ///< energy that all pairs have taken out, but for friction [energy]
   double budget_share_ = 0;  ///< part of what a pair has taken out that it may give back [-]
@@ -161,7 +188,7 @@ class ImpulseSolver {
 };
 
 template <class S>
-inline void ImpulseSolver<S>::add_node(std::int32_t node, double weight) {
+inline void ImpulseSolver<S>::add_free_node(std::int32_t node, double weight) {
   if (weight == 0) return;
   const std::size_t number = rows_.size() - 1;
   ImpulseRow& row = rows_.rows[number];

@@ -28,6 +28,9 @@ class PairForces {
   /// force: records of all listed pinballs, written: F, sum of p2 [force], [force/length]. dt: the step just made.
   PairSums<S> compute(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list, S dt,
                       S* force);
+  /// Calls visit(first, second, force on the first) for the pairs of the last compute(), in one order.
+  template <class Visit>
+  void for_each_touch(const Visit& visit) const;
   std::size_t bytes() const;
 
  private:
@@ -53,5 +56,19 @@ class PairForces {
 
   std::array<Work, fixed_pieces> work_;
 };
+
+template <class S>
+template <class Visit>
+void PairForces<S>::for_each_touch(const Visit& visit) const {
+  for (const Work& work : work_) {
+    for (std::int64_t i = 0; i < work.pairs; ++i) {
+      const Touch& touch = work.touches[static_cast<std::size_t>(i / W)];
+      const auto lane = static_cast<std::size_t>(i % W);
+      visit(touch.first[lane], touch.second[lane],
+            Point{static_cast<double>(touch.force[0][lane]), static_cast<double>(touch.force[1][lane]),
+                  static_cast<double>(touch.force[2][lane])});
+    }
+  }
+}
 
 }  // namespace pinball

@@ -10,16 +10,17 @@
 namespace pinball {
 
 template <class S>
-void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self, ContactSearch how) {
+void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self, ContactSearch how,
+                        const ContactPairs* pairs) {
   remember();
   boxes_.build(balls);
   collect_references(pinballs);
   has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
   constexpr std::int64_t most_met = 300;  // above, the tree takes longer (docs/performance.md)
   if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups, most_met) == ContactSearch::hash) {
-    find_by_hash(pinballs, self);
+    find_by_hash(pinballs, self, pairs);
   } else {
-    find(pinballs, self);
+    find(pinballs, self, pairs);
   }
   number(pinballs);
   recall();
@@ -50,7 +51,7 @@ void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
 
 /// The pairs of each piece, and which pinballs have any.
 template <class S>
-void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
+void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   parallel_for("neighbours", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
@@ -68,13 +69,14 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self) {
       leave_out(self, group, groups);
       NearBalls<S>::leave_out_passing(tree, own, groups);
       leave_out_neighbours(pinballs, group, groups);
+      if (pairs != nullptr) leave_out_apart(pinballs, *pairs, group, groups);
       append(group, groups, found);
     }
   });
 }
 
 template <class S>
-void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self) {
+void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs) {
   by_hash_.find(pinballs, boxes_.view(), reference_.data(), self);
   parallel_for("pairs by a hash", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const auto firsts = by_hash_.pairs().firsts(piece), seconds = by_hash_.pairs().seconds(piece);
@@ -82,8 +84,11 @@ void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self) {
     found.first.assign(firsts.begin(), firsts.end());
     found.second.assign(seconds.begin(), seconds.end());
     found.pairs = firsts.size();
-    for (const std::int32_t first : firsts) mark(first);
-    for (const std::int32_t second : seconds) mark(second);
+    if (pairs != nullptr) keep_allowed(pinballs, *pairs, found);
+    for (std::size_t pair = 0; pair < found.pairs; ++pair) {
+      mark(found.first[pair]);
+      mark(found.second[pair]);
+    }
   });
 }
 
@@ -122,6 +127,47 @@ void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::
       }
     }
   }
+}
+
+template <class S>
+void PairList<S>::leave_out_apart(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::int32_t group,
+                                  std::span<typename NearBalls<S>::Group> near) const {
+  constexpr int G = ball_group<S>;
+  for (auto& other : near) {
+    for (int w = 0; w < other.balls.words; ++w) {
+      for (std::uint64_t bits = other.balls.word[w]; bits != 0; bits &= bits - 1) {
+        const int bit = 64 * w + __builtin_ctzll(bits);
+        const auto a = static_cast<std::size_t>(group * G + bit / G);
+        const auto b = static_cast<std::size_t>(other.number * G + bit % G);
+        if (!may_touch(pinballs, pairs, a, b)) other.balls.clear_in_row(bit / G, 1U << bit % G);
+      }
+    }
+  }
+}
+
+template <class S>
+void PairList<S>::keep_allowed(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, Found& found) {
+  std::size_t kept = 0;
+  for (std::size_t pair = 0; pair < found.pairs; ++pair) {
+    const std::int32_t first = found.first[pair], second = found.second[pair];
+    if (!may_touch(pinballs, pairs, static_cast<std::size_t>(first), static_cast<std::size_t>(second))) continue;
+    found.first[kept] = first;
+    found.second[kept++] = second;
+  }
+  found.pairs = kept;
+}
+
+template <class S>
+bool PairList<S>::may_touch(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::size_t a,
+                            std::size_t b) {
+  return pairs.elements(pinballs.slot[a], pinballs.corners[a], pinballs.slot[b], pinballs.corners[b]).may;
+}
+
+template <class S>
+double PairList<S>::stored_energy() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < stored_.size(); ++i) sum += offset_[i] < S(0) ? 0.0 : static_cast<double>(stored_[i]);
+  return sum;
 }
 
 template <class S>

@@ -30,9 +30,11 @@ class PairList {
     std::int32_t pinballs_begin = 0, pinballs_end = 0;  ///< listed
   };
 
-  /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself; how: the list is the same.
+  /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself; how: the list is the same;
+  /// pairs: of the scene, which may touch, or null.
   void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self,
-             ContactSearch how = ContactSearch::automatic);
+             ContactSearch how = ContactSearch::automatic, const ContactPairs* pairs = nullptr);
+  double stored_energy() const;  ///< of the springs of all pairs [energy]
 
   std::int32_t size() const { return static_cast<std::int32_t>(listed_.size()); }  ///< pinballs that have a pair
   /// Number among all pinballs of each one that is listed.
@@ -73,14 +75,19 @@ class PairList {
   /// First of all pinballs of a piece.
   std::int32_t piece_begin(std::int64_t piece) const;
   void collect_references(const SurfacePinballs<S>& pinballs);
-  void find(const SurfacePinballs<S>& pinballs, bool self);
-  void find_by_hash(const SurfacePinballs<S>& pinballs, bool self);
+  void find(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs);
+  void find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs);
   /// What may come near the balls of a group without what is listed already, and without pairs of one body that were
   /// not apart in the undeformed mesh.
   void leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const;
   /// The same without pairs of elements that share a corner.
   void leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
                             std::span<typename NearBalls<S>::Group> near) const;
+  /// What the pairs of the scene let touch.
+  static bool may_touch(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::size_t a, std::size_t b);
+  void leave_out_apart(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::int32_t group,
+                       std::span<typename NearBalls<S>::Group> near) const;
+  static void keep_allowed(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, Found& found);
   void append(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
   void mark(std::int32_t pinball);
   void number(const SurfacePinballs<S>& pinballs);

@@ -41,7 +41,7 @@ S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 
 template <class S>
 PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
                                       InitialSurface start)
-    : ContactAlgorithm<S>(settings, source, std::move(start.held)), surface_(std::move(start.topology)) {
+    : ContactAlgorithm<S>(settings, source, start), surface_(std::move(start.topology)) {
   penalty_ = {static_cast<S>(settings.beta), static_cast<S>(settings.damping)};
   std::vector<std::int32_t> exposed;
   for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
@@ -113,7 +113,7 @@ bool PinballAlgorithm<S>::list_holds(const SurfaceSource<S>& source) const {
 
 template <class S>
 void PinballAlgorithm<S>::search(const SurfaceSource<S>& source, double /*dt*/) {
-  if (source.lists_last && list_holds(source)) {
+  if (this->may_keep_lists(source) && list_holds(source)) {
     ++this->searches_skipped_;
     return;
   }
@@ -152,7 +152,10 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
     balls_.set(static_cast<std::int32_t>(i), centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
   });
-  list_.build(all_, balls_, this->settings_.self, this->settings_.search);
+  const double stored_before = this->lists_outdated_ ? list_.stored_energy() : 0.0;
+  list_.build(all_, balls_, this->settings_.self, this->settings_.search, this->pairs_.get());
+  if (this->lists_outdated_) ended_energy_ += stored_before - list_.stored_energy();
+  this->lists_outdated_ = false;
   list_valid_ = true;
   collect_listed(source);
 }
@@ -197,7 +200,7 @@ template <class S>
 void PinballAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, double dt) {
   clock_.count_step(static_cast<S>(dt));
   this->impulses_->begin_rows();
-  add_pinball_rows(pinballs_, list_, *this->impulses_);
+  add_pinball_rows(pinballs_, list_, this->pairs_.get(), *this->impulses_);
   this->impulses_->finish_rows(source, dt);
 }
 
@@ -209,6 +212,7 @@ ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& /*source*
   work.stored = sums.stored;
   work.eroded = lost_energy_;
   work.damped_power = sums.damped;
+  work.dissipated = std::exchange(ended_energy_, 0.0);
   work.penetration_ratio = static_cast<double>(sums.penetration_ratio);
   if (sums.deepest >= 0) work.deepest = pinballs_.corners[sums.deepest][0];
   work.pairs = sums.pairs;
@@ -251,13 +255,28 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
 }
 
 template <class S>
-void PinballAlgorithm<S>::report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
-                                 std::vector<double>& slot_radius) const {
+void PinballAlgorithm<S>::add_pair_forces_of_springs(std::vector<Point>& sums) const {
+  if (!this->pairs_) return;
+  pair_forces_.for_each_touch([&](std::int32_t first, std::int32_t second, const Point& force) {
+    const PairOf of = this->pairs_->elements(pinballs_.slot[first], pinballs_.corners[first], pinballs_.slot[second],
+                                             pinballs_.corners[second]);
+    if (of.pair < 0) return;
+    Point& sum = sums[static_cast<std::size_t>(of.pair)];
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += of.sign * force[c];
+  });
+}
+
+template <class S>
+void PinballAlgorithm<S>::put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const {
   const bool current = this->settings_.radius == ContactRadius::current;
   for (std::size_t p = 0; p < all_.slot.size(); ++p) {
     if (surface_.exposed(all_.slot[p]) == 0) continue;  // behind the surface, or eroded
     slot_radius[all_.slot[p]] = static_cast<double>(current ? current_radius(source, all_.corners[p]) : all_.radius[p]);
   }
+}
+
+template <class S>
+void PinballAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
   for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs_.count); ++p) {
     if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;
     for (const std::int32_t node : pinballs_.corners[p]) {

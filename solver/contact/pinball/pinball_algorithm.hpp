@@ -27,8 +27,8 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "pinball"; }
-  void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
-              std::vector<double>& slot_radius) const override;
+  void add_node_forces(std::vector<Point>& node_force) const override;
+  void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_; }
   ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
   const std::vector<std::int32_t>* listed_nodes() const override { return &node_; }
@@ -42,6 +42,7 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) override;
   const std::vector<std::int32_t>& nodes_of_springs() override { return node_; }
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
+  void add_pair_forces_of_springs(std::vector<Point>& sums) const override;
   /// Whether the list still has every pair that may touch.
   bool list_holds(const SurfaceSource<S>& source) const;
   /// Builds the list for a time to come, and the store of the pinballs that are in it.
@@ -70,7 +71,8 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   bool list_valid_ = false;
   bool surface_changed_ = false;  ///< since the pinballs of the surface were chosen
   ListClock<S> clock_;
-  double lost_energy_ = 0;  ///< of springs whose pinball eroded in this step
+  double lost_energy_ = 0;   ///< of springs whose pinball eroded in this step
+  double ended_energy_ = 0;  ///< of springs whose pair may no longer touch
 };
 
 }  // namespace pinball

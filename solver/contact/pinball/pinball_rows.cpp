@@ -37,7 +37,8 @@ struct PinballRow {
 }  // namespace
 
 template <class S>
-void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, ImpulseSolver<S>& impulses) {
+void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, const ContactPairs* pairs,
+                      ImpulseSolver<S>& impulses) {
   constexpr double margin = pinball_pair_margin;
   const auto takes_part = [&pinballs](std::int32_t p) { return record(pinballs.outward.data(), p)[3] > S(0); };
   std::array<std::vector<PinballRow>, fixed_pieces> found;
@@ -54,7 +55,10 @@ void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, 
   });
   for (const std::vector<PinballRow>& some : found) {
     for (const auto& [p, q, reach, row] : some) {
-      impulses.add_row(pinballs.slot[p], pinballs.slot[q], row.direction, row.depth, reach);
+      const PairOf of = pairs == nullptr ? PairOf{}
+                                         : pairs->elements(pinballs.slot[p], pinballs.corners[p], pinballs.slot[q],
+                                                           pinballs.corners[q]);
+      impulses.add_row(pinballs.slot[p], pinballs.slot[q], row.direction, row.depth, reach, of);
       for (int k = 0; k < row.nodes1; ++k) {
         impulses.add_node(pinballs.corners[p][row.corner1[k]], -row.weight1[k]);
       }
@@ -65,7 +69,9 @@ void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, 
   }
 }
 
-template void add_pinball_rows(const PinballStore<double>&, const PairList<double>&, ImpulseSolver<double>&);
-template void add_pinball_rows(const PinballStore<float>&, const PairList<float>&, ImpulseSolver<float>&);
+template void add_pinball_rows(const PinballStore<double>&, const PairList<double>&, const ContactPairs*,
+                               ImpulseSolver<double>&);
+template void add_pinball_rows(const PinballStore<float>&, const PairList<float>&, const ContactPairs*,
+                               ImpulseSolver<float>&);
 
 }  // namespace pinball

@@ -13,8 +13,9 @@ namespace pinball {
 inline constexpr double pinball_pair_margin = 1.1;
 
 /// Adds a row for each pair of listed pinballs that may touch within the coming step, in the order of the list: named
-/// by the slots of their elements (kernels/contact_row.hpp).
+/// by the slots of their elements (kernels/contact_row.hpp). pairs: by which pairs of the scene they touch, or null.
 template <class S>
-void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, ImpulseSolver<S>& impulses);
+void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, const ContactPairs* pairs,
+                      ImpulseSolver<S>& impulses);
 
 }  // namespace pinball

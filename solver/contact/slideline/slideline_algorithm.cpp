@@ -29,7 +29,7 @@ S closing_rate(const NodeRecords<S>& nodes, std::int32_t slave, const std::int32
 template <class S>
 SlidelineAlgorithm<S>::SlidelineAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
                                           InitialSurface start)
-    : ContactAlgorithm<S>(settings, source, std::move(start.held)),
+    : ContactAlgorithm<S>(settings, source, start),
       surface_(source, std::move(start.topology)),
       search_(source, surface_, settings.self),
       memory_(surface_.slaves().size()),
@@ -79,14 +79,15 @@ void SlidelineAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const
 template <class S>
 void SlidelineAlgorithm<S>::search(const SurfaceSource<S>& source, double /*dt*/) {
   const bool reuse = source.lists_last;
-  if (reuse && search_.holds(source)) {
+  if (this->may_keep_lists(source) && search_.holds(source)) {
     ++this->searches_skipped_;
     return;
   }
   source.before_search();
   ++this->searches_;
   if (surface_.changed()) collect_surface(source);  // a good moment to let those behind the new surface wait
-  search_.build(source, surface_, reuse ? static_cast<S>(this->settings_.skin) : S(0));
+  search_.build(source, surface_, reuse ? static_cast<S>(this->settings_.skin) : S(0), this->pairs_.get());
+  this->lists_outdated_ = false;
   surface_.choose_none();
   for (const std::int32_t segment : search_.listed()) surface_.choose(segment);
   for (std::size_t i = 0; i < surface_.slaves().size(); ++i) {
@@ -253,6 +254,26 @@ ContactWork SlidelineAlgorithm<S>::spring_forces(const SurfaceSource<S>& source,
 }
 
 template <class S>
+PairOf SlidelineAlgorithm<S>::pair_of(const Touch& touch) const {
+  if (!this->pairs_) return {};
+  const auto& segment = surface_.segments()[touch.segment];
+  return this->pairs_->node_and_face(surface_.slaves()[touch.slave].node, segment.slot, segment.face, segment.node);
+}
+
+template <class S>
+void SlidelineAlgorithm<S>::add_pair_forces_of_springs(std::vector<Point>& sums) const {
+  for (const Touch& touch : touches_) {
+    const PairOf of = pair_of(touch);
+    if (of.pair < 0) continue;
+    const Vec3<S> force = touch.force * touch.at.normal;
+    Point& sum = sums[static_cast<std::size_t>(of.pair)];
+    sum[0] += of.sign * static_cast<double>(force.x);
+    sum[1] += of.sign * static_cast<double>(force.y);
+    sum[2] += of.sign * static_cast<double>(force.z);
+  }
+}
+
+template <class S>
 void SlidelineAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) {
   // One after the other: two slaves may share nodes of their segments.
   for (const Touch& touch : touches_) {
@@ -301,7 +322,8 @@ void SlidelineAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, dou
     const Vec3<S>& n = touch.at.normal;
     // Named by the slave alone, which has one segment: what it remembers goes with it from one to the next.
     impulses.add_row(slave.node, -1, {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)},
-                     -static_cast<double>(touch.at.gap), static_cast<double>(slave.radius + segment.radius));
+                     -static_cast<double>(touch.at.gap), static_cast<double>(slave.radius + segment.radius),
+                     pair_of(touch));
     impulses.add_node(slave.node, -1);
     for (int i = 0; i < 4; ++i) impulses.add_node(segment.node[i], static_cast<double>(touch.at.weight[i]));
   }
@@ -309,8 +331,10 @@ void SlidelineAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, dou
 }
 
 template <class S>
-void SlidelineAlgorithm<S>::report(const SurfaceSource<S>& /*source*/, std::vector<Point>& node_force,
-                                   std::vector<double>& /*slot_radius*/) const {
+void SlidelineAlgorithm<S>::put_radii(const SurfaceSource<S>& /*source*/, std::vector<double>& /*slot_radius*/) const {}
+
+template <class S>
+void SlidelineAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
   if (this->impulses_) {
     this->impulses_->add_node_forces(node_force);
     return;

@@ -33,8 +33,8 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   void search(const SurfaceSource<S>& source, double dt) override;
 
   const char* name() const override { return "slideline"; }
-  void report(const SurfaceSource<S>& source, std::vector<Point>& node_force,
-              std::vector<double>& slot_radius) const override;
+  void add_node_forces(std::vector<Point>& node_force) const override;
+  void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
   ListSize listed() const override {
     const std::int64_t entries = search_.entries();
@@ -49,6 +49,7 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   void add_spring_forces(const SurfaceSource<S>& source, ContactWork& work) override;
   const std::vector<std::int32_t>& nodes_of_springs() override;
   void collect_impulses(const SurfaceSource<S>& source, double dt) override;
+  void add_pair_forces_of_springs(std::vector<Point>& sums) const override;
 
   /// What a slave node keeps from step to step.
   struct PairMemory {
@@ -68,6 +69,7 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
     S force = 0;      ///< on the slave, along the normal [force]
     S stiffness = 0;  ///< [force/length]
   };
+  PairOf pair_of(const Touch& touch) const;
   struct Sums {
     double stored = 0, damped = 0, lost = 0;
     S ratio = 0;

@@ -94,7 +94,8 @@ void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const Segme
 }
 
 template <class S>
-void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S skin) {
+void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S skin,
+                               const ContactPairs* pairs) {
   const S horizon = skin > S(0) ? horizon_steps * clock_.last_step() : S(0);
   if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (!valid_) watch_nodes(source, surface);
@@ -105,11 +106,11 @@ void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SegmentSurf
   move_segments(source, surface, horizon);
   move_slaves(source, surface, horizon);
   boxes_.build(segments_);
-  find(surface);
+  find(surface, pairs);
 }
 
 template <class S>
-void SlidelineSearch<S>::find(const SegmentSurface<S>& surface) {
+void SlidelineSearch<S>::find(const SegmentSurface<S>& surface, const ContactPairs* pairs) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   const std::int64_t groups = (slaves_.count() + G - 1) / G;
@@ -133,7 +134,13 @@ void SlidelineSearch<S>::find(const SegmentSurface<S>& surface) {
         for (const auto& other : near_groups) {
           for (unsigned bits = other.balls.row(i); bits != 0; bits &= bits - 1) {
             const std::int32_t s = other.number * G + __builtin_ctz(bits);
-            if (may_touch(own_slave, surface.segments()[s], least)) list.push_back(s);
+            const Segment& segment = surface.segments()[s];
+            if (!may_touch(own_slave, segment, least)) continue;
+            if (pairs != nullptr &&
+                !pairs->node_and_face(own_slave.node, segment.slot, segment.face, segment.node).may) {
+              continue;
+            }
+            list.push_back(s);
           }
         }
         start_[slave + 1] = static_cast<std::int64_t>(list.size() - before);

@@ -24,7 +24,9 @@ class SlidelineSearch {
 
   /// Builds the lists from nothing, for all segments and slaves: those that wait are listed beforehand. skin: scale of
   /// what nodes may stray, over the radius of their smallest elements; 0: the lists are for the present positions only.
-  void build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S skin);
+  /// pairs: of the scene, which may touch, or null.
+  void build(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S skin,
+             const ContactPairs* pairs = nullptr);
   /// Notes the length of the step just made.
   void count_step(S dt) { clock_.count_step(dt); }
   /// True while the lists have every node and segment that may touch.
@@ -51,7 +53,7 @@ class SlidelineSearch {
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface);
   void move_segments(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon);
   void move_slaves(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon);
-  void find(const SegmentSurface<S>& surface);
+  void find(const SegmentSurface<S>& surface, const ContactPairs* pairs);
 
   bool self_;
   std::vector<std::array<float, 4>> reference_node_;    ///< per node of the store: undeformed, and as fourth the radius

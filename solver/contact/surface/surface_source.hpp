@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <solver/base/point.hpp>
 #include <solver/base/records.hpp>
 
+#include "contact_pairs.hpp"
 #include "held_directions.hpp"
 
 namespace pinball {
@@ -95,7 +97,8 @@ struct SurfaceTopology {
 /// What contact is given once, to keep.
 struct InitialSurface {
   SurfaceTopology topology;
-  HeldDirections held;  ///< asked for by impulses only: empty for penalty contact
+  HeldDirections held;                    ///< asked for by impulses only: empty for penalty contact
+  std::unique_ptr<ContactPairs> pairs{};  ///< what may touch what; none: all may touch all
 };
 
 }  // namespace pinball

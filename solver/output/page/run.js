@@ -68,6 +68,10 @@ function bodies() {
     panels.push(chart({title: 'Mass remaining', unit: '%', ...overTime, series: mass}));
     panels.push(chart({title: 'Eroded elements', ...overTime, series: ofAll('eroded_elements')}));
   }
+  for (const energy of ['kinetic', 'internal', 'hourglass', 'bulk_viscosity']) {  // with output.body_energies
+    const each = ofAll(energy);
+    if (hasValues(each)) panels.push(chart({title: `${words(energy)}: energy of each`, unit: units.energy, ...overTime, series: each}));
+  }
   const strain = ofAll('max_plastic_strain');
   if (hasValues(strain)) panels.push(chart({title: 'Largest plastic strain', ...overTime, series: strain}));
   fill('bodies', table({

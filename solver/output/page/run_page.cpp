@@ -42,6 +42,7 @@ std::string command_of(const SceneSource& source, const RunSummary& summary) {
   for (const std::string& vary : overrides.vary) command += " --set " + quoted(vary);
   if (overrides.refine != 1) command += fmt::format(" --refine {}", overrides.refine);
   if (overrides.precision) command += " --precision " + summary.precision;
+  if (summary.device != "none") command += " --device " + summary.device;
   return command + fmt::format(" --threads {}", summary.threads);
 }
 

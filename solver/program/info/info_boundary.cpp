@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <solver/model/node_selection.hpp>
+#include <cmath>
+
+#include <solver/model/selection/node_selection.hpp>
+#include <solver/model/selection/pressed_faces.hpp>
 
 namespace pinball {
 
@@ -14,6 +17,20 @@ std::string vector_text(const Point& p, const std::string& unit) {
 
 std::string table_text(const TimeTable& table) {
   return table.times.empty() ? "constant" : fmt::format("{} points in time", table.times.size());
+}
+
+/// "25 nodes on the plane ..., 3 more lie near"
+std::string nodes_text(const ModelMesh& mesh, const NodeSelection& selection) {
+  const SelectedNodes found = selected_nodes(mesh, selection);
+  return fmt::format("{} nodes {}{}", found.nodes.size(), describe(selection),
+                     found.near > 0 ? fmt::format(", {} more lie near", found.near) : "");
+}
+
+std::string span_text(const TimeSpan& when) {
+  std::string text;
+  if (when.start > 0) text += fmt::format(", from time {:.6g}", when.start);
+  if (!std::isinf(when.end)) text += fmt::format(", up to time {:.6g}", when.end);
+  return text;
 }
 
 std::string force_unit(const Units& units) {
@@ -36,28 +53,40 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
                scene.constraints.size() == 1 ? "" : "s", scene.fixed_constraints.size(),
                scene.fixed_constraints.size() == 1 ? "" : "s");
   }
+  for (const PlaneConstraint& plane : scene.constraints)
+    fmt::print("    symmetry: {}\n", nodes_text(model.mesh, nodes_of(plane)));
+  for (const FixedConstraint& fixed : scene.fixed_constraints)
+    fmt::print("    fixed: {}{}\n", nodes_text(model.mesh, fixed.nodes), span_text(fixed.when));
   for (const RigidWall& wall : scene.rigid_walls) {
-    fmt::print("  rigid wall {}: through {}, free side along {}{}{}\n", wall.name,
+    const NodeSelection nodes = nodes_of(wall);
+    fmt::print("  rigid wall {}: through {}, free side along {}{}{}{}{}\n", wall.name,
                vector_text(wall.plane.point, units.length), vector_text(wall.plane.normal, ""),
                wall.friction > 0 ? fmt::format(", friction {:.4g}", wall.friction) : "",
-               wall.body.empty() ? "" : ", for body " + wall.body);
+               wall.sliding ? "" : ", without sliding", span_text(wall.when),
+               nodes.all() && nodes.without.empty() ? "" : ", for " + nodes_text(model.mesh, nodes));
   }
   for (const PrescribedVelocity& p : scene.prescribed_velocities) {
-    fmt::print("  prescribed velocity: {}{} of {} nodes {} ({})\n", vector_text(p.velocity, units.velocity),
-               p.direction ? " along its direction" : "", select_nodes(model.mesh, p.nodes).size(), describe(p.nodes),
-               table_text(p.table));
+    fmt::print("  prescribed velocity: {}{} of {} ({}{})\n", vector_text(p.velocity, units.velocity),
+               p.direction ? " along its direction" : "", nodes_text(model.mesh, p.nodes), table_text(p.table),
+               span_text(p.when));
   }
   for (const NodalLoad& load : scene.loads) {
-    fmt::print("  load: {} on {} nodes {} ({})\n", vector_text(load.force, force_unit(units)),
-               select_nodes(model.mesh, load.nodes).size(), describe(load.nodes), table_text(load.table));
+    fmt::print("  load: {} on {} ({})\n", vector_text(load.force, force_unit(units)),
+               nodes_text(model.mesh, load.nodes), table_text(load.table));
+  }
+  for (const Pressure& pressure : scene.pressures) {
+    fmt::print("  pressure {}: {:.6g}{}{} on {} faces {} ({})\n", pressure.name, pressure.pressure,
+               units.stress.empty() ? "" : " ", units.stress,
+               pressed_faces(model.mesh, scene.constraints, pressure).size(),
+               pressure.corners.empty() ? describe(pressure.faces) : "that are listed", table_text(pressure.table));
   }
   for (const Gravity& gravity : scene.gravities) {
     fmt::print("  gravity: {} ({})\n", vector_text(gravity.acceleration, acceleration_unit(units)),
                table_text(gravity.table));
   }
   for (const InitialVelocity& v : scene.initial_velocities) {
-    fmt::print("  initial velocity: {} of {} nodes {}\n", vector_text(v.velocity, units.velocity),
-               select_nodes(model.mesh, v.nodes).size(), describe(v.nodes));
+    fmt::print("  initial velocity: {} of {}\n", vector_text(v.velocity, units.velocity),
+               nodes_text(model.mesh, v.nodes));
   }
   if (scene.damping.mass > 0) fmt::print("  damping: {:.6g} times mass and velocity\n", scene.damping.mass);
 }

@@ -81,7 +81,7 @@ template <class S>
 void print_element_features(const Model<S>& model) {
   const Scene& scene = model.scene;
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
-    const Material& material = scene.materials[p];
+    const Material& material = scene.materials[static_cast<std::size_t>(model.parts[p].material)];
     const ElementFeatures& f = model.parts[p].features;
     if (!material.plastic) skip(fmt::format("plasticity of {}", material.name), "its model is elastic");
     if (!f.erosion) {
@@ -90,8 +90,10 @@ void print_element_features(const Model<S>& model) {
                             : "its model is elastic and an inverted element stops the run");
     }
   }
-  if (!scene.element.bulk_viscosity) skip("bulk viscosity", "off in the scene (element.bulk_viscosity)");
-  if (scene.element.hourglass == HourglassControl::none)
+  const auto none = [&model](const auto& has) { return std::ranges::none_of(model.parts, has); };
+  if (none([](const Part& part) { return part.features.bulk_viscosity; }))
+    skip("bulk viscosity", "off in the scene (element.bulk_viscosity)");
+  if (none([](const Part& part) { return part.features.hourglass != HourglassKind::none; }))
     skip("hourglass control", "off in the scene (element.hourglass)");
   const ElementStore<S>& store = model.elements;
   if (store.plastic_strain.empty()) skip("plastic strain array", "no material is plastic, none is eroded");

@@ -1,0 +1,187 @@
+#pragma once
+
+#include <cmath>
+
+#include "node_arrays.hpp"
+
+/// Planes that no node crosses. A node that would lie behind the plane after the step gets the normal force that puts
+/// it on the plane:
+///
+///     N = -g / (dt_(n+1/2) (dt_(n-1/2) + dt_(n+1/2))/2 / m) ,  g = n.(x_(n+1) - p) < 0 without the wall.
+///
+/// Friction: the force across the normal that stops the node within the step, at most friction times N.
+namespace pinball {
+
+/// What a wall is, where it was at the start.
+template <class S>
+struct WallPlane {
+  S point[3], normal[3];
+  S friction;                     ///< infinite where nothing slides [-]
+  bool ends = false;              ///< in space or in time
+  S past;                         ///< how far behind it a node is past a wall that ends [length]
+  S edge[3], across[3], size[2];  ///< of a rectangle, from the point on; a size of 0: without end [length]
+};
+
+/// Lengths of the coming step, and where the wall is before and after it.
+template <class S>
+struct WallStep {
+  S position, velocity;  ///< [time]
+  S before, after;       ///< way of the wall along its normal [length]
+};
+
+/// The nodes of a wall.
+template <class S>
+struct WallNodes {
+  const std::int32_t* nodes;  ///< the last ones have a free direction of their own
+  std::int64_t plain;         ///< how many of them have none
+  const S* free;              ///< projections of the normal, three numbers for each of the last nodes
+  S* reaction;                ///< per node [force]
+  S* drag;                    ///< friction, three numbers per node; null: there is none [force]
+};
+
+/// What nodes would do to a wall that ends the step with some velocity.
+struct WallPush {
+  double force = 0;  ///< that puts all of them on it [force]
+  double slope = 0;  ///< how much more, over velocity [force time/length]
+
+  PINBALL_FUNCTION void join(const WallPush& other) {
+    force += other.force;
+    slope += other.slope;
+  }
+};
+
+/// Direction in which the wall can push its i-th node.
+template <class S>
+PINBALL_FUNCTION const S* wall_direction(const WallPlane<S>& wall, const WallNodes<S>& of, std::int64_t i) {
+  return i < of.plain ? wall.normal : of.free + 3 * (i - of.plain);
+}
+
+/// Whether a node is where the wall is, and, of a wall that ends, not past it. way: of the wall before the step.
+template <class S>
+PINBALL_FUNCTION bool wall_takes(const WallPlane<S>& wall, const S* x, S way) {
+  if (!wall.ends) return true;
+  S gap = -way, along[2] = {S(0), S(0)};
+  for (int k = 0; k < 3; ++k) {
+    gap += wall.normal[k] * (x[k] - wall.point[k]);
+    along[0] += wall.edge[k] * (x[k] - wall.point[k]);
+    along[1] += wall.across[k] * (x[k] - wall.point[k]);
+  }
+  for (int side = 0; side < 2; ++side) {
+    if (wall.size[side] > S(0) && (along[side] < S(0) || along[side] > wall.size[side])) return false;
+  }
+  return gap > -wall.past;
+}
+
+/// What a force on a node moves it by within the step [length/force].
+template <class S>
+PINBALL_FUNCTION S wall_mobility(const NodeArrays<S>& nodes, std::int64_t node, const WallStep<S>& step) {
+  return step.position * step.velocity * nodes.inverse_mass[node];
+}
+
+/// Of a node after the step, without the wall, from where the wall would be if it kept still.
+template <class S>
+PINBALL_FUNCTION S wall_gap(const NodeArrays<S>& nodes, const WallPlane<S>& wall, std::int64_t node,
+                            const WallStep<S>& step) {
+  const S *x = nodes.position + 4 * node, *v = nodes.velocity + 4 * node, *f = nodes.force + 4 * node;
+  const S mobility = wall_mobility(nodes, node, step);
+  S gap = 0;
+  for (int k = 0; k < 3; ++k) {
+    gap += wall.normal[k] * ((x[k] - wall.point[k]) + step.position * v[k] + mobility * f[k]);
+  }
+  return gap;
+}
+
+/// Force that stops a node across the normal, as far as friction allows it. f: all other forces on the node.
+template <class S>
+PINBALL_OUTLINED void wall_drag(const WallPlane<S>& wall, S reaction, const S* v, const S* f, S velocity_step,
+                                S inverse_mass, S* stopping) {
+  S along = 0, square = 0;
+  for (int k = 0; k < 3; ++k) {
+    stopping[k] = -v[k] / (velocity_step * inverse_mass) - f[k];
+    along += stopping[k] * wall.normal[k];
+  }
+  for (int k = 0; k < 3; ++k) {
+    stopping[k] -= along * wall.normal[k];
+    square += stopping[k] * stopping[k];
+  }
+  const S size = std::sqrt(square), most = wall.friction * reaction;
+  if (size > most) {
+    for (int k = 0; k < 3; ++k) stopping[k] *= most / size;
+  }
+}
+
+/// Sums up what the nodes do to a wall that ends up at step.after.
+template <class S>
+struct PushWall {
+  NodeArrays<S> nodes;
+  WallPlane<S> wall;
+  WallNodes<S> of;
+  WallStep<S> step;
+
+  PINBALL_FUNCTION void operator()(std::int64_t i, WallPush& sum) const {
+    const auto node = std::int64_t(of.nodes[i]);
+    const auto depth = static_cast<double>(step.after - wall_gap(nodes, wall, node, step));
+    const S mobility = wall_mobility(nodes, node, step);
+    if (!(depth > 0) || !(mobility > S(0))) return;
+    if (!wall_takes(wall, nodes.position + 4 * node, step.before)) return;
+    const S* d = wall_direction(wall, of, i);
+    const auto give = static_cast<double>(mobility * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    sum.force += depth / give;
+    sum.slope += static_cast<double>(step.position) / give;
+  }
+};
+
+/// Sets the reactions on the nodes of a wall and adds them to their forces; sums up those along the normal.
+template <class S>
+struct StopAtWall {
+  NodeArrays<S> nodes;
+  WallPlane<S> wall;
+  WallNodes<S> of;
+  WallStep<S> step;
+
+  PINBALL_FUNCTION void operator()(std::int64_t i, double& sum) const {
+    const auto node = std::int64_t(of.nodes[i]);
+    const S *x = nodes.position + 4 * node, *v = nodes.velocity + 4 * node;
+    S* f = nodes.force + 4 * node;
+    const S mobility = wall_mobility(nodes, node, step);
+    const S over = wall_gap(nodes, wall, node, step) - step.after;
+    of.reaction[i] = S(0);
+    if (of.drag != nullptr) {
+      for (int k = 0; k < 3; ++k) of.drag[3 * i + k] = S(0);
+    }
+    if (!(over < S(0)) || !(mobility > S(0)) || !wall_takes(wall, x, step.before)) return;
+    const S* d = wall_direction(wall, of, i);
+    const S free = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];  // 1 where nothing else holds the node
+    const S reaction = -over / (mobility * free);
+    for (int k = 0; k < 3; ++k) f[k] += reaction * d[k];
+    of.reaction[i] = reaction;
+    if (of.drag != nullptr) {
+      S stopping[3];
+      wall_drag(wall, reaction, v, f, step.velocity, nodes.inverse_mass[node], stopping);
+      for (int k = 0; k < 3; ++k) of.drag[3 * i + k] = stopping[k];
+      for (int k = 0; k < 3; ++k) f[k] += stopping[k];
+    }
+    sum += static_cast<double>(reaction);
+  }
+};
+
+/// Sums up the work of the reactions that StopAtWall has set.
+template <class S>
+struct WorkOfWall {
+  NodeArrays<S> nodes;
+  WallPlane<S> wall;
+  WallNodes<S> of;
+  StepLengths step;
+
+  PINBALL_FUNCTION void operator()(std::int64_t i, ExternalWork& sum) const {
+    if (of.reaction[i] == S(0)) return;
+    const S* d = wall_direction(wall, of, i);
+    S reaction[3];
+    for (int k = 0; k < 3; ++k) {
+      reaction[k] = of.reaction[i] * d[k] + (of.drag == nullptr ? S(0) : of.drag[3 * i + k]);
+    }
+    sum.join(work_on_node(nodes, of.nodes[i], reaction, step));
+  }
+};
+
+}  // namespace pinball

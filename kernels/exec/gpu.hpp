@@ -1,0 +1,313 @@
+#pragma once
+
+#include "../macros.hpp"
+
+#if defined(PINBALL_DEVICE_COMPILER)
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+#if defined(__HIPCC__)
+#include <hip/hip_runtime.h>
+#define PINBALL_GPU(name) hip##name
+#else
+#include <cuda_runtime.h>
+#define PINBALL_GPU(name) cuda##name
+#endif
+
+#include "sums.hpp"
+
+/// Accelerators of CUDA and of HIP, by one source: `Cuda` and `CudaSpace`, or `Hip` and `HipSpace`. All work is done in
+/// the order in which it is given, on the device that is current for the calling thread.
+namespace pinball {
+
+/// What the runtime or the device has refused, and in what.
+class GpuError : public std::runtime_error {
+ public:
+  GpuError(const char* what, PINBALL_GPU(Error_t) status)
+      : std::runtime_error(std::string(what) + ": " + PINBALL_GPU(GetErrorString)(status)), status_(status) {}
+  /// The runtime's own sentence.
+  const char* reason() const { return PINBALL_GPU(GetErrorString)(status_); }
+
+ private:
+  PINBALL_GPU(Error_t) status_;
+};
+
+inline void require_gpu(PINBALL_GPU(Error_t) status, const char* what) {
+  if (status == PINBALL_GPU(Success)) return;
+  (void)PINBALL_GPU(GetLastError)();  // it would be told again
+  throw GpuError(what, status);
+}
+
+struct GpuSpace {
+  static constexpr std::size_t alignment = 256;
+  static std::size_t room(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
+  static void* allocate(std::size_t room) {
+    void* memory = nullptr;
+    const auto status = PINBALL_GPU(Malloc)(&memory, room);
+    if (status == PINBALL_GPU(ErrorMemoryAllocation)) {
+      (void)PINBALL_GPU(GetLastError)();
+      throw std::bad_alloc();
+    }
+    require_gpu(status, "memory of the device");
+    return memory;
+  }
+  static void release(void* memory, std::size_t /*room*/) noexcept { (void)PINBALL_GPU(Free)(memory); }
+
+  static void zero(void* to, std::size_t bytes) { require_gpu(PINBALL_GPU(Memset)(to, 0, bytes), "zero"); }
+  static void copy(void* to, const void* from, std::size_t bytes) {
+    transfer(to, from, bytes, PINBALL_GPU(MemcpyDeviceToDevice));
+    require_gpu(PINBALL_GPU(DeviceSynchronize)(), "deep_copy");
+  }
+  static void copy_from_host(void* to, const void* from, std::size_t bytes) {
+    transfer(to, from, bytes, PINBALL_GPU(MemcpyHostToDevice));
+  }
+  static void copy_to_host(void* to, const void* from, std::size_t bytes) {
+    transfer(to, from, bytes, PINBALL_GPU(MemcpyDeviceToHost));
+  }
+
+ private:
+  static void transfer(void* to, const void* from, std::size_t bytes, PINBALL_GPU(MemcpyKind) kind) {
+    require_gpu(PINBALL_GPU(Memcpy)(to, from, bytes, kind), "deep_copy");
+  }
+};
+
+/// A kernel is under way when parallel_for returns. What goes wrong in it is thrown by what waits for it next: fence,
+/// deep_copy, the result of a sum.
+struct Gpu {
+  using memory_space = GpuSpace;
+  static constexpr int block = sum_lanes;  ///< threads
+  /// Of the device that is current. Throws GpuError where there is none.
+  static std::string name() { return properties().name; }
+  static std::size_t memory() { return properties().totalGlobalMem; }  ///< [bytes]
+  static void wait() { require_gpu(PINBALL_GPU(DeviceSynchronize)(), "fence"); }
+
+ private:
+#if defined(__HIPCC__)
+  using Properties = hipDeviceProp_t;
+#else
+  using Properties = cudaDeviceProp;
+#endif
+  static Properties properties() {
+    int device = 0;
+    require_gpu(PINBALL_GPU(GetDevice)(&device), "device");
+    Properties properties;
+    require_gpu(PINBALL_GPU(GetDeviceProperties)(&properties, device), "device");
+    return properties;
+  }
+};
+
+#if defined(__HIPCC__)
+using HipSpace = GpuSpace;
+using Hip = Gpu;
+#else
+using CudaSpace = GpuSpace;
+using Cuda = Gpu;
+#endif
+
+/// Blocks that a processor of the device has to hold of a functor's kernel, which bounds its registers: as many as the
+/// functor says in `least_blocks`.
+template <class Functor>
+constexpr int least_blocks() {
+  if constexpr (requires { Functor::least_blocks; }) {
+    return Functor::least_blocks;
+  } else {
+    return 1;
+  }
+}
+
+template <class Functor>
+__global__ void __launch_bounds__(Gpu::block, least_blocks<Functor>())
+    call_for_each(std::int64_t begin, std::int64_t end, Functor functor) {
+  const std::int64_t i = begin + std::int64_t(blockIdx.x) * Gpu::block + threadIdx.x;
+  if (i < end) functor(i);
+}
+
+template <class Functor>
+void parallel_for(const char* name, RangePolicy<Gpu> range, const Functor& functor) {
+  static_assert(std::is_trivially_copyable_v<Functor> && sizeof(Functor) <= 4000, "parameter of a kernel");
+  if (range.begin >= range.end) return;
+  const auto blocks = static_cast<unsigned>((range.end - range.begin + Gpu::block - 1) / Gpu::block);
+  call_for_each<<<blocks, Gpu::block>>>(range.begin, range.end, functor);
+  require_gpu(PINBALL_GPU(GetLastError)(), name);
+}
+
+/// What threads of a block have for each other; values may be of types with constructors.
+template <class Value, int count>
+__device__ Value* shared_values() {
+  static_assert(count * sizeof(Value) <= std::size_t(48) << 10, "more than a block has");
+  alignas(Value) __shared__ unsigned char bytes[count * sizeof(Value)];
+  return reinterpret_cast<Value*>(bytes);
+}
+
+/// Joins the values of a block's threads in pairs, as sum_of_piece does; thread 0 has the sum.
+template <class Value>
+__device__ void join_lanes(Value& own) {
+  Value* const upper = shared_values<Value, sum_lanes / 2>();
+  const int lane = static_cast<int>(threadIdx.x);
+  for (int width = sum_lanes / 2; width > 0; width /= 2) {
+    if (lane >= width && lane < 2 * width) upper[lane - width] = own;
+    __syncthreads();
+    if (lane < width) join_to(own, upper[lane]);
+    __syncthreads();
+  }
+}
+
+template <class Value, class Functor>
+__global__ void __launch_bounds__(Gpu::block, least_blocks<Functor>())
+    sum_pieces_of_range(std::int64_t begin, std::int64_t count, Functor functor, Value* partial) {
+  const SumPiece piece = sum_piece(count, blockIdx.x, gridDim.x);
+  Value own{};
+  for (std::int64_t i = piece.begin + threadIdx.x; i < piece.end; i += sum_lanes) functor(begin + i, own);
+  join_lanes(own);
+  if (threadIdx.x == 0) partial[blockIdx.x] = own;
+}
+
+/// By one block.
+template <class Value>
+__global__ void __launch_bounds__(Gpu::block) join_pieces(std::int64_t pieces, const Value* partial, Value* result) {
+  Value own{};
+  for (std::int64_t p = threadIdx.x; p < pieces; p += sum_lanes) join_to(own, partial[p]);
+  join_lanes(own);
+  if (threadIdx.x == 0) *result = own;
+}
+
+/// Memory of the device for partial results, of each thread of the host.
+class GpuScratch {
+ public:
+  template <class Value>
+  static Value* values(std::int64_t count) {
+    return static_cast<Value*>(of_this_thread().bytes(static_cast<std::size_t>(count) * sizeof(Value)));
+  }
+  GpuScratch(const GpuScratch&) = delete;
+  GpuScratch& operator=(const GpuScratch&) = delete;
+
+ private:
+  GpuScratch() = default;
+  ~GpuScratch() { GpuSpace::release(memory_, room_); }
+  static GpuScratch& of_this_thread() {
+    static thread_local GpuScratch scratch;
+    return scratch;
+  }
+  void* bytes(std::size_t wanted) {
+    if (wanted > room_) {
+      GpuSpace::release(memory_, room_);
+      memory_ = nullptr;
+      room_ = 0;
+      memory_ = GpuSpace::allocate(GpuSpace::room(wanted));
+      room_ = GpuSpace::room(wanted);
+    }
+    return memory_;
+  }
+  void* memory_ = nullptr;
+  std::size_t room_ = 0;
+};
+
+/// The same sums in the same order as on the host (sums.hpp). least_blocks of the functor counts here, too.
+template <class Functor, class Value>
+void parallel_reduce(const char* name, RangePolicy<Gpu> range, const Functor& functor, Value& result) {
+  static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
+  const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
+  auto* const partial = GpuScratch::values<Value>(pieces + 1);
+  sum_pieces_of_range<<<static_cast<unsigned>(pieces), Gpu::block>>>(range.begin, count, functor, partial);
+  require_gpu(PINBALL_GPU(GetLastError)(), name);
+  join_pieces<<<1, Gpu::block>>>(pieces, static_cast<const Value*>(partial), partial + pieces);
+  require_gpu(PINBALL_GPU(Memcpy)(&result, partial + pieces, sizeof(Value), PINBALL_GPU(MemcpyDeviceToHost)), name);
+}
+
+/// The term of each index, for its sums.
+template <class Functor>
+struct TermsOf {
+  Functor functor;
+  template <class Value>
+  PINBALL_FUNCTION void operator()(std::int64_t i, Value& sum) const {
+    functor(i, sum, false);
+  }
+};
+
+/// partial: sums of pieces, which become the sums before each of them; the total comes behind them. By one block.
+template <class Value>
+__global__ void __launch_bounds__(Gpu::block) scan_pieces(std::int64_t pieces, Value* partial) {
+  Value* const run = shared_values<Value, Gpu::block>();
+  const int lane = static_cast<int>(threadIdx.x);
+  const std::int64_t begin = pieces * lane / Gpu::block, end = pieces * (lane + 1) / Gpu::block;
+  Value own{};
+  for (std::int64_t p = begin; p < end; ++p) join_to(own, partial[p]);
+  run[lane] = own;
+  __syncthreads();
+  if (lane == 0) {
+    Value sum{};
+    for (int l = 0; l < Gpu::block; ++l) {
+      const Value of_run = run[l];
+      run[l] = sum;
+      join_to(sum, of_run);
+    }
+    partial[pieces] = sum;
+  }
+  __syncthreads();
+  Value sum = run[lane];
+  for (std::int64_t p = begin; p < end; ++p) {
+    const Value of_piece = partial[p];
+    partial[p] = sum;
+    join_to(sum, of_piece);
+  }
+}
+
+/// run: one value a thread, which becomes the sum of those up to and with its own.
+template <class Value>
+__device__ void scan_lanes(Value* run) {
+  const int lane = static_cast<int>(threadIdx.x);
+  for (int distance = 1; distance < Gpu::block; distance *= 2) {
+    Value sum{};
+    if (lane >= distance) sum = run[lane - distance];
+    __syncthreads();
+    if (lane >= distance) {
+      join_to(sum, run[lane]);
+      run[lane] = sum;
+    }
+    __syncthreads();
+  }
+}
+
+template <class Value, class Functor>
+__global__ void __launch_bounds__(Gpu::block)
+    scan_range(std::int64_t begin, std::int64_t count, Functor functor, const Value* before) {
+  Value* const run = shared_values<Value, Gpu::block>();
+  const int lane = static_cast<int>(threadIdx.x);
+  const SumPiece piece = sum_piece(count, blockIdx.x, gridDim.x);
+  Value sum = before[blockIdx.x];
+  for (std::int64_t round = piece.begin; round < piece.end; round += Gpu::block) {
+    Value own{};
+    if (round + lane < piece.end) functor(begin + round + lane, own, false);
+    run[lane] = own;
+    __syncthreads();
+    scan_lanes(run);
+    Value update = sum;
+    if (lane > 0) join_to(update, run[lane - 1]);
+    if (round + lane < piece.end) functor(begin + round + lane, update, true);
+    join_to(sum, run[Gpu::block - 1]);
+    __syncthreads();
+  }
+}
+
+template <class Functor, class Value>
+void parallel_scan(const char* name, RangePolicy<Gpu> range, const Functor& functor, Value& total) {
+  static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
+  const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
+  const auto blocks = static_cast<unsigned>(pieces);
+  auto* const partial = GpuScratch::values<Value>(pieces + 1);
+  sum_pieces_of_range<<<blocks, Gpu::block>>>(range.begin, count, TermsOf<Functor>{functor}, partial);
+  require_gpu(PINBALL_GPU(GetLastError)(), name);
+  scan_pieces<<<1, Gpu::block>>>(pieces, partial);
+  scan_range<<<blocks, Gpu::block>>>(range.begin, count, functor, static_cast<const Value*>(partial));
+  require_gpu(PINBALL_GPU(Memcpy)(&total, partial + pieces, sizeof(Value), PINBALL_GPU(MemcpyDeviceToHost)), name);
+}
+
+}  // namespace pinball
+
+#undef PINBALL_GPU
+#endif

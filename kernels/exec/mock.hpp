@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "host_loops.hpp"
+#include "mock_space.hpp"
+
+namespace pinball {
+
+/// A device for tests: threads of the host, at work on memory that the host may not touch outside kernels. What would
+/// fail on a device because of a host's pointer used late, or a copy forgotten, fails on it. It does not find kernels
+/// that read the host's memory.
+struct Mock {
+  using memory_space = MockSpace;
+  static int concurrency() { return Threads::concurrency(); }
+  static void set_concurrency(int threads) { Threads::set_concurrency(threads); }
+};
+
+/// A range whose pieces open the memory for the thread that works on them; an exception closes it, too.
+template <class Body>
+struct OpenedRangeOf {
+  RangeOf<Body> range;
+  static void work(const void* of, std::int64_t begin, std::int64_t end) {
+    const MockMemory::OpenHere while_it_works;
+    RangeOf<Body>::work(&static_cast<const OpenedRangeOf*>(of)->range, begin, end);
+  }
+};
+
+template <class Functor>
+void parallel_for(const char* /*name*/, RangePolicy<Mock> range, const Functor& given) {
+  static_assert(std::is_trivially_copyable_v<Functor>, "a device gets a copy of its bytes");
+  if (range.begin >= range.end) return;
+  const Functor functor = given;
+  const OpenedRangeOf<Functor> work{{functor}};
+  const MockMemory::OpenForTeam while_it_works;
+#if defined(_OPENMP)
+  ThreadTeam::of_this_thread().run(Threads::of_region(), range.begin, range.end, &OpenedRangeOf<Functor>::work, &work);
+#else
+  OpenedRangeOf<Functor>::work(&work, range.begin, range.end);
+#endif
+}
+
+}  // namespace pinball

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <sys/mman.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <new>
+#include <utility>
+
+#if defined(PKEY_DISABLE_ACCESS) && !defined(PINBALL_MOCK_WITHOUT_KEYS)
+#define PINBALL_MOCK_KEYS 1
+#endif
+
+namespace pinball {
+
+/// Memory as that of a device is: the host may touch it in kernels and copies alone; elsewhere it dies of SIGSEGV.
+///
+/// All of it is one range of addresses with one protection key of the processor, which each thread opens for itself
+/// while it works on a piece of a kernel. Where there are no keys (PINBALL_MOCK_WITHOUT_KEYS: tests leave them out),
+/// the range is opened for all threads while any of them is in a kernel, by mprotect. Pages are huge where the system
+/// grants them, so that this is quick.
+class MockMemory {
+ public:
+  static MockMemory& instance() {
+    static MockMemory& memory = *new MockMemory;  // arrays with static lifetime may be gone last
+    return memory;
+  }
+  /// Keys of the processor protect it: other threads may not touch it either while one is in a kernel.
+  bool has_keys() const { return key_ >= 0; }
+
+  /// bytes: a multiple of pages.
+  void* allocate(std::size_t bytes) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    auto gap = gaps_.begin();
+    while (gap != gaps_.end() && gap->second < bytes) ++gap;
+    if (gap == gaps_.end()) throw std::bad_alloc();
+    const std::size_t at = gap->first, left = gap->second - bytes;
+    if (at + bytes > used_) extend(at + bytes);
+    auto place = gaps_.extract(gap);  // its node serves for what is left
+    if (left > 0) {
+      place.key() = at + bytes;
+      place.mapped() = left;
+      gaps_.insert(std::move(place));
+    }
+    return begin_ + at;
+  }
+
+  void release(void* memory, std::size_t bytes) noexcept {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (bytes >= huge_page) madvise(memory, bytes, MADV_DONTNEED);
+    try {
+      auto gap = gaps_.emplace(static_cast<char*>(memory) - begin_, bytes).first;
+      if (gap != gaps_.begin()) gap = joined(std::prev(gap), gap);
+      if (const auto next = std::next(gap); next != gaps_.end()) joined(gap, next);
+    } catch (const std::bad_alloc&) {
+      return;  // no memory for the note: these addresses are not used again
+    }
+  }
+
+  /// While it lives, the calling thread may touch the memory. Scopes may lie in each other.
+  class OpenHere {
+   public:
+    OpenHere() { instance().open_here(); }
+    ~OpenHere() { instance().close_here(); }
+    OpenHere(const OpenHere&) = delete;
+    OpenHere& operator=(const OpenHere&) = delete;
+  };
+  /// While it lives, threads may open it quickly: around the pieces of a kernel, which open it each for itself.
+  class OpenForTeam {
+   public:
+    OpenForTeam() { instance().open_for_all(); }
+    ~OpenForTeam() { instance().close_for_all(); }
+    OpenForTeam(const OpenForTeam&) = delete;
+    OpenForTeam& operator=(const OpenForTeam&) = delete;
+  };
+
+ private:
+  static constexpr std::size_t range = std::size_t(1) << 38;  ///< of addresses; memory comes when it is touched
+  static constexpr std::size_t huge_page = std::size_t(2) << 20;
+  using Gaps = std::map<std::size_t, std::size_t>;  ///< offset and bytes
+
+  MockMemory() {
+    void* const memory =
+        mmap(nullptr, range + huge_page, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    const auto address = reinterpret_cast<std::uintptr_t>(memory);
+    begin_ = static_cast<char*>(memory) + (huge_page - address % huge_page) % huge_page;
+    gaps_.emplace(0, range);
+#if defined(MADV_HUGEPAGE)
+    madvise(begin_, range, MADV_HUGEPAGE);
+#endif
+#if defined(PINBALL_MOCK_KEYS)
+    key_ = pkey_alloc(0, PKEY_DISABLE_ACCESS);
+#endif
+  }
+
+  /// Two gaps as one, where they touch; else the second.
+  Gaps::iterator joined(Gaps::iterator first, Gaps::iterator second) {
+    if (first->first + first->second != second->first) return second;
+    first->second += second->second;
+    gaps_.erase(second);
+    return first;
+  }
+
+  /// More of the range is in use: whole huge pages, as open or closed as the rest.
+  void extend(std::size_t end) {
+    const std::size_t before = used_;
+    used_ = (end + huge_page - 1) / huge_page * huge_page;
+    if (!protect(before, used_, has_keys() || open_ > 0)) {
+      used_ = before;
+      throw std::bad_alloc();
+    }
+  }
+  bool protect(std::size_t begin, std::size_t end, bool open) const {
+    if (begin == end) return true;
+    const int allowed = open ? PROT_READ | PROT_WRITE : PROT_NONE;
+#if defined(PINBALL_MOCK_KEYS)
+    if (has_keys()) return pkey_mprotect(begin_ + begin, end - begin, allowed, key_) == 0;
+#endif
+    return mprotect(begin_ + begin, end - begin, allowed) == 0;
+  }
+
+  void open_for_all() {
+    if (has_keys()) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (open_++ == 0) protect(0, used_, true);
+  }
+  void close_for_all() {
+    if (has_keys()) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (--open_ == 0) protect(0, used_, false);
+  }
+  /// Scopes in which the calling thread is.
+  static int& depth() {
+    static thread_local int scopes = 0;
+    return scopes;
+  }
+  void open_here() {
+    if (!has_keys()) open_for_all();
+#if defined(PINBALL_MOCK_KEYS)
+    if (has_keys() && depth()++ == 0) pkey_set(key_, 0);
+#endif
+  }
+  void close_here() {
+    if (!has_keys()) close_for_all();
+#if defined(PINBALL_MOCK_KEYS)
+    if (has_keys() && --depth() == 0) pkey_set(key_, PKEY_DISABLE_ACCESS);
+#endif
+  }
+
+  char* begin_ = nullptr;
+  int key_ = -1;
+  std::mutex mutex_;
+  Gaps gaps_;
+  std::size_t used_ = 0;   ///< bytes from the beginning, some of them gaps
+  std::int64_t open_ = 0;  ///< scopes for which all threads may touch it
+};
+
+struct MockSpace {
+  static constexpr std::size_t alignment = 4096;
+  static std::size_t room(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
+  static void* allocate(std::size_t room) { return MockMemory::instance().allocate(room); }
+  static void release(void* memory, std::size_t room) noexcept { MockMemory::instance().release(memory, room); }
+  static void zero(void* to, std::size_t bytes) {
+    const MockMemory::OpenHere while_it_works;
+    std::memset(to, 0, bytes);
+  }
+  static void copy(void* to, const void* from, std::size_t bytes) {
+    const MockMemory::OpenHere while_it_works;
+    std::memcpy(to, from, bytes);
+  }
+  static void copy_from_host(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
+  static void copy_to_host(void* to, const void* from, std::size_t bytes) { copy(to, from, bytes); }
+  /// What keeps the host out.
+  static const char* protection() { return MockMemory::instance().has_keys() ? "protection keys" : "mprotect"; }
+};
+
+}  // namespace pinball

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <solver/keyword/fields.hpp>
+#include <solver/keyword/keyword_block.hpp>
+
+/// The smallest parts of Abaqus input: names, labels, data lines.
+namespace pinball {
+
+/// Upper case without blanks: keywords, parameters and what they may be have neither case nor blanks.
+std::string squeezed(std::string_view text);
+
+/// A label by which sets and the like are found: without case and quotes.
+std::string label_key(std::string_view label);
+/// The same for people: as it is written, without the quotes.
+std::string label_text(std::string_view label);
+
+/// "INSTANCE.NAME" cut at the first point outside of quotes; none: there is no point.
+std::optional<std::pair<std::string, std::string>> split_label(std::string_view label);
+
+/// What stands between the commas of a line, however many; a comma at its end ends nothing.
+std::vector<std::string_view> entries_of(std::string_view line);
+
+/// Whether a line goes on in the next one: it ends in a comma.
+bool goes_on(std::string_view line);
+
+/// The fields of a data line by their places. Messages name the field and what was expected.
+class DataFields {
+ public:
+  explicit DataFields(const Card& card) : fields_(card, no_parameters(), whole_line) {}
+
+  std::string text(std::size_t field) const { return fields_.text(field); }
+  bool blank(std::size_t field) const { return fields_.blank(field); }
+  std::int64_t integer(std::size_t field, const char* name, std::optional<std::int64_t> otherwise = {}) const {
+    return fields_.integer(field, name, otherwise);
+  }
+  double number(std::size_t field, const char* name, std::optional<double> otherwise = {}) const {
+    return fields_.number(field, name, otherwise);
+  }
+  const DeckPlace& place() const { return fields_.place(); }
+
+ private:
+  static const Parameters& no_parameters();
+  /// A line without a comma is one field, however long.
+  static constexpr std::array<int, 1> whole_line{1 << 30};
+  Fields fields_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/model/model.hpp>
+#include <solver/results.hpp>
+
+#include "space/boundary_kernels.hpp"
+
+namespace pinball {
+
+/// Pressure on faces of elements ([[pressure]]), against the outward normals of where they are now.
+/// (kernels/boundary/face_pressure.hpp).
+template <class S>
+class FacePressures {
+ public:
+  /// Throws InputError for a pressure without faces.
+  FacePressures(const Model<S>& model, const BoundaryKernels<S>& kernels);
+
+  bool any() const { return !loads_.empty(); }
+
+  /// Adds the forces of the present places to those of the nodes, but for faces of eroded elements; time: of the
+  /// forces.
+  void apply(const NodeArrays<S>& nodes, double time);
+  /// Work of the forces that apply() has added; to be called when all forces are known.
+  ExternalWork work(const NodeArrays<S>& nodes, const StepLengths& step);
+
+  void persist(StateArchive& archive) {
+    for (Load& load : loads_) archive(load.done, load.last);
+  }
+  std::vector<PressureResult> results() const;
+  std::size_t bytes() const;
+
+ private:
+  struct Load {
+    Pressure given;
+    std::unique_ptr<PressureKernels<S>> faces;
+    bool acts = false;  ///< at the time of the forces
+    double done = 0;    ///< work of all steps before the last
+    ExternalWork last;
+  };
+  std::vector<Load> loads_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,91 @@
+#include "gravity_loads.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace pinball {
+
+template <class S>
+GravityLoads<S>::GravityLoads(const Model<S>& model, const BoundaryKernels<S>& kernels) {
+  for (const Gravity& given : model.scene.gravities) {
+    if (given.bodies.empty()) {
+      of_all_.push_back(given);
+    } else {
+      of_bodies_.push_back(of_bodies(model, given, kernels));
+    }
+  }
+  if (!of_all_.empty()) forces_on_all_ = kernels.gravity(model.nodes.count);
+}
+
+template <class S>
+typename GravityLoads<S>::OfBodies GravityLoads<S>::of_bodies(const Model<S>& model, const Gravity& given,
+                                                              const BoundaryKernels<S>& kernels) {
+  std::vector<std::int32_t> group;
+  for (const Body& body : model.scene.bodies) group.push_back(std::ranges::count(given.bodies, body.name) > 0 ? 0 : -1);
+  MassShares theirs = std::move(mass_shares(model, group, 1).front());
+  Kernels forces = kernels.gravity(theirs.nodes, theirs.share);
+  if (given.name.empty()) theirs = {};
+  return {given, std::move(theirs), std::move(forces)};
+}
+
+template <class S>
+void GravityLoads<S>::apply(const NodeArrays<S>& nodes, double time) {
+  if (forces_on_all_) {
+    Point sum{};
+    for (const Gravity& gravity : of_all_) {
+      const double factor = gravity.table.value(time);
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += factor * gravity.acceleration[k];
+    }
+    forces_on_all_->add(nodes, sum);
+  }
+  for (const OfBodies& gravity : of_bodies_) {
+    const double factor = gravity.given.table.value(time);
+    Point present{};
+    for (std::size_t k = 0; k < 3; ++k) present[k] = factor * gravity.given.acceleration[k];
+    gravity.forces->add(nodes, present);
+  }
+}
+
+template <class S>
+void GravityLoads<S>::add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const {
+  if (forces_on_all_) forces_on_all_->add_work(nodes, step, sum);
+  for (const OfBodies& gravity : of_bodies_) gravity.forces->add_work(nodes, step, sum);
+}
+
+/// Masses are those of the host, which all memories have.
+template <class S>
+void GravityLoads<S>::add_forces(const Model<S>& model, double time, const NamedForces& named,
+                                 std::vector<Point>& sums) const {
+  const auto add = [&](const Gravity& gravity, double mass) {
+    const double force = mass * gravity.table.value(time);
+    const Point& a = gravity.acceleration;
+    named.add(gravity.name, {force * a[0], force * a[1], force * a[2]}, sums);
+  };
+  for (const Gravity& gravity : of_all_) {
+    if (gravity.name.empty()) continue;
+    add(gravity, std::accumulate(model.node_mass.begin(), model.node_mass.end(), 0.0));
+  }
+  for (const OfBodies& gravity : of_bodies_) {
+    if (gravity.given.name.empty()) continue;
+    double mass = 0;
+    for (std::size_t i = 0; i < gravity.theirs.nodes.size(); ++i) {
+      mass += gravity.theirs.share[i] * model.node_mass[static_cast<std::size_t>(gravity.theirs.nodes[i])];
+    }
+    add(gravity.given, mass);
+  }
+}
+
+template <class S>
+std::size_t GravityLoads<S>::bytes() const {
+  std::size_t sum = 0;
+  for (const OfBodies& gravity : of_bodies_) {
+    sum += gravity.forces->bytes() + gravity.theirs.nodes.size() * (sizeof(std::int32_t) + sizeof(double));
+  }
+  return sum;
+}
+
+template class GravityLoads<double>;
+template class GravityLoads<float>;
+
+}  // namespace pinball

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <solver/model/mass_shares.hpp>
+#include <solver/model/model.hpp>
+
+#include "named_forces.hpp"
+#include "space/boundary_kernels.hpp"
+
+namespace pinball {
+
+/// Accelerations of all bodies, or of some ([[gravity]]): f = m g.
+template <class S>
+class GravityLoads {
+ public:
+  GravityLoads(const Model<S>& model, const BoundaryKernels<S>& kernels);
+
+  /// Adds the forces to those of the nodes; time: of the forces.
+  void apply(const NodeArrays<S>& nodes, double time);
+  /// Adds the work of the forces that apply() has added; to be called when all forces are known.
+  void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const;
+  /// Adds the force of each acceleration that has a name; time: of the forces.
+  void add_forces(const Model<S>& model, double time, const NamedForces& named, std::vector<Point>& sums) const;
+  std::size_t bytes() const;
+
+ private:
+  using Kernels = std::unique_ptr<NodeForceKernels<S>>;
+  /// A force on the part of each node's mass that is of some bodies.
+  struct OfBodies {
+    Gravity given;
+    MassShares theirs;  ///< empty where it has no name
+    Kernels forces;
+  };
+  static OfBodies of_bodies(const Model<S>& model, const Gravity& given, const BoundaryKernels<S>& kernels);
+
+  std::vector<Gravity> of_all_;
+  Kernels forces_on_all_;  ///< of their sum; null: there are none
+  std::vector<OfBodies> of_bodies_;
+};
+
+}  // namespace pinball

@@ -1,0 +1,133 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <solver/base/error.hpp>
+#include <solver/base/point.hpp>
+#include <solver/model/model_surface.hpp>
+#include <solver/model/selection/node_selection.hpp>
+
+#include "rigid_walls.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// A point of the plane that is not far from the mesh: what lies far away in the plane moves it across when it is
+/// rounded.
+Point near_point(const Plane& plane, const Point& node, double mesh_size) {
+  const Point away = minus(node, plane.point);
+  if (!(norm(away) > 16 * mesh_size)) return plane.point;
+  const double gap = dot(away, plane.normal);
+  Point foot = node;
+  for (std::size_t k = 0; k < 3; ++k) foot[k] -= gap * plane.normal[k];
+  return foot;
+}
+
+template <class S>
+void copy_to(const Point& from, S* to) {
+  for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<S>(from[k]);
+}
+
+/// All nodes where nothing says which.
+std::vector<std::int32_t> nodes_behind(const ModelMesh& mesh, const RigidWall& wall) {
+  const NodeSelection nodes = nodes_of(wall);
+  return nodes.all() && nodes.without.empty() ? matching_nodes(mesh, nodes) : select_nodes(mesh, nodes);
+}
+
+}  // namespace
+
+template <class S>
+RigidWalls<S>::RigidWalls(const Model<S>& model, const BoundaryKernels<S>& kernels) {
+  for (const RigidWall& given : model.scene.rigid_walls) {
+    walls_.push_back(wall_of(model, given, kernels));
+    WallResult& result = results_.emplace_back();
+    result.name = given.name;
+    result.moves = walls_.back().motion.moves();
+    result.velocity = walls_.back().motion.is_pushed() ? given.speed : 0.0;
+  }
+  take_held_directions(model);
+}
+
+template <class S>
+typename RigidWalls<S>::Wall RigidWalls<S>::wall_of(const Model<S>& model, const RigidWall& given,
+                                                    const BoundaryKernels<S>& kernels) {
+  WallPlane<S> plane{};
+  const double size = mesh_size(model.mesh);
+  copy_to(given.plane.normal, plane.normal);
+  plane.friction = given.sliding ? static_cast<S>(given.friction) : std::numeric_limits<S>::infinity();
+  plane.ends = given.edge || !given.when.always();
+  plane.past = static_cast<S>(1e-5 * size);
+  if (given.edge) {  // measured from the given point
+    Point edge = *given.edge;
+    make_orthogonal(edge, {given.plane.normal});
+    copy_to(edge, plane.edge);
+    copy_to(cross(given.plane.normal, edge), plane.across);
+    for (std::size_t k = 0; k < 2; ++k) plane.size[k] = static_cast<S>(given.size[k]);
+  }
+  copy_to(given.edge ? given.plane.point : near_point(given.plane, model.mesh.nodes[0], size), plane.point);
+  if (!plane.ends) stand_back(model, given, plane);
+  return {plane, given.when, WallMotion(given), kernels.wall(plane.friction > S(0))};
+}
+
+template <class S>
+void RigidWalls<S>::stand_back(const Model<S>& model, const RigidWall& given, WallPlane<S>& plane) {
+  const PlaceTolerance tolerance(model.mesh, given.nodes.tolerance);
+  double deepest = 1e-9 * mesh_size(model.mesh);
+  const double exact = deepest;
+  for (const std::int32_t n : nodes_behind(model.mesh, given)) {
+    double gap = 0;
+    for (std::size_t k = 0; k < 3; ++k) gap += (model.mesh.nodes[n][k] - given.plane.point[k]) * given.plane.normal[k];
+    if (gap < -tolerance.of(n)) {
+      throw InputError(
+          fmt::format("{}: expected all nodes on the free side, a node of body {} lies {:.6g} behind the plane at the "
+                      "start",
+                      given.where, model.mesh.body_names[model.mesh.body_of_node[n]], -gap));
+    }
+    deepest = std::max(deepest, -gap);
+  }
+  if (!(deepest > exact)) return;
+  for (std::size_t k = 0; k < 3; ++k) plane.point[k] -= static_cast<S>(deepest) * plane.normal[k];
+}
+
+template <class S>
+void RigidWalls<S>::take_held_directions(const Model<S>& model) {
+  if (walls_.empty()) return;
+  const HeldDirections held = held_directions(model);
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const RigidWall& given = model.scene.rigid_walls[w];
+    std::vector<std::int32_t> nodes;
+    std::vector<S> free_directions;
+    std::vector<std::pair<std::int32_t, std::array<S, 3>>> oblique;
+    for (const std::int32_t n : nodes_behind(model.mesh, given)) {
+      const std::int32_t node = model.node_of_scene_node[n];
+      Point free = given.plane.normal;
+      for (const Point& h : held.of(node)) {
+        double along = 0;
+        for (std::size_t k = 0; k < 3; ++k) along += free[k] * h[k];
+        for (std::size_t k = 0; k < 3; ++k) free[k] -= along * h[k];
+      }
+      const double part = std::hypot(free[0], free[1], free[2]);
+      if (part > 1 - 1e-12) {
+        nodes.push_back(node);
+      } else if (part > 1e-6) {  // else the wall cannot move it
+        oblique.push_back({node, {static_cast<S>(free[0]), static_cast<S>(free[1]), static_cast<S>(free[2])}});
+      }
+    }
+    std::sort(nodes.begin(), nodes.end());  // in the order of memory
+    for (const auto& [node, free] : oblique) {
+      nodes.push_back(node);
+      free_directions.insert(free_directions.end(), free.begin(), free.end());
+    }
+    walls_[w].nodes->set(nodes, free_directions);
+  }
+}
+
+template RigidWalls<double>::RigidWalls(const Model<double>&, const BoundaryKernels<double>&);
+template RigidWalls<float>::RigidWalls(const Model<float>&, const BoundaryKernels<float>&);
+template void RigidWalls<double>::take_held_directions(const Model<double>&);
+template void RigidWalls<float>::take_held_directions(const Model<float>&);
+
+}  // namespace pinball

@@ -1,0 +1,15 @@
+// One source for CUDA and HIP. It must not see the model: its packs have another width for this compiler.
+#include "make_boundary_kernels.hpp"
+#include "space_boundary_kernels.hpp"
+
+namespace pinball {
+
+template <class S>
+std::unique_ptr<BoundaryKernels<S>> make_gpu_boundary_kernels(std::vector<std::int64_t> place_of_slot) {
+  return std::make_unique<SpaceBoundaryKernels<S, Gpu>>(std::move(place_of_slot));
+}
+
+template std::unique_ptr<BoundaryKernels<double>> make_gpu_boundary_kernels(std::vector<std::int64_t>);
+template std::unique_ptr<BoundaryKernels<float>> make_gpu_boundary_kernels(std::vector<std::int64_t>);
+
+}  // namespace pinball

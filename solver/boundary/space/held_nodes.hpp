@@ -1,0 +1,93 @@
+#pragma once
+
+#include "boundary_kernels.hpp"
+#include "loops.hpp"
+
+namespace pinball {
+
+/// First of each node's entries of a list in the order of nodes, and the length of the list.
+template <class Entry>
+std::vector<std::int32_t> first_of_nodes(const std::vector<Entry>& list) {
+  std::vector<std::int32_t> first;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i == 0 || list[i].node != list[i - 1].node) first.push_back(static_cast<std::int32_t>(i));
+  }
+  if (!list.empty()) first.push_back(static_cast<std::int32_t>(list.size()));
+  return first;
+}
+
+template <class S, class Space>
+class SpaceHeldNodes final : public HeldNodeKernels<S> {
+ public:
+  void set(const std::vector<NodeConstraint<S>>& constraints, const std::vector<NodePrescription<S>>& prescribed,
+           bool keeps) override {
+    constraints_ = list_in<Space>(constraints);
+    first_held_ = list_in<Space>(first_of_nodes(constraints));
+    prescribed_ = list_in<Space>(prescribed);
+    first_moved_ = list_in<Space>(first_of_nodes(prescribed));
+    reaction_.reset(prescribed.size());
+    held_.reset(keeps ? constraints.size() : 0);
+  }
+  void clear_forces() override {
+    reaction_.reset(reaction_.size());
+    held_.reset(held_.size());
+  }
+
+  void constrain(const NodeArrays<S>& nodes, double velocity_step, const DueSpans& due) override {
+    const DueNodes due_nodes{due.level_of_span == nullptr ? nullptr : due.level_of_span->data(), nodes_per_span,
+                             due.level};
+    for_each<Space>("constraints", count(first_held_),
+                    ConstrainNodes<S>{nodes, constraints_.data(), first_held_.data(), due_nodes, velocity_step,
+                                      held_.empty() ? nullptr : held_.data()});
+  }
+  void prescribe(const NodeArrays<S>& nodes, const std::vector<double>& factors, double velocity_step) override {
+    factor_.renew(factors.size());
+    deep_copy(factor_, factors.data(), factors.size());
+    for_each<Space>("prescribed velocities", count(first_moved_),
+                    MoveNodes<S>{nodes, prescribed_.data(), first_moved_.data(), factor_.data(),
+                                 static_cast<S>(velocity_step), reaction_.data()});
+  }
+  void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const override {
+    const MovingForce<S> forces{prescribed_.data(), reaction_.data()};
+    add_sum<Space>("work of prescribed velocities", static_cast<std::int64_t>(prescribed_.size()),
+                   WorkOfForces<S, MovingForce<S>>{nodes, forces, step}, sum);
+  }
+  double energy_along(const NodeArrays<S>& nodes, const StepLengths& step) const override {
+    double sum = 0;
+    add_sum<Space>("energy of constrained motion", static_cast<std::int64_t>(constraints_.size()),
+                   EnergyAlong<S>{nodes, constraints_.data(), step.before}, sum);
+    return sum;
+  }
+  ForceSum force_of_constraint(std::int32_t table) const override {
+    ForceSum sum;
+    const ForceOfTable<double, NodeConstraint<S>> of_table{constraints_.data(), table, held_.data()};
+    add_sum<Space>("force of a constraint", static_cast<std::int64_t>(held_.size()), of_table, sum);
+    return sum;
+  }
+  ForceSum force_of_prescribed(std::int32_t table) const override {
+    ForceSum sum;
+    const ForceOfTable<S, NodePrescription<S>> of_table{prescribed_.data(), table, reaction_.data()};
+    add_sum<Space>("force of a prescribed velocity", static_cast<std::int64_t>(reaction_.size()), of_table, sum);
+    return sum;
+  }
+  std::size_t bytes() const override {
+    return constraints_.bytes() + first_held_.bytes() + prescribed_.bytes() + first_moved_.bytes() + factor_.bytes() +
+           reaction_.bytes() + held_.bytes();
+  }
+
+ private:
+  using Memory = typename Space::memory_space;
+  static std::int64_t count(const Array<std::int32_t, Memory>& first) {
+    return first.empty() ? 0 : static_cast<std::int64_t>(first.size()) - 1;
+  }
+
+  Array<NodeConstraint<S>, Memory> constraints_;
+  Array<std::int32_t, Memory> first_held_;  ///< per held node and one more: its constraints
+  Array<NodePrescription<S>, Memory> prescribed_;
+  Array<std::int32_t, Memory> first_moved_;  ///< per moved node and one more: its prescriptions
+  Array<double, Memory> factor_;             ///< per table
+  Array<S, Memory> reaction_;                ///< per prescription [force]
+  Array<double, Memory> held_;               ///< along its normal, per constraint; empty: it is not kept [force]
+};
+
+}  // namespace pinball

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "boundary_kernels.hpp"
+
+namespace pinball {
+
+/// For the threads of the host.
+template <class S>
+std::unique_ptr<BoundaryKernels<S>> make_host_boundary_kernels();
+/// For the mock device. place_of_slot: of SpaceBoundaryKernels.
+template <class S>
+std::unique_ptr<BoundaryKernels<S>> make_mock_boundary_kernels(std::vector<std::int64_t> place_of_slot = {});
+/// For the GPU that is current, in a library with boundary_kernels_gpu.cu.
+template <class S>
+std::unique_ptr<BoundaryKernels<S>> make_gpu_boundary_kernels(std::vector<std::int64_t> place_of_slot);
+
+}  // namespace pinball

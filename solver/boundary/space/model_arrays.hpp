@@ -1,0 +1,16 @@
+#pragma once
+
+#include <kernels/boundary/node_arrays.hpp>
+#include <solver/model/model.hpp>
+
+namespace pinball {
+
+/// The arrays of a model, in the memory of the host.
+template <class S>
+NodeArrays<S> node_arrays(Model<S>& model) {
+  NodeStore<S>& nodes = model.nodes;
+  return {nodes.position.data(),     nodes.velocity.data(),  nodes.force.data(),
+          nodes.inverse_mass.data(), model.node_mass.data(), model.elements.mass.data()};
+}
+
+}  // namespace pinball

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <kernels/boundary/face_pressure.hpp>
+
+#include "boundary_kernels.hpp"
+#include "loops.hpp"
+
+namespace pinball {
+
+template <class S, class Space>
+class SpacePressure final : public PressureKernels<S> {
+ public:
+  explicit SpacePressure(const FaceList& faces)
+      : element_(list_in<Space>(faces.element)),
+        corners_(list_in<Space>(faces.corners)),
+        nodes_(list_in<Space>(faces.nodes)),
+        first_(list_in<Space>(faces.first)),
+        places_(list_in<Space>(faces.places)),
+        corner_force_(3 * faces.corners.size()),
+        force_(3 * faces.nodes.size()) {}
+
+  void add(const NodeArrays<S>& nodes, S pressure) override {
+    for_each<Space>("pressure", static_cast<std::int64_t>(element_.size()),
+                    PressFaces<S>{nodes, element_.data(), corners_.data(), pressure, corner_force_.data()});
+    for_each<Space>(
+        "force of pressure", node_count(),
+        GatherPressure<S>{nodes, nodes_.data(), first_.data(), places_.data(), corner_force_.data(), force_.data()});
+  }
+  void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const override {
+    add_sum<Space>("work of pressure", node_count(), WorkOfForces<S, PressureForce<S>>{nodes, forces(), step}, sum);
+  }
+  ForceSum force() const override {
+    ForceSum sum;
+    add_sum<Space>("total of pressure", node_count(), TotalOfForces<S, PressureForce<S>>{{}, forces()}, sum);
+    return sum;
+  }
+  std::size_t bytes() const override {
+    return element_.bytes() + corners_.bytes() + nodes_.bytes() + first_.bytes() + places_.bytes() +
+           corner_force_.bytes() + force_.bytes();
+  }
+
+ private:
+  using Memory = typename Space::memory_space;
+  PressureForce<S> forces() const { return {nodes_.data(), force_.data()}; }
+  std::int64_t node_count() const { return static_cast<std::int64_t>(nodes_.size()); }
+
+  Array<std::int64_t, Memory> element_;
+  Array<std::int32_t, Memory> corners_, nodes_, first_, places_;  ///< FaceList
+  Array<S, Memory> corner_force_;                                 ///< 4 x 3 per face [force]
+  Array<S, Memory> force_;                                        ///< 3 per node [force]
+};
+
+}  // namespace pinball

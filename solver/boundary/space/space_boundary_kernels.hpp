@@ -1,0 +1,57 @@
+#pragma once
+
+#include <utility>
+
+#include "held_nodes.hpp"
+#include "node_forces.hpp"
+#include "pressure.hpp"
+#include "walls.hpp"
+
+namespace pinball {
+
+/// BoundaryKernels of any execution space, from one source.
+template <class S, class Space>
+class SpaceBoundaryKernels final : public BoundaryKernels<S> {
+ public:
+  using Forces = std::unique_ptr<NodeForceKernels<S>>;
+
+  /// place_of_slot: where the elements of the host's slots are in the arrays of the space; empty: they are the slots.
+  explicit SpaceBoundaryKernels(std::vector<std::int64_t> place_of_slot = {})
+      : place_of_slot_(std::move(place_of_slot)) {}
+
+  Forces load(const std::vector<std::int32_t>& nodes, const std::vector<S>& share) const override {
+    return std::make_unique<SpaceSharedForces<S, Space, SharedForce<S>, S>>("loads", nodes, share);
+  }
+  Forces gravity(std::int32_t node_count) const override {
+    return std::make_unique<SpaceNodeForces<S, Space, GravityForce<S>>>("gravity", node_count, GravityForce<S>{});
+  }
+  Forces gravity(const std::vector<std::int32_t>& nodes, const std::vector<double>& share) const override {
+    return std::make_unique<SpaceSharedForces<S, Space, PartGravityForce<S>, double>>("gravity", nodes, share);
+  }
+  Forces damping(std::int32_t node_count, double rate) const override {
+    return std::make_unique<SpaceNodeForces<S, Space, DampingForce<S>>>("damping", node_count, DampingForce<S>{rate});
+  }
+  Forces given_forces(std::int32_t node_count, const S* forces) const override {
+    return std::make_unique<SpaceGivenForces<S, Space>>(node_count, forces);
+  }
+  std::unique_ptr<HeldNodeKernels<S>> held_nodes() const override {
+    return std::make_unique<SpaceHeldNodes<S, Space>>();
+  }
+  std::unique_ptr<PressureKernels<S>> pressure(const FaceList& faces) const override {
+    if (place_of_slot_.empty()) return std::make_unique<SpacePressure<S, Space>>(faces);
+    FaceList there = faces;
+    for (std::int64_t& element : there.element) element = place_of_slot_[static_cast<std::size_t>(element)];
+    return std::make_unique<SpacePressure<S, Space>>(there);
+  }
+  std::unique_ptr<WallKernels<S>> wall(bool rubs) const override { return std::make_unique<SpaceWall<S, Space>>(rubs); }
+  std::unique_ptr<ReflectionKernels<S>> reflection(const std::vector<std::int32_t>& nodes,
+                                                   const std::array<double, 3>& point,
+                                                   const std::array<double, 3>& inward) const override {
+    return std::make_unique<SpaceReflection<S, Space>>(nodes, point, inward);
+  }
+
+ private:
+  std::vector<std::int64_t> place_of_slot_;
+};
+
+}  // namespace pinball

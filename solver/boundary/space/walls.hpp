@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kernels/boundary/symmetry_wall.hpp>
+
+#include "boundary_kernels.hpp"
+#include "loops.hpp"
+
+namespace pinball {
+
+template <class S, class Space>
+class SpaceWall final : public WallKernels<S> {
+ public:
+  explicit SpaceWall(bool rubs) : rubs_(rubs) {}
+
+  void set(const std::vector<std::int32_t>& nodes, const std::vector<S>& free) override {
+    nodes_ = list_in<Space>(nodes);
+    free_ = list_in<Space>(free);
+    reaction_.reset(nodes.size());
+    drag_.reset(rubs_ ? 3 * nodes.size() : 0);
+  }
+  void clear_reactions() override { reaction_.reset(reaction_.size()); }
+
+  WallPush push(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) override {
+    WallPush sum;
+    add_sum<Space>("push on a rigid wall", count(), PushWall<S>{nodes, wall, of(), step}, sum);
+    return sum;
+  }
+  double stop(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) override {
+    double sum = 0;
+    add_sum<Space>("rigid wall", count(), StopAtWall<S>{nodes, wall, of(), step}, sum);
+    return sum;
+  }
+  void add_work(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const StepLengths& step,
+                ExternalWork& sum) override {
+    add_sum<Space>("work of a rigid wall", count(), WorkOfWall<S>{nodes, wall, of(), step}, sum);
+  }
+  std::size_t bytes() const override { return nodes_.bytes() + free_.bytes() + reaction_.bytes() + drag_.bytes(); }
+
+ private:
+  using Memory = typename Space::memory_space;
+  std::int64_t count() const { return static_cast<std::int64_t>(nodes_.size()); }
+  WallNodes<S> of() {
+    const std::int64_t oblique = static_cast<std::int64_t>(free_.size()) / 3;
+    return {nodes_.data(), count() - oblique, free_.data(), reaction_.data(), rubs_ ? drag_.data() : nullptr};
+  }
+
+  bool rubs_;
+  Array<std::int32_t, Memory> nodes_;
+  Array<S, Memory> free_;      ///< 3 for each of the last nodes
+  Array<S, Memory> reaction_;  ///< per node [force]
+  Array<S, Memory> drag_;      ///< 3 per node, only where it rubs [force]
+};
+
+template <class S, class Space>
+class SpaceReflection final : public ReflectionKernels<S> {
+ public:
+  SpaceReflection(const std::vector<std::int32_t>& nodes, const std::array<double, 3>& point,
+                  const std::array<double, 3>& inward)
+      : nodes_(list_in<Space>(nodes)), point_(point), inward_(inward) {}
+
+  void reflect(const NodeArrays<S>& nodes, S position_step) const override {
+    const auto [x, y, z] = point_;
+    const auto [a, b, c] = inward_;
+    for_each<Space>(
+        "symmetry walls", static_cast<std::int64_t>(nodes_.size()),
+        ReflectNodes<S>{
+            nodes_.data(), {S(x), S(y), S(z)}, {S(a), S(b), S(c)}, position_step, nodes.position, nodes.velocity});
+  }
+  std::size_t bytes() const override { return nodes_.bytes(); }
+
+ private:
+  Array<std::int32_t, typename Space::memory_space> nodes_;
+  std::array<double, 3> point_, inward_;
+};
+
+}  // namespace pinball

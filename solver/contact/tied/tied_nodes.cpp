@@ -1,0 +1,196 @@
+#include "tied_nodes.hpp"
+
+#include <algorithm>
+
+#include <kernels/exec.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// Tied nodes from which on a second thread gains more than it has to wait for.
+constexpr std::size_t worth_a_thread = 4096;
+
+template <class S>
+void copy_inverse_masses(const S* from, AlignedArray<S>& to) {
+  std::copy_n(from, to.size(), to.data());
+}
+
+}  // namespace
+
+template <class S>
+TiedNodes<S>::TiedNodes(std::vector<TiedNode> nodes, std::vector<TieTimes> times, std::int32_t node_count)
+    : nodes_(std::move(nodes)),
+      times_(std::move(times)),
+      active_(nodes_.size(), 0),
+      offset_(nodes_.size()),
+      place_(nodes_.empty() ? 0 : static_cast<std::size_t>(node_count), -1),
+      free_inverse_mass_(place_.size()) {}
+
+template <class S>
+void TiedNodes<S>::remember_masses(const TiedMotion<S>& motion) {
+  std::vector<std::int32_t> concerned;
+  for (const TiedNode& tied : nodes_) {
+    concerned.push_back(tied.node);
+    concerned.insert(concerned.end(), tied.corner.begin(), tied.corner.end());
+  }
+  std::sort(concerned.begin(), concerned.end());
+  concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+  for (const std::int32_t n : concerned) mass_.emplace_back(n, (*motion.node_mass)[static_cast<std::size_t>(n)]);
+  copy_inverse_masses(motion.inverse_mass, free_inverse_mass_);
+}
+
+/// Masses as ties make them, from those without ties: in one order, whatever the ties before were.
+template <class S>
+void TiedNodes<S>::set_masses(const TiedMotion<S>& motion) {
+  std::vector<double>& mass = *motion.node_mass;
+  for (const auto& [n, own] : mass_) mass[static_cast<std::size_t>(n)] = own;
+  std::fill(place_.begin(), place_.end(), -1);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (active_[i] == 0) continue;
+    const TiedNode& tied = nodes_[i];
+    place_[static_cast<std::size_t>(tied.node)] = static_cast<std::int32_t>(i);
+    double& own = mass[static_cast<std::size_t>(tied.node)];
+    for (std::size_t k = 0; k < 4; ++k) mass[static_cast<std::size_t>(tied.corner[k])] += tied.weight[k] * own;
+    own = 0;
+  }
+  for (const auto& [n, without] : mass_) {
+    const double own = mass[static_cast<std::size_t>(n)];
+    motion.inverse_mass[n] = own > 0 ? static_cast<S>(1.0 / own) : S(0);
+    free_inverse_mass_[static_cast<std::size_t>(n)] = static_cast<S>(1.0 / (own > 0 ? own : without));
+  }
+}
+
+/// Kinetic energy of the nodes that ties concern, with the masses of now.
+template <class S>
+double TiedNodes<S>::kinetic(const TiedMotion<S>& motion) const {
+  double twice = 0;
+  for (const auto& [n, without] : mass_) {
+    for (int k = 0; k < 3; ++k) {
+      const auto v = static_cast<double>(record(motion.velocity, n)[k]);
+      twice += (*motion.node_mass)[static_cast<std::size_t>(n)] * v * v;
+    }
+  }
+  return 0.5 * twice;
+}
+
+/// From the ties that were to those that are: what is let go gets its mass back, what is tied gives its momentum to the
+/// corners.
+template <class S>
+void TiedNodes<S>::join(const TiedMotion<S>& motion, const std::vector<std::uint8_t>& before) {
+  const double energy = kinetic(motion);
+  const std::vector<std::uint8_t> now = active_;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) active_[i] = before[i] & now[i];
+  set_masses(motion);
+  const std::vector<double> mass_before = *motion.node_mass;
+  active_ = now;
+  set_masses(motion);
+  std::vector<std::array<double, 3>> momentum(mass_.size(), {0, 0, 0});
+  const auto place = [this](std::int32_t n) {
+    const auto found = std::lower_bound(mass_.begin(), mass_.end(), n,
+                                        [](const auto& m, std::int32_t node) { return m.first < node; });
+    return static_cast<std::size_t>(found - mass_.begin());
+  };
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (before[i] != 0 || now[i] == 0) continue;
+    const TiedNode& tied = nodes_[i];
+    offset_[i] = {0, 0, 0};
+    const double mass = mass_before[static_cast<std::size_t>(tied.node)];
+    for (std::size_t c = 0; c < 3; ++c) {
+      double foot = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        momentum[place(tied.corner[k])][c] +=
+            tied.weight[k] * mass * static_cast<double>(record(motion.velocity, tied.node)[c]);
+        foot += tied.weight[k] * static_cast<double>(record(motion.position, tied.corner[k])[c]);
+      }
+      if (times_[static_cast<std::size_t>(tied.tie)].start > 0)
+        offset_[i][c] = static_cast<double>(record(motion.position, tied.node)[c]) - foot;
+    }
+  }
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const std::int32_t n = mass_[i].first;
+    const double mass = (*motion.node_mass)[static_cast<std::size_t>(n)],
+                 old = mass_before[static_cast<std::size_t>(n)];
+    if (!(mass > old)) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      S& v = record(motion.velocity, n)[c];
+      v = static_cast<S>((old * static_cast<double>(v) + momentum[i][c]) / mass);
+    }
+  }
+  follow(motion);
+  lost_ += energy - kinetic(motion);
+}
+
+template <class S>
+void TiedNodes<S>::distribute(S* force) const {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (active_[i] == 0) continue;
+    S* const own = record(force, nodes_[i].node);
+    for (std::size_t k = 0; k < 4; ++k) {
+      S* const f = record(force, nodes_[i].corner[k]);
+      const auto weight = static_cast<S>(nodes_[i].weight[k]);
+      for (int c = 0; c < 4; ++c) f[c] += weight * own[c];
+    }
+    for (int c = 0; c < 4; ++c) own[c] = S(0);
+  }
+}
+
+template <class S>
+void TiedNodes<S>::follow(const TiedMotion<S>& motion) const {
+  const auto put = [&](std::int64_t number) {
+    const auto i = static_cast<std::size_t>(number);
+    if (active_[i] == 0) return;
+    const TiedNode& tied = nodes_[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      double x = offset_[i][c], v = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        x += tied.weight[k] * static_cast<double>(record(motion.position, tied.corner[k])[c]);
+        v += tied.weight[k] * static_cast<double>(record(motion.velocity, tied.corner[k])[c]);
+      }
+      record(motion.position, tied.node)[c] = static_cast<S>(x);
+      record(motion.velocity, tied.node)[c] = static_cast<S>(v);
+    }
+  };
+  const auto count = static_cast<std::int64_t>(nodes_.size());
+  if (nodes_.size() < worth_a_thread) {
+    for (std::int64_t i = 0; i < count; ++i) put(i);
+  } else {
+    parallel_for("tied nodes", RangePolicy<>{0, count}, put);
+  }
+}
+
+template <class S>
+std::vector<std::int16_t> TiedNodes<S>::ties_of_nodes() const {
+  std::vector<std::int16_t> ties(place_.size(), -1);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (active_[i] != 0) ties[static_cast<std::size_t>(nodes_[i].node)] = nodes_[i].tie;
+  }
+  return ties;
+}
+
+template <class S>
+std::int64_t TiedNodes<S>::active() const {
+  return std::count(active_.begin(), active_.end(), 1);
+}
+
+template <class S>
+void TiedNodes<S>::persist(StateArchive& archive, const TiedMotion<S>& motion) {
+  if (nodes_.empty()) return;
+  archive.of_fixed_size(active_);
+  archive.of_fixed_size(offset_);
+  archive(lost_);
+  for (const std::uint8_t active : active_) archive.require(active <= 1);
+  if (!archive.reads()) return;
+  set_masses(motion);
+}
+
+template <class S>
+std::size_t TiedNodes<S>::bytes() const {
+  return nodes_.capacity() * sizeof(nodes_[0]) + active_.capacity() + offset_.capacity() * sizeof(offset_[0]) +
+         place_.capacity() * sizeof(place_[0]) + mass_.capacity() * sizeof(mass_[0]) + free_inverse_mass_.bytes();
+}
+
+template class TiedNodes<double>;
+template class TiedNodes<float>;
+
+}  // namespace pinball

@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "abaqus_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+struct Friction {
+  double sliding = 0, at_rest = 0, decay = 0;
+};
+
+/// A constant; with EXPONENTIAL DECAY the one at rest, the one while sliding, and the decay between them.
+Friction read_friction(AbaqusData& data, const AbaqusBlock& block) {
+  DataLines lines(block);
+  const auto card = lines.next();
+  if (!card) return {};
+  const DataFields f(*card);
+  const double first = f.number(0, "coefficient", 0.0);
+  if (block.has("EXPONENTIALDECAY"))
+    return {f.number(1, "coefficient while sliding"), first, f.number(2, "decay", 0.0)};
+  for (std::size_t i = 1; i < 7; ++i) {
+    if (!f.blank(i)) data.report.refuse(block.place, "*FRICTION that depends on slip rate, pressure or temperature");
+  }
+  return {first, first, 0.0};
+}
+
+void write_friction(const Friction& friction, TomlText& scene) {
+  scene.key("friction", friction.sliding);
+  if (friction.at_rest > friction.sliding) scene.key("static_friction", friction.at_rest);
+  if (friction.at_rest > friction.sliding && friction.decay > 0) scene.key("friction_decay", friction.decay);
+}
+
+/// What may touch what; no second side: the first touches itself.
+struct Pair {
+  const AbaqusBlock* block;
+  DeckPlace place;
+  std::string first, second;  ///< labels of surfaces; first empty: all bodies
+  std::optional<Friction> friction;
+};
+
+class Contact {
+ public:
+  explicit Contact(AbaqusData& data) : data_(data) {}
+
+  void translate(TomlText& scene) {
+    read_interactions();
+    for (const AbaqusBlock& block : data_.deck.blocks) {
+      if (block.name == "CONTACTINCLUSIONS") read_inclusions(block);
+      if (block.name == "CONTACTPROPERTYASSIGNMENT") read_assignments(block);
+      if (block.name == "CONTACTPAIR") read_pairs(block);
+    }
+    if (all_ == nullptr && pairs_.empty()) return;
+    const AbaqusBlock& head = all_ != nullptr ? *all_ : *pairs_.front().block;
+    scene.table("contact", fmt::format("{} {}", head.star_name(), head.place.text()));
+    scene.key("method", "pinball");
+    write_friction(common_, scene);
+    if (all_ == nullptr || !pairs_.empty()) write_pairs(scene);
+    data_.report.understood("contact: exact, of faces and edges, without penalties");
+  }
+
+ private:
+  void read_interactions() {
+    Friction* current = nullptr;
+    for (const AbaqusBlock& block : data_.deck.blocks) {
+      if (block.name == "SURFACEINTERACTION") current = &interactions_[label_key(block.require("NAME"))];
+      if (block.name == "FRICTION" && current != nullptr) *current = read_friction(data_, block);
+    }
+  }
+
+  const Friction& interaction(const std::string& name, const DeckPlace& place) const {
+    const auto found = interactions_.find(label_key(name));
+    if (found == interactions_.end()) fail_at(place, fmt::format("there is no *SURFACE INTERACTION {}", name));
+    return found->second;
+  }
+
+  /// All of the outside, or pairs of surfaces.
+  void read_inclusions(const AbaqusBlock& block) {
+    if (block.has("ALLEXTERIOR")) {
+      all_ = &block;
+      return;
+    }
+    DataLines lines(block);
+    while (const auto card = lines.next()) {
+      const DataFields f(*card);
+      pairs_.push_back({&block, card->place, f.text(0), f.text(1), {}});
+    }
+  }
+
+  /// Of all that touches, or of two surfaces: a pair again, which counts before those that it is a part of.
+  void read_assignments(const AbaqusBlock& block) {
+    DataLines lines(block);
+    while (const auto card = lines.next()) {
+      const DataFields f(*card);
+      const Friction& friction = interaction(f.text(2), card->place);
+      if (f.blank(0) && f.blank(1)) {
+        common_ = friction;
+      } else {
+        pairs_.push_back({&block, card->place, f.text(0), f.text(1), friction});
+      }
+    }
+  }
+
+  void read_pairs(const AbaqusBlock& block) {
+    const Friction& friction = interaction(block.require("INTERACTION"), block.place);
+    DataLines lines(block);
+    while (const auto card = lines.next()) {
+      const DataFields f(*card);
+      pairs_.push_back({&block, card->place, f.text(0), f.text(1), friction});
+    }
+  }
+
+  std::string all_bodies() const {
+    std::vector<std::string> names;
+    for (const AbaqusBody& body : data_.bodies) names.push_back(body.name);
+    return toml(names);
+  }
+
+  void write_pairs(TomlText& scene) {
+    if (all_ != nullptr) {
+      write_abaqus_head("contact.pair", *all_, all_->place, scene);
+      scene.raw("first", all_bodies());
+    }
+    for (const Pair& pair : pairs_) {
+      write_abaqus_head("contact.pair", *pair.block, pair.place, scene);
+      scene.raw("first", pair.first.empty() ? all_bodies() : data_.surface(pair.first, pair.place));
+      if (!pair.second.empty() && label_key(pair.second) != label_key(pair.first))
+        scene.raw("second", data_.surface(pair.second, pair.place));
+      if (pair.friction) write_friction(*pair.friction, scene);
+    }
+  }
+
+  AbaqusData& data_;
+  std::map<std::string, Friction> interactions_;
+  const AbaqusBlock* all_ = nullptr;  ///< *CONTACT INCLUSIONS, ALL EXTERIOR
+  std::vector<Pair> pairs_;
+  Friction common_;
+};
+
+}  // namespace
+
+namespace {
+
+/// *TIE: pairs of surfaces.
+void write_ties(const AbaqusData& data, const AbaqusBlock& block, TomlText& scene) {
+  DataLines lines(block);
+  while (const auto card = lines.next()) {
+    const DataFields f(*card);
+    write_abaqus_head("contact.tied", block, card->place, scene);
+    scene.raw("first", data.surface(f.text(0), card->place));
+    scene.raw("second", data.surface(f.text(1), card->place));
+    if (block.has("POSITIONTOLERANCE")) scene.key("tolerance", block.number("POSITIONTOLERANCE", 0.0));
+  }
+}
+
+}  // namespace
+
+void translate_abaqus_contact(AbaqusData& data, TomlText& scene) {
+  Contact(data).translate(scene);
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name == "TIE") write_ties(data, block, scene);
+  }
+}
+
+}  // namespace pinball

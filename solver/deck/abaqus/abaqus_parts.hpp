@@ -1,0 +1,34 @@
+#pragma once
+
+#include "abaqus_data.hpp"
+
+/// Keywords of Abaqus input as tables of a scene, one function per kind. What cannot be done goes to data.report; what
+/// is wrong is an InputError "FILE:LINE: ...".
+namespace pinball {
+
+/// SECTION CONTROLS, BULK VISCOSITY and types of elements: what each body has.
+std::vector<DeckElement> abaqus_elements(AbaqusData& data);
+
+/// HEADING, DYNAMIC, FIXED MASS SCALING, OUTPUT: title, [time], [element], [output].
+void translate_abaqus_controls(AbaqusData& data, TomlText& scene);
+
+/// A [[material]] for each that a body has, of MATERIAL and its options.
+void translate_abaqus_materials(AbaqusData& data, TomlText& scene);
+
+/// A [[body]] for each section of an instance; mesh_file: as the scene names it.
+void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, TomlText& scene);
+
+/// BOUNDARY: [[constraint]] and [[prescribed_velocity]].
+void translate_abaqus_boundary(AbaqusData& data, TomlText& scene);
+void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene);
+/// CLOAD, DLOAD: [[load]], [[gravity]].
+void translate_abaqus_loads(AbaqusData& data, TomlText& scene);
+/// CONTACT and its options: [contact].
+void translate_abaqus_contact(AbaqusData& data, TomlText& scene);
+
+/// The line of a table that says which keyword it is of.
+void write_abaqus_head(const char* table, const AbaqusBlock& block, const DeckPlace& place, TomlText& scene);
+/// set or nodes.
+void write_abaqus_nodes(const AbaqusNodes& nodes, TomlText& scene);
+
+}  // namespace pinball

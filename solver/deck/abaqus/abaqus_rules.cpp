@@ -1,0 +1,187 @@
+#include "abaqus_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace pinball {
+
+const std::vector<AbaqusRule>& abaqus_rules() {
+  using enum Treatment;
+  static const std::vector<AbaqusRule> rules{
+      {"HEADING", done, "title of the scene"},
+      {"PREPRINT", ignored, ""},
+      {"NODE", mesh, "in Cartesian coordinates", "NSET INPUT SYSTEM=R"},
+      {"ELEMENT", mesh, "C3D8R; C3D8 and its variants as elements of assumed strain; C3D6 as collapsed hexahedra",
+       "TYPE ELSET INPUT"},
+      {"NSET", mesh, "lists, GENERATE, of an ELSET, of an INSTANCE",
+       "NSET ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},
+      {"ELSET", mesh, "the same", "ELSET GENERATE INSTANCE INTERNAL UNSORTED INPUT"},
+      {"SURFACE", mesh, "faces S1 to S6, the outside of a set or of all, nodes", "NAME TYPE=ELEMENT|NODE INTERNAL"},
+      {"PART", done, "", "NAME"},
+      {"END PART", done, ""},
+      {"ASSEMBLY", done, "", "NAME"},
+      {"END ASSEMBLY", done, ""},
+      {"INSTANCE", done, "moved and then turned", "NAME PART"},
+      {"END INSTANCE", done, ""},
+      {"SOLID SECTION", done, "a body each in every instance", "ELSET MATERIAL CONTROLS ORIENTATION"},
+      {"SECTION CONTROLS", done,
+       "of each section: HOURGLASS and its factors; ENHANCED, RELAX STIFFNESS and none at all as elements of assumed "
+       "strain",
+       "NAME HOURGLASS=ENHANCED|RELAXSTIFFNESS|STIFFNESS|VISCOUS KINEMATICSPLIT SECONDORDERACCURACY "
+       "DISTORTIONCONTROL=NO ELEMENTDELETION MAXDEGRADATION"},
+      {"ORIENTATION", ignored, "materials are isotropic"},
+      {"MATERIAL", done, "", "NAME"},
+      {"DENSITY", done, "a constant"},
+      {"ELASTIC", done, "isotropic constants", "TYPE=ISOTROPIC|ISO"},
+      {"PLASTIC", done, "table, also for several RATEs; KINEMATIC of two points", "HARDENING=ISOTROPIC|KINEMATIC RATE"},
+      {"RATE DEPENDENT", done, "POWER LAW (Cowper-Symonds), YIELD RATIO", "TYPE=POWERLAW|YIELDRATIO"},
+      {"SHEAR FAILURE", done, "a constant strain at which elements are eroded", "ELEMENTDELETION=YES"},
+      {"DAMPING", done, "ALPHA, the same for all materials", "ALPHA BETA"},
+      {"CONDUCTIVITY", ignored, "heat is not computed"},
+      {"SPECIFIC HEAT", ignored, "heat is not computed"},
+      {"INELASTIC HEAT FRACTION", ignored, "heat is not computed"},
+      {"EXPANSION", ignored, "heat is not computed"},
+      {"AMPLITUDE", done, "TABULAR, EQUALLY SPACED; SMOOTH STEP as 64 straight pieces",
+       "NAME DEFINITION=TABULAR|SMOOTHSTEP|EQUALLYSPACED TIME=STEPTIME|TOTALTIME VALUE=RELATIVE|ABSOLUTE FIXEDINTERVAL "
+       "BEGIN INPUT"},
+      {"INITIAL CONDITIONS", done, "TYPE=VELOCITY", "TYPE=VELOCITY"},
+      {"STEP", done, "one", "NAME NLGEOM=YES| AMPLITUDE=STEP|RAMP INC"},
+      {"END STEP", done, ""},
+      {"DYNAMIC", done, "EXPLICIT, with its period and SCALE FACTOR",
+       "EXPLICIT ELEMENTBYELEMENT ADIABATIC SCALEFACTOR FIXEDTIMEINCREMENTATION IMPROVEDDTMETHOD"},
+      {"BULK VISCOSITY", done, "without it 0.06 and 1.2"},
+      {"FIXED MASS SCALING", done, "DT with BELOW MIN or SET EQUAL DT, of all elements",
+       "DT TYPE=BELOWMIN|SETEQUALDT ELSET"},
+      {"BOUNDARY", done,
+       "degrees of freedom 1 to 3, ENCASTRE, PINNED, symmetries; displacement, velocity, acceleration",
+       "TYPE=DISPLACEMENT|VELOCITY|ACCELERATION AMPLITUDE OP=MOD|NEW"},
+      {"CLOAD", done, "on each node", "AMPLITUDE OP=MOD|NEW"},
+      {"DLOAD", done, "P1 to P6, GRAV", "AMPLITUDE OP=MOD|NEW"},
+      {"DSLOAD", done, "P", "AMPLITUDE OP=MOD|NEW"},
+      {"CONTACT", done, "exact impulses between faces", "OP=MOD|NEW"},
+      {"CONTACT INCLUSIONS", done, "ALL EXTERIOR, or pairs of surfaces", "ALLEXTERIOR"},
+      {"CONTACT PROPERTY ASSIGNMENT", done, "of all, or of pairs of surfaces"},
+      {"CONTACT PAIR", done, "of two surfaces, or of one with itself",
+       "INTERACTION MECHANICALCONSTRAINT=KINEMATIC|PENALTY TYPE=SURFACETOSURFACE|NODETOSURFACE CPSET WEIGHT OP=ADD"},
+      {"TIE", done, "nodes of the first surface move with the faces of the second",
+       "NAME ADJUST POSITIONTOLERANCE TYPE=SURFACETOSURFACE|NODETOSURFACE NOROTATION"},
+      {"SURFACE INTERACTION", done, "", "NAME"},
+      {"FRICTION", done, "a constant, or EXPONENTIAL DECAY", "EXPONENTIALDECAY SLIPTOLERANCE"},
+      {"SURFACE BEHAVIOR", done, "hard contact", "PRESSURE-OVERCLOSURE=HARD PENALTY AUGMENTEDLAGRANGE"},
+      {"CONTACT CONTROLS*", ignored, "scale factors of penalties: contact here has none"},
+      {"CONTACT FORMULATION", ignored, "exact between all faces"},
+      {"OUTPUT", done, "FIELD: fields of this program; HISTORY: rows of history.csv",
+       "FIELD HISTORY VARIABLE NUMBERINTERVAL TIMEINTERVAL FREQUENCY TIMEMARKS NAME OP FILTER MODELEDGE"},
+      {"NODE OUTPUT", ignored, "output of another program"},
+      {"ELEMENT OUTPUT", ignored, "output of another program"},
+      {"ENERGY OUTPUT", done, "all energies are always written; ELSET: those of each body, too (`body_energies`)",
+       "ELSET VARIABLE PERELEMENTSET"},
+      {"CONTACT OUTPUT", ignored, "output of another program"},
+      {"SURFACE OUTPUT", ignored, "output of another program"},
+      {"INCREMENTATION OUTPUT", ignored, "output of another program"},
+      {"INTEGRATED OUTPUT*", ignored, "output of another program"},
+      {"NODE PRINT", ignored, "output of another program"},
+      {"EL PRINT", ignored, "output of another program"},
+      {"ENERGY PRINT", ignored, "output of another program"},
+      {"NODE FILE", ignored, "output of another program"},
+      {"EL FILE", ignored, "output of another program"},
+      {"ENERGY FILE", ignored, "output of another program"},
+      {"FILE OUTPUT", ignored, "output of another program"},
+      {"FILE FORMAT", ignored, "output of another program"},
+      {"FILTER", ignored, "output of another program"},
+      {"MONITOR", ignored, "output of another program"},
+      {"DIAGNOSTICS", ignored, "output of another program"},
+      {"RESTART", ignored, "WRITE; READ is refused"},
+      {"VARIABLE MASS SCALING", refused, ""},
+      {"RIGID BODY", refused, "rigid bodies"},
+      {"MPC", refused, ""},
+      {"EQUATION", refused, ""},
+      {"COUPLING", refused, ""},
+      {"TRANSFORM", refused, "local systems of nodes"},
+      {"SYSTEM", refused, "local systems of nodes"},
+      {"NGEN", refused, "meshes that the deck generates"},
+      {"NFILL", refused, "meshes that the deck generates"},
+      {"NCOPY", refused, "meshes that the deck generates"},
+      {"ELGEN", refused, "meshes that the deck generates"},
+      {"ELCOPY", refused, "meshes that the deck generates"},
+      {"PARAMETER", refused, ""},
+  };
+  return rules;
+}
+
+const AbaqusRule* abaqus_rule_of(const std::string& name) {
+  const AbaqusRule* best = nullptr;
+  for (const AbaqusRule& rule : abaqus_rules()) {
+    std::string pattern = squeezed(rule.name);
+    const bool open = pattern.ends_with('*');
+    if (open) pattern.pop_back();
+    if (name == pattern) return &rule;
+    if (open && name.starts_with(pattern)) best = &rule;
+  }
+  return best;
+}
+
+namespace {
+
+bool is_output_or_control(const std::string& name) {
+  return name.find("OUTPUT") != std::string::npos || name.find("CONTROLS") != std::string::npos ||
+         name.ends_with("PRINT") || name.ends_with("FILE");
+}
+
+std::vector<std::string> cut(const std::string& text, char at) {
+  std::vector<std::string> pieces{""};
+  for (const char c : text) {
+    if (c == at) {
+      pieces.emplace_back();
+    } else {
+      pieces.back() += c;
+    }
+  }
+  return pieces;
+}
+
+bool is_known(const AbaqusRule& rule, const std::string& name, const std::string& value) {
+  for (const std::string& known : cut(rule.parameters, ' ')) {
+    const std::size_t equals = known.find('=');
+    if (known.substr(0, equals) != name) continue;
+    if (equals == std::string::npos) return true;
+    return std::ranges::count(cut(known.substr(equals + 1), '|'), squeezed(value)) > 0;
+  }
+  return false;
+}
+
+/// What a keyword is refused for besides its parameters.
+std::string refused_option(const AbaqusBlock& block) {
+  if (block.name == "DYNAMIC" && !block.has("EXPLICIT")) return "*DYNAMIC without EXPLICIT";
+  if (block.name == "STEP" && block.step > 1) return "*STEP: more than one step";
+  if (block.name == "FIXEDMASSSCALING" && !block.has("TYPE")) return "*FIXED MASS SCALING, TYPE=UNIFORM";
+  if (block.name == "RESTART" && block.has("READ")) return "*RESTART, READ";
+  return "";
+}
+
+}  // namespace
+
+void sort_abaqus_keyword(const AbaqusBlock& block, bool lenient, DeckReport& report) {
+  const AbaqusRule* rule = abaqus_rule_of(block.name);
+  if (const std::string option = refused_option(block); !option.empty()) {
+    report.refuse(block.place, option);
+  } else if (rule == nullptr) {
+    if (lenient && is_output_or_control(block.name)) {
+      report.ignore(block.place, block.star_name());
+    } else {
+      report.refuse(block.place, block.star_name());
+    }
+  } else if (rule->treatment == Treatment::ignored) {
+    report.ignore(block.place, block.star_name());
+  } else if (rule->treatment == Treatment::refused) {
+    report.refuse(block.place, block.star_name(), rule->remark);
+  } else {
+    for (const auto& [name, value] : block.parameters) {
+      if (!is_known(*rule, name, value))
+        report.refuse(block.place, fmt::format("{}, {}{}", block.star_name(), name, value.empty() ? "" : '=' + value));
+    }
+  }
+}
+
+}  // namespace pinball

@@ -1,0 +1,94 @@
+#include "boundary_text.hpp"
+
+#include <set>
+
+namespace pinball {
+
+std::int64_t set_number(const KeywordBlock& block, std::int64_t id) {
+  return id + offset_of(block, &DeckTransform::set);
+}
+
+std::int64_t node_number(const KeywordBlock& block, std::int64_t id) {
+  return id + offset_of(block, &DeckTransform::node);
+}
+
+std::int64_t definition_number(const KeywordBlock& block, std::int64_t id) {
+  return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define);
+}
+
+DeckSpan span_of(const Fields& f, std::size_t birth, std::size_t death) {
+  const DeckSpan span{f.number(birth, "birth", 0.0), f.number(death, "death", 0.0)};
+  constexpr double never = 1e19;  // the defaults are 1e20 and 1e28
+  return {span.birth, span.death < never ? span.death : 0.0};
+}
+
+void write_span(const DeckSpan& span, TomlText& scene) {
+  if (span.birth > 0) scene.key("start", span.birth);
+  if (span.death > 0) scene.key("end", span.death);
+}
+
+Point point_of(const Fields& f, std::size_t first, const char* name) {
+  return {f.number(first, name, 0.0), f.number(first + 1, name, 0.0), f.number(first + 2, name, 0.0)};
+}
+
+void write_head(const char* table, const KeywordBlock& block, const DeckPlace& place, TomlText& scene) {
+  scene.entry(table, fmt::format("{} {}", block.star_name(), place.text()));
+}
+
+std::vector<std::string> all_bodies(const DeckData& data) {
+  std::vector<std::string> bodies;
+  for (const DeckPart& part : data.parts) bodies.push_back(part.body);
+  return bodies;
+}
+
+std::vector<std::string> bodies_of(const DeckData& data, const std::vector<std::int64_t>& parts,
+                                   const DeckPlace& place) {
+  std::set<std::string> wanted;
+  for (const std::int64_t part : parts) {
+    if (const auto body = data.body_of(part, place)) wanted.insert(*body);
+  }
+  std::vector<std::string> bodies;
+  for (const std::string& body : all_bodies(data)) {
+    if (wanted.contains(body)) bodies.push_back(body);
+  }
+  return bodies;
+}
+
+void write_selection(const DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
+  const std::int64_t set = f.integer(0, "nsid", 0), without = f.integer(1, "nsidex", 0), box = f.integer(2, "boxid", 0);
+  if (set != 0) scene.key("set", std::to_string(set_number(block, set)));
+  if (without != 0) scene.key("without", std::to_string(set_number(block, without)));
+  if (box == 0) return;
+  const Box& bounds = data.box(definition_number(block, box), f.place());
+  scene.raw("box", fmt::format("{{ low = {}, high = {} }}", toml(bounds.low), toml(bounds.high)));
+}
+
+Point in_system(const DeckData& data, const KeywordBlock& block, std::int64_t system, const Point& vector,
+                const DeckPlace& place) {
+  if (system == 0) return vector;
+  const std::array<Point, 3> axes = data.axes(definition_number(block, system), place);
+  Point global{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) global[c] += vector[k] * axes[k][c];
+  }
+  return global;
+}
+
+void write_target(const KeywordBlock& block, bool set, std::int64_t id, TomlText& scene) {
+  if (set) {
+    scene.key("set", std::to_string(set_number(block, id)));
+  } else {
+    scene.key("nodes", std::vector{node_number(block, id)});
+  }
+}
+
+void write_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
+                 const DeckPlace& place, TomlText& scene) {
+  const DeckCurve& points = data.curve(definition_number(block, curve), place);
+  std::vector<double> factors = points.ordinate;
+  for (double& factor : factors) factor *= scale == 0 ? 1.0 : scale;
+  scene.key("times", points.abscissa);
+  scene.key("factors", factors);
+}
+
+}  // namespace pinball

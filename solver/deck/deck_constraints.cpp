@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include "boundary_text.hpp"
+#include "deck_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// Directions that are held, by their bits x, y, z, the local system that they are of, and when.
+struct Held {
+  unsigned directions = 0;
+  std::int64_t system = 0;
+  DeckSpan when{};
+  auto operator<=>(const Held&) const = default;
+};
+
+/// The keys of a constraint, but for its nodes.
+void write_held(const DeckData& data, const Held& held, const DeckPlace& place, TomlText& scene) {
+  const std::array<Point, 3> axes = data.axes(held.system, place);
+  std::vector<std::string> directions;
+  for (unsigned k = 0; k < 3; ++k) {
+    if ((held.directions >> k & 1U) == 0) continue;
+    directions.push_back(held.system == 0 ? fmt::format("\"{}\"", "xyz"[k]) : toml(axes[k]));
+  }
+  scene.key("type", "fixed");
+  if (last_card(data, "DATABASE_SPCFORC")) scene.key("name", "spc");
+  scene.raw("directions", fmt::format("[{}]", fmt::join(directions, ", ")));
+  write_span(held.when, scene);
+}
+
+/// What the numbers behind that of a node or a set say; nothing for rotations alone.
+Held held_of(const Fields& f, const KeywordBlock& block) {
+  Held held;
+  held.system = definition_number(block, f.integer(1, "cid", 0));
+  for (unsigned k = 0; k < 3; ++k) {
+    if (f.integer(2 + k, "dof", 0) != 0) held.directions |= 1U << k;
+  }
+  return held;
+}
+
+}  // namespace
+
+void translate_node_codes(DeckData& data, TomlText& scene) {
+  std::map<unsigned, std::vector<std::int64_t>> nodes;
+  for (std::size_t n = 0; n < data.mesh.held.size(); ++n) {
+    if (data.mesh.held[n] != 0 && data.used[n]) nodes[data.mesh.held[n]].push_back(data.mesh.node_ids[n]);
+  }
+  for (const auto& [directions, numbers] : nodes) {
+    scene.entry("constraint", "TC of *NODE");
+    write_held(data, {directions, 0, {}}, {}, scene);
+    scene.key("nodes", numbers);
+  }
+}
+
+namespace {
+
+/// Constraints of sets become tables at once, those of nodes are gathered.
+void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Held>& nodes, TomlText& scene) {
+  const bool set = block.name.starts_with("BOUNDARY_SPC_SET"), spans = block.name.ends_with("_BIRTH_DEATH");
+  Cards cards(block);
+  while (true) {
+    if (block.id && !cards.next()) return;
+    const auto card = cards.next_filled();
+    if (!card) return;
+    const Fields f = data.fields(*card);
+    Held held = held_of(f, block);
+    if (spans) {
+      const Card span = cards.next_or_blank();
+      held.when = span_of(data.fields(span), 0, 1);
+    }
+    if (held.directions == 0) continue;
+    if (set) {
+      write_head("constraint", block, card->place, scene);
+      write_held(data, held, card->place, scene);
+      write_target(block, true, f.integer(0, "nsid"), scene);
+    } else {
+      nodes.add(block, card->place, node_number(block, f.integer(0, "nid")), held);
+    }
+  }
+}
+
+}  // namespace
+
+void translate_single_point_constraints(DeckData& data, TomlText& scene) {
+  NodesByKind<Held> nodes(data);
+  for (const KeywordBlock& block : data.deck.blocks) {
+    if (block.name.starts_with("BOUNDARY_SPC_")) read_constraints(data, block, nodes, scene);
+  }
+  for (const auto& [held, of_kind] : nodes.all()) {
+    scene.entry("constraint", "*BOUNDARY_SPC_NODE " + of_kind.first.text());
+    write_held(data, held, of_kind.first, scene);
+    scene.key("nodes", of_kind.numbers);
+  }
+}
+
+}  // namespace pinball

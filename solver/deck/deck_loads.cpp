@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <map>
+
+#include "boundary_text.hpp"
+#include "deck_parts.hpp"
+
+namespace pinball {
+
+void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  const bool set = block.name.ends_with("_SET");
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = data.fields(card);
+    const std::int64_t degree = f.integer(1, "dof");
+    if (degree < 1 || degree > 3) {
+      if (degree >= 5 && degree <= 7) return;  // moments on nodes of solids
+      data.report.refuse(card.place, fmt::format("{} with DOF {}", block.star_name(), degree));
+      return;
+    }
+    const auto axes = data.axes(definition_number(block, f.integer(4, "cid", 0)), card.place);
+    write_head("load", block, card.place, scene);
+    scene.key("force", axes[degree - 1]);
+    scene.key("each", true);
+    write_curve(data, block, f.integer(2, "lcid"), f.number(3, "sf", 1.0), card.place, scene);
+    write_target(block, set, f.integer(0, "node or set"), scene);
+  });
+}
+
+namespace {
+
+/// Curve, factor and arrival time of segments.
+struct SegmentLoad {
+  std::int64_t curve = 0;
+  double scale = 1, arrival = 0;
+  auto operator<=>(const SegmentLoad&) const = default;
+};
+
+SegmentLoad segment_load(const Fields& f, std::size_t first) {
+  return {f.integer(first, "lcid"), f.number(first + 1, "sf", 1.0), f.number(first + 2, "at", 0.0)};
+}
+
+/// The time of the curve counts from the arrival. Which way round the corners stand means nothing: the solid that has
+/// the face says where its outside is.
+void write_pressure(const DeckData& data, const KeywordBlock& block, const DeckPlace& place, const SegmentLoad& load,
+                    TomlText& scene) {
+  write_head("pressure", block, place, scene);
+  scene.key("pressure", 1.0);
+  write_curve(data, block, load.curve, load.scale, place, scene);
+  if (load.arrival > 0) scene.key("start", load.arrival);
+}
+
+/// N1 to N4; a triangle has no N4, or N3 once more.
+std::string face_text(const KeywordBlock& block, const Fields& f) {
+  std::vector<std::int64_t> corners;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::int64_t node = f.integer(3 + i, "node", 0);
+    corners.push_back(i == 3 && node == 0 ? corners.back() : node_number(block, node));
+  }
+  return toml(corners);
+}
+
+}  // namespace
+
+void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  std::map<SegmentLoad, std::pair<std::vector<std::string>, DeckPlace>> faces;
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = data.fields(card);
+    auto& [corners, first] = faces[segment_load(f, 0)];
+    if (corners.empty()) first = card.place;
+    corners.push_back(face_text(block, f));
+  });
+  for (const auto& [load, listed] : faces) {
+    write_pressure(data, block, listed.second, load, scene);
+    scene.raw("faces", fmt::format("[{}]", fmt::join(listed.first, ", ")));
+  }
+}
+
+void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = data.fields(card);
+    write_pressure(data, block, card.place, segment_load(f, 1), scene);
+    write_target(block, true, f.integer(0, "ssid"), scene);
+  });
+}
+
+namespace {
+
+/// *LOAD_BODY_PARTS: what all loads on bodies act on; empty: all.
+std::vector<std::string> loaded_bodies(const DeckData& data) {
+  std::vector<std::string> bodies;
+  for (const KeywordBlock& block : data.deck.blocks) {
+    if (block.name != "LOAD_BODY_PARTS") continue;
+    Cards cards(block);
+    const Card card = cards.require("the set of parts");
+    const std::int64_t set = set_number(block, data.fields(card).integer(0, "psid"));
+    for (const std::string& body : bodies_of(data, data.part_set(set, card.place), card.place)) bodies.push_back(body);
+    if (bodies.empty()) fail_at(card.place, fmt::format("{}: no part of set {} has solids", block.star_name(), set));
+  }
+  return bodies;
+}
+
+/// The direction along which the frame is accelerated.
+Point direction_of_frame(const DeckData& data, const KeywordBlock& block, Cards& cards) {
+  Point frame{};
+  if (block.name != "LOAD_BODY_VECTOR") {
+    frame[block.name.back() - 'X'] = 1;
+    return frame;
+  }
+  const Card vector = cards.require("the direction of the load");
+  frame = point_of(data.fields(vector), 0, "direction");
+  const double length = norm(frame);
+  if (!(length > 0)) fail_at(vector.place, block.star_name() + ": expected a direction of some length");
+  for (double& component : frame) component /= length;
+  return frame;
+}
+
+}  // namespace
+
+void translate_body_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  Cards cards(block);
+  const Card card = cards.require("the curve of the load");
+  const Fields f = data.fields(card);
+  const Point frame =
+      in_system(data, block, f.integer(6, "cid", 0), direction_of_frame(data, block, cards), card.place);
+  scene.entry("gravity", fmt::format("{} {}: the frame is accelerated, bodies the other way", block.star_name(),
+                                     card.place.text()));
+  scene.key("acceleration", minus({0, 0, 0}, frame));
+  write_curve(data, block, f.integer(0, "lcid"), f.number(1, "sf", 1.0), card.place, scene);
+  if (const auto bodies = loaded_bodies(data); !bodies.empty()) scene.key("bodies", bodies);
+}
+
+}  // namespace pinball

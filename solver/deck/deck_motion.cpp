@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include "boundary_text.hpp"
+#include "deck_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// Along which a card moves its nodes; DOF 4 and -4: along the vector VID.
+Point direction_of(const DeckData& data, const KeywordBlock& block, std::int64_t degree, const Fields& f) {
+  if (degree == 4 || degree == -4) return data.vector(definition_number(block, f.integer(5, "vid")), f.place());
+  Point axis{};
+  axis[degree - 1] = 1;
+  return axis;
+}
+
+/// What is not done of a card; empty: all of it is.
+std::string refused_of(const KeywordBlock& block, std::int64_t degree, std::int64_t quantity) {
+  const bool along = (degree >= 1 && degree <= 4) || degree == -4;
+  if (!along) return fmt::format("{} with DOF {}", block.star_name(), degree);
+  return quantity < 0 || quantity > 2 ? fmt::format("{} with VAD {}", block.star_name(), quantity) : "";
+}
+
+/// A set, a node, or all nodes of a part.
+void write_moved(DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
+  const std::int64_t id = f.integer(0, "node, set or part");
+  if (!block.name.ends_with("_RIGID")) return write_target(block, block.name.ends_with("_SET"), id, scene);
+  const std::int64_t part = id + offset_of(block, &DeckTransform::part);
+  const auto body = data.body_of(part, f.place());
+  if (!body) fail_at(f.place(), fmt::format("{}: part {} has no solids", block.star_name(), part));
+  scene.key("body", *body);
+  data.report.understood(
+      fmt::format("{} ({}): part {} is not rigid, all of its nodes move so; other directions are free",
+                  block.star_name(), f.place().text(), part));
+}
+
+}  // namespace
+
+void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  static const char* const quantities[] = {"velocity", "acceleration", "displacement"};
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = data.fields(card);
+    const std::int64_t degree = f.integer(1, "dof"), quantity = f.integer(2, "vad", 0);
+    if (degree >= 5 && degree <= 7 && !block.name.ends_with("_RIGID")) {
+      data.report.understood(fmt::format("{} ({}): a rotation of nodes of solids (DOF {}) means nothing",
+                                         block.star_name(), card.place.text(), degree));
+      return;
+    }
+    if (const std::string refused = refused_of(block, degree, quantity); !refused.empty()) {
+      data.report.refuse(card.place, refused);
+      return;
+    }
+    const Point direction = direction_of(data, block, degree, f);
+    write_head("prescribed_velocity", block, card.place, scene);
+    ++data.motions;
+    if (last_card(data, "DATABASE_BNDOUT")) scene.key("name", fmt::format("motion_{}", data.motions));
+    if (degree == -4) {  // and held across it
+      scene.key("velocity", direction);
+    } else {
+      scene.key("direction", direction);
+      scene.key("speed", 1.0);
+    }
+    scene.key("quantity", quantities[quantity]);
+    write_curve(data, block, f.integer(3, "lcid"), f.number(4, "sf", 1.0), card.place, scene);
+    write_span(span_of(f, 7, 6), scene);
+    write_moved(data, block, f, scene);
+  });
+}
+
+}  // namespace pinball

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include "boundary_text.hpp"
+#include "deck_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// A table of the scene for one set or body.
+template <class Value>
+void write_velocity(const KeywordBlock& block, const DeckPlace& place, const Point& velocity, const char* key,
+                    const Value& value, TomlText& scene) {
+  write_head("initial_velocity", block, place, scene);
+  scene.key("velocity", velocity);
+  scene.key(key, value);
+}
+
+}  // namespace
+
+/// Set, and then velocity; with NSIDEX that of the nodes that are left out, too.
+void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  Cards cards(block);
+  const Card head = cards.require("the set of nodes");
+  const Card card = cards.require("the velocity");
+  const Fields f = data.fields(head);
+  const auto velocity_of = [&](const Card& numbers) {
+    const Point velocity = point_of(data.fields(numbers), 0, "velocity");
+    return in_system(data, block, f.integer(4, "icid", 0), velocity, head.place);
+  };
+  const Point velocity = velocity_of(card);
+  if (f.integer(0, "nsid", 0) == 0 && f.integer(2, "boxid", 0) == 0) {
+    for (const std::string& body : all_bodies(data)) {
+      write_velocity(block, block.place, velocity, "body", body, scene);
+      write_selection(data, block, f, scene);
+    }
+  } else {
+    write_head("initial_velocity", block, block.place, scene);
+    scene.key("velocity", velocity);
+    write_selection(data, block, f, scene);
+  }
+  const std::int64_t others = f.integer(1, "nsidex", 0);
+  if (others == 0) return;
+  const Card last = cards.next_or_blank();
+  write_velocity(block, block.place, velocity_of(last), "set", std::to_string(set_number(block, others)), scene);
+}
+
+void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  NodesByKind<Point> nodes(data);
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = data.fields(card);
+    const Point velocity = in_system(data, block, f.integer(7, "icid", 0), point_of(f, 1, "velocity"), card.place);
+    nodes.add(block, card.place, node_number(block, f.integer(0, "nid")), velocity);
+  });
+  for (const auto& [velocity, of_velocity] : nodes.all())
+    write_velocity(block, block.place, velocity, "nodes", of_velocity.numbers, scene);
+}
+
+namespace {
+
+/// A velocity and a spin about an axis.
+struct Motion {
+  Point velocity{}, angular_velocity{}, centre{};
+};
+
+/// The axis of a spin: NX, NY, NZ, or, where NX is -999, from node NY to node NZ.
+Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, std::int64_t system) {
+  Point axis = point_of(f, 3, "axis");
+  if (axis[0] == -999) {
+    const NumberIndex index(data.mesh.node_ids);
+    Point ends[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::int64_t node = node_number(block, f.integer(4 + i, "node"));
+      const std::int32_t place = index.find(node);
+      if (place < 0) fail_at(f.place(), fmt::format("{}: node {} is not there", block.star_name(), node));
+      ends[i] = data.mesh.mesh.nodes[static_cast<std::size_t>(place)];
+    }
+    axis = minus(ends[1], ends[0]);
+    system = 0;
+  }
+  const double length = norm(axis);
+  if (!(length > 0)) fail_at(f.place(), block.star_name() + ": expected the axis of the spin (NX, NY, NZ)");
+  for (double& component : axis) component /= length;
+  return in_system(data, block, system, axis, f.place());
+}
+
+/// Of the two cards of a generation; the spin needs the second one.
+Motion motion_of(const DeckData& data, const KeywordBlock& block, const Fields& f, const Fields& spin) {
+  const std::int64_t system = f.integer(7, "icid", 0);
+  Motion motion;
+  motion.velocity = in_system(data, block, system, point_of(f, 3, "velocity"), f.place());
+  const double omega = f.number(2, "omega", 0.0);
+  if (omega == 0) return motion;
+  motion.centre = point_of(spin, 0, "centre");
+  motion.angular_velocity = axis_of(data, block, spin, system);
+  for (double& component : motion.angular_velocity) component *= omega;
+  return motion;
+}
+
+void write_motion(const KeywordBlock& block, const DeckPlace& place, const Motion& motion, const char* key,
+                  const std::string& value, TomlText& scene) {
+  write_velocity(block, place, motion.velocity, key, value, scene);
+  if (motion.angular_velocity == Point{}) return;
+  scene.key("angular_velocity", motion.angular_velocity);
+  scene.key("centre", motion.centre);
+}
+
+}  // namespace
+
+/// Two cards each; the second one, of the spin, may be blank.
+void translate_velocity_generation(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+  Cards cards(block);
+  while (const auto card = cards.next_filled()) {
+    const Card second = cards.next_or_blank();
+    const Fields f = data.fields(*card), spin = data.fields(second);
+    if (spin.integer(6, "phase", 0) != 0) {
+      data.report.refuse(card->place, block.star_name() + " with PHASE 1");
+      continue;
+    }
+    const Motion motion = motion_of(data, block, f, spin);
+    const std::int64_t id = f.integer(0, "id", 0), kind = f.integer(1, "styp", 0);
+    std::vector<std::string> bodies;
+    if (id == 0) {
+      bodies = all_bodies(data);
+    } else if (kind == 1) {
+      bodies = bodies_of(data, data.part_set(set_number(block, id), card->place), card->place);
+    } else if (kind == 2) {
+      bodies = bodies_of(data, {id + offset_of(block, &DeckTransform::part)}, card->place);
+    } else if (kind == 3) {
+      write_motion(block, card->place, motion, "set", std::to_string(set_number(block, id)), scene);
+    } else {
+      fail_at(card->place, fmt::format("{}: styp: expected 1, 2 or 3, got {}", block.star_name(), kind));
+    }
+    for (const std::string& body : bodies) write_motion(block, card->place, motion, "body", body, scene);
+  }
+}
+
+}  // namespace pinball

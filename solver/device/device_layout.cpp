@@ -1,0 +1,160 @@
+#include "device_layout.hpp"
+
+#include <algorithm>
+
+#include <solver/base/packs.hpp>
+
+namespace pinball {
+
+namespace {
+
+constexpr std::int64_t whole_rows(std::int64_t places) { return (places + device_row - 1) / device_row * device_row; }
+
+}  // namespace
+
+template <class S>
+DeviceLayout<S>::DeviceLayout(const Model<S>& model)
+    : place_of_slot_(static_cast<std::size_t>(model.elements.slots), std::int64_t{-1}) {
+  std::size_t tile = 0;
+  for (std::size_t part = 0; part < model.parts.size(); ++part) {
+    const auto first = static_cast<std::int64_t>(slot_of_place_.size());
+    for (; tile < model.tile_part.size() && model.tile_part[tile] == static_cast<std::int32_t>(part); ++tile) {
+      for (const std::int64_t slot : model.slots_of(static_cast<std::int64_t>(tile))) {
+        if (model.is_padding(slot)) continue;
+        place_of_slot_[static_cast<std::size_t>(slot)] = static_cast<std::int64_t>(slot_of_place_.size());
+        slot_of_place_.push_back(slot);
+      }
+    }
+    slot_of_place_.resize(static_cast<std::size_t>(whole_rows(static_cast<std::int64_t>(slot_of_place_.size()))), -1);
+    parts_.push_back(
+        {model.parts[part].features, model.constants[part], first, static_cast<std::int64_t>(slot_of_place_.size())});
+  }
+}
+
+/// In rows, what the host has in packs; padding is zero.
+template <class S>
+template <class T>
+Array<T> DeviceLayout<S>::rows_of(const Array<T>& packs, int components) const {
+  if (packs.empty()) return {};
+  Array<T> rows(static_cast<std::size_t>(components) * slot_of_place_.size());
+  for (std::size_t place = 0; place < slot_of_place_.size(); ++place) {
+    const std::int64_t slot = slot_of_place_[place];
+    if (slot < 0) continue;
+    for (int c = 0; c < components; ++c) {
+      rows[place_in_packs<device_row>(static_cast<std::int64_t>(place), c, components)] =
+          packs[ElementStore<S>::at(slot, c, components)];
+    }
+  }
+  return rows;
+}
+
+template <class S>
+template <class T>
+void DeviceLayout<S>::rows_to(const Array<T>& rows, int components, Array<T>& packs) const {
+  if (packs.empty()) return;
+  for (std::size_t place = 0; place < slot_of_place_.size(); ++place) {
+    const std::int64_t slot = slot_of_place_[place];
+    if (slot < 0) continue;
+    for (int c = 0; c < components; ++c) {
+      packs[ElementStore<S>::at(slot, c, components)] =
+          rows[place_in_packs<device_row>(static_cast<std::int64_t>(place), c, components)];
+    }
+  }
+}
+
+/// Padding has no mass, but it has a shape, that of the element before it: strains are found of that, too.
+template <class S>
+void DeviceLayout<S>::repeat_last_element(Array<std::int32_t>& corner) const {
+  for (std::size_t place = 1; place < slot_of_place_.size(); ++place) {
+    if (slot_of_place_[place] >= 0) continue;
+    const auto here = static_cast<std::int64_t>(place);
+    for (int i = 0; i < 8; ++i) {
+      corner[place_in_packs<device_row>(here, i, 8)] = corner[place_in_packs<device_row>(here - 1, i, 8)];
+    }
+  }
+}
+
+template <class S>
+DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
+  DeviceMesh<S> mesh;
+  mesh.nodes = model.nodes.count;
+  mesh.places = static_cast<std::int64_t>(slot_of_place_.size());
+  mesh.parts = parts_;
+  mesh.corner = rows_of(model.elements.corner, 8);
+  repeat_last_element(mesh.corner);
+  mesh.mass_share = rows_of(model.elements.mass_share, 1);
+  mesh.inverse_mass = Array<S>(static_cast<std::size_t>(mesh.nodes));
+  mesh.node_mass = Array<double>(static_cast<std::size_t>(mesh.nodes));
+  std::copy_n(model.nodes.inverse_mass.data(), mesh.nodes, mesh.inverse_mass.data());
+  std::copy_n(model.node_mass.data(), mesh.nodes, mesh.node_mass.data());
+  add_corners_of_nodes(model, mesh);
+  return mesh;
+}
+
+/// The corners of each node in the order in which the host adds their forces: colours, tiles, rows of the widest pack,
+/// corners, lanes (tile_kernels_instances.hpp).
+template <class S>
+void DeviceLayout<S>::add_corners_of_nodes(const Model<S>& model, DeviceMesh<S>& mesh) const {
+  const auto for_each_corner = [&](const auto& visit) {
+    for (const std::int32_t tile : model.tile_colours.items) {
+      const SlotRange slots = model.slots_of(tile);
+      for (std::int64_t row = slots.first; row < slots.last; row += widest_pack<S>) {
+        const std::int64_t end = std::min<std::int64_t>(row + widest_pack<S>, slots.last);
+        for (int i = 0; i < 8; ++i) {
+          for (std::int64_t slot = row; slot < end; ++slot) {
+            if (model.is_padding(slot)) continue;
+            visit(static_cast<std::size_t>(model.elements.corner[ElementStore<S>::at(slot, i, 8)]),
+                  static_cast<std::uint32_t>(8 * place_of_slot(slot) + i));
+          }
+        }
+      }
+    }
+  };
+  mesh.first_of_node = Array<std::uint32_t>(static_cast<std::size_t>(mesh.nodes) + 1);
+  for_each_corner([&](std::size_t node, std::uint32_t) { ++mesh.first_of_node[node + 1]; });
+  for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.nodes); ++n) {
+    mesh.first_of_node[n + 1] += mesh.first_of_node[n];
+  }
+  mesh.corners_of_node = Array<std::uint32_t>(mesh.first_of_node[static_cast<std::size_t>(mesh.nodes)]);
+  std::vector<std::uint32_t> next(mesh.first_of_node.data(), mesh.first_of_node.data() + mesh.nodes);
+  for_each_corner([&](std::size_t node, std::uint32_t corner) { mesh.corners_of_node[next[node]++] = corner; });
+}
+
+template <class S>
+DeviceState<S> DeviceLayout<S>::state(const Model<S>& model) const {
+  const ElementStore<S>& e = model.elements;
+  DeviceState<S> state;
+  const auto copy = [](const Array<S>& from, Array<S>& to) {
+    to.reset(from.size());
+    std::copy_n(from.data(), from.size(), to.data());
+  };
+  copy(model.nodes.position, state.position);
+  copy(model.nodes.velocity, state.velocity);
+  state.mass = rows_of(e.mass, 1);
+  state.stress = rows_of(e.stress, 6);
+  state.plastic_strain = rows_of(e.plastic_strain, 1);
+  state.hourglass_state = rows_of(e.hourglass_state, 12);
+  state.viscous_stress = rows_of(e.viscous_stress, 1);
+  state.internal_energy = rows_of(e.internal_energy, 1);
+  state.back_stress = rows_of(e.back_stress, 5);
+  return state;
+}
+
+template <class S>
+void DeviceLayout<S>::to_model(const DeviceState<S>& state, Model<S>& model) const {
+  ElementStore<S>& e = model.elements;
+  std::copy_n(state.position.data(), state.position.size(), model.nodes.position.data());
+  std::copy_n(state.velocity.data(), state.velocity.size(), model.nodes.velocity.data());
+  rows_to(state.mass, 1, e.mass);
+  rows_to(state.stress, 6, e.stress);
+  rows_to(state.plastic_strain, 1, e.plastic_strain);
+  rows_to(state.hourglass_state, 12, e.hourglass_state);
+  rows_to(state.viscous_stress, 1, e.viscous_stress);
+  rows_to(state.internal_energy, 1, e.internal_energy);
+  rows_to(state.back_stress, 5, e.back_stress);
+}
+
+template class DeviceLayout<double>;
+template class DeviceLayout<float>;
+
+}  // namespace pinball

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <solver/model/model.hpp>
+
+#include "device_mesh.hpp"
+
+namespace pinball {
+
+/// Where the elements of a model lie on a device: in the order of the slots, part after part, without the padding of
+/// tiles.
+template <class S>
+class DeviceLayout {
+ public:
+  explicit DeviceLayout(const Model<S>& model);
+
+  DeviceMesh<S> mesh(const Model<S>& model) const;
+  /// Positions, velocities and the state of the elements.
+  DeviceState<S> state(const Model<S>& model) const;
+  void to_model(const DeviceState<S>& state, Model<S>& model) const;
+
+  std::int64_t slot_of_place(std::int64_t place) const { return slot_of_place_[static_cast<std::size_t>(place)]; }
+  /// Per slot; -1: padding.
+  const std::vector<std::int64_t>& places_of_slots() const { return place_of_slot_; }
+  /// Of no padding.
+  std::int64_t place_of_slot(std::int64_t slot) const { return place_of_slot_[static_cast<std::size_t>(slot)]; }
+
+ private:
+  template <class T>
+  Array<T> rows_of(const Array<T>& packs, int components) const;
+  template <class T>
+  void rows_to(const Array<T>& rows, int components, Array<T>& packs) const;
+  void repeat_last_element(Array<std::int32_t>& corner) const;
+  void add_corners_of_nodes(const Model<S>& model, DeviceMesh<S>& mesh) const;
+
+  std::vector<std::int64_t> slot_of_place_;  ///< -1: padding
+  std::vector<std::int64_t> place_of_slot_;  ///< -1: padding
+  std::vector<DevicePart<S>> parts_;
+};
+
+}  // namespace pinball

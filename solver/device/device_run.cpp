@@ -1,0 +1,103 @@
+#include "device_run.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+#include <solver/base/error.hpp>
+#include <solver/boundary/space/make_boundary_kernels.hpp>
+
+#include "devices.hpp"
+
+namespace pinball {
+
+std::string missing_on_device(const Scene& scene) {
+  std::vector<std::string> missing;
+  const auto add = [&missing](bool is_there, const char* what) {
+    if (is_there) missing.emplace_back(what);
+  };
+  add(scene.contact.method != ContactMethod::none, "contact");
+  add(!scene.tied_contacts.empty(), "tied contact");
+  add(scene.time.subcycling, "subcycling");
+  add(scene.output.body_energies, "output.body_energies");
+  return fmt::format("{}", fmt::join(missing, ", "));
+}
+
+namespace {
+
+template <class S>
+std::unique_ptr<DeviceStep<S>> make_step(Device device, const DeviceMesh<S>& mesh) {
+  require_device(device);
+#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
+  if (device != Device::mock) return make_gpu_step(mesh);
+#endif
+  return make_mock_step(mesh);
+}
+
+}  // namespace
+
+template <class S>
+DeviceRun<S>::DeviceRun(const Model<S>& model) : device_(model.scene.device), layout_(model) {
+  const std::string missing = missing_on_device(model.scene);
+  if (!missing.empty()) {
+    throw InputError(fmt::format("{}no device can do this scene yet: it has {}; expected --device none",
+                                 message_head(model.scene), missing));
+  }
+  step_ = make_step(device_, layout_.mesh(model));
+  state_ = layout_.state(model);
+}
+
+template <class S>
+void DeviceRun<S>::bring_back(Model<S>& model) {
+  if (!device_is_newer_) return;
+  step_->read(state_);
+  layout_.to_model(state_, model);
+  device_is_newer_ = false;
+}
+
+template <class S>
+InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, S dt, bool with_sums) {
+  if (host_is_newer_) {
+    state_ = layout_.state(model);
+    step_->write(state_);
+    host_is_newer_ = false;
+  }
+  device_is_newer_ = true;
+  const ElementTotals<S> totals = step_->update_elements(dt);
+  if (with_sums) step_->sum_corner_forces();
+  InternalForceResult<S> result;
+  result.internal = totals.internal;
+  result.hourglass = totals.hourglass;
+  result.viscous = totals.viscous;
+  result.eroded = totals.eroded;
+  result.time_step = S(2) / totals.stable_rate;  // infinite without living elements
+  result.time_step_slot = totals.place < 0 ? -1 : layout_.slot_of_place(totals.place);
+  result.eroded_count = totals.eroded_count;
+  result.inverted_count = totals.inverted_count;
+  return result;
+}
+
+template <class S>
+std::unique_ptr<BoundaryKernels<S>> DeviceRun<S>::boundary_kernels() const {
+#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
+  if (device_ != Device::mock) return make_gpu_boundary_kernels<S>(layout_.places_of_slots());
+#endif
+  return make_mock_boundary_kernels<S>(layout_.places_of_slots());
+}
+
+template <class S>
+double DeviceRun<S>::integrate(const StepLengths& step) {
+  device_is_newer_ = true;
+  return step_->integrate(step);
+}
+
+template <class S>
+std::size_t DeviceRun<S>::bytes() const {
+  return step_->bytes() + state_.bytes();
+}
+
+template class DeviceRun<double>;
+template class DeviceRun<float>;
+
+}  // namespace pinball

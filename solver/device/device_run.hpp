@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include <solver/boundary/space/boundary_kernels.hpp>
+#include <solver/elements/internal_forces.hpp>
+
+#include "device_layout.hpp"
+#include "device_step.hpp"
+
+namespace pinball {
+
+/// What of a scene no device can do yet, as the end of a sentence ("contact, subcycling"); empty: all of it can be
+/// done.
+std::string missing_on_device(const Scene& scene);
+
+/// A model whose state lies on a device. The host's stores are a mirror of it: who reads them asks for bring_back
+/// first, who changes them says so. This is the one place that knows which of both is newer.
+template <class S>
+class DeviceRun {
+ public:
+  /// Throws InputError for what no device can do yet, and where there is no such device.
+  explicit DeviceRun(const Model<S>& model);
+
+  /// Copies the state into the stores, if the device has changed it since.
+  void bring_back(Model<S>& model);
+  /// The stores have been changed: the next step begins with them.
+  void host_has_changed() { host_is_newer_ = true; }
+
+  /// The loops of boundary conditions, on nodes().
+  std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const;
+  NodeArrays<S> nodes() { return step_->nodes(); }
+
+  /// with_sums: the forces of nodes have those of their corners, for who adds more before nodes are integrated.
+  InternalForceResult<S> update_elements(const Model<S>& model, S dt, bool with_sums);
+  double integrate(const StepLengths& step);
+
+  std::size_t bytes() const;  ///< of both, less the stores of the model
+
+ private:
+  Device device_;
+  DeviceLayout<S> layout_;
+  std::unique_ptr<DeviceStep<S>> step_;
+  DeviceState<S> state_;  ///< what crosses over, in the device's layout
+  bool host_is_newer_ = true, device_is_newer_ = false;
+};
+
+}  // namespace pinball

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include <kernels/element_update.hpp>
+
+namespace pinball {
+
+/// What all elements of a part report of a step, or some of them.
+template <class S>
+struct ElementTotals {
+  double internal = 0, hourglass = 0, viscous = 0, eroded = 0;  ///< increments [energy]
+  S stable_rate = 0;                                            ///< largest 2/dt of a stable step dt [1/time]
+  std::int64_t place = -1;                                      ///< of the element that has it
+  std::int64_t eroded_count = 0, inverted_count = 0;
+
+  /// other: of elements behind these.
+  PINBALL_FUNCTION void join(const ElementTotals& other) {
+    internal += other.internal;
+    hourglass += other.hourglass;
+    viscous += other.viscous;
+    eroded += other.eroded;
+    eroded_count += other.eroded_count;
+    inverted_count += other.inverted_count;
+    if (other.stable_rate > stable_rate) {
+      stable_rate = other.stable_rate;
+      place = other.place;
+    }
+  }
+
+  /// Of one pack of elements, the first of them at this place.
+  template <class T>
+  PINBALL_FUNCTION void add(const ElementSums<T>& pack, std::int64_t first) {
+    internal += static_cast<double>(lane_sum(pack.internal));
+    hourglass += static_cast<double>(lane_sum(pack.hourglass));
+    viscous += static_cast<double>(lane_sum(pack.viscous));
+    eroded += static_cast<double>(lane_sum(pack.eroded));
+    eroded_count += pack.eroded_count;
+    inverted_count += pack.inverted_count;
+    for (int i = 0; i < width_of<T>; ++i) {
+      if (!(lane(pack.stable_rate, i) > stable_rate)) continue;
+      stable_rate = lane(pack.stable_rate, i);
+      place = first + i;
+    }
+  }
+};
+
+}  // namespace pinball

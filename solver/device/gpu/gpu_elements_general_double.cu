@@ -1,0 +1,7 @@
+#include <solver/device/space_elements_general.hpp>
+
+namespace pinball {
+
+template ElementKernel<double> choose_general_kernel<double, Gpu>(const ElementFeatures&);
+
+}  // namespace pinball

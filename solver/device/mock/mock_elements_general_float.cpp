@@ -1,0 +1,7 @@
+#include <solver/device/space_elements_general.hpp>
+
+namespace pinball {
+
+template ElementKernel<float> choose_general_kernel<float, Mock>(const ElementFeatures&);
+
+}  // namespace pinball

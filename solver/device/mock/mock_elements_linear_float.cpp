@@ -1,0 +1,7 @@
+#include <solver/device/space_elements_linear.hpp>
+
+namespace pinball {
+
+template ElementKernel<float> choose_linear_kernel<float, Mock>(const ElementFeatures&);
+
+}  // namespace pinball

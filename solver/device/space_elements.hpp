@@ -1,0 +1,62 @@
+#pragma once
+
+#include <solver/elements/element_features.hpp>
+
+#include "device_mesh.hpp"
+#include "element_totals.hpp"
+
+/// The element kernel on an execution space: a thread works one lane of a device, or one pack of the host.
+namespace pinball {
+
+/// A part of the elements, in the memory of the space.
+template <class S>
+struct ElementLaunch {
+  ElementView<S> elements;
+  NodeView<S> nodes;
+  ElementConstants<S> constants;
+  S dt;
+  S* corner_force;
+  std::int64_t first, last;
+};
+
+template <class S, ElementFeatures features>
+struct UpdatesElements {
+  using T = Pack<S, native_width<S>>;
+  ElementLaunch<S> launch;
+
+  PINBALL_FUNCTION void operator()(std::int64_t pack, ElementTotals<S>& totals) const {
+    ElementSums<T> sums;
+    update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants,
+                                                 ElementStep<S>{launch.dt}, pack, 0, sums,
+                                                 KeptAtCorners<S>{launch.corner_force});
+    totals.add(sums, pack * width_of<T>);
+  }
+};
+
+template <class S>
+using ElementKernel = ElementTotals<S> (*)(const ElementLaunch<S>&);
+
+template <class S, class Space, ElementFeatures features>
+ElementTotals<S> update_elements(const ElementLaunch<S>& launch) {
+  using Work = UpdatesElements<S, features>;
+  constexpr int W = width_of<typename Work::T>;
+  ElementTotals<S> totals;
+  parallel_reduce("elements", RangePolicy<Space>{launch.first / W, launch.last / W}, Work{launch}, totals);
+  return totals;
+}
+
+/// Each is compiled for itself, by the two sources that define these; the choice is made once.
+template <class S, class Space>
+ElementKernel<S> choose_linear_kernel(const ElementFeatures& features);
+template <class S, class Space>
+ElementKernel<S> choose_general_kernel(const ElementFeatures& features);
+
+template <class S, class Space>
+struct UpdatesElementsIn {
+  template <ElementFeatures features>
+  ElementKernel<S> of() const {
+    return update_elements<S, Space, features>;
+  }
+};
+
+}  // namespace pinball

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <kernels/corner_sums.hpp>
+#include <kernels/node_update.hpp>
+
+#include "device_step.hpp"
+#include "space_elements.hpp"
+
+/// DeviceStep on an execution space. Its functors hold pointers and numbers alone, and are handed over by value.
+namespace pinball {
+
+template <class S>
+struct SumsCornerForces {
+  CornersOfNodes corners;
+  const S* corner_force;
+  S* force;
+  PINBALL_FUNCTION void operator()(std::int64_t n) const {
+    add_corner_forces<device_row>(corners, corner_force, n, force + 4 * n);
+  }
+};
+
+/// Nodes as integration sees them.
+template <class S>
+struct MovingNodes {
+  S *position, *velocity, *force;
+  const S* inverse_mass;
+  const double* mass;
+  S velocity_step, position_step, energy_step;
+
+  PINBALL_FUNCTION void integrate(std::int64_t n, S* with_force, double& twice_kinetic) const {
+    const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, with_force, inverse_mass[n], velocity_step,
+                                position_step, energy_step);
+    twice_kinetic += mass[n] * static_cast<double>(v2);
+  }
+};
+
+template <class S>
+struct IntegratesNodes {
+  MovingNodes<S> nodes;
+  PINBALL_FUNCTION void operator()(std::int64_t n, double& twice_kinetic) const {
+    nodes.integrate(n, nodes.force + 4 * n, twice_kinetic);
+  }
+};
+
+/// In one sweep: the sums of corner forces need not be stored.
+template <class S>
+struct SumsAndIntegrates {
+  MovingNodes<S> nodes;
+  CornersOfNodes corners;
+  const S* corner_force;
+  PINBALL_FUNCTION void operator()(std::int64_t n, double& twice_kinetic) const {
+    alignas(4 * sizeof(S)) S force[4] = {};
+    add_corner_forces<device_row>(corners, corner_force, n, force);
+    nodes.integrate(n, force, twice_kinetic);
+  }
+};
+
+template <class S, class Space>
+class SpaceStep final : public DeviceStep<S> {
+  using Memory = typename Space::memory_space;
+
+ public:
+  explicit SpaceStep(const DeviceMesh<S>& mesh)
+      : nodes_(mesh.nodes),
+        corner_(copy_of(mesh.corner)),
+        mass_share_(copy_of(mesh.mass_share)),
+        inverse_mass_(copy_of(mesh.inverse_mass)),
+        node_mass_(copy_of(mesh.node_mass)),
+        first_of_node_(copy_of(mesh.first_of_node)),
+        corners_of_node_(copy_of(mesh.corners_of_node)),
+        force_(4 * static_cast<std::size_t>(mesh.nodes)),
+        corner_force_(24 * static_cast<std::size_t>(mesh.places)) {
+    for (const DevicePart<S>& part : mesh.parts) add_part(part);
+  }
+
+  void write(const DeviceState<S>& state) override {
+    state_.with(state, [](auto& mine, const auto& theirs) {
+      if (mine.size() != theirs.size()) mine.reset(theirs.size());
+      deep_copy(mine, theirs);
+    });
+  }
+  void read(DeviceState<S>& state) const override {
+    state.with(state_, [](auto& theirs, const auto& mine) { deep_copy(theirs, mine); });
+  }
+
+  ElementTotals<S> update_elements(S dt) override {
+    ElementTotals<S> totals;
+    for (const Part& part : parts_) {
+      totals.join(part.kernel({elements(),
+                               {state_.position.data(), state_.velocity.data(), nullptr},
+                               part.constants,
+                               dt,
+                               corner_force_.data(),
+                               part.first,
+                               part.last}));
+    }
+    summed_ = false;
+    return totals;
+  }
+
+  NodeArrays<S> nodes() override {
+    return {state_.position.data(), state_.velocity.data(), force_.data(),
+            inverse_mass_.data(),   node_mass_.data(),      state_.mass.data()};
+  }
+
+  void sum_corner_forces() override {
+    parallel_for("sums of corner forces", all_nodes(),
+                 SumsCornerForces<S>{corners(), corner_force_.data(), force_.data()});
+    summed_ = true;
+  }
+
+  double integrate(const StepLengths& step) override {
+    const MovingNodes<S> nodes{state_.position.data(),     state_.velocity.data(),     force_.data(),
+                               inverse_mass_.data(),       node_mass_.data(),          static_cast<S>(step.velocity()),
+                               static_cast<S>(step.after), static_cast<S>(step.before)};
+    double twice_kinetic = 0;
+    if (summed_) {
+      parallel_reduce("integration", all_nodes(), IntegratesNodes<S>{nodes}, twice_kinetic);
+    } else {
+      parallel_reduce("sums of corner forces and integration", all_nodes(),
+                      SumsAndIntegrates<S>{nodes, corners(), corner_force_.data()}, twice_kinetic);
+    }
+    return 0.5 * twice_kinetic;
+  }
+
+  std::size_t bytes() const override {
+    return corner_.bytes() + mass_share_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() + first_of_node_.bytes() +
+           corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes();
+  }
+
+ private:
+  struct Part {
+    ElementKernel<S> kernel;
+    ElementConstants<S> constants;
+    std::int64_t first, last;
+  };
+
+  template <class T>
+  static Array<T, Memory> copy_of(const Array<T>& array) {
+    Array<T, Memory> copy(array.size());
+    deep_copy(copy, array);
+    return copy;
+  }
+
+  RangePolicy<Space> all_nodes() const { return {0, nodes_}; }
+  CornersOfNodes corners() const { return {first_of_node_.data(), corners_of_node_.data()}; }
+  ElementView<S> elements() {
+    return {corner_.data(),
+            state_.mass.data(),
+            state_.stress.data(),
+            state_.plastic_strain.data(),
+            state_.hourglass_state.data(),
+            state_.viscous_stress.data(),
+            state_.internal_energy.data(),
+            state_.back_stress.data(),
+            mass_share_.empty() ? nullptr : mass_share_.data()};
+  }
+
+  void add_part(const DevicePart<S>& part) {
+    const bool general = is_general(part.features);
+    parts_.push_back(
+        {general ? choose_general_kernel<S, Space>(part.features) : choose_linear_kernel<S, Space>(part.features),
+         part.constants, part.first, part.last});
+    if (!general) return;
+    HardeningConstants<S>& h = parts_.back().constants.hardening;
+    const auto points = static_cast<std::size_t>(h.points), curves = static_cast<std::size_t>(h.curves);
+    h.strain = keep(h.strain, points);
+    h.stress = keep(h.stress, points * curves);
+    h.slope = keep(h.slope, points * curves);
+    h.rate = keep(h.rate, curves);
+  }
+  /// A copy of a table of the host.
+  const S* keep(const S* numbers, std::size_t count) {
+    if (numbers == nullptr) return nullptr;
+    deep_copy(tables_.emplace_back(count), numbers, count);
+    return tables_.back().data();
+  }
+
+  std::int64_t nodes_;
+  Array<std::int32_t, Memory> corner_;
+  Array<S, Memory> mass_share_, inverse_mass_;
+  Array<double, Memory> node_mass_;
+  Array<std::uint32_t, Memory> first_of_node_, corners_of_node_;
+  DeviceState<S, Memory> state_;
+  Array<S, Memory> force_;         ///< of nodes, in records of four; zero between steps [force]
+  Array<S, Memory> corner_force_;  ///< of KeptAtCorners [force]
+  std::vector<Part> parts_;
+  std::vector<Array<S, Memory>> tables_;
+  bool summed_ = false;  ///< force_ has what the corners do
+};
+
+}  // namespace pinball

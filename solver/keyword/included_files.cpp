@@ -1,0 +1,87 @@
+#include "included_files.hpp"
+
+#include <algorithm>
+
+#include "fields.hpp"
+
+namespace pinball {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A name that ends in " +" goes on in the next line.
+std::string file_name(Card card, Cards& cards) {
+  std::string name(trimmed(card.text));
+  while (name.ends_with(" +")) {
+    name.resize(name.size() - 2);
+    name = std::string(trimmed(name)) + std::string(trimmed(cards.require("the rest of the file's name").text));
+  }
+  return name;
+}
+
+std::shared_ptr<const DeckTransform> read_transform(Cards& cards, const Parameters& parameters) {
+  auto transform = std::make_shared<DeckTransform>();
+  const Card offsets = cards.next_or_blank(), more = cards.next_or_blank(), factors = cards.next_or_blank(),
+             number = cards.next_or_blank();
+  const Fields ids(offsets, parameters), scales(factors, parameters);
+  const auto offset = [&ids](std::size_t field, const char* what) { return ids.integer(field, what, 0); };
+  transform->node = offset(0, "idnoff");
+  transform->element = offset(1, "ideoff");
+  transform->part = offset(2, "idpoff");
+  transform->material = offset(3, "idmoff");
+  transform->set = offset(4, "idsoff");
+  transform->define = offset(6, "iddoff");
+  transform->other = Fields(more, parameters).integer(0, "idroff", 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (scales.number(i, "fctmas, fcttim, fctlen", 1.0) != 1.0 && scales.number(i, "factor", 1.0) != 0.0)
+      fail_at(factors.place, "*INCLUDE_TRANSFORM: other units of an included file are not read");
+  }
+  transform->transformation = Fields(number, parameters).integer(0, "tranid", 0);
+  return transform;
+}
+
+}  // namespace
+
+bool IncludedFiles::reads(const std::string& name) {
+  return name == "INCLUDE" || name == "INCLUDE_TRANSFORM" || name == "INCLUDE_PATH" || name == "INCLUDE_PATH_RELATIVE";
+}
+
+std::vector<IncludedFile> IncludedFiles::read(const KeywordBlock& block, const Parameters& parameters,
+                                              const std::shared_ptr<const DeckTransform>& outer) {
+  Cards cards(block);
+  std::vector<IncludedFile> files;
+  if (block.name == "INCLUDE_TRANSFORM") {
+    const auto card = cards.next_filled();
+    if (!card) fail_at(block.place, "*INCLUDE_TRANSFORM: expected the name of a file");
+    if (outer) fail_at(block.place, "*INCLUDE_TRANSFORM inside of another one is not read");
+    const std::string name = file_name(*card, cards);
+    files.push_back({name, card->place, read_transform(cards, parameters)});
+    return files;
+  }
+  while (const auto card = cards.next_filled()) {
+    const std::string name = file_name(*card, cards);
+    if (block.name == "INCLUDE") {
+      files.push_back({name, card->place, outer});
+    } else {
+      paths_.emplace_back(name);
+    }
+  }
+  return files;
+}
+
+std::string IncludedFiles::find(const std::string& name, const std::string& including) const {
+  std::string with_slashes = name;
+  std::ranges::replace(with_slashes, '\\', '/');  // of Windows
+  const fs::path file(with_slashes);
+  if (file.is_absolute()) return with_slashes;
+  std::vector<fs::path> folders{fs::path(including).parent_path(), folder_};
+  for (const fs::path& path : paths_) folders.push_back(path.is_absolute() ? path : folder_ / path);
+  std::error_code none;
+  for (const fs::path& folder : folders) {
+    if (fs::is_regular_file(folder / file, none)) return (folder / file).lexically_normal().string();
+  }
+  return (folders.front() / file).lexically_normal().string();
+}
+
+}  // namespace pinball

@@ -1,0 +1,135 @@
+#include "keyword_scanner.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <solver/base/error.hpp>
+
+#include "fields.hpp"
+
+namespace pinball {
+
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Lines that end with "\r" alone end with "\n" after this; "\r\n" stays, and so does "\r\r\n".
+void mend_line_ends(std::string& text) {
+  for (std::size_t at = text.find('\r'); at != std::string::npos; at = text.find('\r', at)) {
+    const std::size_t end = std::min(text.find_first_not_of('\r', at), text.size());
+    if (end == text.size() || text[end] != '\n') {
+      for (std::size_t i = at; i < end; ++i) text[i] = '\n';
+    }
+    at = end;
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const std::string> deck_text_of(std::string text) {
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  mend_line_ends(text);
+  return std::make_shared<const std::string>(std::move(text));
+}
+
+std::shared_ptr<const std::string> deck_text(const std::string& path, const DeckPlace* from) {
+  std::error_code problem;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file || std::filesystem::is_directory(path, problem)) {
+    const std::string message = path + ": no such file, or it cannot be read";
+    if (from != nullptr) fail_at(*from, "*INCLUDE " + message);
+    throw InputError(message);
+  }
+  const std::streamoff size = file.tellg();
+  if (size < 0) throw InputError(path + ": cannot be read");
+  std::string text(static_cast<std::size_t>(size), '\0');
+  file.seekg(0);
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file) throw InputError(path + ": cannot be read");
+  return deck_text_of(std::move(text));
+}
+
+bool take_ending(std::string& name, std::string_view ending) {
+  if (!name.ends_with(ending) || name.size() == ending.size()) return false;
+  name.resize(name.size() - ending.size());
+  return true;
+}
+
+KeywordScanner::KeywordScanner(std::string_view text, const std::string& path, bool wide)
+    : rest_(text), place_{std::make_shared<const std::string>(path), 0}, wide_(wide) {
+  skip_to_keyword();
+}
+
+std::string_view KeywordScanner::take_line() {
+  const std::size_t end = rest_.find('\n');
+  const std::string_view line = rest_.substr(0, end);
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  ++place_.line;
+  return line;
+}
+
+/// What stands before the first keyword: blank lines and comments alone.
+void KeywordScanner::skip_to_keyword() {
+  while (!rest_.empty() && rest_.front() != '*') {
+    const std::string_view line = trimmed(take_line());
+    if (!line.empty() && line.front() != '$')
+      fail_at(place_, "expected a keyword such as *KEYWORD, got \"" + std::string(line.substr(0, 40)) + '"');
+  }
+}
+
+bool KeywordScanner::next(KeywordBlock& block, std::string& after) {
+  while (!rest_.empty()) {
+    block = {};
+    read_name(block, after);
+    block.body = take_body();
+    if (block.name == "END") return false;
+    if (block.name != "KEYWORD") return true;
+    read_formats(after, block.place);
+  }
+  return false;
+}
+
+void KeywordScanner::read_name(KeywordBlock& block, std::string& after) {
+  const std::string_view line = take_line();
+  block.place = place_;
+  const std::size_t end = std::min(line.find_first_of(" \t\r,("), line.size());
+  block.name = upper_case(line.substr(1, end - 1));
+  after = upper_case(trimmed(line.substr(end)));
+  read_options(block);
+}
+
+/// "%" and "-" say how wide the columns of this keyword alone are; "_TITLE" and "_ID" that it begins with a card more.
+void KeywordScanner::read_options(KeywordBlock& block) const {
+  std::string& name = block.name;
+  if (take_ending(name, "+")) fail_at(block.place, '*' + name + "+: cards of twenty columns (LONG=Y) are not read");
+  const bool standard = take_ending(name, "-");
+  block.wide = take_ending(name, "%") || (wide_ && !standard);
+  bool more = true;
+  while (more) {
+    more = false;
+    if (take_ending(name, "_TITLE")) more = block.title = true;
+    if (take_ending(name, "_ID")) more = block.id = true;
+  }
+}
+
+/// The lines up to the next keyword.
+std::string_view KeywordScanner::take_body() {
+  const std::string_view all = rest_;
+  while (!rest_.empty() && rest_.front() != '*') take_line();
+  return all.substr(0, all.size() - rest_.size());
+}
+
+void KeywordScanner::read_formats(const std::string& after, const DeckPlace& place) {
+  std::string squeezed;
+  for (const char c : after) {
+    if (c != ' ' && c != '\t') squeezed += c;
+  }
+  const std::size_t at = squeezed.find("LONG=");
+  if (at != std::string::npos && squeezed.substr(at, 6) != "LONG=S")
+    fail_at(place, "*KEYWORD LONG=" + squeezed.substr(at + 5, 1) + ": cards of twenty columns are not read");
+  if (squeezed.find("I10=Y") != std::string::npos) wide_ = true;
+  if (squeezed.find("I10=N") != std::string::npos) wide_ = false;
+}
+
+}  // namespace pinball

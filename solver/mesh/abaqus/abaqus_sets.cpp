@@ -1,0 +1,220 @@
+#include "abaqus_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <solver/base/error.hpp>
+
+namespace pinball {
+
+namespace {
+
+const char* kind(bool of_nodes) { return of_nodes ? "node" : "element"; }
+
+void make_ascending(std::vector<std::int32_t>& members) {
+  std::sort(members.begin(), members.end());
+  members.erase(std::unique(members.begin(), members.end()), members.end());
+}
+
+}  // namespace
+
+AbaqusSets::AbaqusSets(const std::vector<AbaqusComponent>& components, const std::vector<AbaqusRange>& ranges,
+                       MeshFile& file, std::vector<NumberIndex> nodes, std::vector<NumberIndex> elements)
+    : components_(components),
+      ranges_(ranges),
+      file_(file),
+      nodes_(std::move(nodes)),
+      elements_(std::move(elements)),
+      node_sets_(components.size()),
+      element_sets_(components.size()),
+      surfaces_(components.size()) {}
+
+void AbaqusSets::add_range(std::size_t component, bool of_nodes, const std::string& name, std::size_t first,
+                           std::size_t last) {
+  Set& set = sets(component, of_nodes)[label_key(name)];
+  if (set.name.empty()) set.name = label_text(name);
+  set.ranges.emplace_back(first, last);
+}
+
+void AbaqusSets::read() {
+  for (std::size_t c = 0; c < components_.size(); ++c) {
+    for (const AbaqusBlock* block : components_[c].blocks) {
+      const bool of_nodes = block->name == "NSET";
+      if (of_nodes || block->name == "ELSET") {
+        const std::string name = block->require(block->name.c_str());
+        Set& set = sets(c, of_nodes)[label_key(name)];
+        if (set.name.empty()) set.name = label_text(name);
+        set.blocks.push_back(block);
+      }
+      if (block->name == "SURFACE") surfaces_[c].push_back({label_text(block->require("NAME")), block});
+    }
+  }
+}
+
+void AbaqusSets::resolve(std::size_t component, bool of_nodes, Set& set) {
+  if (set.state == Set::State::done) return;
+  if (set.state == Set::State::at_work)
+    fail_at(set.blocks.front()->place, fmt::format("the set {} has itself as a member", set.name));
+  set.state = Set::State::at_work;
+  try {
+    for (const auto& [first, last] : set.ranges) {
+      for (std::size_t i = first; i < last; ++i) set.members.push_back(static_cast<std::int32_t>(i));
+    }
+    for (const AbaqusBlock* block : set.blocks) add_block(component, of_nodes, *block, set.members);
+  } catch (const InputError& error) {
+    set.problem = error.what();  // of sets that nothing uses nobody has to know
+  }
+  make_ascending(set.members);
+  set.state = Set::State::done;
+}
+
+void AbaqusSets::add_block(std::size_t component, bool of_nodes, const AbaqusBlock& block,
+                           std::vector<std::int32_t>& members) {
+  std::size_t scope = component;
+  if (const auto instance = block.value("INSTANCE")) {
+    const auto found = component_of(*instance);
+    if (!found) fail_at(block.place, fmt::format("{}: there is no *INSTANCE {}", block.star_name(), *instance));
+    scope = *found;
+  }
+  if (of_nodes && block.has("ELSET")) {
+    add_nodes_of_elements(this->members(scope, false, block.require("ELSET"), block.place), members);
+    return;
+  }
+  const bool generates = block.has("GENERATE");
+  DataLines lines(block);
+  while (const auto card = lines.next()) {
+    if (generates) {
+      generate(scope, of_nodes, *card, members);
+    } else {
+      for (const std::string_view entry : entries_of(card->text)) {
+        if (!entry.empty()) add_entry(scope, of_nodes, std::string(entry), card->place, members);
+      }
+    }
+  }
+}
+
+/// First, last, step. Numbers in between that are not there are left out, as in a mesh with gaps.
+void AbaqusSets::generate(std::size_t component, bool of_nodes, const Card& card,
+                          std::vector<std::int32_t>& members) const {
+  const DataFields f(card);
+  const std::int64_t first = f.integer(0, "first"), last = f.integer(1, "last", first);
+  std::int64_t step = f.integer(2, "step", 1);
+  if (step == 0) step = 1;
+  if (step < 0 || last < first)
+    fail_at(card.place,
+            fmt::format("GENERATE: expected first <= last and a step > 0, got {}, {}, {}", first, last, step));
+  const AbaqusRange& range = ranges_[component];
+  const std::size_t begin = of_nodes ? range.first_node : range.first_element,
+                    count = of_nodes ? range.nodes : range.elements, before = members.size();
+  const std::vector<std::int64_t>& numbers = of_nodes ? file_.node_ids : file_.element_ids;
+  for (std::size_t i = begin; i < begin + count; ++i) {
+    if (numbers[i] >= first && numbers[i] <= last && (numbers[i] - first) % step == 0)
+      members.push_back(static_cast<std::int32_t>(i));
+  }
+  if (members.size() == before)
+    fail_at(card.place, fmt::format("GENERATE: there is no {} from {} to {}", kind(of_nodes), first, last));
+}
+
+std::optional<std::int32_t> AbaqusSets::numbered(std::size_t component, bool of_nodes, std::int64_t number) const {
+  const std::int32_t place = (of_nodes ? nodes_ : elements_)[component].find(number);
+  if (place < 0) return std::nullopt;
+  const AbaqusRange& range = ranges_[component];
+  return place + static_cast<std::int32_t>(of_nodes ? range.first_node : range.first_element);
+}
+
+std::optional<std::size_t> AbaqusSets::component_of(const std::string& instance) const {
+  const std::string key = label_key(instance);
+  for (std::size_t c = 0; c < components_.size(); ++c) {
+    if (!key.empty() && label_key(components_[c].name) == key) return c;
+  }
+  return std::nullopt;
+}
+
+void AbaqusSets::add_entry(std::size_t component, bool of_nodes, const std::string& label, const DeckPlace& place,
+                           std::vector<std::int32_t>& members) {
+  if (const auto number = deck_integer(label)) {
+    const auto found = numbered(component, of_nodes, *number);
+    if (!found) fail_at(place, fmt::format("{} {} is not there", kind(of_nodes), label));
+    members.push_back(*found);
+    return;
+  }
+  const std::vector<std::int32_t>& others = this->members(component, of_nodes, label, place);
+  members.insert(members.end(), others.begin(), others.end());
+}
+
+const std::vector<std::int32_t>& AbaqusSets::members(std::size_t component, bool of_nodes, const std::string& label,
+                                                     const DeckPlace& place) {
+  Sets& known = sets(component, of_nodes);
+  const auto found = known.find(label_key(label));
+  if (found != known.end()) {
+    resolve(component, of_nodes, found->second);
+    if (!found->second.problem.empty()) throw InputError(found->second.problem);
+    return found->second.members;
+  }
+  if (const auto parts = split_label(label)) {
+    const auto other = component_of(parts->first);
+    if (other && *other != component) {
+      const auto number = deck_integer(trimmed(parts->second));
+      if (!number) return members(*other, of_nodes, parts->second, place);
+      Set& single = sets(*other, of_nodes)[fmt::format("{}", *number)];  // kept, and not named in the file
+      single.state = Set::State::done;
+      const auto node = numbered(*other, of_nodes, *number);
+      if (!node) fail_at(place, fmt::format("{} {} is not there", kind(of_nodes), label));
+      single.members = {*node};
+      return single.members;
+    }
+  }
+  if (const auto number = deck_integer(trimmed(label))) {
+    const auto place_of = numbered(component, of_nodes, *number);
+    if (!place_of) fail_at(place, fmt::format("{} {} is not there", kind(of_nodes), label));
+    Set& single = known[label_key(label)];
+    single.state = Set::State::done;
+    single.members = {*place_of};
+    return single.members;
+  }
+  fail_at(place, fmt::format("there is no set of {}s {}", kind(of_nodes), label));
+}
+
+void AbaqusSets::add_nodes_of_elements(const std::vector<std::int32_t>& elements,
+                                       std::vector<std::int32_t>& nodes) const {
+  for (const std::int32_t e : elements) {
+    const auto& hexahedron = file_.mesh.hexahedra[static_cast<std::size_t>(e)];
+    nodes.insert(nodes.end(), hexahedron.begin(), hexahedron.end());
+  }
+}
+
+std::vector<std::string> AbaqusSets::names_in_file(std::size_t component, const std::string& name,
+                                                   const std::map<std::string, int>& uses) const {
+  const std::string& instance = components_[component].name;
+  if (instance.empty()) return {name};
+  std::vector<std::string> names{instance + '.' + name};
+  if (uses.at(label_key(name)) == 1) names.push_back(name);
+  return names;
+}
+
+void AbaqusSets::name_all() {
+  for (const bool of_nodes : {true, false}) {
+    std::map<std::string, int> uses;
+    for (std::size_t c = 0; c < components_.size(); ++c) {
+      for (const auto& [key, set] : sets(c, of_nodes)) ++uses[label_key(set.name)];
+    }
+    if (of_nodes) node_set_uses_ = uses;
+    for (std::size_t c = 0; c < components_.size(); ++c) {
+      for (auto& [key, set] : sets(c, of_nodes)) {
+        if (set.name.empty()) continue;  // a single node or element
+        resolve(c, of_nodes, set);
+        for (const std::string& name : names_in_file(c, set.name, uses))
+          (of_nodes ? file_.node_sets : file_.element_sets).push_back({0, name, set.members, set.problem});
+      }
+    }
+  }
+  for (const auto& surfaces : surfaces_) {
+    for (const Surface& surface : surfaces) ++surface_uses_[label_key(surface.name)];
+  }
+  for (std::size_t c = 0; c < components_.size(); ++c) {
+    for (const Surface& surface : surfaces_[c]) name_surface(c, surface);
+  }
+}
+
+}  // namespace pinball

@@ -1,0 +1,270 @@
+#include "exodus_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include <solver/base/error.hpp>
+
+#include "netcdf_file.hpp"
+
+/// Format: L. A. Schoof, V. R. Yarberry, "EXODUS II: A Finite Element Data Model", SAND92-2137, and the names of
+/// variables of the library that writes it (exodusII.h of SEACAS).
+namespace pinball {
+namespace {
+
+/// Sides of a hexahedron and of a wedge in the numbering of Exodus, by corners that count from 0.
+constexpr int hexahedron_sides[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
+                                        {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+/// Corners of the collapsed hexahedron {0, 1, 2, 2, 3, 4, 5, 5}.
+constexpr int wedge_sides[5][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {0, 4, 6, 2}, {0, 2, 1, 1}, {4, 5, 6, 6}};
+
+std::string upper(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// Elements without a volume by the beginnings of their names.
+bool is_without_volume(const std::string& type) {
+  const std::string name = upper(type);
+  return std::ranges::any_of(std::vector<std::string>{"SHELL", "QUAD", "TRI", "BAR", "BEAM", "TRUSS", "ROD", "EDGE",
+                                                      "SPHERE", "CIRCLE", "POINT", "SPRING", "NSIDED", "MEMBRANE"},
+                             [&](const std::string& beginning) { return name.starts_with(beginning); });
+}
+
+class Reader {
+ public:
+  Reader(const std::string& path, const std::vector<std::string>& parts) : in_(path), wanted_(parts) {}
+
+  MeshFile read() {
+    file_.path = in_.path();
+    if (in_.dimension("num_dim") != 3) fail("expected an Exodus mesh of three dimensions");
+    read_nodes();
+    const Names blocks = names_of("eb", in_.dimension("num_el_blk"));
+    for (std::size_t b = 0; b < blocks.ids.size(); ++b) read_block(b, blocks);
+    read_element_numbers();
+    read_node_sets();
+    read_side_sets();
+    read_element_sets();
+    if (file_.mesh.hexahedra.empty()) fail("expected blocks of hexahedra or wedges, got none");
+    return std::move(file_);
+  }
+
+ private:
+  struct Names {
+    std::vector<std::int64_t> ids;
+    std::vector<std::string> names;
+  };
+
+  [[noreturn]] void fail(const std::string& problem) const { throw InputError(file_.path + ": " + problem); }
+
+  /// Numbers and names of blocks (eb) or sets (ns, ss, els): 1, 2, ... and none where the file has none.
+  Names names_of(const std::string& kind, std::int64_t count) const {
+    Names names;
+    const std::string property = kind + "_prop1", text = kind + "_names";
+    if (in_.has(property)) names.ids = in_.integers(property);
+    if (count > 1'000'000 || (!names.ids.empty() && static_cast<std::int64_t>(names.ids.size()) != count))
+      in_.fail(property, fmt::format("expected {} numbers, got {}", count, names.ids.size()));
+    for (std::int64_t i = 0; names.ids.size() < static_cast<std::size_t>(count); ++i) names.ids.push_back(i + 1);
+    if (in_.has(text)) names.names = in_.texts(text);
+    names.names.resize(names.ids.size());
+    return names;
+  }
+
+  void read_nodes() {
+    const std::int64_t count = in_.dimension("num_nodes");
+    if (count > std::numeric_limits<std::int32_t>::max())
+      fail(fmt::format("{} nodes are more than a mesh can hold", count));
+    std::vector<double> all;
+    const bool together = !in_.has("coordx") && in_.has("coord");
+    if (together) all = in_.numbers("coord");
+    if (together && static_cast<std::int64_t>(all.size()) != 3 * count)
+      in_.fail("coord", fmt::format("expected {} numbers, got {}", 3 * count, all.size()));
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string name = together ? "coord" : std::string("coord") + "xyz"[k];
+      const std::vector<double> one = together ? std::vector<double>() : in_.numbers(name);
+      if (!together && static_cast<std::int64_t>(one.size()) != count)
+        in_.fail(name, fmt::format("expected {} numbers, got {}", count, one.size()));
+      file_.mesh.nodes.resize(count);
+      const double* const values = together ? all.data() + k * count : one.data();
+      for (std::int64_t n = 0; n < count; ++n) {
+        if (!std::isfinite(values[n]))
+          in_.fail(name, fmt::format("expected numbers, got {} for node {}", values[n], n + 1));
+        file_.mesh.nodes[n][k] = values[n];
+      }
+    }
+    file_.node_ids = numbers("node_num_map", count);
+  }
+
+  /// The map of that name, or 1, 2, 3, ...
+  std::vector<std::int64_t> numbers(const std::string& map, std::int64_t count) const {
+    if (in_.has(map)) {
+      std::vector<std::int64_t> ids = in_.integers(map);
+      if (static_cast<std::int64_t>(ids.size()) != count)
+        in_.fail(map, fmt::format("expected {} numbers, got {}", count, ids.size()));
+      return ids;
+    }
+    std::vector<std::int64_t> ids(count);
+    for (std::int64_t i = 0; i < count; ++i) ids[i] = i + 1;
+    return ids;
+  }
+
+  bool is_needed(std::int64_t id, const std::string& name) const {
+    return wanted_.empty() || std::ranges::any_of(wanted_, [&](const std::string& part) {
+             return part == name || part == std::to_string(id);
+           });
+  }
+
+  void read_block(std::size_t b, const Names& blocks) {
+    const std::string number = std::to_string(b + 1), variable = "connect" + number;
+    const std::int64_t count = in_.dimension("num_el_in_blk" + number);
+    if (count == 0) return;
+    const std::vector<std::int64_t> shape = in_.shape(variable);
+    if (shape.size() != 2 || shape[0] != count || shape[1] < 1)
+      in_.fail(variable, fmt::format("expected the nodes of {} elements", count));
+    const std::string type = in_.attribute(variable, "elem_type"), form = upper(type);
+    const bool hexahedra = form.starts_with("HEX") && shape[1] == 8,
+               wedges = form.starts_with("WEDGE") && shape[1] == 6;
+    if (!hexahedra && !wedges) return refuse(blocks, b, type, shape[1], count);
+    const auto first = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+    if (first + count > std::numeric_limits<std::int32_t>::max() / 8) fail("has more elements than a mesh can hold");
+    for (std::int64_t e = 0; e < count; ++e) place_.push_back(first + static_cast<std::int32_t>(e));
+    file_.mesh.hexahedra.resize(first + count);
+    std::int32_t* const corners = file_.mesh.hexahedra[first].data();
+    if (hexahedra) {
+      in_.integers_into(variable, corners);
+    } else {
+      read_wedges(variable, count, corners);
+    }
+    is_wedge_.resize(first + count, wedges);
+    const auto nodes = static_cast<std::int32_t>(file_.mesh.nodes.size());
+    for (std::int64_t i = 0; i < 8 * count; ++i) {
+      if (corners[i] < 1 || corners[i] > nodes)
+        in_.fail(variable,
+                 fmt::format("element {}: expected nodes from 1 to {}, got {}", i / 8 + 1, nodes, corners[i]));
+      --corners[i];
+    }
+    file_.part.resize(first + count, static_cast<std::int32_t>(file_.parts.size()));
+    file_.parts.push_back({blocks.ids[b], blocks.names[b]});
+  }
+
+  void read_wedges(const std::string& variable, std::int64_t count, std::int32_t* corners) const {
+    std::vector<std::int32_t> nodes(6 * count);
+    in_.integers_into(variable, nodes.data());
+    constexpr int corner[8] = {0, 1, 2, 2, 3, 4, 5, 5};
+    for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = nodes[i / 8 * 6 + corner[i % 8]];
+  }
+
+  void refuse(const Names& blocks, std::size_t b, const std::string& type, std::int64_t nodes, std::int64_t count) {
+    const std::string what = fmt::format("block {}{} has {} elements of type {} with {} nodes", blocks.ids[b],
+                                         blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", count,
+                                         type.empty() ? "unknown" : type, nodes);
+    if (wanted_.empty() ? !is_without_volume(type) : is_needed(blocks.ids[b], blocks.names[b]))
+      fail(what + ": expected HEX8 or WEDGE6");
+    file_.notes.push_back(fmt::format("{}: {}, which are left out", file_.path, what));
+    place_.insert(place_.end(), count, -1);
+  }
+
+  /// Blocks that were left out have numbers, too.
+  void read_element_numbers() {
+    const auto count = static_cast<std::int64_t>(place_.size());
+    if (count != in_.dimension("num_elem"))
+      fail(fmt::format("expected {} elements in the blocks, got {}", in_.dimension("num_elem"), count));
+    const std::vector<std::int64_t> ids = numbers("elem_num_map", count);
+    for (std::int64_t e = 0; e < count; ++e) {
+      if (place_[e] >= 0) file_.element_ids.push_back(ids[e]);
+    }
+  }
+
+  void read_node_sets() {
+    const Names sets = names_of("ns", in_.dimension("num_node_sets"));
+    for (std::size_t s = 0; s < sets.ids.size(); ++s) {
+      const std::string variable = "node_ns" + std::to_string(s + 1);
+      MeshSet set{sets.ids[s], sets.names[s], {}};
+      const auto nodes = static_cast<std::int64_t>(file_.mesh.nodes.size());
+      for (const std::int64_t node : members(variable, "num_nod_ns" + std::to_string(s + 1))) {
+        if (node < 1 || node > nodes)
+          in_.fail(variable, fmt::format("expected nodes from 1 to {}, got {}", nodes, node));
+        set.members.push_back(static_cast<std::int32_t>(node - 1));
+      }
+      file_.node_sets.push_back(std::move(set));
+    }
+  }
+
+  /// Sets may be empty, and have no variable then.
+  std::vector<std::int64_t> members(const std::string& variable, const std::string& dimension) const {
+    if (in_.dimension(dimension) == 0) return {};
+    return in_.integers(variable);
+  }
+
+  /// Place of an element; -1: of a block that was left out.
+  std::int32_t place_of(const std::string& variable, std::int64_t element) const {
+    if (element < 1 || element > static_cast<std::int64_t>(place_.size()))
+      in_.fail(variable, fmt::format("expected elements from 1 to {}, got {}", place_.size(), element));
+    return place_[element - 1];
+  }
+
+  void read_side_sets() {
+    const Names sets = names_of("ss", in_.dimension("num_side_sets"));
+    std::vector<MeshSet> of_nodes;
+    for (std::size_t s = 0; s < sets.ids.size(); ++s) {
+      const std::string number = std::to_string(s + 1), variable = "side_ss" + number;
+      const std::vector<std::int64_t> elements = members("elem_ss" + number, "num_side_ss" + number),
+                                      sides = members(variable, "num_side_ss" + number);
+      if (elements.size() != sides.size())
+        in_.fail(variable, fmt::format("expected {} sides, got {}", elements.size(), sides.size()));
+      FaceSet set{sets.ids[s], sets.names[s], {}};
+      for (std::size_t i = 0; i < sides.size(); ++i)
+        add_side(set, variable, place_of("elem_ss" + number, elements[i]), sides[i]);
+      of_nodes.push_back({set.id, set.name, nodes_of_faces(set.faces)});
+      file_.face_sets.push_back(std::move(set));
+    }
+    // Before those that are sets of nodes in the file, which count where both have one number.
+    file_.node_sets.insert(file_.node_sets.begin(), of_nodes.begin(), of_nodes.end());
+  }
+
+  void add_side(FaceSet& set, const std::string& variable, std::int32_t place, std::int64_t side) const {
+    if (place < 0) {
+      set.faces.push_back({-1, -1, -1, -1});
+      return;
+    }
+    const std::int64_t most = is_wedge_[place] ? 5 : 6;
+    if (side < 1 || side > most) in_.fail(variable, fmt::format("expected sides from 1 to {}, got {}", most, side));
+    const auto& corners = file_.mesh.hexahedra[place];
+    std::array<std::int32_t, 4> face;
+    for (std::size_t i = 0; i < 4; ++i)
+      face[i] = corners[is_wedge_[place] ? wedge_sides[side - 1][i] : hexahedron_sides[side - 1][i]];
+    set.faces.push_back(face);
+  }
+
+  void read_element_sets() {
+    const Names sets = names_of("els", in_.dimension("num_elem_sets"));
+    for (std::size_t s = 0; s < sets.ids.size(); ++s) {
+      const std::string variable = "elem_els" + std::to_string(s + 1);
+      MeshSet set{sets.ids[s], sets.names[s], {}};
+      for (const std::int64_t element : members(variable, "num_ele_els" + std::to_string(s + 1))) {
+        if (const std::int32_t place = place_of(variable, element); place >= 0) set.members.push_back(place);
+      }
+      std::sort(set.members.begin(), set.members.end());
+      set.members.erase(std::unique(set.members.begin(), set.members.end()), set.members.end());
+      file_.element_sets.push_back(std::move(set));
+    }
+  }
+
+  NetcdfFile in_;
+  const std::vector<std::string>& wanted_;
+  MeshFile file_;
+  std::vector<std::int32_t> place_;  ///< per element of the file; -1: left out
+  std::vector<bool> is_wedge_;       ///< per hexahedron
+};
+
+}  // namespace
+
+MeshFile read_exodus(const std::string& path, const std::vector<std::string>& parts) {
+  return Reader(path, parts).read();
+}
+
+}  // namespace pinball

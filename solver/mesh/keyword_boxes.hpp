@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+
+#include <solver/base/point.hpp>
+#include <solver/keyword/fields.hpp>
+#include <solver/keyword/keyword_deck.hpp>
+
+namespace pinball {
+
+struct KeywordBox {
+  Point low, high;
+
+  bool holds(const Point& x) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (x[k] < low[k] || x[k] > high[k]) return false;
+    }
+    return true;
+  }
+};
+
+/// All *DEFINE_BOX of a deck.
+class KeywordBoxes {
+ public:
+  explicit KeywordBoxes(const KeywordDeck& deck) {
+    for (const KeywordBlock& block : deck.blocks) {
+      if (block.name == "DEFINE_BOX") for_each_card(block, [&](const Card& card) { read(deck, block, card); });
+    }
+  }
+  /// Throws InputError where a block names one that is not there.
+  const KeywordBox& find(const KeywordBlock& block, std::int64_t number, const DeckPlace& place) const {
+    const auto found = boxes_.find(number + offset_of(block, &DeckTransform::define));
+    if (found == boxes_.end()) fail_at(place, block.star_name() + ": no box has the number " + std::to_string(number));
+    return found->second;
+  }
+
+ private:
+  void read(const KeywordDeck& deck, const KeywordBlock& block, const Card& card) {
+    const Fields fields(card, deck.parameters);
+    KeywordBox& box = boxes_[fields.integer(0, "boxid") + offset_of(block, &DeckTransform::define)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = fields.number(1 + 2 * k, "minimum", 0.0);
+      box.high[k] = fields.number(2 + 2 * k, "maximum", 0.0);
+    }
+  }
+
+  std::map<std::int64_t, KeywordBox> boxes_;
+};
+
+/// Number and name of a set: the first cards of its keyword.
+template <class Set>
+void read_set_head(const KeywordBlock& block, const Parameters& parameters, Cards& cards, Set& set) {
+  if (block.title) set.name = std::string(trimmed(cards.require("a title").text));
+  const Card head = cards.require("the number of the set");
+  set.id = Fields(head, parameters).integer(0, "sid") + offset_of(block, &DeckTransform::set);
+}
+
+}  // namespace pinball

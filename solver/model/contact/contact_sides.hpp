@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <solver/contact/surface/contact_pairs.hpp>
+#include <solver/model/model.hpp>
+
+namespace pinball {
+
+/// The contact pairs of a scene and its ties as contact sees them; null where there are none. Throws InputError for a
+/// set that is not there, or that holds nothing of the scene's bodies.
+template <class S>
+std::unique_ptr<ContactPairs> make_contact_pairs(const Model<S>& model);
+
+/// Which nodes and faces a side of the scene holds; in the numbers of the scene.
+struct SideMembers {
+  std::vector<std::uint8_t> body;                  ///< per body: all of it
+  std::vector<std::int32_t> elements;              ///< of sets
+  std::vector<std::array<std::int32_t, 4>> faces;  ///< of sets, by their nodes
+  std::vector<std::int32_t> nodes;                 ///< of sets
+};
+/// where: for messages. Throws InputError for sets that are not there.
+SideMembers find_members(const ModelMesh& mesh, const ContactSide& side, const std::string& where);
+
+/// Which nodes each tied contact of a scene has on its first and on its second side, near each other or not; in the
+/// numbers of the scene. Throws InputError for sets that are not there.
+class TiedSides {
+ public:
+  TiedSides(const Scene& scene, const ModelMesh& mesh);
+  /// Whether a tied contact has one of two nodes on the one side and the other on the other one.
+  bool have(std::int32_t a, std::int32_t b) const;
+
+ private:
+  std::vector<std::array<std::vector<bool>, 2>> nodes_;  ///< per tied contact and side: per node
+};
+
+/// Nodes of a face as what it is found by.
+inline std::array<std::int32_t, 4> face_key(std::array<std::int32_t, 4> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+/// Nodes of face 0 to 5 of a hexahedron, in the order of face_nodes.
+std::array<std::int32_t, 4> face_of(const std::array<std::int32_t, 8>& hexahedron, unsigned face);
+
+}  // namespace pinball

@@ -1,0 +1,33 @@
+#include "mass_scaling.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/base/error.hpp>
+
+#include "element_start.hpp"
+
+namespace pinball {
+
+std::vector<double> mass_factors(const Scene& scene, const ModelMesh& mesh, const ElementParts& parts) {
+  const TimeSettings& time = scene.time;
+  if (!(time.smallest_step > 0)) return {};
+  std::vector<double> factors(mesh.hexahedra.size());
+  for (std::size_t e = 0; e < factors.size(); ++e) {
+    const ElementPart& part = parts.parts[parts.of_body[static_cast<std::size_t>(mesh.body[e])]];
+    const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
+    const double factor = start.mass_factor(time.smallest_step / time.cfl);
+    if (!(factor > 0) || !std::isfinite(factor)) {
+      throw InputError(fmt::format(
+          "{}time.smallest_step: expected a step for which element {} of body {} can have a mass, got {:.9g}",
+          message_head(scene), e, mesh.body_of_element(static_cast<std::int64_t>(e)), time.smallest_step));
+    }
+    factors[e] = time.mass_scaling == MassScaling::all ? factor : std::max(1.0, factor);
+  }
+  if (std::ranges::all_of(factors, [](double factor) { return factor == 1; })) factors.clear();
+  return factors;
+}
+
+}  // namespace pinball

@@ -1,0 +1,50 @@
+#include "mass_shares.hpp"
+
+#include <algorithm>
+
+namespace pinball {
+
+namespace {
+
+std::size_t node_at(const std::vector<std::int32_t>& node_of_scene_node, std::int32_t corner) {
+  return static_cast<std::size_t>(node_of_scene_node[static_cast<std::size_t>(corner)]);
+}
+
+}  // namespace
+
+template <class S>
+std::vector<MassShares> mass_shares(const Model<S>& model, const std::vector<std::int32_t>& group_of_body,
+                                    std::size_t groups) {
+  std::vector<double> of_all(model.node_mass.size(), 0.0), theirs(of_all);
+  std::vector<std::vector<std::size_t>> members(groups);
+  for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
+    const std::int32_t group = group_of_body[static_cast<std::size_t>(model.mesh.body[e])];
+    if (group >= 0) members[static_cast<std::size_t>(group)].push_back(e);
+    for (const std::int32_t corner : model.mesh.hexahedra[e])
+      of_all[node_at(model.node_of_scene_node, corner)] += model.element_mass[e];
+  }
+  std::vector<MassShares> all(groups);
+  for (std::size_t g = 0; g < groups; ++g) {
+    std::vector<std::int32_t>& nodes = all[g].nodes;
+    for (const std::size_t e : members[g]) {
+      for (const std::int32_t corner : model.mesh.hexahedra[e]) {
+        const std::size_t node = node_at(model.node_of_scene_node, corner);
+        if (!(theirs[node] > 0)) nodes.push_back(static_cast<std::int32_t>(node));
+        theirs[node] += model.element_mass[e];
+      }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const std::int32_t n : nodes) {
+      double& mass = theirs[static_cast<std::size_t>(n)];
+      all[g].share.push_back(mass / of_all[static_cast<std::size_t>(n)]);
+      mass = 0;
+    }
+  }
+  return all;
+}
+
+template std::vector<MassShares> mass_shares(const Model<double>&, const std::vector<std::int32_t>&, std::size_t);
+template std::vector<MassShares> mass_shares(const Model<float>&, const std::vector<std::int32_t>&, std::size_t);
+
+}  // namespace pinball

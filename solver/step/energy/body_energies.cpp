@@ -1,0 +1,84 @@
+#include "body_energies.hpp"
+
+#include <numeric>
+
+#include <kernels/exec.hpp>
+
+namespace pinball {
+
+template <class S>
+BodyEnergies<S>::BodyEnergies(const Model<S>& model) {
+  if (!model.scene.output.body_energies) return;
+  const std::size_t bodies = model.scene.bodies.size();
+  std::vector<std::int32_t> group(bodies);
+  std::iota(group.begin(), group.end(), 0);
+  shares_ = mass_shares(model, group, bodies);
+  for (const MassShares& body : shares_) {
+    std::vector<double>& mass = mass_.emplace_back();
+    for (std::size_t i = 0; i < body.nodes.size(); ++i)
+      mass.push_back(body.share[i] * model.node_mass[static_cast<std::size_t>(body.nodes[i])]);
+  }
+  energies_.resize(bodies);
+}
+
+template <class S>
+void BodyEnergies<S>::book(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
+  if (!any()) return;
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    Sums& body = energies_[static_cast<std::size_t>(model.tile_body[t])];
+    body.internal += tiles[t].internal - tiles[t].eroded;
+    body.hourglass += tiles[t].hourglass;
+    body.bulk_viscosity += tiles[t].viscous;
+  }
+}
+
+template <class S>
+void BodyEnergies<S>::take_kinetic(const Model<S>& model, const StepLengths& step) {
+  const auto energy_step = static_cast<S>(step.before);
+  const NodeStore<S>& nodes = model.nodes;
+  for (std::size_t b = 0; b < shares_.size(); ++b) {
+    const MassShares& body = shares_[b];
+    double twice = 0;
+    parallel_reduce(
+        "energy of a body", RangePolicy<>{0, static_cast<std::int64_t>(body.nodes.size())}, twice,
+        [&](std::int64_t begin, std::int64_t end, double& partial) {
+          for (std::int64_t index = begin; index < end; ++index) {
+            const auto i = static_cast<std::size_t>(index), n = static_cast<std::size_t>(body.nodes[i]);
+            const S factor = energy_step * nodes.inverse_mass[n];
+            S v2 = 0;
+            for (std::size_t k = 4 * n; k < 4 * n + 3; ++k)
+              v2 += nodes.velocity[k] * (nodes.velocity[k] + factor * nodes.force[k]);
+            partial += body.share[i] * model.node_mass[n] * static_cast<double>(v2);
+          }
+        },
+        [](double& whole, double partial) { whole += partial; });
+    energies_[b].kinetic = 0.5 * twice;
+  }
+}
+
+template <class S>
+std::vector<BodyShare> BodyEnergies<S>::results(const Model<S>& model) const {
+  std::vector<BodyShare> results;
+  for (std::size_t b = 0; b < shares_.size(); ++b) {
+    const Sums& e = energies_[b];
+    BodyShare& body = results.emplace_back(BodyShare{e.kinetic, e.internal, e.hourglass, e.bulk_viscosity, 0, {}});
+    for (std::size_t i = 0; i < shares_[b].nodes.size(); ++i) {
+      const S* v = model.nodes.velocity_of(shares_[b].nodes[i]);
+      body.mass += mass_[b][i];
+      for (std::size_t k = 0; k < 3; ++k) body.momentum[k] += mass_[b][i] * static_cast<double>(v[k]);
+    }
+  }
+  return results;
+}
+
+template <class S>
+std::size_t BodyEnergies<S>::bytes() const {
+  std::size_t sum = 0;
+  for (const MassShares& body : shares_) sum += body.nodes.size() * (sizeof(std::int32_t) + 2 * sizeof(double));
+  return sum;
+}
+
+template class BodyEnergies<double>;
+template class BodyEnergies<float>;
+
+}  // namespace pinball

@@ -1,0 +1,62 @@
+#include "drift_energy.hpp"
+
+#include <vector>
+
+namespace pinball {
+
+namespace {
+
+/// The directions that something outside tells from the others, orthonormal.
+class HeldSpace {
+ public:
+  void add(Point direction) {
+    constexpr double nothing = 1e-9;
+    if (basis_.size() < 3 && make_orthogonal(direction, basis_) > nothing) basis_.push_back(direction);
+  }
+  void add_all() {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Point unit{};
+      unit[k] = 1;
+      add(unit);
+    }
+  }
+  double square_of_rest(Point vector) const {
+    const double length = make_orthogonal(vector, basis_);
+    return length * length;
+  }
+
+ private:
+  std::vector<Point> basis_;
+};
+
+}  // namespace
+
+template <class S>
+double drift_energy(const Model<S>& model, const Point& momentum) {
+  const Scene& scene = model.scene;
+  HeldSpace held;
+  if (scene.damping.mass > 0) held.add_all();
+  for (const RigidWall& wall : scene.rigid_walls) {
+    held.add(wall.plane.normal);
+    if (wall.friction > 0 || !wall.sliding) held.add_all();
+  }
+  const auto add = [&held](const auto& nodes) {  // of one direction of one node each
+    for (const auto& node : nodes) {
+      held.add({static_cast<double>(node.normal[0]), static_cast<double>(node.normal[1]),
+                static_cast<double>(node.normal[2])});
+    }
+  };
+  add(model.constraints);
+  add(model.prescribed);
+  double mass = 0;
+  for (const double m : model.node_mass) mass += m;
+  if (!(mass > 0)) return 0;
+  Point velocity = momentum;  // whose square overflows later than that of the momentum
+  for (double& v : velocity) v /= mass;
+  return 0.5 * mass * held.square_of_rest(velocity);
+}
+
+template double drift_energy(const Model<double>&, const Point&);
+template double drift_energy(const Model<float>&, const Point&);
+
+}  // namespace pinball

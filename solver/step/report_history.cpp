@@ -1,0 +1,106 @@
+#include <fmt/core.h>
+
+#include "report.hpp"
+
+namespace pinball {
+
+template <class S>
+std::vector<std::string> more_columns(const Solver<S>& solver) {
+  std::vector<std::string> columns;
+  for (const WallResult& wall : solver.boundary().walls()) {
+    for (const char* quantity : {"force", "impulse"}) columns.push_back(fmt::format("{}_{}", wall.name, quantity));
+    if (!wall.moves) continue;
+    for (const char* quantity : {"displacement", "velocity"})
+      columns.push_back(fmt::format("{}_{}", wall.name, quantity));
+  }
+  for (const PressureResult& pressure : solver.boundary().pressures()) {
+    for (const char* quantity : {"force_x", "force_y", "force_z", "work"})
+      columns.push_back(fmt::format("{}_{}", pressure.name, quantity));
+  }
+  for (const PairResult& pair : solver.contact_pairs()) {
+    for (const char* quantity : {"force", "impulse"}) {
+      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_{}_{}", pair.name, quantity, axis));
+    }
+  }
+  const std::vector<std::string> of_probes = solver.probes().columns();
+  columns.insert(columns.end(), of_probes.begin(), of_probes.end());
+  const std::vector<Body>& bodies = solver.model().scene.bodies;
+  for (const Body& body : bodies) {
+    if (solver.contact() == nullptr) break;
+    for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_contact_force_{}", body.name, axis));
+  }
+  for (const std::string& name : solver.boundary().force_names()) {
+    for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_force_{}", name, axis));
+  }
+  for (const Body& body : bodies) {
+    if (!solver.body_energies().any()) break;
+    for (const char* quantity :
+         {"kinetic", "momentum_x", "momentum_y", "momentum_z", "mass", "internal", "hourglass", "bulk_viscosity"})
+      columns.push_back(fmt::format("{}_{}", body.name, quantity));
+  }
+  return columns;
+}
+
+/// What contact does to each body as a whole [force].
+template <class S>
+std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
+  const Model<S>& model = solver.model();
+  std::vector<Point> in_store(model.mesh.nodes.size(), Point{});
+  solver.contact()->add_node_forces(in_store);
+  std::vector<Point> sums(model.scene.bodies.size(), Point{});
+  for (std::size_t n = 0; n < in_store.size(); ++n) {
+    const Point& force = in_store[model.node_of_scene_node[n]];
+    Point& sum = sums[static_cast<std::size_t>(model.mesh.body_of_node[n])];
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += force[k];
+  }
+  return sums;
+}
+
+template <class S>
+HistoryRow history_row(const Solver<S>& solver) {
+  const Model<S>& model = solver.model();
+  HistoryRow row;
+  row.step = solver.steps();
+  row.time = solver.force_time();
+  row.dt = solver.dt() > 0 ? solver.dt() : solver.clock().dt_before();
+  row.energy = solver.energies();
+  row.balance_error = solver.balance_error();
+  row.momentum = momentum(model);
+  row.bodies = body_results(model);
+  for (const WallResult& wall : solver.boundary().walls()) {
+    row.more.push_back(wall.force);
+    row.more.push_back(wall.impulse);
+    if (wall.moves) row.more.insert(row.more.end(), {wall.displacement, wall.velocity});
+  }
+  for (const PressureResult& pressure : solver.boundary().pressures()) {
+    row.more.insert(row.more.end(), pressure.force.begin(), pressure.force.end());
+    row.more.push_back(pressure.work);
+  }
+  for (const PairResult& pair : solver.contact_pairs()) {
+    row.more.insert(row.more.end(), pair.force.begin(), pair.force.end());
+    row.more.insert(row.more.end(), pair.impulse.begin(), pair.impulse.end());
+  }
+  const std::vector<double> of_probes = solver.probes().values(model, solver.dt());
+  row.more.insert(row.more.end(), of_probes.begin(), of_probes.end());
+  if (solver.contact() != nullptr) {
+    for (const Point& force : contact_forces_on_bodies(solver)) {
+      row.more.insert(row.more.end(), force.begin(), force.end());
+    }
+  }
+  for (const ForceResult& named : solver.boundary().forces(model, solver.force_time())) {
+    row.more.insert(row.more.end(), named.force.begin(), named.force.end());
+  }
+  for (const BodyShare& body : solver.body_energies().results(model)) {
+    const Point& p = body.momentum;
+    row.more.insert(row.more.end(),
+                    {body.kinetic, p[0], p[1], p[2], body.mass, body.internal, body.hourglass, body.bulk_viscosity});
+  }
+  return row;
+}
+
+template std::vector<std::string> more_columns(const Solver<double>&);
+template std::vector<std::string> more_columns(const Solver<float>&);
+template HistoryRow history_row(const Solver<double>&);
+template HistoryRow history_row(const Solver<float>&);
+
+}  // namespace pinball

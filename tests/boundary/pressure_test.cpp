@@ -1,0 +1,199 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <solver/base/point.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// Pressure on faces: against closed forms, and following what it presses on.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+Pressure pressure_on(const std::string& body, double value) {
+  Pressure pressure;
+  pressure.name = "gas";
+  pressure.faces.where = "here";
+  pressure.faces.body = body;
+  pressure.pressure = value;
+  return pressure;
+}
+
+std::vector<Point> positions(const Solver<double>& solver) {
+  std::vector<Point> all;
+  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) all.push_back(position_of(solver, n));
+  return all;
+}
+
+Point area_of(const std::vector<Point>& x, const std::array<int, 4>& corners) {
+  const Point a = cross(minus(x[corners[2]], x[corners[0]]), minus(x[corners[3]], x[corners[1]]));
+  return {a[0] / 2, a[1] / 2, a[2] / 2};
+}
+
+/// Faces of a sphere's mesh are warped, and trapezoids: a quarter of the area on each corner has a moment.
+TEST(Pressure, OnAClosedSurfaceHasNeitherForceNorMoment) {
+  Body ball;
+  ball.name = "ball";
+  ball.material = "steel";
+  SphereMesh mesh;
+  mesh.radius = 0.5;
+  mesh.section = Section::full;
+  mesh.core = {3, 3};
+  mesh.ring = 2;
+  mesh.grading = 0.7;
+  ball.mesh = mesh;
+  ball.position = {0.3, -2, 1};
+  Scene scene = scene_of({ball}, 1e-4, false);
+  scene.pressures = {pressure_on("ball", 1e7)};
+  Solver<double> solver(scene);
+  solver.step();
+  const double impulse = 1e7 * 4 * M_PI * 0.25 * solver.dt() / 2;
+  Point moment{}, sum{};
+  double radial = 0;
+  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+    const double mass = solver.model().node_mass[solver.model().node_of_scene_node[n]];
+    const Point v = velocity_of(solver, n), turn = cross(solver.model().mesh.nodes[n], v);
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += mass * v[k];
+      moment[k] += mass * turn[k];
+    }
+    radial += mass * dot(v, minus(solver.model().mesh.nodes[n], ball.position));
+  }
+  EXPECT_LT(norm(sum), 1e-13 * impulse);
+  EXPECT_LT(norm(moment), 1e-13 * impulse);
+  double volume = 0;
+  for (const double mass : solver.model().element_mass) volume += mass / 7850;
+  EXPECT_NEAR(radial, -1e7 * 3 * volume * solver.dt() / 2, 1e-12 * impulse) << "inwards";
+  EXPECT_LT(norm(solver.boundary().pressures().at(0).force), 1e-13 * impulse / solver.dt());
+}
+
+/// An end of a long bar in uniaxial strain: the wave has the stress p, and what it has passed the velocity p/(rho c).
+TEST(Pressure, OnABarMakesTheWaveOfTheWaveEquation) {
+  const double h = 0.05, p = 1e6, c = std::sqrt(2.1e11 / 7850);
+  const int elements = 100;
+  Scene scene = scene_of({block("a", {1, 1, elements}, h, {0, 0, 0})}, 0.6 * elements * h / c, false);
+  scene.materials = {elastic_material("steel", 0.0)};
+  scene.element.bulk_viscosity = true;
+  FixedConstraint sides;  // the viscosity presses sideways
+  sides.nodes.body = "a";
+  sides.directions = {{1, 0, 0}, {0, 1, 0}};
+  scene.fixed_constraints = {sides};
+  Pressure end = pressure_on("a", p);
+  end.faces.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+  scene.pressures = {end};
+  Solver<double> solver(scene);
+  const double worst = worst_balance_of_run(solver);
+  EXPECT_LT(worst, 1e-3);
+  EXPECT_NEAR(momentum(solver.model())[2], p * h * h * scene.time.end, 1e-12 * p * h * h * scene.time.end);
+  double velocity = 0, stress = 0;
+  for (std::size_t e = 10; e < 50; ++e) {  // behind the front, which is at 60, and not at the end
+    velocity += velocity_of(solver, 4 * e)[2] / 40;
+    stress += stress_of(solver, e)[2] / 40;
+  }
+  EXPECT_NEAR(velocity, p / (7850 * c), 1e-3 * p / (7850 * c));
+  EXPECT_NEAR(stress, -p, 1e-3 * p);
+  EXPECT_NEAR(solver.boundary().pressures()[0].work, solver.energies().external, 1e-12 * solver.energies().external);
+}
+
+TEST(Pressure, FollowsTheFaceThatItActsOn) {
+  Scene scene = scene_of({block("a", {1, 1, 1}, 0.1, {0, 0, 0})}, 1e-3, false);
+  scene.bodies[0].angular_velocity = {300, 200, -900};
+  Pressure side = pressure_on("a", 2e5);
+  side.faces.plane = Plane{{0.1, 0, 0}, {1, 0, 0}};
+  scene.pressures = {side};
+  Solver<double> solver(scene);
+  const double worst = [&] {
+    double largest = 0;
+    while (!solver.at_end()) {
+      const std::vector<Point> x = positions(solver);
+      solver.step();
+      const Point area = area_of(x, {1, 3, 7, 5}), force = solver.boundary().pressures()[0].force;
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(force[k], -2e5 * area[k], 1e-9 * 2e5 * 0.01);
+      largest = std::max(largest, std::abs(solver.balance_error()));
+    }
+    return largest;
+  }();
+  const Point area = area_of(positions(solver), {1, 3, 7, 5});
+  EXPECT_LT(area[0], 0.008) << "it has turned";
+  EXPECT_LT(worst, 1e-3);
+}
+
+TEST(Pressure, BeginsWhenItArrivesAndVariesFromThenOn) {
+  Scene scene = scene_of({block("a", {1, 1, 1}, 0.1, {0, 0, 0})}, 1e-3, false);
+  Pressure side = pressure_on("a", 1e5);
+  side.faces.plane = Plane{{0.1, 0, 0}, {1, 0, 0}};
+  side.table = {{0, 1e-3}, {1, 0}};
+  side.start = 4e-4;
+  scene.pressures = {side};
+  Solver<double> solver(scene);
+  while (!solver.at_end()) {
+    solver.step();
+    const double t = solver.force_time(), factor = t < 4e-4 ? 0 : 1 - (t - 4e-4) / 1e-3;
+    EXPECT_NEAR(solver.boundary().pressures()[0].force[0], -factor * 1e3, 1e-2) << t;
+  }
+}
+
+TEST(Pressure, GoesWithErodedElements) {
+  Scene scene = scene_of({block("a", {4, 1, 1}, 0.1, {0, 0, 0})}, 1e-4, false);
+  scene.materials = {plastic_material("steel", 1e12, 1)};
+  Pressure top = pressure_on("a", 1e5);
+  top.faces.plane = Plane{{0, 0, 0.1}, {0, 0, 1}};
+  scene.pressures = {top};
+  Solver<double> solver(scene);
+  solver.step();
+  EXPECT_NEAR(solver.boundary().pressures()[0].force[2], -4e3, 1e-6);
+  strain_to_failure(solver, {1});
+  solver.step();
+  solver.step();
+  EXPECT_EQ(solver.counts().eroded_elements(), 1);
+  EXPECT_NEAR(solver.boundary().pressures()[0].force[2], -3e3, 1e-1);
+}
+
+Scene pressed_plate() {
+  Scene scene = scene_of({block("a", {40, 30, 2}, 0.1, {0, 0, 0})}, 2e-4, false);
+  Pressure top = pressure_on("a", 5e7);
+  top.faces.plane = Plane{{0, 0, 0.2}, {0, 0, 1}};
+  Pressure side = pressure_on("a", -3e7);
+  side.name = "other";
+  side.faces.plane = Plane{{0, 0, 0}, {1, 0, 0}};
+  scene.pressures = {top, side};
+  return scene;
+}
+
+TEST(Pressure, HasTheSameBitsForAnyNumberOfThreads) {
+  const auto outcome = [](int threads) {
+    DefaultExecutionSpace::set_concurrency(threads);
+    Solver<double> solver(pressed_plate());
+    run(solver);
+    DefaultExecutionSpace::set_concurrency(1);
+    return std::pair{state_hash(solver.model()), solver.energies().external};
+  };
+  const auto one = outcome(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(outcome(threads), one) << threads;
+}
+
+TEST(Pressure, ActsWithSubcyclingToo) {
+  Scene scene = pressed_plate();
+  scene.bodies[0].mesh = BlockMesh{{1, 1, 1}, {4, 4, 20}};
+  scene.pressures.resize(1);
+  scene.pressures[0].faces.plane = Plane{{0, 0, 1}, {0, 0, 1}};
+  scene.time.subcycling = true;
+  Solver<double> solver(scene);
+  run(solver);
+  // The face shrinks as the plate bulges: a pressure that were lost in some steps would miss far more.
+  EXPECT_NEAR(momentum(solver.model())[2], -5e7 * 2e-4, 1e-3 * 5e7 * 2e-4);
+}
+
+TEST(Pressure, WithoutFacesIsAnError) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 1e-4, false);
+  Pressure inside = pressure_on("a", 1);
+  inside.faces.plane = Plane{{0.1, 0, 0}, {1, 0, 0}};
+  scene.pressures = {inside};
+  EXPECT_THAT(input_error_of(scene),
+              testing::HasSubstr("here: expected at least one face, there is none on the plane"));
+}
+
+}  // namespace
+}  // namespace pinball

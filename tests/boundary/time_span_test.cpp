@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <tests/support/solver_case.hpp>
+
+/// Constraints and prescribed motion that begin and end.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+NodeSelection bottom() {
+  NodeSelection nodes;
+  nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+  return nodes;
+}
+
+Scene flying_block() { return scene_of({block("a", {1, 1, 3}, 0.1, {0, 0, 0}, {0, 0, 5})}, 3e-4, false); }
+
+TEST(FixedConstraint, HoldsFromItsStartToItsEnd) {
+  Scene scene = flying_block();
+  FixedConstraint fixed;
+  fixed.nodes = bottom();
+  fixed.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  fixed.when = {1e-4, 2e-4};
+  scene.fixed_constraints = {fixed};
+  Solver<double> solver(scene);
+  while (!solver.at_end()) {
+    const Point before = position_of(solver, 0);
+    const double time = solver.time();
+    solver.step();
+    const bool held = time >= 1e-4 && time < 2e-4;
+    EXPECT_EQ(position_of(solver, 0)[2] == before[2], held) << time;
+  }
+  EXPECT_LT(solver.energies().external, 0) << "what it takes to stop them";
+  EXPECT_LT(solver.ledger().balance_error_max(), 0.02);
+}
+
+TEST(PrescribedVelocity, ActsFromItsStartToItsEndAndOthersMayFollow) {
+  Scene scene = flying_block();
+  PrescribedVelocity up, down;
+  up.nodes = down.nodes = bottom();
+  up.velocity = {0, 0, 8};
+  up.when = {1e-4, 2e-4};
+  down.velocity = {0, 0, -2};
+  down.when.start = 2e-4;
+  scene.prescribed_velocities = {up, down};
+  Solver<double> solver(scene);
+  while (!solver.at_end()) {
+    const double time = solver.time();
+    solver.step();
+    const double v = velocity_of(solver, 0)[2];
+    if (time < 1e-4) {
+      EXPECT_EQ(v, 5);
+    } else {
+      EXPECT_NEAR(v, time < 2e-4 ? 8 : -2, 1e-12);
+    }
+  }
+  solver.finish();
+  EXPECT_GT(solver.energies().external, 0);
+}
+
+/// A way that grows from the first moment on: the nodes have its velocity in the first step, and its work is theirs.
+TEST(PrescribedDisplacement, HasItsVelocityFromTheFirstStepOn) {
+  Scene scene = flying_block();
+  scene.bodies[0].velocity = {};
+  PrescribedVelocity pull;
+  pull.nodes.body = "a";
+  pull.direction = Point{1, 0, 0};
+  pull.velocity = {1, 0, 0};
+  pull.quantity = MotionQuantity::displacement;
+  pull.table = {{0, 1}, {0, 7}};
+  scene.prescribed_velocities = {pull};
+  Solver<double> solver(scene);
+  solver.step();
+  EXPECT_NEAR(velocity_of(solver, 0)[0], 7, 1e-12);
+  EXPECT_NEAR(position_of(solver, 0)[0], 7 * solver.time(), 1e-16);
+  run(solver);
+  double mass = 0;
+  for (const double m : solver.model().node_mass) mass += m;
+  EXPECT_NEAR(solver.energies().external, 0.5 * mass * 49, 1e-9 * mass * 49);
+}
+
+TEST(InitialVelocity, SpinsAboutAnAxisAndSetsSomeComponents) {
+  Scene scene = flying_block();
+  InitialVelocity spin, part;
+  spin.nodes.body = part.nodes.body = "a";
+  spin.velocity = {1, 0, 0};
+  spin.angular_velocity = {0, 0, 100};
+  spin.centre = {0.1, 0, 7};
+  part.nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+  part.velocity = {9, 9, 9};
+  part.components = {false, true, false};
+  scene.initial_velocities = {spin, part};
+  const Solver<double> solver(scene);
+  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+    const Point& x = solver.model().mesh.nodes[n];
+    const Point v = velocity_of(solver, n);
+    EXPECT_DOUBLE_EQ(v[0], 1 - 100 * x[1]);
+    EXPECT_DOUBLE_EQ(v[1], x[2] < 0.01 ? 9 : 100 * (x[0] - 0.1));
+    EXPECT_EQ(v[2], 0);
+  }
+}
+
+TEST(Gravity, OfSomeBodiesLeavesTheOthersAlone) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}), block("b", {2, 2, 2}, 0.1, {1, 0, 0})}, 1e-3, false);
+  scene.gravities = {{{0, 0, -10}, {}, {"b"}}};
+  Solver<double> solver(scene);
+  const double worst = worst_balance_of_run(solver);
+  EXPECT_EQ(history_row(solver).bodies[0].velocity[2], 0);
+  EXPECT_NEAR(history_row(solver).bodies[1].velocity[2], -10e-3, 1e-12);
+  EXPECT_NEAR(solver.energies().external, solver.energies().kinetic, 1e-9 * solver.energies().kinetic);
+  EXPECT_LT(worst, 1e-9);
+}
+
+/// Impulses of contact see which nodes are held now: a plate that is released gives way.
+TEST(TimeSpan, IsKnownToContact) {
+  const auto way = [](double end, bool held) {
+    Scene scene = scene_of(
+        {block("a", {2, 2, 1}, 0.1, {0, 0, 0}, {0, 0, 0}), block("b", {2, 2, 1}, 0.1, {0, 0, 0.101}, {0, 0, -10})},
+        4e-4);
+    scene.contact.enforcement = Enforcement::lagrange;
+    scene.contact.gap = ContactGap::face;
+    FixedConstraint fixed;
+    fixed.nodes.body = "a";
+    fixed.directions = {{0, 0, 1}};
+    fixed.when.end = end;
+    if (held) scene.fixed_constraints = {fixed};
+    Solver<double> solver(scene);
+    run(solver);
+    return std::pair{position_of(solver, 0)[2], history_row(solver).bodies[1].velocity[2]};
+  };
+  const auto free = way(1, false), released = way(5e-5, true), held = way(1, true);
+  EXPECT_NEAR(released.first, free.first, 1e-3 * std::abs(free.first)) << "released before they meet";
+  EXPECT_NEAR(released.second, free.second, 1e-3 * std::abs(free.second) + 1e-6);
+  EXPECT_EQ(held.first, 0);
+  EXPECT_GT(held.second, 2);
+}
+
+}  // namespace
+}  // namespace pinball

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <tests/support/solver_case.hpp>
+
+/// Rigid walls that move, end, or take some nodes alone.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+double total_mass(const Solver<double>& solver) {
+  double mass = 0;
+  for (const double m : solver.model().node_mass) mass += m;
+  return mass;
+}
+
+/// A block that flies along -z at 10 m/s, close above z = 0.
+Scene falling_block(double end = 3e-4) {
+  Scene scene = scene_of({block("a", {2, 2, 4}, 0.1, {0, 0, 1e-5}, {0, 0, -10})}, end, false);
+  RigidWall wall;
+  wall.name = "wall";
+  wall.plane = {{0, 0, 0}, {0, 0, 1}};
+  wall.where = "here";
+  scene.rigid_walls = {wall};
+  return scene;
+}
+
+const WallResult& wall_of(const Solver<double>& solver) { return solver.boundary().walls().at(0); }
+
+/// In the step in which they meet, the first row of nodes and the wall come to one velocity.
+TEST(MovingWall, MeetsNodesAsInAPlasticImpact) {
+  Scene scene = falling_block();
+  scene.rigid_walls[0].mass = 50;
+  Solver<double> solver(scene);
+  double row = 0;
+  for (std::size_t n = 0; n < 9; ++n) row += solver.model().node_mass[solver.model().node_of_scene_node[n]];
+  const double whole = total_mass(solver);
+  const double gap = 1e-5;
+  while (wall_of(solver).impulse == 0 && !solver.at_end()) solver.step();
+  // The step in which they meet: all end up at one place, after which the row would be behind.
+  const double place = wall_of(solver).displacement;
+  for (std::size_t n = 0; n < 9; ++n) EXPECT_NEAR(position_of(solver, n)[2], place, 1e-16);
+  EXPECT_LT(place, gap);
+  solver.step();  // now they move together, but for what the row behind them does within a step
+  EXPECT_NEAR(wall_of(solver).velocity, velocity_of(solver, 0)[2], 1e-9);
+  while (!solver.at_end()) {
+    solver.step();
+    const double momentum_of_all = momentum(solver.model())[2] + 50 * wall_of(solver).velocity;
+    EXPECT_NEAR(momentum_of_all, -10 * whole, 1e-11 * 10 * whole);
+    EXPECT_LT(std::abs(solver.balance_error()), 5e-2);
+  }
+  solver.finish();
+  EXPECT_NEAR(momentum(solver.model())[2] + 50 * wall_of(solver).velocity, -10 * whole, 1e-11 * 10 * whole);
+  EXPECT_LT(wall_of(solver).velocity, -10 * row / (50 + row)) << "pushed on";
+  EXPECT_GT(wall_of(solver).displacement / scene.time.end, -20);
+}
+
+TEST(MovingWall, OfGreatMassIsAWallThatKeepsItsSpeed) {
+  Scene heavy = falling_block(), given = heavy;
+  heavy.rigid_walls[0].mass = 1e15;
+  heavy.rigid_walls[0].speed = given.rigid_walls[0].speed = 3;
+  Solver<double> a(heavy), b(given);
+  run(a);
+  run(b);
+  EXPECT_NEAR(wall_of(a).displacement, 3 * heavy.time.end, 1e-12);
+  EXPECT_NEAR(wall_of(b).displacement, 3 * heavy.time.end, 1e-12);
+  EXPECT_NEAR(wall_of(a).impulse, wall_of(b).impulse, 1e-9 * wall_of(b).impulse);
+  EXPECT_GT(wall_of(b).impulse, 12 * total_mass(b)) << "pushed off";
+}
+
+TEST(MovingWall, FollowsItsTable) {
+  Scene scene = falling_block();
+  scene.bodies[0].velocity = {};
+  scene.rigid_walls[0].speed = 2;
+  scene.rigid_walls[0].table = {{0, 1e-4, 2e-4}, {0, 1, 0}};
+  Solver<double> solver(scene);
+  while (!solver.at_end()) {
+    solver.step();
+    EXPECT_NEAR(wall_of(solver).displacement, 2 * scene.rigid_walls[0].table.integral(solver.time()), 1e-15);
+    for (std::size_t n = 0; n < 9; ++n) EXPECT_GT(position_of(solver, n)[2], wall_of(solver).displacement - 1e-15);
+  }
+  EXPECT_GT(wall_of(solver).impulse, 0);
+}
+
+TEST(MovingWall, PassesAStandingOneOnlyIfNothingHoldsIt) {
+  Scene scene = falling_block();
+  scene.rigid_walls[0].mass = 1e-6;  // as if there were none
+  Solver<double> solver(scene);
+  run(solver);
+  EXPECT_NEAR(momentum(solver.model())[2], -10 * total_mass(solver), 1e-4 * total_mass(solver));
+}
+
+TEST(FiniteWall, StopsWhatIsAboveItsRectangle) {
+  Scene scene = falling_block();
+  scene.bodies.push_back(block("b", {2, 2, 4}, 0.1, {1, 0, 1e-5}, {0, 0, -10}));
+  scene.rigid_walls[0].plane.point = {0.9, -0.1, 0};
+  scene.rigid_walls[0].edge = Point{0, 1, 0};
+  scene.rigid_walls[0].size = {0.5, 1};  // y from -0.1 to 0.4, and z x y = -x: x from -0.1 to 0.9
+  Solver<double> solver(scene);
+  run(solver);
+  EXPECT_GT(history_row(solver).bodies[0].velocity[2], 0);
+  EXPECT_NEAR(history_row(solver).bodies[1].velocity[2], -10, 1e-12);
+}
+
+TEST(FiniteWall, LeavesAloneWhatHasGonePast) {
+  Scene scene = falling_block(1e-3);
+  scene.bodies[0].velocity = {1000, 0, -10};
+  scene.bodies[0].position = {-0.6, 0, 1e-3};
+  scene.rigid_walls[0].edge = Point{1, 0, 0};  // gets beneath the block when that is below already
+  scene.rigid_walls[0].plane.point = {0, -1, 0};
+  scene.rigid_walls[0].size = {10, 10};
+  Solver<double> solver(scene);
+  run(solver);
+  EXPECT_EQ(wall_of(solver).impulse, 0);
+}
+
+TEST(RigidWall, ActsFromItsStartToItsEnd) {
+  Scene late = falling_block();
+  late.rigid_walls[0].when.start = 1e-4;
+  Solver<double> passed(late);
+  run(passed);
+  EXPECT_EQ(wall_of(passed).impulse, 0) << "they are behind it then";
+
+  Scene ended = falling_block();
+  ended.bodies[0].velocity = {};
+  ended.gravities = {{{0, 0, -1e5}, {}, {}}};
+  ended.rigid_walls[0].when.end = 2e-4;
+  Solver<double> solver(ended);
+  while (solver.force_time() < 1.9e-4) solver.step();
+  const double impulse = wall_of(solver).impulse;
+  EXPECT_GT(impulse, 0);
+  EXPECT_GT(position_of(solver, 0)[2], -1e-15);
+  run(solver);
+  EXPECT_LT(position_of(solver, 0)[2], -1e-5);
+  EXPECT_EQ(wall_of(solver).force, 0);
+}
+
+TEST(RigidWall, WithoutSlidingHoldsNodesWhereTheyTouch) {
+  Scene scene = falling_block(1e-4);
+  scene.bodies[0].velocity = {30, 0, -10};
+  scene.rigid_walls[0].sliding = false;
+  Solver<double> solver(scene);
+  while (wall_of(solver).impulse == 0) solver.step();
+  const Point touched = position_of(solver, 4);
+  solver.step();
+  solver.step();
+  EXPECT_NEAR(position_of(solver, 4)[0], touched[0], 1e-15);
+  EXPECT_GT(position_of(solver, 40)[0], touched[0]);
+}
+
+TEST(RigidWall, TakesTheNodesOfASelectionAlone) {
+  Scene scene = falling_block();
+  scene.rigid_walls[0].nodes.box = Box{{0.05, 0.05, -1}, {0.15, 0.15, 1}};
+  Solver<double> solver(scene);
+  while (!solver.at_end()) solver.step();
+  EXPECT_GT(position_of(solver, 4)[2], -1e-15) << "the middle of the face";
+  EXPECT_LT(position_of(solver, 0)[2], -1e-5);
+}
+
+/// What text files of meshes leave of a plane: some nodes are a little behind it. That is no error, and no kick.
+TEST(RigidWall, StandsBackForNodesThatRoundingHasPutBehind) {
+  Scene scene = falling_block(1e-5);
+  scene.bodies[0].velocity = {};
+  scene.bodies[0].position = {0, 0, -5e-7};
+  Solver<double> solver(scene);
+  run(solver);
+  EXPECT_EQ(wall_of(solver).impulse, 0);
+  EXPECT_EQ(solver.energies().kinetic, 0);
+  scene.bodies[0].position = {0, 0, -5e-3};
+  EXPECT_NE(input_error_of(scene), no_error);
+}
+
+}  // namespace
+}  // namespace pinball

@@ -1,0 +1,78 @@
+#include <gmock/gmock.h>
+
+#include "deck_case.hpp"
+
+/// Materials of decks: what of their cards is used, told or refused.
+namespace pinball::test {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class DeckMaterials : public DeckTest {
+ protected:
+  /// *MAT_024 of three cards, the fourth being of no use to most.
+  static std::string with(const std::string& first, const std::string& second, const std::string& more = "") {
+    return cube + ends + "*MAT_024\n1,7.85E-9,210000.,0.3," + first + "\n" + second + "\n" + more +
+           "*DEFINE_CURVE\n5\n0,300\n0.1,400\n*DEFINE_CURVE\n6\n0,1\n100,1.5\n";
+  }
+  Material material(const std::string& deck) { return scene(deck).materials.at(0); }
+  std::vector<std::string> told(const std::string& deck) { return translate(deck).understood; }
+};
+
+TEST_F(DeckMaterials, CurvesComeBeforePointsAndThesBeforeTheTangent) {
+  const std::string points = "0,0.2\n250,350\n";
+  const auto both = material(with("300,1000", "0,0,5", points));
+  EXPECT_THAT(both.yield_curves.at(0).stress, ElementsAre(300, 400));
+  EXPECT_THAT(told(with("300,0", "0,0,5", points)),
+              Contains(HasSubstr("LCSS, and not the points EPS and ES, is used")));
+  EXPECT_THAT(told(with("300,1000", "0,0,5")), Contains(HasSubstr("and not ETAN, is used")));
+  EXPECT_THAT(told(with("300,0", "0,0,5")), Not(Contains(HasSubstr("is used"))));
+  EXPECT_THAT(material(with("300", "0", points)).yield_curves.at(0).stress, ElementsAre(250, 350));
+}
+
+TEST_F(DeckMaterials, RatesScaleEveryKindOfHardening) {
+  const auto scaled = [&](const std::string& first, const std::string& second, const std::string& points = "") {
+    const Material m = material(with(first, second, points));
+    EXPECT_EQ(m.yield_curves.size(), 2U);
+    EXPECT_EQ(m.yield_curves.back().rate, 100);
+    return m.yield_curves.back();
+  };
+  EXPECT_THAT(scaled("300", "0,0,5,6").stress, ElementsAre(450, 600));
+  EXPECT_THAT(scaled("300", "0,0,0,6", "0,0.2\n250,350\n").stress, ElementsAre(375, 525));
+  const YieldCurve linear = scaled("300,2100", "0,0,0,6");
+  EXPECT_THAT(linear.plastic_strain, ElementsAre(0, 1));
+  EXPECT_NEAR(linear.stress[1] - linear.stress[0], 1.5 * 210000. * 2100 / (210000 - 2100), 1e-9);
+}
+
+TEST_F(DeckMaterials, AViscoplasticRateAddsToTheYieldStress) {
+  EXPECT_EQ(material(with("300", "40,5,5,0,1")).rate_stress, 300);
+  EXPECT_EQ(material(with("300", "40,5,5,0,1")).strain_rate, StrainRate::plastic);
+  EXPECT_EQ(material(with("0", "40,5,5,0,1")).rate_stress, 0);
+  EXPECT_EQ(material(with("300", "40,5,5,0,0")).rate_stress, 0);
+  EXPECT_EQ(material(with("300", "40,5,5,0,-1")).strain_rate, StrainRate::deviatoric);
+}
+
+TEST_F(DeckMaterials, TwoLawsOfTheRateAreRefused) {
+  EXPECT_THAT(error(with("300", "40,5,5,6")), HasSubstr("LCSR) and with C and P"));
+  EXPECT_THAT(error(with("300", "0,0,9,6") + "*DEFINE_TABLE\n9\n0,5\n100,5\n"), HasSubstr("and with LCSR"));
+}
+
+TEST_F(DeckMaterials, WhatIsNotUsedIsTold) {
+  EXPECT_THAT(told(with("300", "40")), Contains(HasSubstr("only one of the two constants")));
+  EXPECT_THAT(told(with("300,0,0,1e-9", "")), Contains(HasSubstr("TDEL")));
+  EXPECT_THAT(told(cube + ends + "*MAT_ELASTIC\n1,7.85E-9,210000.,0.3,0.1\n"), Contains(HasSubstr("DA and DB")));
+  EXPECT_THAT(told(cube + ends + "*MAT_003\n1,7.85E-9,210000.,0.3,300,1000,0.5\n40,0\n"),
+              Contains(HasSubstr("only one of the two constants")));
+}
+
+TEST_F(DeckMaterials, PointsThatDoNotAscendAreAnError) {
+  EXPECT_THAT(error(with("300", "", "0,0.2,0.1\n250,350,400\n")),
+              HasSubstr("expected ascending strains, got 0.1 after"));
+  EXPECT_THAT(error(cube + ends + "*MAT_003\n1,7.85E-9,210000.,0.3,300,1000,0.5\n0,0,-1\n"), HasSubstr("fs: expected"));
+}
+
+}  // namespace
+}  // namespace pinball::test

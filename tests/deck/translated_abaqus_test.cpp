@@ -1,0 +1,332 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include <solver/model/model.hpp>
+
+#include "abaqus_case.hpp"
+
+namespace pinball::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class Abaqus : public AbaqusTest {};
+
+TEST_F(Abaqus, CubeIsAScene) {
+  expect_cube(scene("*HEADING\nA cube\n" + abaqus_cube + abaqus_steel + abaqus_step()), "Cube");
+}
+
+TEST_F(Abaqus, HasTheDefaultsOfAbaqus) {
+  const Scene s = scene(abaqus_cube + abaqus_steel + abaqus_step());
+  EXPECT_EQ(s.element.hourglass, HourglassControl::assumed_strain);
+  EXPECT_EQ(s.element.linear_viscosity, 0.06);
+  EXPECT_EQ(s.element.quadratic_viscosity, 1.2);
+  EXPECT_EQ(s.time.cfl, 0.9);
+}
+
+TEST_F(Abaqus, ChoosesHourglassControl) {
+  std::string cube = abaqus_cube;
+  cube.insert(cube.find(", MATERIAL=Steel"), ", CONTROLS=c");
+  const auto form = [&](const std::string& controls) {
+    return scene(cube + abaqus_steel + "*SECTION CONTROLS, NAME=C, " + controls + abaqus_step()).element;
+  };
+  EXPECT_EQ(form("HOURGLASS=VISCOUS\n 2., 1., 1., 0.5, 0.5\n").hourglass_coefficient, 0.05);
+  EXPECT_EQ(form("HOURGLASS=VISCOUS\n").hourglass, HourglassControl::viscous);
+  EXPECT_EQ(form("HOURGLASS=VISCOUS\n 2., 1., 1., 0.5, 0.5\n").quadratic_viscosity, 0.6);
+  EXPECT_EQ(form("HOURGLASS=STIFFNESS\n").hourglass, HourglassControl::stiffness);
+  EXPECT_EQ(form("HOURGLASS=ENHANCED\n").hourglass, HourglassControl::assumed_strain);
+  EXPECT_THAT(error(cube + abaqus_steel + abaqus_step()), HasSubstr("deck.inp:16: there is no *SECTION CONTROLS c"));
+  EXPECT_THAT(error(cube + abaqus_steel + "*SECTION CONTROLS, NAME=C, HOURGLASS=COMBINED\n" + abaqus_step()),
+              HasSubstr("*SECTION CONTROLS, HOURGLASS=COMBINED (deck.inp:23)"));
+}
+
+TEST_F(Abaqus, SectionsMayHaveControlsOfTheirOwn) {
+  const std::string two = "*PART, NAME=p\n" + abaqus_cube + "*END PART\n*PART, NAME=q\n" +
+                          std::string(abaqus_cube).replace(abaqus_cube.find(", MATERIAL"), 0, ", CONTROLS=soft") +
+                          "*END PART\n*ASSEMBLY\n*INSTANCE, NAME=p1, PART=p\n*END INSTANCE\n"
+                          "*INSTANCE, NAME=q1, PART=q\n5., 0., 0.\n*END INSTANCE\n*END ASSEMBLY\n" +
+                          abaqus_steel + "*SECTION CONTROLS, NAME=soft, HOURGLASS=VISCOUS\n";
+  const Scene s = scene(two + abaqus_step());
+  EXPECT_EQ(s.element.hourglass, HourglassControl::assumed_strain);
+  EXPECT_FALSE(s.bodies.at(0).element);
+  ASSERT_TRUE(s.bodies.at(1).element);
+  EXPECT_EQ(s.bodies[1].element->hourglass, HourglassControl::viscous);
+}
+
+TEST_F(Abaqus, ScalesMassForAStep) {
+  const std::string head = abaqus_cube + abaqus_steel + "*FIXED MASS SCALING, DT=1E-7, TYPE=";
+  EXPECT_EQ(scene(head + "BELOW MIN\n" + abaqus_step()).time.smallest_step, 1e-7);
+  EXPECT_EQ(scene(head + "BELOW MIN\n" + abaqus_step()).time.mass_scaling, MassScaling::small);
+  EXPECT_EQ(scene(head + "SET EQUAL DT, ELSET=Cube\n" + abaqus_step()).time.mass_scaling, MassScaling::all);
+  EXPECT_THAT(error(head + "UNIFORM\n" + abaqus_step()), HasSubstr("*FIXED MASS SCALING, TYPE=UNIFORM (deck.inp:23)"));
+  EXPECT_THAT(error(head + "BELOW MIN, FACTOR=2.\n" + abaqus_step()), HasSubstr("*FIXED MASS SCALING, FACTOR=2."));
+}
+
+TEST_F(Abaqus, ReadsPlasticityAsTableRatesAndLaws) {
+  const auto material = [&](const std::string& options) {
+    return scene(abaqus_cube + abaqus_steel + options + abaqus_step()).materials.at(0);
+  };
+  EXPECT_EQ(material("*PLASTIC\n300.,\n").yield_stress, 300);
+  const Material line = material("*PLASTIC\n300., 0.\n400., 0.2\n");
+  EXPECT_DOUBLE_EQ(line.plastic_modulus, 500);
+  EXPECT_EQ(line.ultimate_stress, 400);
+  const Material table = material("*PLASTIC\n300., 0.\n400., 0.1\n450., 0.3\n");
+  EXPECT_THAT(table.yield_curves.at(0).plastic_strain, ElementsAre(0, 0.1, 0.3, 1.3));
+  EXPECT_THAT(table.yield_curves.at(0).stress, ElementsAre(300, 400, 450, 450)) << "no hardening behind the table";
+  const Material rates = material("*PLASTIC, RATE=100.\n400., 0.\n*PLASTIC\n300., 0.\n");
+  ASSERT_EQ(rates.yield_curves.size(), 2u);
+  EXPECT_EQ(rates.yield_curves[1].rate, 100);
+  EXPECT_EQ(rates.strain_rate, StrainRate::plastic);
+  const Material law = material("*PLASTIC\n300., 0.\n*RATE DEPENDENT, TYPE=POWER LAW\n40., 5.\n");
+  EXPECT_EQ(law.rate_constant, 40);
+  EXPECT_EQ(law.rate_exponent, 5);
+  const Material ratio =
+      material("*PLASTIC\n300., 0.\n400., 0.1\n*RATE DEPENDENT, TYPE=YIELD RATIO\n1., 0.\n1.5, 10.\n");
+  EXPECT_THAT(ratio.yield_curves.at(1).stress, ElementsAre(450, 600, 600));
+  const Material moves = material("*PLASTIC, HARDENING=KINEMATIC\n300., 0.\n400., 0.2\n");
+  EXPECT_EQ(moves.isotropic_share, 0);
+  EXPECT_DOUBLE_EQ(moves.plastic_modulus, 500);
+  EXPECT_EQ(material("*PLASTIC\n300., 0.\n*SHEAR FAILURE\n0.4\n").erosion_strain, 0.4);
+}
+
+TEST_F(Abaqus, RefusesWhatDependsOnTemperature) {
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*PLASTIC\n300., 0., 20.\n200., 0., 400.\n" + abaqus_step()),
+              HasSubstr("*PLASTIC that depends on temperature or fields (deck.inp:23)"));
+  EXPECT_THAT(error(abaqus_cube + "*MATERIAL, NAME=steel\n*DENSITY\n1.\n*ELASTIC\n2., 0.3, 20.\n1., 0.3, 90.\n" +
+                    abaqus_step()),
+              HasSubstr("*ELASTIC that depends on temperature or fields"));
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*PLASTIC, HARDENING=JOHNSON COOK\n1.\n" + abaqus_step()),
+              HasSubstr("*PLASTIC, HARDENING=JOHNSON COOK (deck.inp:23)"));
+}
+
+TEST_F(Abaqus, DampsWithAlphaOfAllMaterials) {
+  EXPECT_EQ(scene(abaqus_cube + abaqus_steel + "*DAMPING, ALPHA=50.\n" + abaqus_step()).damping.mass, 50);
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*DAMPING, BETA=1e-6\n" + abaqus_step()), HasSubstr("*DAMPING, BETA"));
+}
+
+TEST_F(Abaqus, HoldsNodesByDegreesAndNames) {
+  const auto directions = [&](const std::string& line) {
+    const Scene s = scene(abaqus_cube + abaqus_steel + "*BOUNDARY\n" + line + "\n" + abaqus_step());
+    std::size_t held = 0;
+    for (const FixedConstraint& one : s.fixed_constraints) held += one.directions.size();
+    return held;
+  };
+  EXPECT_EQ(directions("base, ENCASTRE"), 3u);
+  EXPECT_EQ(directions("base, Pinned"), 3u);
+  EXPECT_EQ(directions("base, 1, 2"), 2u);
+  EXPECT_EQ(directions("base, 2"), 1u);
+  EXPECT_EQ(directions("base, 4, 6"), 0u);
+  EXPECT_EQ(directions("base, XSYMM"), 1u);
+  EXPECT_EQ(directions("base, ZASYMM"), 2u);
+  const Scene numbers = scene(abaqus_cube + abaqus_steel + "*BOUNDARY\n1, 1, 3\n2, 3\n3, 3, 3\n" + abaqus_step());
+  ASSERT_EQ(numbers.fixed_constraints.size(), 2u) << "those that are held alike together";
+  EXPECT_THAT(numbers.fixed_constraints[0].nodes.nodes, ElementsAre(2, 3));
+  EXPECT_EQ(build_model<double>(numbers).constraints.size(), 5u);
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*BOUNDARY\nnone, 1\n" + abaqus_step()),
+              HasSubstr("deck.inp:24: there is no set of nodes none"));
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*BOUNDARY\n99, 1\n" + abaqus_step()),
+              HasSubstr("deck.inp:24: node 99 is not there"));
+}
+
+TEST_F(Abaqus, MovesNodesAsItsAmplitudesSay) {
+  const std::string head = abaqus_cube + abaqus_steel + "*AMPLITUDE, NAME=Up\n0., 0., 1., 3.\n";
+  const Scene s =
+      scene(head + abaqus_step("*BOUNDARY, AMPLITUDE=UP\ntop, 3, 3, 0.5\n*BOUNDARY, TYPE=VELOCITY\nbase, 1, , 2.\n"));
+  ASSERT_EQ(s.prescribed_velocities.size(), 2u);
+  EXPECT_EQ(s.prescribed_velocities[0].quantity, MotionQuantity::displacement);
+  EXPECT_THAT(s.prescribed_velocities[0].table.factors, ElementsAre(0.0, 1.5));
+  EXPECT_EQ(s.prescribed_velocities[0].velocity[2], 1.0);
+  EXPECT_EQ(s.prescribed_velocities[1].quantity, MotionQuantity::velocity);
+  EXPECT_EQ(s.prescribed_velocities[1].velocity[0], 2.0);
+  EXPECT_TRUE(s.prescribed_velocities[1].table.times.empty());
+  EXPECT_THAT(error(head + abaqus_step("*BOUNDARY\ntop, 3, 3, 0.5\n")), HasSubstr("a displacement at once"));
+  EXPECT_THAT(error(head + abaqus_step("*BOUNDARY, AMPLITUDE=q\ntop, 3, 3, 0.5\n")),
+              HasSubstr("there is no *AMPLITUDE q"));
+}
+
+TEST_F(Abaqus, AmplitudesMayBeAbsoluteSmoothOrEquallySpaced) {
+  const auto table = [&](const std::string& amplitude) {
+    return scene(abaqus_cube + abaqus_steel + "*AMPLITUDE, NAME=a" + amplitude +
+                 abaqus_step("*CLOAD, AMPLITUDE=a\ntop, 1, 2.\n"))
+        .loads.at(0)
+        .table;
+  };
+  EXPECT_THAT(table(", VALUE=ABSOLUTE\n0., 5., 1., 6.\n").factors, ElementsAre(5, 6));
+  EXPECT_THAT(table(", DEFINITION=EQUALLY SPACED, FIXED INTERVAL=0.5\n1., 2., 4.\n").times, ElementsAre(0, 0.5, 1));
+  const TimeTable smooth = table(", DEFINITION=SMOOTH STEP\n0., 0., 2., 1., 3., 1.\n");
+  EXPECT_EQ(smooth.times.size(), 66u);
+  for (const double time : {0.1, 0.5, 1.0, 1.7}) {
+    const double x = time / 2;
+    EXPECT_NEAR(smooth.value(time), 2 * (10 * x * x * x - 15 * std::pow(x, 4) + 6 * std::pow(x, 5)), 4e-4) << time;
+  }
+  EXPECT_EQ(smooth.value(2.5), 2);
+}
+
+TEST_F(Abaqus, AStepMayRampAndRenewWhatIsHeld) {
+  const std::string head = abaqus_cube + abaqus_steel + "*BOUNDARY\nbase, 3\n";
+  const std::string step = "*STEP, AMPLITUDE=RAMP\n*DYNAMIC, EXPLICIT, SCALE FACTOR=0.5\n, 2.0E-6\n";
+  const Scene s = scene(head + step + "*BOUNDARY, OP=NEW\ntop, 1, 1, 0.25\n*END STEP\n");
+  EXPECT_TRUE(s.fixed_constraints.empty());
+  EXPECT_THAT(s.prescribed_velocities.at(0).table.times, ElementsAre(0, 2e-6));
+  EXPECT_THAT(s.prescribed_velocities[0].table.factors, ElementsAre(0, 0.25));
+  EXPECT_EQ(s.time.cfl, 0.45);
+}
+
+TEST_F(Abaqus, BeginsWithVelocities) {
+  const std::string head = abaqus_cube + abaqus_steel + "*INITIAL CONDITIONS, TYPE=VELOCITY\n";
+  const auto velocity = [&](const std::string& lines, int node) {
+    const Model<double> model = build_model<double>(scene(head + lines + abaqus_step()));
+    const auto v = model.nodes.velocity_of(model.node_of_scene_node[node]);
+    return Point{v[0], v[1], v[2]};
+  };
+  EXPECT_THAT(velocity("top, 1, 2.\ntop, 3, -7.\n", 4), ElementsAre(2, 0, -7));
+  EXPECT_THAT(velocity("top, 1, 2.\ntop, 3, -7.\n", 0), ElementsAre(0, 0, 0));
+  EXPECT_THAT(velocity("Cube, 1, 2.\n*NSET, NSET=cube, ELSET=Cube\n*INITIAL CONDITIONS, TYPE=VELOCITY\n7, 2, 4.\n", 6),
+              ElementsAre(2, 4, 0))
+      << "what one line leaves out the other gives";
+}
+
+TEST_F(Abaqus, HasLoadsAndGravity) {
+  const Scene s = scene(
+      abaqus_cube + abaqus_steel +
+      abaqus_step("*CLOAD\ntop, 3, -2.\n8, 1, 3.\n*DLOAD\nCube, GRAV, 9810., 0., 0., -2.\n, GRAV, 1., 1., 0., 0.\n"));
+  EXPECT_THAT(s.loads.at(0).force, ElementsAre(0, 0, -2));
+  EXPECT_TRUE(s.loads[0].each);
+  EXPECT_THAT(s.loads.at(1).nodes.nodes, ElementsAre(8));
+  EXPECT_THAT(s.gravities.at(0).acceleration, ElementsAre(0, 0, -9810));
+  EXPECT_EQ(s.gravities.size(), 2u);
+}
+
+TEST_F(Abaqus, PressesOnSurfacesAndFaces) {
+  const std::string head = abaqus_cube + abaqus_steel + "*SURFACE, NAME=lid\nCube, S2\n";
+  const Scene s = scene(head + abaqus_step("*DSLOAD\nlid, P, 5.\n*DLOAD\n10, P1, -2.\n"));
+  ASSERT_EQ(s.pressures.size(), 2u);
+  EXPECT_EQ(s.pressures[0].pressure, 5);
+  EXPECT_EQ(s.pressures[0].faces.set, "lid");
+  EXPECT_EQ(s.pressures[1].pressure, -2);
+  EXPECT_THAT(error(head + abaqus_step("*DLOAD\nCube, BX, 1.\n*DSLOAD\nlid, TRVEC, 1.\n")),
+              testing::AllOf(HasSubstr("*DLOAD, BX (deck.inp:28)"), HasSubstr("*DSLOAD, TRVEC (deck.inp:30)")));
+  EXPECT_THAT(error(head + abaqus_step("*DSLOAD\nnone, P, 5.\n")), HasSubstr("there is no surface none"));
+}
+
+/// Two instances of a cube, of which one turns; bodies are their sections.
+TEST_F(Abaqus, InstancesAreBodies) {
+  const std::string deck = "*PART, NAME=Cube\n" + abaqus_cube +
+                           "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=Low, PART=Cube\n*END INSTANCE\n" +
+                           "*INSTANCE, NAME=\"Up there\", PART=Cube\n0., 0., 1.5\n*END INSTANCE\n*NSET, "
+                           "NSET=ends\nLow.base, \"Up there\".top\n"
+                           "*END ASSEMBLY\n" +
+                           abaqus_steel + "*BOUNDARY\nLow.base, 3\nends, 1\nLow.7, 2\n";
+  const std::string contact = "*SURFACE INTERACTION, NAME=p\n*FRICTION\n0.2,\n";
+  const Scene s = scene(deck + contact +
+                        abaqus_step("*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n"
+                                    "*CONTACT PROPERTY ASSIGNMENT\n , , p\n"));
+  ASSERT_EQ(s.bodies.size(), 2u);
+  EXPECT_EQ(s.bodies[0].name, "Low");
+  EXPECT_EQ(s.bodies[1].name, "Up_there");
+  EXPECT_EQ(s.contact.method, ContactMethod::pinball);
+  EXPECT_EQ(s.contact.friction, 0.2);
+  EXPECT_TRUE(s.contact.self);
+  EXPECT_EQ(build_model<double>(s).constraints.size(), 4u + 8u + 1u);
+}
+
+TEST_F(Abaqus, SurfacesMayTouchInPairs) {
+  const std::string deck =
+      "*PART, NAME=Cube\n" + abaqus_cube + "*SURFACE, NAME=upper\nCube, S2\n*SURFACE, NAME=lower, TYPE=NODE\nbase,\n" +
+      "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=Low, PART=Cube\n*END INSTANCE\n*INSTANCE, NAME=High, PART=Cube\n"
+      "0., 0., 1.5\n*END INSTANCE\n*END ASSEMBLY\n" +
+      abaqus_steel +
+      "*SURFACE INTERACTION, NAME=p\n*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 2.\n*SURFACE INTERACTION, NAME=q\n";
+  const auto contact = [&](const std::string& keywords) { return scene(deck + abaqus_step(keywords)); };
+  const Scene one = contact("*CONTACT PAIR, INTERACTION=p\nHigh.lower, Low.upper\n");
+  ASSERT_EQ(one.contact_pairs.size(), 1u);
+  EXPECT_EQ(one.contact_pairs[0].friction, 0.1);
+  EXPECT_EQ(one.contact_pairs[0].static_friction, 0.3);
+  EXPECT_EQ(one.contact_pairs[0].friction_decay, 2);
+  const Scene included = contact(
+      "*CONTACT\n*CONTACT INCLUSIONS\nHigh.lower, Low.upper\n, Low.upper\n"
+      "*CONTACT PROPERTY ASSIGNMENT\n, , p\n");
+  ASSERT_EQ(included.contact_pairs.size(), 2u);
+  EXPECT_EQ(included.contact.friction, 0.1);
+  const Scene assigned = contact(
+      "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n"
+      "*CONTACT PROPERTY ASSIGNMENT\n, , q\nHigh.lower, Low.upper, p\n");
+  ASSERT_EQ(assigned.contact_pairs.size(), 2u) << "all, and then these two";
+  EXPECT_EQ(assigned.contact.friction, 0);
+  EXPECT_THAT(error(deck + abaqus_step("*CONTACT PAIR, INTERACTION=p\nHigh.none, Low.upper\n")),
+              HasSubstr("there is no surface High.none"));
+  const Scene tied =
+      scene(deck + "*TIE, NAME=t, ADJUST=YES, POSITION TOLERANCE=0.6\nHigh.lower, Low.upper\n" + abaqus_step());
+  EXPECT_EQ(tied.tied_contacts.at(0).tolerance, 0.6);
+  EXPECT_THAT(error(deck + abaqus_step("*CONTACT PAIR, INTERACTION=r\nHigh.lower, Low.upper\n")),
+              HasSubstr("there is no *SURFACE INTERACTION r"));
+}
+
+TEST_F(Abaqus, WritesAsOftenAsItIsAskedTo) {
+  const Scene s = scene(
+      abaqus_cube + abaqus_steel +
+      abaqus_step("*OUTPUT, FIELD, NUMBER INTERVAL=10\n*NODE OUTPUT\nU, V\n*OUTPUT, HISTORY, TIME INTERVAL=1e-8\n"));
+  EXPECT_DOUBLE_EQ(s.output.field_interval, 1e-7);
+  EXPECT_EQ(s.output.interval, 1e-8);
+  EXPECT_FALSE(s.output.body_energies);
+}
+
+TEST_F(Abaqus, WritesEnergiesOfBodiesWhereThoseOfASetAreAskedFor) {
+  const auto of_bodies = [this](const std::string& request) {
+    return scene(abaqus_cube + abaqus_steel + abaqus_step("*OUTPUT, HISTORY\n*ENERGY OUTPUT" + request + "\nALLKE\n"))
+        .output.body_energies;
+  };
+  EXPECT_TRUE(of_bodies(", ELSET=all"));
+  EXPECT_FALSE(of_bodies(""));
+}
+
+TEST_F(Abaqus, WhatCannotBeDoneIsRefusedInOneMessageBeforeTheMeshIsRead) {
+  const std::string wrong =
+      "*NODE\nno number\n*ELEMENT, TYPE=S4R\n*ELEMENT, TYPE=C3D10\n*ELEMENT, TYPE=C3D10\n"
+      "*Shell Section, ELSET=a\n*MPC\n";
+  EXPECT_EQ(error(wrong + abaqus_step("*FIXED MASS SCALING, DT=1e-7\n") + "*STEP\n*STATIC\n*END STEP\n"),
+            "deck.inp: cannot be run, for this version has not:\n"
+            "  *ELEMENT, TYPE=S4R (deck.inp:3)\n"
+            "  *ELEMENT, TYPE=C3D10 (2 times, first in deck.inp:4)\n"
+            "  *SHELL SECTION (deck.inp:6)\n"
+            "  *MPC (deck.inp:7)\n"
+            "  *FIXED MASS SCALING, TYPE=UNIFORM (deck.inp:11)\n"
+            "  *STEP: more than one step (deck.inp:13)\n"
+            "  *STATIC (deck.inp:14)");
+}
+
+TEST_F(Abaqus, ErrorsOfItsSceneNameItsLines) {
+  const TranslatedDeck deck =
+      translate(abaqus_cube + abaqus_steel + "*INITIAL CONDITIONS, TYPE=VELOCITY\ntop, 3, 1.\n" + abaqus_step());
+  const std::size_t at = deck.scene.find("velocity = ");
+  const auto line = 1 + std::count(deck.scene.begin(), deck.scene.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  EXPECT_THAT(deck.in_cards(fmt::format("a:{}:1: initial_velocity.0.velocity: expected more", line), "a"),
+              testing::AllOf(HasSubstr("deck.inp:24"), HasSubstr("*INITIAL CONDITIONS")));
+}
+
+TEST_F(Abaqus, LenientLeavesOutOutputAndControlsAlone) {
+  const DeckOptions lenient{.chosen_case = {}, .lenient = true, .name_in_scene = ""};
+  const std::string deck = abaqus_cube + abaqus_steel + abaqus_step("*UNHEARD OUTPUT\n");
+  EXPECT_THAT(error(deck), HasSubstr("*UNHEARD OUTPUT"));
+  EXPECT_EQ(error(deck, lenient), no_error);
+  EXPECT_THAT(error(abaqus_cube + "*RIGID BODY\n", lenient), HasSubstr("*RIGID BODY"));
+}
+
+TEST_F(Abaqus, WhatIsMissingIsNamedWithItsPlace) {
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel), HasSubstr("expected *STEP with *DYNAMIC, EXPLICIT"));
+  EXPECT_THAT(error(abaqus_cube + abaqus_step()), HasSubstr("deck.inp:16: there is no *MATERIAL Steel"));
+  EXPECT_THAT(error(abaqus_cube + "*MATERIAL, NAME=STEEL\n*ELASTIC\n1., 0.\n" + abaqus_step()),
+              HasSubstr("deck.inp:18: *MATERIAL STEEL: expected *DENSITY"));
+  std::string no_section = abaqus_cube;
+  no_section.resize(no_section.find("*SOLID"));
+  EXPECT_THAT(error(no_section + abaqus_steel + abaqus_step()),
+              HasSubstr("deck.inp:11: element 10 is of no *SOLID SECTION"));
+  EXPECT_THAT(error(abaqus_cube, {.chosen_case = 1, .lenient = false, .name_in_scene = ""}),
+              HasSubstr("--case is for LS-DYNA"));
+}
+
+}  // namespace
+}  // namespace pinball::test

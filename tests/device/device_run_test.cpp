@@ -1,0 +1,187 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <solver/base/state_archive.hpp>
+#include <solver/device/device_run.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// Steps on a device (the mock one: threads of the host, on memory that nothing else may touch) beside those of the
+/// host.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+/// A block that turns, is torn, and hits nothing.
+Scene torn_block(Precision precision = Precision::float64) {
+  Scene scene = scene_of({block("torn", {7, 5, 6}, 0.01, {})}, 40e-6, false);
+  scene.materials[0] = plastic_material("steel", 4e8, 0.02);
+  scene.bodies[0].velocity_gradient = {Point{4000, 300, 0}, Point{0, -1500, 200}, Point{500, 0, -1200}};
+  scene.bodies[0].velocity_noise = 5;
+  scene.element.bulk_viscosity = true;
+  scene.precision = precision;
+  return scene;
+}
+
+template <class S>
+std::uint64_t hash_on(Scene scene, Device device) {
+  scene.device = device;
+  Solver<S> solver(scene);
+  run(solver);
+  return state_hash(solver.model());
+}
+
+/// Where the compiler may not fuse a multiplication and an addition here and not there, the bits are the same.
+constexpr bool same_bits =
+#if defined(PINBALL_STRICT)
+    true;
+#else
+    false;
+#endif
+
+template <class S>
+void expect_same_run(const Scene& scene) {
+  Scene on_mock = scene;
+  on_mock.device = Device::mock;
+  Solver<S> host(scene), device(on_mock);
+  run(host);
+  run(device);
+  if (same_bits) {
+    EXPECT_EQ(state_hash(device.model()), state_hash(host.model()));
+  }
+  const double tolerance = sizeof(S) == sizeof(double) ? 1e-9 : 1e-4;
+  EXPECT_EQ(device.steps(), host.steps());
+  EXPECT_EQ(device.counts().eroded_elements(), host.counts().eroded_elements());
+  const double scale = host.energies().total();
+  EXPECT_NEAR(device.energies().kinetic, host.energies().kinetic, tolerance * scale);
+  EXPECT_NEAR(device.energies().internal, host.energies().internal, tolerance * scale);
+  EXPECT_NEAR(device.energies().hourglass, host.energies().hourglass, tolerance * scale);
+  for (std::size_t i = 0; i < host.model().nodes.position.size(); ++i) {
+    ASSERT_NEAR(device.model().nodes.position[i], host.model().nodes.position[i], tolerance);
+  }
+}
+
+TEST(DeviceRun, TearsABlockAsTheHostDoes) {
+  const Scene scene = torn_block();
+  Solver<double> host(scene);
+  run(host);
+  EXPECT_GT(host.counts().eroded_elements(), 0);  // else nothing of it is tested
+  expect_same_run<double>(scene);
+}
+
+TEST(DeviceRun, TearsABlockAsTheHostDoesInSinglePrecision) { expect_same_run<float>(torn_block(Precision::float32)); }
+
+TEST(DeviceRun, HasEachFormOfHourglassControl) {
+  for (const HourglassControl form : {HourglassControl::none, HourglassControl::viscous, HourglassControl::stiffness,
+                                      HourglassControl::assumed_strain}) {
+    Scene scene = torn_block();
+    scene.element.hourglass = form;
+    scene.time.end = 10e-6;
+    expect_same_run<double>(scene);
+  }
+}
+
+TEST(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
+  Scene scene = torn_block();
+  scene.time.end = 10e-6;
+  scene.materials.push_back(elastic_material("elastic"));
+  Material curved = plastic_material("curved", 4e8, 0);
+  curved.isotropic_share = 0.5;
+  curved.rate_constant = 40;
+  curved.rate_exponent = 5;
+  scene.materials.push_back(curved);
+  for (const char* name : {"elastic", "curved"}) {
+    Body more = block(name, {3, 4, 5}, 0.01, {0.5, name[0] == 'e' ? 0.0 : 0.5, 0}, {}, name);
+    more.velocity_gradient = scene.bodies[0].velocity_gradient;
+    scene.bodies.push_back(more);
+  }
+  expect_same_run<double>(scene);
+}
+
+TEST(DeviceRun, HasBoundaryConditionsOfAllKinds) {
+  Scene scene = pressed_blocks(2e-3);
+  scene.contact.method = ContactMethod::none;
+  Pressure pressure;
+  pressure.name = "top";
+  pressure.faces.body = "a";
+  pressure.pressure = 1e6;
+  scene.pressures = {pressure};
+  scene.gravities = {Gravity{}};
+  scene.gravities[0].acceleration = {0, 0, -9.81};
+  expect_same_run<double>(scene);
+  expect_same_run<float>(scene);
+}
+
+TEST(DeviceRun, HasTheSameBitsForAnyNumberOfThreads) {
+  const std::uint64_t one = hash_on<double>(torn_block(), Device::mock);
+  for (const int threads : {2, 3, 8}) {
+    DefaultExecutionSpace::set_concurrency(threads);
+    EXPECT_EQ(hash_on<double>(torn_block(), Device::mock), one) << threads;
+  }
+  DefaultExecutionSpace::set_concurrency(1);
+}
+
+TEST(DeviceRun, TakesChangesOfTheHostBetweenSteps) {
+  Scene scene = torn_block();
+  scene.materials[0] = elastic_material();
+  Scene on_mock = scene;
+  on_mock.device = Device::mock;
+  Solver<double> host(scene), device(on_mock);
+  for (Solver<double>* solver : {&host, &device}) {
+    for (int i = 0; i < 5; ++i) solver->step();
+    for (std::int32_t n = 0; n < solver->model().nodes.count; ++n) solver->change_velocities()[4 * n] += 100;
+    for (int i = 0; i < 5; ++i) solver->step();
+  }
+  const double moved = momentum(host.model())[0];
+  EXPECT_GT(moved, 0);
+  EXPECT_NEAR(momentum(device.model())[0], moved, 1e-9 * moved);
+}
+
+/// Begins with one device, goes on with another from what the first has saved.
+std::uint64_t hash_of_parts(Scene scene, Device first, Device second) {
+  scene.device = first;
+  Solver<double> before(scene);
+  for (int i = 0; i < 20; ++i) before.step();
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { before.persist(archive); });
+  scene.device = second;
+  Solver<double> after(scene);
+  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+  after.persist(archive);
+  run(after);
+  return state_hash(after.model());
+}
+
+TEST(DeviceRun, GoesOnFromWhatAnotherDeviceHasSaved) {
+  const Scene scene = torn_block();
+  const std::uint64_t on_host = hash_on<double>(scene, Device::none), on_mock = hash_on<double>(scene, Device::mock);
+  EXPECT_EQ(hash_of_parts(scene, Device::mock, Device::mock), on_mock);
+  if (!same_bits) return;
+  EXPECT_EQ(hash_of_parts(scene, Device::mock, Device::none), on_host);
+  EXPECT_EQ(hash_of_parts(scene, Device::none, Device::mock), on_host);
+}
+
+TEST(DeviceRun, RefusesByNameWhatNoDeviceCanDo) {
+  Scene scene = scene_of({block("a", {1, 1, 1}, 1, {}), block("b", {1, 1, 1}, 1, {2, 0, 0})}, 1e-3, true);
+  scene.time.subcycling = true;
+  scene.device = Device::mock;
+  EXPECT_EQ(missing_on_device(scene), "contact, subcycling");
+  EXPECT_THAT(error_of([&] { Solver<double>{scene}; }), testing::HasSubstr("contact, subcycling"));
+}
+
+TEST(DeviceRun, TellsWhereAnElementHasTurnedInsideOut) {
+  Scene scene = torn_block();
+  scene.materials[0] = elastic_material();
+  scene.bodies[0].velocity_gradient = {Point{-3e5, 0, 0}, Point{0, -3e5, 0}, Point{0, 0, -3e5}};
+  Scene on_mock = scene;
+  on_mock.device = Device::mock;
+  const auto failure = [](const Scene& of) {
+    Solver<double> solver(of);
+    return error_of<RunError>([&] { run(solver); });
+  };
+  EXPECT_FALSE(failure(scene).empty());
+  EXPECT_EQ(failure(on_mock), failure(scene));
+}
+
+}  // namespace
+}  // namespace pinball

@@ -1,0 +1,45 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <solver/program/scene_input.hpp>
+#include <tests/support/error_of.hpp>
+
+namespace pinball::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// What is said of a text in a file of that name.
+std::string error_for(const std::string& name, const std::string& text) {
+  const auto folder = std::filesystem::temp_directory_path() / ("pinball_scene_input_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  SceneOptions options;
+  options.scene = (folder / name).string();
+  options.quiet = true;
+  std::ofstream(options.scene) << text;
+  const std::string message = error_of([&] { scene_input(options); });
+  std::filesystem::remove_all(folder);
+  return message;
+}
+
+const std::string keywords = "$ comment\n*KEYWORD\n*NODE\n", abaqus = "*Part, name=a\n*Node\n",
+                  scene = "time.end = 1\n";
+
+TEST(SceneInput, WhatIsNotWhatItsNameSaysIsToldSo) {
+  EXPECT_THAT(error_for("a.toml", keywords), HasSubstr("this is a deck of keywords: name it .k"));
+  EXPECT_THAT(error_for("a.toml", abaqus), HasSubstr(".inp if it is one of Abaqus"));
+  EXPECT_THAT(error_for("a.inp", keywords), HasSubstr("this is an LS-DYNA keyword file: name it .k"));
+  EXPECT_THAT(error_for("a.inp", scene), HasSubstr("this is a scene: name it .toml"));
+  EXPECT_THAT(error_for("a.k", abaqus), HasSubstr("this is Abaqus input: name it .inp"));
+  EXPECT_THAT(error_for("a.k", "# a comment\n[time]\nend = 1\n"), HasSubstr("this is a scene: name it .toml"));
+  EXPECT_THAT(error_for("a.k", "\ntitle = \"a\"\n"), HasSubstr("this is a scene: name it .toml"));
+  EXPECT_THAT(error_for("a.k", "** comment\n*NODE\n"), HasSubstr("this is Abaqus input: name it .inp"));
+  EXPECT_THAT(error_for("a.k", scene), HasSubstr("this is a scene: name it .toml"));
+}
+
+}  // namespace
+}  // namespace pinball::test

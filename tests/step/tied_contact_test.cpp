@@ -1,0 +1,303 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <solver/base/state_archive.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// Nodes that are tied to faces.
+namespace pinball {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+TiedContact tie(const std::string& first, const std::string& second) {
+  TiedContact tied;
+  tied.name = "glue";
+  tied.first.bodies = {first};
+  tied.second.bodies = {second};
+  return tied;
+}
+
+/// A block on another, whose meshes have `fine` and `coarse` elements along their sides of length 0.6.
+Scene glued(int fine, int coarse, double end, double gap = 0) {
+  Scene scene = scene_of({block("low", {coarse, coarse, coarse}, 0.6 / coarse, {0, 0, 0}),
+                          block("high", {fine, fine, fine}, 0.6 / fine, {0, 0, 0.6 + gap})},
+                         end, false);
+  scene.element.hourglass = HourglassControl::assumed_strain;
+  scene.tied_contacts = {tie("high", "low")};
+  return scene;
+}
+
+Point momentum_of_all(const Solver<double>& solver) { return momentum(solver.model()); }
+
+std::uint64_t hash_of(const Scene& scene, int threads) {
+  DefaultExecutionSpace::set_concurrency(threads);
+  Solver<double> solver(scene);
+  run(solver);
+  DefaultExecutionSpace::set_concurrency(1);
+  return state_hash(solver.model());
+}
+
+/// Numbers of the scene: nodes of the lower block first.
+double largest_distance_from_faces(const Solver<double>& solver) {
+  double largest = 0;
+  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+    const TiedNode* const tied = solver.tied().nodes().tie_of(solver.model().node_of_scene_node[n]);
+    if (tied == nullptr) continue;
+    for (int c = 0; c < 3; ++c) {
+      double foot = 0;
+      for (std::size_t k = 0; k < 4; ++k)
+        foot += tied->weight[k] * solver.model().nodes.position_of(tied->corner[k])[c];
+      largest = std::max(largest, std::abs(foot - solver.model().nodes.position_of(tied->node)[c]));
+    }
+  }
+  return largest;
+}
+
+TEST(TiedContact, TellsWhatItHasTied) {
+  Scene scene = glued(4, 3, 1e-4);
+  Solver<double> solver(scene);
+  EXPECT_EQ(solver.model().tie_counts.at(0).tied, 25);
+  EXPECT_EQ(solver.model().tie_counts[0].near, 0);
+  scene = glued(4, 3, 1e-4, 0.02);  // tolerance: 0.05 sqrt(2) 0.2 = 0.01414
+  EXPECT_EQ(Solver<double>(scene).model().tie_counts.at(0).tied, 0);
+  EXPECT_EQ(Solver<double>(scene).model().tie_counts[0].near, 25);
+  scene.tied_contacts[0].tolerance = 0.021;
+  const Solver<double> wider(scene);
+  EXPECT_EQ(wider.model().tie_counts.at(0).tied, 25);
+  EXPECT_DOUBLE_EQ(wider.model().mesh.nodes[64][2], 0.6) << "nodes are put on their faces";
+  PrescribedVelocity moved;
+  moved.nodes.line = Line{{0, 0, 0.6}, {1, 0, 0}};
+  moved.nodes.body = "high";
+  scene = glued(4, 3, 1e-4);
+  scene.prescribed_velocities = {moved};
+  EXPECT_EQ(Solver<double>(scene).model().tie_counts.at(0).held, 5);
+}
+
+TEST(TiedContact, MovesAsOneBody) {
+  for (const int fine : {3, 4, 7}) {
+    Scene scene = glued(fine, 3, 4e-3);
+    for (Body& body : scene.bodies) body.velocity = {3, -7, 20};
+    Solver<double> solver(scene);
+    const Point before = momentum_of_all(solver);
+    run(solver);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(momentum_of_all(solver)[k], before[k], 1e-11 * before[2]);
+      EXPECT_NEAR(velocity_of(solver, 0)[k], Point({3, -7, 20})[k], 1e-9);
+    }
+    EXPECT_LT(std::abs(stress_of(solver, 0)[2]), 1e-3) << "Pa, of 2e11";
+    EXPECT_LT(largest_distance_from_faces(solver), 1e-13);
+  }
+}
+
+/// Two blocks with meshes that do not fit, turning about their common centre of mass for a quarter of a turn.
+TEST(TiedContact, KeepsEnergyAndBothMomentaOfWhatTurns) {
+  Scene scene = glued(5, 3, 5e-3);
+  const double w = 300;
+  scene.bodies[0].angular_velocity = scene.bodies[1].angular_velocity = {w, 0, 0};
+  scene.bodies[0].velocity = {0, 0.3 * w, 0};  // of the centroid, about the middle
+  scene.bodies[1].velocity = {0, -0.3 * w, 0};
+  Solver<double> solver(scene);
+  const Point before = angular_momentum(solver);
+  double worst = 0;
+  while (!solver.at_end()) {
+    solver.step();
+    worst = std::max(worst, std::abs(solver.balance_error()));
+  }
+  solver.finish();
+  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(largest_distance_from_faces(solver), 1e-13);
+  const Point after = angular_momentum(solver);
+  EXPECT_NEAR(after[0] / before[0], 1, 1e-4);
+  EXPECT_NEAR(momentum_of_all(solver)[1] / before[0], 0, 1e-10);
+}
+
+/// A wave that passes the joint of two equal meshes is that in one mesh: masses and forces are those of common nodes.
+TEST(TiedContact, PassesAWaveAsCommonNodesDo) {
+  const auto bar = [](bool one) {
+    Scene scene =
+        one ? scene_of({block("bar", {2, 2, 16}, 0.1, {0, 0, 0})}, 3e-4, false)
+            : scene_of({block("left", {2, 2, 8}, 0.1, {0, 0, 0}), block("right", {2, 2, 8}, 0.1, {0, 0, 0.8})}, 3e-4,
+                       false);
+    if (!one) scene.tied_contacts = {tie("right", "left")};
+    PrescribedVelocity push;
+    push.nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+    push.velocity = {0, 0, 5};
+    scene.prescribed_velocities = {push};
+    return scene;
+  };
+  Solver<double> joined(bar(true)), tied(bar(false));
+  EXPECT_EQ(tied.model().tie_counts[0].tied, 9);
+  run(joined);
+  run(tied);
+  EXPECT_EQ(joined.steps(), tied.steps());
+  double largest = 0;
+  for (std::size_t e = 0; e < 64; ++e) {
+    const auto a = stress_of(joined, e), b = stress_of(tied, e);
+    for (std::size_t c = 0; c < 6; ++c) {
+      largest = std::max(largest, std::abs(a[c]));
+      EXPECT_NEAR(a[c], b[c], 1e-8 * 2e8) << e;
+    }
+  }
+  EXPECT_GT(largest, 1e8);
+}
+
+/// A uniform stress in two blocks, whose meshes are nested: what the nodes of the finer give to the corners of the
+/// coarser is the force of the same stress there. Each tied node that has other neighbours across the joint than common
+/// nodes would have is in balance, too.
+TEST(TiedContact, HoldsAUniformStress) {
+  Scene scene = glued(6, 3, 1e-2);
+  scene.damping.mass = 4000;
+  FixedConstraint held;
+  held.nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+  held.directions = {{0, 0, 1}};
+  scene.fixed_constraints = {held};
+  scene.constraints = {{{0, 0, 0}, {1, 0, 0}, ""}, {{0, 0, 0}, {0, 1, 0}, ""}};
+  NodalLoad load;
+  load.nodes.plane = Plane{{0, 0, 1.2}, {0, 0, 1}};
+  load.force = {0, 0, -0.36e8};
+  scene.loads = {load};
+  Solver<double> solver(scene);
+  run(solver);
+  for (std::size_t e = 0; e < solver.model().mesh.hexahedra.size(); ++e) {
+    EXPECT_NEAR(stress_of(solver, e)[2], -1e8, 2e5) << e;
+    EXPECT_NEAR(stress_of(solver, e)[0], 0, 2e5) << e;
+  }
+}
+
+/// Blocks that fly towards each other are joined by the tie at its start, as by a plastic impact, and let go at its
+/// end.
+TEST(TiedContact, IsBornAndDies) {
+  Scene scene = glued(4, 3, 6e-4);
+  scene.bodies[1].velocity = {0, 4, 0};
+  scene.tied_contacts[0].start = 1e-4;
+  scene.tied_contacts[0].end = 4e-4;
+  Solver<double> solver(scene);
+  const Point before = momentum_of_all(solver);
+  double worst = 0;
+  while (!solver.at_end()) {
+    solver.step();
+    const bool tied = solver.force_time() >= 1e-4 && solver.force_time() < 4e-4;
+    EXPECT_EQ(solver.tied().nodes().active(), tied ? 25 : 0) << solver.force_time();
+    worst = std::max(worst, std::abs(solver.balance_error()));
+  }
+  solver.finish();
+  EXPECT_NEAR(momentum_of_all(solver)[1], before[1], 1e-11 * before[1]);
+  EXPECT_GT(body_results(solver.model())[0].velocity[1], 0.5) << "the lower block was taken along";
+  EXPECT_LT(worst, 0.01) << "what the joining costs is counted";
+  EXPECT_GT(solver.energies().contact_damped, 0);
+}
+
+TEST(TiedContact, EndsWithTheElementOfItsFace) {
+  Scene scene = glued(4, 3, 2e-4);
+  scene.materials = {plastic_material("steel", 5e8, 1)};
+  for (Body& body : scene.bodies) body.velocity = {0, 0, 1};
+  Solver<double> solver(scene);
+  for (int i = 0; i < 3; ++i) solver.step();
+  EXPECT_EQ(solver.tied().nodes().active(), 25);
+  strain_to_failure(solver, {18});  // a corner of the upper layer of the lower block
+  const Point before = momentum_of_all(solver);
+  run(solver);
+  EXPECT_LT(solver.tied().nodes().active(), 25);
+  EXPECT_GT(solver.tied().nodes().active(), 15);
+  EXPECT_NEAR(momentum_of_all(solver)[2], before[2], 1e-11 * before[2]);
+}
+
+std::string name_of(const std::tuple<Enforcement, ContactGap, ContactMethod>& kind) {
+  return std::string(std::get<2>(kind) == ContactMethod::slideline ? "slideline_" : "pinball_") +
+         enforcement_name(std::get<0>(kind)) + (std::get<1>(kind) == ContactGap::face ? "_face" : "_ball");
+}
+
+/// While they are tied the two do not touch each other; a third block touches what is tied.
+class TiedInContact : public testing::TestWithParam<std::tuple<Enforcement, ContactGap, ContactMethod>> {
+ protected:
+  static Scene scene() {
+    Scene made = glued(4, 3, 4e-4);
+    made.contact.method = std::get<2>(GetParam());
+    made.contact.enforcement = std::get<0>(GetParam());
+    made.contact.gap = std::get<1>(GetParam());
+    made.bodies.push_back(block("third", {3, 3, 6}, 0.1, {0.601, 0.15, 0.25}, {-10, 0, 0}));
+    ContactPair own, other;
+    own.name = "own";
+    own.first.bodies = {"low"};
+    own.second.bodies = {"high"};
+    other.name = "other";
+    other.first.bodies = {"low", "high"};
+    other.second.bodies = {"third"};
+    made.contact_pairs = {own, other};
+    return made;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(All, TiedInContact,
+                         testing::Values(std::tuple{Enforcement::lagrange, ContactGap::face, ContactMethod::pinball},
+                                         std::tuple{Enforcement::penalty, ContactGap::pinball, ContactMethod::pinball},
+                                         std::tuple{Enforcement::lagrange, ContactGap::pinball, ContactMethod::pinball},
+                                         std::tuple{Enforcement::penalty, ContactGap::pinball,
+                                                    ContactMethod::slideline},
+                                         std::tuple{Enforcement::lagrange, ContactGap::face, ContactMethod::slideline}),
+                         [](const auto& test) { return name_of(test.param); });
+
+TEST_P(TiedInContact, OnlyOthersTouch) {
+  Solver<double> solver(scene());
+  const Point before = momentum_of_all(solver);
+  run(solver);
+  EXPECT_EQ(solver.contact_pairs()[0].force_max, 0);
+  EXPECT_LT(solver.contact_pairs()[1].impulse[0], 0);
+  EXPECT_NEAR(momentum_of_all(solver)[0], before[0], 1e-11 * std::abs(before[0]));
+  EXPECT_LT(largest_distance_from_faces(solver), 1e-13);
+  EXPECT_LT(std::abs(solver.balance_error()), 0.03);
+}
+
+TEST_P(TiedInContact, HasTheSameBitsWithAnyThreadsAndFromASavedState) {
+  Scene made = scene();
+  made.tied_contacts[0].end = 3e-4;
+  const std::uint64_t one = hash_of(made, 1);
+  EXPECT_EQ(hash_of(made, 3), one);
+  Solver<double> whole(made);
+  for (const double part : {0.3, 0.9}) {
+    while (whole.time() < part * made.time.end) whole.step();
+    StateBytes state;
+    StateArchive::save(state, [&](StateArchive& archive) { whole.persist(archive); });
+    Solver<double> rest(made);
+    EXPECT_EQ(fingerprint(rest.model()), fingerprint(whole.model()));
+    StateArchive archive = StateArchive::reading({state.data(), state.size()});
+    rest.persist(archive);
+    EXPECT_EQ(archive.left(), 0U);
+    run(rest);
+    EXPECT_EQ(state_hash(rest.model()), one) << part;
+  }
+}
+
+/// The stable step is that of the elements: a run at cfl 1 neither gains energy nor ends.
+TEST(TiedContact, LeavesTheStableStepAlone) {
+  Scene scene = glued(6, 2, 3e-3);
+  scene.bodies[1].velocity_noise = 2;
+  scene.time.cfl = 1.0;
+  Solver<double> solver(scene);
+  double worst = 0;
+  while (!solver.at_end()) {
+    solver.step();
+    worst = std::max(worst, solver.balance_error());
+  }
+  solver.finish();
+  EXPECT_LT(worst, 0.05);
+}
+
+TEST(TiedContact, SaysWhatItCannot) {
+  Scene scene = glued(4, 3, 1e-4);
+  scene.time.subcycling = true;
+  EXPECT_THAT(input_error_of(scene), HasSubstr("expected time.subcycling = false"));
+  scene = glued(4, 3, 1e-4, 0.5);
+  scene.tied_contacts[0].tolerance = 0.51;  // the elements of the upper block, 0.15 high, are drawn out; that may be
+  EXPECT_THAT(input_error_of(scene), testing::Not(HasSubstr("faces")));
+  // In the lower one by more than an element: both its layers of nodes go to one plane.
+  scene.bodies[1] = block("high", {1, 1, 2}, 0.15, {0.225, 0.225, 0.4});
+  scene.tied_contacts[0].tolerance = 0.21;
+  EXPECT_THAT(input_error_of(scene), HasSubstr("when its nodes are put on the faces"));
+}
+
+}  // namespace
+}  // namespace pinball
