@@ -59,10 +59,16 @@ def base_name(function):
     return re.search(r"(\w+)\s*\(", without_templates).group(1)
 
 
+def toolkit_headers():
+    """The folder of CUDA's headers, as nvcc tells it: what is called may be a script that stands in another folder."""
+    said = subprocess.run([NVCC, "--dryrun", SOURCES["exec"]], capture_output=True, text=True).stderr
+    return os.path.join(re.search(r"^#\$ TOP=(.+)$", said, re.MULTILINE).group(1), "include")
+
+
 def marked_functions():
     """Names of all functions that are marked for a device, as its compiler sees the headers."""
     text = run(HOST, "-std=c++20", "-E", "-P", "-x", "c++", "-D__CUDACC__", "-DPINBALL_FUNCTION=MARKED_FUNCTION",
-               "-DPINBALL_OUTLINED=MARKED_FUNCTION", f"-I{SOURCE}", f"-I{WORK}", "-I" + os.path.join(os.path.dirname(NVCC), "../include"),
+               "-DPINBALL_OUTLINED=MARKED_FUNCTION", f"-I{SOURCE}", f"-I{WORK}", "-I" + toolkit_headers(),
                os.path.join(WORK, "kernel_headers.hpp"))
     heads = re.findall(r"MARKED_FUNCTION\b(.*?)[{;]", text, re.DOTALL)
     return {base_name(" ".join(head.split()) + ("" if "(" in head else "(")) for head in heads}
