@@ -128,7 +128,7 @@ class CornerGather {
 
  private:
   Model<S>& model_;
-  AlignedArray<S> corner_force_;                ///< packs of 24 components
+  Array<S> corner_force_;                       ///< packs of 24 components
   std::vector<std::int32_t> offsets_, places_;  ///< of each node: its corners in corner_force_
 };
 
@@ -201,7 +201,7 @@ void state_sweep(benchmark::State& state) {
   const std::int64_t side = state.range(0), packs = (side * side * side + W - 1) / W;
   const std::int64_t apart = packs * W + 17 * W;  // between two arrays
   constexpr bool together = sweep != Sweep::array_per_component;
-  AlignedArray<S> array(static_cast<std::size_t>(components * apart));
+  Array<S> array(static_cast<std::size_t>(components * apart));
   for (auto _ : state) {
     parallel_for("sweep", RangePolicy<>{0, packs}, [&](std::int64_t pack) {
       for (int c = 0; c < components; ++c) {

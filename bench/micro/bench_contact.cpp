@@ -109,7 +109,7 @@ struct Pinballs {
 
 /// Records of the pinballs that have neighbours; without normals, so that the line of centres decides.
 struct Records {
-  AlignedArray<S> centre, velocity, outward, two_sided;
+  Array<S> centre, velocity, outward, two_sided;
 
   Records(const Pinballs& pinballs, const std::vector<std::int32_t>& listed)
       : centre(4 * listed.size()), velocity(centre.size()), outward(centre.size()), two_sided(centre.size()) {
@@ -172,7 +172,7 @@ void forces_of_part(benchmark::State& state, Cloud (*cloud)(int), double radius)
   for (std::size_t r = 3; r < records.centre.size(); r += 4) records.centre[r] *= radius;
   const PinballView<S> view{records.centre.data(), records.velocity.data(), records.outward.data(),
                             records.two_sided.data()};
-  AlignedArray<S> force(4 * static_cast<std::size_t>(list.size()));
+  Array<S> force(4 * static_cast<std::size_t>(list.size()));
   PairForces<S> pair_forces;
   PairSums<S> sums;
   for (auto _ : state) sums = pair_forces.compute(view, {1.0, 0.1}, list, S(1e-3), force.data());

@@ -33,7 +33,7 @@ void whole_steps(benchmark::State& state) {
   Solver<S> solver(block_scene(per_side));
   for (int i = 0; i < 3; ++i) solver.step();
   for (auto _ : state) solver.step();
-  const auto elements = static_cast<double>(solver.model().element_count());
+  const auto elements = static_cast<double>(solver.element_count());
   // Node arrays are swept by the elements and again by the integration.
   const double bytes = element_traffic(solver.model()) + integration_traffic(solver.model());
   using benchmark::Counter;

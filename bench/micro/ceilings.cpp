@@ -6,8 +6,8 @@
 #include <chrono>
 #include <cstddef>
 
+#include <kernels/exec/array.hpp>
 #include <kernels/simd.hpp>
-#include <solver/base/aligned_array.hpp>
 
 namespace pinball::bench {
 
@@ -21,7 +21,7 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 double memory_bandwidth(int threads) {
   constexpr std::ptrdiff_t n = 16'000'000;  // 128 MB an array
-  static AlignedArray<double> a(n), b(n), c(n);
+  static Array<double> a(n), b(n), c(n);
   double best = 0;
   for (int run = 0; run < 8; ++run) {
     const auto start = Clock::now();

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "aligned_array.hpp"
+#include "../../kernels/exec/array.hpp"
 #include "error.hpp"
 
 namespace pinball {
 
-using StateBytes = AlignedArray<std::byte>;
+using StateBytes = Array<std::byte>;
 
 /// The state of a run as bytes, in the layout of the machine. Each class that has some of it lists its members once, in
 /// `void persist(StateArchive&)`, which measures, writes or reads them: what is saved and what is loaded cannot drift
@@ -113,7 +113,7 @@ class StateArchive {
     raw(text.data(), text.size());
   }
   template <class T>
-  void value(AlignedArray<T>& array) {
+  void value(Array<T>& array) {
     const std::size_t size = count(array.size(), sizeof(T));
     if (reads()) array.reset(size);
     raw(array.data(), array.bytes());

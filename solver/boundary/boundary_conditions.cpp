@@ -101,7 +101,7 @@ void BoundaryConditions<S>::add_wall_reactions(const NodeArrays<S>& nodes, doubl
 }
 
 template <class S>
-AlignedArray<S>& BoundaryConditions<S>::host_forces(const Model<S>& model) {
+Array<S>& BoundaryConditions<S>::host_forces(const Model<S>& model) {
   if (!of_host_) {
     host_forces_.reset(model.nodes.force.size());
     of_host_ = kernels_->given_forces(model.nodes.count, host_forces_.data());

@@ -46,7 +46,7 @@ class BoundaryConditions {
   void add_work(double work) { done_ += work; }
   /// Forces that a host adds in every step, in records of four like those of the nodes; zero at first, and then what
   /// the host writes. They are no part of the state that is saved.
-  AlignedArray<S>& host_forces(const Model<S>& model);
+  Array<S>& host_forces(const Model<S>& model);
   void persist(StateArchive& archive) {
     archive(done_, last_, changed_);
     archive.require(changed_ <= changes_.size());
@@ -78,7 +78,7 @@ class BoundaryConditions {
   std::uint64_t changed_ = 0;  ///< how many of them are past
   std::unique_ptr<const BoundaryKernels<S>> kernels_;
   std::vector<Load> loads_;
-  AlignedArray<S> host_forces_;                   ///< empty until asked for [force]
+  Array<S> host_forces_;                          ///< empty until asked for [force]
   std::unique_ptr<NodeForceKernels<S>> of_host_;  ///< null: until then
   std::unique_ptr<NodeForceKernels<S>> damping_;  ///< null: there is none
   NamedForces named_;

@@ -26,9 +26,19 @@ std::string missing_on_device(const Scene& scene) {
 
 namespace {
 
+/// The device of a scene. Throws InputError for what no device can do yet, and where there is no such device.
+Device device_for(const Scene& scene) {
+  const std::string missing = missing_on_device(scene);
+  if (!missing.empty()) {
+    throw InputError(fmt::format("{}no device can do this scene yet: it has {}; expected --device none",
+                                 message_head(scene), missing));
+  }
+  require_device(scene.device);
+  return scene.device;
+}
+
 template <class S>
-std::unique_ptr<DeviceStep<S>> make_step(Device device, const DeviceMesh<S>& mesh) {
-  require_device(device);
+std::unique_ptr<DeviceStep<S>> make_step([[maybe_unused]] Device device, const DeviceMesh<S>& mesh) {
 #if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
   if (device != Device::mock) return make_gpu_step(mesh);
 #endif
@@ -38,12 +48,7 @@ std::unique_ptr<DeviceStep<S>> make_step(Device device, const DeviceMesh<S>& mes
 }  // namespace
 
 template <class S>
-DeviceRun<S>::DeviceRun(const Model<S>& model) : device_(model.scene.device), layout_(model) {
-  const std::string missing = missing_on_device(model.scene);
-  if (!missing.empty()) {
-    throw InputError(fmt::format("{}no device can do this scene yet: it has {}; expected --device none",
-                                 message_head(model.scene), missing));
-  }
+DeviceRun<S>::DeviceRun(const Model<S>& model) : device_(device_for(model.scene)), layout_(model) {
   step_ = make_step(device_, layout_.mesh(model));
   state_ = layout_.state(model);
 }

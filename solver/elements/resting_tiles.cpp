@@ -54,7 +54,7 @@ std::int32_t whole_elements(const Model<S>& model, std::int64_t first_slot, std:
 /// Whether the elements of some slots carry no stress and have never yielded.
 template <class S>
 bool untouched(const ElementStore<S>& elements, std::int64_t first_slot, std::int64_t last_slot) {
-  const auto vanishes = [&](const AlignedArray<S>& array, std::int64_t components) {
+  const auto vanishes = [&](const Array<S>& array, std::int64_t components) {
     return array.empty() || std::all_of(array.data() + components * first_slot, array.data() + components * last_slot,
                                         [](S value) { return value == S(0); });
   };

@@ -307,8 +307,8 @@ template <class S>
 void Model<S>::persist(StateArchive& archive) {
   archive.of_fixed_size(nodes.position);
   archive.of_fixed_size(nodes.velocity);
-  for (AlignedArray<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_state,
-                                 &elements.viscous_stress, &elements.internal_energy, &elements.back_stress}) {
+  for (Array<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_state,
+                          &elements.viscous_stress, &elements.internal_energy, &elements.back_stress}) {
     archive.of_fixed_size(*array);
   }
   for (std::int64_t slot = 0; archive.reads() && slot < elements.slots; ++slot) {

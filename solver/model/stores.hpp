@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <kernels/element_update.hpp>
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 #include <solver/base/packs.hpp>
 #include <solver/base/records.hpp>
 
@@ -15,10 +15,10 @@ namespace pinball {
 template <class S>
 struct NodeStore {
   std::int32_t count = 0;
-  AlignedArray<S> position;      ///< x, y, z, unused [length]
-  AlignedArray<S> velocity;      ///< at the middle of the last step, unused [length/time]
-  AlignedArray<S> force;         ///< force, contact stiffness [force], [force/length]; zero between steps
-  AlignedArray<S> inverse_mass;  ///< one per node; 0 for a node of no element [1/mass]
+  Array<S> position;      ///< x, y, z, unused [length]
+  Array<S> velocity;      ///< at the middle of the last step, unused [length/time]
+  Array<S> force;         ///< force, contact stiffness [force], [force/length]; zero between steps
+  Array<S> inverse_mass;  ///< one per node; 0 for a node of no element [1/mass]
 
   explicit NodeStore(std::int32_t n = 0)
       : count(n), position(numbers(n)), velocity(numbers(n)), force(numbers(n)), inverse_mass(n) {}
@@ -54,27 +54,27 @@ struct ElementStore {
   static constexpr int width = native_width<S>;
 
   std::int64_t slots = 0;
-  AlignedArray<std::int32_t> corner;
-  AlignedArray<S> mass;
-  AlignedArray<S> stress;
-  AlignedArray<S> plastic_strain;
-  AlignedArray<S> hourglass_state;
-  AlignedArray<S> viscous_stress;
-  AlignedArray<S> internal_energy;
-  AlignedArray<S> back_stress;
-  AlignedArray<S> mass_share;  ///< never changes; only where mass is added
+  Array<std::int32_t> corner;
+  Array<S> mass;
+  Array<S> stress;
+  Array<S> plastic_strain;
+  Array<S> hourglass_state;
+  Array<S> viscous_stress;
+  Array<S> internal_energy;
+  Array<S> back_stress;
+  Array<S> mass_share;  ///< never changes; only where mass is added
 
   ElementStore() = default;
   ElementStore(std::int64_t packs, const ElementStoreFeatures& features) : slots(packs * width) {
-    corner = AlignedArray<std::int32_t>(8 * slots);
-    mass = AlignedArray<S>(slots);
-    stress = AlignedArray<S>(6 * slots);
-    if (features.plastic) plastic_strain = AlignedArray<S>(slots);
-    if (features.hourglass_state) hourglass_state = AlignedArray<S>(12 * slots);
-    if (features.bulk_viscosity) viscous_stress = AlignedArray<S>(slots);
-    if (features.erosion) internal_energy = AlignedArray<S>(slots);
-    if (features.back_stress) back_stress = AlignedArray<S>(5 * slots);
-    if (features.mass_share) mass_share = AlignedArray<S>(slots);
+    corner = Array<std::int32_t>(8 * slots);
+    mass = Array<S>(slots);
+    stress = Array<S>(6 * slots);
+    if (features.plastic) plastic_strain = Array<S>(slots);
+    if (features.hourglass_state) hourglass_state = Array<S>(12 * slots);
+    if (features.bulk_viscosity) viscous_stress = Array<S>(slots);
+    if (features.erosion) internal_energy = Array<S>(slots);
+    if (features.back_stress) back_stress = Array<S>(5 * slots);
+    if (features.mass_share) mass_share = Array<S>(slots);
   }
 
   ElementView<S> view() {
@@ -107,7 +107,7 @@ struct ElementStore {
 
  private:
   template <int N, class T>
-  static std::array<T, N> components_of(const AlignedArray<T>& array, std::int64_t slot) {
+  static std::array<T, N> components_of(const Array<T>& array, std::int64_t slot) {
     std::array<T, N> components;
     for (int c = 0; c < N; ++c) components[c] = array[at(slot, c, N)];
     return components;

@@ -49,7 +49,7 @@ class SolverOf final : public AnySolver {
   ProgressState state() const override { return progress_state(solver_); }
   std::vector<double> numbers() const override { return history_numbers(history_row(solver_)); }
   std::vector<std::string> columns() const override {
-    return history_column_names(names_of(solver_.model().scene.bodies), more_columns(solver_));
+    return history_column_names(names_of(solver_.scene().bodies), more_columns(solver_));
   }
   void fill_summary(RunSummary& summary) const override { pinball::fill_summary(solver_, summary); }
 

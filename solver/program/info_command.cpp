@@ -227,7 +227,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
 template <class S>
 void print_estimates(Solver<S>& solver, const Units& units) {
   using Clock = std::chrono::steady_clock;
-  const Scene& scene = solver.model().scene;
+  const Scene& scene = solver.scene();
   const Model<S>& model = solver.model();
   fmt::print("cost\n");
   fmt::print("  {} tiles of elements in {} colours, {} elements per pack (SIMD), {} thread{}\n", model.tile_count(),
@@ -267,11 +267,10 @@ void print_info(const Scene& scene) {
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
   fmt::print("  {}; {} precision", units_line(scene.units), sizeof(S) == sizeof(double) ? "double" : "float");
   if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
-  fmt::print("\n  {} elements, {} nodes, {} bod{}, end at {}\n", solver.model().element_count(),
-             solver.model().mesh.nodes.size(), scene.bodies.size(), scene.bodies.size() == 1 ? "y" : "ies",
-             with_unit(scene.time.end, units.time));
+  fmt::print("\n  {} elements, {} nodes, {} bod{}, end at {}\n", solver.element_count(), solver.mesh().nodes.size(),
+             scene.bodies.size(), scene.bodies.size() == 1 ? "y" : "ies", with_unit(scene.time.end, units.time));
   print_bodies(solver.model(), units);
-  print_mesh_files(solver.model().mesh);
+  print_mesh_files(solver.mesh());
   print_materials(scene, units);
   print_what_runs(solver, units);
   print_what_is_skipped(solver, units);

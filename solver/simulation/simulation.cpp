@@ -112,7 +112,7 @@ std::int64_t Simulation::steps() const {
 }
 
 const Scene& Simulation::scene() const {
-  return *implementation_->read([](const auto& solver) { return &solver.model().scene; });
+  return *implementation_->read([](const auto& solver) { return &solver.scene(); });
 }
 const Energies& Simulation::energies() const {
   return *implementation_->read([](const auto& solver) { return &solver.energies(); });

@@ -13,13 +13,13 @@ namespace {
 
 /// The first three of each record of four.
 template <class S>
-ConstArrayView vectors(const AlignedArray<S>& array) {
+ConstArrayView vectors(const Array<S>& array) {
   ConstArrayView view = view_records(array.data(), static_cast<std::int64_t>(array.size() / 4), 4);
   view.components = 3;
   return view;
 }
 template <class S>
-ArrayView vectors_to_change(AlignedArray<S>& array) {
+ArrayView vectors_to_change(Array<S>& array) {
   ArrayView view = view_records(array.data(), static_cast<std::int64_t>(array.size() / 4), 4);
   view.components = 3;
   return view;
@@ -62,17 +62,16 @@ IndexRange range_of(const ModelMesh& mesh, const std::vector<std::int32_t>& owne
 }  // namespace
 
 std::int64_t Simulation::nodes() const {
-  return implementation_->read([](const auto& s) { return static_cast<std::int64_t>(s.model().mesh.nodes.size()); });
+  return implementation_->read([](const auto& s) { return static_cast<std::int64_t>(s.mesh().nodes.size()); });
 }
 std::int64_t Simulation::elements() const {
-  return implementation_->read([](const auto& s) { return s.model().element_count(); });
+  return implementation_->read([](const auto& s) { return s.element_count(); });
 }
 IndexRange Simulation::nodes_of(const std::string& body) const {
-  return implementation_->read(
-      [&](const auto& s) { return range_of(s.model().mesh, s.model().mesh.body_of_node, body); });
+  return implementation_->read([&](const auto& s) { return range_of(s.mesh(), s.mesh().body_of_node, body); });
 }
 IndexRange Simulation::elements_of(const std::string& body) const {
-  return implementation_->read([&](const auto& s) { return range_of(s.model().mesh, s.model().mesh.body, body); });
+  return implementation_->read([&](const auto& s) { return range_of(s.mesh(), s.mesh().body, body); });
 }
 
 ConstArrayView Simulation::positions() const {
@@ -109,7 +108,7 @@ std::span<const std::int64_t> Simulation::place_of_element() const {
 
 void Simulation::copy(NodeField field, const ArrayView& to) const {
   if (field == NodeField::initial_position) {
-    copy_initial_positions(implementation_->read([](const auto& s) { return std::span(s.model().mesh.nodes); }), to);
+    copy_initial_positions(implementation_->read([](const auto& s) { return std::span(s.mesh().nodes); }), to);
     return;
   }
   const ConstArrayView from = field == NodeField::position   ? positions()

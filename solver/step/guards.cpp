@@ -30,7 +30,7 @@ double volume_ratio(const Model<S>& model, std::int64_t slot, double dt) {
 template <class S>
 std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
   const ElementStore<S>& e = model.elements;
-  const auto bad = [slot](const AlignedArray<S>& array, int components) {
+  const auto bad = [slot](const Array<S>& array, int components) {
     if (array.empty()) return false;
     for (int c = 0; c < components; ++c) {
       if (!std::isfinite(array[ElementStore<S>::at(slot, c, components)])) return true;

@@ -72,7 +72,7 @@ std::vector<Point> contact_forces_on_nodes(const Solver<S>& solver) {
 
 template <class S>
 ProgressState progress_state(const Solver<S>& solver) {
-  const std::int64_t elements = solver.model().element_count();
+  const std::int64_t elements = solver.element_count();
   return {solver.steps(),
           solver.force_time(),
           solver.dt(),

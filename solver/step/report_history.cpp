@@ -24,7 +24,7 @@ std::vector<std::string> more_columns(const Solver<S>& solver) {
   }
   const std::vector<std::string> of_probes = solver.probes().columns();
   columns.insert(columns.end(), of_probes.begin(), of_probes.end());
-  const std::vector<Body>& bodies = solver.model().scene.bodies;
+  const std::vector<Body>& bodies = solver.scene().bodies;
   for (const Body& body : bodies) {
     if (solver.contact() == nullptr) break;
     for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_contact_force_{}", body.name, axis));

@@ -86,7 +86,7 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
     summary.overlap_at_end =
         fmt::format("{} and {}, by {} of their nodes and points of elements", now.first, now.second, now.points);
   }
-  summary.mesh_warnings = solver.model().mesh.warnings;
+  summary.mesh_warnings = solver.mesh().warnings;
   summary.near_nodes = solver.near_nodes();
   summary.unstable_hourglass = solver.unstable_hourglass();
   summary.large_added_mass = large_added_mass(solver.model());

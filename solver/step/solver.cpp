@@ -258,7 +258,7 @@ void Solver<S>::watch_energies() {
 }
 
 template <class S>
-AlignedArray<S>& Solver<S>::change_velocities() {
+Array<S>& Solver<S>::change_velocities() {
   if (subcycling() != nullptr) {
     throw InputError("velocities: expected time.subcycling = false, with it they cannot be changed");
   }
@@ -280,7 +280,7 @@ void Solver<S>::take_changed_velocities() {
 }
 
 template <class S>
-AlignedArray<S>& Solver<S>::host_forces() {
+Array<S>& Solver<S>::host_forces() {
   if (!built::boundary_conditions) {
     throw InputError("external forces: this library was built without boundary conditions (PINBALL_WITHOUT)");
   }

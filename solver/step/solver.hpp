@@ -53,7 +53,12 @@ class Solver {
   /// Whether time.end or time.steps of the scene is reached; then finish() is due.
   bool at_end() const { return clock_.at_end(schedule_.cycle_steps()); }
 
-  /// Of a run on a device the mirror on the host, brought up to date.
+  /// What no step changes; of a run on a device nothing is copied for it.
+  const Scene& scene() const { return model_.scene; }
+  const ModelMesh& mesh() const { return model_.mesh; }
+  std::int64_t element_count() const { return model_.element_count(); }
+  /// Of a run on a device the mirror on the host, brought up to date: its state is copied where the last steps have
+  /// changed it.
   const Model<S>& model() const {
     if (device_) device_->bring_back(model_);
     return model_;
@@ -63,9 +68,9 @@ class Solver {
   /// To change velocities before the next step. What that adds to the kinetic energy is work from outside; before the
   /// first step it is part of what the run begins with. Throws InputError for a scene with subcycling, in which nodes
   /// have several velocities.
-  AlignedArray<S>& change_velocities();
+  Array<S>& change_velocities();
   /// Forces that a host adds in every step (BoundaryConditions). Throws InputError where the program has none of them.
-  AlignedArray<S>& host_forces();
+  Array<S>& host_forces();
 
   double time() const { return clock_.time(); }
   double force_time() const { return clock_.force_time(); }

@@ -63,7 +63,7 @@ double deflection_ratio(const Scene& cantilever, const Beam& beam, double* balan
   if (balance_error != nullptr) *balance_error = std::abs(solver.balance_error());
   double sum = 0;
   int count = 0;
-  const std::vector<Point>& nodes = std::as_const(solver).model().mesh.nodes;
+  const std::vector<Point>& nodes = solver.mesh().nodes;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const Point& start = nodes[n];
     if (start[0] < length * (1 - 1e-9)) continue;

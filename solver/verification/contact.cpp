@@ -38,7 +38,7 @@ double gauss_volume(const ModelMesh& mesh, std::size_t element) {
 
 double mesh_mass(const Solver<double>& solver, std::size_t body, double density) {
   double volume = 0;
-  const ModelMesh& mesh = solver.model().mesh;
+  const ModelMesh& mesh = solver.mesh();
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     if (mesh.body[e] == static_cast<std::int32_t>(body)) volume += gauss_volume(mesh, e);
   }
@@ -129,7 +129,7 @@ std::vector<VerificationRow> compare_invariants(Solver<double>& solver, const st
   const Point after = momentum(solver.model());
 
   // The plane of symmetry is y = 0, the bodies lie at y >= 0.
-  const ModelMesh& mesh = std::as_const(solver).model().mesh;
+  const ModelMesh& mesh = solver.mesh();
   double deepest = 0;
   std::int64_t not_finite = 0;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {

@@ -26,7 +26,7 @@ LimitLoad limit_load(const Scene& cantilever, int layers, HourglassControl hourg
   scene.element.hourglass = hourglass;
   scene.element.hourglass_coefficient = default_hourglass_coefficient(hourglass);
   Solver<double> solver(scene);
-  const std::vector<Point>& nodes = std::as_const(solver).model().mesh.nodes;
+  const std::vector<Point>& nodes = solver.mesh().nodes;
   const auto end = static_cast<std::size_t>(
       std::find_if(nodes.begin(), nodes.end(), [&](const Point& p) { return p[0] > mesh.size[0] * (1 - 1e-9); }) -
       nodes.begin());

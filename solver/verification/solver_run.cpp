@@ -19,7 +19,7 @@ void run_to_end(Solver<double>& solver, const std::function<void()>& after_step)
 PrescribedMotion::PrescribedMotion(Solver<double>& solver, Path path, std::vector<std::int32_t> nodes)
     : solver_(solver), path_(std::move(path)), nodes_(std::move(nodes)) {
   if (!nodes_.empty()) return;
-  nodes_.resize(std::as_const(solver).model().mesh.nodes.size());
+  nodes_.resize(solver.mesh().nodes.size());
   std::iota(nodes_.begin(), nodes_.end(), 0);
 }
 

@@ -45,8 +45,8 @@ double spheres_per_body(const SphereMesh& mesh) {
 
 /// Nodes of the first body on the surface in the plane y = 0, x >= 0, from the lower pole to the equator.
 std::vector<std::size_t> meridian(const Solver<double>& solver) {
-  const ModelMesh& mesh = solver.model().mesh;
-  const Body& body = solver.model().scene.bodies[0];
+  const ModelMesh& mesh = solver.mesh();
+  const Body& body = solver.scene().bodies[0];
   const double radius = std::get<SphereMesh>(body.mesh).radius;
   std::vector<std::size_t> nodes;
   for (std::size_t n = 0; n < mesh.nodes.size() && mesh.body_of_node[n] == 0; ++n) {
@@ -79,7 +79,7 @@ class ImpactRun {
   /// times: increasing, at which the contact radius is wanted.
   SphereImpact run(const std::vector<double>& times = {}) {
     const double start = mean_height();
-    const double window = std::as_const(solver_).model().scene.time.end / 100, radius = radius_of_sphere();
+    const double window = solver_.scene().time.end / 100, radius = radius_of_sphere();
     bool touched = false;
     double before = speed_, window_begin = 0, window_velocity = speed_;
     std::size_t next = 0;
@@ -113,7 +113,7 @@ class ImpactRun {
   }
 
  private:
-  double radius_of_sphere() const { return std::get<SphereMesh>(solver_.model().scene.bodies[0].mesh).radius; }
+  double radius_of_sphere() const { return std::get<SphereMesh>(solver_.scene().bodies[0].mesh).radius; }
 
   /// Of the nodes, weighted with mass; along z.
   double mean_height() const { return mean(solver_.model().nodes.position.data()); }

@@ -19,7 +19,7 @@ struct BarHistory {
 /// Mean radius of the edge of the foot (the cylinder's mesh has corners, which spread a little less), and the height of
 /// the tail's centre above the wall.
 BarHistory run_bar(Solver<double>& solver, double radius, double length) {
-  const ModelMesh& mesh = std::as_const(solver).model().mesh;
+  const ModelMesh& mesh = solver.mesh();
   std::vector<std::size_t> edge;
   std::size_t tail = 0;
   for (std::size_t n = 0; n < mesh.nodes.size() && mesh.body_of_node[n] == 0; ++n) {

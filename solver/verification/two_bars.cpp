@@ -67,7 +67,7 @@ std::size_t node_at(const ModelMesh& mesh, double x, std::int32_t body) {
 
 BarImpact run_bars(const Scene& scene) {
   Solver<double> solver(scene);
-  const ModelMesh& mesh = std::as_const(solver).model().mesh;
+  const ModelMesh& mesh = solver.mesh();
   const double face2 = scene.bodies[1].position[0];
   const std::size_t nodes[4] = {node_at(mesh, -5, 0), node_at(mesh, 0, 0), node_at(mesh, face2, 1),
                                 node_at(mesh, face2 + 5, 1)};
@@ -107,7 +107,7 @@ double velocity_of_unequal_faces(const Scene& equal) {
   scene.bodies[1].mesh = BlockMesh{{8, 1, 1}, {balls ? 8 : 20, 1, 1}};
   scene.time.cfl = 0.9;
   Solver<double> solver(scene);
-  const ModelMesh& mesh = std::as_const(solver).model().mesh;
+  const ModelMesh& mesh = solver.mesh();
   const std::size_t faces[2] = {node_at(mesh, 0, 0), node_at(mesh, scene.bodies[1].position[0], 1)};
   double sum = 0, time = 0;
   run_to_end(solver, [&] {

@@ -35,7 +35,7 @@ TEST(RigidWall, TurnsABlockAroundAndGivesItsMomentum) {
   bool touched = false;
   while (solver.time() < scene.time.end * (1 - 1e-12)) {
     solver.step();
-    for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+    for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
       deepest = std::min(deepest, position_of(solver, n)[2]);
     }
     touched = touched || position_of(solver, 0)[2] < 1e-15;
@@ -81,10 +81,10 @@ TEST(RigidWall, KeepsConstraintsAndHoldsBothOfTwoWalls) {
   scene.constraints = {{{0, 0, 0}, {1, 0, 0}, ""}};
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     const Point x = position_of(solver, n);
     EXPECT_GT(x[0], -1e-15);
-    if (solver.model().mesh.nodes[n][0] == 0) {
+    if (solver.mesh().nodes[n][0] == 0) {
       EXPECT_EQ(x[0], 0.0);
     }
     EXPECT_GT(0.6 * x[0] + 0.8 * x[2], -1e-15);
@@ -151,7 +151,7 @@ TEST(PrescribedVelocity, AlongOneDirectionLeavesTheOthersFree) {
   scene.prescribed_velocities = {push};
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     const Point v = velocity_of(solver, n);
     EXPECT_NEAR(v[0], 3, 1e-9);
     EXPECT_NEAR(v[1], 7, 1e-9);
@@ -200,8 +200,8 @@ TEST(FixedConstraint, InACylindricalFrame) {
   scene.fixed_constraints = {fixed};
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const Point &x = solver.model().mesh.nodes[n], v = velocity_of(solver, n);
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    const Point &x = solver.mesh().nodes[n], v = velocity_of(solver, n);
     EXPECT_NEAR(x[0] * v[1] - x[1] * v[0], 0, 1e-13);
     if (std::hypot(x[0], x[1]) < 1e-9) {
       EXPECT_EQ(std::hypot(v[0], v[1]), 0.0) << "on the axis";
@@ -221,8 +221,8 @@ TEST(FixedConstraint, HoldsALineAndTheNearestNode) {
   Solver<double> solver(scene);
   run(solver);
   int held = 0;
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const Point &start = solver.model().mesh.nodes[n], x = position_of(solver, n);
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    const Point &start = solver.mesh().nodes[n], x = position_of(solver, n);
     if (start[0] == 0 && start[1] == 0) {
       EXPECT_EQ(x[0], start[0]);
       EXPECT_NEAR(x[1], start[1], 1e-18);
@@ -240,8 +240,8 @@ TEST(InitialVelocity, ReplacesThatOfTheBody) {
   initial.velocity = {-4, 0, 0};
   scene.initial_velocities = {initial};
   const Solver<double> solver(scene);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const bool middle = std::abs(solver.model().mesh.nodes[n][0] - 0.1) < 1e-12;
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    const bool middle = std::abs(solver.mesh().nodes[n][0] - 0.1) < 1e-12;
     EXPECT_EQ(velocity_of(solver, n), (middle ? Point{-4, 0, 0} : Point{1, 2, 3}));
   }
 }

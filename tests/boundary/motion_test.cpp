@@ -79,7 +79,7 @@ TEST(Gravity, MovesBodiesAsTheyFallAndItsWorkIsTheirEnergy) {
   scene.gravities = {{{0, 0, -9.81}, {}}, {{0, 4.0, 0}, {{0, 1e-3}, {0, 1}}}};
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     const Point v = velocity_of(solver, n);
     EXPECT_NEAR(v[0], 3, 1e-12);
     EXPECT_NEAR(v[1], 4.0 * 1e-3 / 2, 1e-7) << "the trapezoidal rule of a line is exact but for the last step";

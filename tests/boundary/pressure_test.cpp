@@ -23,7 +23,7 @@ Pressure pressure_on(const std::string& body, double value) {
 
 std::vector<Point> positions(const Solver<double>& solver) {
   std::vector<Point> all;
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) all.push_back(position_of(solver, n));
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) all.push_back(position_of(solver, n));
   return all;
 }
 
@@ -52,14 +52,14 @@ TEST(Pressure, OnAClosedSurfaceHasNeitherForceNorMoment) {
   const double impulse = 1e7 * 4 * M_PI * 0.25 * solver.dt() / 2;
   Point moment{}, sum{};
   double radial = 0;
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     const double mass = solver.model().node_mass[solver.model().node_of_scene_node[n]];
-    const Point v = velocity_of(solver, n), turn = cross(solver.model().mesh.nodes[n], v);
+    const Point v = velocity_of(solver, n), turn = cross(solver.mesh().nodes[n], v);
     for (std::size_t k = 0; k < 3; ++k) {
       sum[k] += mass * v[k];
       moment[k] += mass * turn[k];
     }
-    radial += mass * dot(v, minus(solver.model().mesh.nodes[n], ball.position));
+    radial += mass * dot(v, minus(solver.mesh().nodes[n], ball.position));
   }
   EXPECT_LT(norm(sum), 1e-13 * impulse);
   EXPECT_LT(norm(moment), 1e-13 * impulse);

@@ -87,7 +87,7 @@ class SpaceRun {
     return {position_.data(),     velocity_.data(), force_.data(),
             inverse_mass_.data(), mass_.data(),     element_mass_.data()};
   }
-  static Array<S, Memory> in_space(const AlignedArray<S>& from) {
+  static Array<S, Memory> in_space(const Array<S>& from) {
     Array<S, Memory> array(from.size());
     deep_copy(array, from);
     return array;

@@ -138,7 +138,7 @@ void expect_same_bits(const Case& of, bool given_forces) {
   of.add(scene);
   SpaceRun<S, DefaultExecutionSpace> host(scene);
   SpaceRun<S, Mock> device(scene);
-  const auto give = [&](AlignedArray<S>& forces) {
+  const auto give = [&](Array<S>& forces) {
     for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = S(i % 13) * S(1e3);
   };
   if (given_forces) {
@@ -211,7 +211,7 @@ TEST(OnADevice, ForcesOfTheHostGoThereInEveryStep) {
   expect_same_bits<float>({"given", [](Scene&) {}}, true);
   Scene scene = plate();
   SpaceRun<double, Mock> run(scene);
-  AlignedArray<double>& forces = run.boundary().host_forces(run.model());
+  Array<double>& forces = run.boundary().host_forces(run.model());
   run.step(1e-4);
   SpaceRun<double, Mock> other(scene);
   other.boundary().host_forces(other.model());

@@ -94,8 +94,8 @@ TEST(InitialVelocity, SpinsAboutAnAxisAndSetsSomeComponents) {
   part.components = {false, true, false};
   scene.initial_velocities = {spin, part};
   const Solver<double> solver(scene);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const Point& x = solver.model().mesh.nodes[n];
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    const Point& x = solver.mesh().nodes[n];
     const Point v = velocity_of(solver, n);
     EXPECT_DOUBLE_EQ(v[0], 1 - 100 * x[1]);
     EXPECT_DOUBLE_EQ(v[1], x[2] < 0.01 ? 9 : 100 * (x[0] - 0.1));

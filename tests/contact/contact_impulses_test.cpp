@@ -80,7 +80,7 @@ TEST_P(ContactByImpulses, StaysWithinAPlaneOfSymmetry) {
   run_to_end(solver);
   EXPECT_GT(solver.energies().contact_damped, 0);
   EXPECT_LT(std::abs(solver.balance_error()), 0.01);
-  const ModelMesh& mesh = solver.model().mesh;
+  const ModelMesh& mesh = solver.mesh();
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     if (mesh.nodes[n][1] == 0) {
       EXPECT_EQ(position_of(solver, n)[1], 0);
@@ -102,7 +102,7 @@ TEST(ImpulseSolver, FacesStayApartByTheirOwnGap) {
     run_to_end(solver, [&] {
       double top = 0, bottom = 0;
       int tops = 0, bottoms = 0;
-      const ModelMesh& mesh = solver.model().mesh;
+      const ModelMesh& mesh = solver.mesh();
       for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
         const double z = position_of(solver, n)[2];
         if (mesh.body_of_node[n] == 0 && mesh.nodes[n][2] > 0.399) top += z, ++tops;

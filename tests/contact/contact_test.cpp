@@ -14,7 +14,7 @@ using namespace test;
 /// Centre of the corners of an element, along z.
 double height(const Solver<double>& solver, std::size_t element) {
   double sum = 0;
-  for (const std::int32_t n : solver.model().mesh.hexahedra[element]) {
+  for (const std::int32_t n : solver.mesh().hexahedra[element]) {
     sum += position_of(solver, static_cast<std::size_t>(n))[2] / 8;
   }
   return sum;
@@ -111,8 +111,8 @@ TEST(Contact, BodiesThatTouchAtRestStayAtRest) {
   Scene scene = scene_of({block("a", {3, 3, 3}, 0.1, {0, 0, 0}), block("b", {2, 2, 2}, 0.15, {0, 0, 0.3})}, 1e-3);
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    ASSERT_EQ(position_of(solver, n), solver.model().mesh.nodes[n]);
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    ASSERT_EQ(position_of(solver, n), solver.mesh().nodes[n]);
   }
 }
 

@@ -75,7 +75,7 @@ class EmbeddingHost {
   static std::vector<S> state_of(const Model<S>& model) {
     std::vector<S> state;
     for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
-      for (const AlignedArray<S>* records : {&model.nodes.position, &model.nodes.velocity}) {
+      for (const Array<S>* records : {&model.nodes.position, &model.nodes.velocity}) {
         state.insert(state.end(), records->data() + 4 * n, records->data() + 4 * n + 3);
       }
     }

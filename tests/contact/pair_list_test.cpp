@@ -290,15 +290,15 @@ class Straying : public ::testing::Test {
       for (const std::int32_t node : corners) motion.watch(node, 1);
     }
   }
-  static void put(AlignedArray<double>& records, int n, const Vec3<double>& v) {
+  static void put(Array<double>& records, int n, const Vec3<double>& v) {
     double* r = records.data() + 4 * std::size_t(n);
     r[0] = v.x, r[1] = v.y, r[2] = v.z;
   }
-  static Vec3<double> get(const AlignedArray<double>& records, int n) {
+  static Vec3<double> get(const Array<double>& records, int n) {
     const double* r = records.data() + 4 * std::size_t(n);
     return {r[0], r[1], r[2]};
   }
-  Vec3<double> mean(const AlignedArray<double>& records, int e) const {
+  Vec3<double> mean(const Array<double>& records, int e) const {
     Vec3<double> sum{0, 0, 0};
     for (int n = 8 * e; n < 8 * e + 8; ++n) sum = sum + get(records, n);
     return 0.125 * sum;
@@ -322,7 +322,7 @@ TEST_F(Straying, AListThatHoldsHasEveryPairThatTouches) {
                        0.6 + motion.allowance(all.corners[std::size_t(e)])});
     }
     const Pairs pairs = found(all, balls);
-    const AlignedArray<double>& position = nodes.position;
+    const Array<double>& position = nodes.position;
     std::vector<double> before(position.data(), position.data() + position.size());
     for (const double time : {0.0, 0.2, 0.5, horizon}) {
       std::copy(before.begin(), before.end(), nodes.position.data());

@@ -167,7 +167,7 @@ double bumps(Scene scene) {
     if (solver.time() < 2e-3) return;  // it has come to rest in height
     double sum = 0;
     int count = 0;
-    const ModelMesh& mesh = solver.model().mesh;
+    const ModelMesh& mesh = solver.mesh();
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
       if (mesh.body_of_node[n] == 1) sum += position_of(solver, n)[2], ++count;
     }
@@ -209,7 +209,7 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
          block("b", {3, 3, 3}, 0.07, {0.05, 0.1, 0.21}, {speed, 0, -speed}), block("c", {1, 1, 1}, 0.3, {-0.31, 0, 0})},
         1);
     Model<double> model = build_model<double>(scene);
-    AlignedArray<double>&x = model.nodes.position, &v = model.nodes.velocity;
+    Array<double>&x = model.nodes.position, &v = model.nodes.velocity;
     for (std::size_t i = 0; i < x.size(); ++i) {
       x[i] = size * (x[i] + 0.02 * uniform(generator));
       v[i] += 0.3 * speed * uniform(generator);  // so that segments grow

@@ -69,7 +69,7 @@ TEST_F(AbaqusDecks, SectionsStayJoined) {
   const Solver<double>& solver = run_of("sections");
   EXPECT_NEAR(summarize(solver).bodies[0].mass_initial, 8e-9, 1e-20);
   EXPECT_NEAR(summarize(solver).bodies[1].mass_initial, 2e-9, 1e-20);
-  EXPECT_EQ(solver.model().mesh.nodes.size(), 12u);
+  EXPECT_EQ(solver.mesh().nodes.size(), 12u);
   for (const std::size_t body : {0, 1}) EXPECT_NEAR(velocity(solver, body)[2], 1000 * std::exp(-0.1), 1e-3) << body;
 }
 

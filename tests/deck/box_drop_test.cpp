@@ -72,7 +72,7 @@ class BoxDrop : public DeckTest {
 /// 4.5 mm at 500 mm/s.
 TEST_F(BoxDrop, FirstForceOfTheContactIsThatOfTheFreeFall) {
   Solver<double> solver(scene(deck()));
-  ASSERT_EQ(solver.model().element_count(), 1100);
+  ASSERT_EQ(solver.element_count(), 1100);
   EXPECT_EQ(solver.contact_pairs().at(0).name, "contact_1");
   while (!solver.at_end() && solver.contact_pairs()[0].force_max == 0) solver.step();
   EXPECT_NEAR(solver.force_time(), 9.00e-3, 0.05e-3);

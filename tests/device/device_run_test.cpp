@@ -3,6 +3,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/device/device_run.hpp>
+#include <solver/step/report.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Steps on a device (the mock one: threads of the host, on memory that nothing else may touch) beside those of the
@@ -135,6 +136,22 @@ TEST(DeviceRun, TakesChangesOfTheHostBetweenSteps) {
   const double moved = momentum(host.model())[0];
   EXPECT_GT(moved, 0);
   EXPECT_NEAR(momentum(device.model())[0], moved, 1e-9 * moved);
+}
+
+/// The state is copied for who reads it, and for nobody else: a line of progress must not cost a copy of all of it.
+TEST(DeviceRun, BringsTheStateBackForWhoReadsItAlone) {
+  Scene scene = torn_block();
+  scene.device = Device::mock;
+  Solver<double> solver(scene);
+  const auto x = [](const Model<double>& model) { return model.nodes.position[0]; };
+  const Model<double>& mirror = solver.model();
+  const double before = x(mirror);
+  for (int i = 0; i < 5; ++i) solver.step();
+  EXPECT_EQ(progress_state(solver).elements, solver.element_count());
+  EXPECT_EQ(solver.scene().device, Device::mock);
+  EXPECT_EQ(solver.mesh().element_count(), solver.element_count());
+  EXPECT_EQ(x(mirror), before);
+  EXPECT_NE(x(solver.model()), before);
 }
 
 /// Begins with one device, goes on with another from what the first has saved.

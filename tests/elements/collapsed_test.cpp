@@ -141,7 +141,7 @@ TEST(Collapsed, UniformStrainGivesUniformStressAndNoForceInside) {  // the patch
   double scale = 0, worst = 0;
   for (const double s : first) scale = std::max(scale, std::abs(s));
   ASSERT_GT(scale, 1e7);
-  for (std::size_t e = 0; e < solver.model().mesh.hexahedra.size(); ++e) {
+  for (std::size_t e = 0; e < solver.mesh().hexahedra.size(); ++e) {
     for (std::size_t c = 0; c < 6; ++c) worst = std::max(worst, std::abs(stress_of(solver, e)[c] - first[c]));
   }
   EXPECT_LT(worst, 1e-9 * scale);
@@ -250,8 +250,8 @@ TEST(Collapsed, PlanesOfSymmetryThroughTheAxisHoldIt) {
   scene.constraints.push_back({{}, {-0.5, std::sqrt(0.75), 0}, ""});
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
-    const Point x = position_of(solver, n), start = solver.model().mesh.nodes[n];
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    const Point x = position_of(solver, n), start = solver.mesh().nodes[n];
     if (start[0] == 0) {
       EXPECT_NEAR(x[0], 0, 1e-15);
       EXPECT_NEAR(x[1], 0, 1e-15);

@@ -68,7 +68,7 @@ TEST(StepLevels, TheStableStepIsTheOneOfTheKernel) {
   scene.time.cfl = 1;
   Solver<double> solver(scene);
   solver.step();
-  const double thin = element_stable_step(solver.model().mesh, 15, scene.materials[0]);
+  const double thin = element_stable_step(solver.mesh(), 15, scene.materials[0]);
   EXPECT_NEAR(solver.dt() / thin, 1, 1e-4);  // the end of time is divided into equal steps
 }
 
@@ -94,7 +94,7 @@ TEST(Subcycling, LeavesElementsOut) {
   EXPECT_EQ(summary.element_steps_subcycled, summary.steps / 4 * 3 * 88);
   EXPECT_EQ(summary.element_steps + summary.element_steps_subcycled, summary.steps * 128);
   EXPECT_GT(summary.skipped_seconds.subcycling, 0);
-  EXPECT_NEAR(solver.time(), solver.model().scene.time.end, 1e-12 * solver.time());
+  EXPECT_NEAR(solver.time(), solver.scene().time.end, 1e-12 * solver.time());
 }
 
 TEST(Subcycling, ConservesMomentumAndAngularMomentum) {
@@ -122,7 +122,7 @@ TEST(Subcycling, KeepsTheEnergyOfALongRun) {
   ASSERT_GT(initial, 0);
   while (!solver.at_end()) {
     solver.step();
-    double& largest = solver.time() < 0.1 * solver.model().scene.time.end ? early : late;
+    double& largest = solver.time() < 0.1 * solver.scene().time.end ? early : late;
     largest = std::max(largest, std::abs(solver.balance_error()));
   }
   EXPECT_LT(early, 0.01);
@@ -135,7 +135,7 @@ TEST(Subcycling, UniformMotionStaysExact) {
   Solver<double> solver(scene);
   run(solver);
   for (std::size_t e = 0; e < 128; ++e) EXPECT_THAT(stress_of(solver, e), Each(0.0)) << e;
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     EXPECT_EQ(velocity_of(solver, n), scene.bodies[0].velocity);
   }
 }

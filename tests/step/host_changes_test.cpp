@@ -31,8 +31,8 @@ void load(Solver<double>& solver, const StateBytes& bytes) {
 
 /// Throws the first body at the second, faster than elements can tell: the speed of impact sets the step.
 void throw_first_body(Solver<double>& solver) {
-  AlignedArray<double>& velocity = solver.change_velocities();
-  const ModelMesh& mesh = solver.model().mesh;
+  Array<double>& velocity = solver.change_velocities();
+  const ModelMesh& mesh = solver.mesh();
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     if (mesh.body_of_node[n] == 0) velocity[4 * static_cast<std::size_t>(solver.model().node_of_scene_node[n])] = 2e5;
   }

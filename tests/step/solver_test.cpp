@@ -18,10 +18,10 @@ TEST(Solver, FreeFlightLeavesEveryStressAtZeroBitwise) {
   Solver<double> solver(scene);
   run(solver);
   ASSERT_GT(solver.steps(), 100);
-  for (std::size_t e = 0; e < solver.model().mesh.hexahedra.size(); ++e) {
+  for (std::size_t e = 0; e < solver.mesh().hexahedra.size(); ++e) {
     for (const double s : stress_of(solver, e)) ASSERT_EQ(s, 0.0);
   }
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     ASSERT_EQ(velocity_of(solver, n), (Point{123.4, -56.7, 8.9}));
   }
   EXPECT_EQ(solver.energies().internal, 0.0);
@@ -56,7 +56,7 @@ TEST(Solver, RotationTurnsTheStressAndCostsNoEnergy) {
   // xx and yy change places, xy changes its sign; yz becomes zx and zx becomes -yz: components xx yy zz xy yz zx.
   const std::array<double, 6> exact{before[1], before[0], before[2], -before[3], before[5], -before[4]};
   double worst = 0;
-  for (std::size_t e = 0; e < solver.model().mesh.hexahedra.size(); ++e) {
+  for (std::size_t e = 0; e < solver.mesh().hexahedra.size(); ++e) {
     const auto after = stress_of(solver, e);
     for (std::size_t c = 0; c < 6; ++c) worst = std::max(worst, std::abs(after[c] - exact[c]));
   }
@@ -133,9 +133,9 @@ TEST(Solver, SymmetryKeepsNodesOnThePlaneBitwise) {
   scene.constraints = {{{0, 0, 0}, {1, 0, 0}, ""}, {{0, 0, 0}, {0, 1, 0}, ""}};
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     for (std::size_t k = 0; k < 2; ++k) {
-      if (solver.model().mesh.nodes[n][k] != 0) continue;
+      if (solver.mesh().nodes[n][k] != 0) continue;
       EXPECT_EQ(position_of(solver, n)[k], 0.0);
     }
   }
@@ -195,7 +195,7 @@ TEST(Solver, ErodedNodesKeepTheirMassAndFlyOn) {
   solver.step();
   EXPECT_EQ(solver.counts().eroded_elements(), 8);
   std::vector<Point> velocity;
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) velocity.push_back(velocity_of(solver, n));
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) velocity.push_back(velocity_of(solver, n));
   run(solver);
   for (std::size_t n = 0; n < velocity.size(); ++n) EXPECT_EQ(velocity_of(solver, n), velocity[n]);
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(momentum(solver.model())[k], before[k], 1e-10);

@@ -22,7 +22,7 @@ Scene flying_cube() { return scene_of({block("a", {1, 1, 1}, 0.1, {0, 0, 0}, {0,
 double stable_step() {
   Solver<double> solver(flying_cube());
   solver.step();
-  return solver.clock().dt_min() / solver.model().scene.time.cfl;
+  return solver.clock().dt_min() / solver.scene().time.cfl;
 }
 
 TEST(StartChecks, AnEndThatNoStepReachesIsRefused) {
@@ -52,7 +52,7 @@ TEST(StartChecks, AStepThatCollapsesBesideTheEndEndsTheRun) {
   Solver<double> solver(scene);
   solver.step();
   auto& model = solver.change_model();
-  AlignedArray<double>& mass = model.elements.mass;
+  Array<double>& mass = model.elements.mass;
   for (std::size_t i = 0; i < mass.size(); ++i) mass[i] *= 1e-12;
   try {
     solver.step();
@@ -147,7 +147,7 @@ TEST(StartChecks, TheViscousBoundIsThatOfTheForces) {
     scene.guard.energy_error = 1e300;
     scene.time.end = 200 * stable_step();
     Solver<double> solver(scene);
-    AlignedArray<double>& velocity = solver.change_velocities();
+    Array<double>& velocity = solver.change_velocities();
     for (std::size_t n = 0; n < 8; ++n) {
       const double* x = solver.model().nodes.position_of(static_cast<std::int32_t>(n));
       velocity[4 * n] = 1e-6 * (x[1] > 0.05 ? 1 : -1) * (x[2] > 0.05 ? 1 : -1);

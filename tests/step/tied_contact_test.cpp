@@ -44,7 +44,7 @@ std::uint64_t hash_of(const Scene& scene, int threads) {
 /// Numbers of the scene: nodes of the lower block first.
 double largest_distance_from_faces(const Solver<double>& solver) {
   double largest = 0;
-  for (std::size_t n = 0; n < solver.model().mesh.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
     const TiedNode* const tied = solver.tied().nodes().tie_of(solver.model().node_of_scene_node[n]);
     if (tied == nullptr) continue;
     for (int c = 0; c < 3; ++c) {
@@ -162,7 +162,7 @@ TEST(TiedContact, HoldsAUniformStress) {
   scene.loads = {load};
   Solver<double> solver(scene);
   run(solver);
-  for (std::size_t e = 0; e < solver.model().mesh.hexahedra.size(); ++e) {
+  for (std::size_t e = 0; e < solver.mesh().hexahedra.size(); ++e) {
     EXPECT_NEAR(stress_of(solver, e)[2], -1e8, 2e5) << e;
     EXPECT_NEAR(stress_of(solver, e)[0], 0, 2e5) << e;
   }

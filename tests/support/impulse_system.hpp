@@ -12,7 +12,7 @@ namespace pinball::test {
 /// A contact system by itself: nodes, rows, and the packs of the rows.
 struct ImpulseSystem {
   std::vector<ImpulseNode> nodes;
-  AlignedArray<double> velocities;
+  Array<double> velocities;
   ContactRows rows;
   std::vector<FrictionRow> frictions;
   RowPacks packs;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <kernels/edge_pair.hpp>
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 #include <solver/contact/segments/edge_table.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
 

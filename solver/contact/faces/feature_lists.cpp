@@ -298,7 +298,7 @@ void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& su
   motion_.persist(archive, node_count, valid_ || watched_);
   if (!archive.reads() || !valid_) return;
   check(archive, surface, edges, spheres);
-  AlignedArray<S> position, velocity;
+  Array<S> position, velocity;
   motion_.put_start(position, velocity);
   NodeRecords<S> nodes;
   nodes.position = position.data();

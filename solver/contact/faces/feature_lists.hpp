@@ -34,13 +34,13 @@ class FeatureLists {
  public:
   /// Slaves and segments, by their numbers in the surface.
   struct NodePairs : SortedPairs {
-    AlignedArray<std::int32_t> node;  ///< of the slave
-    AlignedArray<S> size, radius;     ///< of the segment [length]
+    Array<std::int32_t> node;  ///< of the slave
+    Array<S> size, radius;     ///< of the segment [length]
   };
   /// Edges, by their numbers in the table.
   struct EdgePairs : SortedPairs {
-    std::array<AlignedArray<std::int32_t>, 4> node;  ///< ends of the first and of the second
-    AlignedArray<S> size;                            ///< of the largest segments of both, together [length]
+    std::array<Array<std::int32_t>, 4> node;  ///< ends of the first and of the second
+    Array<S> size;                            ///< of the largest segments of both, together [length]
   };
   using Pair = SortedPairs::Pair;
   struct SpherePairs {

@@ -206,7 +206,7 @@ std::vector<std::int64_t> HostSurface<S>::update_alive(const pinball_contact_arr
 }
 
 template <class S>
-const S* HostSurface<S>::gather(const pinball_contact_input& from, AlignedArray<S>& records,
+const S* HostSurface<S>::gather(const pinball_contact_input& from, Array<S>& records,
                                 const std::vector<std::int32_t>& nodes, const char* name) const {
   const HostVectors<S> vectors(from);
   const bool in_place = vectors.are_records();
@@ -255,7 +255,7 @@ template <class S>
 void HostSurface<S>::before_search() const {
   if (waiting_ == nullptr) return;
   if (HostVectors<S>(waiting_->position).are_records()) {
-    AlignedArray<S> none;
+    Array<S> none;
     gather(waiting_->position, none, watched_, "position");
   }
   gather(waiting_->velocity, velocities_, watched_, "velocity");

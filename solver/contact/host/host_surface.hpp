@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 #include <solver/contact/surface/surface.hpp>
 #include <solver/contact/surface/surface_source.hpp>
 
@@ -48,14 +48,14 @@ class HostSurface final : public SurfaceSource<S> {
   void watch_behind(std::int64_t slot, const Surface& surface);
   std::uint8_t alive_at(std::int64_t slot) const;
   /// The records of nodes: those of the host, or `records`, into which they are copied.
-  const S* gather(const pinball_contact_input& from, AlignedArray<S>& records, const std::vector<std::int32_t>& nodes,
+  const S* gather(const pinball_contact_input& from, Array<S>& records, const std::vector<std::int32_t>& nodes,
                   const char* name) const;
   HostMesh<S> mesh_;
   std::vector<std::int32_t> element_of_slot_;  ///< -1 for padding
   std::vector<std::int32_t> slot_of_element_;
   std::vector<std::int64_t> packs_;  ///< SurfaceSource::tile_packs
   Colouring colours_;
-  AlignedArray<S> inverse_;            ///< SurfaceSource::inverse_mass
+  Array<S> inverse_;                   ///< SurfaceSource::inverse_mass
   std::vector<S> reference_;           ///< undeformed places, three numbers per node [length]
   std::vector<double> mass_;           ///< of the spheres, and of the elements where the host does not give it [mass]
   std::int32_t masses_from_ = 0;       ///< first element whose mass is in it
@@ -64,8 +64,8 @@ class HostSurface final : public SurfaceSource<S> {
   std::vector<std::uint8_t> alive_before_;                         ///< per element and sphere
   const std::uint8_t *alive_ = nullptr, *sphere_alive_ = nullptr;  ///< of the host, during a call
   const pinball_contact_arrays* waiting_ = nullptr;  ///< during update: has motion that was not taken in yet
-  AlignedArray<S> positions_, forces_;               ///< records, only where the host's are not
-  mutable AlignedArray<S> velocities_;               ///< the same; before_search completes it
+  Array<S> positions_, forces_;                      ///< records, only where the host's are not
+  mutable Array<S> velocities_;                      ///< the same; before_search completes it
 };
 
 }  // namespace pinball

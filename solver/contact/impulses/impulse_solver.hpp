@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <kernels/boundary/external_work.hpp>
+#include <kernels/exec/array.hpp>
 #include <kernels/tensor.hpp>
-#include <solver/base/aligned_array.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/surface/contact_pairs.hpp>
@@ -174,7 +174,7 @@ class ImpulseSolver {
   RowPacks packs_;                        ///< of the active rows
   std::vector<ImpulseNode> nodes_;        ///< per entry of node_
   std::vector<double> release_share_;     ///< per entry of nodes_: sum of |w| over the rows that open
-  AlignedArray<double> velocity_;         ///< records of four numbers, per entry of node_
+  Array<double> velocity_;                ///< records of four numbers, per entry of node_
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
   std::vector<LastEntry> last_entry_;     ///< per entry of node_
   std::vector<PairMemory> memory_;        ///< of the last step, in the order of its rows

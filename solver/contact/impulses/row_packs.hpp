@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <kernels/contact_friction.hpp>
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 
 #include "contact_rows.hpp"
 #include "row_order.hpp"
@@ -74,9 +74,9 @@ class RowPacks {
 
   RowOrder order_;
   RowStages light_, heavy_;  ///< for sweeps, and for more work per row
-  AlignedArray<std::int32_t> nodes_;
-  AlignedArray<double> entries_, numbers_, frictions_;
-  AlignedArray<double> changes_;  ///< of velocities by the last sweep, per row
+  Array<std::int32_t> nodes_;
+  Array<double> entries_, numbers_, frictions_;
+  Array<double> changes_;  ///< of velocities by the last sweep, per row
 };
 
 }  // namespace pinball

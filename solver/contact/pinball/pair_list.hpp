@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
-#include <solver/base/aligned_array.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/search/moving_balls.hpp>
 
@@ -94,12 +93,12 @@ class PairList {
 
   std::array<Piece, fixed_pieces> piece_{};
   std::vector<std::int32_t> listed_, slot_;
-  AlignedArray<std::int32_t> first_, second_;
-  AlignedArray<S> offset_, stored_;
+  Array<std::int32_t> first_, second_;
+  Array<S> offset_, stored_;
   // What follows is kept for its memory alone.
   BallTree<S> boxes_;
   BallPairs<S> by_hash_;
-  AlignedArray<float> reference_;  ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
+  Array<float> reference_;  ///< groups of G balls of the undeformed mesh (reference_balls.hpp)
   std::array<std::vector<PairMemory>, fixed_pieces> memory_;  ///< of the pairs of a piece
   std::array<NearBalls<S>, fixed_pieces> near_;
   std::array<Found, fixed_pieces> found_;

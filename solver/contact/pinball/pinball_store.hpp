@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <kernels/contact_force.hpp>
+#include <kernels/exec/array.hpp>
 #include <kernels/pinball_geometry.hpp>
-#include <solver/base/aligned_array.hpp>
 
 namespace pinball {
 
@@ -16,14 +16,14 @@ namespace pinball {
 template <class S>
 struct PinballStore {
   std::int32_t count = 0;
-  AlignedArray<std::int32_t> corner;                 ///< in tiles of W
-  AlignedArray<S> exposed;                           ///< in tiles of W
-  AlignedArray<S> bulk_modulus;                      ///< in tiles of W
-  AlignedArray<S> centre;                            ///< records: C, R
-  AlignedArray<S> velocity;                          ///< records: V, element mass
-  AlignedArray<S> outward;                           ///< records: outward normal, B R
-  AlignedArray<S> two_sided;                         ///< records: two-sided normal, unused
-  AlignedArray<S> force;                             ///< records: F, sum of p2
+  Array<std::int32_t> corner;                        ///< in tiles of W
+  Array<S> exposed;                                  ///< in tiles of W
+  Array<S> bulk_modulus;                             ///< in tiles of W
+  Array<S> centre;                                   ///< records: C, R
+  Array<S> velocity;                                 ///< records: V, element mass
+  Array<S> outward;                                  ///< records: outward normal, B R
+  Array<S> two_sided;                                ///< records: two-sided normal, unused
+  Array<S> force;                                    ///< records: F, sum of p2
   std::vector<std::array<std::int32_t, 8>> corners;  ///< node numbers, per pinball
   std::vector<std::int32_t> slot;                    ///< of the element
   std::vector<std::int32_t> tile_first;              ///< first pinball of each tile of elements; tiles + 1 entries
@@ -35,7 +35,7 @@ struct PinballStore {
     corner.reset(8 * padded);
     exposed.reset(6 * padded);
     bulk_modulus.reset(padded);
-    for (AlignedArray<S>* records : {&centre, &velocity, &outward, &two_sided, &force}) records->reset(4 * padded);
+    for (Array<S>* records : {&centre, &velocity, &outward, &two_sided, &force}) records->reset(4 * padded);
     corners.resize(static_cast<std::size_t>(n));
     slot.clear();
     tile_first.clear();

@@ -6,7 +6,6 @@
 
 #include <kernels/exec.hpp>
 #include <kernels/spatial_hash.hpp>
-#include <solver/base/aligned_array.hpp>
 
 #include "moving_boxes.hpp"
 
@@ -42,8 +41,8 @@ class BoxHash {
   std::array<S, 3> way_{};  ///< of who looks on [length]
   bool moves_ = false;      ///< some box is not the same at the beginning and at the end
   std::vector<std::int32_t> bucket_start_, cell_begin_;
-  AlignedArray<HashBox> box_;
-  AlignedArray<MovingBox<S>> bounds_;  ///< per number: side by side
+  Array<HashBox> box_;
+  Array<MovingBox<S>> bounds_;  ///< per number: side by side
   /// In pieces of numbers, of each for each piece of buckets: how many boxes, then where the next one goes.
   std::array<std::array<std::int32_t, fixed_pieces>, fixed_pieces> place_{};
   std::array<std::int32_t, fixed_pieces + 1> piece_start_{};
@@ -51,9 +50,9 @@ class BoxHash {
     std::int32_t number;
     std::uint32_t bucket;
   };
-  AlignedArray<HashBox> made_;         ///< per number
+  Array<HashBox> made_;                ///< per number
   std::vector<std::uint32_t> bucket_;  ///< per number; no_bucket for what is in none
-  AlignedArray<Member> member_;        ///< by piece of buckets
+  Array<Member> member_;               ///< by piece of buckets
 };
 
 }  // namespace pinball

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <kernels/ball_tree.hpp>
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 
 #include "moving_boxes.hpp"
 
@@ -31,7 +31,7 @@ class MovingBalls {
 
  private:
   std::int32_t count_ = 0;
-  AlignedArray<S> record_;
+  Array<S> record_;
 };
 
 /// Box of the balls of a group, finite: however far these reach, nothing meets the box that nothing is in.
@@ -57,7 +57,7 @@ class BallTree {
 
  private:
   BallTreeView<S> view_{};
-  AlignedArray<S> lowest_;  ///< a box per group of balls
+  Array<S> lowest_;  ///< a box per group of balls
   BoxLevels<S> levels_;
 };
 
@@ -90,7 +90,7 @@ class NearBalls {
   std::size_t find_near(const BallTreeView<S>& tree, const S* own, std::int32_t from);
 
   std::vector<std::int32_t> part_;  ///< groups of the boxes of groups of balls
-  AlignedArray<S> part_box_;        ///< and their boxes, in groups
+  Array<S> part_box_;               ///< and their boxes, in groups
   // Room for what is found, and for a group of numbers more.
   std::vector<std::int32_t> near_part_;  ///< numbers in part_
   std::vector<std::int32_t> candidate_;  ///< groups of balls

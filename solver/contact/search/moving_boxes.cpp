@@ -38,7 +38,7 @@ void BoxLevels<S>::build(const S* lowest, std::int64_t groups, BoxTreeView<S>& v
   for (std::int64_t boxes = groups; boxes > 1; ++view.levels) {
     const std::int64_t above = (boxes + G - 1) / G;
     const S* below = view.box[view.levels - 1];
-    AlignedArray<S>& level = level_[static_cast<std::size_t>(view.levels)];
+    Array<S>& level = level_[static_cast<std::size_t>(view.levels)];
     level.renew(static_cast<std::size_t>(above * 12 * G));
     view.box[view.levels] = level.data();
     parallel_for("levels of boxes", RangePolicy<>{0, above}, [&level, below, boxes](std::int64_t group) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include <kernels/ball_tree.hpp>
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 
 namespace pinball {
 
@@ -28,7 +28,7 @@ class MovingBoxes {
  private:
   std::int32_t count_ = 0;
   std::int64_t groups_ = 0;
-  AlignedArray<S> bound_;
+  Array<S> bound_;
 };
 
 /// Levels of boxes over boxes, built anew for each set in the same memory.
@@ -41,7 +41,7 @@ class BoxLevels {
   std::size_t bytes() const;
 
  private:
-  std::array<AlignedArray<S>, ball_tree_levels> level_;
+  std::array<Array<S>, ball_tree_levels> level_;
 };
 
 }  // namespace pinball

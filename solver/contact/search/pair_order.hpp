@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
-#include <solver/base/aligned_array.hpp>
 
 namespace pinball {
 
@@ -47,7 +46,7 @@ class PairOrder {
   /// In pieces of what was found, of each for each piece of the result: how many pairs, then where the next one goes.
   std::array<std::array<std::size_t, fixed_pieces>, fixed_pieces> place_{};
   std::array<std::size_t, fixed_pieces + 1> piece_start_{};
-  AlignedArray<Pair> pair_;                                    ///< in the order of the pieces of the result
+  Array<Pair> pair_;                                           ///< in the order of the pieces of the result
   std::array<std::vector<std::int32_t>, fixed_pieces> start_;  ///< per first number of a piece
 };
 

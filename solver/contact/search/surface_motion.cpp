@@ -112,7 +112,7 @@ bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
 }
 
 template <class S>
-void SurfaceMotion<S>::put_start(AlignedArray<S>& position, AlignedArray<S>& velocity) const {
+void SurfaceMotion<S>::put_start(Array<S>& position, Array<S>& velocity) const {
   constexpr std::size_t W = native_width<S>;
   position.reset(4 * allowance_.size());
   velocity.reset(4 * allowance_.size());

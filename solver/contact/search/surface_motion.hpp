@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 #include <solver/base/state_archive.hpp>
 
 namespace pinball {
@@ -71,7 +71,7 @@ class SurfaceMotion {
     return static_cast<S>(largest);
   }
   /// Node records of what start() was given of the nodes watched; nothing of others.
-  void put_start(AlignedArray<S>& position, AlignedArray<S>& velocity) const;
+  void put_start(Array<S>& position, Array<S>& velocity) const;
   /// node_count: of the store; watched: whether there are nodes that are watched.
   void persist(StateArchive& archive, std::int32_t node_count, bool watched);
   std::size_t bytes() const;
@@ -81,8 +81,8 @@ class SurfaceMotion {
   std::vector<std::int32_t> node_;        ///< number in the store
   std::vector<std::uint8_t> is_watched_;  ///< per node of the store: in node_
   std::vector<S> size_;                   ///< what the allowance of the node is measured by [length]
-  AlignedArray<S> start_;                 ///< in packs, 6 components: position and velocity
-  AlignedArray<S> allowed2_;              ///< square of the allowance [length^2]
+  Array<S> start_;                        ///< in packs, 6 components: position and velocity
+  Array<S> allowed2_;                     ///< square of the allowance [length^2]
   std::vector<float> allowance_;          ///< per node of the store [length]
 };
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <kernels/exec/array.hpp>
 #include <kernels/tensor.hpp>
-#include <solver/base/aligned_array.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/surface/surface.hpp>
 #include <solver/contact/surface/surface_source.hpp>
@@ -91,10 +91,10 @@ class SegmentSurface {
   const std::vector<Slave>& slaves() const { return slaves_; }  ///< sorted by node
   /// Records of four per segment: centre, and how far from it a node may be that touches: the distance of the farthest
   /// corner and deepest radii; 0 where the segment is not active.
-  const AlignedArray<S>& sphere() const { return sphere_; }
+  const Array<S>& sphere() const { return sphere_; }
   /// Records of four per segment: mean unit normal, 0 where the segment is not active, and how far the corners are out
   /// of the plane through the centre.
-  const AlignedArray<S>& plane() const { return plane_; }
+  const Array<S>& plane() const { return plane_; }
   void persist(StateArchive& archive, const SurfaceSource<S>& source);
   std::int64_t chosen() const;  ///< segments that update() sees to, in whole packs
   std::size_t bytes() const;
@@ -115,11 +115,11 @@ class SegmentSurface {
   std::vector<std::int32_t> around_;                    ///< segments around each slave, one after the other
   std::vector<std::int32_t> around_first_;              ///< per slave and one more: into around_
   std::vector<std::array<std::int32_t, 4>> slaves_of_;  ///< per segment
-  AlignedArray<std::int32_t> corner_;                   ///< of the segments, in tiles of W
-  AlignedArray<S> active_;                              ///< per segment, padded: 1 or 0 [-]
+  Array<std::int32_t> corner_;                          ///< of the segments, in tiles of W
+  Array<S> active_;                                     ///< per segment, padded: 1 or 0 [-]
   std::vector<std::int32_t> chosen_;                    ///< packs of segments
   std::vector<std::uint8_t> asked_for_;                 ///< per pack
-  AlignedArray<S> sphere_, plane_;
+  Array<S> sphere_, plane_;
   std::int64_t active_segments_ = 0;
   bool changed_ = false;
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t worth_a_thread = 4096;
 
 template <class S>
-void copy_inverse_masses(const S* from, AlignedArray<S>& to) {
+void copy_inverse_masses(const S* from, Array<S>& to) {
   std::copy_n(from, to.size(), to.data());
 }
 

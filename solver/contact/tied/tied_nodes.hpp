@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <solver/base/aligned_array.hpp>
+#include <kernels/exec/array.hpp>
 #include <solver/base/records.hpp>
 #include <solver/base/state_archive.hpp>
 
@@ -95,7 +95,7 @@ class TiedNodes {
   std::vector<std::array<double, 3>> offset_;          ///< d, per tied node [length]
   std::vector<std::int32_t> place_;                    ///< per node of the store: among nodes_ if it is tied; -1
   std::vector<std::pair<std::int32_t, double>> mass_;  ///< of tied nodes and corners, without ties [mass]
-  AlignedArray<S> free_inverse_mass_;
+  Array<S> free_inverse_mass_;
   double lost_ = 0;
 };
 

@@ -70,7 +70,7 @@ double deepening(double aspect, double overlap, const Variant& variant) {
   Solver<double> solver(scene);
   const auto depth = [&] {
     double top = -1e9, bottom = 1e9;
-    const auto& mesh = solver.model().mesh;
+    const auto& mesh = solver.mesh();
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
       const double z = position_of(solver, n)[2];
       (mesh.body_of_node[n] == 0 ? top : bottom) = mesh.body_of_node[n] == 0 ? std::max(top, z) : std::min(bottom, z);

@@ -61,7 +61,7 @@ Crossing cross_bars(double x, double y, double angle, const Variant& variant) {
   lower.velocity = {0, 0, speed};
   upper.velocity = {0, 0, -speed};
   Solver<double> solver(with_contact(trial_scene({lower, upper}, 8e-3), variant));
-  const ModelMesh& mesh = solver.model().mesh;
+  const ModelMesh& mesh = solver.mesh();
   const auto top = edge_nodes(mesh, 0, 0), bottom = edge_nodes(mesh, 1, gap);
   const double momentum = norm(motion_of_body(solver, 0).momentum);
   Crossing result;

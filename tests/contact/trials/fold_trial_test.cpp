@@ -40,7 +40,7 @@ double fold(double gap, double shift, int across, int layers, const Variant& var
   }
   Solver<double> solver(with_contact(scene, variant));
   run_to_end(solver);
-  GeometricDepth depth(solver.model().mesh);
+  GeometricDepth depth(solver.mesh());
   depth.take([&](std::size_t n) { return position_of(solver, n); });
   return depth.deepest(true) / h;
 }

@@ -15,7 +15,7 @@ class LastingDepth {
  public:
   /// time: for how long [time]; self: also of a body in itself.
   LastingDepth(const Solver<double>& solver, double time, bool self = false)
-      : solver_(solver), depth_(solver.model().mesh), window_(time), self_(self) {}
+      : solver_(solver), depth_(solver.mesh()), window_(time), self_(self) {}
 
   /// To be called after each step; looks eight times within the time.
   void look() {
@@ -23,7 +23,7 @@ class LastingDepth {
     next_ = solver_.time() + window_ / 8;
     depth_.take([this](std::size_t n) { return position_of(solver_, n); });
     double depth = 0;
-    for (std::int32_t b = 0; b < static_cast<std::int32_t>(solver_.model().mesh.body_names.size()); ++b) {
+    for (std::int32_t b = 0; b < static_cast<std::int32_t>(solver_.mesh().body_names.size()); ++b) {
       depth = std::max(depth, depth_.deepest_node(b));
       if (self_) depth = std::max(depth, depth_.deepest_node(b, true));
     }

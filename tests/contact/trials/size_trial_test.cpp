@@ -29,7 +29,7 @@ Impact cube_onto_node(double ratio, int n, const Variant& variant) {
   Scene scene = trial_scene({target, cube}, 2 * n * s / speed);
   scene.fixed_constraints = {held_at("target", -layers * big)};
   Solver<double> solver(with_contact(scene, variant));
-  GeometricDepth depth(solver.model().mesh);
+  GeometricDepth depth(solver.mesh());
   Impact result;
   run_to_end(solver, [&] {
     depth.take([&](std::size_t node) { return position_of(solver, node); });

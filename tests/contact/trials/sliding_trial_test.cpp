@@ -66,7 +66,7 @@ Braking brake(const Block& block_on_it, const Floor& floor, const Variant& varia
   Solver<double> solver(with_contact(scene, variant));
   const auto place = [&] {
     double x = 0;
-    const auto& mesh = solver.model().mesh;
+    const auto& mesh = solver.mesh();
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
       if (mesh.body_of_node[n] == 1) x += position_of(solver, n)[0] / (25 * (layers + 1));
     }
@@ -120,7 +120,7 @@ Ride ride(const Variant& variant) {
   Solver<double> solver(with_contact(scene, variant));
 
   std::vector<std::size_t> top;
-  const auto& mesh = solver.model().mesh;
+  const auto& mesh = solver.mesh();
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const Point& x = mesh.nodes[n];
     if (x[2] > 0.15 && std::abs(x[0]) > 0.11 && std::abs(x[1]) > 0.11) top.push_back(n);
