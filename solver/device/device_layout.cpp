@@ -8,7 +8,10 @@ namespace pinball {
 
 namespace {
 
-constexpr std::int64_t whole_rows(std::int64_t places) { return (places + device_row - 1) / device_row * device_row; }
+template <int n>
+constexpr std::size_t multiple_of(std::size_t places) {
+  return (places + n - 1) / n * n;
+}
 
 }  // namespace
 
@@ -24,8 +27,11 @@ DeviceLayout<S>::DeviceLayout(const Model<S>& model)
         place_of_slot_[static_cast<std::size_t>(slot)] = static_cast<std::int64_t>(slot_of_place_.size());
         slot_of_place_.push_back(slot);
       }
+      slot_of_place_.resize(multiple_of<widest_pack<S>>(slot_of_place_.size()), -1);
+      tile_.resize(slot_of_place_.size() / widest_pack<S>, static_cast<std::int32_t>(tile));
     }
-    slot_of_place_.resize(static_cast<std::size_t>(whole_rows(static_cast<std::int64_t>(slot_of_place_.size()))), -1);
+    slot_of_place_.resize(multiple_of<device_row>(slot_of_place_.size()), -1);
+    tile_.resize(slot_of_place_.size() / widest_pack<S>, static_cast<std::int32_t>(tile - 1));
     parts_.push_back(
         {model.parts[part].features, model.constants[part], first, static_cast<std::int64_t>(slot_of_place_.size())});
   }
@@ -82,6 +88,9 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   mesh.parts = parts_;
   mesh.corner = rows_of(model.elements.corner, 8);
   repeat_last_element(mesh.corner);
+  mesh.tiles = static_cast<std::int32_t>(model.tile_count());
+  mesh.tile = Array<std::int32_t>(tile_.size());
+  std::copy(tile_.begin(), tile_.end(), mesh.tile.data());
   mesh.mass_share = rows_of(model.elements.mass_share, 1);
   mesh.inverse_mass = Array<S>(static_cast<std::size_t>(mesh.nodes));
   mesh.node_mass = Array<double>(static_cast<std::size_t>(mesh.nodes));

@@ -9,8 +9,8 @@
 
 namespace pinball {
 
-/// Where the elements of a model lie on a device: in the order of the slots, part after part, without the padding of
-/// tiles.
+/// Where the elements of a model lie on a device: in the order of the slots, part after part, each tile and part from
+/// the beginning of a pack of the widest kind.
 template <class S>
 class DeviceLayout {
  public:
@@ -37,6 +37,7 @@ class DeviceLayout {
 
   std::vector<std::int64_t> slot_of_place_;  ///< -1: padding
   std::vector<std::int64_t> place_of_slot_;  ///< -1: padding
+  std::vector<std::int32_t> tile_;           ///< per pack of the widest kind
   std::vector<DevicePart<S>> parts_;
 };
 

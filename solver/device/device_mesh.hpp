@@ -27,8 +27,10 @@ template <class S>
 struct DeviceMesh {
   std::int32_t nodes = 0;
   std::int64_t places = 0;  ///< with padding
+  std::int32_t tiles = 0;
   std::vector<DevicePart<S>> parts;
   Array<std::int32_t> corner;            ///< [places x 8] in rows: nodes
+  Array<std::int32_t> tile;              ///< [places / widest_pack]: of the host, each of whole packs of that width
   Array<S> mass_share;                   ///< [places]; empty: nothing has added mass
   Array<S> inverse_mass;                 ///< [nodes] [1/mass]
   Array<double> node_mass;               ///< [nodes] [mass]

@@ -5,10 +5,12 @@
 
 #include <vector>
 
+#include <solver/base/built_features.hpp>
 #include <solver/base/error.hpp>
 #include <solver/boundary/space/make_boundary_kernels.hpp>
 
 #include "devices.hpp"
+#include "resting_list.hpp"
 
 namespace pinball {
 
@@ -62,14 +64,53 @@ void DeviceRun<S>::bring_back(Model<S>& model) {
 }
 
 template <class S>
-InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, S dt, bool with_sums) {
-  if (host_is_newer_) {
-    state_ = layout_.state(model);
-    step_->write(state_);
-    host_is_newer_ = false;
+void DeviceRun<S>::bring_back(const Model<S>& model, Schedule<S>& schedule) {
+  if (knows_resting_) schedule.set_resting(model, step_->read_resting());
+}
+
+/// Sends what the host has changed. Returns whether tiles that rest were found anew.
+template <class S>
+bool DeviceRun<S>::take_changes(const Model<S>& model, Schedule<S>& schedule, const InternalForces<S>& forces) {
+  if (!host_is_newer_) return false;
+  host_is_newer_ = false;
+  state_ = layout_.state(model);
+  step_->write(state_);
+  step_->set_resting({});
+  knows_resting_ = false;
+  if (schedule.resting() != nullptr) {  // of a checkpoint
+    tell_resting(model, schedule, forces);
+    return false;
   }
+  if (built::resting) schedule.find_resting(model);
+  return built::resting;
+}
+
+template <class S>
+void DeviceRun<S>::tell_resting(const Model<S>& model, const Schedule<S>& schedule, const InternalForces<S>& forces) {
+  const DeviceResting<S> list = resting_list(model, *schedule.resting(), forces.tiles());
+  step_->set_resting(list);
+  resting_ = list.tile;
+  knows_resting_ = true;
+}
+
+/// Which tiles rest is found before they are worked, which changes nothing of it. They are worked once more, for the
+/// stable steps that they keep from then on.
+template <class S>
+InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Schedule<S>& schedule,
+                                                     InternalForces<S>& forces, S dt, bool with_sums) {
+  RestingTotals<S> resting;
+  ElementTotals<S> totals;
+  const bool found = take_changes(model, schedule, forces);
   device_is_newer_ = true;
-  const ElementTotals<S> totals = step_->update_elements(dt);
+  if (found) {
+    Array<S> rates;
+    totals = step_->update_elements(dt, rates);
+    keep_time_steps(model, layout_, *schedule.resting(), rates, forces);
+    tell_resting(model, schedule, forces);
+  } else {
+    resting = step_->wake();
+    totals = step_->update_elements(dt);
+  }
   if (with_sums) step_->sum_corner_forces();
   InternalForceResult<S> result;
   result.internal = totals.internal;
@@ -78,6 +119,12 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, S dt
   result.eroded = totals.eroded;
   result.time_step = S(2) / totals.stable_rate;  // infinite without living elements
   result.time_step_slot = totals.place < 0 ? -1 : layout_.slot_of_place(totals.place);
+  if (resting.index >= 0 && resting.time_step < result.time_step) {
+    result.time_step = resting.time_step;
+    const std::int32_t tile = resting_[static_cast<std::size_t>(resting.index)];
+    result.time_step_slot = forces.tiles()[static_cast<std::size_t>(tile)].time_step_slot;
+  }
+  if (model.scene.skip.resting) result.resting_elements = resting.elements;
   result.eroded_count = totals.eroded_count;
   result.inverted_count = totals.inverted_count;
   return result;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <solver/boundary/space/boundary_kernels.hpp>
 #include <solver/elements/internal_forces.hpp>
@@ -26,6 +27,8 @@ class DeviceRun {
 
   /// Copies the state into the stores, if the device has changed it since.
   void bring_back(Model<S>& model);
+  /// Of the tiles that rest.
+  void bring_back(const Model<S>& model, Schedule<S>& schedule);
   /// The stores have been changed: the next step begins with them.
   void host_has_changed() { host_is_newer_ = true; }
 
@@ -33,18 +36,25 @@ class DeviceRun {
   std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const;
   NodeArrays<S> nodes() { return step_->nodes(); }
 
+  /// As InternalForces::compute, for schedules without subcycling; `forces` keeps the stable steps of tiles at rest.
   /// with_sums: the forces of nodes have those of their corners, for who adds more before nodes are integrated.
-  InternalForceResult<S> update_elements(const Model<S>& model, S dt, bool with_sums);
+  InternalForceResult<S> update_elements(const Model<S>& model, Schedule<S>& schedule, InternalForces<S>& forces, S dt,
+                                         bool with_sums);
   double integrate(const StepLengths& step);
 
   std::size_t bytes() const;  ///< of both, less the stores of the model
 
  private:
+  bool take_changes(const Model<S>& model, Schedule<S>& schedule, const InternalForces<S>& forces);
+  void tell_resting(const Model<S>& model, const Schedule<S>& schedule, const InternalForces<S>& forces);
+
   Device device_;
   DeviceLayout<S> layout_;
   std::unique_ptr<DeviceStep<S>> step_;
   DeviceState<S> state_;  ///< what crosses over, in the device's layout
   bool host_is_newer_ = true, device_is_newer_ = false;
+  bool knows_resting_ = false;         ///< the device, which tiles rest
+  std::vector<std::int32_t> resting_;  ///< those of which it was told
 };
 
 }  // namespace pinball

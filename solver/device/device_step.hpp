@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <kernels/boundary/node_arrays.hpp>
 
 #include "device_mesh.hpp"
+#include "device_resting.hpp"
 #include "element_totals.hpp"
 
 namespace pinball {
@@ -20,8 +23,18 @@ class DeviceStep {
   virtual void write(const DeviceState<S>& state) = 0;  ///< from the host
   virtual void read(DeviceState<S>& state) const = 0;   ///< to the host
 
-  /// Stresses and corner forces of all elements; dt: the step just made [time].
+  /// Stresses and corner forces of the elements; dt: the step just made [time]. Tiles at rest are left out.
   virtual ElementTotals<S> update_elements(S dt) = 0;
+  /// The same; rates, per place: 2/dt of the stable step dt of each element [1/time].
+  virtual ElementTotals<S> update_elements(S dt, Array<S>& rates) = 0;
+
+  /// These tiles rest from now on. Before, none does.
+  virtual void set_resting(const DeviceResting<S>& tiles) = 0;
+  /// Before elements are updated: wakes the tiles that something has reached.
+  virtual RestingTotals<S> wake() = 0;
+  /// Per tile: whether it rests; after set_resting.
+  virtual std::vector<std::uint8_t> read_resting() const = 0;
+
   /// What boundary conditions work on; good until the next write().
   virtual NodeArrays<S> nodes() = 0;
   /// Sums of the corner forces into those of the nodes, for those who add to them before nodes are integrated.

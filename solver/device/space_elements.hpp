@@ -8,6 +8,18 @@
 /// The element kernel on an execution space: a thread works one lane of a device, or one pack of the host.
 namespace pinball {
 
+/// Which elements belong to tiles at rest. These do not set the step: they keep theirs.
+struct RestingElements {
+  const std::int32_t* tile;   ///< per pack of the widest kind
+  const std::uint8_t* rests;  ///< per tile; null: nothing rests
+  bool worked;                ///< all the same
+
+  template <class S>
+  PINBALL_FUNCTION bool has(std::int64_t place) const {
+    return rests != nullptr && rests[tile[place / widest_pack<S>]] != 0;
+  }
+};
+
 /// A part of the elements, in the memory of the space.
 template <class S>
 struct ElementLaunch {
@@ -16,6 +28,8 @@ struct ElementLaunch {
   ElementConstants<S> constants;
   S dt;
   S* corner_force;
+  RestingElements resting;
+  S* rates;  ///< per place: 2/dt of its stable step dt; null: not asked for [1/time]
   std::int64_t first, last;
 };
 
@@ -25,11 +39,16 @@ struct UpdatesElements {
   ElementLaunch<S> launch;
 
   PINBALL_FUNCTION void operator()(std::int64_t pack, ElementTotals<S>& totals) const {
+    const std::int64_t first = pack * width_of<T>;
+    const bool rests = launch.resting.template has<S>(first);
+    if (rests && !launch.resting.worked) return;
     ElementSums<T> sums;
     update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants,
                                                  ElementStep<S>{launch.dt}, pack, 0, sums,
                                                  KeptAtCorners<S>{launch.corner_force});
-    totals.add(sums, pack * width_of<T>);
+    if (launch.rates != nullptr) store(sums.stable_rate, launch.rates + first);
+    if (rests) sums.stable_rate = T(0);
+    totals.add(sums, first);
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include "device_step.hpp"
 #include "space_elements.hpp"
+#include "space_resting.hpp"
 
 /// DeviceStep on an execution space. Its functors hold pointers and numbers alone, and are handed over by value.
 namespace pinball {
@@ -65,6 +66,8 @@ class SpaceStep final : public DeviceStep<S> {
  public:
   explicit SpaceStep(const DeviceMesh<S>& mesh)
       : nodes_(mesh.nodes),
+        tiles_(mesh.tiles),
+        tile_(copy_of(mesh.tile)),
         corner_(copy_of(mesh.corner)),
         mass_share_(copy_of(mesh.mass_share)),
         inverse_mass_(copy_of(mesh.inverse_mass)),
@@ -86,20 +89,18 @@ class SpaceStep final : public DeviceStep<S> {
     state.with(state_, [](auto& theirs, const auto& mine) { deep_copy(theirs, mine); });
   }
 
-  ElementTotals<S> update_elements(S dt) override {
-    ElementTotals<S> totals;
-    for (const Part& part : parts_) {
-      totals.join(part.kernel({elements(),
-                               {state_.position.data(), state_.velocity.data(), nullptr},
-                               part.constants,
-                               dt,
-                               corner_force_.data(),
-                               part.first,
-                               part.last}));
-    }
-    summed_ = false;
+  ElementTotals<S> update_elements(S dt) override { return update_parts(dt, nullptr); }
+  ElementTotals<S> update_elements(S dt, Array<S>& rates) override {
+    Array<S, Memory> kept(corner_force_.size() / 24);
+    const ElementTotals<S> totals = update_parts(dt, kept.data());
+    rates.renew(kept.size());
+    deep_copy(rates, kept);
     return totals;
   }
+
+  void set_resting(const DeviceResting<S>& tiles) override { resting_.set(tiles, tiles_); }
+  RestingTotals<S> wake() override { return resting_.wake(state_.velocity.data()); }
+  std::vector<std::uint8_t> read_resting() const override { return resting_.read(); }
 
   NodeArrays<S> nodes() override {
     return {state_.position.data(), state_.velocity.data(), force_.data(),
@@ -128,7 +129,8 @@ class SpaceStep final : public DeviceStep<S> {
 
   std::size_t bytes() const override {
     return corner_.bytes() + mass_share_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() + first_of_node_.bytes() +
-           corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes();
+           corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() + tile_.bytes() +
+           resting_.bytes();
   }
 
  private:
@@ -137,6 +139,23 @@ class SpaceStep final : public DeviceStep<S> {
     ElementConstants<S> constants;
     std::int64_t first, last;
   };
+
+  ElementTotals<S> update_parts(S dt, S* rates) {
+    ElementTotals<S> totals;
+    for (const Part& part : parts_) {
+      totals.join(part.kernel({elements(),
+                               {state_.position.data(), state_.velocity.data(), nullptr},
+                               part.constants,
+                               dt,
+                               corner_force_.data(),
+                               {tile_.data(), resting_.rests(), resting_.worked()},
+                               rates,
+                               part.first,
+                               part.last}));
+    }
+    summed_ = false;
+    return totals;
+  }
 
   template <class T>
   static Array<T, Memory> copy_of(const Array<T>& array) {
@@ -180,6 +199,8 @@ class SpaceStep final : public DeviceStep<S> {
   }
 
   std::int64_t nodes_;
+  std::int32_t tiles_;
+  Array<std::int32_t, Memory> tile_;
   Array<std::int32_t, Memory> corner_;
   Array<S, Memory> mass_share_, inverse_mass_;
   Array<double, Memory> node_mass_;
@@ -187,6 +208,7 @@ class SpaceStep final : public DeviceStep<S> {
   DeviceState<S, Memory> state_;
   Array<S, Memory> force_;         ///< of nodes, in records of four; zero between steps [force]
   Array<S, Memory> corner_force_;  ///< of KeptAtCorners [force]
+  SpaceResting<S, Space> resting_;
   std::vector<Part> parts_;
   std::vector<Array<S, Memory>> tables_;
   bool summed_ = false;  ///< force_ has what the corners do

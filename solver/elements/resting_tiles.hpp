@@ -32,21 +32,22 @@ class RestingTiles {
   /// Drops the tiles whose nodes no longer have one velocity. Returns whether there were any.
   bool wake(const NodeStore<S>& nodes);
 
+  /// A tile that rests.
+  struct Tile {
+    std::int32_t number = 0;
+    std::int32_t elements = 0;
+    std::vector<NodeRange> nodes;  ///< few: nodes are in the order of their elements
+  };
+  const std::vector<Tile>& tiles() const { return tiles_; }  ///< ascending
   bool rests(std::int32_t tile) const { return rests_[tile] != 0; }
   const std::vector<std::uint8_t>& flags() const { return rests_; }  ///< per tile of the model: whether it rests
   std::int64_t elements() const { return elements_; }                ///< of the tiles that rest
   std::size_t bytes() const;
 
  private:
-  struct Tile {
-    std::int32_t number = 0;
-    std::int32_t elements = 0;
-    std::vector<NodeRange> nodes;  ///< few: nodes are in the order of their elements
-  };
-
   void drop_awake();
 
-  std::vector<Tile> tiles_;          ///< those that rest
+  std::vector<Tile> tiles_;
   std::vector<std::uint8_t> rests_;  ///< per tile of the model
   std::int64_t elements_ = 0;
 };

@@ -31,11 +31,20 @@ typename Schedule<S>::LeftOut Schedule<S>::end_work(const Model<S>& model, const
   if (subcycling_) return {0, subcycling_->count_elements(results, due.step_of_cycle)};
   if constexpr (!built::resting) return {};
   const LeftOut left_out{resting_ && model.scene.skip.resting ? resting_->elements() : 0, 0};
-  if (!resting_) {
-    resting_.emplace(model);
-    choose_awake(model);
-  }
+  if (!resting_) find_resting(model);
   return left_out;
+}
+
+template <class S>
+void Schedule<S>::find_resting(const Model<S>& model) {
+  resting_.emplace(model);
+  choose_awake(model);
+}
+
+template <class S>
+void Schedule<S>::set_resting(const Model<S>& model, const std::vector<std::uint8_t>& rests) {
+  resting_.emplace(model, rests);
+  choose_awake(model);
 }
 
 /// Frequencies of elements and of contact add in squares: w^2 <= w_elements^2 + w_contact^2.
@@ -78,8 +87,7 @@ void Schedule<S>::persist(StateArchive& archive, const Model<S>& model) {
   resting_.reset();
   if (rests.empty()) return;
   if (rests.size() != model.tile_part.size()) StateArchive::throw_foreign();
-  resting_.emplace(model, rests);
-  choose_awake(model);
+  set_resting(model, rests);
 }
 
 template <class S>

@@ -87,6 +87,12 @@ class Schedule {
   /// To be told when velocities or element states were changed by others than the step: the next one works all tiles
   /// and looks anew which of them rest.
   void forget_resting() { resting_.reset(); }
+  /// Null: not known, or nobody asks for it.
+  const RestingTiles<S>* resting() const { return resting_ ? &*resting_ : nullptr; }
+  /// Finds the tiles that rest, in a model without subcycling.
+  void find_resting(const Model<S>& model);
+  /// rests: per tile, as of RestingTiles::flags().
+  void set_resting(const Model<S>& model, const std::vector<std::uint8_t>& rests);
   const Subcycling<S>* subcycling() const { return subcycling_ ? &*subcycling_ : nullptr; }
 
   /// model: with its own state read before.

@@ -136,7 +136,7 @@ template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
   const auto dt = static_cast<S>(clock_.dt());
   return timers_.measure(Phase::internal_forces, [&] {
-    if (device_) return device_->update_elements(model_, dt, boundary_.any());
+    if (device_) return device_->update_elements(model_, schedule_, internal_forces_, dt, boundary_.any());
     return internal_forces_.compute(model_, schedule_, due, dt);
   });
 }
@@ -295,7 +295,10 @@ std::size_t Solver<S>::bytes() const {
 
 template <class S>
 void Solver<S>::persist(StateArchive& archive) {
-  if (!archive.reads()) model();
+  if (!archive.reads() && device_) {
+    device_->bring_back(model_);
+    device_->bring_back(model_, schedule_);
+  }
   model_.persist(archive);
   if (archive.reads() && device_) device_->host_has_changed();
   internal_forces_.persist(archive, model_);
