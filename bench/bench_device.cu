@@ -3,7 +3,11 @@
 // anything else:
 //
 //     nvcc -std=c++20 -O3 -arch=native -I. bench/bench_device.cu -o bench_device
-//     ./bench_device [n ...]            default: 60 120 216
+//     ./bench_device [n ...]                            default: 60 120 216
+//     ./bench_device --steps COUNT [n ...]              so many steps, for a sanitizer; no copy is measured
+//     ./bench_device --bytes                            only the bytes below, without a GPU
+//
+// bench/device does this, and makes tables of it.
 //
 // Each line: precision, n, steps, seconds, element steps per second, bytes of an element and step where every array is
 // read and written once, and the rate of those bytes over that of the copy.
@@ -152,6 +156,8 @@ Block<S> make_block(int n, const ElementFeatures& features) {
   return block;
 }
 
+constexpr int all_steps = 1 << 30;
+
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Of an element and a step: all arrays once, the nodes' as if there were one for each element.
@@ -190,12 +196,13 @@ double copy_rate() {
 }
 
 template <class S>
-void measure(const char* precision, const char* what, int n, const ElementFeatures& features, double bandwidth) {
+void measure(const char* precision, const char* what, int n, int most_steps, const ElementFeatures& features,
+             double bandwidth) {
   const Block<S> block = make_block<S>(n, features);
   SpaceStep<S, Cuda> step(block.mesh);
   step.write(block.state);
   const double elements = double(n) * n * n, dt = 0.3 * 0.1 / 2.3e5;
-  const int steps = std::max(20, static_cast<int>(2e9 / elements));
+  const int steps = std::min(most_steps, std::max(20, static_cast<int>(2e9 / elements)));
   const auto run = [&](int count) {
     double energy = 0;
     for (int i = 0; i < count; ++i) {
@@ -214,22 +221,44 @@ void measure(const char* precision, const char* what, int n, const ElementFeatur
               precision, what, n, steps, time, 1e-9 * rate, bytes, 100 * bytes * rate / bandwidth, energy);
 }
 
+/// Calls measured(precision, its zero, name of the features, features) for each kind of step.
+template <class Measured>
+void for_each_kind(const Measured& measured) {
+  measured("double", 0.0, "everything", everything);
+  measured("double", 0.0, "viscous", viscous);
+  measured("double", 0.0, "elastic", elastic);
+  measured("float", 0.0F, "everything", everything);
+  measured("float", 0.0F, "viscous", viscous);
+  measured("float", 0.0F, "elastic", elastic);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   std::vector<int> sizes;
-  for (int i = 1; i < count; ++i) sizes.push_back(std::atoi(words[i]));
+  int most_steps = all_steps;
+  for (int i = 1; i < count; ++i) {
+    const std::string word = words[i];
+    if (word == "--bytes") {
+      for_each_kind([](const char* precision, auto zero, const char* what, const ElementFeatures& features) {
+        std::printf("%s %s %.0f\n", precision, what, bytes_of<decltype(zero)>(features));
+      });
+      return 0;
+    }
+    if (word == "--steps" && i + 1 < count) {
+      most_steps = std::atoi(words[++i]);
+    } else {
+      sizes.push_back(std::atoi(words[i]));
+    }
+  }
   if (sizes.empty()) sizes = {60, 120, 216};
   try {
-    const double bandwidth = copy_rate();
+    const double bandwidth = most_steps == all_steps ? copy_rate() : NAN;
     std::printf("copy: %.0f GB/s\n", 1e-9 * bandwidth);
     for (const int n : sizes) {
-      measure<double>("double", "everything", n, everything, bandwidth);
-      measure<double>("double", "viscous", n, viscous, bandwidth);
-      measure<double>("double", "elastic", n, elastic, bandwidth);
-      measure<float>("float", "everything", n, everything, bandwidth);
-      measure<float>("float", "viscous", n, viscous, bandwidth);
-      measure<float>("float", "elastic", n, elastic, bandwidth);
+      for_each_kind([&](const char* precision, auto zero, const char* what, const ElementFeatures& features) {
+        measure<decltype(zero)>(precision, what, n, most_steps, features, bandwidth);
+      });
     }
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "bench_device: %s\n", failure.what());
