@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/core.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -19,7 +20,8 @@ struct Finished {
 /// pinball with these arguments of a shell.
 inline Finished run(const std::string& arguments) {
   Finished result;
-  std::FILE* pipe = ::popen((std::string(PINBALL_PROGRAM) + ' ' + arguments + " 2>&1").c_str(), "r");
+  const std::string command = fmt::format("{} {} 2>&1", PINBALL_PROGRAM, arguments);
+  std::FILE* pipe = ::popen(command.c_str(), "r");
   std::array<char, 4096> piece{};
   for (std::size_t n = 0; (n = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;)
     result.text.append(piece.data(), n);
