@@ -43,9 +43,18 @@ Held held_of(const Fields& f, const KeywordBlock& block) {
 
 void translate_node_codes(DeckData& data, TomlText& scene) {
   std::map<unsigned, std::vector<std::int64_t>> nodes;
+  LeftOut left_out;
   for (std::size_t n = 0; n < data.mesh.held.size(); ++n) {
-    if (data.mesh.held[n] != 0 && data.used[n]) nodes[data.mesh.held[n]].push_back(data.mesh.node_ids[n]);
+    if (data.mesh.held[n] == 0) continue;
+    if (data.used[n]) {
+      nodes[data.mesh.held[n]].push_back(data.mesh.node_ids[n]);
+    } else {
+      left_out.add(data.mesh.node_ids[n]);
+    }
   }
+  if (left_out.count > 0)
+    data.report.understood(fmt::format("*NODE: TC of {} node{} of no solid is not used, the first is node {}",
+                                       left_out.count, left_out.count == 1 ? "" : "s", left_out.first));
   for (const auto& [directions, numbers] : nodes) {
     scene.entry("constraint", "TC of *NODE");
     write_held(data, {directions, 0, {}}, {}, scene);

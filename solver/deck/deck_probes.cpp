@@ -49,7 +49,8 @@ class ProbeKeywords {
     return set->members;
   }
   void write(const KeywordBlock& block, std::size_t at, const DeckPlace& place, TomlText& scene) {
-    if ((!used_.empty() && !used_[at]) || !watched_.insert(ids_[at]).second) return;
+    if (!watched_.insert(ids_[at]).second) return;
+    if (!used_.empty() && !used_[at]) return data_.report.ignore_node(place, block.star_name());
     write_head("probe", block, place, scene);
     scene.key("name", fmt::format("{}_{}", kind_, ids_[at]));
     scene.key(kind_, ids_[at]);

@@ -14,6 +14,10 @@ class DeckReport {
   void understood(const std::string& line) { understood_.push_back(line); }
   void ignore(const KeywordBlock& block) { ignore(block.place, block.star_name()); }
   void ignore(const DeckPlace& place, const std::string& what) { count(ignored_, what, place, ""); }
+  /// A node of no solid that a keyword names: it has no mass, and nothing moves with it.
+  void ignore_node(const DeckPlace& place, const std::string& star_name) {
+    ignore(place, star_name + " of a node of no solid");
+  }
   void refuse(const KeywordBlock& block, const std::string& reason = "") {
     count(refused_, block.star_name(), block.place, reason);
   }

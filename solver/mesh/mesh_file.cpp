@@ -178,6 +178,11 @@ void keep_used_nodes(MeshFile& file) {
     for (const std::int32_t node : hexahedron) place[node] = 0;
   }
   if (std::ranges::count(place, -1) == 0) return;
+  for (MeshSet& set : file.node_sets) {
+    for (const std::int32_t node : set.members) {
+      if (place[node] < 0) set.left_out.add(number_of(file.node_ids, node));
+    }
+  }
   std::int32_t kept = 0;
   for (std::size_t n = 0; n < place.size(); ++n) {
     if (place[n] < 0) continue;
@@ -201,8 +206,12 @@ void keep_used_nodes(MeshFile& file) {
   }
 }
 
+std::int64_t number_of(const std::vector<std::int64_t>& ids, std::int32_t place) {
+  return ids.empty() ? place : ids[static_cast<std::size_t>(place)];
+}
+
 std::string element_name(const MeshFile& file, std::int32_t e) {
-  const std::string number = fmt::format("element {}", file.element_ids.empty() ? e : file.element_ids[e]);
+  const std::string number = fmt::format("element {}", number_of(file.element_ids, e));
   return file.line.empty() ? number : fmt::format("{} (line {} of {})", number, file.line[e], path_of_element(file, e));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -10,12 +11,24 @@
 
 namespace pinball {
 
+/// Nodes or elements of a set that no body has: nothing is done with them, which who uses the set is told.
+struct LeftOut {
+  std::size_t count = 0;
+  std::int64_t first = 0;  ///< the smallest of their numbers in the file
+
+  void add(std::int64_t number) {
+    first = count == 0 ? number : std::min(first, number);
+    ++count;
+  }
+};
+
 /// Members of a set that a file gives a number, a name or both: nodes or elements as places in the mesh.
 struct MeshSet {
   std::int64_t id = 0;  ///< 0: none
   std::string name;
   std::vector<std::int32_t> members;
   std::string problem{};  ///< what is wrong with it, for who uses it; empty: nothing
+  LeftOut left_out{};
 };
 
 /// A set of faces, each of four corners; of a triangle the last one stands twice.
@@ -24,6 +37,7 @@ struct FaceSet {
   std::string name;
   std::vector<std::array<std::int32_t, 4>> faces;  ///< corner -1: of a node that no hexahedron has
   std::string problem{};                           ///< as of a MeshSet
+  std::size_t left_out = 0;                        ///< faces that no body has
 };
 
 struct MeshPart {
@@ -86,8 +100,11 @@ std::vector<MeshGroup> groups_of(const MeshFile& file);
 /// The nodes of faces, ascending, each once; of faces of no hexahedron those that there are.
 std::vector<std::int32_t> nodes_of_faces(const std::vector<std::array<std::int32_t, 4>>& faces);
 
-/// Drops the nodes that no hexahedron has, also from the sets; of faces their corners become -1.
+/// Drops the nodes that no hexahedron has, also from the sets, which count them; of faces their corners become -1.
 void keep_used_nodes(MeshFile& file);
+
+/// The number of a node or an element of these; where a file has none (empty) its place.
+std::int64_t number_of(const std::vector<std::int64_t>& ids, std::int32_t place);
 
 /// What a message calls an element: by the file's own number and, where they are known, its line.
 std::string element_name(const MeshFile& file, std::int32_t element);

@@ -15,7 +15,7 @@
 #include <solver/base/error.hpp>
 #include <solver/base/point.hpp>
 #include <solver/base/tile_size.hpp>
-#include <solver/model/selection/left_out_faces.hpp>
+#include <solver/model/selection/left_out.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/scene_rules.hpp>
 
@@ -347,7 +347,7 @@ Model<S> build_model(const Scene& given) {
   number_ties(model);
   set_constraints(model, 0);
   set_initial_velocity(model);
-  const std::vector<std::string> left_out = find_left_out_faces(model.scene, model.mesh);
+  const std::vector<std::string> left_out = find_left_out(model.scene, model.mesh);
   model.mesh.warnings.insert(model.mesh.warnings.end(), left_out.begin(), left_out.end());
   return model;
 }

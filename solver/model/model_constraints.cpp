@@ -58,7 +58,9 @@ std::vector<GivenDirection> given_directions(const Model<S>& model, double time)
     directions.push_back({model.node_of_scene_node[scene_node], direction, speed, table, false});
   };
   for (const PlaneConstraint& plane : scene.constraints) {
-    for (const std::int32_t n : matching_nodes(model.mesh, nodes_of(plane))) hold(n, plane.normal);
+    const NodeSelection nodes = nodes_of(plane);  // none may lie on a plane, but a set is meant to have some
+    for (const std::int32_t n : plane.set.empty() ? matching_nodes(model.mesh, nodes) : select_nodes(model.mesh, nodes))
+      hold(n, plane.normal);
     ++constraint;
   }
   for (const FixedConstraint& fixed : scene.fixed_constraints) {

@@ -131,6 +131,14 @@ TEST_F(Abaqus, HoldsNodesByDegreesAndNames) {
               HasSubstr("deck.inp:24: node 99 is not there"));
 }
 
+TEST_F(Abaqus, NodesOfNoSolidAreTold) {
+  const std::string lone = abaqus_cube + abaqus_steel + "*NODE\n99, 5., 0., 0.\n";
+  EXPECT_THAT(translate(lone + "*BOUNDARY\n99, 1, 3\n" + abaqus_step()).ignored,
+              ElementsAre(HasSubstr("*BOUNDARY of a node of no solid (")));
+  EXPECT_THAT(translate(lone + "*INITIAL CONDITIONS, TYPE=VELOCITY\n99, 1, 2.\n" + abaqus_step()).ignored,
+              ElementsAre(HasSubstr("*INITIAL CONDITIONS of a node of no solid (")));
+}
+
 TEST_F(Abaqus, MovesNodesAsItsAmplitudesSay) {
   const std::string head = abaqus_cube + abaqus_steel + "*AMPLITUDE, NAME=Up\n0., 0., 1., 3.\n";
   const Scene s =

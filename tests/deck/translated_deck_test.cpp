@@ -10,8 +10,10 @@
 namespace pinball::test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::UnorderedElementsAre;
 
 class Deck : public DeckTest {};
 
@@ -318,6 +320,19 @@ TEST_F(Deck, LenientLeavesOutOutputAndControlsAlone) {
 TEST_F(Deck, IgnoresAreListed) {
   EXPECT_THAT(translate(cube + elastic + ends + "*CONTROL_ENERGY\n2\n*DATABASE_ABSTAT\n").ignored,
               ElementsAre(HasSubstr("*CONTROL_ENERGY ("), HasSubstr("*DATABASE_ABSTAT (")));
+}
+
+/// A node that no solid has: it has no mass, and nothing could happen to it.
+TEST_F(Deck, NodesOfNoSolidAreTold) {
+  const std::string lone = "*NODE\n97,3,0,0,7\n98,3,0,0,7\n99,3,0,0\n";
+  const TranslatedDeck deck = translate(cube + elastic + ends + lone +
+                                        "*BOUNDARY_SPC_NODE\n1,0,1\n98,0,1\n99,0,1\n*INITIAL_VELOCITY_NODE\n99,1.\n"
+                                        "*DATABASE_HISTORY_NODE\n1,99\n");
+  EXPECT_THAT(deck.understood, Contains("*NODE: TC of 2 nodes of no solid is not used, the first is node 97"));
+  EXPECT_THAT(deck.ignored,
+              UnorderedElementsAre(HasSubstr("*BOUNDARY_SPC_NODE of a node of no solid (2 times, first in "),
+                                   HasSubstr("*INITIAL_VELOCITY_NODE of a node of no solid ("),
+                                   HasSubstr("*DATABASE_HISTORY_NODE of a node of no solid (")));
 }
 
 TEST_F(Deck, WhatIsMissingIsNamedWithItsPlace) {

@@ -11,6 +11,7 @@
 #include <tests/support/cube_text.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/scene_fixture.hpp>
+#include <tests/support/scene_text.hpp>
 
 /// Bodies that are parts of one mesh file.
 namespace pinball::test {
@@ -19,6 +20,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 /// Two unit cubes, parts 1 and 2, that share the face of nodes 50 to 80; nodes are numbered in tens, and the last four
 /// are of no solid.
@@ -50,6 +52,14 @@ ends
 second
 10
 2
+*SET_NODE_LIST_TITLE
+mixed
+12
+80,110,140,130
+*SET_SOLID_TITLE
+all
+13
+1,2
 *NODE
 )" + square_lines(130, 9, 10) +
                               "*END\n";
@@ -158,6 +168,59 @@ TEST_F(FileBodies, FacesOfASetThatNoBodyHasAreTold) {
   EXPECT_THAT(told(pair, lower), ElementsAre(HasSubstr("contact.pair.0.first: 2 of the 3 faces of the set 11")));
   EXPECT_THAT(told(tied, lower), ElementsAre(HasSubstr("contact.tied.0.second: 2 of the 3 faces of the set ends")));
   EXPECT_THAT(told("[[pressure]]\npressure = 1\nset = \"lid\"", both), IsEmpty());
+}
+
+/// Sets of nodes and elements, too, wherever something acts on nodes; by numbers of the file.
+TEST_F(FileBodies, NodesOfASetThatNoBodyHasAreTold) {
+  const std::string lower = R"(mesh = { type = "keyword", file = "cubes.k", part = "1" })",
+                    both = R"(mesh = { type = "keyword", file = "cubes.k" })";
+  const auto told = [&](const std::string& lines, const std::string& mesh) {
+    return build_model<double>(read(with(14, mesh + "\n" + lines))).mesh.warnings;
+  };
+  const std::string fixed = "[[constraint]]\ntype = \"fixed\"\ndirections = [\"z\"]\nset = ";
+  EXPECT_THAT(
+      told(fixed + "\"mixed\"", both),
+      ElementsAre(HasSubstr("2 of the 4 nodes of the set mixed are of no body and left out, the first is node 130")));
+  EXPECT_THAT(
+      told(fixed + "\"12\"", lower),
+      ElementsAre(HasSubstr("3 of the 4 nodes of the set 12 are of no body and left out, the first is node 110")));
+  EXPECT_THAT(
+      told(fixed + "\"all\"", lower),
+      ElementsAre(HasSubstr("1 of the 2 elements of the set all is of no body and left out, the first is element 2")));
+  EXPECT_THAT(told("[[load]]\nforce = [1, 0, 0]\nset = \"ends\"", both),
+              ElementsAre(HasSubstr("1 of the 3 faces of the set ends is of no body and left out")));
+  EXPECT_THAT(told("[[initial_velocity]]\nvelocity = [1, 0, 0]\nset = \"mixed\"", both), SizeIs(1));
+  EXPECT_THAT(told("[[contact.tied]]\nfirst = { nodes = \"mixed\" }\nsecond = \"bar\"", both),
+              ElementsAre(HasSubstr("contact.tied.0.first: 2 of the 4 nodes of the set mixed")));
+  EXPECT_THAT(told(fixed + "\"top\"", both), IsEmpty());
+  EXPECT_THAT(told("", lower), IsEmpty()) << "nothing names the sets";
+}
+
+/// What a reader drops since no element uses it: the end of the left part, of which no body is.
+TEST_F(FileBodies, NodesOfASetThatAReaderDropsAreTold) {
+  std::ostringstream mesh;
+  mesh << std::ifstream(PINBALL_SOURCE_DIR "/tests/data/two_volumes_22.msh").rdbuf();
+  std::ofstream(folder_ / "part.msh") << replaced(mesh.str(), "1 5 8 4\n", "1 90 110 4\n");
+  const auto right = R"(mesh = { type = "gmsh", file = "part.msh", physical = "right" }
+[[constraint]]
+type = "fixed"
+directions = ["x"]
+set = "clamped end")";
+  EXPECT_THAT(build_model<double>(read(with(14, right))).mesh.warnings,
+              ElementsAre(HasSubstr("2 of the 4 nodes of the set clamped end are of no body and left out, the first is "
+                                    "node 1")));
+}
+
+TEST_F(FileBodies, ASetWithoutANodeOfABodyIsAnError) {
+  const std::string lower = R"(mesh = { type = "keyword", file = "cubes.k", part = "1" })";
+  for (const std::string acting :
+       {"[[constraint]]\ntype = \"symmetry\"\nnormal = [0, 0, 1]\npoint = [0, 0, 0]",
+        "[[constraint]]\ntype = \"fixed\"\ndirections = [\"z\"]", "[[initial_velocity]]\nvelocity = [1, 0, 0]"}) {
+    const std::string lines = lower + "\n" + acting + "\nset = \"top\"";
+    EXPECT_THAT(error_of([&] { build_model<double>(read(with(14, lines))); }),
+                HasSubstr("expected at least one node, there is none"))
+        << acting;
+  }
 }
 
 TEST_F(FileBodies, WhatIsNotInTheFileIsNamed) {

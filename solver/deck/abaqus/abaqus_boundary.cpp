@@ -96,7 +96,8 @@ class Boundary {
     const Held held = held_of(f);
     if (held.directions == 0) return;
     const AbaqusNodes nodes = data_.nodes(f.text(0), card.place);
-    if (nodes.set.empty() && !data_.used[static_cast<std::size_t>(nodes.members[0])]) return;
+    if (nodes.set.empty() && !data_.used[static_cast<std::size_t>(nodes.members[0])])
+      return data_.report.ignore_node(card.place, "*BOUNDARY");
     const AbaqusCurve curve = block.step > 0 ? data_.curve(block) : AbaqusCurve{};
     const bool moves = held.magnitude != 0 || curve.absolute || block.option("TYPE") == "ACCELERATION";
     if (moves) {
@@ -180,8 +181,11 @@ void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const
   }
   std::map<Point, std::vector<std::int64_t>> nodes;
   for (const auto& [node, velocity] : of_node) {
-    if (data.used[static_cast<std::size_t>(node)])
+    if (data.used[static_cast<std::size_t>(node)]) {
       nodes[velocity].push_back(data.mesh.file.node_ids[static_cast<std::size_t>(node)]);
+    } else {
+      data.report.ignore_node(block.place, "*INITIAL CONDITIONS");
+    }
   }
   for (const auto& [velocity, numbers] : nodes) {
     write_abaqus_head("initial_velocity", block, block.place, scene);

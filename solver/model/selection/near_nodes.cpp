@@ -18,13 +18,8 @@ std::vector<std::string> find_near_nodes(const Scene& scene, const ModelMesh& me
                     selection.where, selected.near, selected.near == 1 ? "" : "s", describe(selection),
                     selected.near == 1 ? "is" : "are", selected.nodes.size()));
   };
-  for (const PlaneConstraint& plane : scene.constraints) look(nodes_of(plane));
-  for (const FixedConstraint& fixed : scene.fixed_constraints) look(fixed.nodes);
-  for (const RigidWall& wall : scene.rigid_walls) look(nodes_of(wall));
-  for (const PrescribedVelocity& given : scene.prescribed_velocities) look(given.nodes);
-  for (const NodalLoad& load : scene.loads) look(load.nodes);
+  for_each_selection_of_nodes(scene, look);
   for (const Pressure& pressure : scene.pressures) look(pressure.faces);
-  for (const InitialVelocity& given : scene.initial_velocities) look(given.nodes);
   return found;
 }
 

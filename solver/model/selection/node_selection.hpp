@@ -45,6 +45,17 @@ std::vector<std::int32_t> select_nodes(const ModelMesh& mesh, const NodeSelectio
 NodeSelection nodes_of(const PlaneConstraint& plane);
 NodeSelection nodes_of(const RigidWall& wall);
 
+/// Calls look(NodeSelection) for everything of the scene that acts on nodes, which pressures do not.
+template <class Look>
+void for_each_selection_of_nodes(const Scene& scene, const Look& look) {
+  for (const PlaneConstraint& plane : scene.constraints) look(nodes_of(plane));
+  for (const FixedConstraint& fixed : scene.fixed_constraints) look(fixed.nodes);
+  for (const RigidWall& wall : scene.rigid_walls) look(nodes_of(wall));
+  for (const PrescribedVelocity& given : scene.prescribed_velocities) look(given.nodes);
+  for (const NodalLoad& load : scene.loads) look(load.nodes);
+  for (const InitialVelocity& given : scene.initial_velocities) look(given.nodes);
+}
+
 /// Whether anything of the scene asks where nodes lie.
 bool selects_by_place(const Scene& scene);
 
