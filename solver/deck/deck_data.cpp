@@ -96,6 +96,7 @@ void DeckData::read_curve(const KeywordBlock& block) {
   const double sfa = factor(2, "sfa"), sfo = factor(3, "sfo");
   const double offa = f.number(4, "offa", 0.0), offo = f.number(5, "offo", 0.0);
   DeckCurve curve;
+  curve.units = units_of(block);
   while (const auto card = cards.next_filled()) {
     const Fields point(*card, deck.parameters, point_columns);
     curve.abscissa.push_back(sfa * (point.number(0, "abscissa", 0.0) + offa));
@@ -104,19 +105,22 @@ void DeckData::read_curve(const KeywordBlock& block) {
   curves_[f.integer(0, "lcid") + offset_of(block, &DeckTransform::define)] = std::move(curve);
 }
 
-/// Values, and then as many curves, which follow as keywords of their own in the order of the values.
+/// Values, and then as many curves, which follow as keywords of their own in the order of the values. The values are
+/// logarithms of rates where the first is below 0.
 void DeckData::read_table(const KeywordBlock& block) {
   Cards cards(block);
   if (block.title) cards.next();
   const Card head = cards.require("the number of the table");
   const std::int64_t add = offset_of(block, &DeckTransform::define);
-  auto& table = tables_[fields(head).integer(0, "tbid") + add];
+  DeckTable& table = tables_[fields(head).integer(0, "tbid") + add];
   while (const auto card = cards.next_filled()) {
     const Fields point(*card, deck.parameters, point_columns);
-    table.emplace_back(point.number(0, "value", 0.0), point.integer(1, "lcid", 0));
+    table.curves.emplace_back(point.number(0, "value", 0.0), point.integer(1, "lcid", 0));
   }
+  table.logarithmic = !table.curves.empty() && table.curves.front().first < 0;
   auto next = static_cast<std::size_t>(&block - deck.blocks.data()) + 1;
-  for (auto& [value, id] : table) {
+  for (auto& [rate, id] : table.curves) {
+    rate = (table.logarithmic ? std::exp(rate) : rate) * units_of(block).rate();
     if (id != 0) {
       id += add;
       continue;
@@ -144,9 +148,10 @@ void DeckData::read_box(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
     const Fields f = fields(card);
     Box box{};
+    const double length = units_of(block).length;
     for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = f.number(1 + 2 * k, "minimum", 0.0);
-      box.high[k] = f.number(2 + 2 * k, "maximum", 0.0);
+      box.low[k] = length * f.number(1 + 2 * k, "minimum", 0.0);
+      box.high[k] = length * f.number(2 + 2 * k, "maximum", 0.0);
     }
     boxes_[f.integer(0, "boxid") + offset_of(block, &DeckTransform::define)] = box;
   });
@@ -245,14 +250,35 @@ void DeckData::name_bodies() {
   }
 }
 
-const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const {
+const DeckCurve& DeckData::find_curve(std::int64_t id, const DeckPlace& place) const {
   const auto found = curves_.find(id);
   if (found == curves_.end()) fail_at(place, fmt::format("no *DEFINE_CURVE has the number {}", id));
   if (found->second.abscissa.empty()) fail_at(place, fmt::format("*DEFINE_CURVE {} has no points", id));
   return found->second;
 }
 
-const std::vector<std::pair<double, std::int64_t>>* DeckData::table(std::int64_t id) const {
+const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const {
+  const DeckCurve& found = find_curve(id, place);
+  if (!found.units.are_own())
+    fail_at(place, fmt::format("*DEFINE_CURVE {} stands in an included file of other units, where curves are those of "
+                               "materials alone: move it into the deck",
+                               id));
+  return found;
+}
+
+DeckCurve DeckData::yield_curve(std::int64_t id, const DeckPlace& place) const {
+  DeckCurve curve = find_curve(id, place);
+  for (double& stress : curve.ordinate) stress *= curve.units.stress();
+  return curve;
+}
+
+DeckCurve DeckData::rate_curve(std::int64_t id, const DeckPlace& place) const {
+  DeckCurve curve = find_curve(id, place);
+  for (double& rate : curve.abscissa) rate *= curve.units.rate();
+  return curve;
+}
+
+const DeckTable* DeckData::table(std::int64_t id) const {
   const auto found = tables_.find(id);
   return found == tables_.end() ? nullptr : &found->second;
 }

@@ -40,6 +40,13 @@ struct DeckElement {
 
 struct DeckCurve {
   std::vector<double> abscissa, ordinate;
+  DeckUnits units{};  ///< of the file that it stands in: what they mean for it, only who uses it knows
+};
+
+/// Curves over the strain rate.
+struct DeckTable {
+  bool logarithmic = false;                             ///< between the curves
+  std::vector<std::pair<double, std::int64_t>> curves;  ///< rate [1/time] and number of the curve for it
 };
 
 /// What keywords of a deck refer to by number, read before anything that refers to it. What returns something of a
@@ -60,10 +67,15 @@ class DeckData {
   int motions = 0;                         ///< prescribed ones that are translated
   std::vector<bool> used;                  ///< per node of the mesh: whether a solid of a part has it
 
+  /// Of whatever; it has to stand in a file of the deck's own units.
   const DeckCurve& curve(std::int64_t id, const DeckPlace& place) const;
+  /// Stress over plastic strain, in the units of the deck.
+  DeckCurve yield_curve(std::int64_t id, const DeckPlace& place) const;
+  /// A factor over the strain rate, in the units of the deck.
+  DeckCurve rate_curve(std::int64_t id, const DeckPlace& place) const;
   bool is_curve(std::int64_t id) const { return curves_.contains(id); }
-  /// Pairs of a strain rate [1/time] and the number of the curve for it; null: no *DEFINE_TABLE has this number.
-  const std::vector<std::pair<double, std::int64_t>>* table(std::int64_t id) const;
+  /// Null: no *DEFINE_TABLE has this number.
+  const DeckTable* table(std::int64_t id) const;
   const Box& box(std::int64_t id, const DeckPlace& place) const;
   /// Unit vector of *DEFINE_VECTOR.
   Point vector(std::int64_t id, const DeckPlace& place) const;
@@ -88,9 +100,10 @@ class DeckData {
   void read_part_set(const KeywordBlock& block);
   void add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const;
   void name_bodies();
+  const DeckCurve& find_curve(std::int64_t id, const DeckPlace& place) const;
 
   std::map<std::int64_t, DeckCurve> curves_;
-  std::map<std::int64_t, std::vector<std::pair<double, std::int64_t>>> tables_;
+  std::map<std::int64_t, DeckTable> tables_;
   std::map<std::int64_t, Box> boxes_;
   std::map<std::int64_t, Point> vectors_;
   std::map<std::int64_t, std::array<Point, 3>> systems_;

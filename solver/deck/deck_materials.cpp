@@ -20,8 +20,8 @@ void write_head(std::int64_t id, const std::string& title, const KeywordBlock& b
   scene.from(block.star_name(), f.place().text());
   scene.key("name", fmt::format("mat_{}", id));
   scene.key("model", plastic ? "von_mises" : "elastic");
-  scene.key("density", f.number(1, "ro"));
-  scene.key("young_modulus", f.number(2, "e"));
+  scene.key("density", f.number(1, "ro") * units_of(block).density());
+  scene.key("young_modulus", f.number(2, "e") * units_of(block).stress());
   scene.key("poisson_ratio", f.number(3, "pr"));
 }
 
@@ -30,20 +30,24 @@ void not_used(DeckData& data, const Fields& f, const std::string& what) {
   data.report.understood(fmt::format("{}: {} is used", f.place().text(), what));
 }
 
-/// E Et/(E - Et): slope over the plastic strain.
-double plastic_modulus(const Fields& f, double tangent) {
-  const double young = f.number(2, "e");
+/// SIGY, in the units of the deck.
+double yield_stress(const Fields& f, const DeckUnits& units) { return f.number(4, "sigy") * units.stress(); }
+
+/// E Et/(E - Et): slope over the plastic strain, in the units of the deck.
+double plastic_modulus(const Fields& f, const DeckUnits& units) {
+  const double young = f.number(2, "e"), tangent = f.number(5, "etan", 0.0);
   if (tangent >= young)
     fail_at(f.place(), fmt::format("etan: expected less than E = {:.6g}, got {:.6g}", young, tangent));
-  return young * tangent / (young - tangent);
+  return young * tangent / (young - tangent) * units.stress();
 }
 
 struct DeckRate {
   double constant = 0, exponent = 0;  ///< C and P; 0: no such law
   int vp = 0;                         ///< VP
 
-  DeckRate(const Fields& f, const char* constant_name, const char* exponent_name, std::size_t vp_field)
-      : constant(f.number(0, constant_name, 0.0)),
+  DeckRate(const Fields& f, const DeckUnits& units, const char* constant_name, const char* exponent_name,
+           std::size_t vp_field)
+      : constant(f.number(0, constant_name, 0.0) * units.rate()),
         exponent(f.number(1, exponent_name, 0.0)),
         vp(static_cast<int>(f.integer(vp_field, "vp", 0))) {
     if (vp != 0 && vp != 1 && vp != -1) fail_at(f.place(), fmt::format("vp: expected 0, 1 or -1, got {}", vp));
@@ -71,15 +75,15 @@ void write_failure(const Fields& f, const char* name, double strain, TomlText& s
 }
 
 /// *MAT_003
-void write_plastic_kinematic(DeckData& data, const Fields& f, Cards& cards, TomlText& scene) {
+void write_plastic_kinematic(DeckData& data, const DeckUnits& units, const Fields& f, Cards& cards, TomlText& scene) {
   const Card card = cards.next_or_blank();
   const Fields more = data.fields(card);
-  scene.key("yield_stress", f.number(4, "sigy"));
-  scene.key("plastic_modulus", plastic_modulus(f, f.number(5, "etan", 0.0)));
+  scene.key("yield_stress", yield_stress(f, units));
+  scene.key("plastic_modulus", plastic_modulus(f, units));
   const double beta = f.number(6, "beta", 0.0);
   if (beta < 0 || beta > 1) fail_at(f.place(), fmt::format("beta: expected 0 to 1, got {}", beta));
   scene.key("isotropic_share", beta);
-  write_rate(data, more, DeckRate(more, "src", "srp", 3), scene);
+  write_rate(data, more, DeckRate(more, units, "src", "srp", 3), scene);
   write_failure(more, "fs", more.number(2, "fs", 0.0), scene);
 }
 
@@ -103,15 +107,14 @@ std::vector<double> card_of_numbers(const DeckData& data, Cards& cards) {
   return values;
 }
 
-/// A table: a curve for each rate; logarithms of the rates where the first is below 0.
+/// A table: a curve for each rate.
 void write_table(DeckData& data, const Fields& f, std::int64_t lcss, TomlText& scene) {
-  const auto& table = *data.table(lcss);
+  const DeckTable& table = *data.table(lcss);
   std::vector<std::string> curves;
-  const bool logarithmic = !table.empty() && table.front().first < 0;
-  for (const auto& [rate, id] : table) {
-    curves.push_back(curve_text(data.curve(id, f.place()), f.place(), 1.0, logarithmic ? std::exp(rate) : rate));
+  for (const auto& [rate, id] : table.curves) {
+    curves.push_back(curve_text(data.yield_curve(id, f.place()), f.place(), 1.0, rate));
   }
-  if (logarithmic) scene.key("rate_interpolation", "logarithmic");
+  if (table.logarithmic) scene.key("rate_interpolation", "logarithmic");
   scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
 }
 
@@ -124,16 +127,16 @@ void write_scaled_curves(const DeckCurve& factors, const DeckCurve& curve, const
   scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
 }
 
-/// EPS1 to EPS8 and ES1 to ES8: as many as ascend; none: all stresses are blank.
+/// EPS1 to EPS8 and ES1 to ES8: as many as ascend, in the units of the deck; none: all stresses are blank.
 std::optional<DeckCurve> curve_of_points(const std::vector<double>& eps, const std::vector<double>& es,
-                                         const DeckPlace& place) {
+                                         const DeckUnits& units, const DeckPlace& place) {
   const auto given = [](double value) { return value != 0; };
   if (std::ranges::none_of(es, given)) return {};
   DeckCurve curve;
   std::size_t i = 0;
   for (; i < eps.size() && (i == 0 || eps[i] > eps[i - 1]); ++i) {
     curve.abscissa.push_back(eps[i]);
-    curve.ordinate.push_back(es[i]);
+    curve.ordinate.push_back(es[i] * units.stress());
   }
   if (std::any_of(eps.begin() + static_cast<std::ptrdiff_t>(i), eps.end(), given) ||
       std::any_of(es.begin() + static_cast<std::ptrdiff_t>(i), es.end(), given))
@@ -142,20 +145,21 @@ std::optional<DeckCurve> curve_of_points(const std::vector<double>& eps, const s
 }
 
 /// SIGY and ETAN as a curve, whose slope goes on.
-DeckCurve linear_curve(const Fields& f) {
-  const double yield = f.number(4, "sigy");
-  return {{0, 1}, {yield, yield + plastic_modulus(f, f.number(5, "etan", 0.0))}};
+DeckCurve linear_curve(const Fields& f, const DeckUnits& units) {
+  const double yield = yield_stress(f, units);
+  return {{0, 1}, {yield, yield + plastic_modulus(f, units)}};
 }
 
 /// *MAT_024. Of several forms of hardening LCSS counts before EPS and ES, and these before SIGY and ETAN.
 void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards, TomlText& scene) {
   const Card card = cards.next_or_blank();
   const Fields second = data.fields(card);
+  const DeckUnits units = units_of(block);
   const auto to_curve = [&](std::int64_t id) { return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define); };
   const std::int64_t lcss = to_curve(second.integer(2, "lcss", 0)), lcsr = to_curve(second.integer(3, "lcsr", 0));
   const std::vector<double> eps = card_of_numbers(data, cards), es = card_of_numbers(data, cards);
-  const auto points = curve_of_points(eps, es, f.place());
-  const DeckRate rate(second, "c", "p", 4);
+  const auto points = curve_of_points(eps, es, units, f.place());
+  const DeckRate rate(second, units, "c", "p", 4);
   const bool is_table = data.table(lcss) != nullptr, by_curves = is_table || lcsr != 0;
   if (lcss != 0 && points) not_used(data, f, "LCSS, and not the points EPS and ES,");
   if ((lcss != 0 || points) && f.number(5, "etan", 0.0) != 0)
@@ -166,23 +170,22 @@ void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fie
   if (is_table) {
     write_table(data, f, lcss, scene);
   } else if (lcsr != 0) {
-    const DeckCurve curve = lcss != 0 ? data.curve(lcss, f.place()) : points ? *points : linear_curve(f);
-    write_scaled_curves(data.curve(lcsr, f.place()), curve, f, scene);
+    const DeckCurve curve = lcss != 0 ? data.yield_curve(lcss, f.place()) : points ? *points : linear_curve(f, units);
+    write_scaled_curves(data.rate_curve(lcsr, f.place()), curve, f, scene);
   } else if (lcss != 0) {
-    scene.raw("yield_curve", curve_text(data.curve(lcss, f.place()), f.place()));
+    scene.raw("yield_curve", curve_text(data.yield_curve(lcss, f.place()), f.place()));
   } else if (points) {
     scene.raw("yield_curve", curve_text(*points, f.place()));
   } else {
-    scene.key("yield_stress", f.number(4, "sigy"));
-    scene.key("plastic_modulus", plastic_modulus(f, f.number(5, "etan", 0.0)));
+    scene.key("yield_stress", yield_stress(f, units));
+    scene.key("plastic_modulus", plastic_modulus(f, units));
   }
   if (by_curves) {
     write_strain_rate(rate, scene);
   } else {
     write_rate(data, second, rate, scene);
     // VP = 1: the law adds a multiple of SIGY; without SIGY, and with other VP, one of the static yield stress.
-    const double yield = f.number(4, "sigy", 0.0);
-    if (rate.is_law() && rate.vp == 1 && yield > 0) scene.key("rate_stress", yield);
+    if (rate.is_law() && rate.vp == 1 && f.number(4, "sigy", 0.0) > 0) scene.key("rate_stress", yield_stress(f, units));
   }
   const double failure = f.number(6, "fail", 0.0);
   if (failure < 0) {
@@ -214,7 +217,7 @@ void translate_material(DeckData& data, const KeywordBlock& block, TomlText& sce
   write_head(id, title, block, f, scene);
   if (kind == "MAT_ELASTIC" && (f.number(4, "da", 0.0) != 0 || f.number(5, "db", 0.0) != 0))
     data.report.understood(fmt::format("{}: DA and DB are for beams: they are not used", f.place().text()));
-  if (kind == "MAT_PLASTIC_KINEMATIC") write_plastic_kinematic(data, f, cards, scene);
+  if (kind == "MAT_PLASTIC_KINEMATIC") write_plastic_kinematic(data, units_of(block), f, cards, scene);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") write_piecewise_linear(data, block, f, cards, scene);
 }
 

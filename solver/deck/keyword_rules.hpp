@@ -17,6 +17,8 @@ struct KeywordRule {
   const char* name;  ///< with "*" at its end: all that begin so
   Treatment treatment;
   const char* remark;
+  /// Whether it may stand in an included file of other units: what it has is converted, or has no dimension.
+  bool in_other_units = false;
 };
 
 const std::vector<KeywordRule>& keyword_rules();

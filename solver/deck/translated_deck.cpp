@@ -59,6 +59,8 @@ void sort_keywords(const KeywordDeck& deck, bool lenient, DeckReport& report) {
       report.ignore(block);
     } else if (rule->treatment == Treatment::refused) {
       report.refuse(block, rule->remark);
+    } else if (!rule->in_other_units && !units_of(block).are_own()) {
+      report.refuse(block, "in an included file of other units");
     }
   }
 }

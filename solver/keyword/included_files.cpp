@@ -1,5 +1,7 @@
 #include "included_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fields.hpp"
@@ -20,6 +22,22 @@ std::string file_name(Card card, Cards& cards) {
   return name;
 }
 
+/// Blank and 0 are 1. Temperatures are not computed, but one that is converted is meant to be.
+DeckUnits read_units(const Fields& fields) {
+  const auto factor = [&fields](std::size_t field, const char* name) {
+    const double value = fields.number(field, name, 1.0);
+    if (value < 0)
+      fail_at(fields.place(), fmt::format("*INCLUDE_TRANSFORM: {}: expected a number > 0, got {:.6g}", name, value));
+    return value == 0 ? 1.0 : value;
+  };
+  const auto temperature = deck_number(fields.text(3));
+  if (!fields.blank(3) && temperature != 0.0 && temperature != 1.0)
+    fail_at(fields.place(), fmt::format("*INCLUDE_TRANSFORM: fcttem: expected 1 or a blank, for heat is not computed, "
+                                        "got \"{}\"",
+                                        fields.text(3)));
+  return {factor(0, "fctmas"), factor(1, "fcttim"), factor(2, "fctlen")};
+}
+
 std::shared_ptr<const DeckTransform> read_transform(Cards& cards, const Parameters& parameters) {
   auto transform = std::make_shared<DeckTransform>();
   const Card offsets = cards.next_or_blank(), more = cards.next_or_blank(), factors = cards.next_or_blank(),
@@ -33,10 +51,7 @@ std::shared_ptr<const DeckTransform> read_transform(Cards& cards, const Paramete
   transform->set = offset(4, "idsoff");
   transform->define = offset(6, "iddoff");
   transform->other = Fields(more, parameters).integer(0, "idroff", 0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (scales.number(i, "fctmas, fcttim, fctlen", 1.0) != 1.0 && scales.number(i, "factor", 1.0) != 0.0)
-      fail_at(factors.place, "*INCLUDE_TRANSFORM: other units of an included file are not read");
-  }
+  transform->units = read_units(scales);
   transform->transformation = Fields(number, parameters).integer(0, "tranid", 0);
   return transform;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "deck_place.hpp"
+#include "deck_units.hpp"
 
 namespace pinball {
 
@@ -18,9 +19,11 @@ struct Card {
   bool blank() const { return text.find_first_not_of(" \t") == std::string_view::npos; }
 };
 
-/// *INCLUDE_TRANSFORM: what is added to the numbers of the included file, and the transformation of its nodes.
+/// *INCLUDE_TRANSFORM: what is added to the numbers of the included file, its units, and the transformation that its
+/// nodes undergo after that into the units of the deck.
 struct DeckTransform {
   std::int64_t node = 0, element = 0, part = 0, material = 0, set = 0, define = 0, other = 0;  ///< idnoff ... idroff
+  DeckUnits units{};
   std::int64_t transformation = 0;  ///< number of the *DEFINE_TRANSFORMATION; 0: none
 };
 
@@ -41,6 +44,9 @@ struct KeywordBlock {
 inline std::int64_t offset_of(const KeywordBlock& block, std::int64_t DeckTransform::*which) {
   return block.transform ? (*block.transform).*which : 0;
 }
+
+/// The units that a block is in.
+inline DeckUnits units_of(const KeywordBlock& block) { return block.transform ? block.transform->units : DeckUnits{}; }
 
 /// The lines of a block that are no comments, one after the other.
 class Cards {

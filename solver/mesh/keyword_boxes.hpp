@@ -38,9 +38,10 @@ class KeywordBoxes {
   void read(const KeywordDeck& deck, const KeywordBlock& block, const Card& card) {
     const Fields fields(card, deck.parameters);
     KeywordBox& box = boxes_[fields.integer(0, "boxid") + offset_of(block, &DeckTransform::define)];
+    const double length = units_of(block).length;
     for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = fields.number(1 + 2 * k, "minimum", 0.0);
-      box.high[k] = fields.number(2 + 2 * k, "maximum", 0.0);
+      box.low[k] = length * fields.number(1 + 2 * k, "minimum", 0.0);
+      box.high[k] = length * fields.number(2 + 2 * k, "maximum", 0.0);
     }
   }
 

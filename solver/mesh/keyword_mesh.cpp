@@ -63,12 +63,14 @@ class Reader {
     const std::span<const int> columns(block.wide ? wide_node_columns : node_columns);
     const Transformation* moved = transformations_.of(block);
     const std::int64_t add = offset_of(block, &DeckTransform::node);
+    const double length = units_of(block).length;
     node_blocks_.push_back({file_.node_ids.size(), &block});
     Cards cards(block);
     while (const auto card = cards.next_filled()) {
       const Fields fields(*card, deck_.parameters, columns);
       file_.node_ids.push_back(fields.integer(0, "nid") + add);
       Point x{fields.number(1, "x", 0.0), fields.number(2, "y", 0.0), fields.number(3, "z", 0.0)};
+      for (double& coordinate : x) coordinate *= length;
       if (moved != nullptr) x = moved->apply(x);
       file_.mesh.nodes.push_back(x);
       hold(fields);

@@ -101,6 +101,8 @@ void Transformation::then(const Transformation& other) {
 Transformations::Transformations(const KeywordDeck& deck) {
   for (const KeywordBlock& block : deck.blocks) {
     if (block.name != "DEFINE_TRANSFORMATION") continue;
+    if (!units_of(block).are_own())
+      fail_at(block.place, "*DEFINE_TRANSFORMATION in an included file of other units is not read");
     Cards cards(block);
     if (block.title) cards.next();
     const std::int64_t number = Fields(cards.require("its number"), deck.parameters).integer(0, "tranid");

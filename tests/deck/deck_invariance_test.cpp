@@ -197,5 +197,29 @@ TEST_F(DeckInvariance, UnitsChangeRoundOffAlone) {
   }
 }
 
+/// Mesh, parts and materials in m, s and kg, or in mm, s and t, included by a deck in mm, ms, g and MPa.
+TEST_F(DeckInvariance, UnitsOfAnIncludedFileChangeRoundOffAlone) {
+  const Collision own;
+  const Simulation expected = run(own.text());
+  constexpr std::ptrdiff_t parts_and_materials = 5;
+  const std::string others =
+      fmt::format("{}", fmt::join(own.blocks.begin() + parts_and_materials, own.blocks.end(), ""));
+  for (const std::array<double, 3> units : {std::array{1e3, 1e3, 1e3}, std::array{1.0, 1e3, 1e6}}) {
+    const Collision c(units);
+    std::ofstream(folder_ / "bodies.k") << c.mesh()
+                                        << fmt::format("{}", fmt::join(c.blocks.begin(),
+                                                                       c.blocks.begin() + parts_and_materials, ""));
+    const Simulation s =
+        run(others + fmt::format("*INCLUDE_TRANSFORM\nbodies.k\n\n\n{},{},{}\n\n", c.mass(), c.time(), c.length()));
+    EXPECT_EQ(s.steps(), expected.steps());
+    EXPECT_NEAR(s.energies().internal / expected.energies().internal, 1, 1e-10);
+    EXPECT_NEAR(s.energies().kinetic / expected.energies().kinetic, 1, 1e-10);
+    for (std::size_t b = 0; b < 2; ++b) {
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(s.bodies()[b].velocity[k], expected.bodies()[b].velocity[k], 1e-10 * 20) << b << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pinball::test

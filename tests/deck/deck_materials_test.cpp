@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "deck_case.hpp"
 
 /// Materials of decks: what of their cards is used, told or refused.
@@ -7,6 +9,7 @@ namespace pinball::test {
 namespace {
 
 using testing::Contains;
+using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -72,6 +75,43 @@ TEST_F(DeckMaterials, PointsThatDoNotAscendAreAnError) {
   EXPECT_THAT(error(with("300", "", "0,0.2,0.1\n250,350,400\n")),
               HasSubstr("expected ascending strains, got 0.1 after"));
   EXPECT_THAT(error(cube + ends + "*MAT_003\n1,7.85E-9,210000.,0.3,300,1000,0.5\n0,0,-1\n"), HasSubstr("fs: expected"));
+}
+
+/// In tons, seconds and millimetres, of a deck in kg, ms and mm: a stress of 1 is 1e-3, a rate 1e-3, a density 1e3.
+TEST_F(DeckMaterials, OfAnIncludedFileAreConverted) {
+  const auto converted = [&](const std::string& cards, const std::string& own = "") {
+    std::ofstream(folder_ / "steel.k") << "*KEYWORD\n" << cards << "*END\n";
+    return material(cube + ends + own + "*INCLUDE_TRANSFORM\nsteel.k\n\n\n1000,1000,1,1,0\n\n");
+  };
+  const std::string curves = "*DEFINE_CURVE\n5\n0,300\n0.1,400\n", ratio = "*DEFINE_CURVE\n6\n0,1\n100,1.5\n";
+  const auto with_cards = [](const std::string& rest) { return "*MAT_024\n1,7.85E-9,210000.,0.3," + rest; };
+
+  const Material linear = converted("*MAT_003\n1,7.85E-9,210000.,0.3,300,2100,0.5\n40,5,0.2\n");
+  EXPECT_DOUBLE_EQ(linear.density, 7.85e-6);
+  EXPECT_DOUBLE_EQ(linear.shear_modulus, 210. / 2.6);
+  EXPECT_DOUBLE_EQ(linear.yield_stress, 0.3);
+  EXPECT_DOUBLE_EQ(linear.plastic_modulus, 1e-3 * 210000. * 2100 / (210000 - 2100));
+  EXPECT_DOUBLE_EQ(linear.rate_constant, 0.04);
+  EXPECT_EQ(linear.rate_exponent, 5);
+  EXPECT_EQ(linear.erosion_strain, 0.2);
+
+  const Material points = converted(with_cards("300\n40,5,0,0,1\n0,0.2\n250,350\n"));
+  EXPECT_THAT(points.yield_curves.at(0).stress, ElementsAre(DoubleEq(0.25), DoubleEq(0.35)));
+  EXPECT_DOUBLE_EQ(points.rate_stress, 0.3);
+
+  const Material rates = converted(with_cards("300\n0,0,5,6\n") + curves + ratio);
+  EXPECT_THAT(rates.yield_curves.at(1).stress, ElementsAre(DoubleEq(0.45), DoubleEq(0.6)));
+  EXPECT_DOUBLE_EQ(rates.yield_curves.at(1).rate, 0.1);
+
+  const std::string logarithms = "*DEFINE_TABLE\n9\n-3.,5\n3.,7\n*DEFINE_CURVE\n7\n0,600\n0.1,800\n";
+  const Material table = converted(with_cards("0\n0,0,9\n") + curves + logarithms);
+  EXPECT_EQ(table.rate_interpolation, RateInterpolation::logarithmic);
+  EXPECT_DOUBLE_EQ(table.yield_curves.at(0).rate, 1e-3 * std::exp(-3.));
+  EXPECT_DOUBLE_EQ(table.yield_curves.at(1).rate, 1e-3 * std::exp(3.));
+  EXPECT_THAT(table.yield_curves.at(1).stress, ElementsAre(DoubleEq(0.6), DoubleEq(0.8)));
+
+  const Material mixed = converted(with_cards("0\n0,0,5\n"), curves);
+  EXPECT_THAT(mixed.yield_curves.at(0).stress, ElementsAre(300, 400)) << "a curve is in the units of its own file";
 }
 
 }  // namespace

@@ -10,9 +10,11 @@
 namespace pinball::test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::UnorderedElementsAre;
 
 class Deck : public DeckTest {};
@@ -308,6 +310,25 @@ TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
             "  *ELEMENT_SHELL (2 times, first in deck.k:22)\n"
             "  *MAT_RIGID (deck.k:24)\n"
             "  *CONTROL_UNHEARD_OF (deck.k:25)");
+}
+
+/// What has a dimension that is not converted, or curves of which nobody says what they are.
+TEST_F(Deck, RefusesWhatIsNotConvertedInAnIncludedFile) {
+  const auto problem = [&](const std::string& text, const std::string& factors, const std::string& own = "") {
+    std::ofstream(folder_ / "other.k") << text;
+    return error(cube + elastic + ends + own + "*INCLUDE_TRANSFORM\nother.k\n\n\n" + factors + "\n\n");
+  };
+  const std::string velocity = "*INITIAL_VELOCITY\n0\n1.,0,0\n", curve = "*DEFINE_CURVE\n5\n0,1\n1,1\n",
+                    load = "*LOAD_NODE_POINT\n1,1,5\n";
+  EXPECT_EQ(problem(velocity + curve + load, "1,1,1,1"), no_error);
+  EXPECT_THAT(problem(velocity + "*CONTROL_TERMINATION\n1.\n*DATABASE_ABSTAT\n1.\n", "1,1,1000"),
+              AllOf(HasSubstr("*INITIAL_VELOCITY (other.k:1): in an included file of other units"),
+                    HasSubstr("*CONTROL_TERMINATION (other.k:4): in an included file of other units"),
+                    Not(HasSubstr("ABSTAT"))));
+  EXPECT_THAT(problem(curve, "1,1000,1", load), HasSubstr("*DEFINE_CURVE 5 stands in an included file of other units"));
+  EXPECT_THAT(problem("*DEFINE_TRANSFORMATION\n4\nTRANSL,1,0,0\n", "2,1,1"), HasSubstr("*DEFINE_TRANSFORMATION ("));
+  EXPECT_THAT(problem("", "1,1,1,FtoC"), HasSubstr("fcttem: expected 1 or a blank"));
+  EXPECT_THAT(problem("", "1,-1,1"), HasSubstr("fcttim: expected a number > 0, got -1"));
 }
 
 TEST_F(Deck, LenientLeavesOutOutputAndControlsAlone) {

@@ -155,6 +155,26 @@ TEST(KeywordMesh, AnIncludedFileIsMovedAndNumberedAnew) {
   EXPECT_NEAR(measure_quality(file.mesh).volume, 1 + 8, 1e-12);
 }
 
+/// Lengths first, and then the transformation, which is in the units of the deck.
+TEST(KeywordMesh, AnIncludedFileMayHaveAnotherUnitOfLength) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "keyword_mesh";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "part.k") << "*KEYWORD\n"
+                                   << nodes << one_line
+                                   << "*DEFINE_BOX\n5,-0.1,1.1,-0.1,1.1,0.9,1.1\n"
+                                      "*SET_SEGMENT_GENERAL\n6\nBOX,5\n";
+  const auto read_with = [&](const std::string& transformation) {
+    std::ofstream(folder / "main.k") << "*KEYWORD\n*INCLUDE_TRANSFORM\npart.k\n\n\n1,1,1000\n" << transformation;
+    return keyword_mesh(read_keyword_deck((folder / "main.k").string()));
+  };
+  const MeshFile scaled = read_with("");
+  EXPECT_NEAR(measure_quality(scaled.mesh).volume, 1e9, 1);
+  EXPECT_EQ(find_set(scaled.face_sets, "6")->faces.size(), 1u) << "boxes, too";
+  const MeshFile moved = read_with("4\n*DEFINE_TRANSFORMATION\n4\nTRANSL,10,0,0\n");
+  for (std::size_t n = 0; n < moved.mesh.nodes.size(); ++n)
+    EXPECT_EQ(moved.mesh.nodes[n][0], scaled.mesh.nodes[n][0] + 10) << n;
+}
+
 TEST(KeywordMesh, AMirroredFileHasItsElementsTurned) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "keyword_mesh";
   std::filesystem::create_directories(folder);
