@@ -22,13 +22,16 @@ std::string file_name(Card card, Cards& cards) {
   return name;
 }
 
-/// Blank and 0 are 1. Temperatures are not computed, but one that is converted is meant to be.
+/// Blank and 0 are 1; products of powers of the others have to be numbers. Temperatures are not computed, but one that
+/// is converted is meant to be.
 DeckUnits read_units(const Fields& fields) {
   const auto factor = [&fields](std::size_t field, const char* name) {
     const double value = fields.number(field, name, 1.0);
-    if (value < 0)
-      fail_at(fields.place(), fmt::format("*INCLUDE_TRANSFORM: {}: expected a number > 0, got {:.6g}", name, value));
-    return value == 0 ? 1.0 : value;
+    if (value == 0) return 1.0;
+    if (value < 1e-30 || value > 1e30)
+      fail_at(fields.place(),
+              fmt::format("*INCLUDE_TRANSFORM: {}: expected a number from 1e-30 to 1e30, got {:.6g}", name, value));
+    return value;
   };
   const auto temperature = deck_number(fields.text(3));
   if (!fields.blank(3) && temperature != 0.0 && temperature != 1.0)

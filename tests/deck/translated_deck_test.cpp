@@ -328,7 +328,7 @@ TEST_F(Deck, RefusesWhatIsNotConvertedInAnIncludedFile) {
   EXPECT_THAT(problem(curve, "1,1000,1", load), HasSubstr("*DEFINE_CURVE 5 stands in an included file of other units"));
   EXPECT_THAT(problem("*DEFINE_TRANSFORMATION\n4\nTRANSL,1,0,0\n", "2,1,1"), HasSubstr("*DEFINE_TRANSFORMATION ("));
   EXPECT_THAT(problem("", "1,1,1,FtoC"), HasSubstr("fcttem: expected 1 or a blank"));
-  EXPECT_THAT(problem("", "1,-1,1"), HasSubstr("fcttim: expected a number > 0, got -1"));
+  EXPECT_THAT(problem("", "1,-1,1"), HasSubstr("fcttim: expected a number from 1e-30 to 1e30, got -1"));
 }
 
 TEST_F(Deck, LenientLeavesOutOutputAndControlsAlone) {
