@@ -288,7 +288,7 @@ int info_command(const InfoOptions& options) {
   if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
   const SceneInput input = scene_input(options);
   input.with_places([&] {
-    const Scene scene = read_scene(input.source);
+    const Scene scene = input.read();
     scene.precision == Precision::float32 ? print_info<float>(scene) : print_info<double>(scene);
     if (options.devices) print_missing_on_devices(scene);
   });

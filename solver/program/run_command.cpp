@@ -78,7 +78,7 @@ int run_command(const RunOptions& options) {
   if (options.scene.empty()) throw InputError("run: expected a SCENE, or --restart FILE");
   const SceneInput input = scene_input(options);
   return input.with_places([&] {
-    Scene scene = read_scene(input.source);
+    Scene scene = input.read();
     scene.device = options.device;
     const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
     return print_end(

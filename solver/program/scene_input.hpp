@@ -24,6 +24,9 @@ struct SceneInput {
   SceneSource source;
   std::optional<TranslatedDeck> deck;
 
+  /// What is told of its parts, such as warnings, names the cards of the deck, too.
+  Scene read() const;
+
   /// Does something with the scene. InputError of it names the cards of the deck in place of lines of its scene.
   template <class Act>
   auto with_places(const Act& act) const {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include <solver/program/scene_input.hpp>
+#include <tests/deck/deck_case.hpp>
 #include <tests/support/error_of.hpp>
 
 namespace pinball::test {
@@ -39,6 +40,18 @@ TEST(SceneInput, WhatIsNotWhatItsNameSaysIsToldSo) {
   EXPECT_THAT(error_for("a.k", "\ntitle = \"a\"\n"), HasSubstr("this is a scene: name it .toml"));
   EXPECT_THAT(error_for("a.k", "** comment\n*NODE\n"), HasSubstr("this is Abaqus input: name it .inp"));
   EXPECT_THAT(error_for("a.k", scene), HasSubstr("this is a scene: name it .toml"));
+}
+
+class DeckInput : public FolderTest {};
+
+/// Also where nothing is wrong: warnings name what they are about in the same way.
+TEST_F(DeckInput, PartsOfItsSceneAreNamedByCards) {
+  SceneOptions options;
+  options.scene = (folder_ / "deck.k").string();
+  options.quiet = true;
+  std::ofstream(options.scene) << "*KEYWORD\n" << cube << elastic << ends << set_of_top << "*BOUNDARY_SPC_SET\n3,0,1\n";
+  const Scene read = scene_input(options).read();
+  EXPECT_EQ(read.fixed_constraints.at(0).nodes.where, options.scene + ":26: *BOUNDARY_SPC_SET: constraint.0");
 }
 
 }  // namespace
