@@ -88,6 +88,14 @@ TEST_F(AbaqusDecks, PairsTouchAndOthersDoNot) {
   EXPECT_NEAR(velocity(solver, 2)[2], 10000, 1e-6);
 }
 
+/// And by general contact, where one pair of bars is excluded.
+TEST_F(AbaqusDecks, WhatIsExcludedGoesThrough) {
+  const Solver<double>& solver = run_of("exclusions");
+  EXPECT_NEAR(velocity(solver, 0)[2] + velocity(solver, 1)[2], -10000, 1e-6);
+  EXPECT_NEAR(velocity(solver, 0)[2], -10000, 400);
+  EXPECT_NEAR(velocity(solver, 2)[2], 10000, 1e-6);
+}
+
 /// What is tied stays together, and keeps its momentum.
 TEST_F(AbaqusDecks, TiedBarsStayTogether) {
   const Solver<double>& solver = run_of("tied");

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "abaqus_exclusions.hpp"
 #include "abaqus_parts.hpp"
 
 namespace pinball {
@@ -45,7 +46,7 @@ struct Pair {
 
 class Contact {
  public:
-  explicit Contact(AbaqusData& data) : data_(data) {}
+  explicit Contact(AbaqusData& data) : data_(data), exclusions_(data) {}
 
   void translate(TomlText& scene) {
     read_interactions();
@@ -53,13 +54,20 @@ class Contact {
       if (block.name == "CONTACTINCLUSIONS") read_inclusions(block);
       if (block.name == "CONTACTPROPERTYASSIGNMENT") read_assignments(block);
       if (block.name == "CONTACTPAIR") read_pairs(block);
+      if (block.name == "CONTACTEXCLUSIONS") exclusions_.read(block);
     }
-    if (all_ == nullptr && pairs_.empty()) return;
-    const AbaqusBlock& head = all_ != nullptr ? *all_ : *pairs_.front().block;
+    if (all_ != nullptr) pairs_.insert(pairs_.begin(), Pair{all_, all_->place, "", "", {}});
+    const std::vector<Touching> touching = what_touches();
+    exclusions_.report_idle();
+    if (touching.empty()) {
+      if (!pairs_.empty()) data_.report.understood("contact: none, all of it is excluded");
+      return;
+    }
+    const AbaqusBlock& head = *pairs_.front().block;
     scene.table("contact", fmt::format("{} {}", head.star_name(), head.place.text()));
     scene.key("method", "pinball");
     write_friction(common_, scene);
-    if (all_ == nullptr || !pairs_.empty()) write_pairs(scene);
+    write_pairs(touching, scene);
     data_.report.understood("contact: exact, of faces and edges, without penalties");
   }
 
@@ -114,23 +122,34 @@ class Contact {
     }
   }
 
-  std::string all_bodies() const {
-    std::vector<std::string> names;
-    for (const AbaqusBody& body : data_.bodies) names.push_back(body.name);
-    return toml(names);
+  /// A pair of the scene, and what it is from.
+  struct Touching {
+    const Pair* pair;
+    AbaqusSides sides;
+  };
+
+  /// Exclusions are of general contact: a *CONTACT PAIR stays, which is often why they are there.
+  std::vector<Touching> what_touches() {
+    std::vector<Touching> touching;
+    for (const Pair& pair : pairs_) {
+      if (pair.block->name == "CONTACTPAIR") {
+        touching.push_back({&pair, exclusions_.all_of(pair.first, pair.second, pair.place)});
+        continue;
+      }
+      for (const AbaqusSides& sides : exclusions_.left_of(pair.first, pair.second, pair.place))
+        touching.push_back({&pair, sides});
+    }
+    return touching;
   }
 
-  void write_pairs(TomlText& scene) {
-    if (all_ != nullptr) {
-      write_abaqus_head("contact.pair", *all_, all_->place, scene);
-      scene.raw("first", all_bodies());
-    }
-    for (const Pair& pair : pairs_) {
-      write_abaqus_head("contact.pair", *pair.block, pair.place, scene);
-      scene.raw("first", pair.first.empty() ? all_bodies() : data_.surface(pair.first, pair.place));
-      if (!pair.second.empty() && label_key(pair.second) != label_key(pair.first))
-        scene.raw("second", data_.surface(pair.second, pair.place));
-      if (pair.friction) write_friction(*pair.friction, scene);
+  void write_pairs(const std::vector<Touching>& touching, TomlText& scene) {
+    const bool all = touching.size() == 1 && touching[0].pair->block == all_;
+    if (all && touching[0].sides == exclusions_.all_of("", "", all_->place)) return;
+    for (const auto& [pair, sides] : touching) {
+      write_abaqus_head("contact.pair", *pair->block, pair->place, scene);
+      scene.raw("first", sides.first);
+      if (!sides.second.empty()) scene.raw("second", sides.second);
+      if (pair->friction) write_friction(*pair->friction, scene);
     }
   }
 
@@ -138,6 +157,7 @@ class Contact {
   std::map<std::string, Friction> interactions_;
   const AbaqusBlock* all_ = nullptr;  ///< *CONTACT INCLUSIONS, ALL EXTERIOR
   std::vector<Pair> pairs_;
+  AbaqusExclusions exclusions_;
   Friction common_;
 };
 

@@ -189,16 +189,20 @@ AbaqusNodes AbaqusData::nodes(const std::string& label, const DeckPlace& place) 
   fail_at(place, fmt::format("node {} is not there", label));
 }
 
-std::string AbaqusData::faces(const std::string& label, const DeckPlace& place) const {
+const FaceSet* AbaqusData::find_faces(const std::string& label) const {
   const auto found = face_sets_.find(label_key(label));
-  if (found == face_sets_.end()) fail_at(place, fmt::format("there is no surface {}", label));
-  const FaceSet& set = mesh.file.face_sets[found->second];
-  if (!set.problem.empty()) throw InputError(set.problem);
-  return set.name;
+  return found == face_sets_.end() ? nullptr : &mesh.file.face_sets[found->second];
+}
+
+std::string AbaqusData::faces(const std::string& label, const DeckPlace& place) const {
+  const FaceSet* set = find_faces(label);
+  if (set == nullptr) fail_at(place, fmt::format("there is no surface {}", label));
+  if (!set->problem.empty()) throw InputError(set->problem);
+  return set->name;
 }
 
 std::string AbaqusData::surface(const std::string& label, const DeckPlace& place) const {
-  if (face_sets_.contains(label_key(label)) || !node_sets_.contains(label_key(label)))
+  if (find_faces(label) != nullptr || !node_sets_.contains(label_key(label)))
     return fmt::format("{{ faces = {} }}", toml(faces(label, place)));
   return fmt::format("{{ nodes = {} }}", toml(nodes(label, place).set));
 }

@@ -59,6 +59,8 @@ class AbaqusData {
   std::vector<std::string> whole_bodies(const std::string& label, const DeckPlace& place) const;
   /// Name of a surface of faces. Throws InputError where it is not there.
   std::string faces(const std::string& label, const DeckPlace& place) const;
+  /// A surface of faces; null: there is none of this label.
+  const FaceSet* find_faces(const std::string& label) const;
   /// A surface as a side of a contact: { faces = "NAME" } or { nodes = "NAME" }. Throws InputError where it is not
   /// there.
   std::string surface(const std::string& label, const DeckPlace& place) const;

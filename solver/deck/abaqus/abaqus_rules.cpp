@@ -61,6 +61,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"DSLOAD", done, "P", "AMPLITUDE OP=MOD|NEW"},
       {"CONTACT", done, "exact impulses between faces", "OP=MOD|NEW"},
       {"CONTACT INCLUSIONS", done, "ALL EXTERIOR, or pairs of surfaces", "ALLEXTERIOR"},
+      {"CONTACT EXCLUSIONS", done, "of whole bodies, and of whole surfaces of inclusions; others are refused"},
       {"CONTACT PROPERTY ASSIGNMENT", done, "of all, or of pairs of surfaces"},
       {"CONTACT PAIR", done, "of two surfaces, or of one with itself",
        "INTERACTION MECHANICALCONSTRAINT=KINEMATIC|PENALTY TYPE=SURFACETOSURFACE|NODETOSURFACE CPSET WEIGHT OP=ADD"},
