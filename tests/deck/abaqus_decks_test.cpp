@@ -96,6 +96,24 @@ TEST_F(AbaqusDecks, WhatIsExcludedGoesThrough) {
   EXPECT_NEAR(velocity(solver, 2)[2], 10000, 1e-6);
 }
 
+/// Nodes and an element by their instances.
+TEST_F(AbaqusDecks, HistoryWatchesNodesAndElements) {
+  const std::vector<ProbeResult> probes = summarize(run_of("history")).probes;
+  ASSERT_EQ(probes.size(), 3u);
+  const auto value = [](const ProbeResult& probe, const std::string& quantity) {
+    for (const ProbeValue& one : probe.values) {
+      if (one.quantity == quantity) return one.value;
+    }
+    return std::nan("");
+  };
+  EXPECT_EQ(probes[0].name, "node_A_7");
+  EXPECT_NEAR(value(probes[0], "displacement_x"), 0.02, 1e-12);
+  EXPECT_EQ(probes[1].name, "node_B_2");
+  EXPECT_NEAR(value(probes[1], "displacement_z"), -0.04, 1e-12);
+  EXPECT_EQ(probes[2].name, "element_B_1");
+  EXPECT_EQ(value(probes[2], "plastic_strain"), 0);
+}
+
 /// What is tied stays together, and keeps its momentum.
 TEST_F(AbaqusDecks, TiedBarsStayTogether) {
   const Solver<double>& solver = run_of("tied");

@@ -26,6 +26,9 @@ void translate_abaqus_loads(AbaqusData& data, TomlText& scene);
 /// CONTACT and its options: [contact].
 void translate_abaqus_contact(AbaqusData& data, TomlText& scene);
 
+/// NODE OUTPUT and ELEMENT OUTPUT of HISTORY: a [[probe]] each.
+void translate_abaqus_probes(AbaqusData& data, TomlText& scene);
+
 /// The line of a table that says which keyword it is of.
 void write_abaqus_head(const char* table, const AbaqusBlock& block, const DeckPlace& place, TomlText& scene);
 /// set or nodes.

@@ -82,6 +82,7 @@ TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& opti
   translate_abaqus_boundary(data, boundary);
   translate_abaqus_initial_velocities(data, boundary);
   translate_abaqus_loads(data, boundary);
+  translate_abaqus_probes(data, boundary);
   report.require_all_done(path);
   scene.append(bodies);
   scene.append(boundary);
