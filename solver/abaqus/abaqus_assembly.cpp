@@ -56,8 +56,11 @@ class Gatherer {
     for (const AbaqusBlock& block : deck_.blocks) sort_in(block);
     for (const AbaqusBlock& block : deck_.blocks) {
       if (block.name == "INSTANCE") add_instance(block);
-      if (block.name == "PART" && !assembly_) add_component(label_text(*block.value("NAME")), block, block.part);
+      if (block.name == "PART" && !assembly_) add_component(block, block.part);
     }
+    std::vector<std::string> keys;
+    for (const AbaqusComponent& component : components_) keys.push_back(component.key);
+    tell_apart(components_, keys, &AbaqusComponent::name);
     components_.push_back(std::move(rest_));
     return std::move(components_);
   }
@@ -78,18 +81,19 @@ class Gatherer {
     const std::string part = label_key(block.require("PART"));
     if (!parts_.contains(part))
       fail_at(block.place, fmt::format("*INSTANCE: there is no *PART {}", *block.value("PART")));
-    add_component(label_text(*block.value("NAME")), block, part);
+    add_component(block, part);
     components_.back().placement = InstancePlacement(block);
     const auto& own = own_[block.instance];
     components_.back().blocks.insert(components_.back().blocks.end(), own.begin(), own.end());
   }
 
-  void add_component(const std::string& name, const AbaqusBlock& block, const std::string& part) {
+  void add_component(const AbaqusBlock& block, const std::string& part) {
+    const std::string label = *block.value("NAME");
     for (const AbaqusComponent& other : components_) {
-      if (label_key(other.name) == label_key(name))
-        fail_at(block.place, fmt::format("{}: the name {} is given twice", block.star_name(), name));
+      if (other.key == label_key(label))
+        fail_at(block.place, fmt::format("{}: the name {} is given twice", block.star_name(), label_text(label)));
     }
-    components_.push_back({name, parts_[part], {}, block.place});
+    components_.push_back({label_text(label), label_key(label), parts_[part], {}, block.place});
   }
 
   const AbaqusDeck& deck_;
@@ -105,17 +109,24 @@ std::vector<AbaqusComponent> abaqus_components(const AbaqusDeck& deck) { return 
 
 std::vector<AbaqusSection> abaqus_sections(const std::vector<AbaqusComponent>& components) {
   std::vector<AbaqusSection> sections;
+  std::vector<std::string> keys;
   for (std::size_t c = 0; c < components.size(); ++c) {
     const std::size_t first = sections.size();
     for (const AbaqusBlock* block : components[c].blocks) {
-      if (block->name == "SOLIDSECTION") sections.push_back({c, block, label_text(block->require("ELSET"))});
+      if (block->name != "SOLIDSECTION") continue;
+      const std::string label = block->require("ELSET");
+      sections.push_back({c, block, label_text(label)});
+      keys.push_back(label_key(label));
     }
-    if (components[c].name.empty()) continue;
+    const AbaqusComponent& component = components[c];
+    if (component.name.empty()) continue;
     const bool one = sections.size() == first + 1;
     for (std::size_t s = first; s < sections.size(); ++s) {
-      sections[s].part = one ? components[c].name : components[c].name + '.' + sections[s].part;
+      sections[s].part = one ? component.name : component.name + '.' + sections[s].part;
+      keys[s] = one ? component.key : component.key + '.' + keys[s];
     }
   }
+  tell_apart(sections, keys, &AbaqusSection::part);
   return sections;
 }
 

@@ -29,6 +29,7 @@ class InstancePlacement {
 /// stands in the assembly itself.
 struct AbaqusComponent {
   std::string name;  ///< of the instance, as written; empty: of the assembly, or of a deck without parts
+  std::string key;   ///< of its label
   std::vector<const AbaqusBlock*> blocks;
   InstancePlacement placement;
   DeckPlace place;

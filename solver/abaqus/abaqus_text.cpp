@@ -20,7 +20,18 @@ std::string label_text(std::string_view label) {
   return result;
 }
 
-std::string label_key(std::string_view label) { return upper_case(label_text(label)); }
+std::string label_key(std::string_view label) {
+  std::string key;
+  bool quoted = false;
+  for (const char c : trimmed(label)) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else {
+      key += quoted ? c : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    }
+  }
+  return key;
+}
 
 std::optional<std::pair<std::string, std::string>> split_label(std::string_view label) {
   bool quoted = false;

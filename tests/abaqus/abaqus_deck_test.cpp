@@ -53,11 +53,28 @@ TEST(AbaqusDeck, KeywordLinesGoOnAfterAComma) {
 
 TEST(AbaqusDeck, QuotedNamesKeepBlanksAndCommas) {
   const AbaqusDeck deck = parse("*NSET, NSET=\"My, Set\"\n1\n");
-  EXPECT_EQ(label_key(*deck.blocks[0].value("NSET")), "MY, SET");
-  EXPECT_EQ(label_key("Set-1"), "SET-1");
-  EXPECT_EQ(label_key("\"Part 1\".Set"), "PART 1.SET");
+  EXPECT_EQ(label_text(*deck.blocks[0].value("NSET")), "My, Set");
   EXPECT_EQ(split_label("\"Part.1\".Set-2")->second, "Set-2");
   EXPECT_FALSE(split_label("Set-2"));
+}
+
+TEST(AbaqusDeck, LabelsHaveACaseInQuotesAlone) {
+  EXPECT_EQ(label_key("Set-1"), "SET-1");
+  EXPECT_EQ(label_key("set-1"), label_key("\"SET-1\""));
+  EXPECT_EQ(label_key("\"Set-1\""), "Set-1");
+  EXPECT_EQ(label_key(" \"Part 1\".Set "), "Part 1.SET");
+}
+
+TEST(AbaqusDeck, NamesThatMeanOtherThingsAreTold) {
+  struct Named {
+    std::string name;
+  };
+  std::vector<Named> items{{"Low"}, {"Steel"}, {"Low"}, {"Steel"}};
+  tell_apart(items, {"LOW", "Steel", "LOW", "STEEL"}, &Named::name);
+  EXPECT_EQ(items[0].name, "Low");
+  EXPECT_EQ(items[1].name, "Steel");
+  EXPECT_EQ(items[2].name, "Low") << "the same thing";
+  EXPECT_EQ(items[3].name, "STEEL");
 }
 
 TEST(AbaqusDeck, DataLinesAreThoseThatAreNoCommentsAndNotEmpty) {

@@ -9,9 +9,11 @@
 namespace pinball::test {
 namespace {
 
+using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using testing::UnorderedElementsAre;
 
 class Abaqus : public AbaqusTest {};
 
@@ -239,6 +241,34 @@ TEST_F(Abaqus, InstancesAreBodies) {
   EXPECT_EQ(s.contact.friction, 0.2);
   EXPECT_TRUE(s.contact.self);
   EXPECT_EQ(build_model<double>(s).constraints.size(), 4u + 8u + 1u);
+}
+
+TEST_F(Abaqus, LabelsInQuotesHaveACase) {
+  const std::string soft = "*MATERIAL, NAME=\"Steel\"\n*DENSITY\n1E-9\n*ELASTIC\n1., 0.3\n";
+  EXPECT_EQ(scene(abaqus_cube + soft + abaqus_steel + abaqus_step()).materials.at(0).density, 7.85e-9);
+  EXPECT_EQ(scene(abaqus_cube + abaqus_steel + soft + abaqus_step()).materials.at(0).density, 7.85e-9);
+  EXPECT_THAT(error(abaqus_cube + soft + abaqus_step()), HasSubstr("there is no *MATERIAL Steel"));
+  std::string quoted = abaqus_cube;
+  quoted.replace(quoted.find("=Steel"), 6, "=\"STEEL\"");
+  EXPECT_EQ(scene(quoted + abaqus_steel + abaqus_step()).materials.at(0).density, 7.85e-9);
+}
+
+/// Two instances, and in each two sections, whose labels differ by quotes alone.
+TEST_F(Abaqus, BodiesMayDifferByQuotesAlone) {
+  const std::string deck =
+      "*PART, NAME=p\n*NODE\n" + cube_lines(1) + "*NODE\n11, 0., 0., 2.\n12, 1., 0., 2.\n13, 1., 1., 2.\n" +
+      "14, 0., 1., 2.\n*ELEMENT, TYPE=C3D8R, ELSET=Low\n1, 1, 2, 3, 4, 5, 6, 7, 8\n" +
+      "*ELEMENT, TYPE=C3D8R, ELSET=\"Low\"\n2, 5, 6, 7, 8, 11, 12, 13, 14\n" +
+      "*SOLID SECTION, ELSET=Low, MATERIAL=Steel\n*SOLID SECTION, ELSET=\"Low\", MATERIAL=light\n" +
+      "*NSET, NSET=\"Low\", ELSET=\"Low\"\n*END PART\n" +
+      "*ASSEMBLY\n*INSTANCE, NAME=It, PART=p\n*END INSTANCE\n*INSTANCE, NAME=\"It\", PART=P\n5., 0., 0.\n" +
+      "*END INSTANCE\n*END ASSEMBLY\n" + abaqus_steel + "*MATERIAL, NAME=light\n*DENSITY\n1E-9\n*ELASTIC\n1., 0.3\n";
+  const Scene s = scene(deck + abaqus_step("*BOUNDARY\nIt.\"Low\", 1\n\"It\".5, 2\n"));
+  ASSERT_EQ(s.bodies.size(), 4u);
+  const Model<double> model = build_model<double>(s);
+  EXPECT_THAT(std::vector(model.element_mass.begin(), model.element_mass.end()),
+              UnorderedElementsAre(DoubleEq(7.85e-9), DoubleEq(1e-9), DoubleEq(7.85e-9), DoubleEq(1e-9)));
+  EXPECT_EQ(model.constraints.size(), 8u + 1u);
 }
 
 TEST_F(Abaqus, SurfacesMayTouchInPairs) {

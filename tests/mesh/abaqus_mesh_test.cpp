@@ -89,6 +89,17 @@ TEST(AbaqusMesh, ReadsSets) {
   EXPECT_THAT(ids(file, "c"), ElementsAre(11, 12, 13, 14, 21, 22, 23, 24));
 }
 
+TEST(AbaqusMesh, SetsInQuotesHaveACase) {
+  const MeshFile file = read(nodes + cubes +
+                             "*NSET, NSET=\"Top\"\n21\n*NSET, NSET=Top\n22\n*NSET, NSET=\"TOP\"\n23\n"
+                             "*NSET, NSET=both\n\"Top\", top\n*NSET, NSET=\"all\"\n1\n");
+  EXPECT_THAT(ids(file, "Top"), ElementsAre(21));
+  EXPECT_THAT(ids(file, "TOP"), ElementsAre(22, 23));
+  EXPECT_THAT(ids(file, "both"), ElementsAre(21, 22, 23));
+  EXPECT_THAT(ids(file, "all"), ElementsAre(1)) << "and ALL is another one, of all nodes";
+  EXPECT_EQ(ids(file, "ALL").size(), 12u);
+}
+
 TEST(AbaqusMesh, SetsThatNothingUsesMayBeWrong) {
   const MeshFile file = read(nodes + cubes + "*NSET, NSET=a\n99\n*NSET, NSET=b\nnothing\n*NSET, NSET=c\nc\n");
   EXPECT_THAT(find_set(file.node_sets, "a")->problem, HasSubstr("a.inp:19: node 99 is not there"));

@@ -26,10 +26,9 @@ AbaqusData::AbaqusData(const AbaqusDeck& deck_, const AbaqusMesh& mesh_, DeckRep
   for (const auto& hexahedron : mesh.file.mesh.hexahedra) {
     for (const std::int32_t node : hexahedron) used[static_cast<std::size_t>(node)] = true;
   }
-  for (std::size_t i = 0; i < mesh.file.node_sets.size(); ++i) node_sets_[label_key(mesh.file.node_sets[i].name)] = i;
-  for (std::size_t i = 0; i < mesh.file.element_sets.size(); ++i)
-    element_sets_[label_key(mesh.file.element_sets[i].name)] = i;
-  for (std::size_t i = 0; i < mesh.file.face_sets.size(); ++i) face_sets_[label_key(mesh.file.face_sets[i].name)] = i;
+  for (std::size_t i = 0; i < mesh.keys.node_sets.size(); ++i) node_sets_[mesh.keys.node_sets[i]] = i;
+  for (std::size_t i = 0; i < mesh.keys.element_sets.size(); ++i) element_sets_[mesh.keys.element_sets[i]] = i;
+  for (std::size_t i = 0; i < mesh.keys.face_sets.size(); ++i) face_sets_[mesh.keys.face_sets[i]] = i;
   require_sections();
   name_bodies();
   read_step();
@@ -166,7 +165,7 @@ AbaqusCurve AbaqusData::curve(const AbaqusBlock& block) const {
 
 const AbaqusRange* AbaqusData::range_of(const std::string& instance) const {
   for (std::size_t c = 0; c < mesh.components.size(); ++c) {
-    if (label_key(mesh.components[c].name) == label_key(instance)) return &mesh.ranges[c];
+    if (mesh.components[c].key == label_key(instance)) return &mesh.ranges[c];
   }
   return nullptr;
 }

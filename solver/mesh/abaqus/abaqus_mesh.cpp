@@ -49,7 +49,7 @@ class Reader {
     for (const NamedRange& set : named_) sets.add_range(set.component, set.of_nodes, set.name, set.first, set.last);
     sets.read();
     assign_parts(sets);
-    sets.name_all();
+    mesh_.keys = sets.name_all();
     shift_numbers();
     mesh_.file = std::move(file_);
     return std::move(mesh_);

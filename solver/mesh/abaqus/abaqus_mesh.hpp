@@ -23,6 +23,11 @@ struct AbaqusElements {
   std::string type;  ///< without case and blanks: "C3D8R"
 };
 
+/// Labels of the sets of a mesh, one per set, as label_key has them.
+struct AbaqusKeys {
+  std::vector<std::string> node_sets, element_sets, face_sets;
+};
+
 /// The mesh of Abaqus input, and what is needed to find things in it by the deck's own labels.
 struct AbaqusMesh {
   MeshFile file;
@@ -30,11 +35,13 @@ struct AbaqusMesh {
   std::vector<AbaqusSection> sections;  ///< as the first of `file.parts`
   std::vector<AbaqusRange> ranges;      ///< per component
   std::vector<AbaqusElements> types;
+  AbaqusKeys keys;
 };
 
 /// NODE, ELEMENT (C3D8 and its kin; C3D6 as collapsed hexahedra), NSET, ELSET, SURFACE, in parts, instances and the
 /// assembly. Parts of the mesh are sections of instances; elements of no section are a part named for the instance.
-/// Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing else is named so. With more than
+/// Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing else is named so; labels that are
+/// written alike but for quotes by their keys. With more than
 /// one component numbers of the second begin behind a power of ten, and so on. Throws InputError "FILE:LINE: ...".
 AbaqusMesh abaqus_mesh(const AbaqusDeck& deck);
 

@@ -47,7 +47,10 @@ void AbaqusSets::read() {
         if (set.name.empty()) set.name = label_text(name);
         set.blocks.push_back(block);
       }
-      if (block->name == "SURFACE") surfaces_[c].push_back({label_text(block->require("NAME")), block});
+      if (block->name == "SURFACE") {
+        const std::string name = block->require("NAME");
+        surfaces_[c].push_back({label_text(name), label_key(name), block});
+      }
     }
   }
 }
@@ -126,7 +129,7 @@ std::optional<std::int32_t> AbaqusSets::numbered(std::size_t component, bool of_
 std::optional<std::size_t> AbaqusSets::component_of(const std::string& instance) const {
   const std::string key = label_key(instance);
   for (std::size_t c = 0; c < components_.size(); ++c) {
-    if (!key.empty() && label_key(components_[c].name) == key) return c;
+    if (!key.empty() && components_[c].key == key) return c;
   }
   return std::nullopt;
 }
@@ -184,37 +187,44 @@ void AbaqusSets::add_nodes_of_elements(const std::vector<std::int32_t>& elements
   }
 }
 
-std::vector<std::string> AbaqusSets::names_in_file(std::size_t component, const std::string& name,
-                                                   const std::map<std::string, int>& uses) const {
-  const std::string& instance = components_[component].name;
-  if (instance.empty()) return {name};
-  std::vector<std::string> names{instance + '.' + name};
-  if (uses.at(label_key(name)) == 1) names.push_back(name);
+std::vector<AbaqusSets::NameInFile> AbaqusSets::names_in_file(std::size_t component, const std::string& name,
+                                                              const std::string& key,
+                                                              const std::map<std::string, int>& uses) const {
+  const AbaqusComponent& instance = components_[component];
+  if (instance.name.empty()) return {{name, key}};
+  std::vector<NameInFile> names{{instance.name + '.' + name, instance.key + '.' + key}};
+  if (uses.at(key) == 1) names.push_back({name, key});
   return names;
 }
 
-void AbaqusSets::name_all() {
+AbaqusKeys AbaqusSets::name_all() {
   for (const bool of_nodes : {true, false}) {
     std::map<std::string, int> uses;
     for (std::size_t c = 0; c < components_.size(); ++c) {
-      for (const auto& [key, set] : sets(c, of_nodes)) ++uses[label_key(set.name)];
+      for (const auto& [key, set] : sets(c, of_nodes)) ++uses[key];
     }
     if (of_nodes) node_set_uses_ = uses;
     for (std::size_t c = 0; c < components_.size(); ++c) {
       for (auto& [key, set] : sets(c, of_nodes)) {
         if (set.name.empty()) continue;  // a single node or element
         resolve(c, of_nodes, set);
-        for (const std::string& name : names_in_file(c, set.name, uses))
+        for (const auto& [name, full_key] : names_in_file(c, set.name, key, uses)) {
           (of_nodes ? file_.node_sets : file_.element_sets).push_back({0, name, set.members, set.problem});
+          (of_nodes ? keys_.node_sets : keys_.element_sets).push_back(full_key);
+        }
       }
     }
   }
   for (const auto& surfaces : surfaces_) {
-    for (const Surface& surface : surfaces) ++surface_uses_[label_key(surface.name)];
+    for (const Surface& surface : surfaces) ++surface_uses_[surface.key];
   }
   for (std::size_t c = 0; c < components_.size(); ++c) {
     for (const Surface& surface : surfaces_[c]) name_surface(c, surface);
   }
+  tell_apart(file_.node_sets, keys_.node_sets, &MeshSet::name);
+  tell_apart(file_.element_sets, keys_.element_sets, &MeshSet::name);
+  tell_apart(file_.face_sets, keys_.face_sets, &FaceSet::name);
+  return std::move(keys_);
 }
 
 }  // namespace pinball

@@ -28,8 +28,8 @@ class AbaqusSets {
   /// the place where it is not there.
   const std::vector<std::int32_t>& members(std::size_t component, bool of_nodes, const std::string& label,
                                            const DeckPlace& place);
-  /// Adds all sets and surfaces to the file, under their names in it.
-  void name_all();
+  /// Adds all sets and surfaces to the file, under their names in it; returns their keys.
+  AbaqusKeys name_all();
 
  private:
   struct Set {
@@ -41,8 +41,11 @@ class AbaqusSets {
     enum class State { open, at_work, done } state = State::open;
   };
   struct Surface {
-    std::string name;
+    std::string name, key;
     const AbaqusBlock* block;
+  };
+  struct NameInFile {
+    std::string name, key;
   };
   using Sets = std::map<std::string, Set>;
 
@@ -60,8 +63,8 @@ class AbaqusSets {
   void add_faces(std::size_t component, const Card& card, std::vector<std::array<std::int32_t, 4>>& faces);
   const std::vector<std::array<std::int32_t, 6>>& neighbours();
   /// Names of something of a component in the file: qualified and, where nothing else has it, the name alone.
-  std::vector<std::string> names_in_file(std::size_t component, const std::string& name,
-                                         const std::map<std::string, int>& uses) const;
+  std::vector<NameInFile> names_in_file(std::size_t component, const std::string& name, const std::string& key,
+                                        const std::map<std::string, int>& uses) const;
 
   const std::vector<AbaqusComponent>& components_;
   const std::vector<AbaqusRange>& ranges_;
@@ -70,6 +73,7 @@ class AbaqusSets {
   std::vector<Sets> node_sets_, element_sets_;
   std::vector<std::vector<Surface>> surfaces_;
   std::map<std::string, int> surface_uses_, node_set_uses_;
+  AbaqusKeys keys_;
   std::vector<std::array<std::int32_t, 6>> neighbours_;
 };
 

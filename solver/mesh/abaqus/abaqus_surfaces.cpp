@@ -59,7 +59,6 @@ void AbaqusSets::add_faces(std::size_t component, const Card& card, std::vector<
 
 void AbaqusSets::name_surface(std::size_t component, const Surface& surface) {
   const AbaqusBlock& block = *surface.block;
-  const std::vector<std::string> names = names_in_file(component, surface.name, surface_uses_);
   const std::string type = block.option("TYPE");
   FaceSet faces;
   MeshSet nodes;
@@ -78,12 +77,14 @@ void AbaqusSets::name_surface(std::size_t component, const Surface& surface) {
   } catch (const InputError& error) {
     faces.problem = nodes.problem = error.what();
   }
-  for (const std::string& name : names) {
+  for (const auto& [name, key] : names_in_file(component, surface.name, surface.key, surface_uses_)) {
     if (type != "NODE") {
       file_.face_sets.push_back({0, name, faces.faces, faces.problem});
-    } else if (!node_set_uses_.contains(label_key(surface.name))) {  // sets and surfaces may have one name
+      keys_.face_sets.push_back(key);
+    } else if (!node_set_uses_.contains(surface.key)) {  // sets and surfaces may have one name
       std::sort(nodes.members.begin(), nodes.members.end());
       file_.node_sets.push_back({0, name, nodes.members, nodes.problem});
+      keys_.node_sets.push_back(key);
     }
   }
 }
