@@ -114,6 +114,15 @@ TEST_F(AbaqusDecks, HistoryWatchesNodesAndElements) {
   EXPECT_EQ(value(probes[2], "plastic_strain"), 0);
 }
 
+/// What the second step lets go goes on as it was, and what it moves follows its amplitude, which begins with it.
+TEST_F(AbaqusDecks, StepsFollowEachOther) {
+  const Solver<double>& solver = run_of("steps");
+  EXPECT_NEAR(velocity(solver, 0)[0], 3, 1e-9);
+  EXPECT_NEAR(velocity(solver, 0)[2], 4, 1e-9);
+  EXPECT_NEAR(position_of(solver, 0)[0], 3 * 0.02 / 2, 1e-3);
+  EXPECT_NEAR(position_of(solver, 0)[2], 4 * 0.03, 1e-9);
+}
+
 /// What is tied stays together, and keeps its momentum.
 TEST_F(AbaqusDecks, TiedBarsStayTogether) {
   const Solver<double>& solver = run_of("tied");

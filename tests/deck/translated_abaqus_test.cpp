@@ -332,7 +332,6 @@ TEST_F(Abaqus, WhatCannotBeDoneIsRefusedInOneMessageBeforeTheMeshIsRead) {
             "  *SHELL SECTION (deck.inp:6)\n"
             "  *MPC (deck.inp:7)\n"
             "  *FIXED MASS SCALING, TYPE=UNIFORM (deck.inp:11)\n"
-            "  *STEP: more than one step (deck.inp:13)\n"
             "  *STATIC (deck.inp:14)");
 }
 

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
+#include <optional>
+#include <tuple>
 
 #include <solver/base/error.hpp>
 
@@ -55,40 +58,65 @@ std::string directions_text(unsigned directions) {
   return fmt::format("[{}]", fmt::join(names, ", "));
 }
 
+/// A line of *BOUNDARY and when it acts.
+struct Line {
+  const AbaqusBlock* block;
+  DeckPlace place;
+  AbaqusNodes nodes;
+  Held held;
+  bool moves = false;
+  AbaqusCurve curve;
+  double start = 0;
+  std::optional<double> end{};
+};
+
 class Boundary {
  public:
   Boundary(AbaqusData& data, TomlText& scene) : data_(data), scene_(scene) {}
 
   void translate() {
-    const bool renewed = std::ranges::any_of(data_.deck.blocks, [](const AbaqusBlock& block) {
-      return block.name == "BOUNDARY" && block.step > 0 && block.option("OP") == "NEW";
-    });
-    for (const AbaqusBlock& block : data_.deck.blocks) {
-      if (block.name != "BOUNDARY") continue;
-      if (renewed && block.step == 0) {
-        data_.report.understood(fmt::format("*BOUNDARY ({}): ends where the step begins (OP=NEW)", block.place.text()));
-        continue;
-      }
-      DataLines lines(block);
-      while (const auto card = lines.next()) add(block, *card);
-    }
-    for (const auto& [directions, single] : held_) {
-      write_abaqus_head("constraint", *single.block, single.place, scene_);
-      write_fixed(directions);
-      scene_.key("nodes", single.numbers);
+    for (int step = 0; step <= static_cast<int>(data_.steps.size()); ++step) read_step(step);
+    for (const Line& line : lines_) write(line);
+    for (const auto& [kind, singles] : singles_) {
+      write_fixed(*singles.first);
+      scene_.key("nodes", singles.numbers);
     }
   }
 
  private:
+  /// Nodes of no set that are held alike.
   struct Singles {
-    const AbaqusBlock* block;
-    DeckPlace place;
+    const Line* first;
     std::vector<std::int64_t> numbers;
   };
 
-  void write_fixed(unsigned directions) {
-    scene_.key("type", "fixed");
-    scene_.raw("directions", directions_text(directions));
+  /// Step 0: what stands before all steps.
+  void read_step(int step) {
+    const std::size_t before = lines_.size();
+    std::vector<const AbaqusBlock*> blocks;
+    for (const AbaqusBlock& block : data_.deck.blocks) {
+      if (block.name == "BOUNDARY" && block.step == step) blocks.push_back(&block);
+    }
+    const auto is_new = [](const AbaqusBlock* block) { return block->option("OP") == "NEW"; };
+    if (step > 0 && std::ranges::any_of(blocks, is_new)) end_all(data_.step_of(*blocks.front()).start);
+    for (const AbaqusBlock* block : blocks) {
+      DataLines lines(*block);
+      while (const auto card = lines.next()) add(*block, *card);
+    }
+    if (step == 0) return;
+    for (std::size_t i = before, after = lines_.size(); i < after; ++i) replace(Line(lines_[i]));
+  }
+
+  void end_all(double time) {
+    const AbaqusBlock* last = nullptr;
+    for (Line& line : lines_) {
+      if (line.end) continue;
+      line.end = time;
+      if (line.block != last)
+        data_.report.understood(
+            fmt::format("*BOUNDARY ({}): ends where the step begins (OP=NEW)", line.block->place.text()));
+      last = line.block;
+    }
   }
 
   void add(const AbaqusBlock& block, const Card& card) {
@@ -98,133 +126,115 @@ class Boundary {
     const AbaqusNodes nodes = data_.nodes(f.text(0), card.place);
     if (nodes.set.empty() && !data_.used[static_cast<std::size_t>(nodes.members[0])])
       return data_.report.ignore_node(card.place, "*BOUNDARY");
-    const AbaqusCurve curve = block.step > 0 ? data_.curve(block) : AbaqusCurve{};
-    const bool moves = held.magnitude != 0 || curve.absolute || block.option("TYPE") == "ACCELERATION";
-    if (moves) {
-      add_motion(block, card, held, nodes, curve);
-    } else if (nodes.set.empty()) {
-      Singles& singles = held_.try_emplace(held.directions, Singles{&block, card.place, {}}).first->second;
-      singles.numbers.push_back(nodes.number);
-    } else {
-      write_abaqus_head("constraint", block, card.place, scene_);
-      write_fixed(held.directions);
-      write_abaqus_nodes(nodes, scene_);
+    Line line{&block, card.place, nodes, held, false, {}, block.step > 0 ? data_.step_of(block).start : 0.0};
+    if (block.step > 0) line.curve = data_.curve(block);
+    line.moves = held.magnitude != 0 || line.curve.absolute || block.option("TYPE") == "ACCELERATION";
+    if (!line.moves || may_move(line)) lines_.push_back(line);
+  }
+
+  /// What a line in a step says of nodes that one of an earlier step holds or moves counts from the step on; that both
+  /// hold them is nothing new.
+  void replace(const Line& later) {
+    const auto of_later = [&](std::int32_t node) { return std::ranges::binary_search(later.nodes.members, node); };
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const unsigned common = lines_[i].held.directions & later.held.directions;
+      if (lines_[i].block->step >= later.block->step || lines_[i].end) continue;
+      if (common == 0 || (!lines_[i].moves && !later.moves)) continue;
+      if (std::ranges::none_of(lines_[i].nodes.members, of_later)) continue;
+      Line ended = lines_[i], rest = lines_[i];
+      ended.held.directions = rest.held.directions = common;
+      ended.end = later.start;
+      std::erase_if(ended.nodes.members, std::not_fn(of_later));
+      std::erase_if(rest.nodes.members, of_later);
+      lines_[i].held.directions &= ~common;
+      if (!rest.nodes.members.empty()) {
+        ended.nodes.set = rest.nodes.set = "";
+        lines_.push_back(rest);
+      }
+      lines_.push_back(ended);
     }
   }
 
-  void add_motion(const AbaqusBlock& block, const Card& card, const Held& held, const AbaqusNodes& nodes,
-                  const AbaqusCurve& curve) {
-    std::string quantity = lower_case(block.option("TYPE"));
-    if (quantity.empty()) quantity = "displacement";
-    if (block.step == 0) {
-      data_.report.refuse(card.place, "*BOUNDARY that moves nodes before the step");
-      return;
+  bool may_move(const Line& line) {
+    const std::string quantity = quantity_of(line);
+    std::string refused;
+    if (line.block->step == 0) refused = "*BOUNDARY that moves nodes before the step";
+    if (line.block->step > 1 && quantity != "velocity") refused = "*BOUNDARY: a later step may give velocities alone";
+    if (quantity == "displacement" && line.curve.times.empty())
+      refused = "*BOUNDARY: a displacement at once, without AMPLITUDE";
+    if (!refused.empty()) data_.report.refuse(line.place, refused);
+    return refused.empty();
+  }
+
+  static std::string quantity_of(const Line& line) {
+    const std::string quantity = lower_case(line.block->option("TYPE"));
+    return quantity.empty() ? "displacement" : quantity;
+  }
+
+  void write(const Line& line) {
+    if (line.held.directions == 0 || (line.end && *line.end <= line.start)) return;
+    if (line.nodes.set.empty() && numbers_of(line).empty()) return;
+    if (line.moves) {
+      write_motion(line);
+    } else if (line.nodes.set.empty()) {
+      Singles& singles =
+          singles_.try_emplace({line.held.directions, line.start, line.end}, Singles{&line, {}}).first->second;
+      for (const std::int64_t number : numbers_of(line)) singles.numbers.push_back(number);
+    } else {
+      write_fixed(line);
+      scene_.key("set", line.nodes.set);
     }
-    if (quantity == "displacement" && curve.times.empty()) {
-      data_.report.refuse(card.place, "*BOUNDARY: a displacement at once, without AMPLITUDE");
-      return;
+  }
+
+  /// Of nodes that an element has.
+  std::vector<std::int64_t> numbers_of(const Line& line) const {
+    std::vector<std::int64_t> numbers;
+    for (const std::int32_t node : line.nodes.members) {
+      const auto at = static_cast<std::size_t>(node);
+      if (data_.used[at]) numbers.push_back(data_.mesh.file.node_ids[at]);
     }
+    return numbers;
+  }
+
+  void write_fixed(const Line& line) {
+    write_abaqus_head("constraint", *line.block, line.place, scene_);
+    scene_.key("type", "fixed");
+    scene_.raw("directions", directions_text(line.held.directions));
+    write_times(line);
+  }
+
+  void write_motion(const Line& line) {
     for (unsigned k = 0; k < 3; ++k) {
-      if ((held.directions >> k & 1U) == 0) continue;
+      if ((line.held.directions >> k & 1U) == 0) continue;
       Point direction{};
       direction[k] = 1;
-      write_abaqus_head("prescribed_velocity", block, card.place, scene_);
+      write_abaqus_head("prescribed_velocity", *line.block, line.place, scene_);
       scene_.key("direction", direction);
-      scene_.key("speed", curve.times.empty() ? held.magnitude : 1.0);
-      scene_.key("quantity", quantity);
-      write_curve(curve, held.magnitude, scene_);
-      write_abaqus_nodes(nodes, scene_);
+      scene_.key("speed", line.curve.times.empty() ? line.held.magnitude : 1.0);
+      scene_.key("quantity", quantity_of(line));
+      write_curve(line.curve, line.held.magnitude, scene_);
+      write_times(line);
+      if (line.nodes.set.empty()) {
+        scene_.key("nodes", numbers_of(line));
+      } else {
+        scene_.key("set", line.nodes.set);
+      }
     }
+  }
+
+  void write_times(const Line& line) {
+    if (line.start > 0) scene_.key("start", line.start);
+    if (line.end) scene_.key("end", *line.end);
   }
 
   AbaqusData& data_;
   TomlText& scene_;
-  std::map<unsigned, Singles> held_;
+  std::vector<Line> lines_;
+  std::map<std::tuple<unsigned, double, std::optional<double>>, Singles> singles_;
 };
 
 }  // namespace
 
 void translate_abaqus_boundary(AbaqusData& data, TomlText& scene) { Boundary(data, scene).translate(); }
-
-namespace {
-
-/// A label of *INITIAL CONDITIONS with the velocity that its lines give together.
-struct Moving {
-  AbaqusNodes nodes;
-  DeckPlace place;
-  Point velocity{};
-  std::array<bool, 3> given{};
-};
-
-/// Whether a node is in two of them: what one leaves out, the other may give.
-bool overlap(const std::vector<Moving>& all, std::size_t nodes) {
-  std::vector<bool> taken(nodes, false);
-  for (const Moving& one : all) {
-    for (const std::int32_t node : one.nodes.members) {
-      if (taken[static_cast<std::size_t>(node)]) return true;
-      taken[static_cast<std::size_t>(node)] = true;
-    }
-  }
-  return false;
-}
-
-/// Each node by itself: later lines replace the components that they give.
-void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const AbaqusBlock& block, TomlText& scene) {
-  std::map<std::int32_t, Point> of_node;
-  for (const Moving& one : all) {
-    for (const std::int32_t node : one.nodes.members) {
-      Point& velocity = of_node[node];
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (one.given[k]) velocity[k] = one.velocity[k];
-      }
-    }
-  }
-  std::map<Point, std::vector<std::int64_t>> nodes;
-  for (const auto& [node, velocity] : of_node) {
-    if (data.used[static_cast<std::size_t>(node)]) {
-      nodes[velocity].push_back(data.mesh.file.node_ids[static_cast<std::size_t>(node)]);
-    } else {
-      data.report.ignore_node(block.place, "*INITIAL CONDITIONS");
-    }
-  }
-  for (const auto& [velocity, numbers] : nodes) {
-    write_abaqus_head("initial_velocity", block, block.place, scene);
-    scene.key("velocity", velocity);
-    scene.key("nodes", numbers);
-  }
-}
-
-}  // namespace
-
-void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene) {
-  std::vector<Moving> all;
-  std::map<std::string, std::size_t> known;
-  const AbaqusBlock* last = nullptr;
-  for (const AbaqusBlock& block : data.deck.blocks) {
-    if (block.name != "INITIALCONDITIONS") continue;
-    last = &block;
-    DataLines lines(block);
-    while (const auto card = lines.next()) {
-      const DataFields f(*card);
-      const std::int64_t degree = f.integer(1, "degree of freedom");
-      const double value = f.number(2, "velocity", 0.0);
-      if (degree < 1 || degree > 3) continue;  // rotations
-      const auto [found, is_new] = known.try_emplace(label_key(f.text(0)), all.size());
-      if (is_new) all.push_back({data.nodes(f.text(0), card->place), card->place, {}, {}});
-      all[found->second].velocity[static_cast<std::size_t>(degree - 1)] = value;
-      all[found->second].given[static_cast<std::size_t>(degree - 1)] = true;
-    }
-  }
-  const bool singles = std::ranges::any_of(all, [](const Moving& one) { return one.nodes.set.empty(); });
-  if (singles || overlap(all, data.used.size())) {
-    write_by_node(data, all, *last, scene);
-    return;
-  }
-  for (const Moving& one : all) {
-    write_abaqus_head("initial_velocity", *last, one.place, scene);
-    scene.key("velocity", one.velocity);
-    write_abaqus_nodes(one.nodes, scene);
-  }
-}
 
 }  // namespace pinball

@@ -31,15 +31,26 @@ void write_mass_scaling(AbaqusData& data, double factor, TomlText& scene) {
   }
 }
 
+/// The part of the stable increment that steps are, which is one for all of them.
+double scale_factor(AbaqusData& data) {
+  const AbaqusBlock& last = *data.last("DYNAMIC");
+  const double factor = last.number("SCALEFACTOR", 1.0);
+  if (!(factor > 0)) fail_at(last.place, "*DYNAMIC: SCALE FACTOR: expected more than 0");
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name == "DYNAMIC" && block.number("SCALEFACTOR", 1.0) != factor)
+      data.report.refuse(last.place, "*DYNAMIC: another SCALE FACTOR than in a step before");
+  }
+  return factor;
+}
+
 void write_time(AbaqusData& data, TomlText& scene) {
   const AbaqusBlock& dynamic = *data.last("DYNAMIC");
   DataLines lines(dynamic);
   const Card card = lines.require("the period of the step");
   const DataFields f(card);
   scene.table("time");
-  scene.key("end", data.period);
-  const double factor = dynamic.number("SCALEFACTOR", 1.0);
-  if (!(factor > 0)) fail_at(dynamic.place, "*DYNAMIC: SCALE FACTOR: expected more than 0");
+  scene.key("end", data.end());
+  const double factor = scale_factor(data);
   scene.key("cfl", 0.9 * factor);
   write_mass_scaling(data, factor, scene);
   if (f.number(3, "largest increment", 0.0) > 0)
@@ -47,21 +58,23 @@ void write_time(AbaqusData& data, TomlText& scene) {
         fmt::format("*DYNAMIC ({}): the largest increment is not used, steps are the stable ones", card.place.text()));
 }
 
-/// Fields at so many equal intervals, 20 where nothing is said; rows of history.csv 200.
+/// Fields at so many equal intervals of the step, 20 where nothing is said; rows of history.csv 200. Of several
+/// requests the one that is more.
 void write_output(const AbaqusData& data, TomlText& scene) {
   scene.table("output");
   const auto interval = [&](const AbaqusBlock& block) {
     const double intervals = block.number("NUMBERINTERVAL", 0.0), time = block.number("TIMEINTERVAL", 0.0);
-    return time > 0 ? time : intervals > 0 ? data.period / intervals : 0.0;
+    return time > 0 ? time : intervals > 0 ? data.step_of(block).period / intervals : 0.0;
   };
+  const auto smaller = [](double so_far, double given) { return so_far > 0 ? std::min(so_far, given) : given; };
   double fields = 0, rows = 0;
   bool of_bodies = false;
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name == "ENERGYOUTPUT" && block.has("ELSET")) of_bodies = true;
     if (block.name != "OUTPUT") continue;
     const double given = interval(block);
-    if (block.has("FIELD")) fields = given > 0 ? given : data.period / 20;
-    if (block.has("HISTORY") && given > 0) rows = rows > 0 ? std::min(rows, given) : given;
+    if (block.has("FIELD")) fields = smaller(fields, given > 0 ? given : data.step_of(block).period / 20);
+    if (block.has("HISTORY") && given > 0) rows = smaller(rows, given);
   }
   if (rows > 0) scene.key("interval", rows);
   if (fields > 0) scene.key("field_interval", fields);

@@ -31,7 +31,7 @@ AbaqusData::AbaqusData(const AbaqusDeck& deck_, const AbaqusMesh& mesh_, DeckRep
   for (std::size_t i = 0; i < mesh.keys.face_sets.size(); ++i) face_sets_[mesh.keys.face_sets[i]] = i;
   require_sections();
   name_bodies();
-  read_step();
+  read_steps();
   for (const AbaqusBlock& block : deck.blocks) {
     if (block.name == "AMPLITUDE") read_amplitude(block);
   }
@@ -74,19 +74,35 @@ void AbaqusData::name_bodies() {
   }
 }
 
-void AbaqusData::read_step() {
-  const AbaqusBlock* dynamic = nullptr;
+void AbaqusData::read_steps() {
+  const auto fail_without = [](const DeckPlace& place) {
+    fail_at(place, "expected *STEP with *DYNAMIC, EXPLICIT and its period");
+  };
+  const AbaqusBlock* open = nullptr;
   for (const AbaqusBlock& block : deck.blocks) {
-    if (block.name == "STEP") ramps = block.option("AMPLITUDE") == "RAMP";
-    if (block.name == "DYNAMIC") dynamic = &block;
+    if (block.name == "STEP") {
+      if (open != nullptr) fail_without(open->place);
+      open = &block;
+      steps.push_back({steps.empty() ? 0.0 : end(), 0.0, block.option("AMPLITUDE") == "RAMP"});
+      if (steps.size() > 1)
+        report.understood(fmt::format("*STEP ({}): begins at {:.6g}", block.place.text(), steps.back().start));
+      if (steps.size() > 1 && (steps.back().ramps || steps.front().ramps))
+        report.refuse(block.place, "*STEP, AMPLITUDE=RAMP beside other steps");
+    }
+    if (block.name != "DYNAMIC" || steps.empty()) continue;
+    DataLines lines(block);
+    const Card card = lines.require("the period of the step");
+    const double period = DataFields(card).number(1, "period");
+    if (!(period > 0)) fail_at(card.place, fmt::format("*DYNAMIC: period: expected more than 0, got {}", period));
+    steps.back().period = period;
+    open = nullptr;
   }
-  if (dynamic == nullptr)
-    fail_at({std::make_shared<const std::string>(mesh.file.path), 1},
-            "expected *STEP with *DYNAMIC, EXPLICIT and its period");
-  DataLines lines(*dynamic);
-  const Card card = lines.require("the period of the step");
-  period = DataFields(card).number(1, "period");
-  if (!(period > 0)) fail_at(card.place, fmt::format("*DYNAMIC: period: expected more than 0, got {}", period));
+  if (open != nullptr) fail_without(open->place);
+  if (steps.empty()) fail_without({std::make_shared<const std::string>(mesh.file.path), 1});
+}
+
+const AbaqusStep& AbaqusData::step_of(const AbaqusBlock& block) const {
+  return steps[static_cast<std::size_t>(std::max(block.step, 1) - 1)];
 }
 
 namespace {
@@ -108,7 +124,7 @@ std::vector<double> numbers_of(const AbaqusBlock& block) {
 /// a + (b - a) x^3 (10 - 15 x + 6 x^2) between two points, in straight pieces.
 AbaqusCurve smooth(const AbaqusCurve& points) {
   constexpr int pieces = 64;
-  AbaqusCurve curve{{points.times.front()}, {points.factors.front()}, points.absolute};
+  AbaqusCurve curve{{points.times.front()}, {points.factors.front()}, points.absolute, points.total_time};
   for (std::size_t i = 1; i < points.times.size(); ++i) {
     const double from = points.times[i - 1], to = points.times[i], low = points.factors[i - 1],
                  high = points.factors[i];
@@ -126,6 +142,7 @@ AbaqusCurve smooth(const AbaqusCurve& points) {
 void AbaqusData::read_amplitude(const AbaqusBlock& block) {
   AbaqusCurve curve;
   curve.absolute = block.option("VALUE") == "ABSOLUTE";
+  curve.total_time = block.option("TIME") == "TOTALTIME";
   const std::vector<double> numbers = numbers_of(block);
   if (block.option("DEFINITION") == "EQUALLYSPACED") {
     const double interval = block.number("FIXEDINTERVAL", 0.0), begin = block.number("BEGIN", 0.0);
@@ -154,13 +171,43 @@ void AbaqusData::read_amplitude(const AbaqusBlock& block) {
   amplitudes_[label_key(block.require("NAME"))] = std::move(curve);
 }
 
+namespace {
+
+double factor_at(const AbaqusCurve& curve, double time) {
+  const auto after = std::ranges::upper_bound(curve.times, time) - curve.times.begin();
+  if (after == 0) return curve.factors.front();
+  if (static_cast<std::size_t>(after) == curve.times.size()) return curve.factors.back();
+  const auto i = static_cast<std::size_t>(after);
+  const double share = (time - curve.times[i - 1]) / (curve.times[i] - curve.times[i - 1]);
+  return curve.factors[i - 1] + share * (curve.factors[i] - curve.factors[i - 1]);
+}
+
+/// From a time on the factor stays what it is then.
+void hold_from(double time, AbaqusCurve& curve) {
+  if (curve.times.back() <= time) return;
+  const double factor = factor_at(curve, time);
+  while (!curve.times.empty() && curve.times.back() >= time) {
+    curve.times.pop_back();
+    curve.factors.pop_back();
+  }
+  curve.times.push_back(time);
+  curve.factors.push_back(factor);
+}
+
+}  // namespace
+
 AbaqusCurve AbaqusData::curve(const AbaqusBlock& block) const {
+  const AbaqusStep& step = step_of(block);
   const auto name = block.value("AMPLITUDE");
-  if (!name) return ramps ? AbaqusCurve{{0.0, period}, {0.0, 1.0}, false} : AbaqusCurve{};
+  if (!name) return step.ramps ? AbaqusCurve{{0.0, step.period}, {0.0, 1.0}} : AbaqusCurve{};
   const auto found = amplitudes_.find(label_key(*name));
   if (found == amplitudes_.end())
     fail_at(block.place, fmt::format("{}: there is no *AMPLITUDE {}", block.star_name(), *name));
-  return found->second;
+  AbaqusCurve curve = found->second;
+  if (curve.total_time) return curve;
+  for (double& time : curve.times) time += step.start;
+  if (&step != &steps.back()) hold_from(step.start + step.period, curve);
+  return curve;
 }
 
 const AbaqusRange* AbaqusData::range_of(const std::string& instance) const {

@@ -23,7 +23,14 @@ struct AbaqusBody {
 /// An amplitude as a factor over time.
 struct AbaqusCurve {
   std::vector<double> times, factors;
-  bool absolute = false;  ///< VALUE=ABSOLUTE: the factors are the values themselves
+  bool absolute = false;    ///< VALUE=ABSOLUTE: the factors are the values themselves
+  bool total_time = false;  ///< TIME=TOTAL TIME: of the run and not of the step
+};
+
+/// A *STEP: when it begins, and how long it takes [time].
+struct AbaqusStep {
+  double start = 0, period = 0;
+  bool ramps = false;  ///< AMPLITUDE=RAMP
 };
 
 /// Nodes that a label of the deck means.
@@ -45,8 +52,7 @@ class AbaqusData {
 
   std::vector<AbaqusBody> bodies;
   std::vector<DeckElement> body_elements;  ///< per body, when they are known
-  double period = 0;                       ///< of the step [time]
-  bool ramps = false;                      ///< *STEP, AMPLITUDE=RAMP
+  std::vector<AbaqusStep> steps;           ///< one after the other, at least one
   std::vector<bool> used;                  ///< per node of the mesh: whether an element has it
 
   /// The nodes of a set, or one by its number, as the assembly calls them. Throws InputError where they are not there.
@@ -64,8 +70,12 @@ class AbaqusData {
   /// A surface as a side of a contact: { faces = "NAME" } or { nodes = "NAME" }. Throws InputError where it is not
   /// there.
   std::string surface(const std::string& label, const DeckPlace& place) const;
-  /// The amplitude that a block names, or that of the step. No times: a factor of 1. Throws InputError for one that is
-  /// not there.
+  /// The step that a keyword stands in; of those before all steps the first one.
+  const AbaqusStep& step_of(const AbaqusBlock& block) const;
+  /// When the last step ends [time].
+  double end() const { return steps.back().start + steps.back().period; }
+  /// The amplitude that a block in a step names, or that of the step, over the time of the run: when its step ends, it
+  /// stays what it is. No times: a factor of 1. Throws InputError for one that is not there.
   AbaqusCurve curve(const AbaqusBlock& block) const;
   /// The last keyword of a name, without case and blanks, which is the one that counts; null: none.
   const AbaqusBlock* last(const std::string& name) const;
@@ -77,7 +87,7 @@ class AbaqusData {
   void name_bodies();
   void require_sections() const;
   [[noreturn]] void throw_at_element(std::size_t e, const std::string& part) const;
-  void read_step();
+  void read_steps();
   void read_amplitude(const AbaqusBlock& block);
   const AbaqusRange* range_of(const std::string& instance) const;
 

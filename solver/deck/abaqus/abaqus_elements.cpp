@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "abaqus_parts.hpp"
 
@@ -74,18 +76,26 @@ Controls controls_of(AbaqusData& data, const AbaqusBody& body, const std::set<st
   return controls;
 }
 
+/// b1 and b2, the same in all steps.
+std::pair<double, double> bulk_viscosity(AbaqusData& data) {
+  std::optional<std::pair<double, double>> found;
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name != "BULKVISCOSITY") continue;
+    DataLines lines(block);
+    const Card card = lines.require("the coefficients");
+    const DataFields f(card);
+    const std::pair here{f.number(0, "b1", 0.06), f.number(1, "b2", 1.2)};
+    if (found && found != here) data.report.refuse(block.place, "*BULK VISCOSITY that is another one than before");
+    found = here;
+  }
+  return found.value_or(std::pair{0.06, 1.2});
+}
+
 }  // namespace
 
 std::vector<DeckElement> abaqus_elements(AbaqusData& data) {
   const auto types = types_of_parts(data.mesh);
-  double linear = 0.06, quadratic = 1.2;
-  if (const AbaqusBlock* block = data.last("BULKVISCOSITY")) {
-    DataLines lines(*block);
-    const Card card = lines.require("the coefficients");
-    const DataFields f(card);
-    linear = f.number(0, "b1", 0.06);
-    quadratic = f.number(1, "b2", 1.2);
-  }
+  const auto [linear, quadratic] = bulk_viscosity(data);
   std::vector<DeckElement> elements;
   for (const AbaqusBody& body : data.bodies) {
     const Controls controls = controls_of(data, body, types[body.section]);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace pinball {
 
@@ -46,7 +47,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
        "NAME DEFINITION=TABULAR|SMOOTHSTEP|EQUALLYSPACED TIME=STEPTIME|TOTALTIME VALUE=RELATIVE|ABSOLUTE FIXEDINTERVAL "
        "BEGIN INPUT"},
       {"INITIAL CONDITIONS", done, "TYPE=VELOCITY", "TYPE=VELOCITY"},
-      {"STEP", done, "one", "NAME NLGEOM=YES| AMPLITUDE=STEP|RAMP INC"},
+      {"STEP", done, "one after the other; in those behind the first BOUNDARY and output alone",
+       "NAME NLGEOM=YES| AMPLITUDE=STEP|RAMP INC"},
       {"END STEP", done, ""},
       {"DYNAMIC", done, "EXPLICIT, with its period and SCALE FACTOR",
        "EXPLICIT ELEMENTBYELEMENT ADIABATIC SCALEFACTOR FIXEDTIMEINCREMENTATION IMPROVEDDTMETHOD"},
@@ -155,10 +157,16 @@ bool is_known(const AbaqusRule& rule, const std::string& name, const std::string
   return false;
 }
 
+/// What may stand in a step behind the first: what else a step changes would need a beginning in the scene.
+bool may_come_later(const std::string& name) {
+  static const std::set<std::string> names{"STEP",   "ENDSTEP",    "DYNAMIC",       "BULKVISCOSITY", "BOUNDARY",
+                                           "OUTPUT", "NODEOUTPUT", "ELEMENTOUTPUT", "ENERGYOUTPUT",  "AMPLITUDE"};
+  return names.contains(name);
+}
+
 /// What a keyword is refused for besides its parameters.
 std::string refused_option(const AbaqusBlock& block) {
   if (block.name == "DYNAMIC" && !block.has("EXPLICIT")) return "*DYNAMIC without EXPLICIT";
-  if (block.name == "STEP" && block.step > 1) return "*STEP: more than one step";
   if (block.name == "FIXEDMASSSCALING" && !block.has("TYPE")) return "*FIXED MASS SCALING, TYPE=UNIFORM";
   if (block.name == "RESTART" && block.has("READ")) return "*RESTART, READ";
   return "";
@@ -180,6 +188,8 @@ void sort_abaqus_keyword(const AbaqusBlock& block, bool lenient, DeckReport& rep
     report.ignore(block.place, block.star_name());
   } else if (rule->treatment == Treatment::refused) {
     report.refuse(block.place, block.star_name(), rule->remark);
+  } else if (rule->treatment == Treatment::done && block.step > 1 && !may_come_later(block.name)) {
+    report.refuse(block.place, block.star_name() + " in a step behind the first");
   } else {
     for (const auto& [name, value] : block.parameters) {
       if (!is_known(*rule, name, value))

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "abaqus_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// A label of *INITIAL CONDITIONS with the velocity that its lines give together.
+struct Moving {
+  AbaqusNodes nodes;
+  DeckPlace place;
+  Point velocity{};
+  std::array<bool, 3> given{};
+};
+
+/// Whether a node is in two of them: what one leaves out, the other may give.
+bool overlap(const std::vector<Moving>& all, std::size_t nodes) {
+  std::vector<bool> taken(nodes, false);
+  for (const Moving& one : all) {
+    for (const std::int32_t node : one.nodes.members) {
+      if (taken[static_cast<std::size_t>(node)]) return true;
+      taken[static_cast<std::size_t>(node)] = true;
+    }
+  }
+  return false;
+}
+
+/// Each node by itself: later lines replace the components that they give.
+void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const AbaqusBlock& block, TomlText& scene) {
+  std::map<std::int32_t, Point> of_node;
+  for (const Moving& one : all) {
+    for (const std::int32_t node : one.nodes.members) {
+      Point& velocity = of_node[node];
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (one.given[k]) velocity[k] = one.velocity[k];
+      }
+    }
+  }
+  std::map<Point, std::vector<std::int64_t>> nodes;
+  for (const auto& [node, velocity] : of_node) {
+    if (data.used[static_cast<std::size_t>(node)]) {
+      nodes[velocity].push_back(data.mesh.file.node_ids[static_cast<std::size_t>(node)]);
+    } else {
+      data.report.ignore_node(block.place, "*INITIAL CONDITIONS");
+    }
+  }
+  for (const auto& [velocity, numbers] : nodes) {
+    write_abaqus_head("initial_velocity", block, block.place, scene);
+    scene.key("velocity", velocity);
+    scene.key("nodes", numbers);
+  }
+}
+
+}  // namespace
+
+void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene) {
+  std::vector<Moving> all;
+  std::map<std::string, std::size_t> known;
+  const AbaqusBlock* last = nullptr;
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name != "INITIALCONDITIONS") continue;
+    last = &block;
+    DataLines lines(block);
+    while (const auto card = lines.next()) {
+      const DataFields f(*card);
+      const std::int64_t degree = f.integer(1, "degree of freedom");
+      const double value = f.number(2, "velocity", 0.0);
+      if (degree < 1 || degree > 3) continue;  // rotations
+      const auto [found, is_new] = known.try_emplace(label_key(f.text(0)), all.size());
+      if (is_new) all.push_back({data.nodes(f.text(0), card->place), card->place, {}, {}});
+      all[found->second].velocity[static_cast<std::size_t>(degree - 1)] = value;
+      all[found->second].given[static_cast<std::size_t>(degree - 1)] = true;
+    }
+  }
+  const bool singles = std::ranges::any_of(all, [](const Moving& one) { return one.nodes.set.empty(); });
+  if (singles || overlap(all, data.used.size())) {
+    write_by_node(data, all, *last, scene);
+    return;
+  }
+  for (const Moving& one : all) {
+    write_abaqus_head("initial_velocity", *last, one.place, scene);
+    scene.key("velocity", one.velocity);
+    write_abaqus_nodes(one.nodes, scene);
+  }
+}
+
+}  // namespace pinball

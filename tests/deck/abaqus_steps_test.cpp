@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+
+#include "abaqus_case.hpp"
+
+namespace pinball::test {
+namespace {
+
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+class AbaqusSteps : public AbaqusTest {
+ protected:
+  /// Two steps, of 1e-6 and 2e-6.
+  static std::string deck(const std::string& model, const std::string& first, const std::string& second) {
+    return abaqus_cube + abaqus_steel + model + abaqus_step(first) + "*STEP\n*DYNAMIC, EXPLICIT\n, 2.0E-6\n" + second +
+           "*END STEP\n";
+  }
+  Scene steps(const std::string& model, const std::string& first, const std::string& second) {
+    return scene(deck(model, first, second));
+  }
+};
+
+TEST_F(AbaqusSteps, FollowEachOther) {
+  const Scene s = steps("*BOUNDARY\nbase, 1\n", "*BOUNDARY\nbase, 2\n", "*BOUNDARY\ntop, 3\n");
+  EXPECT_DOUBLE_EQ(s.time.end, 3e-6);
+  ASSERT_EQ(s.fixed_constraints.size(), 3u);
+  for (const FixedConstraint& held : s.fixed_constraints) EXPECT_EQ(held.when.end, never) << "it stays so";
+  EXPECT_EQ(s.fixed_constraints[1].when.start, 0);
+  EXPECT_EQ(s.fixed_constraints[2].when.start, 1e-6);
+}
+
+TEST_F(AbaqusSteps, MayRenewWhatIsHeldAndMoved) {
+  const Scene s =
+      steps("*BOUNDARY\nbase, 1\n", "*BOUNDARY, TYPE=VELOCITY\ntop, 3, 3, 5.\n", "*BOUNDARY, OP=NEW\n1, 2\n");
+  ASSERT_EQ(s.fixed_constraints.size(), 2u);
+  EXPECT_EQ(s.fixed_constraints[0].when.end, 1e-6);
+  EXPECT_THAT(s.fixed_constraints[1].nodes.nodes, ElementsAre(1));
+  EXPECT_EQ(s.fixed_constraints[1].when.start, 1e-6);
+  EXPECT_EQ(s.prescribed_velocities.at(0).when.end, 1e-6);
+}
+
+TEST_F(AbaqusSteps, ReplaceWhatIsSaidOfTheSameNodes) {
+  const Scene s = steps("", "*BOUNDARY, TYPE=VELOCITY\ntop, 1, 3, 5.\n", "*BOUNDARY, TYPE=VELOCITY\ntop, 3, 3, -5.\n");
+  ASSERT_EQ(s.prescribed_velocities.size(), 4u);
+  const auto spans = [&] {
+    std::vector<std::pair<double, double>> all;
+    for (const PrescribedVelocity& one : s.prescribed_velocities) all.emplace_back(one.when.start, one.when.end);
+    return all;
+  };
+  EXPECT_THAT(spans(),
+              ElementsAre(std::pair(0., never), std::pair(0., never), std::pair(1e-6, never), std::pair(0., 1e-6)));
+  EXPECT_EQ(s.prescribed_velocities[2].velocity[2], -5);
+}
+
+TEST_F(AbaqusSteps, MayReplaceWhatIsSaidOfSomeOfItsNodes) {
+  const Scene s = steps("*BOUNDARY\nbase, ENCASTRE\n", "", "*BOUNDARY, TYPE=VELOCITY\n2, 3, 3, 5.\n");
+  ASSERT_EQ(s.fixed_constraints.size(), 3u);
+  EXPECT_EQ(s.fixed_constraints[0].directions.size(), 2u);
+  EXPECT_EQ(s.fixed_constraints[0].nodes.set, "base");
+  EXPECT_THAT(s.fixed_constraints[1].nodes.nodes, ElementsAre(1, 3, 4));
+  EXPECT_EQ(s.fixed_constraints[1].when.end, never);
+  EXPECT_THAT(s.fixed_constraints[2].nodes.nodes, ElementsAre(2));
+  EXPECT_EQ(s.fixed_constraints[2].when.end, 1e-6);
+  EXPECT_EQ(s.prescribed_velocities.at(0).when.start, 1e-6);
+  const Scene twice = steps("*BOUNDARY\nbase, 3\n", "", "*BOUNDARY, TYPE=VELOCITY\n2, 3, 3, 5.\n3, 3, 3, 6.\n");
+  ASSERT_EQ(twice.fixed_constraints.size(), 2u);
+  EXPECT_THAT(twice.fixed_constraints[0].nodes.nodes, ElementsAre(1, 4));
+  EXPECT_THAT(twice.fixed_constraints[1].nodes.nodes, ElementsAre(2, 3));
+  const Scene one = scene(abaqus_cube + abaqus_steel + "*BOUNDARY\nbase, 3\n" +
+                          abaqus_step("*BOUNDARY, TYPE=VELOCITY\nbase, 3, 3, 5.\n"));
+  EXPECT_THAT(one.fixed_constraints, IsEmpty()) << "what is before the step, too";
+}
+
+TEST_F(AbaqusSteps, HaveAmplitudesOfTheirOwnTimeOrOfAll) {
+  const std::string model =
+      "*AMPLITUDE, NAME=own\n0., 0., 4e-6, 4.\n*AMPLITUDE, NAME=all, TIME=TOTAL TIME\n0., 0., 4e-6, 4.\n";
+  const auto table = [&](const std::string& first, const std::string& second) {
+    const Scene s = steps(model, first, second);
+    return s.loads.empty() ? s.prescribed_velocities.at(0).table : s.loads[0].table;
+  };
+  const TimeTable ended = table("*CLOAD, AMPLITUDE=own\ntop, 1, 1.\n", "");
+  EXPECT_THAT(ended.times, ElementsAre(0, 1e-6)) << "the load stays what it is at the end of its step";
+  EXPECT_THAT(ended.factors, ElementsAre(0, DoubleEq(1)));
+  EXPECT_THAT(table("*CLOAD, AMPLITUDE=all\ntop, 1, 1.\n", "").times, ElementsAre(0, 4e-6));
+  const std::string moved = "*BOUNDARY, TYPE=VELOCITY, AMPLITUDE=";
+  EXPECT_THAT(table("", moved + "own\ntop, 1, 1, 1.\n").times, ElementsAre(1e-6, DoubleEq(5e-6)));
+  EXPECT_THAT(table("", moved + "all\ntop, 1, 1, 1.\n").times, ElementsAre(0, 4e-6));
+}
+
+TEST_F(AbaqusSteps, WriteAsOftenAsTheOneThatAsksForMost) {
+  const Scene s = steps("", "*OUTPUT, FIELD, NUMBER INTERVAL=2\n", "*OUTPUT, FIELD, NUMBER INTERVAL=2\n");
+  EXPECT_DOUBLE_EQ(s.output.field_interval, 5e-7);
+}
+
+TEST_F(AbaqusSteps, MayNotChangeWhatHasNoBeginning) {
+  const auto message = [this](const std::string& first, const std::string& second) {
+    return error(deck("*AMPLITUDE, NAME=a\n0., 0., 1., 1.\n", first, second));
+  };
+  EXPECT_THAT(message("", "*CLOAD\ntop, 1, 1.\n"), HasSubstr("*CLOAD in a step behind the first (deck.inp:32)"));
+  EXPECT_THAT(message("", "*CONTACT\n"), HasSubstr("*CONTACT in a step behind the first"));
+  EXPECT_THAT(message("", "*BOUNDARY, AMPLITUDE=a\ntop, 1, 1, 1.\n"),
+              HasSubstr("a later step may give velocities alone"));
+  EXPECT_THAT(message("*BULK VISCOSITY\n0.06, 1.2\n", "*BULK VISCOSITY\n0.1, 1.2\n"),
+              HasSubstr("*BULK VISCOSITY that is another one than before (deck.inp:34)"));
+  EXPECT_THAT(
+      error(abaqus_cube + abaqus_steel + abaqus_step() + "*STEP\n*DYNAMIC, EXPLICIT, SCALE FACTOR=0.5\n, 1e-6\n"),
+      HasSubstr("*DYNAMIC: another SCALE FACTOR than in a step before"));
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + abaqus_step() + "*STEP, AMPLITUDE=RAMP\n*DYNAMIC, EXPLICIT\n, 1e-6\n"),
+              HasSubstr("*STEP, AMPLITUDE=RAMP beside other steps"));
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*STEP\n*END STEP\n" + abaqus_step()),
+              HasSubstr("deck.inp:23: expected *STEP with *DYNAMIC, EXPLICIT"));
+}
+
+}  // namespace
+}  // namespace pinball::test
