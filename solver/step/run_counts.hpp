@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 #include <solver/base/state_archive.hpp>
@@ -43,9 +44,30 @@ class RunCounts {
   }
   void count_search(double seconds) { work_.search_seconds += seconds; }
 
-  void persist(StateArchive& archive) { archive(work_, eroded_elements_, pairs_, pairs_max_, deepest_); }
+  void persist(StateArchive& archive) {
+    archive(work_, eroded_elements_, pairs_, pairs_max_, deepest_);
+    const std::array counts{work_.resting_element_steps,
+                            work_.subcycled_element_steps,
+                            work_.eroded_element_steps,
+                            work_.surface_element_steps,
+                            work_.inner_element_steps,
+                            work_.searches,
+                            work_.searches_skipped,
+                            work_.sweeps.solutions,
+                            work_.sweeps.sweeps,
+                            work_.sweeps.largest,
+                            work_.sweeps.at_bound,
+                            work_.sweeps.unsolved,
+                            eroded_elements_,
+                            pairs_,
+                            pairs_max_};
+    archive.require_all(counts, -most, most);
+  }
 
  private:
+  /// Beyond what any run counts, and what is added to it does not overflow.
+  static constexpr std::int64_t most = std::int64_t(1) << 60;
+
   WorkCounts work_;
   std::int64_t eroded_elements_ = 0, pairs_ = 0, pairs_max_ = 0;
   struct Deepest {

@@ -8,6 +8,7 @@
 #include <solver/mesh/keyword_mesh.hpp>
 #include <solver/mesh/quality.hpp>
 #include <tests/support/error_of.hpp>
+#include <tests/support/folder_case.hpp>
 
 namespace pinball::test {
 namespace {
@@ -118,14 +119,14 @@ TEST(KeywordMesh, SegmentsOfPartsAndBoxesAreFacesOfTheSurface) {
   EXPECT_EQ(file.face_sets[3].faces.size(), 4u);
 }
 
-TEST(KeywordMesh, LinesOfElementsAreThoseOfTheirFile) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "keyword_mesh";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "inner.k") << "*KEYWORD\n" << nodes << one_line;
-  std::ofstream(folder / "outer.k") << "*KEYWORD\n*INCLUDE\ninner.k\n*ELEMENT_SOLID\n8,3,11,12,13,14,15,16,17,18\n";
-  const MeshFile file = keyword_mesh(read_keyword_deck((folder / "outer.k").string()));
-  EXPECT_EQ(place_of_element(file, 0), (folder / "inner.k").string() + ":12");
-  EXPECT_EQ(place_of_element(file, 1), (folder / "outer.k").string() + ":5");
+class IncludedMesh : public test::FolderTest {};
+
+TEST_F(IncludedMesh, LinesOfElementsAreThoseOfTheirFile) {
+  std::ofstream(folder_ / "inner.k") << "*KEYWORD\n" << nodes << one_line;
+  std::ofstream(folder_ / "outer.k") << "*KEYWORD\n*INCLUDE\ninner.k\n*ELEMENT_SOLID\n8,3,11,12,13,14,15,16,17,18\n";
+  const MeshFile file = keyword_mesh(read_keyword_deck((folder_ / "outer.k").string()));
+  EXPECT_EQ(place_of_element(file, 0), (folder_ / "inner.k").string() + ":12");
+  EXPECT_EQ(place_of_element(file, 1), (folder_ / "outer.k").string() + ":5");
 }
 
 TEST(KeywordMesh, HoldsWhatTcSays) {
@@ -139,13 +140,11 @@ TEST(KeywordMesh, ASetWithMembersThatAreNotThereIsAnErrorForItsUser) {
   EXPECT_EQ(find_set(file.node_sets, "1")->problem, "a.k:14: *SET_NODE: node 99 is not there");
 }
 
-TEST(KeywordMesh, AnIncludedFileIsMovedAndNumberedAnew) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "keyword_mesh";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "part.k") << "*KEYWORD\n" << nodes << one_line;
-  std::ofstream(folder / "main.k") << "*KEYWORD\n*INCLUDE\npart.k\n*INCLUDE_TRANSFORM\npart.k\n100,200,300\n\n\n4\n"
-                                      "*DEFINE_TRANSFORMATION\n4\nSCALE,2,2,2\nROTATE,0,0,1,0,0,0,90\nTRANSL,10,0,0\n";
-  const MeshFile file = keyword_mesh(read_keyword_deck((folder / "main.k").string()));
+TEST_F(IncludedMesh, AnIncludedFileIsMovedAndNumberedAnew) {
+  std::ofstream(folder_ / "part.k") << "*KEYWORD\n" << nodes << one_line;
+  std::ofstream(folder_ / "main.k") << "*KEYWORD\n*INCLUDE\npart.k\n*INCLUDE_TRANSFORM\npart.k\n100,200,300\n\n\n4\n"
+                                       "*DEFINE_TRANSFORMATION\n4\nSCALE,2,2,2\nROTATE,0,0,1,0,0,0,90\nTRANSL,10,0,0\n";
+  const MeshFile file = keyword_mesh(read_keyword_deck((folder_ / "main.k").string()));
   ASSERT_EQ(file.mesh.hexahedra.size(), 2u);
   EXPECT_EQ(file.node_ids[8], 111);
   EXPECT_EQ(file.element_ids[1], 207);
@@ -156,16 +155,14 @@ TEST(KeywordMesh, AnIncludedFileIsMovedAndNumberedAnew) {
 }
 
 /// Lengths first, and then the transformation, which is in the units of the deck.
-TEST(KeywordMesh, AnIncludedFileMayHaveAnotherUnitOfLength) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "keyword_mesh";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "part.k") << "*KEYWORD\n"
-                                   << nodes << one_line
-                                   << "*DEFINE_BOX\n5,-0.1,1.1,-0.1,1.1,0.9,1.1\n"
-                                      "*SET_SEGMENT_GENERAL\n6\nBOX,5\n";
+TEST_F(IncludedMesh, AnIncludedFileMayHaveAnotherUnitOfLength) {
+  std::ofstream(folder_ / "part.k") << "*KEYWORD\n"
+                                    << nodes << one_line
+                                    << "*DEFINE_BOX\n5,-0.1,1.1,-0.1,1.1,0.9,1.1\n"
+                                       "*SET_SEGMENT_GENERAL\n6\nBOX,5\n";
   const auto read_with = [&](const std::string& transformation) {
-    std::ofstream(folder / "main.k") << "*KEYWORD\n*INCLUDE_TRANSFORM\npart.k\n\n\n1,1,1000\n" << transformation;
-    return keyword_mesh(read_keyword_deck((folder / "main.k").string()));
+    std::ofstream(folder_ / "main.k") << "*KEYWORD\n*INCLUDE_TRANSFORM\npart.k\n\n\n1,1,1000\n" << transformation;
+    return keyword_mesh(read_keyword_deck((folder_ / "main.k").string()));
   };
   const MeshFile scaled = read_with("");
   EXPECT_NEAR(measure_quality(scaled.mesh).volume, 1e9, 1);
@@ -175,13 +172,11 @@ TEST(KeywordMesh, AnIncludedFileMayHaveAnotherUnitOfLength) {
     EXPECT_EQ(moved.mesh.nodes[n][0], scaled.mesh.nodes[n][0] + 10) << n;
 }
 
-TEST(KeywordMesh, AMirroredFileHasItsElementsTurned) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "keyword_mesh";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "part.k") << "*KEYWORD\n" << nodes << one_line;
-  std::ofstream(folder / "mirrored.k")
+TEST_F(IncludedMesh, AMirroredFileHasItsElementsTurned) {
+  std::ofstream(folder_ / "part.k") << "*KEYWORD\n" << nodes << one_line;
+  std::ofstream(folder_ / "mirrored.k")
       << "*KEYWORD\n*DEFINE_TRANSFORMATION\n4\nMIRROR,0,0,0,1,0,0\n*INCLUDE_TRANSFORM\npart.k\n0,0\n\n\n4\n";
-  const MeshFile file = keyword_mesh(read_keyword_deck((folder / "mirrored.k").string()));
+  const MeshFile file = keyword_mesh(read_keyword_deck((folder_ / "mirrored.k").string()));
   EXPECT_NEAR(measure_quality(file.mesh).volume, 1, 1e-15);
   EXPECT_EQ(file.mesh.nodes[1][0], -1);
 }
