@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 
+#include "error_text.hpp"
 #include "host_space.hpp"
 
 namespace pinball {
@@ -84,7 +84,7 @@ class Array {
 
 inline void require_equal_sizes(std::size_t to, std::size_t from) {
   if (to != from) {
-    throw std::invalid_argument("deep_copy of " + std::to_string(from) + " elements to " + std::to_string(to));
+    throw std::invalid_argument((ErrorText() << "deep_copy of " << from << " elements to " << to).c_str());
   }
 }
 

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <new>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 
 #if defined(__HIPCC__)
@@ -19,6 +18,7 @@
 #define PINBALL_GPU(name) cuda##name
 #endif
 
+#include "error_text.hpp"
 #include "sums.hpp"
 
 /// Accelerators of CUDA and of HIP, by one source: `Cuda` and `CudaSpace`, or `Hip` and `HipSpace`. All work is done in
@@ -29,7 +29,8 @@ namespace pinball {
 class GpuError : public std::runtime_error {
  public:
   GpuError(const char* what, PINBALL_GPU(Error_t) status)
-      : std::runtime_error(std::string(what) + ": " + PINBALL_GPU(GetErrorString)(status)), status_(status) {}
+      : std::runtime_error((ErrorText() << what << ": " << PINBALL_GPU(GetErrorString)(status)).c_str()),
+        status_(status) {}
   /// The runtime's own sentence.
   const char* reason() const { return PINBALL_GPU(GetErrorString)(status_); }
 
@@ -81,17 +82,14 @@ struct GpuSpace {
 struct Gpu {
   using memory_space = GpuSpace;
   static constexpr int block = sum_lanes;  ///< threads
-  /// Of the device that is current. Throws GpuError where there is none.
-  static std::string name() { return properties().name; }
-  static std::size_t memory() { return properties().totalGlobalMem; }  ///< [bytes]
   static void wait() { require_gpu(PINBALL_GPU(DeviceSynchronize)(), "fence"); }
 
- private:
 #if defined(__HIPCC__)
   using Properties = hipDeviceProp_t;
 #else
   using Properties = cudaDeviceProp;
 #endif
+  /// Of the device that is current. Throws GpuError where there is none.
   static Properties properties() {
     int device = 0;
     require_gpu(PINBALL_GPU(GetDevice)(&device), "device");

@@ -5,11 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <iterator>
-#include <map>
 #include <mutex>
 #include <new>
-#include <utility>
 
 #if defined(PKEY_DISABLE_ACCESS) && !defined(PINBALL_MOCK_WITHOUT_KEYS)
 #define PINBALL_MOCK_KEYS 1
@@ -35,30 +32,19 @@ class MockMemory {
   /// bytes: a multiple of pages.
   void* allocate(std::size_t bytes) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    auto gap = gaps_.begin();
-    while (gap != gaps_.end() && gap->second < bytes) ++gap;
-    if (gap == gaps_.end()) throw std::bad_alloc();
-    const std::size_t at = gap->first, left = gap->second - bytes;
-    if (at + bytes > used_) extend(at + bytes);
-    auto place = gaps_.extract(gap);  // its node serves for what is left
-    if (left > 0) {
-      place.key() = at + bytes;
-      place.mapped() = left;
-      gaps_.insert(std::move(place));
-    }
-    return begin_ + at;
+    if (bytes > range - next_) throw std::bad_alloc();
+    if (next_ + bytes > used_) extend(next_ + bytes);
+    void* const memory = begin_ + next_;
+    next_ += bytes;
+    ++pieces_;
+    return memory;
   }
 
+  /// Addresses are used again when nothing is left of them: a device's program takes its memory once.
   void release(void* memory, std::size_t bytes) noexcept {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (bytes >= huge_page) madvise(memory, bytes, MADV_DONTNEED);
-    try {
-      auto gap = gaps_.emplace(static_cast<char*>(memory) - begin_, bytes).first;
-      if (gap != gaps_.begin()) gap = joined(std::prev(gap), gap);
-      if (const auto next = std::next(gap); next != gaps_.end()) joined(gap, next);
-    } catch (const std::bad_alloc&) {
-      return;  // no memory for the note: these addresses are not used again
-    }
+    madvise(memory, bytes, MADV_DONTNEED);
+    if (--pieces_ == 0) next_ = 0;
   }
 
   /// While it lives, the calling thread may touch the memory. Scopes may lie in each other.
@@ -81,7 +67,6 @@ class MockMemory {
  private:
   static constexpr std::size_t range = std::size_t(1) << 38;  ///< of addresses; memory comes when it is touched
   static constexpr std::size_t huge_page = std::size_t(2) << 20;
-  using Gaps = std::map<std::size_t, std::size_t>;  ///< offset and bytes
 
   MockMemory() {
     void* const memory =
@@ -89,21 +74,12 @@ class MockMemory {
     if (memory == MAP_FAILED) throw std::bad_alloc();
     const auto address = reinterpret_cast<std::uintptr_t>(memory);
     begin_ = static_cast<char*>(memory) + (huge_page - address % huge_page) % huge_page;
-    gaps_.emplace(0, range);
 #if defined(MADV_HUGEPAGE)
     madvise(begin_, range, MADV_HUGEPAGE);
 #endif
 #if defined(PINBALL_MOCK_KEYS)
     key_ = pkey_alloc(0, PKEY_DISABLE_ACCESS);
 #endif
-  }
-
-  /// Two gaps as one, where they touch; else the second.
-  Gaps::iterator joined(Gaps::iterator first, Gaps::iterator second) {
-    if (first->first + first->second != second->first) return second;
-    first->second += second->second;
-    gaps_.erase(second);
-    return first;
   }
 
   /// More of the range is in use: whole huge pages, as open or closed as the rest.
@@ -155,9 +131,10 @@ class MockMemory {
   char* begin_ = nullptr;
   int key_ = -1;
   std::mutex mutex_;
-  Gaps gaps_;
-  std::size_t used_ = 0;   ///< bytes from the beginning, some of them gaps
-  std::int64_t open_ = 0;  ///< scopes for which all threads may touch it
+  std::size_t next_ = 0;    ///< bytes from the beginning that are given out, or were
+  std::size_t used_ = 0;    ///< bytes from the beginning that the system gives, whole huge pages
+  std::size_t pieces_ = 0;  ///< given out and not released
+  std::int64_t open_ = 0;   ///< scopes for which all threads may touch it
 };
 
 struct MockSpace {

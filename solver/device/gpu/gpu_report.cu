@@ -5,7 +5,8 @@ namespace pinball {
 
 GpuReport gpu_report() {
   try {
-    return {"", Gpu::name(), Gpu::memory()};
+    const auto properties = Gpu::properties();
+    return {"", properties.name, properties.totalGlobalMem};
   } catch (const GpuError& error) {
     return {error.reason(), "", 0};
   }
