@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/sweep_counts.hpp"
+#include "base/tied_result.hpp"
 #include "mesh.hpp"
 
 /// What a run reports: plain data in double, in the order of the scene (not of the solver's internal numbering).
@@ -67,15 +68,6 @@ struct PairResult {
   Point force{};           ///< on the first side, at present [force]
   double force_max = 0.0;  ///< size of the largest of one step [force]
   Point impulse{};         ///< given to the first side [mass length/time]
-};
-
-/// What has become of the nodes of a tied contact at the start.
-struct TiedResult {
-  std::string name;
-  std::int64_t nodes = 0;  ///< follow a face
-  std::int64_t near = 0;   ///< lie within five times the tolerance, and beyond it
-  std::int64_t held = 0;   ///< near enough, but held in all directions or moved as prescribed
-  std::int64_t taken = 0;  ///< near enough, but tied already, or corners of faces that others are tied to
 };
 
 /// What one quantity of a probe is at the end.

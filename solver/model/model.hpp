@@ -10,6 +10,7 @@
 #include <kernels/boundary/held_nodes.hpp>
 #include <solver/base/colouring.hpp>
 #include <solver/base/state_archive.hpp>
+#include <solver/base/tied_result.hpp>
 #include <solver/contact/tied/tied_nodes.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/scene.hpp>
@@ -64,15 +65,6 @@ struct Part {
   ElementSettings settings;
 };
 
-/// What has become of a tied contact at the start, in nodes of its first side.
-struct TieCount {
-  std::string name;
-  std::int64_t tied = 0;   ///< follow a face
-  std::int64_t near = 0;   ///< lie within five times the tolerance, and beyond it
-  std::int64_t held = 0;   ///< near enough, but held in all directions or moved as prescribed
-  std::int64_t taken = 0;  ///< near enough, but tied already, or corners of faces that others are tied to
-};
-
 /// Steps that a tile may make where elements have steps of their own (step_levels.hpp).
 struct TileLevels {
   std::uint8_t highest;  ///< level of all its elements
@@ -113,7 +105,7 @@ struct Model {
   std::vector<NodePrescription<S>> prescribed;  ///< orthonormal per node, with the constraints
 
   std::vector<TiedNode> tied_nodes;         ///< in the numbers of the stores
-  std::vector<TieCount> tie_counts;         ///< per tied contact
+  std::vector<TiedResult> tie_counts;       ///< per tied contact
   const S* contact_inverse_mass = nullptr;  ///< what contact by springs divides by; null: that of the nodes [1/mass]
   /// Nodes whose masses ties have moved, with those that they have without ties [mass].
   const std::vector<std::pair<std::int32_t, double>>* masses_without_ties = nullptr;

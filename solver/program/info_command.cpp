@@ -216,9 +216,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
                  pair.friction, pair.second.empty() ? ", of its first side alone" : "");
     }
   }
-  for (const TieCount& count : model.tie_counts) {
-    fmt::print("  tied contact {}\n", tied_text({count.name, count.tied, count.near, count.held, count.taken}));
-  }
+  for (const TiedResult& tied : model.tie_counts) fmt::print("  tied contact {}\n", tied_text(tied));
   print_boundary_conditions(model, units);
   fmt::print("  output: {}\n", output_text(scene, units));
 }

@@ -184,9 +184,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.walls = solver.boundary().walls();
   summary.pressures = solver.boundary().pressures();
   summary.probes = solver.probes().results(model, solver.dt());
-  for (const TieCount& count : model.tie_counts) {
-    summary.tied.push_back({count.name, count.tied, count.near, count.held, count.taken});
-  }
+  summary.tied = model.tie_counts;
   summary.contact_method = contact != nullptr ? contact->name() : "none";
   summary.contact_enforcement = contact != nullptr ? enforcement_name(scene.contact.enforcement) : "none";
   if (contact != nullptr) {

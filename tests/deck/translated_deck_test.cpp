@@ -287,9 +287,9 @@ TEST_F(Deck, HasTiedContacts) {
   EXPECT_EQ(tied.name, "contact_3");
   EXPECT_THAT(tied.first.bodies, ElementsAre("part_2"));
   EXPECT_DOUBLE_EQ(tied.tolerance, 0.12);
-  EXPECT_EQ(build_model<double>(s).tie_counts.at(0).tied, 4);
+  EXPECT_EQ(build_model<double>(s).tie_counts.at(0).nodes, 4);
   const Scene far = scene(two_cubes + "*CONTACT_TIED_NODES_TO_SURFACE\n2,1,3,3\n");
-  EXPECT_EQ(build_model<double>(far).tie_counts.at(0).tied, 0) << "0.1 is more than 0.05 of the diagonal";
+  EXPECT_EQ(build_model<double>(far).tie_counts.at(0).nodes, 0) << "0.1 is more than 0.05 of the diagonal";
   EXPECT_EQ(build_model<double>(far).tie_counts[0].near, 4);
 }
 

@@ -53,7 +53,7 @@ class TieSearch {
     find_held();
   }
 
-  std::vector<TiedNode> find(std::vector<TieCount>& counts) {
+  std::vector<TiedNode> find(std::vector<TiedResult>& counts) {
     for (std::size_t t = 0; t < scene_.tied_contacts.size(); ++t) {
       counts.push_back(tie(scene_.tied_contacts[t], static_cast<std::int16_t>(t)));
     }
@@ -118,8 +118,8 @@ class TieSearch {
     return faces;
   }
 
-  TieCount tie(const TiedContact& tied, std::int16_t number) {
-    TieCount count;
+  TiedResult tie(const TiedContact& tied, std::int16_t number) {
+    TiedResult count;
     count.name = tied.name;
     const std::vector<std::int32_t> nodes = nodes_of(tied);
     const std::vector<Face> faces = faces_of(tied);
@@ -136,7 +136,7 @@ class TieSearch {
       } else if (tied_[node] != 0 || is_corner_[node] != 0) {
         ++count.taken;
       } else {
-        ++count.tied;
+        ++count.nodes;
         tied_[node] = 1;
         for (const std::int32_t corner : face.node) is_corner_[corner] = 1;
         ties_.push_back({node, face.node, foot.weight, face.element, number});
@@ -244,7 +244,7 @@ class TieSearch {
 
 }  // namespace
 
-std::vector<TiedNode> find_ties(const Scene& scene, ModelMesh& mesh, std::vector<TieCount>& counts) {
+std::vector<TiedNode> find_ties(const Scene& scene, ModelMesh& mesh, std::vector<TiedResult>& counts) {
   if (scene.tied_contacts.empty()) return {};
   return TieSearch(scene, mesh).find(counts);
 }

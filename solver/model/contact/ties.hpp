@@ -16,6 +16,6 @@ namespace pinball {
 /// A node is tied to the nearest of the faces that it is near enough to, the first of several. Not tied are corners of
 /// faces that others are tied to, nodes that are tied already, and nodes that are held in all directions or moved as
 /// prescribed. Faces with a corner that is tied take none.
-std::vector<TiedNode> find_ties(const Scene& scene, ModelMesh& mesh, std::vector<TieCount>& counts);
+std::vector<TiedNode> find_ties(const Scene& scene, ModelMesh& mesh, std::vector<TiedResult>& counts);
 
 }  // namespace pinball
