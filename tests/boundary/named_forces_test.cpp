@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <solver/base/state_archive.hpp>
 #include <solver/scene_rules.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Forces of constraints, prescribed velocities and accelerations by name.
@@ -148,10 +148,8 @@ TEST(NamedForces, AreInTheRowsOfARunThatGoesOn) {
   scene.prescribed_velocities[0].name = "push";
   Solver<double> whole(scene), rest(scene);
   while (whole.time() < 1e-4) whole.step();
-  StateBytes state;
-  StateArchive::save(state, [&](StateArchive& archive) { whole.persist(archive); });
-  StateArchive archive = StateArchive::reading({state.data(), state.size()});
-  rest.persist(archive);
+  const StateBytes state = test::saved(whole);
+  test::load(rest, state);
   for (int step = 0; step < 3; ++step) {
     whole.step();
     rest.step();

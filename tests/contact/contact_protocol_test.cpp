@@ -6,6 +6,7 @@
 
 #include <solver/contact/algorithm/contact_ledger.hpp>
 #include <solver/model/model_surface.hpp>
+#include <tests/support/saved_state.hpp>
 
 #include "impact_case.hpp"
 
@@ -107,10 +108,8 @@ TEST(ContactLedger, SumsPowerByTheTrapezoidalRuleAndGoesOnAfterARestart) {
   ContactLedger ledger, again;
   ledger.book(first, 0.5);
   EXPECT_EQ(ledger.dissipated(), 2);  // 0.5 (0 + 4) 0.5 + 1
-  StateBytes bytes;
-  StateArchive::save(bytes, [&](StateArchive& archive) { ledger.persist(archive); });
-  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
-  again.persist(archive);
+  const StateBytes bytes = test::saved(ledger);
+  test::load(again, bytes);
   for (ContactLedger* one : {&ledger, &again}) {
     one->book(second, 1);
     EXPECT_EQ(one->dissipated(), 5);  // and 0.5 (4 + 2) 1

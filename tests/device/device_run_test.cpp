@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <solver/base/state_archive.hpp>
 #include <solver/device/device_run.hpp>
 #include <solver/step/report.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Steps on a device (the mock one: threads of the host, on memory that nothing else may touch) beside those of the
@@ -194,12 +194,10 @@ std::uint64_t hash_of_parts(Scene scene, Device first, Device second) {
   scene.device = first;
   Solver<double> before(scene);
   for (int i = 0; i < 20; ++i) before.step();
-  StateBytes bytes;
-  StateArchive::save(bytes, [&](StateArchive& archive) { before.persist(archive); });
+  const StateBytes bytes = test::saved(before);
   scene.device = second;
   Solver<double> after(scene);
-  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
-  after.persist(archive);
+  test::load(after, bytes);
   run(after);
   return state_hash(after.model());
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
+#include <tests/support/record.hpp>
 
 namespace {
 
@@ -18,22 +19,9 @@ using Device = Cuda;
 template <class T>
 using DeviceArray = Array<T, Device::memory_space>;
 
-struct Record {
-  double sum = 0, least = INFINITY;
-  std::int64_t count = 0;
-  PINBALL_FUNCTION void join(const Record& other) {
-    sum += other.sum;
-    if (other.least < least) least = other.least;
-    count += other.count;
-  }
-  bool operator==(const Record&) const = default;
-};
-
 /// Its sums have two blocks on a processor.
-struct RecordOf {
+struct RecordInTwoBlocks : test::RecordOf {
   static constexpr int least_blocks = 2;
-  const double* value;
-  PINBALL_FUNCTION void operator()(std::int64_t i, Record& record) const { record.join({value[i], value[i], 1}); }
 };
 
 struct Fill {
@@ -54,7 +42,7 @@ struct Listed {
 /// What a space makes of a range, on the host.
 struct Found {
   std::vector<double> values;
-  Record record;
+  test::Record record;
   std::int32_t total = 0;
   std::vector<std::int32_t> list;
   bool operator==(const Found&) const = default;
@@ -69,7 +57,7 @@ Found found_by(std::int64_t count) {
   Found found{std::vector<double>(size), {}, 0, std::vector<std::int32_t>(size)};
   parallel_for("fill", RangePolicy<Space>{0, count}, Fill{values.data()});
   fence<Space>();
-  parallel_reduce("record", RangePolicy<Space>{0, count}, RecordOf{values.data()}, found.record);
+  parallel_reduce("record", RangePolicy<Space>{0, count}, RecordInTwoBlocks{{values.data()}}, found.record);
   parallel_scan("list", RangePolicy<Space>{0, count}, Listed{values.data(), list.data()}, found.total);
   deep_copy(found.values.data(), values);
   deep_copy(found.list.data(), list);

@@ -6,6 +6,7 @@
 
 #include <kernels/exec.hpp>
 #include <tests/exec/with_threads.hpp>
+#include <tests/support/record.hpp>
 #include <tests/support/support.hpp>
 
 namespace pinball {
@@ -29,28 +30,12 @@ std::vector<double> rough_numbers(std::int64_t count) {
   return values;
 }
 
-/// What a step tells of itself: a sum, an extreme, a count.
-struct Record {
-  double sum = 0, least = INFINITY;
-  std::int64_t count = 0;
-  PINBALL_FUNCTION void join(const Record& other) {
-    sum += other.sum;
-    if (other.least < least) least = other.least;
-    count += other.count;
-  }
-  bool operator==(const Record&) const = default;
-};
-struct RecordOf {
-  const double* value;
-  PINBALL_FUNCTION void operator()(std::int64_t i, Record& record) const { record.join({value[i], value[i], 1}); }
-};
-
 template <class Space>
-Record record_of(const std::vector<double>& values, std::int64_t begin, std::int64_t end) {
+test::Record record_of(const std::vector<double>& values, std::int64_t begin, std::int64_t end) {
   Array<double, typename Space::memory_space> numbers(values.size());
   deep_copy(numbers, values.data(), values.size());
-  Record record{1, -1e30, 77};  // what was in it does not count
-  parallel_reduce("record", RangePolicy<Space>{begin, end}, RecordOf{numbers.data()}, record);
+  test::Record record{1, -1e30, 77};  // what was in it does not count
+  parallel_reduce("record", RangePolicy<Space>{begin, end}, test::RecordOf{numbers.data()}, record);
   return record;
 }
 
@@ -69,7 +54,7 @@ TYPED_TEST(Sums, HaveTheSameBitsOnEverySpaceForAnyNumberOfThreads) {
   const std::vector<double> values = rough_numbers(most);
   for (const std::int64_t count : {0, 1, 127, 128, 129, 5000, 131'072, 131'073, 300'000}) {
     for (const std::int64_t begin : {std::int64_t(0), most - count}) {
-      const Record expected = record_of<Serial>(values, begin, begin + count);
+      const test::Record expected = record_of<Serial>(values, begin, begin + count);
       EXPECT_EQ(expected.count, count);
       for (const int threads : {1, 2, 3, 8}) {
         with_threads(threads, [&] { EXPECT_EQ(record_of<TypeParam>(values, begin, begin + count), expected); });

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
+#include <tests/support/saved_state.hpp>
 
 #include "simulation_case.hpp"
 
@@ -146,11 +147,9 @@ TEST(Simulation, ExternalForcesActAsTheLoadsOfASceneDo) {
 TEST(Simulation, ASavedStateGoesOnInAnotherSimulation) {
   Simulation first(impact());
   first.run_until(0.4e-4);
-  StateBytes bytes;
-  StateArchive::save(bytes, [&](StateArchive& archive) { first.persist(archive); });
+  const StateBytes bytes = test::saved(first);
   Simulation second(impact());
-  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
-  second.persist(archive);
+  test::load(second, bytes);
   EXPECT_EQ(second.time(), first.time());
   second.run();
   EXPECT_EQ(second.state_hash(), hash_of_run(impact()));
@@ -159,11 +158,9 @@ TEST(Simulation, ASavedStateGoesOnInAnotherSimulation) {
 TEST(Simulation, GoesOnFromTheStateAtItsEndWithNothingToDo) {
   Simulation first(impact());
   first.run();
-  StateBytes bytes;
-  StateArchive::save(bytes, [&](StateArchive& archive) { first.persist(archive); });
+  const StateBytes bytes = test::saved(first);
   Simulation second(impact());
-  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
-  second.persist(archive);
+  test::load(second, bytes);
   EXPECT_TRUE(second.complete());
   EXPECT_FALSE(second.step());
   EXPECT_EQ(second.state_hash(), first.state_hash());

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include <solver/base/state_archive.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Energies, momentum and mass of each body (output.body_energies).
@@ -172,10 +172,8 @@ TEST(BodyEnergies, GoOnFromASavedState) {
   scene.output.body_energies = true;
   Solver<double> whole(scene), rest(scene);
   while (whole.time() < 1e-4) whole.step();
-  StateBytes state;
-  StateArchive::save(state, [&](StateArchive& archive) { whole.persist(archive); });
-  StateArchive archive = StateArchive::reading({state.data(), state.size()});
-  rest.persist(archive);
+  const StateBytes state = test::saved(whole);
+  test::load(rest, state);
   for (int step = 0; step < 3; ++step) {
     EXPECT_EQ(history_row(whole).more, history_row(rest).more) << step;
     whole.step();

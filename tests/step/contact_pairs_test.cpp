@@ -5,6 +5,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/summary.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Contact pairs of a scene: what they let touch, when, and what they say of force and impulse.
@@ -205,8 +206,7 @@ TEST_P(ContactPairs, GoOnFromASavedState) {
   for (const StateBytes& state : states) {
     DefaultExecutionSpace::set_concurrency(3);
     Solver<double> rest(scene);
-    StateArchive archive = StateArchive::reading({state.data(), state.size()});
-    rest.persist(archive);
+    test::load(rest, state);
     run(rest);
     EXPECT_EQ(state_hash(rest.model()), state_hash(whole.model()));
     for (std::size_t p = 0; p < 2; ++p) {

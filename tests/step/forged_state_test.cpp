@@ -7,6 +7,7 @@
 #include <string>
 
 #include <solver/base/state_archive.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// A state whose checksum is right and whose numbers are not: it is refused, or the run goes on from it, fails or not;
@@ -48,8 +49,7 @@ template <class S>
 bool goes_on(const Scene& scene, const StateBytes& state) {
   Solver<S> solver(scene);
   try {
-    StateArchive archive = StateArchive::reading({state.data(), state.size()});
-    solver.persist(archive);
+    test::load(solver, state);
   } catch (const InputError&) {
     return false;
   }

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <solver/base/state_archive.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// What a host does to a solver between two steps: changes velocities, saves the state, looks at the model.
@@ -15,18 +15,6 @@ Scene slow_impact() {
   scene.bodies[0].velocity = {10, 0, 0};
   scene.contact.method = ContactMethod::pinball;
   return scene;
-}
-
-StateBytes saved(Solver<double>& solver) {
-  StateBytes bytes;
-  StateArchive::save(bytes, [&](StateArchive& archive) { solver.persist(archive); });
-  return bytes;
-}
-
-void load(Solver<double>& solver, const StateBytes& bytes) {
-  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
-  solver.persist(archive);
-  EXPECT_EQ(archive.left(), 0U);
 }
 
 /// Throws the first body at the second, faster than elements can tell: the speed of impact sets the step.
@@ -61,7 +49,7 @@ TEST(ChangedVelocities, LimitTheStepAlsoAfterARestart) {
   whole.step();
   ASSERT_LT(whole.dt(), 0.5 * before);
   Solver<double> restarted(scene);
-  load(restarted, saved(whole));
+  EXPECT_EQ(load(restarted, saved(whole)), 0U);
   expect_same_run(whole, restarted, 3);
 }
 
@@ -71,7 +59,7 @@ TEST(ChangedVelocities, AreTakenFromAStateThatIsSavedBeforeTheNextStep) {
   for (int step = 0; step < 3; ++step) whole.step();
   throw_first_body(whole);
   Solver<double> restarted(scene);
-  load(restarted, saved(whole));
+  EXPECT_EQ(load(restarted, saved(whole)), 0U);
   expect_same_run(whole, restarted, 3);
   EXPECT_GT(whole.energies().external, 0);  // what the host's change has brought
 }

@@ -4,6 +4,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/summary.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// A solver that goes on from the saved state of another one makes the same bits, with any number of threads.
@@ -15,13 +16,6 @@ using namespace test;
 template <class S>
 void save(Solver<S>& solver, StateBytes& bytes) {
   StateArchive::save(bytes, [&](StateArchive& archive) { solver.persist(archive); });
-}
-
-template <class S>
-void load(Solver<S>& solver, const StateBytes& bytes) {
-  StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
-  solver.persist(archive);
-  EXPECT_EQ(archive.left(), 0U);
 }
 
 /// What a run has come to, but for times, threads and the memory that arrays happened to take.
@@ -55,7 +49,7 @@ void expect_same_after_restart(const Scene& scene, const std::vector<double>& pa
     DefaultExecutionSpace::set_concurrency(static_cast<int>(1 + i));
     Solver<S> rest(scene);
     EXPECT_EQ(fingerprint(rest.model()), fingerprint(whole.model()));
-    load(rest, states[i]);
+    EXPECT_EQ(load(rest, states[i]), 0U);
     if (i + 1 == states.size()) {  // the picture of a state is that of the run
       const FieldSnapshot again = snapshot(rest);
       EXPECT_EQ(again.position, there.position);
@@ -67,7 +61,7 @@ void expect_same_after_restart(const Scene& scene, const std::vector<double>& pa
   }
   // A solver that has gone further goes back.
   DefaultExecutionSpace::set_concurrency(1);
-  load(whole, states.back());
+  EXPECT_EQ(load(whole, states.back()), 0U);
   EXPECT_EQ(outcome(whole), expected);
 }
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <solver/base/state_archive.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Nodes that are tied to faces.
@@ -60,14 +60,14 @@ double largest_distance_from_faces(const Solver<double>& solver) {
 TEST(TiedContact, TellsWhatItHasTied) {
   Scene scene = glued(4, 3, 1e-4);
   Solver<double> solver(scene);
-  EXPECT_EQ(solver.model().tie_counts.at(0).tied, 25);
+  EXPECT_EQ(solver.model().tie_counts.at(0).nodes, 25);
   EXPECT_EQ(solver.model().tie_counts[0].near, 0);
   scene = glued(4, 3, 1e-4, 0.02);  // tolerance: 0.05 sqrt(2) 0.2 = 0.01414
-  EXPECT_EQ(Solver<double>(scene).model().tie_counts.at(0).tied, 0);
+  EXPECT_EQ(Solver<double>(scene).model().tie_counts.at(0).nodes, 0);
   EXPECT_EQ(Solver<double>(scene).model().tie_counts[0].near, 25);
   scene.tied_contacts[0].tolerance = 0.021;
   const Solver<double> wider(scene);
-  EXPECT_EQ(wider.model().tie_counts.at(0).tied, 25);
+  EXPECT_EQ(wider.model().tie_counts.at(0).nodes, 25);
   EXPECT_DOUBLE_EQ(wider.model().mesh.nodes[64][2], 0.6) << "nodes are put on their faces";
   PrescribedVelocity moved;
   moved.nodes.line = Line{{0, 0, 0.6}, {1, 0, 0}};
@@ -130,7 +130,7 @@ TEST(TiedContact, PassesAWaveAsCommonNodesDo) {
     return scene;
   };
   Solver<double> joined(bar(true)), tied(bar(false));
-  EXPECT_EQ(tied.model().tie_counts[0].tied, 9);
+  EXPECT_EQ(tied.model().tie_counts[0].nodes, 9);
   run(joined);
   run(tied);
   EXPECT_EQ(joined.steps(), tied.steps());
@@ -259,13 +259,10 @@ TEST_P(TiedInContact, HasTheSameBitsWithAnyThreadsAndFromASavedState) {
   Solver<double> whole(made);
   for (const double part : {0.3, 0.9}) {
     while (whole.time() < part * made.time.end) whole.step();
-    StateBytes state;
-    StateArchive::save(state, [&](StateArchive& archive) { whole.persist(archive); });
+    const StateBytes state = test::saved(whole);
     Solver<double> rest(made);
     EXPECT_EQ(fingerprint(rest.model()), fingerprint(whole.model()));
-    StateArchive archive = StateArchive::reading({state.data(), state.size()});
-    rest.persist(archive);
-    EXPECT_EQ(archive.left(), 0U);
+    EXPECT_EQ(test::load(rest, state), 0U);
     run(rest);
     EXPECT_EQ(state_hash(rest.model()), one) << part;
   }
