@@ -116,5 +116,43 @@ TEST(ImpulseSolver, FacesStayApartByTheirOwnGap) {
   }
 }
 
+/// What is open closes within the step, and no more: the faces of two blocks that meet flat are in each other by
+/// round-off, in any precision.
+template <class S>
+class ClosingFaces : public testing::Test {};
+using Precisions = testing::Types<double, float>;
+TYPED_TEST_SUITE(ClosingFaces, Precisions);
+
+TYPED_TEST(ClosingFaces, MeetAndGoNoFurther) {
+  double largest = 0;  // gap that was closed in a step, over what would have been gone
+  for (const double gap : {0.02, 0.021, 0.022, 0.023}) {
+    Scene scene = head_on_impact(gap);
+    scene.contact.enforcement = Enforcement::lagrange;
+    scene.contact.gap = ContactGap::face;
+    Solver<TypeParam> solver(scene);
+    // Between the nodes of the upper side of the lower block, and those of the lower side of the upper one.
+    const auto least_gap = [&] {
+      double top = -1, bottom = 1;
+      for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+        const auto z = static_cast<double>(solver.model().nodes.position_of(solver.model().node_of_scene_node[n])[2]);
+        const double start = solver.mesh().nodes[n][2];
+        if (std::abs(start - 0.3) < 1e-6) top = std::max(top, z);
+        if (std::abs(start - (3 + gap) * impact_h) < 1e-6) bottom = std::min(bottom, z);
+      }
+      return bottom - top;
+    };
+    double before = 0;
+    while (!solver.at_end() && solver.counts().pairs() == 0) {
+      before = least_gap();
+      solver.step();
+    }
+    ASSERT_GT(solver.counts().pairs(), 0);
+    const double way = 20 * solver.dt();
+    EXPECT_NEAR(least_gap(), 0, 1e-3 * way + 2e-7);
+    largest = std::max(largest, before / way);
+  }
+  EXPECT_GT(largest, 0.5);
+}
+
 }  // namespace
 }  // namespace pinball

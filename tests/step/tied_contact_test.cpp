@@ -191,6 +191,37 @@ TEST(TiedContact, IsBornAndDies) {
   EXPECT_GT(solver.energies().contact_damped, 0);
 }
 
+/// Where its foot was when the tie began is where a node stays from then on, and nothing jumps.
+TEST(TiedContact, ThatIsBornLaterKeepsWhatLiesBetween) {
+  Scene scene = glued(4, 3, 6e-4, 2e-3);
+  scene.bodies[1].velocity = {0, 4, 0};
+  scene.tied_contacts[0].tolerance = 0.1;
+  scene.tied_contacts[0].start = 1e-4;
+  Solver<double> solver(scene);
+  const auto from_foot = [&](const TiedNode& tied) {
+    Point way{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      way[c] = solver.model().nodes.position_of(tied.node)[c];
+      for (std::size_t k = 0; k < 4; ++k)
+        way[c] -= tied.weight[k] * solver.model().nodes.position_of(tied.corner[k])[c];
+    }
+    return way;
+  };
+  const auto tied = [&]() -> const TiedNode* {
+    for (const std::int32_t n : solver.model().node_of_scene_node) {
+      if (const TiedNode* const found = solver.tied().nodes().tie_of(n)) return found;
+    }
+    return nullptr;
+  };
+  while (tied() == nullptr) solver.step();
+  const TiedNode& node = *tied();
+  const double born = solver.force_time();
+  const Point between = from_foot(node);
+  EXPECT_NEAR(between[1], 4 * born, 1e-3 * 4 * born) << "what the upper block had gone until then";
+  run(solver);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(from_foot(node)[c], between[c], 1e-14);
+}
+
 TEST(TiedContact, EndsWithTheElementOfItsFace) {
   Scene scene = glued(4, 3, 2e-4);
   scene.materials = {plastic_material("steel", 5e8, 1)};

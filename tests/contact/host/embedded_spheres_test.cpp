@@ -183,6 +183,23 @@ TEST(EmbeddedSpheres, AHeldSphereIsAWall) {
   EXPECT_NEAR(two.position[0][0], 0.0005, 1e-15);
 }
 
+/// A sphere that slides along another, which is held and heavy: what acts across the line of centres is mu times what
+/// acts along it.
+TEST(EmbeddedSpheres, RubWithTheCoefficientThatWasGiven) {
+  for (const double friction : {0.05, 0.3, 0.8}) {
+    Spheres two;
+    two.options.enforcement = PINBALL_CONTACT_LAGRANGE;
+    two.options.friction = friction;
+    two.add({0, 0, 0}, {0, 0, 0}, 1e9);
+    two.add({0, 0, 1}, {50, 0, -1});
+    EmbeddedContact contact = two.contact();
+    two.dt_before = 1e-6;
+    EXPECT_EQ(two.step(contact, 1e-6).pairs, 1);
+    ASSERT_GT(two.force[1][2], 0);
+    EXPECT_NEAR(-two.force[1][0] / two.force[1][2], friction, 1e-9);
+  }
+}
+
 TEST(EmbeddedSpheres, TakeNoPartOnceTheyAreDead) {
   Spheres two;
   two.add({0, 0, 0}, {0, 0, 0});
@@ -198,33 +215,76 @@ TEST(EmbeddedSpheres, TakeNoPartOnceTheyAreDead) {
   EXPECT_EQ(result.pairs, 0);
 }
 
-TEST(EmbeddedSpheres, HitHexahedra) {
-  // A sphere that falls on the middle of a face of a heavy cube, at rest, of its own rigid host.
-  Spheres all;
-  all.options.damping = 0;
-  all.node = {8};
-  const double corner[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
-  for (const auto& c : corner) {
-    all.position.push_back({c[0], c[1], c[2]});
-    all.velocity.push_back({0, 0, 0});
-    all.mass.push_back(1e3);
+/// A small sphere, node 8, beside a heavy cube, at rest.
+class SphereAndCube {
+ public:
+  SphereAndCube(const Vector& at, const Vector& moving) {
+    all.options.damping = 0;
+    all.node = {8};
+    for (const Vector& c :
+         {Vector{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}) {
+      all.position.push_back(c);
+      all.velocity.push_back({0, 0, 0});
+      all.mass.push_back(1e3);
+    }
+    all.position.push_back(at);
+    all.velocity.push_back(moving);
+    all.mass.push_back(1e-2);
+    all.force.resize(9);
+    mesh.node_count = 9;
+    mesh.mass = all.mass.data();
+    mesh.element_count = 1;
+    mesh.corners = corners_.data();
+    mesh.bulk_modulus = &modulus_;
+    mesh.sphere_count = 1;
+    mesh.sphere_node = all.node.data();
+    mesh.sphere_radius = &radius_;
+    mesh.sphere_bulk_modulus = &modulus_;
   }
-  all.position.push_back({0.5, 0.5, 0.5 + std::cbrt(3 / (4 * M_PI)) + 0.3 + 1e-6});
-  all.velocity.push_back({0, 0, -2});
-  all.mass.push_back(1e-2);
-  all.force.resize(9);
-  const std::int32_t corners[] = {0, 1, 2, 3, 4, 5, 6, 7};
-  const double modulus = 1e4, radius = 0.3;
+  SphereAndCube(const SphereAndCube&) = delete;
+  SphereAndCube& operator=(const SphereAndCube&) = delete;
+
+  Spheres all;
   pinball_contact_mesh mesh = contact_mesh();
-  mesh.node_count = 9;
-  mesh.mass = all.mass.data();
-  mesh.element_count = 1;
-  mesh.corners = corners;
-  mesh.bulk_modulus = &modulus;
-  mesh.sphere_count = 1;
-  mesh.sphere_node = all.node.data();
-  mesh.sphere_radius = &radius;
-  mesh.sphere_bulk_modulus = &modulus;
+
+ private:
+  std::array<std::int32_t, 8> corners_{0, 1, 2, 3, 4, 5, 6, 7};
+  double modulus_ = 1e4, radius_ = 0.3;
+};
+
+/// One that has gone in with its centre is stopped as one that has not, and goes out by the way that it came.
+TEST(EmbeddedSpheres, AreStoppedBehindAFaceToo) {
+  for (const double height : {1.299, 1.1, 0.99, 0.9}) {
+    SphereAndCube scene({0.45, 0.55, height}, {0, 0, -2});
+    Spheres& now = scene.all;
+    now.options.enforcement = PINBALL_CONTACT_LAGRANGE;
+    now.options.gap = PINBALL_CONTACT_GAP_FACE;
+    EmbeddedContact contact(now.options, scene.mesh, interleaved(now.position[0].data()));
+    now.dt_before = 1e-6;
+    EXPECT_EQ(now.step(contact, 1e-6).pairs, 1) << height;
+    EXPECT_GT(now.velocity[8][2], -1e-3) << height;
+    EXPECT_NEAR(now.velocity[8][0], 0, 1e-9);
+  }
+}
+
+TEST(EmbeddedSpheres, RubOnFacesToo) {
+  SphereAndCube scene({0.45, 0.55, 1.3}, {70, 0, -1});
+  Spheres& now = scene.all;
+  now.options.enforcement = PINBALL_CONTACT_LAGRANGE;
+  now.options.gap = PINBALL_CONTACT_GAP_FACE;
+  now.options.friction = 0.3;
+  EmbeddedContact contact(now.options, scene.mesh, interleaved(now.position[0].data()));
+  now.dt_before = 1e-6;
+  EXPECT_EQ(now.step(contact, 1e-6).pairs, 1);
+  ASSERT_GT(now.force[8][2], 0);
+  EXPECT_NEAR(-now.force[8][0] / now.force[8][2], 0.3, 1e-6);
+}
+
+TEST(EmbeddedSpheres, HitHexahedra) {
+  // On the middle of a face.
+  SphereAndCube scene({0.5, 0.5, 0.5 + std::cbrt(3 / (4 * M_PI)) + 0.3 + 1e-6}, {0, 0, -2});
+  const Spheres& all = scene.all;
+  const pinball_contact_mesh& mesh = scene.mesh;
   for (const std::int32_t gap : {PINBALL_CONTACT_GAP_PINBALL, PINBALL_CONTACT_GAP_FACE}) {
     for (const std::int32_t enforcement : {PINBALL_CONTACT_PENALTY, PINBALL_CONTACT_LAGRANGE}) {
       Spheres now = all;

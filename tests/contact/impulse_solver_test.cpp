@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <kernels/exec/array.hpp>
+#include <solver/contact/impulses/impulse_solver.hpp>
+
+/// Impulses of two nodes that touch, or of a few, through the solver of impulses, against what can be worked out by
+/// hand.
+namespace pinball {
+namespace {
+
+Vec3<double> unit(const Vec3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
+
+/// Nodes that are all there is.
+class Nodes final : public SurfaceSource<double> {
+ public:
+  explicit Nodes(const std::vector<double>& masses)
+      : mass(masses), x_(4 * masses.size()), v_(4 * masses.size()), f_(4 * masses.size()), inverse_(masses.size()) {
+    position = x_.data();
+    velocity = v_.data();
+    force = f_.data();
+    inverse_mass = inverse_.data();
+    node_count = static_cast<std::int32_t>(masses.size());
+    for (std::size_t n = 0; n < masses.size(); ++n) inverse_[n] = 1 / masses[n];
+  }
+  bool is_element(std::int64_t /*slot*/) const override { return false; }
+  ContactElement element(std::int64_t /*slot*/) const override { return {}; }
+  bool may_soon_erode(std::int64_t /*slot*/) const override { return false; }
+
+  void set_velocity(std::int32_t node, const Vec3<double>& v) {
+    double* const place = record(v_.data(), node);
+    place[0] = v.x;
+    place[1] = v.y;
+    place[2] = v.z;
+  }
+  Vec3<double> velocity_of(std::int32_t node) const { return vector_of(v(node)); }
+  Vec3<double> force_of(std::int32_t node) const { return vector_of(record(f_.data(), node)); }
+
+  std::vector<double> mass;
+
+ private:
+  Array<double> x_, v_, f_, inverse_;
+};
+
+ContactSettings coupled(double friction = 0, double static_friction = 0, double decay = 0) {
+  ContactSettings settings;
+  settings.enforcement = Enforcement::lagrange;
+  settings.friction = friction;
+  settings.static_friction = static_friction;
+  settings.friction_decay = decay;
+  return settings;
+}
+
+/// Solves for the row of node 0 against node 1 in a step of length 1 after one as long. direction: from 1 to 0.
+void solve_pair(ImpulseSolver<double>& solver, const Nodes& nodes, const Vec3<double>& direction, double depth) {
+  solver.begin_rows();
+  solver.add_row(0, 1, direction, depth, 1.0);
+  solver.add_node(0, -1);
+  solver.add_node(1, 1);
+  solver.finish_rows(nodes, 1.0);
+  solver.solve(nodes, {1.0, 1.0});
+}
+
+/// A node that is held along any direction moves across it alone: with the force that the solver gives, less what the
+/// constraint takes of it, the gap closes and no more.
+TEST(ImpulsesOfTwoNodes, ClosesTheGapOfANodeThatIsHeldObliquely) {
+  for (const Vec3<double>& normal :
+       {unit({1, 1, 0}), unit({0, 1, 1}), unit({1, 0, 1}), unit({1, -1, 0}), unit({3, 2, -1}), unit({-1, 2, 5})}) {
+    for (const Vec3<double>& direction : {unit({2, 1, 0}), unit({0, 2, 1}), unit({1, 0, 2}), unit({1, -3, 2})}) {
+      Nodes nodes({2.0, 3.0});
+      nodes.set_velocity(0, -4.0 * direction);
+      const std::vector<HeldDirection> held{{1, {normal.x, normal.y, normal.z}}};
+      ImpulseSolver<double> solver(coupled(), 2, {2, held});
+      const double gap = 0.5;
+      solve_pair(solver, nodes, direction, -gap);
+      Vec3<double> change = (1 / nodes.mass[1]) * nodes.force_of(1);
+      change = change - dot(change, normal) * normal;
+      const Vec3<double> first = nodes.velocity_of(0) + (1 / nodes.mass[0]) * nodes.force_of(0);
+      EXPECT_GT(dot(nodes.force_of(0), direction), 1.0);
+      EXPECT_NEAR(dot(first - change, direction), -gap, 1e-12) << "what closes it within the step of length 1";
+    }
+  }
+}
+
+/// Both nodes slide all the time: what acts across the direction is mu times what acts along it, against the sliding.
+/// The coefficient is that of the velocity with which they have slid.
+TEST(ImpulsesOfTwoNodes, RubsWithTheCoefficientOfTheSlidingVelocity) {
+  for (const double sliding : {0.5, 2.0, 7.0, 40.0}) {
+    for (const double decay : {0.0, 0.05, 0.3}) {
+      const double at_rest = 0.4, kinetic = 0.1;
+      Nodes nodes({2.0, 3.0});
+      nodes.set_velocity(0, {100 + sliding, 0, -1e-2});  // hardly any of the sliding is stopped
+      nodes.set_velocity(1, {100, 0, 0});
+      ImpulseSolver<double> solver(coupled(kinetic, at_rest, decay), 2, {2, {}});
+      solve_pair(solver, nodes, {0, 0, 1}, 0);
+      const Vec3<double> force = nodes.force_of(0);
+      ASSERT_GT(force.z, 0);
+      const double expected = decay > 0 ? kinetic + (at_rest - kinetic) * std::exp(-decay * sliding) : kinetic;
+      EXPECT_NEAR(-force.x / force.z, expected, 1e-12) << "sliding at " << sliding << ", decay " << decay;
+      EXPECT_NEAR(force.y, 0, 1e-15);
+    }
+  }
+}
+
+/// Three rows, each as if it were alone.
+TEST(ImpulsesOfTwoNodes, DoNotDependOnRowsThatShareNoNode) {
+  Nodes nodes({1, 2, 3, 4, 5, 6});
+  const Vec3<double> a[3] = {unit({1, 2, 3}), unit({-1, 0, 1}), unit({0, 1, 0})};
+  ImpulseSolver<double> solver(coupled(), 6, {6, {}});
+  solver.begin_rows();
+  for (std::int32_t i = 0; i < 3; ++i) {
+    nodes.set_velocity(2 * i, -(1.0 + i) * a[i]);
+    solver.add_row(i, 10 + i, a[i], -0.1, 1.0);
+    solver.add_node(2 * i, -1);
+    solver.add_node(2 * i + 1, 1);
+  }
+  solver.finish_rows(nodes, 1.0);
+  EXPECT_EQ(solver.solve(nodes, {1.0, 1.0}).pairs, 3);
+  for (std::int32_t i = 0; i < 3; ++i) {
+    const std::size_t one = 2 * static_cast<std::size_t>(i);
+    const double impulse = (1.0 + i - 0.1) / (1 / nodes.mass[one] + 1 / nodes.mass[one + 1]);
+    for (const auto& [node, sign] : {std::pair{2 * i, 1.0}, std::pair{2 * i + 1, -1.0}}) {
+      const Vec3<double> off = nodes.force_of(node) - sign * impulse * a[i];
+      EXPECT_LT(std::sqrt(dot(off, off)), 1e-12 * impulse) << node;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pinball
