@@ -58,6 +58,38 @@ TEST_F(DeckMaterials, AViscoplasticRateAddsToTheYieldStress) {
   EXPECT_EQ(material(with("300", "40,5,5,0,-1")).strain_rate, StrainRate::deviatoric);
 }
 
+/// Cowper and Symonds: 1 + (rate/C)^(1/P), of both materials.
+TEST_F(DeckMaterials, ConstantsOfTheRateAreThoseOfTheCard) {
+  for (const std::string& cards :
+       {with("300", "40,5,0,0,1"), cube + ends + "*MAT_003\n1,7.85E-9,210000.,0.3,300,1000,0.5\n40,5\n"}) {
+    EXPECT_EQ(material(cards).rate_constant, 40) << cards;
+    EXPECT_EQ(material(cards).rate_exponent, 5) << cards;
+  }
+}
+
+TEST_F(DeckMaterials, BetaIsTheIsotropicShareWhateverItIs) {
+  for (const double beta : {0.0, 0.05, 0.2, 0.3, 0.7, 1.0}) {
+    const std::string card = "*MAT_003\n1,7.85E-9,210000.,0.3,300,1000," + std::to_string(beta) + "\n";
+    EXPECT_DOUBLE_EQ(material(cube + ends + card).isotropic_share, beta);
+  }
+}
+
+/// SFA, SFO, OFFA and OFFO: factor times (value plus offset).
+TEST_F(DeckMaterials, CurvesAreScaledAndShiftedInBothDirections) {
+  const auto curve = [&](const std::string& head) {
+    return material(cube + ends + "*MAT_024\n1,7.85E-9,210000.,0.3,300\n0,0,5\n*DEFINE_CURVE\n5,0," + head +
+                    "\n0,300\n0.1,400\n0.3,450\n")
+        .yield_curves.at(0);
+  };
+  EXPECT_THAT(curve("2,0").plastic_strain, ElementsAre(0, DoubleEq(0.2), DoubleEq(0.6)));
+  EXPECT_THAT(curve("2,0").stress, ElementsAre(300, 400, 450));
+  EXPECT_THAT(curve("0,3").plastic_strain, ElementsAre(0, 0.1, 0.3));
+  EXPECT_THAT(curve("0,3").stress, ElementsAre(900, 1200, 1350));
+  EXPECT_THAT(curve("2,3,0.1,50").plastic_strain, ElementsAre(0, DoubleEq(0.2), DoubleEq(0.4), DoubleEq(0.8)))
+      << "and begins at zero strain with its first stress";
+  EXPECT_THAT(curve("2,3,0.1,50").stress, ElementsAre(1050, 1050, 1350, 1500));
+}
+
 TEST_F(DeckMaterials, TwoLawsOfTheRateAreRefused) {
   EXPECT_THAT(error(with("300", "40,5,5,6")), HasSubstr("LCSR) and with C and P"));
   EXPECT_THAT(error(with("300", "0,0,9,6") + "*DEFINE_TABLE\n9\n0,5\n100,5\n"), HasSubstr("and with LCSR"));

@@ -1,8 +1,12 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
+#include <set>
+#include <vector>
 
+#include <solver/base/point.hpp>
 #include <solver/mesh/exodus/exodus_reader.hpp>
 #include <solver/mesh/quality.hpp>
 #include <tests/support/scene_text.hpp>
@@ -66,15 +70,62 @@ TEST(ExodusClassic, FilesWithOtherBytesAreReadOrErrors) {
   std::filesystem::remove(changed);
 }
 
-/// The side set "roof", element 4 and its side 2, becomes one of element 3, the shell.
-TEST(ExodusClassic, SidesOfWhatIsLeftOutAreFacesOfNoHexahedron) {
+/// The file with another side in the set "roof" in place of side 2 of element 4.
+MeshFile with_roof(char element, char side) {
   const auto changed = std::filesystem::temp_directory_path() / ("pinball_exodus_" + std::to_string(::getpid()) + ".g");
-  const auto sides = [](char element) { return std::string{0, 0, 0, 4, 0, 0, 0, 2, 0, 0, 0, element, 0, 0, 0, 2}; };
-  std::ofstream(changed, std::ios::binary) << replaced(bytes_of("exodus/two_blocks.g"), sides(4), sides(3));
+  const auto sides = [](char e, char s) { return std::string{0, 0, 0, 4, 0, 0, 0, 2, 0, 0, 0, e, 0, 0, 0, s}; };
+  std::ofstream(changed, std::ios::binary)
+      << replaced(bytes_of("exodus/two_blocks.g"), sides(4, 2), sides(element, side));
   const MeshFile file = read_exodus(changed.string(), {});
+  std::filesystem::remove(changed);
+  return file;
+}
+
+/// Of element 3, the shell.
+TEST(ExodusClassic, SidesOfWhatIsLeftOutAreFacesOfNoHexahedron) {
+  const MeshFile file = with_roof(3, 2);
   EXPECT_THAT(file.face_sets.at(1).faces, ElementsAre(ElementsAre(-1, -1, -1, -1)));
   EXPECT_TRUE(find_set(file.node_sets, "roof")->members.empty());
-  std::filesystem::remove(changed);
+}
+
+/// The area of a face along its outward normal, from its diagonals.
+Point area_of(const Mesh& mesh, const std::array<std::int32_t, 4>& face) {
+  const auto between = [&](std::size_t from, std::size_t to) {
+    return minus(mesh.nodes[static_cast<std::size_t>(face[to])], mesh.nodes[static_cast<std::size_t>(face[from])]);
+  };
+  Point area = cross(between(0, 2), between(1, 3));
+  for (double& component : area) component /= 2;
+  return area;
+}
+
+/// By the nodes that the format gives each side (SAND92-2137, figures of HEX and WEDGE), as nodes of the element from 1
+/// on, and the areas of the sides seen from outside.
+struct ExodusSide {
+  char element, side;
+  std::vector<std::int32_t> nodes;
+  Point area;
+};
+
+TEST(ExodusClassic, SidesHaveTheNodesOfTheFormatAndLookOut) {
+  const std::vector<std::int32_t> cube{1, 2, 3, 4, 5, 6, 7, 8}, wedge{7, 12, 14, 6, 11, 13};
+  const ExodusSide sides[] = {
+      {1, 1, {1, 2, 6, 5}, {0, -1, 0}}, {1, 2, {2, 3, 7, 6}, {1, 0, 0}},   {1, 3, {3, 4, 8, 7}, {0, 1, 0}},
+      {1, 4, {1, 5, 8, 4}, {-1, 0, 0}}, {1, 5, {1, 4, 3, 2}, {0, 0, -1}},  {1, 6, {5, 6, 7, 8}, {0, 0, 1}},
+      {4, 1, {1, 2, 5, 4}, {0, 0, -1}}, {4, 2, {2, 3, 6, 5}, {1, 0, 0.5}}, {4, 3, {1, 4, 6, 3}, {-1, 0, 0.5}},
+      {4, 4, {1, 3, 2}, {0, 0.5, 0}},   {4, 5, {4, 5, 6}, {0, -0.5, 0}}};
+  for (const ExodusSide& given : sides) {
+    SCOPED_TRACE(testing::Message() << "element " << int{given.element} << ", side " << int{given.side});
+    const MeshFile file = with_roof(given.element, given.side);
+    const std::array<std::int32_t, 4> face = file.face_sets.at(1).faces.at(0);
+    std::vector<std::int32_t> expected;
+    for (const std::int32_t node : given.nodes) {
+      expected.push_back((given.element == 1 ? cube : wedge)[static_cast<std::size_t>(node - 1)] - 1);
+    }
+    EXPECT_EQ(std::set<std::int32_t>(face.begin(), face.end()),
+              std::set<std::int32_t>(expected.begin(), expected.end()));
+    const Point area = area_of(file.mesh, face);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(area[k], given.area[k]);
+  }
 }
 
 TEST(ExodusClassic, SaysWhatIsWrong) {

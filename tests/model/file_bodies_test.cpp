@@ -110,6 +110,19 @@ TEST_F(FileBodies, HaveTheMassOfBothAtTheSharedNodes) {
   EXPECT_DOUBLE_EQ(model.node_mass[model.node_of_scene_node[4]], 2 * model.node_mass[model.node_of_scene_node[0]]);
 }
 
+/// A plane of symmetry that is a set holds each node of it along its normal.
+TEST_F(FileBodies, EveryNodeOfASetOfSymmetryIsHeld) {
+  const Model<double> model = build_model<double>(
+      scene("part = \"2\"", {"[[constraint]]", "type = \"symmetry\"", "set = \"top\"", "normal = [0, 0, 1]"}));
+  std::vector<std::int32_t> held, expected;
+  for (const std::int32_t n : {8, 9, 10, 11}) expected.push_back(model.node_of_scene_node[n]);
+  for (const auto& constraint : model.constraints) {
+    held.push_back(constraint.node);
+    EXPECT_EQ(constraint.normal[2], 1);
+  }
+  EXPECT_THAT(held, testing::UnorderedElementsAreArray(expected));
+}
+
 TEST_F(FileBodies, AnElementBelongsToOneBodyAlone) {
   EXPECT_THAT(error_of([&] { build_mesh(scene("scale = 1")); }), HasSubstr("body upper: element 1 (line 16 of"));
 }
