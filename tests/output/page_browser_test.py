@@ -3,6 +3,7 @@
 Ends with 77, and says why, where Chromium, its driver or Selenium are not there.
 """
 
+import csv
 import json
 import os
 import pathlib
@@ -30,6 +31,12 @@ program, folder = None, None
 
 # A pixel, as `pinball view` puts pictures.
 PIXEL = ("data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
+
+
+def number(text):
+    """What the page shows as -1,234.5 or 1.23 times a power of ten."""
+    mantissa, _, exponent = text.replace(",", "").replace("\u2212", "-").partition("\u00d710")
+    return float(mantissa) * 10.0 ** int(exponent.translate(str.maketrans("\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079", "-0123456789")) or 0)
 
 
 def missing():
@@ -155,6 +162,24 @@ class RunPage(Pages):
         self.assertIn("hourglass", {**small, **smallest})
         self.assertFalse(set(large) & set(small))
         self.assertIn("lbf in", self.panel("Small energies").find_element(By.CSS_SELECTOR, ".axis").text)
+
+    def test_every_curve_is_that_of_its_column(self):
+        with open(pathlib.Path(folder) / "run/history.csv", encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        columns = {"Momentum": "momentum_{}", **{title: "{}" for title in ("Energy", "Small energies", "Small energies, smallest")}}
+        for body in ["rod", "plate"]:
+            columns.update({f"Velocity of {body}": body + "_velocity_{}", f"Contact force on {body}": body + "_contact_force_{}"})
+        seen = set()
+        for title, column in columns.items():
+            for row in self.panel(title).find_elements(By.CSS_SELECTOR, "details tbody tr"):
+                name, *shown = [cell.get_attribute("textContent") for cell in row.find_elements(By.CSS_SELECTOR, "th, td")]
+                key = column.format(name.replace(" ", "_"))
+                values = [float(r[key]) for r in rows]
+                seen.add(key)
+                for text, value in zip(shown, [values[0], min(values), max(values), values[-1]], strict=True):
+                    self.assertAlmostEqual(number(text.split(" at ")[0]), value, delta=1e-3 * abs(value) + 1e-300, msg=f"{title}: {key}")
+        for key in ["kinetic", "internal", "hourglass", "total", "momentum_y", "momentum_z", "rod_velocity_x", "plate_contact_force_z"]:
+            self.assertIn(key, seen)
 
     def test_shows_the_contact_force_on_each_body(self):
         for body in ["rod", "plate"]:

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -178,6 +179,60 @@ TEST_F(RunPage, HasTheNumbersAndEveryKey) {
   EXPECT_THAT(text, HasSubstr("<!-- pictures -->"));
   EXPECT_THAT(text, HasSubstr("<!-- /pictures -->"));
   EXPECT_THAT(text, HasSubstr("id=\"status\">done<"));
+}
+
+/// No column of the page has another's numbers: every number of a row is one of its own.
+TEST_F(RunPage, HasEachColumnOfTheHistoryUnderItsName) {
+  const std::vector<std::string> names = history_column_names({"b"}, {"more"});
+  {
+    HistoryWriter writer(folder_.path.string(), {"b"}, "m-kg-s", {"more"});
+    for (const double at : {0.0, 100.0, 200.0}) {
+      HistoryRow row;
+      row.step = static_cast<std::int64_t>(at);
+      row.time = at + 1;
+      row.dt = at + 2;
+      row.energy = {at + 3, at + 4, at + 5, at + 6, at + 7, at + 8, at + 9, at + 10};
+      row.balance_error = -(at + 12);
+      row.momentum = {at + 13, at + 14, at + 15};
+      row.bodies.resize(1);
+      row.bodies[0].velocity = {at + 16, at + 17, at + 18};
+      row.bodies[0].mass_remaining = at + 19;
+      row.bodies[0].eroded_elements = static_cast<std::int64_t>(at) + 20;
+      row.bodies[0].max_plastic_strain = at + 21;
+      row.more = {at + 22};
+      writer.write(row);
+    }
+  }
+  const Json history = block(page(), "history");
+  ASSERT_EQ(history["columns"], names);
+  const auto expect = [&](const std::string& name, double first) {
+    const auto column = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+    ASSERT_LT(column, names.size()) << name;
+    const double sign = first < 0 ? -1 : 1;
+    EXPECT_EQ(history["data"][column], Json({first, first + sign * 100, first + sign * 200})) << name;
+  };
+  expect("step", 0);
+  expect("time", 1);
+  expect("dt", 2);
+  expect("kinetic", 3);
+  expect("internal", 4);
+  expect("hourglass", 5);
+  expect("bulk_viscosity", 6);
+  expect("contact_stored", 7);
+  expect("contact_damped", 8);
+  expect("eroded", 9);
+  expect("external", 10);
+  expect("balance_error", -12);
+  expect("momentum_x", 13);
+  expect("momentum_y", 14);
+  expect("momentum_z", 15);
+  expect("b_velocity_x", 16);
+  expect("b_velocity_y", 17);
+  expect("b_velocity_z", 18);
+  expect("b_mass_remaining", 19);
+  expect("b_eroded_elements", 20);
+  expect("b_max_plastic_strain", 21);
+  expect("more", 22);
 }
 
 TEST_F(RunPage, TellsTheErrorAndTheCommand) {
