@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "energy_checks.hpp"
 #include "sound_bounds.hpp"
 
 namespace pinball {
@@ -11,44 +12,6 @@ namespace pinball {
 namespace {
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
-
-/// ", beyond 10 % since time 1.2e-05 (node 17 of body rod)"
-std::string since(const WatchedShare& share, double bound, const char* what) {
-  std::string text = fmt::format(", beyond {} since time {:.6g}", percent(bound), share.since);
-  if (!share.place.empty()) text += fmt::format(" ({} {})", what, share.place);
-  return text;
-}
-
-void add_energy_warnings(const RunSummary& s, std::vector<std::string>& found) {
-  const auto add = [&found](const WatchedShare& share, double bound, const std::string& head, const char* what,
-                            const std::string& advice) {
-    if (share.largest > bound) found.push_back(head + since(share, bound, what) + ": " + advice);
-  };
-  const bool contact = s.contact_method != "none";
-  const bool springs = contact && s.contact_enforcement == "penalty";
-  add(s.balance_error_in_motion, sound::balance,
-      fmt::format("the energy balance was off by up to {} of the energy in motion",
-                  percent(s.balance_error_in_motion.largest)),
-      "the step was set by", fmt::format("try a smaller time.cfl{}", contact ? " or contact.beta" : ""));
-  add(s.contact_created, sound::contact_created,
-      fmt::format("contact made energy out of nothing, up to {} of that in motion", percent(s.contact_created.largest)),
-      "largest force on",
-      springs ? "try a smaller time.cfl or contact.enforcement = \"lagrange\""
-              : "try contact.enforcement = \"lagrange\", or a finer mesh");
-  if (s.contact_swallowed_sound > 0) {
-    add(s.contact_swallowed, s.contact_swallowed_sound,
-        fmt::format("contact swallowed {} of the energy in motion, although nothing is plastic or rubs",
-                    percent(s.contact_swallowed.largest)),
-        "largest force on", "try a finer mesh there");
-  }
-  add(s.hourglass_created, sound::hourglass_created,
-      fmt::format("hourglass forces made energy out of nothing, up to {} of the internal energy",
-                  percent(s.hourglass_created.largest)),
-      "most of it in", "try a finer mesh there, or another element.hourglass");
-  add(s.hourglass_large, sound::hourglass,
-      fmt::format("hourglass energy reached {} of the internal energy", percent(s.hourglass_large.largest)),
-      "most of it in", "try a finer mesh there, with several elements through what bends");
-}
 
 /// What the chosen form of contact is known not to do, by tests/contact/trials.
 void add_limits_of_contact(const RunSummary& s, std::vector<std::string>& found) {
@@ -74,7 +37,9 @@ void add_limits_of_contact(const RunSummary& s, std::vector<std::string>& found)
 
 std::vector<std::string> warnings(const RunSummary& summary) {
   std::vector<std::string> found;
-  add_energy_warnings(summary, found);
+  for (const EnergyCheck& check : energy_checks(summary)) {
+    if (!check.sound()) found.push_back(check.warning);
+  }
   // Erosion exposes what lies deep inside others, which is no fault of the contact.
   const bool eroded = std::any_of(summary.bodies.begin(), summary.bodies.end(),
                                   [](const BodyResult& body) { return body.eroded_elements > 0; });
