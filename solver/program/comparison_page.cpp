@@ -24,7 +24,7 @@ std::string comparison_page(const std::vector<VariantRuns>& runs) {
   content.body = fill_template(
       page_resource("comparison.html"),
       {{"scene", html_text(first.scene)}, {"heading", html_text(heading)}, {"status", failed ? "failed" : "done"}});
-  content.scripts = {"format.js", "curves.js", "comparison.js"};
+  content.scripts = {"format.js", "axes.js", "curves.js", "comparison.js"};
   content.blocks = {{"units", units_json(parse_units(first.units)).dump()},
                     {"comparison", comparison_json(runs)},
                     {"curves", curves + ']'}};

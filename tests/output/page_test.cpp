@@ -45,7 +45,8 @@ TEST(Page, WhatIsPutIntoATemplateIsNotLookedThroughAgain) {
 }
 
 TEST(Page, HasNothingFromOutside) {
-  const std::string page = make_page({"t", "<main></main>", {"format.js", "curves.js", "pictures.js", "run.js"}, {}});
+  const std::string page =
+      make_page({"t", "<main></main>", {"format.js", "axes.js", "curves.js", "pictures.js", "run.js"}, {}});
   EXPECT_THAT(page, HasSubstr("default-src 'none'"));
   EXPECT_FALSE(std::regex_search(page, std::regex("(src|href)=\"?(https?:)?//")));
   EXPECT_FALSE(std::regex_search(page, std::regex("@import|url\\(")));
@@ -93,6 +94,19 @@ TEST(Curves, ThatAreThinnedKeepTheirPeaks) {
   EXPECT_EQ(high, 7);
   EXPECT_EQ(low, -9);
   EXPECT_EQ(curves.all_rows, 100'003U);
+}
+
+TEST(Curves, ThatAreThinnedKeepTheirPeaksBesideWhatIsNoNumber) {
+  Curves curves;
+  curves.columns = {"time", "a"};
+  for (int i = 0; i < 1000; ++i) {
+    const double value = i == 500 ? -9.0 : i == 501 ? std::numeric_limits<double>::quiet_NaN() : i == 499 ? 9.0 : 0.0;
+    curves.rows.push_back({static_cast<double>(i), value});
+  }
+  thin(curves, 10);
+  std::vector<double> values;
+  for (const auto& row : curves.rows) values.push_back(row[1]);
+  EXPECT_THAT(values, testing::AllOf(testing::Contains(-9.0), testing::Contains(9.0)));
 }
 
 TEST(Curves, AreReadFromAHistoryWithNamesInQuotesAndNumbersThatAreNone) {

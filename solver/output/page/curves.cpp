@@ -50,6 +50,7 @@ std::pair<double, double> extremes(const std::vector<std::vector<double>>& rows,
   std::size_t low = begin, high = begin;
   for (std::size_t row = begin; row < end; ++row) {
     const double value = rows[row][column];
+    if (std::isnan(value)) continue;
     if (!(rows[low][column] <= value)) low = row;
     if (!(rows[high][column] >= value)) high = row;
   }

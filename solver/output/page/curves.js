@@ -10,14 +10,8 @@ const colours = () => dark.matches
 const dashes = [null, [7, 3], [2, 3], [9, 3, 2, 3]];
 const look = (i) => ({colour: colours()[i % 7], dash: dashes[Math.floor(i / 7) % 4]});
 
-/// The power of 1000 in which numbers of this size are read best.
-const scaleOf = (largest) => largest > 0 && Number.isFinite(largest) && (largest >= 1e5 || largest < 0.1)
-    ? 3 * Math.floor(Math.log10(largest) / 3) : 0;
-const shorter = {s: ['ms', 'µs', 'ns'], ms: ['µs', 'ns']};
-const scaled = (unit, power) => power === 0 ? unit
-    : shorter[unit]?.[-power / 3 - 1] ?? `10${superscript(power)}${unit ? ` ${unit}` : ''}`;
-
-const largestOf = (values) => values.reduce((m, v) => v === null ? m : Math.max(m, Math.abs(v)), 0);
+const isNumber = (v) => v !== null && v !== undefined;
+const largestOf = (values) => values.reduce((m, v) => isNumber(v) ? Math.max(m, Math.abs(v)) : m, 0);
 
 const charts = [];
 let selecting = false;
@@ -44,17 +38,16 @@ function nearest(times, time) {
 function chart({title, unit, times, timeUnit, series, first = 0, zero = true}) {
   const panel = make('figure', {class: 'panel'});
   const all = merged(times, series);
-  const power = scaleOf(Math.max(...all.values.map(largestOf)));
-  const timePower = scaleOf(largestOf(all.times));
+  const upward = axisOf(Math.max(0, ...all.values.map(largestOf)), unit), along = axisOf(largestOf(all.times), timeUnit);
   const heading = make('h3', {text: title});
-  const axis = make('p', {class: 'axis', text: named(title, scaled(unit ?? '', power))});
+  const axis = make('p', {class: 'axis', text: named(title, upward.label)});
   const place = make('div', {class: 'chart', tabindex: 0, role: 'img', 'aria-label':
-      `${title} over time: ${series.map((s) => s.name).join(', ')}. Arrow keys move through time; values in the list below.`});
-  const below = make('p', {class: 'axis below', text: named('time', scaled(timeUnit, timePower))});
+      `${named(title, upward.label)} over time${along.label ? ` in ${along.label}` : ''}: ${series.map((s) => s.name).join(', ')}. Arrow keys move through time; values in the list below.`});
+  const below = make('p', {class: 'axis below', text: named('time', along.label)});
   const legend = make('ul', {class: 'legend'});
   const now = make('p', {class: 'now', 'aria-live': 'polite'});
-  const inFigures = extremesTable(title, unit, timeUnit, all, series);
-  panel.append(heading, axis, place, below, legend, now, inFigures);
+  const inFigures = extremesTable(title, upward, along, all, series);
+  panel.append(heading, axis, place, below, legend, now, ...noNumbers(all, series, along), inFigures);
   if (typeof Dygraph === 'undefined' || all.times.length === 0) {
     place.replaceWith(make('p', {class: 'note', text: all.times.length === 0 ? 'No rows.'
         : 'This program was built without dygraphs (Debian: libjs-dygraphs), so that there are no curves here.'}));
@@ -62,7 +55,10 @@ function chart({title, unit, times, timeUnit, series, first = 0, zero = true}) {
     inFigures.open = true;
     return panel;
   }
-  const rows = all.times.map((t, r) => [t / 10 ** timePower, ...all.values.map((v) => v[r] === null ? null : v[r] / 10 ** power)]);
+  // For dygraphs null is a value that is not there, which curves pass over, and NaN one that is no number: a gap.
+  const drawn = (v) => v === null ? NaN : v === undefined ? null : v / 10 ** upward.power;
+  const rows = all.times.map((t, r) => [t / 10 ** along.power, ...all.values.map((v) => drawn(v[r]))]);
+  const constant = zero ? null : rangeOfConstant(rows.flatMap((row) => row.slice(1)));
   const shown = series.map(() => true);
   const entries = series.map((s, i) => legendEntry(s, () => {
     shown[i] = !shown[i];
@@ -70,14 +66,14 @@ function chart({title, unit, times, timeUnit, series, first = 0, zero = true}) {
     graph.setVisibility(i, shown[i]);
   }));
   legend.append(...entries.map((e) => e.item));
-  let graph = null;
+  let graph = null, labelWidth = 58;
   const self = {
     row: -1,
     show(time, own) {
       self.row = nearest(all.times, time);
       if (!own && graph) graph.setSelection(self.row);
-      now.textContent = `at ${figure(all.times[self.row], 5)} ${timeUnit ?? ''}`;
-      entries.forEach((e, i) => { e.value.textContent = figure(all.values[i][self.row], 5); });
+      now.textContent = `at ${along.figure(all.times[self.row])} ${along.unit}`.trim();
+      entries.forEach((e, i) => { e.value.textContent = upward.figure(all.values[i][self.row]); });
     },
     light(name) { entries.forEach((e, i) => e.item.classList.toggle('lit', series[i].name === name)); },
     draw() {
@@ -91,15 +87,22 @@ function chart({title, unit, times, timeUnit, series, first = 0, zero = true}) {
         visibility: shown, strokeWidth: 1.8, legend: 'never', includeZero: zero, connectSeparatedPoints: true,
         gridLineColor: ink.getPropertyValue('--line'), axisLineColor: ink.getPropertyValue('--line'),
         highlightCircleSize: 4, highlightSeriesBackgroundAlpha: 1, highlightSeriesOpts: {strokeWidth: 3},
-        axes: {x: {pixelsPerLabel: 70, axisLabelFormatter: (v) => figure(v, 5)},
-               y: {axisLabelWidth: 58, pixelsPerLabel: 32, axisLabelFormatter: (v) => figure(v, 5)}},
+        axes: {x: {pixelsPerLabel: 70, ticker: ticks}, y: {axisLabelWidth: labelWidth, pixelsPerLabel: 32, ticker: ticks}},
+        ...(constant ? {valueRange: constant} : {}),
+        drawCallback: (drawnGraph) => {  // long numbers get their room
+          const longest = Math.max(0, ...[...place.querySelectorAll('.dygraph-axis-label-y')].map((l) => l.textContent.length));
+          const wanted = Math.max(58, 7 * longest + 8);
+          if (wanted <= labelWidth) return;
+          labelWidth = wanted;
+          drawnGraph.updateOptions({axes: {y: {axisLabelWidth: labelWidth}}});
+        },
         highlightCallback: (event, x, points, row, name) => { select(all.times[row], self); self.light(name); },
         unhighlightCallback: () => self.light(null),
       });
     },
   };
   place.addEventListener('keydown', (event) => {
-    const step = {ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10}[event.key];
+    const step = {ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10, Home: -Infinity, End: Infinity}[event.key];
     if (!step) return;
     event.preventDefault();
     const row = Math.min(all.times.length - 1, Math.max(0, self.row + step));
@@ -109,13 +112,13 @@ function chart({title, unit, times, timeUnit, series, first = 0, zero = true}) {
   return panel;
 }
 
-/// Curves with times of their own on the union of all times; null where a curve has no value.
+/// Curves with times of their own on the union of all times; undefined where a curve has none.
 function merged(times, series) {
   if (series.every((s) => !s.times)) return {times, values: series.map((s) => s.values)};
   const union = [...new Set(series.flatMap((s) => s.times))].sort((a, b) => a - b);
   const place = new Map(union.map((t, i) => [t, i]));
   return {times: union, values: series.map((s) => {
-    const values = union.map(() => null);
+    const values = union.map(() => undefined);
     s.times.forEach((t, i) => { values[place.get(t)] = s.values[i]; });
     return values;
   })};
@@ -135,25 +138,34 @@ function legendEntry(series, toggle) {
   return {item: make('li', {}, button), button, value, sample};
 }
 
+/// Where a curve ends because its values are no numbers.
+function noNumbers(all, series, along) {
+  return series.flatMap((s, i) => {
+    const row = all.values[i].indexOf(null);
+    return row < 0 ? [] : [make('p', {class: 'note bad', text:
+        `${s.name} is no number at ${along.figure(all.times[row])} ${along.unit}`.trim() + '.'})];
+  });
+}
+
 /// The curves in figures: for who cannot see them, and for what a curve does not show.
-function extremesTable(title, unit, timeUnit, all, series) {
+function extremesTable(title, upward, along, all, series) {
   const rows = series.map((s, i) => {
-    const known = all.values[i].map((v, r) => [v, all.times[r]]).filter(([v]) => v !== null);
+    const known = all.values[i].map((v, r) => [v, all.times[r]]).filter(([v]) => isNumber(v));
     if (known.length === 0) return [s.name, '–', '–', '–', '–'];
     const least = known.reduce((a, b) => b[0] < a[0] ? b : a), most = known.reduce((a, b) => b[0] > a[0] ? b : a);
-    const at = ([v, t]) => `${figure(v, 5)} at ${figure(t, 4)}`;
-    return [s.name, figure(known[0][0], 5), at(least), at(most), figure(known[known.length - 1][0], 5)];
+    const at = ([v, t]) => `${upward.figure(v)} at ${along.figure(t, 4)}`;
+    return [s.name, upward.figure(known[0][0]), at(least), at(most), upward.figure(known[known.length - 1][0])];
   });
-  const head = ['curve', 'at the start', named('smallest, at time', timeUnit), named('largest, at time', timeUnit), 'at the end'];
+  const head = ['curve', 'at the start', named('smallest, at time', along.unit), named('largest, at time', along.unit), 'at the end'];
   return make('details', {}, make('summary', {text: 'In figures'}),
-    table({caption: named(title, unit), head, rows, numbers: [1, 2, 3, 4]}));
+    table({caption: named(title, upward.unit), head, rows, numbers: [1, 2, 3, 4]}));
 }
 
 /// Panels of one section, and `more` after them; curves that are small beside the largest get panels of their own, so that they can be read.
 function panelsBySize({title, small, series, limit = 0.05, more = [], ...rest}) {
   const largest = (list) => Math.max(0, ...list.map((s) => largestOf(s.values)));
-  const zero = series.filter((s) => largestOf(s.values) === 0);
-  let left = series.filter((s) => largestOf(s.values) > 0), first = 0;
+  const isZero = (s) => s.values.every((v) => v === 0), zero = series.filter(isZero);
+  let left = series.filter((s) => !isZero(s)), first = 0;
   const panels = [];
   while (left.length > 0) {
     // In three panels, or they become too many.

@@ -9,6 +9,13 @@ const series = (names, label = words) => names.filter(column).map((name) => ({na
 const place = (id) => document.getElementById(id);
 const fill = (id, ...children) => place(id).append(...children);
 const drop = (id) => { place(id).hidden = true; };
+/// What round-off leaves of what is zero: velocities of 1e-19 m/s look like a motion where an axis follows them.
+const fastest = () => {
+  const mass = summary.bodies.reduce((m, b) => m + b.mass_initial, 0);
+  return mass > 0 ? Math.sqrt(2 * largestOf(column('kinetic') ?? []) / mass) : 0;
+};
+const isRoundOff = (list, scale) => list.length > 0 && list.every((s) => s.values.every((v) => v !== null && Math.abs(v) <= 1e-10 * scale));
+const roundOff = (what) => make('p', {class: 'note', text: `${what}: zero but for round-off.`});
 const hasValues = (list) => list.some((s) => largestOf(s.values) > 0);
 
 /// A run that was stopped is neither done nor failed; the summary says so.
@@ -38,29 +45,20 @@ function keyFigures() {
 
 function warnings() {
   if (summary.warnings.length === 0) return;
+  const atOnce = summary.warnings.length > 8 ? 6 : summary.warnings.length;  // more would push all else away
+  const list = (texts) => make('ul', {}, ...texts.map((text) => make('li', {text})));
+  const [first, rest] = [summary.warnings.slice(0, atOnce), summary.warnings.slice(atOnce)];
   place('warnings').hidden = false;
-  place('warnings').querySelector('ul').append(...summary.warnings.map((text) => make('li', {text})));
-}
-
-function energies() {
-  const names = ['kinetic', 'internal', 'hourglass', 'bulk_viscosity', 'contact_stored', 'contact_damped', 'eroded', 'external'];
-  const error = series(['balance_error'], () => 'balance error').map((curve) => chart({
-    title: 'Error of the balance, of the initial total', unit: '%', ...overTime,
-    series: [{...curve, values: curve.values.map((v) => v === null ? null : 100 * v)}]}));
-  fill('energies', ...panelsBySize({title: 'Energy', small: 'Small energies', unit: units.energy, more: error,
-                                    series: [...series(names), ...series(['total'])], ...overTime}));
-  const e = summary.energy;
-  const rows = Object.entries(e).map(([name, value]) => {
-    const share = /_share$|_error/.test(name);
-    return [words(name), share ? percent(value) : figure(value, 6), share ? '' : units.energy];
-  });
-  fill('energies', make('details', {}, make('summary', {text: 'At the end, in figures'}),
-    table({caption: 'Energies at the end', head: ['energy', 'value', 'unit'], rows, numbers: [1]})));
+  place('warnings').querySelector('h2').textContent = summary.warnings.length === 1 ? 'One warning' : `${summary.warnings.length} warnings`;
+  fill('warnings', list(first));
+  if (rest.length > 0) fill('warnings', make('details', {}, make('summary', {text: `${rest.length} more warnings`}), list(rest)));
 }
 
 function bodies() {
-  const panels = summary.bodies.map(({name}) => chart({title: `Velocity of ${name}`, unit: units.velocity, ...overTime,
+  const velocities = summary.bodies.map(({name}) => ({title: `Velocity of ${name}`, unit: units.velocity, ...overTime,
     series: series(['x', 'y', 'z'].map((k) => `${name}_velocity_${k}`), (c) => c.slice(-1))}));
+  const isStill = (panel) => isRoundOff(panel.series, fastest());
+  const panels = velocities.filter((panel) => !isStill(panel)).map(chart);
   const ofAll = (quantity, value = (v) => v) => summary.bodies.filter(({name}) => column(`${name}_${quantity}`))
     .map((body) => ({name: body.name, values: column(`${body.name}_${quantity}`).map((v) => v === null ? null : value(v, body))}));
   const mass = ofAll('mass_remaining', (v, body) => 100 * v / body.mass_initial);
@@ -80,14 +78,16 @@ function bodies() {
            'largest plastic strain'],
     rows: summary.bodies.map((b) => [b.name, whole(b.elements), whole(b.eroded_elements), figure(b.mass_initial, 5),
       percent(b.mass_remaining / b.mass_initial, 4), vector(b.velocity), figure(b.max_plastic_strain)])}),
+    ...velocities.filter(isStill).map((panel) => roundOff(panel.title)),
     make('div', {class: 'panels'}, ...panels));
 }
 
 function momentum() {
   const {initial, final} = summary.momentum;
-  fill('momentum', make('div', {class: 'panels'},
-    chart({title: 'Momentum', unit: units.momentum, ...overTime,
-           series: series(['x', 'y', 'z'].map((k) => `momentum_${k}`), (c) => c.slice(-1))})),
+  const curves = series(['x', 'y', 'z'].map((k) => `momentum_${k}`), (c) => c.slice(-1));
+  const mass = summary.bodies.reduce((m, b) => m + b.mass_initial, 0);
+  fill('momentum', isRoundOff(curves, mass * fastest()) ? roundOff('Momentum')
+    : make('div', {class: 'panels'}, chart({title: 'Momentum', unit: units.momentum, ...overTime, series: curves})),
     table({caption: named('Momentum of all', units.momentum), head: ['component', 'at the start', 'at the end'], numbers: [1, 2],
            rows: ['x', 'y', 'z'].map((k, i) => [k, figure(initial[i], 6), figure(final[i], 6)])}));
 }
@@ -148,8 +148,9 @@ function probes() {
 function steps() {
   const dt = series(['dt'], () => 'time step');
   const {min, max, limited_by: by} = summary.dt;
-  fill('steps', make('p', {text: `From ${figure(min)} to ${figure(max)} ${units.time}`
-      + (by ? `; the smallest step was set by ${by}.` : '.')}));
+  const axis = axisOf(Math.max(min, max), units.time), text = (step) => `${axis.figure(step)} ${axis.unit}`.trim();
+  fill('steps', make('p', {text: `Steps were at most ${text(max)} long. The shortest that was stable is ${text(min)}`
+      + (by ? `; it was set by ${by}.` : '.')}));
   if (dt.length) {
     fill('steps', make('div', {class: 'panels'}, chart({title: 'Time step', unit: units.time, series: dt, ...overTime})));
   }

@@ -4,6 +4,7 @@
 
 #include <solver/output/output_file.hpp>
 #include <solver/output/run_files.hpp>
+#include <solver/results/energy_checks.hpp>
 #include <solver/results/units.hpp>
 #include <solver/run_page.hpp>
 #include <solver/scene/listing.hpp>
@@ -61,6 +62,18 @@ Json scene_json(const Scene& scene, const Units& units, const RunPageSettings& s
   return json;
 }
 
+/// What the energies of a sound run keep to, and where this one does not.
+Json checks_json(const RunSummary& summary) {
+  Json checks = Json::array();
+  for (const EnergyCheck& check : energy_checks(summary)) {
+    checks.push_back({{"what", check.what},
+                      {"share", check.share},
+                      {"bound", check.bound},
+                      {"warning", check.sound() ? Json(nullptr) : Json(check.warning)}});
+  }
+  return checks;
+}
+
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
@@ -81,9 +94,10 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
        {"scene", html_text(summary.scene)},
        {"status", status},
        {"error", failed ? fmt::format("<p class=\"error\" role=\"alert\">{}</p>", html_text(settings.error)) : ""}});
-  content.scripts = {"format.js", "curves.js", "pictures.js", "run.js"};
+  content.scripts = {"format.js", "axes.js", "curves.js", "pictures.js", "energies.js", "run.js"};
   content.blocks = {{"units", text_of(units_json(units))},
                     {"summary", summary_json(summary)},
+                    {"checks", text_of(checks_json(summary))},
                     {"history", curves_json(curves)},
                     {"scene", text_of(scene_json(scene, units, settings, summary))}};
   make_folder(folder);
