@@ -89,7 +89,7 @@ enum pinball_contact_gap { PINBALL_CONTACT_GAP_PINBALL = 0, PINBALL_CONTACT_GAP_
 /** Radii of balls: of the undeformed elements, or of their present volumes. */
 enum pinball_contact_radius { PINBALL_CONTACT_RADIUS_INITIAL = 0, PINBALL_CONTACT_RADIUS_CURRENT = 1 };
 /** What a message is about. */
-enum pinball_contact_log_level { PINBALL_CONTACT_NOTE = 0, PINBALL_CONTACT_ERROR = 1 };
+enum pinball_contact_log_level { PINBALL_CONTACT_NOTE = 0, PINBALL_CONTACT_ERROR = 1, PINBALL_CONTACT_WARNING = 2 };
 
 /** Told what an instance has to say; message: valid during the call only. It returns: what it throws goes no further. */
 typedef void (*pinball_contact_log_hook)(void *user, int level, const char *message);
@@ -246,7 +246,9 @@ PINBALL_API int pinball_contact_update(pinball_contact *contact, const pinball_c
 PINBALL_API int pinball_contact_add_forces(pinball_contact *contact, const pinball_contact_arrays *arrays,
                                                    double dt_after, pinball_contact_result *result);
 
-/** What the last call on this instance failed with; "" if it did not. Valid until the next call on it. */
+/** What the last call on this instance failed with; "" if it did not. Of a creation that went well: what it warns of,
+ * such as spheres that may fall between the balls of elements, and "" where there is nothing. Valid until the next call
+ * on it. */
 PINBALL_API const char *pinball_contact_message(const pinball_contact *contact);
 
 #ifdef __cplusplus

@@ -19,7 +19,8 @@ module pinball_contact
     PINBALL_CONTACT_LAGRANGE = 2
   integer(c_int32_t), parameter, public :: PINBALL_CONTACT_GAP_PINBALL = 0, PINBALL_CONTACT_GAP_FACE = 1
   integer(c_int32_t), parameter, public :: PINBALL_CONTACT_RADIUS_INITIAL = 0, PINBALL_CONTACT_RADIUS_CURRENT = 1
-  integer(c_int32_t), parameter, public :: PINBALL_CONTACT_NOTE = 0, PINBALL_CONTACT_ERROR = 1
+  integer(c_int32_t), parameter, public :: PINBALL_CONTACT_NOTE = 0, PINBALL_CONTACT_ERROR = 1, &
+    PINBALL_CONTACT_WARNING = 2
 
   type, bind(C), public :: pinball_contact_options
     integer(c_size_t) :: size

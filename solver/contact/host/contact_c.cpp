@@ -119,6 +119,8 @@ int pinball_contact_create(const pinball_contact_options* options, const pinball
           pinball::message_of(of.contact->surface_elements(), " elements and spheres with an exposed face");
       tell(of, PINBALL_CONTACT_NOTE, note.c_str());
     }
+    of.message = of.contact->warning();
+    if (!of.message.empty()) tell(of, PINBALL_CONTACT_WARNING, of.message.c_str());
     return PINBALL_CONTACT_OK;
   });
 }

@@ -10,6 +10,7 @@
 
 #include "host_error.hpp"
 #include "host_options.hpp"
+#include "sphere_holes.hpp"
 
 namespace pinball {
 
@@ -38,6 +39,7 @@ class HostContactOf final : public HostContact {
     const ThreadCount threads(threads_);
     contact_ =
         make_contact<S>(settings, source_, source_.start(position, settings.enforcement != Enforcement::penalty));
+    warning_ = sphere_holes<S>(settings, source_, contact_->surface());
   }
 
   void update(const pinball_contact_arrays* arrays, double dt_before) override {
@@ -73,6 +75,7 @@ class HostContactOf final : public HostContact {
   }
 
   std::int32_t surface_elements() const override { return contact_->surface_elements(); }
+  const std::string& warning() const override { return warning_; }
 
  private:
   void check(const pinball_contact_arrays* arrays) const {
@@ -131,6 +134,7 @@ class HostContactOf final : public HostContact {
   double dt_before_ = 0;
   bool updated_ = false;  ///< add_forces is due
   ContactLedger ledger_;
+  std::string warning_;
 };
 
 template <class S>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <solver/contact/algorithm/contact_algorithm.hpp>
@@ -19,6 +20,8 @@ class HostContact {
   virtual void update(const pinball_contact_arrays* arrays, double dt_before) = 0;
   virtual pinball_contact_result add_forces(const pinball_contact_arrays* arrays, double dt_after) = 0;
   virtual std::int32_t surface_elements() const = 0;
+  /// What a host ought to know of what it has asked for; empty: nothing.
+  virtual const std::string& warning() const = 0;
 };
 
 /// Of the number type that the options name.
