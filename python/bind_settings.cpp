@@ -26,6 +26,8 @@ void bind_settings(py::module_& module) {
   bind_choice<ContactSearch>(
       module, "ContactSearch",
       {{"automatic", ContactSearch::automatic}, {"tree", ContactSearch::tree}, {"hash", ContactSearch::hash}});
+  bind_choice<ContactOverlap>(module, "ContactOverlap",
+                              {{"keep", ContactOverlap::keep}, {"adjust", ContactOverlap::adjust}});
   bind_choice<NegativeVolume>(module, "NegativeVolume",
                               {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
   bind_choice<StrainRate>(
@@ -65,6 +67,7 @@ void bind_settings(py::module_& module) {
       .def_readwrite("radius_factor", &ContactSettings::radius_factor, "on the radii of the balls [-]")
       .def_readwrite("self", &ContactSettings::self, "whether a body may touch itself")
       .def_readwrite("search", &ContactSettings::search)
+      .def_readwrite("overlap", &ContactSettings::overlap, "of bodies at the start")
       .def_readwrite("skin", &ContactSettings::skin, "how far a node may stray before a search, over its radius [-]");
   bind_data<SkipSettings>(module, "SkipSettings", "[skip] of a scene")
       .def_readwrite("contact_search", &SkipSettings::contact_search)

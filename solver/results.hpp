@@ -70,6 +70,16 @@ struct PairResult {
   Point impulse{};         ///< given to the first side [mass length/time]
 };
 
+/// Two bodies that share space at the start.
+struct OverlapResult {
+  std::string first, second;
+  std::int64_t points = 0;  ///< nodes, and points of elements, that lie more than a tenth of an element inside
+  std::int64_t nodes = 0;   ///< nodes of both that lie deeper in the other one than facets of curved surfaces explain
+  std::string place;        ///< the deepest of them: "node 17 of body rod"; empty: there is none
+  double depth = 0.0;       ///< of it, from the surface of the other body [length]
+  double share = 0.0;       ///< the same over the size of a face there [-]
+};
+
 /// What one quantity of a probe is at the end.
 struct ProbeValue {
   std::string quantity;  ///< column of history.csv without the name of the probe: "velocity_x"
@@ -199,12 +209,13 @@ struct RunSummary {
   std::int64_t inner_element_steps = 0;  ///< of elements that are not in contact, because no face of theirs is exposed
   std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have
   SkippedSeconds skipped_seconds;
-  double max_penetration_ratio = 0.0;  ///< deepest penetration over the sum of the two radii
-  double max_penetration_time = 0.0;   ///< when it was
-  std::string max_penetration_place;   ///< a node of it: "node 17 of body rod"; empty: there was none
-  std::string overlapping_bodies;      ///< "a and b": the first two that shared space at the start; empty: none did
-  std::string overlap_at_end;          ///< the same two at the end, with the number of points inside; empty: none do
-  std::string unseen_balls;            ///< which balls find each other too late, and how late; empty: none do
+  double max_penetration_ratio = 0.0;   ///< deepest penetration over the sum of the two radii
+  double max_penetration_time = 0.0;    ///< when it was
+  std::string max_penetration_place;    ///< a node of it: "node 17 of body rod"; empty: there was none
+  std::string overlapping_bodies;       ///< "a and b": the first two that shared space at the start; empty: none did
+  std::vector<OverlapResult> overlaps;  ///< all that share space at the start, two by two
+  std::string overlap_at_end;           ///< the same two at the end, with the number of points inside; empty: none do
+  std::string unseen_balls;             ///< which balls find each other too late, and how late; empty: none do
   std::vector<std::string>
       mesh_warnings;                    ///< of meshes of files: nodes on each other, folded elements, what is left out
   std::vector<std::string> near_nodes;  ///< selections that nodes lie near to and that do not take them, in words

@@ -8,6 +8,8 @@ enum class ContactGap { pinball, face, not_set };
 enum class ContactRadius { initial, current };
 /// How what may touch is found; all find the same.
 enum class ContactSearch { automatic, tree, hash };
+/// What becomes of nodes that lie in another body at the start.
+enum class ContactOverlap { keep, adjust };
 
 /// As in the scene and in summary.json.
 inline const char* enforcement_name(Enforcement enforcement) {
@@ -37,6 +39,9 @@ struct ContactSettings {
   double radius_factor = 1.0;                       ///< contact.radius_factor: on the radius of (3.2) [-]
   bool self = true;                                 ///< contact.self: a body may touch itself
   ContactSearch search = ContactSearch::automatic;  ///< contact.search = "tree" | "hash"; not set: what suits the scene
+  /// contact.overlap = "keep" | "adjust": nodes that lie in another body at the start come no deeper, or are put on its
+  /// surface, without stress
+  ContactOverlap overlap = ContactOverlap::keep;
   double skin = 0.5;  ///< contact.skin: scale of what a node may stray before lists are built anew, over its radius [-]
 };
 

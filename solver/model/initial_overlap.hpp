@@ -12,13 +12,27 @@ namespace pinball {
 struct InitialOverlap {
   std::string first, second;  ///< names of the bodies; empty: no bodies do
   std::int64_t points = 0;    ///< nodes, and nine points of each element, that lie inside an element of the other body
+  std::int64_t nodes = 0;     ///< of both that lie deeper in the other body than the facets of curved surfaces explain
+  std::int32_t node = -1;     ///< the deepest of them, in the order of the scene; negative: there is none
+  double depth = 0;           ///< its distance to the surface of the other body [length]
+  double share = 0;           ///< the same over the size of the face there [-]
 };
 
 /// The first two bodies that overlap, by default more than rounding and curved surfaces of touching meshes do: a node
 /// or the centre of an element lies inside an element of the other body, at least `depth` deep over the size of that
 /// [-]. Contact cannot tell from which side such bodies came. pairs: of the scene; where there are any, only bodies
-/// that these let touch are looked at.
+/// that these let touch are looked at. Of nodes and depths nothing is said.
 InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<ContactPair>& pairs = {},
                                     double depth = 0.1);
+
+/// All bodies that overlap, two by two in the order of the scene: with points more than a tenth of an element inside,
+/// or with nodes more than a hundredth of a face. A node inside is told from the facets that a curved surface is made
+/// of: how far these stand out of the surface follows from the angles between them.
+std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const ModelMesh& mesh);
+
+/// contact.overlap = "adjust": puts the nodes that lie inside another body on its surface, each of two bodies by its
+/// share, without stress: before volumes and masses are known. Nodes that are held in all directions, or tied, stay,
+/// those on planes of symmetry stay on these. Throws InputError where an element would have no volume.
+void adjust_initial_overlaps(const Scene& scene, const std::vector<TiedNode>& ties, ModelMesh& mesh);
 
 }  // namespace pinball

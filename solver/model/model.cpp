@@ -22,6 +22,7 @@
 #include "contact/ties.hpp"
 #include "elements/element_parts.hpp"
 #include "elements/mass_scaling.hpp"
+#include "initial_overlap.hpp"
 #include "material_held.hpp"
 #include "ordering.hpp"
 #include "step_levels.hpp"
@@ -334,6 +335,7 @@ Model<S> build_model(const Scene& given) {
     if (std::holds_alternative<ArrayMesh>(body.mesh)) body.mesh = ArrayMesh{};  // the host's arrays may go now
   }
   model.tied_nodes = find_ties(model.scene, model.mesh, model.tie_counts);
+  adjust_initial_overlaps(model.scene, model.tied_nodes, model.mesh);
   const ElementParts parts = element_parts(model.scene);
   ElementStoreFeatures features = add_parts(model, parts);
   const std::vector<double> mass_factor = mass_factors(model.scene, model.mesh, parts);

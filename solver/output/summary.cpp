@@ -68,6 +68,11 @@ Json pair_json(const PairResult& pair) {
   return {{"name", pair.name}, {"impulse", pair.impulse}, {"force_max", pair.force_max}};
 }
 
+Json overlap_json(const OverlapResult& overlap) {
+  return {{"first", overlap.first}, {"second", overlap.second}, {"points", overlap.points}, {"nodes", overlap.nodes},
+          {"place", overlap.place}, {"depth", overlap.depth},   {"share", overlap.share}};
+}
+
 Json tied_json(const TiedResult& tied) {
   return {{"name", tied.name}, {"nodes", tied.nodes}, {"near", tied.near}, {"held", tied.held}, {"taken", tied.taken}};
 }
@@ -138,6 +143,8 @@ std::string summary_json(const RunSummary& s) {
   for (const PairResult& pair : s.contact_pairs) pairs.push_back(pair_json(pair));
   Json ties = Json::array();
   for (const TiedResult& tied : s.tied) ties.push_back(tied_json(tied));
+  Json overlaps = Json::array();
+  for (const OverlapResult& overlap : s.overlaps) overlaps.push_back(overlap_json(overlap));
   const double element_steps = static_cast<double>(s.elements) * static_cast<double>(s.steps);
 
   Json json = head_json(s);
@@ -163,10 +170,15 @@ std::string summary_json(const RunSummary& s) {
        {{"method", s.contact_method},
         {"pairs", pairs},
         {"tied", ties},
+        {"overlaps", overlaps},
         {"enforcement", s.contact_enforcement},
         {"gap", s.contact_gap},
         {"pinballs", s.pinballs},
         {"pairs_max", s.pairs_max},
+        {"solves", s.sweeps.solutions},
+        {"unconverged", s.sweeps.at_bound},
+        {"residual_max", s.sweeps.residual},
+        {"residual_share_max", s.sweeps.relative},
         {"sweeps",
          {{"mean", s.sweeps.mean()},
           {"largest", s.sweeps.largest},

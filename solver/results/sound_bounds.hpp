@@ -13,14 +13,17 @@ inline constexpr double penetration_of_faces = 0.05;
 /// Depth at which bodies are in each other at the end, over the size of an element: what search has not found shows in
 /// no penetration [-].
 inline constexpr double depth_at_end = 0.2;
+/// Depth of a node in another body at the start, over the size of an element, up to which contact between faces holds
+/// it where it is: what is deeper passes [-].
+inline constexpr double overlap_held = 0.25;
 /// Energy that contact has brought in, of the energy in motion [-].
 inline constexpr double contact_created = 0.01;
 /// Energy that contact has taken out of bodies that cannot but keep it, of the energy in motion. Where coarse meshes
 /// meet face to face it takes up to this, less with each refinement: blocks of three and four elements lose 12 to 19 %
 /// [-].
 inline constexpr double contact_swallowed = 0.2;
-/// Steps with contact whose impulses were not solved for, of all of them [-].
-inline constexpr double unsolved = 0.1;
+/// Steps with contact whose impulses did not converge, of all of them [-].
+inline constexpr double unconverged = 0.03;
 /// Hourglass energy, of the largest internal energy [-].
 inline constexpr double hourglass = 0.1;
 /// Hourglass energy below zero, of the same [-].

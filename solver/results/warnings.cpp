@@ -13,6 +13,51 @@ namespace {
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
+/// Impulses that are not those of the coupled system: faces that should close no gap do, or are pushed askew.
+void add_unconverged_contact(const SweepCounts& counts, std::vector<std::string>& found) {
+  const double share = static_cast<double>(counts.at_bound) / static_cast<double>(counts.solutions);
+  if (!(share > sound::unconverged)) return;
+  found.push_back(fmt::format(
+      "the impulses of contact did not converge in {} of {} steps with contact ({}), within {} sweeps: up to {:.3g} of "
+      "a velocity was left, {} of the largest that contact had to change in its step: try a smaller time.cfl, meshes "
+      "that fit where bodies meet, or contact.enforcement = \"projection\"",
+      counts.at_bound, counts.solutions, percent(share), counts.largest, counts.residual, percent(counts.relative)));
+}
+
+/// "bodies pin and plate overlap at the start, by 32 of their nodes, most node 17 of body pin, 0.5 deep (5 % of ...)"
+std::string overlap_text(const OverlapResult& overlap) {
+  std::string text = fmt::format("bodies {} and {} overlap at the start", overlap.first, overlap.second);
+  if (overlap.nodes == 0) {
+    return text +
+           fmt::format(", by {} points of their elements, although no node of one lies in the other", overlap.points);
+  }
+  return text + fmt::format(", by {} of their nodes, most {}, {:.4g} deep ({} of an element)", overlap.nodes,
+                            overlap.place, overlap.depth, percent(overlap.share));
+}
+
+/// The deepest overlaps first; many of them are told by their number.
+void add_overlaps(const RunSummary& summary, std::vector<std::string>& found) {
+  constexpr std::size_t most_told = 5;
+  std::vector<OverlapResult> overlaps = summary.overlaps;
+  std::stable_sort(overlaps.begin(), overlaps.end(),
+                   [](const OverlapResult& a, const OverlapResult& b) { return a.share > b.share; });
+  for (std::size_t i = 0; i < std::min(overlaps.size(), most_told); ++i) {
+    const bool deep = overlaps[i].nodes == 0 || overlaps[i].share > sound::overlap_held;
+    found.push_back(overlap_text(overlaps[i]) +
+                    (deep
+                         ? ": contact cannot tell from which side they came, and lets such nodes pass: move the bodies "
+                           "apart"
+                         : ": contact keeps them as they are, without stress: contact.overlap = \"adjust\" puts the "
+                           "nodes on the surface"));
+  }
+  if (overlaps.size() > most_told) {
+    found.push_back(
+        fmt::format("{} more pairs of bodies overlap at the start, less deep: contact.overlaps of summary.json "
+                    "has them all",
+                    overlaps.size() - most_told));
+  }
+}
+
 /// What the chosen form of contact is known not to do, by tests/contact/trials.
 void add_limits_of_contact(const RunSummary& s, std::vector<std::string>& found) {
   const char* const instead = s.contact_gap == "face" && s.contact_method == "pinball"
@@ -59,12 +104,7 @@ std::vector<std::string> warnings(const RunSummary& summary) {
                     "contact has let them in",
                     summary.end_time, percent(sound::depth_at_end), summary.overlap_at_end));
   }
-  if (static_cast<double>(summary.sweeps.unsolved) > sound::unsolved * static_cast<double>(summary.sweeps.solutions)) {
-    found.push_back(fmt::format(
-        "the impulses of contact were not solved for in {} of {} steps with contact, where {} sweeps were not enough: "
-        "try a smaller time.cfl, or contact.enforcement = \"projection\"",
-        summary.sweeps.unsolved, summary.sweeps.solutions, summary.sweeps.largest));
-  }
+  add_unconverged_contact(summary.sweeps, found);
   for (const std::string& warning : start_warnings(summary)) found.push_back(warning);
   return found;
 }
@@ -85,10 +125,7 @@ std::string added_mass_text(const RunSummary& summary) {
 
 std::vector<std::string> start_warnings(const RunSummary& summary) {
   std::vector<std::string> found = summary.mesh_warnings;
-  if (!summary.overlapping_bodies.empty()) {
-    found.push_back(fmt::format("bodies {} overlap at the start: contact cannot tell from which side they came",
-                                summary.overlapping_bodies));
-  }
+  add_overlaps(summary, found);
   if (!summary.unseen_balls.empty()) {
     found.push_back(
         fmt::format("{}: choose contact.enforcement = \"lagrange\" with contact.gap = \"face\", or meshes "

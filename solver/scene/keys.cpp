@@ -27,7 +27,7 @@ const std::vector<TableKeys>& scene_keys() {
       {"contact",
        "contact",
        {"method", "enforcement", "gap", "beta", "damping", "friction", "static_friction", "radius", "radius_factor",
-        "self", "search", "skin", "friction_decay", "pair", "tied"}},
+        "self", "search", "overlap", "skin", "friction_decay", "pair", "tied"}},
       {"contact_pair",
        "contact.pair.NAME",
        {"name", "first", "second", "friction", "static_friction", "friction_decay", "start", "end"}},

@@ -79,6 +79,8 @@ void list_contact(const Scene& scene, std::vector<SceneEntry>& all) {
                       ? "what suits the scene"
                       : toml_text(contact.search == ContactSearch::tree ? "tree" : "hash"),
                   contact.search == ContactSearch::automatic);
+  table.add_words("overlap", toml_text(contact.overlap == ContactOverlap::keep ? "keep" : "adjust"),
+                  contact.overlap == without.overlap);
 }
 
 void list_guards_and_skips(const Scene& scene, std::vector<SceneEntry>& all) {

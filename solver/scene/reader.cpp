@@ -49,6 +49,8 @@ ContactSettings read_contact(const SceneTable& table) {
   contact.self = table.boolean("self", contact.self);
   contact.search = table.choice<ContactSearch>("search", {{"tree", ContactSearch::tree}, {"hash", ContactSearch::hash}},
                                                contact.search);
+  contact.overlap = table.choice<ContactOverlap>(
+      "overlap", {{"keep", ContactOverlap::keep}, {"adjust", ContactOverlap::adjust}}, contact.overlap);
   complete(contact);
   table.require_none(problem_of(contact));
   return contact;

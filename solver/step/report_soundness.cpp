@@ -62,6 +62,23 @@ std::string large_added_mass(const Model<S>& model) {
       model.mesh.body_names[worst], 100 * share, 100 * sound::added_mass);
 }
 
+template <class S>
+void add_overlaps(const Solver<S>& solver, RunSummary& summary) {
+  const ModelMesh& mesh = solver.mesh();
+  for (const InitialOverlap& found : solver.initial_overlaps()) {
+    if (summary.overlaps.empty()) summary.overlapping_bodies = fmt::format("{} and {}", found.first, found.second);
+    OverlapResult& overlap = summary.overlaps.emplace_back();
+    overlap.first = found.first;
+    overlap.second = found.second;
+    overlap.points = found.points;
+    overlap.nodes = found.nodes;
+    overlap.depth = found.depth;
+    overlap.share = found.share;
+    if (found.node < 0) continue;
+    overlap.place = fmt::format("node {} of body {}", found.node, mesh.body_names[mesh.body_of_node[found.node]]);
+  }
+}
+
 }  // namespace
 
 template <class S>
@@ -79,8 +96,7 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
   summary.max_penetration_ratio = counts.penetration_ratio_max();
   summary.max_penetration_time = counts.deepest_time();
   summary.max_penetration_place = node_name(solver.model(), counts.deepest_node());
-  const InitialOverlap& overlap = solver.initial_overlap();
-  if (overlap.points > 0) summary.overlapping_bodies = fmt::format("{} and {}", overlap.first, overlap.second);
+  add_overlaps(solver, summary);
   const InitialOverlap& now = solver.overlap_at_end();
   if (now.points > 0) {
     summary.overlap_at_end =

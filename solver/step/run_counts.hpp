@@ -62,6 +62,7 @@ class RunCounts {
                             pairs_,
                             pairs_max_};
     archive.require_all(counts, -most, most);
+    archive.require(work_.sweeps.residual >= 0 && work_.sweeps.relative >= 0);
   }
 
  private:

@@ -60,7 +60,7 @@ Solver<S>::Solver(const Scene& scene)
       guards_(model_, clock_) {
   if (contact() != nullptr) {
     clock_.limit_by_impact_speed(longest_contact_step(model_));
-    initial_overlap_ = find_initial_overlap(model_.mesh, model_.scene.contact_pairs);
+    initial_overlaps_ = find_initial_overlaps(model_.scene, model_.mesh);
     unseen_balls_ = find_unseen_balls(model_.scene, model_.mesh);
     sound_swallowing_ = sound_swallowing_of(model_.scene);
   }

@@ -93,7 +93,7 @@ class Solver {
   const Subcycling<S>* subcycling() const { return schedule_.subcycling(); }
   const Probes<S>& probes() const { return probes_; }
   const BodyEnergies<S>& body_energies() const { return body_energies_; }
-  const InitialOverlap& initial_overlap() const { return initial_overlap_; }
+  const std::vector<InitialOverlap>& initial_overlaps() const { return initial_overlaps_; }
   /// After finish(), where nothing has eroded: erosion exposes what lies deep inside others.
   const InitialOverlap& overlap_at_end() const { return overlap_at_end_; }
   const std::optional<UnseenBalls>& unseen_balls() const { return unseen_balls_; }
@@ -151,8 +151,8 @@ class Solver {
   Guards<S> guards_;
   Point initial_momentum_{};
   InitialOverlap overlap_at_end_;
-  InitialOverlap initial_overlap_;           ///< only looked for in a scene with contact
-  std::optional<UnseenBalls> unseen_balls_;  ///< only looked for where the gap is that of balls
+  std::vector<InitialOverlap> initial_overlaps_;  ///< only looked for in a scene with contact
+  std::optional<UnseenBalls> unseen_balls_;       ///< only looked for where the gap is that of balls
   std::vector<std::string> near_nodes_;
   std::string unstable_hourglass_;
   double sound_swallowing_ = 0;

@@ -1,4 +1,7 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include <solver/model/initial_overlap.hpp>
 #include <tests/support/solver_case.hpp>
@@ -34,9 +37,144 @@ TEST(InitialOverlap, OfTheSamePlaceAndOfABodyInsideAnother) {
 }
 
 TEST(InitialOverlap, ScenesOfTheRepositoryHaveNone) {
-  for (const char* name : {"rod_plate", "rod_oblique", "two_blocks", "two_bars", "sphere_sphere", "taylor_plate"}) {
-    EXPECT_EQ(find_initial_overlap(build_mesh(read_scene(find_scene(name)))).points, 0) << name;
+  for (const char* name : {"rod_plate", "rod_oblique", "two_blocks", "two_bars", "sphere_sphere", "taylor_plate",
+                           "newtons_cradle", "contact_patch", "sliding_block", "sphere_floor"}) {
+    const Scene scene = read_scene(find_scene(name));
+    const ModelMesh mesh = build_mesh(scene);
+    EXPECT_EQ(find_initial_overlap(mesh).points, 0) << name;
+    EXPECT_TRUE(find_initial_overlaps(scene, mesh).empty()) << name;
   }
+}
+
+Scene two_blocks(const Point& corner) {
+  return scene_of({block("a", {2, 2, 2}, 1, {0, 0, 0}), block("b", {2, 2, 2}, 1, corner)}, 1);
+}
+
+std::vector<InitialOverlap> overlaps(const Scene& scene) { return find_initial_overlaps(scene, build_mesh(scene)); }
+
+TEST(InitialOverlaps, NameTheDeepestNodeAndItsDepth) {
+  EXPECT_TRUE(overlaps(two_blocks({0, 0, 2.5})).empty());
+  EXPECT_TRUE(overlaps(two_blocks({0, 0, 2})).empty());
+  for (const double depth : {0.05, 0.29, 0.7}) {
+    const auto found = overlaps(two_blocks({0.3, 0.4, 2 - depth}));
+    ASSERT_EQ(found.size(), 1U) << depth;
+    EXPECT_EQ(found[0].first, "a");
+    EXPECT_EQ(found[0].second, "b");
+    EXPECT_NEAR(overlaps(two_blocks({0, 0, 2 - depth}))[0].depth, depth, 1e-12) << "where sides lie in one plane";
+    EXPECT_EQ(found[0].nodes, 4 + 4) << "the corners of b and of a that lie in the other";
+    EXPECT_NEAR(found[0].depth, depth, 1e-12);
+    EXPECT_NEAR(found[0].share, depth, 1e-12);
+    ASSERT_GE(found[0].node, 0);
+  }
+}
+
+TEST(InitialOverlaps, HaveOnePairOfBodiesAfterTheOther) {
+  Scene scene = two_blocks({0, 0, 1.9});
+  scene.bodies.push_back(block("c", {2, 2, 2}, 1, {0, 0, 3.7}));
+  const auto found = overlaps(scene);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].second, "b");
+  EXPECT_EQ(found[1].first, "b");
+  EXPECT_EQ(found[1].second, "c");
+  EXPECT_NEAR(found[0].depth, 0.1, 1e-12);
+  EXPECT_NEAR(found[1].depth, 0.2, 1e-12);
+  ContactPair pair;
+  pair.first.bodies = {"b"};
+  pair.second.bodies = {"c"};
+  scene.contact_pairs = {pair};
+  EXPECT_EQ(overlaps(scene).size(), 1U) << "what may not touch may overlap";
+}
+
+TEST(InitialOverlaps, SeeBarsThatCrossWithoutANodeInside) {
+  Scene scene = two_blocks({0, 0, 0});
+  scene.bodies[0].mesh = BlockMesh{{4, 1, 1}, {1, 1, 1}};
+  scene.bodies[1].mesh = BlockMesh{{1, 4, 1}, {1, 1, 1}};
+  scene.bodies[1].position = {1.5, -1.5, 0.3};
+  const auto found = overlaps(scene);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].nodes, 0);
+  EXPECT_GT(found[0].points, 0);
+}
+
+/// A pin of radius `pin` in a half hole of radius 10: 24 elements around the pin, 17 around the half hole.
+std::vector<InitialOverlap> pin_in_hole(double pin) {
+  Body body;
+  body.name = "pin";
+  body.material = "steel";
+  body.mesh = CylinderMesh{pin, 10, Section::full, 0, 6, 3, 1, 4};
+  const Scene scene = scene_of({body, block("hole", {17, 4, 4}, 1, {100, 0, 0})}, 1);
+  ModelMesh mesh = build_mesh(scene);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    if (mesh.body_names[static_cast<std::size_t>(mesh.body_of_node[n])] != "hole") continue;
+    const Point x = mesh.nodes[n];
+    const double angle = M_PI * (1 - (x[0] - 100) / 17), radius = 10 + 2 * x[1];
+    mesh.nodes[n] = {radius * std::cos(angle), radius * std::sin(angle), 2.5 * x[2]};
+  }
+  return find_initial_overlaps(scene, mesh);
+}
+
+TEST(InitialOverlaps, TellAPinThatIsTooLargeFromTheFacetsOfItsHole) {
+  EXPECT_TRUE(pin_in_hole(10).empty()) << "facets stand into the hole by " << 10 * (1 - std::cos(M_PI / 34));
+  EXPECT_TRUE(pin_in_hole(9.9).empty());
+  const auto found = pin_in_hole(10.5);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_GT(found[0].nodes, 30);
+  EXPECT_GE(found[0].depth, 0.5 - 1e-9);
+  EXPECT_LT(found[0].depth, 0.6);
+}
+
+/// Whether bodies do not overlap once they are adjusted; and how far nodes have gone at most.
+double way_of_adjustment(Scene scene, bool& apart) {
+  scene.contact.overlap = ContactOverlap::adjust;
+  const ModelMesh before = build_mesh(scene);
+  ModelMesh mesh = before;
+  adjust_initial_overlaps(scene, {}, mesh);
+  apart = find_initial_overlaps(scene, mesh).empty();
+  double way = 0;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) way = std::max(way, norm(minus(mesh.nodes[n], before.nodes[n])));
+  return way;
+}
+
+TEST(InitialOverlaps, AreAdjusted) {
+  bool apart = false;
+  EXPECT_EQ(way_of_adjustment(two_blocks({0, 0, 2}), apart), 0);
+  EXPECT_NEAR(way_of_adjustment(two_blocks({0, 0, 1.71}), apart), 0.145, 1e-9) << "each of the two by half";
+  EXPECT_TRUE(apart);
+  EXPECT_LE(way_of_adjustment(two_blocks({0.3, 0.4, 1.71}), apart), 0.29 + 1e-9) << "meshes do not fit";
+  EXPECT_TRUE(apart);
+  const Scene small = scene_of({block("a", {2, 2, 2}, 1, {0, 0, 0}), block("b", {2, 2, 2}, 0.3, {0.2, 0.2, 1.9})}, 1);
+  EXPECT_LE(way_of_adjustment(small, apart), 0.1 + 1e-9) << "nodes of one side alone";
+  EXPECT_TRUE(apart);
+}
+
+TEST(InitialOverlaps, AreAdjustedWithinPlanesOfSymmetryAndWhereNodesAreFree) {
+  Scene scene = two_blocks({0, 0, 1.8});
+  scene.constraints = {{{0, 0, 0}, {1, 0, 0}, ""}};
+  FixedConstraint fixed;
+  fixed.nodes.plane = Plane{{0, 0, 1.8}, {0, 0, 1}};
+  fixed.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.fixed_constraints = {fixed};
+  scene.contact.overlap = ContactOverlap::adjust;
+  ModelMesh mesh = build_mesh(scene);
+  const ModelMesh before = mesh;
+  adjust_initial_overlaps(scene, {}, mesh);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    if (before.nodes[n][0] == 0) {
+      EXPECT_EQ(mesh.nodes[n][0], 0);
+    }
+    if (before.nodes[n][2] == 1.8) {
+      EXPECT_EQ(mesh.nodes[n], before.nodes[n]);
+    }
+  }
+  EXPECT_TRUE(find_initial_overlaps(scene, mesh).empty()) << "those that are not held go all the way";
+}
+
+TEST(InitialOverlaps, ThatLeaveAnElementNoVolumeAreRefused) {
+  Scene scene = two_blocks({0, 0, 5});
+  scene.bodies[1] = block("b", {1, 1, 1}, 0.2, {0.9, 0.9, 0.9});
+  scene.contact.overlap = ContactOverlap::adjust;
+  EXPECT_THAT(error_of<InputError>([&] { build_model<double>(scene); }),
+              testing::AllOf(testing::HasSubstr("contact.overlap"), testing::HasSubstr("of body")));
 }
 
 }  // namespace

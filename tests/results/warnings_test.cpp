@@ -116,18 +116,33 @@ TEST(Warnings, WhatIsKnownAtTheStart) {
   EXPECT_EQ(start_warnings(s), warnings(s));
 }
 
-TEST(Warnings, SweepsThatWereNotEnough) {
+TEST(Warnings, ContactThatDidNotConverge) {
   RunSummary s = sound();
-  s.sweeps = {100, 5000, 50, 100, 10};
+  s.sweeps = {100, 5000, 50, 3, 0, 0.16, 8e-4};
   EXPECT_THAT(warnings(s), IsEmpty());
-  s.sweeps.unsolved = 11;
-  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("not solved for in 11 of 100 steps with contact, where 50 sweeps")));
+  s.sweeps.at_bound = 4;
+  EXPECT_THAT(warnings(s),
+              ElementsAre(AllOf(HasSubstr("did not converge in 4 of 100 steps with contact (4 %), within 50 sweeps"),
+                                HasSubstr("0.16 of a velocity was left, 0.08 % of the largest"))));
 }
 
-TEST(Warnings, Overlap) {
+TEST(Warnings, Overlaps) {
   RunSummary s = sound();
-  s.overlapping_bodies = "a and b";
-  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("bodies a and b overlap at the start")));
+  s.overlaps = {{"pin", "plate", 0, 32, "node 17 of body pin", 0.5, 0.05}};
+  EXPECT_THAT(warnings(s),
+              ElementsAre(AllOf(HasSubstr("bodies pin and plate overlap at the start, by 32 of their nodes"),
+                                HasSubstr("most node 17 of body pin, 0.5 deep (5 % of an element)"),
+                                HasSubstr("contact.overlap = \"adjust\""))));
+  EXPECT_EQ(start_warnings(s), warnings(s));
+  s.overlaps[0].share = 0.29;
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("lets such nodes pass")));
+  s.overlaps[0] = {"a", "b", 12, 0, "", 0, 0};
+  EXPECT_THAT(warnings(s), ElementsAre(HasSubstr("by 12 points of their elements")));
+  s.overlaps.assign(8, s.overlaps[0]);
+  s.overlaps[7] = {"c", "d", 0, 1, "node 3 of body c", 0.1, 0.2};
+  EXPECT_THAT(warnings(s), testing::SizeIs(6));
+  EXPECT_THAT(warnings(s)[0], HasSubstr("bodies c and d"));
+  EXPECT_THAT(warnings(s)[5], HasSubstr("3 more pairs of bodies overlap"));
 }
 
 }  // namespace

@@ -264,7 +264,7 @@ double ImpulseSolver<S>::largest_rate() const {
 
 template <class S>
 void ImpulseSolver<S>::solve_coupled(ImpulseResult& result) {
-  const double scale = largest_rate();
+  const double scale = result.scale = largest_rate();
   packs_.apply(velocity_.data());  // begin with the impulses of the step before
   if (active_.empty()) return;
   double change = 0;
@@ -272,6 +272,7 @@ void ImpulseSolver<S>::solve_coupled(ImpulseResult& result) {
     change = packs_.sweep(velocity_.data());
     ++result.sweeps;
   } while (!(change <= tolerance * scale) && result.sweeps < most_sweeps);
+  result.residual = change;
   result.at_bound = !(change <= tolerance * scale);
   result.unsolved = !(change <= sound * scale);
 }

@@ -30,6 +30,8 @@ struct ImpulseResult {
   int sweeps = 0;                ///< over the rows, by lagrange
   bool at_bound = false;         ///< the sweeps ended at the bound of their number
   bool unsolved = false;         ///< and what the last one changed was not small
+  double residual = 0;           ///< what the last one changed [length/time]
+  double scale = 0;              ///< what that is compared with: the largest rate of a row [length/time]
 };
 
 /// Contact by impulses instead of springs: after accelerations are known and before positions move, impulses take out

@@ -98,6 +98,10 @@ function contactFacts() {
     ['most pairs in contact', whole(c.pairs_max)], ['searches', whole(c.searches)],
     ['deepest penetration', c.max_penetration_ratio > 0 ? `${percent(c.max_penetration_ratio)} of the two radii, at `
       + `${figure(c.max_penetration_time)} ${units.time}, ${c.max_penetration_place}` : 'none']];
+  if (c.solves > 0) {
+    facts.push(['systems of impulses', `${whole(c.solves)}, of which ${whole(c.unconverged)} (${percent(c.unconverged / c.solves, 3)}) did not converge`],
+      ['most that a solution left', `${figure(c.residual_max)} ${units.velocity}, ${percent(c.residual_share_max)} of the largest velocity that it had to change`]);
+  }
   if (c.sweeps?.solutions > 0) facts.push(['sweeps of a solution', `${figure(c.sweeps.mean, 3)} on average, ${whole(c.sweeps.largest)} at most`]);
   return table({caption: 'Contact', head: ['what', 'value'], rows: facts});
 }
