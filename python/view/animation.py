@@ -37,7 +37,7 @@ def write_animation(path, frames, frames_per_second):
         frames = [frame.quantize(palette=palette, dither=0) for frame in frames]
         frames[0].save(path, save_all=True, append_images=frames[1:], duration=durations, loop=0, optimize=False)
     else:
-        frames[0].save(path, save_all=True, append_images=frames[1:], duration=durations, loop=0, quality=80, method=4)
+        frames[0].save(path, save_all=True, append_images=frames[1:], duration=durations, loop=0, quality=80, method=2)
 
 
 def write_film(path, frames, frames_per_second, codec):

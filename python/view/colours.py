@@ -3,14 +3,16 @@
 import io
 
 import matplotlib
-
-matplotlib.use("Agg")
+import matplotlib.cm
 import matplotlib.colors
-import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from PIL import Image
 
 from view.fields import BadInput
+from view.labels import power_of_ten, tick_texts
 
 # From untouched metal to dark: lightness falls all the way, by steps that look the same (places by the distance in CIELAB),
 # and light shading and mesh lines show where nothing happens.
@@ -48,32 +50,43 @@ def make_colours(quantity, limits, names, wanted=None):
     return Colours(colour_map(np.linspace(0.0, 1.0, 256)), limits, quantity.label)
 
 
-def colour_bar(colours, height, scale):
-    """A PIL image of that height [pixel]: the bar with its numbers, name and unit; of bodies their names. scale: pixels of
-    a point of type."""
+def colour_bar(colours, height, scale, ink):
+    """A transparent PIL image of that height [pixel]: the bar with its numbers, name and unit; of bodies their names. scale:
+    pixels of a point of type; ink: the colour of what is written, 0 to 255."""
     dots = 72.0 * scale
-    figure = plt.figure(figsize=(1.6, height / dots), dpi=dots)
-    if colours.names:
-        patches = [matplotlib.patches.Patch(color=c, label=n) for c, n in zip(colours.table, colours.names)]
-        figure.legend(handles=patches, loc="center left", frameon=False, fontsize=10)
-    else:
-        scalars = plt.cm.ScalarMappable(plt.Normalize(*colours.range), matplotlib.colors.ListedColormap(colours.table))
-        axes = figure.add_axes((0.08, 0.08, 0.12, 0.84))
-        bar = figure.colorbar(scalars, cax=axes)
-        bar.set_label(colours.label, fontsize=10)
-        bar.ax.tick_params(labelsize=9)
-        bar.formatter.set_powerlimits((-3, 4))
-        bar.formatter.set_useMathText(True)
-        bar.outline.set_linewidth(0.5)
-    stream = io.BytesIO()
-    figure.savefig(stream, format="png", dpi=dots, bbox_inches=None)
-    plt.close(figure)
-    image = Image.open(stream).convert("RGB")
+    written = tuple(c / 255.0 for c in ink)
+    with matplotlib.rc_context({"text.color": written, "axes.edgecolor": written, "axes.labelcolor": written,
+                                "xtick.color": written, "ytick.color": written}):
+        figure = Figure(figsize=(2.0, height / dots), dpi=dots)
+        if colours.names:
+            patches = [Patch(color=c, label=n) for c, n in zip(colours.table, colours.names)]
+            figure.legend(handles=patches, loc="center left", frameon=False, fontsize=10)
+        else:
+            draw_bar(figure, colours)
+        stream = io.BytesIO()
+        FigureCanvasAgg(figure)
+        figure.savefig(stream, format="png", dpi=dots, transparent=True)
+    image = Image.open(stream).convert("RGBA")
     return image.crop(matter(image, height))
 
 
+def draw_bar(figure, colours):
+    scalars = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(*colours.range),
+                                           matplotlib.colors.ListedColormap(colours.table))
+    bar = figure.colorbar(scalars, cax=figure.add_axes((0.2, 0.08, 0.1, 0.84)))
+    bar.set_label(colours.label, fontsize=10)
+    bar.outline.set_linewidth(0.5)
+    factor, power = power_of_ten(max(abs(value) for value in colours.range))
+    low, high = colours.range
+    ticks = [tick for tick in bar.get_ticks() if low - 1e-9 * (high - low) <= tick <= high + 1e-9 * (high - low)]
+    bar.set_ticks(ticks, labels=tick_texts([tick / factor for tick in ticks]))
+    bar.ax.tick_params(labelsize=9)
+    if power:
+        bar.ax.set_title(power, fontsize=9, loc="left", y=1.0, pad=4)
+
+
 def matter(image, height):
-    """Box of the columns that are not white, with all rows."""
-    columns = np.flatnonzero((np.asarray(image) < 250).any(axis=(0, 2)))
+    """Box of the columns that are not empty, with all rows."""
+    columns = np.flatnonzero((np.asarray(image.getchannel("A")) > 5).any(axis=0))
     left, right = (columns[0], columns[-1] + 1) if columns.size else (0, 1)
     return left, 0, right, height

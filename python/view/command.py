@@ -7,6 +7,7 @@ import sys
 PACKAGES = {"vtkmodules": "python3-vtk9", "matplotlib": "python3-matplotlib", "numpy": "python3-numpy", "PIL": "python3-pil"}
 PANELS, MOST_FRAMES = 4, 200
 WIDTH, FILM_WIDTH = 1600, 900
+MOST_HEIGHT, FILM_MOST_HEIGHT = 1.1, 0.75  # of the width: a film has to fit into a window
 
 
 def report(message, status):
@@ -44,7 +45,7 @@ def draw_fields(options, wanted):
     from view.animation import check_animation, write_animation
     from view.display import VirtualDisplay
     from view.drawing import Drawing
-    from view.page import pictures, put_into_page
+    from view.page import Film, pictures, put_into_page
     from view.paraview import state_text
     from view.selection import choose_entries
 
@@ -54,28 +55,27 @@ def draw_fields(options, wanted):
     if wanted.film:
         check_animation(wanted.film)
     drawing = Drawing(sorted({*panels, *frames}), options)
-    films = []
-    with VirtualDisplay():
+    sheet, film, on_paper = None, Film(), []
+    with VirtualDisplay(), drawing:
         if wanted.sheet:
-            (sheet,) = drawing.sheets([panels], options.size or WIDTH)
-            sheet.save(wanted.sheet)
+            (sheet,) = drawing.sheets([panels], options.size or WIDTH, MOST_HEIGHT)
+            sheet.on_paper().save(wanted.sheet)
             yield wanted.sheet
         if wanted.film and (len(frames) > 1 or options.animation):
-            films = list(drawing.sheets([[entry] for entry in frames], options.size or FILM_WIDTH))
-    if films:
-        write_animation(wanted.film, films, options.fps)
+            width = options.size or FILM_WIDTH
+            for frame in drawing.sheets([[entry] for entry in frames], width, FILM_MOST_HEIGHT, shadow_pixel=3):
+                on_paper.append(frame.on_paper())
+                if wanted.page:
+                    film.add(frame)
+    if on_paper:
+        write_animation(wanted.film, on_paper, options.fps)
         yield wanted.film
     if wanted.state:
         with open(wanted.state, "w", encoding="utf-8") as file:
-            pvd = os.path.abspath(os.path.join(options.folder, "fields.pvd"))
-            file.write(state_text(pvd, drawing.quantity, drawing.colours, drawing.frame))
+            file.write(state_text(drawing))
         yield wanted.state
-    if wanted.page:
-        with open(wanted.sheet, "rb") as sheet:
-            content = pictures(sheet.read(), films, [time * drawing.factor for time, _ in frames], drawing.time_unit,
-                               drawing.colours.label or "bodies")
-        if put_into_page(options.folder, content):
-            yield os.path.join(options.folder, "index.html")
+    if wanted.page and put_into_page(options.folder, pictures(sheet, film, drawing.colours.label or "bodies")):
+        yield os.path.join(options.folder, "index.html")
 
 
 def draw(options):

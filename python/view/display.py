@@ -19,8 +19,9 @@ class VirtualDisplay:
                 raise BadInput("pictures need the Debian package xvfb, or a display: apt-get install xvfb")
             return self
         reader, writer = os.pipe()
+        # -noreset: it would begin anew when a window is closed, and refuse one that is opened then.
         self.server = subprocess.Popen(
-            [program, "-displayfd", str(writer), "-screen", "0", "64x64x24", "-nolisten", "tcp"],
+            [program, "-displayfd", str(writer), "-screen", "0", "64x64x24", "-nolisten", "tcp", "-noreset"],
             pass_fds=[writer], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
         os.close(writer)
         with os.fdopen(reader) as answer:

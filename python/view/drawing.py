@@ -1,15 +1,14 @@
 """The pictures of a run: one camera, one scale of colours, all times. VTK is asked for last: bad input is told at once."""
 
 import numpy as np
-from PIL import Image
 
 from view.camera import Camera, Frame, corners_of, parse_view
-from view.colours import colour_bar, limits_of, make_colours
+from view.colours import limits_of, make_colours
 from view.fields import BadInput, read_vtu
 from view.labels import time_scale
 from view.quantity import Quantity, default_field, shown
 from view.selection import body_names, chosen_bodies, elements_of, mirror_scales, parse_cut
-from view.sheet import Layout, draw_axes, draw_measure, put_together
+from view.sheet import Layout, Sheet, Surround
 
 FINEST_EDGES = 3.5  # pixels of an element, below which mesh lines would be all that is seen
 
@@ -46,6 +45,7 @@ class Drawing:
 
     def __init__(self, entries, options):
         self.options = options
+        self.window = None
         self.camera = Camera(*parse_view(options.view))
         self.cut = parse_cut(options.cut) if options.cut else None
         self.scales = mirror_scales(options.mirror)
@@ -95,26 +95,36 @@ class Drawing:
         return [mirrored(surface, scale, self.quantity.changes_sign(axes)) if axes else surface
                 for scale, axes in zip(self.scales, images)]
 
-    def sheets(self, groups, width):
-        """An image for each group of entries, all in one layout, as they are made. To be exhausted or closed."""
+    def sheets(self, groups, width, most_height, shadow_pixel=1):
+        """A Sheet for each group of entries, all in one layout, as they are made; as wide as `width` [pixel], and at most so
+        much of that high. shadow_pixel: so many pixels have one of their shadows."""
         groups = list(groups)
-        layout = Layout(max(len(group) for group in groups), self.frame.aspect, width)
-        bar = colour_bar(self.colours, min(layout.height, round(layout.width * 0.6)), layout.scale)
-        from view.render import Window
+        layout = Layout(max(len(group) for group in groups), self.frame.aspect, width, most_height)
+        surround = Surround(layout, self.frame, self.units.get("length"), self.colours)
+        self.open_window(*layout.panel, shadow_pixel)
+        for group in groups:
+            drawings, titles = zip(*[self.draw(layout, entry) for entry in group])
+            yield Sheet(layout, drawings, titles, surround)
 
-        window = Window(self.frame, *layout.panel)
-        try:
-            for group in groups:
-                drawings = [self.draw(window, layout, entry) for entry in group]
-                draw_axes(drawings[0][0], self.camera, layout.scale)
-                draw_measure(drawings[0][0], self.frame, self.units.get("length"), layout.scale)
-                yield put_together(layout, *zip(*drawings), bar)
-        finally:
-            window.close()
+    def open_window(self, width, height, shadow_pixel):
+        """One window for all that is drawn: shaders are compiled once."""
+        if self.window is None:
+            from view.render import Window
 
-    def draw(self, window, layout, entry):
+            self.window = Window(self.frame)
+        self.window.resize(width, height, shadow_pixel)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        """Before the display goes."""
+        if self.window is not None:
+            self.window.close()
+        self.window = None
+
+    def draw(self, layout, entry):
         """(image, title) of one time."""
         time, path = entry
         mesh = read_vtu(path)
-        pixels = window.draw(self.surfaces(mesh), self.colours, self.edge_width(layout.panel[0]))
-        return Image.fromarray(pixels), self.title(time, mesh)
+        return self.window.draw(self.surfaces(mesh), self.colours, self.edge_width(layout.panel[0])), self.title(time, mesh)

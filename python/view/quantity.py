@@ -43,6 +43,10 @@ class Quantity:
             known += [f"{n}_{c}" for n in arrays if arrays[n].ndim > 1 for c in mesh.components[n]]
             raise BadInput(f"no field {name} in the output; there are: {', '.join(known)}")
         self.title = name
+        # As ParaView names them: those of the file, else X, Y, Z.
+        self.components = []
+        if arrays[self.name].ndim > 1:
+            self.components = [c.upper() if len(c) == 1 else c for c in mesh.components[self.name]]
         self.on_points = self.name in mesh.point_data
         self.signed = self.component is not None
         self.letters = component if self.signed else ""  # "x", "xy"

@@ -6,27 +6,64 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkWindowToImageFilter)
+from PIL import Image, ImageChops
 
 # Drawn so many times larger, and made smaller afterwards: smooth outlines, and edges of less than a pixel.
 SUPERSAMPLING = 2
 
 
 class Window:
-    """A window of some pixels that looks at a Frame; draw() gives what is seen of some surfaces."""
+    """A window that looks at a Frame; draw() gives what is seen of some surfaces.
 
-    def __init__(self, frame, width, height):
+    Colours and shadows are drawn apart: shadows in corners (ambient occlusion) take sixteen looks into the depths around each
+    pixel, without a graphics card most of the time of a picture, and are soft enough for larger pixels.
+    """
+
+    def __init__(self, frame):
+        self.colours, self.shadows = Layer(frame), Layer(frame)
+        self.colours.light()
+        self.shadows.shade_corners()
+
+    def resize(self, width, height, shadow_pixel):
+        """[pixel]; shadow_pixel: so many pixels have one of their shadows."""
         self.size = width, height
+        self.colours.resize(SUPERSAMPLING * width, SUPERSAMPLING * height)
+        self.shadows.resize(max(width // shadow_pixel, 1), max(height // shadow_pixel, 1))
+
+    def draw(self, surfaces, colours, edges):
+        """A PIL image (RGBA), transparent where nothing is. surfaces: vtkPolyData; edges: width of mesh lines [pixel], 0 for
+        none."""
+        self.colours.show([coloured(surface, colours, edges) for surface in surfaces])
+        self.shadows.show([white(surface) for surface in surfaces])
+        seen = self.colours.read().reduce(SUPERSAMPLING)
+        shadows = self.shadows.read().convert("RGB").resize(self.size, Image.BILINEAR)
+        shaded = ImageChops.multiply(seen.convert("RGB"), shadows)
+        shaded.putalpha(seen.getchannel("A"))
+        return shaded
+
+    def close(self):
+        """Before the display goes."""
+        self.colours.window.Finalize()
+        self.shadows.window.Finalize()
+
+
+class Layer:
+    """A window of VTK, off screen and transparent."""
+
+    def __init__(self, frame):
         self.frame = frame
         self.window = vtkRenderWindow()
         self.window.SetOffScreenRendering(1)
         self.window.SetMultiSamples(0)
-        self.window.SetSize(SUPERSAMPLING * width, SUPERSAMPLING * height)
+        self.window.SetAlphaBitPlanes(1)
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(1.0, 1.0, 1.0)
+        self.renderer.SetBackgroundAlpha(0.0)
         self.window.AddRenderer(self.renderer)
         self.look()
-        self.light()
-        self.shade_corners()
+
+    def resize(self, width, height):
+        self.window.SetSize(width, height)
 
     def look(self):
         frame, camera = self.frame, self.renderer.GetActiveCamera()
@@ -53,34 +90,28 @@ class Window:
         occlusion = opengl.vtkSSAOPass()
         size = max(self.frame.width, self.frame.height)
         occlusion.SetRadius(0.06 * size)
-        occlusion.SetBias(0.0015 * size)
+        occlusion.SetBias(0.005 * size)  # less than about a pixel would be shadows of flat faces on themselves
         occlusion.SetKernelSize(16)
         occlusion.BlurOn()
         occlusion.SetDelegatePass(steps)
         self.renderer.SetPass(occlusion)
 
-    def draw(self, surfaces, colours, edges):
-        """(height, width, 3) bytes. surfaces: vtkPolyData; edges: width of mesh lines [pixel], 0 for none."""
+    def show(self, actors):
         self.renderer.RemoveAllViewProps()
-        for surface in surfaces:
-            self.renderer.AddActor(actor_of(surface, colours, edges))
+        for actor in actors:
+            self.renderer.AddActor(actor)
         self.window.Render()
-        return self.read()
 
     def read(self):
+        """A PIL image (RGBA) of what is shown."""
         image = vtkWindowToImageFilter()
         image.SetInput(self.window)
+        image.SetInputBufferTypeToRGBA()
         image.ReadFrontBufferOff()
         image.ShouldRerenderOff()
         image.Update()
-        width, height = self.window.GetSize()
-        pixels = vtk_to_numpy(image.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
-        n = SUPERSAMPLING
-        return (pixels.astype(np.uint16).reshape(height // n, n, width // n, n, 3).sum(axis=(1, 3)) // (n * n)).astype(np.uint8)
-
-    def close(self):
-        """Before the display goes."""
-        self.window.Finalize()
+        pixels = vtk_to_numpy(image.GetOutput().GetPointData().GetScalars())
+        return Image.frombytes("RGBA", self.window.GetSize(), pixels.tobytes(), "raw", "RGBA", 0, -1)
 
 
 def lookup_table(colours):
@@ -91,12 +122,14 @@ def lookup_table(colours):
     return table
 
 
-def actor_of(surface, colours, edges):
+def coloured(surface, colours, edges):
+    """An actor with the colours of the values, and mesh lines of a width [pixel]."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface)
     mapper.SetLookupTable(lookup_table(colours))
     mapper.UseLookupTableScalarRangeOn()
-    mapper.InterpolateScalarsBeforeMappingOn()
+    # Values of nodes are interpolated, not their colours; of elements there is nothing to interpolate.
+    mapper.SetInterpolateScalarsBeforeMapping(surface.GetPointData().GetScalars() is not None)
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
@@ -107,4 +140,19 @@ def actor_of(surface, colours, edges):
         look.EdgeVisibilityOn()
         look.SetEdgeColor(0.22, 0.22, 0.25)
         look.SetLineWidth(SUPERSAMPLING * edges)
+    return actor
+
+
+def white(surface):
+    """An actor that shows shadows alone."""
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(surface)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetColor(1.0, 1.0, 1.0)
+    look.SetAmbient(1.0)
+    look.SetDiffuse(0.0)
+    look.SetSpecular(0.0)
     return actor

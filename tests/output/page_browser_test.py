@@ -261,15 +261,18 @@ class RunPage(Pages):
         frames = "".join(f'<img loading="lazy" alt="frame {i}" src="{PIXEL}">' for i in range(3))
         begin, end = "<!-- pictures -->", "<!-- /pictures -->"
         head, rest = page.read_text().split(begin)
-        film = f'<div class="frames" data-times="[0, 0.5, 1]" data-unit="ms">{frames}</div>'
+        titles = '[&quot;t = 0 ms&quot;, &quot;t = 0.5 ms&quot;, &quot;t = 1 ms (3 of 4 elements)&quot;]'
+        stage = f'<div class="stage" style="--top:5%;--width:80%"><img class="surround" alt="" src="{PIXEL}">{frames}</div>'
+        film = f'<div class="frames" data-titles="{titles}">{stage}</div>'
         (page.parent / "film.html").write_text(head + begin + film + end + rest.split(end)[1])
         self.open("run/film.html")
-        shown = lambda: [image.get_attribute("alt") for image in self.all(".frames img") if image.get_attribute("hidden") is None]
+        shown = lambda: [image.get_attribute("alt") for image in self.all(".frames img:not(.surround)")
+                         if image.get_attribute("hidden") is None]
         self.assertEqual(shown(), ["frame 0"])
         slider = self.one(".player input")
         slider.send_keys(Keys.END)
         self.assertEqual(shown(), ["frame 2"])
-        self.assertEqual(self.one(".player output").text, "t = 1 ms")
+        self.assertEqual(self.one(".player output").text, "t = 1 ms (3 of 4 elements)")
         self.one(".player button").click()
         self.assertEqual(self.one(".player button").text, "Pause")
 

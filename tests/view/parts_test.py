@@ -17,11 +17,13 @@ from view.camera import Camera, Frame, VIEWS, corners_of, parse_view
 from view.colours import limits_of, make_colours
 from view.drawing import points_seen
 from view.fields import BadInput, Mesh
-from view.labels import readable_powers, round_length, time_scale
-from view.page import LARGEST_FRAME, frame_data, pictures, put_into_page
+from view.history_plot import plot_history
+from view.labels import power_of_ten, readable_powers, round_length, tick_texts, time_scale
+from view.page import LARGEST_FRAME, Film, frame_data, pictures, put_into_page
+from view.paraview import state_text
 from view.quantity import Quantity, default_field, shown
 from view.selection import chosen_bodies, choose_entries, elements_of, mirror_scales, parse_cut
-from view.sheet import Layout, number_of_columns
+from view.sheet import DARK, LIGHT, PAPER, Layout, Sheet, Surround, number_of_columns
 
 UNIT_CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
 
@@ -156,11 +158,23 @@ class Colouring(unittest.TestCase):
 class Words(unittest.TestCase):
     def test_times_and_units(self):
         self.assertEqual(time_scale([0.0, 2.5e-5], "s"), (1e6, "µs"))
-        self.assertEqual(time_scale([0.0, 2.5e-5], "ms"), (1.0, "ms"))
+        self.assertEqual(time_scale([0.0, 0.08], "ms"), (1e3, "µs"), "as the axes of the page")
+        self.assertEqual(time_scale([0.0, 0.5], "s"), (1.0, "s"))
+        self.assertEqual(time_scale([0.0, 1e-30], "s"), (1e9, "ns"), "there is no shorter name")
+        self.assertEqual(time_scale([0.0, 1e-5], "lbf"), (1.0, "lbf"))
         self.assertEqual(readable_powers("N/m^2"), "N/m²")
 
     def test_round_lengths(self):
         self.assertEqual([round_length(x) for x in (1.0, 4.9, 0.073)], [1.0, 2.0, 0.05])
+
+
+    def test_ticks_differ(self):
+        self.assertEqual(tick_texts([22534.9, 22535.0, 22535.1]), ["22534.9", "22535", "22535.1"])
+        self.assertEqual(tick_texts([-0.5, 0.0, 0.5]), ["−0.5", "0", "0.5"])
+        self.assertEqual(tick_texts([0.0]), ["0"])
+        self.assertEqual(power_of_ten(9.7e8), (1e8, "×10⁸"))
+        self.assertEqual(power_of_ten(2e-5), (1e-5, "×10⁻⁵"))
+        self.assertEqual(power_of_ten(0.0), (1.0, ""))
 
 
 class Layouts(unittest.TestCase):
@@ -170,13 +184,49 @@ class Layouts(unittest.TestCase):
         self.assertEqual(number_of_columns(1, 1.0), 1)
 
     def test_panels_do_not_overlap_and_fit(self):
-        layout = Layout(4, 0.5, 1600)
+        layout = Layout(4, 0.5, 1600, 1.1)
         self.assertLessEqual(layout.width, 1602)
         (x0, y0), (x3, y3) = layout.place(0), layout.place(3)
         self.assertGreaterEqual(x3, x0 + layout.panel[0])
         self.assertGreaterEqual(y3, y0 + layout.panel[1])
-        self.assertLessEqual(y3 + layout.title + layout.panel[1], layout.height)
+        self.assertLessEqual(y3 + layout.title + layout.panel[1], layout.drawn)
+        self.assertLessEqual(layout.drawn + layout.strip, layout.height)
         self.assertEqual((layout.width % 2, layout.height % 2), (0, 0))
+
+
+def sheets_of_colours(colours):
+    """A Sheet for each, of one drawing of that colour in the middle of nothing."""
+    layout = Layout(1, 0.5, 300, 1.0)
+    frame = Frame(Camera(25.0, 25.0), corners_of([0, 0, 0], [2, 1, 1]))
+    bar = make_colours(types.SimpleNamespace(name="x", signed=False, label="strain"), (0, 1), [])
+    surround = Surround(layout, frame, "mm", bar)
+    sheets = []
+    for time, colour in enumerate(colours):
+        drawing = Image.new("RGBA", layout.panel, (0, 0, 0, 0))
+        drawing.paste(colour, (10, 10, layout.panel[0] - 10, layout.panel[1] - 10))
+        sheets.append(Sheet(layout, (drawing,), (f"t = {time} ms",), surround))
+    return sheets
+
+
+class Sheets(unittest.TestCase):
+    def test_nothing_lies_over_the_bodies(self):
+        """In the place of a drawing there is nothing of axes and measure: those have a strip below it."""
+        (sheet,) = sheets_of_colours(["red"])
+        layout = sheet.layout
+        around = np.asarray(sheet.surround(LIGHT))
+        self.assertEqual(around[layout.title : layout.drawn, : layout.panel[0], 3].max(), 0)
+        self.assertGreater(around[layout.drawn :, : layout.panel[0], 3].max(), 0, "axes and a measure are there")
+        for pixels, name in ((around[:3], "top"), (around[:, :1], "left"), (around[:, -1:], "right"), (around[-1:], "bottom")):
+            self.assertEqual(pixels[..., 3].max(), 0, f"nothing is cut off at the {name}")
+
+    def test_pages_are_seen_through_and_paper_is_white(self):
+        (sheet,) = sheets_of_colours(["red"])
+        self.assertEqual(sheet.on(DARK).getpixel((0, 0))[3], 0)
+        self.assertEqual(sheet.on_paper().getpixel((0, 0)), (255, 255, 255))
+        lightness = lambda ink: np.asarray(sheet.on(ink).convert("RGBA")).reshape(-1, 4)
+        dark, light = lightness(DARK), lightness(LIGHT)
+        written = light[:, 3] == 255
+        self.assertGreater(dark[written][:, :3].mean(), light[written][:, :3].mean(), "what is written is lighter on dark pages")
 
 
 class Pages(unittest.TestCase):
@@ -192,15 +242,158 @@ class Pages(unittest.TestCase):
             self.assertEqual(page.read_text(), "<p>a</p><!-- pictures -->\nsecond\n<!-- /pictures --><p>b</p>")
 
     def test_a_film_is_one_image_for_each_time(self):
-        frames = [Image.new("RGB", (40, 30), colour) for colour in ("red", "blue")]
-        text = pictures(b"png", frames, [0.0, 1.5], "ms", "strain <b>")
-        self.assertIn('data-times="[0.0, 1.5]" data-unit="ms"', text)
+        sheets = sheets_of_colours(["red", "blue"])
+        film = Film()
+        for sheet in sheets:
+            film.add(sheet)
+        text = pictures(sheets[0], film, "strain <b>")
+        self.assertIn('data-titles="[&quot;t = 0 ms&quot;, &quot;t = 1 ms&quot;]"', text)
         self.assertEqual(text.count("data:image/webp;base64,"), 2)
+        self.assertEqual(text.count("prefers-color-scheme: dark"), 2, "the picture, and what is around the film")
         self.assertIn("strain &lt;b&gt;", text)
+        self.assertNotIn(' alt=""', text.replace('alt="" src="data:image/png', ""), "all but what is around a film is described")
 
     def test_large_frames_are_made_smaller(self):
         noise = np.random.default_rng(1).integers(0, 256, (400, 400, 3), dtype=np.uint8)
         self.assertLess(len(frame_data(Image.fromarray(noise))), 1.2 * LARGEST_FRAME)
+
+
+class Histories(unittest.TestCase):
+    COLUMNS = ["time", "dt", "kinetic", "total", "balance_error", "momentum_x", "momentum_y", "momentum_z", "rod_velocity_x",
+               "rod_velocity_y", "rod_velocity_z", "rod_mass_remaining"]
+
+    def drawn(self, **columns):
+        """The picture of a history, (height, width, 3): 50 rows that are constant but for these columns."""
+        constant = {"dt": 1.0, "kinetic": 2.0, "total": 2.0, "rod_mass_remaining": 1.0}
+        rows = [[columns.get(name, lambda i: i if name == "time" else constant.get(name, 0.0))(i) for name in self.COLUMNS]
+                for i in range(50)]
+        with tempfile.TemporaryDirectory() as folder:
+            text = "\n".join(",".join(repr(float(value)) for value in row) for row in rows)
+            pathlib.Path(folder, "history.csv").write_text(",".join(self.COLUMNS) + "\n" + text + "\n")
+            plot_history(folder, os.path.join(folder, "history.png"))
+            return np.asarray(Image.open(os.path.join(folder, "history.png")).convert("RGB")).astype(int)
+
+    def purple(self, picture):
+        """Pixels of the curve of the time step."""
+        return int((np.abs(picture - [148, 103, 189]).sum(axis=2) < 40).sum())
+
+    def test_a_constant_step_is_drawn(self):
+        steps = {"round-off": lambda i: 0.0208 + 1e-17 * (i % 3), "the same": lambda i: 3.3e-6, "zero": lambda i: 0.0,
+                 "no number": lambda i: math.nan if i > 25 else 1.0, "growing": lambda i: 1.0 + i}
+        for name, dt in steps.items():
+            self.assertGreater(self.purple(self.drawn(dt=dt)), 150, name)
+
+    def test_round_off_is_no_motion(self):
+        noise = {f"{name}_{k}": lambda i: (-1) ** i * 1e-19 for name in ("momentum", "rod_velocity") for k in "xyz"}
+        still, noisy = self.drawn(), self.drawn(**noise)
+        blue = lambda picture: int((np.abs(picture[440:] - [31, 119, 180]).sum(axis=2) < 40).sum())
+        self.assertLess(abs(blue(noisy) - blue(still)), 200, "no more curves than of zero")
+
+
+class ParaViewStates(unittest.TestCase):
+    def state(self, field, options=(), bodies=(0, 1)):
+        """What a state file does in a ParaView that records it: {variable or registration name: object}."""
+        mesh = two_cubes()
+        quantity = Quantity(field, mesh)
+        camera = Camera(25.0, 25.0)
+        names = ["rod", "plate"]
+        drawing = types.SimpleNamespace(
+            quantity=quantity, camera=camera, frame=Frame(camera, mesh.points), names=names, bodies=list(bodies), cut=None,
+            options=types.SimpleNamespace(edges=True, mirror=""), colours=make_colours(quantity, (0.0, 0.5), names))
+        for name, value in dict(options).items():
+            setattr(drawing.options if hasattr(drawing.options, name) else drawing, name, value)
+        with tempfile.TemporaryDirectory() as folder:
+            there = pathlib.Path(folder, "moved")
+            there.mkdir()
+            (there / "fields.pvd").write_text("")
+            (there / "fields_paraview.py").write_text(state_text(drawing))
+            recorded = run_state(there / "fields_paraview.py")
+            self.assertEqual(recorded["fields"].FileName, str(there / "fields.pvd"), "beside the state, wherever that is")
+            (there / "fields.pvd").unlink()
+            with self.assertRaisesRegex(RuntimeError, "fields.pvd is not there: start ParaView in"):
+                run_state(there / "fields_paraview.py")
+        return drawing, recorded
+
+    def test_colours_are_those_of_the_pictures(self):
+        drawing, recorded = self.state("plastic_strain")
+        points = np.array(recorded["colours"].RGBPoints).reshape(-1, 4)
+        self.assertEqual((points[0, 0], points[-1, 0]), (0.0, 0.5))
+        np.testing.assert_allclose(points[[0, -1], 1:], drawing.colours.table[[0, -1], :3], atol=1e-8)
+        self.assertTrue((np.diff(points[:, 0]) > 0.0).all())
+        self.assertEqual(recorded["ColorBy"], ("CELLS", "plastic_strain"))
+        self.assertEqual(recorded["bar"].Title, "effective plastic strain")
+
+    def test_components_have_the_names_that_paraview_has(self):
+        for field, array in (("velocity", ("POINTS", "velocity", "Magnitude")), ("velocity_y", ("POINTS", "velocity", "Y")),
+                             ("stress_yz", ("CELLS", "stress", "yz"))):
+            self.assertEqual(self.state(field)[1]["ColorBy"], array)
+
+    def test_the_view_is_that_of_the_pictures(self):
+        drawing, recorded = self.state("body", {"mirror": "y", "cut": parse_cut("x<0.5")}, bodies=[1])
+        view = recorded["view"]
+        toward = np.subtract(view.CameraPosition, view.CameraFocalPoint)
+        np.testing.assert_allclose(toward / np.linalg.norm(toward), drawing.camera.toward, atol=1e-6)
+        width, height = view.ViewSize
+        self.assertGreaterEqual(2.0 * view.CameraParallelScale, drawing.frame.height - 1e-6)
+        self.assertGreaterEqual(2.0 * view.CameraParallelScale * width / height, drawing.frame.width)
+        self.assertEqual(recorded["colours"].Annotations, ["0", "rod", "1", "plate"])
+        self.assertEqual([recorded[name].kind for name in ("body 1", "cut", "mirror Y")], ["Threshold", "Clip", "Reflect"])
+        self.assertEqual(recorded["cut"].ClipType.Normal, [-1.0, 0.0, 0.0])
+        self.assertIs(recorded["mirror Y"].Input, recorded["cut"])
+        self.assertIs(recorded["shown"].Input, recorded["mirror Y"])
+
+
+class Recorded:
+    """Takes any member; knows those that it was made with."""
+
+    def __init__(self, kind="", **members):
+        self.kind = kind
+        self.__dict__.update(members)
+
+    def __getattr__(self, name):
+        if name.startswith("__"):
+            raise AttributeError(name)
+        return self.__dict__.setdefault(name, Recorded(name))
+
+    def __setattr__(self, name, value):
+        self.__dict__[name] = Recorded(value) if name == "ClipType" else value  # ParaView makes a plane of its name
+
+    def __call__(self, *arguments, **members):
+        return Recorded(self.kind)
+
+
+def run_state(path):
+    """Runs a state file with a paraview.simple that records: {registration name or name of its own: object}."""
+    made = {}
+
+    def proxy(kind):
+        def make(registrationName, **members):
+            made[registrationName] = Recorded(kind, **members)
+            return made[registrationName]
+        return make
+
+    simple = types.ModuleType("paraview.simple")
+    for kind in ("PVDReader", "Threshold", "AppendDatasets", "Clip", "Reflect"):
+        setattr(simple, kind, proxy(kind))
+    simple._DisableFirstRenderCameraReset = simple.Render = lambda *_: None
+    view = Recorded("view", ViewSize=[700, 900])
+    simple.GetActiveViewOrCreate = lambda _: view
+    simple.Show = lambda source, _: made.setdefault("shown", Recorded("shown", Input=source))
+    simple.ColorBy = lambda _, array: made.__setitem__("ColorBy", array)
+    simple.GetColorTransferFunction = lambda name: made.setdefault("colours", Recorded(name))
+    simple.GetScalarBar = lambda *_: made.setdefault("bar", Recorded("bar"))
+    simple.GetTimeKeeper = lambda: Recorded("times", TimestepValues=[0.0, 1.0])
+    simple.GetAnimationScene = lambda: made.setdefault("animation", Recorded("animation"))
+    package = types.ModuleType("paraview")
+    package.simple = simple
+    before = {name: sys.modules.get(name) for name in ("paraview", "paraview.simple")}
+    sys.modules.update({"paraview": package, "paraview.simple": simple})
+    try:
+        exec(compile(path.read_text(), str(path), "exec"), {"__file__": str(path), "paraview": package})
+    finally:
+        for name, module in before.items():
+            sys.modules.pop(name) if module is None else sys.modules.__setitem__(name, module)
+    return {**made, "view": view}
 
 
 if __name__ == "__main__":

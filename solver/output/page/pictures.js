@@ -2,17 +2,16 @@
 // Frames that `pinball view` has put here become a film: one frame at a time, a slider and a button.
 
 function player(frames) {
-  const images = [...frames.querySelectorAll('img')];
+  const images = [...frames.querySelectorAll('img:not(.surround)')];
   if (images.length === 0) return;
-  const times = JSON.parse(frames.dataset.times ?? '[]'), unit = frames.dataset.unit ?? '';
+  const titles = JSON.parse(frames.dataset.titles ?? '[]');
   const slider = make('input', {type: 'range', min: 0, max: images.length - 1, value: 0, 'aria-label': 'time of the picture'});
   const label = make('output', {'aria-live': 'off'});
   const play = make('button', {type: 'button', text: 'Play'});
   let timer = null;
   const show = () => {
     images.forEach((image, i) => { image.hidden = i !== Number(slider.value); });
-    const time = times[slider.value];
-    label.textContent = time === undefined ? `${Number(slider.value) + 1} of ${images.length}` : `t = ${figure(time)} ${unit}`;
+    label.textContent = titles[slider.value] ?? `${Number(slider.value) + 1} of ${images.length}`;
     slider.setAttribute('aria-valuetext', label.textContent);
   };
   const pause = () => {
