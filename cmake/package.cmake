@@ -39,7 +39,7 @@ foreach(name IN LISTS declared)
        "libpinball-${name} ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} ${CPACK_PACKAGE_NAME} (>= ${PROJECT_VERSION})\n")
 endforeach()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${shlibs} ${control}/triggers ${control}/postinst ${control}/prerm)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-vtk9, python3-matplotlib, xvfb")  # for `pinball view`
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-vtk9 | python3-paraview, python3-matplotlib, xvfb")  # for `pinball view`
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, pkg-config, cmake, paraview, ffmpeg")
 if(TARGET pinball_python)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
