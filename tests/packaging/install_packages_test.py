@@ -75,7 +75,7 @@ class InstallPackages(unittest.TestCase):
     def test_tests_ask_for_more(self):
         self.run_command("testing")
         asked = self.calls()[-1].split("--no-remove ")[1].split()
-        self.assertTrue({"libgtest-dev", "chromium", "zsh"} <= set(asked), asked)
+        self.assertTrue({"git", "libgtest-dev", "chromium", "zsh"} <= set(asked), asked)
 
     def test_says_what_comes_and_how_far_it_is(self):
         self.without("xvfb")
