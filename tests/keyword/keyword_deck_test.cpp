@@ -11,6 +11,7 @@
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/keyword_deck.hpp>
 #include <tests/support/error_of.hpp>
+#include <tests/support/folder_case.hpp>
 
 namespace pinball::test {
 namespace {
@@ -224,16 +225,14 @@ TEST(KeywordDeck, ACaseBringsItsKeywordsAndLeavesOutThoseOfOthers) {
   EXPECT_EQ(error_of([] { parse_keyword_deck(cases, "a.k", 7); }), "a.k: --case 7: it has 101, 1, 2");
 }
 
-class IncludingDeck : public testing::Test {
+class IncludingDeck : public test::FolderTest {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    FolderTest::SetUp();
     std::filesystem::create_directories(folder_ / "parts");
   }
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  std::filesystem::path folder_;
 };
 
 TEST_F(IncludingDeck, ReadsFilesWhereTheyAreNamed) {

@@ -25,6 +25,8 @@ using testing::Not;
 
 class Stops : public testing::Test {
  protected:
+  /// The tests may be run with signals ignored (nohup), as if they always were; what start() starts begins without.
+  Stops() { ::signal(SIGINT, SIG_IGN); }
   ~Stops() override {
     if (process_ > 0) end_with(SIGKILL);
   }
@@ -35,6 +37,8 @@ class Stops : public testing::Test {
     argv.push_back(nullptr);
     process_ = ::fork();
     if (process_ != 0) return;
+    ::signal(SIGINT, SIG_DFL);
+    ::signal(SIGTERM, SIG_DFL);
     const int log = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ::dup2(log, 1);
     ::dup2(log, 2);

@@ -73,6 +73,8 @@ class Runs(unittest.TestCase):
             pinball.run_recorded(scene, str(self.folder / "out"), checkpoint_every=20)
 
     def test_are_ended_by_an_interrupt_with_their_files(self):
+        # The tests may be run with it ignored (nohup).
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
         scene = pinball.read_scene("rod_plate")
         out = self.folder / "out"
 

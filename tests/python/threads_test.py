@@ -10,6 +10,7 @@ import unittest
 
 import pinball
 
+signal.signal(signal.SIGINT, signal.SIG_IGN)  # as after nohup: a test that sends it takes it back
 LIMIT = 60  # s, beyond which something hangs
 
 
@@ -200,6 +201,9 @@ def half_run(threads):
 
 
 class Interrupts(unittest.TestCase):
+    def setUp(self):  # the tests may be run with it ignored (nohup)
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
+
     def test_end_a_run_between_two_steps(self):
         simulation = simulation_of()
         simulation.on_step(lambda s: os.kill(os.getpid(), signal.SIGINT) if s.steps == 10 else None)
