@@ -40,11 +40,15 @@ Device device_for(const Scene& scene) {
 }
 
 template <class S>
-std::unique_ptr<DeviceStep<S>> make_step([[maybe_unused]] Device device, const DeviceMesh<S>& mesh) {
-#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
-  if (device != Device::mock) return make_gpu_step(mesh);
+std::unique_ptr<DeviceStep<S>> make_step([[maybe_unused]] Device device, [[maybe_unused]] const DeviceMesh<S>& mesh) {
+#if defined(PINBALL_WITH_MOCK)
+  if (device == Device::mock) return make_mock_step(mesh);
 #endif
-  return make_mock_step(mesh);
+#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
+  return make_gpu_step(mesh);
+#else
+  return {};  // refused before
+#endif
 }
 
 }  // namespace
@@ -132,10 +136,14 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Sche
 
 template <class S>
 std::unique_ptr<BoundaryKernels<S>> DeviceRun<S>::boundary_kernels() const {
-#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
-  if (device_ != Device::mock) return make_gpu_boundary_kernels<S>(layout_.places_of_slots());
+#if defined(PINBALL_WITH_MOCK)
+  if (device_ == Device::mock) return make_mock_boundary_kernels<S>(layout_.places_of_slots());
 #endif
-  return make_mock_boundary_kernels<S>(layout_.places_of_slots());
+#if defined(PINBALL_WITH_CUDA) || defined(PINBALL_WITH_HIP)
+  return make_gpu_boundary_kernels<S>(layout_.places_of_slots());
+#else
+  return {};
+#endif
 }
 
 template <class S>

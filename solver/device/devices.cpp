@@ -55,8 +55,12 @@ DeviceReport report_of(Device device) {
       return not_built(device, "HIP");
 #endif
     case Device::mock:
+#if defined(PINBALL_WITH_MOCK)
       return {device, fmt::format("threads of the host, on memory that {} closes to it", MockSpace::protection()), true,
               0};
+#else
+      return {device, "this program was built without the device of tests: PINBALL_MOCK=ON", false, 0};
+#endif
     case Device::none:
       break;
   }

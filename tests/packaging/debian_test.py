@@ -46,6 +46,7 @@ class Package(unittest.TestCase):
     def test_1_program_runs_a_scene(self):
         self.assertEqual(self.system.run("pinball --version"), f"pinball {field('Version')}\n")
         self.assertIn("what will run", self.system.run("pinball info rod_plate"))
+        self.assertRegex(self.system.run("pinball info --device"), "mock: not there: .*PINBALL_MOCK=ON")  # it is for tests
         self.system.run("cd /tmp && pinball run two_blocks --quiet")
         summary = json.loads((self.system.root / "tmp/out/two_blocks/summary.json").read_text())
         self.assertGreater(summary["contact"]["pairs_max"], 0)
