@@ -4,8 +4,8 @@
 /// functors called with an index, arrays that lie in the memory of a space. It is this thin so that another backend can
 /// be put under it without touching a kernel.
 ///
-/// Spaces and where their arrays lie: Serial, OpenMP and Threads in HostSpace; Mock in MockSpace (mock.hpp); Cuda in
-/// CudaSpace and Hip in HipSpace, where their compiler reads this (gpu.hpp).
+/// Spaces and where their arrays lie: Serial and OpenMP, the default, in HostSpace; Mock in MockSpace (mock.hpp); Cuda
+/// in CudaSpace and Hip in HipSpace, where their compiler reads this (gpu.hpp).
 ///
 /// Results never depend on the number of threads: a `parallel_for` body writes only what belongs to its index, and
 /// `parallel_reduce` combines partial results of fixed pieces of the range in order.

@@ -23,6 +23,14 @@
 #define PINBALL_OUTLINED [[gnu::noinline]] inline
 #endif
 
+/// Of the host: called, and there once in machine code, for every caller the same bits. (GCC may keep a copy of a
+/// function for some of its callers.)
+#if defined(__clang__) || defined(PINBALL_DEVICE_COMPILER)
+#define PINBALL_ONE_COPY __attribute__((noinline))
+#else
+#define PINBALL_ONE_COPY __attribute__((noinline, noclone))
+#endif
+
 /// Loops over corners, modes and tensor components have constant bounds and are unrolled completely, so that their
 /// arrays live in registers.
 #if defined(PINBALL_DEVICE_COMPILER)

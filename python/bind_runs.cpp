@@ -31,10 +31,11 @@ py::object recorded(RecordOptions options, const Run& run) {
   return py::module_::import("json").attr("loads")(summary_json(summary));
 }
 
-py::object run(const SourcedScene& given, const std::string& out, std::int64_t checkpoint_every) {
+py::object run(const SourcedScene& given, const std::string& out, std::int64_t checkpoint_every, int threads) {
   const SourcedScene scene = given;  // that no other thread changes
   RecordOptions options;
   options.out = out;
+  options.threads = threads;
   options.checkpoint_every = checkpoint_every;
   // The source is that of the scene only if the scene is what is read from it.
   if (scene.source) {
@@ -46,8 +47,9 @@ py::object run(const SourcedScene& given, const std::string& out, std::int64_t c
 }
 
 py::object restart(const std::string& checkpoint, const std::string& out, const std::vector<std::string>& set,
-                   std::int64_t checkpoint_every, Device device) {
+                   std::int64_t checkpoint_every, Device device, int threads) {
   RecordOptions options;
+  options.threads = threads;
   options.device = device;
   options.out = out;
   options.checkpoint_every = checkpoint_every;
@@ -58,13 +60,13 @@ py::object restart(const std::string& checkpoint, const std::string& out, const 
 
 void bind_runs(py::module_& module) {
   module.def(
-      "run_recorded", &run, py::arg("scene"), py::arg("out"), py::arg("checkpoint_every") = 0,
+      "run_recorded", &run, py::arg("scene"), py::arg("out"), py::arg("checkpoint_every") = 0, py::arg("threads") = 0,
       "Runs a scene as `pinball run` does, with history.csv, fields, summary.json and the page in the folder out. "
-      "checkpoint_every: steps between checkpoints, 0: none; of scenes that were read and not changed. Ctrl-C "
-      "leaves all files of the run so far. Returns what summary.json holds.");
+      "checkpoint_every: steps between checkpoints, 0: none; of scenes that were read and not changed. threads: as "
+      "of Simulation. Ctrl-C leaves all files of the run so far. Returns what summary.json holds.");
   module.def("restart_recorded", &restart, py::arg("checkpoint"), py::arg("out") = "",
              py::arg("set") = std::vector<std::string>{}, py::arg("checkpoint_every") = 0,
-             py::arg("device") = Device::none,
+             py::arg("device") = Device::none, py::arg("threads") = 0,
              "Goes on as `pinball run --restart` does; out: empty: the folder of the checkpoint.");
 }
 

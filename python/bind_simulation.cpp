@@ -25,7 +25,7 @@ py::slice slice_of(const IndexRange& range) {
 void bind_steps(py::class_<Object>& simulation) {
   simulation
       .def(py::init<const SourcedScene&, int>(), py::arg("scene"), py::arg("threads") = 0,
-           "threads: results are the same bits for any number; 0: as many as OpenMP takes.")
+           "threads: results are the same bits for any number; 0: OMP_NUM_THREADS, else what the size earns.")
       .def("step", &Object::step, "One step. Returns whether there is more to do.")
       .def("run_until", &Object::run_until, py::arg("time"),
            "Steps until the time is reached; no step is cut for it. Returns whether there is more to do.")

@@ -26,6 +26,7 @@ struct RecordOptions {
   std::function<bool()> stop{};
   /// Of a run that goes on from a checkpoint (restart.hpp): where it does. Other runs: where their scene says.
   Device device = Device::none;
+  int threads = 0;  ///< as in SimulationOptions
 };
 
 /// Runs a scene to its end and writes history, fields and summary into the folder, and checkpoint.pinball if asked for.

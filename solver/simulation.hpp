@@ -27,8 +27,8 @@ using StepCallback = std::function<AfterStep(Simulation&)>;
 
 /// How a scene is to be run; none of it changes results.
 struct SimulationOptions {
-  /// Threads that steps are made with, results being the same bits for any number; 0: what OpenMP takes by default in
-  /// the thread that calls.
+  /// Threads that steps are made with, results being the same bits for any number; 0: what the scene's size earns, at
+  /// most as many as OpenMP takes by default in the thread that calls; these where OMP_NUM_THREADS says how many.
   int threads = 0;
 };
 

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
+#include "../macros.hpp"
 #include "spaces.hpp"
 
 #if defined(_OPENMP)
 #include "region_failure.hpp"
-#include "thread_team.hpp"
 #endif
 
 namespace pinball {
@@ -28,23 +28,20 @@ void parallel_for_coloured(const char* /*name*/, Serial /*space*/, const std::in
   for (std::int32_t i = colour_offsets[0]; i < colour_offsets[colours]; ++i) body(items[i]);
 }
 
-/// Work on a range of indices, for a team. A type with a name: so has its machine code, which tools look for.
+/// Part of the work on a range; `of` is what it is done with.
+using RangeWork = void (*)(const void* of, std::int64_t begin, std::int64_t end);
+
+/// Work on a range of indices. Its machine code is there once, whoever calls it: another copy might fuse other
+/// multiplications and additions, and one thread would make other bits than two. A type with a name: so has its code,
+/// which tools look for.
 template <class Body>
 struct RangeOf {
   const Body& body;
-  static void work(const void* of, std::int64_t begin, std::int64_t end) {
+  PINBALL_ONE_COPY static void work(const void* of, std::int64_t begin, std::int64_t end) {
     const Body& body = static_cast<const RangeOf*>(of)->body;
     for (std::int64_t i = begin; i < end; ++i) body(i);
   }
 };
-
-#if defined(_OPENMP)
-
-template <class Body>
-void parallel_for(const char* /*name*/, RangePolicy<Threads> range, const Body& body) {
-  const RangeOf<Body> work{body};
-  ThreadTeam::of_this_thread().run(Threads::of_region(), range.begin, range.end, &RangeOf<Body>::work, &work);
-}
 
 /// The items of a colour.
 template <class Body>
@@ -54,44 +51,61 @@ struct ItemsOf {
   void operator()(std::int64_t i) const { body(items[i]); }
 };
 
-template <class Body>
-void parallel_for_coloured(const char* name, Threads /*space*/, const std::int32_t* colour_offsets,
-                           std::int32_t colours, const std::int32_t* items, const Body& body) {
-  for (std::int32_t c = 0; c < colours; ++c) {
-    const RangePolicy<Threads> range{colour_offsets[c], colour_offsets[c + 1]};
-    parallel_for(name, range, ItemsOf<Body>{items, body});
-  }
+#if defined(_OPENMP)
+
+/// Work on the calling thread's part of the range, within a region.
+inline void work_own_part(RegionFailure& failure, std::int64_t begin, std::int64_t end, RangeWork work,
+                          const void* of) {
+  const std::int64_t thread = omp_get_thread_num(), threads = omp_get_num_threads(), count = end - begin;
+  failure.guard(thread, [&] { work(of, begin + count * thread / threads, begin + count * (thread + 1) / threads); });
 }
 
-/// Calls part(begin, end) for the calling OpenMP thread's part of the range, within a region.
-template <class Part>
-void run_own_part(RegionFailure& failure, std::int64_t begin, std::int64_t end, const Part& part) {
-  const std::int64_t thread = omp_get_thread_num(), threads = omp_get_num_threads(), count = end - begin;
-  failure.guard(thread, [&] { part(begin + count * thread / threads, begin + count * (thread + 1) / threads); });
+/// Work on a range, a part for each thread: always the same, so that what it has in its cache serves the next loop,
+/// too.
+inline void work_in_parts(std::int64_t begin, std::int64_t end, RangeWork work, const void* of) {
+  if (OpenMP::is_alone(end - begin)) {
+    if (begin < end) work(of, begin, end);
+    return;
+  }
+  RegionFailure failure;
+#pragma omp parallel
+  work_own_part(failure, begin, end, work, of);
+  failure.rethrow();
 }
 
 template <class Body>
 void parallel_for(const char* /*name*/, RangePolicy<OpenMP> range, const Body& body) {
+  const RangeOf<Body> work{body};
+  work_in_parts(range.begin, range.end, &RangeOf<Body>::work, &work);
+}
+
+/// Work on consecutive ranges, one after the other, in one region.
+inline void work_on_colours(const std::int32_t* colour_offsets, std::int32_t colours, RangeWork work, const void* of) {
+  if (OpenMP::is_alone(colour_offsets[colours] - colour_offsets[0])) {
+    work(of, colour_offsets[0], colour_offsets[colours]);
+    return;
+  }
   RegionFailure failure;
 #pragma omp parallel
-  run_own_part(failure, range.begin, range.end, [&body](std::int64_t begin, std::int64_t end) {
-    for (std::int64_t i = begin; i < end; ++i) body(i);
-  });
+  for (std::int32_t c = 0; c < colours; ++c) {
+    work_own_part(failure, colour_offsets[c], colour_offsets[c + 1], work, of);
+#pragma omp barrier
+  }
   failure.rethrow();
 }
 
 template <class Body>
 void parallel_for_coloured(const char* /*name*/, OpenMP /*space*/, const std::int32_t* colour_offsets,
                            std::int32_t colours, const std::int32_t* items, const Body& body) {
-  RegionFailure failure;
-#pragma omp parallel
-  for (std::int32_t c = 0; c < colours; ++c) {
-    run_own_part(failure, colour_offsets[c], colour_offsets[c + 1], [&](std::int64_t begin, std::int64_t end) {
-      for (std::int64_t i = begin; i < end; ++i) body(items[i]);
-    });
-#pragma omp barrier
-  }
-  failure.rethrow();
+  const ItemsOf<Body> of_colour{items, body};
+  const RangeOf<ItemsOf<Body>> work{of_colour};
+  work_on_colours(colour_offsets, colours, &RangeOf<ItemsOf<Body>>::work, &work);
+}
+
+#else
+
+inline void work_in_parts(std::int64_t begin, std::int64_t end, RangeWork work, const void* of) {
+  if (begin < end) work(of, begin, end);
 }
 
 #endif

@@ -13,11 +13,11 @@ namespace pinball {
 /// that read the host's memory.
 struct Mock {
   using memory_space = MockSpace;
-  static int concurrency() { return Threads::concurrency(); }
-  static void set_concurrency(int threads) { Threads::set_concurrency(threads); }
+  static int concurrency() { return OpenMP::concurrency(); }
+  static void set_concurrency(int threads) { OpenMP::set_concurrency(threads); }
 };
 
-/// A range whose pieces open the memory for the thread that works on them; an exception closes it, too.
+/// A range whose parts open the memory for the thread that works on them; an exception closes it, too.
 template <class Body>
 struct OpenedRangeOf {
   RangeOf<Body> range;
@@ -32,13 +32,9 @@ void parallel_for(const char* /*name*/, RangePolicy<Mock> range, const Functor& 
   static_assert(std::is_trivially_copyable_v<Functor>, "a device gets a copy of its bytes");
   if (range.begin >= range.end) return;
   const Functor functor = given;
-  const OpenedRangeOf<Functor> work{{functor}};
+  const OpenedRangeOf<Functor> opened{{functor}};
   const MockMemory::OpenForTeam while_it_works;
-#if defined(_OPENMP)
-  ThreadTeam::of_this_thread().run(Threads::of_region(), range.begin, range.end, &OpenedRangeOf<Functor>::work, &work);
-#else
-  OpenedRangeOf<Functor>::work(&work, range.begin, range.end);
-#endif
+  work_in_parts(range.begin, range.end, &OpenedRangeOf<Functor>::work, &opened);
 }
 
 }  // namespace pinball

@@ -4,6 +4,8 @@
 
 #if defined(_OPENMP)
 #include <omp.h>
+
+#include "lost_helpers.hpp"
 #endif
 
 #include "host_space.hpp"
@@ -20,36 +22,22 @@ struct Serial {
 };
 
 #if defined(_OPENMP)
-/// Regions of OpenMP's own threads, who wait for each other as the environment of the host says.
+/// Regions of OpenMP's threads, who wait for each other as the environment of the process says (docs/embedding.md).
 struct OpenMP {
   using memory_space = HostSpace;
-  static int concurrency() { return omp_get_max_threads(); }
-  static void set_concurrency(int threads) { omp_set_num_threads(threads); }
-};
-
-/// Threads of this library, as many as OpenMP would take in the same place. They wait for each other briefly, whatever
-/// the host has set, and not at all for one that has no processor (thread_team.hpp).
-struct Threads {
-  using memory_space = HostSpace;
-  static int concurrency() { return omp_get_max_threads(); }
-  static void set_concurrency(int threads) { omp_set_num_threads(threads); }
-  /// Of a region that begins here: within one of the host that is alone allowed to be parallel, 1.
-  static int of_region() {
-    if (omp_get_active_level() >= omp_get_max_active_levels()) return 1;
-    const int threads = omp_get_max_threads(), limit = omp_get_thread_limit();
-    const int most = limit < most_threads ? limit : most_threads;
-    return threads < most ? threads : most;
+  /// Of a region that begins here.
+  static int concurrency() { return has_lost_its_helpers() ? 1 : omp_get_max_threads(); }
+  static void set_concurrency(int threads) {
+    if (!has_lost_its_helpers()) omp_set_num_threads(threads);
+  }
+  /// Whether a region of so many pieces of work that begins here is one thread's.
+  static bool is_alone(std::int64_t pieces) {
+    return pieces <= 1 || concurrency() <= 1 || omp_get_active_level() >= omp_get_max_active_levels();
   }
 };
-
-#if defined(PINBALL_OPENMP_REGIONS)
 using DefaultExecutionSpace = OpenMP;
 #else
-using DefaultExecutionSpace = Threads;
-#endif
-#else
 using OpenMP = Serial;
-using Threads = Serial;
 using DefaultExecutionSpace = Serial;
 #endif
 

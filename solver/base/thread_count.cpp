@@ -1,16 +1,14 @@
 #include "thread_count.hpp"
 
-#include <unistd.h>
+#include <algorithm>
+#include <cstdlib>
 
 namespace pinball {
 
-bool has_lost_its_helpers() {
-#if defined(_OPENMP) && defined(PINBALL_OPENMP_REGIONS)
-  thread_local const pid_t first_process = getpid();  // in which this thread first asked
-  return getpid() != first_process;
-#else
-  return false;
-#endif
+int earned_threads(std::int64_t elements) {
+  const int most = DefaultExecutionSpace::concurrency();
+  if (const char* said = std::getenv("OMP_NUM_THREADS"); said != nullptr && *said != '\0') return most;
+  return static_cast<int>(std::clamp<std::int64_t>(elements / elements_of_thread, 1, most));
 }
 
 }  // namespace pinball

@@ -1,22 +1,26 @@
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
 
 #include "../../kernels/exec.hpp"
 
 namespace pinball {
 
-/// Whether the calling thread is that of a fork whose helpers are gone: they were threads of the process that it was
-/// forked from, and OpenMP would wait for them for ever. A thread that is made after the fork has helpers of its own;
-/// where these are the library's, so has one that was forked.
-bool has_lost_its_helpers();
+/// With fewer elements to a thread, threads wait for each other longer than they save (docs/performance.md, "How many
+/// threads").
+inline constexpr std::int64_t elements_of_thread = 1250;
+
+/// The threads that a step over so many elements earns, at most as many as OpenMP would take in the calling thread:
+/// these where the environment says how many (OMP_NUM_THREADS).
+int earned_threads(std::int64_t elements);
 
 /// The threads of the calling thread's parallel regions while this lives; then their number is what it was.
 class ThreadCount {
  public:
-  /// threads: 0: as many as the calling thread has already, whose number is then left alone. One where it has lost its
-  /// helpers: results are the same.
-  explicit ThreadCount(int threads) : ThreadCount(has_lost_its_helpers() ? 1 : threads, nullptr) {}
+  /// threads: 0: as many as the calling thread has already, whose number is then left alone.
+  explicit ThreadCount(int threads) : before_(DefaultExecutionSpace::concurrency()), changed_(threads > 0) {
+    if (changed_) DefaultExecutionSpace::set_concurrency(threads);
+  }
   ~ThreadCount() {
     if (changed_) DefaultExecutionSpace::set_concurrency(before_);
   }
@@ -24,10 +28,6 @@ class ThreadCount {
   ThreadCount& operator=(const ThreadCount&) = delete;
 
  private:
-  ThreadCount(int threads, std::nullptr_t) : before_(DefaultExecutionSpace::concurrency()), changed_(threads > 0) {
-    if (changed_) DefaultExecutionSpace::set_concurrency(threads);
-  }
-
   int before_;
   bool changed_;
 };

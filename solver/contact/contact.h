@@ -34,8 +34,8 @@
  * other layouts the nodes of the surface are gathered into such records, once in a step; memory for these is that of
  * 4 numbers per node and array. Undeformed places are kept too, 3 numbers per node.
  *
- * **Threads.** Each thread that calls has helpers of its own, as many as OpenMP would take there or as the option
- * `threads` says, which sleep between calls. There is no global state: calls on different instances may run at the same
+ * **Threads.** They are OpenMP's, as many as it would take in the thread that calls or as the option `threads` says.
+ * There is no global state: calls on different instances may run at the same
  * time; calls on one instance may not. **Determinism**: results do not depend on the number of threads, on what other
  * instances do, or on the layout of the arrays.
  *

@@ -18,7 +18,10 @@ namespace {
 class RecordedRun {
  public:
   RecordedRun(const Scene& scene, const RecordOptions& options, RunFolder& folder)
-      : options_(options), folder_(folder), simulation_(scene), recorder_(simulation_, options, folder.continues()) {
+      : options_(options),
+        folder_(folder),
+        simulation_(scene, {options.threads}),
+        recorder_(simulation_, options, folder.continues()) {
     const RunSummary summary = simulation_.summary();
     folder_.begin(summary);
     if (options_.quiet) return;

@@ -17,7 +17,7 @@ struct SceneOptions {
   std::string scene;  ///< name or path, not yet looked up
   SceneOverrides overrides;
   Device device = Device::none;
-  int threads = 0;                            ///< 0: what OpenMP takes by default
+  int threads = 0;                            ///< 0: what the size earns
   bool quiet = false;                         ///< no progress on the terminal
   std::optional<std::int64_t> chosen_case{};  ///< of a deck: those keywords of *CASE, too
   bool lenient = false;                       ///< of a deck: unknown output and controls are ignored

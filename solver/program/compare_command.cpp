@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <kernels/exec.hpp>
 #include <solver/device/devices.hpp>
 #include <solver/scene/machine.hpp>
 
@@ -14,7 +13,6 @@
 namespace pinball {
 
 int compare_command(const CompareOptions& options) {
-  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
   require_device(options.device);
   check_result_path("--json", options.json);
   check_result_path("--page", options.page);
@@ -23,7 +21,7 @@ int compare_command(const CompareOptions& options) {
   std::vector<Variant> variants = make_variants(find_scene(options.scene), options.overrides, vary);
   for (Variant& variant : variants) variant.scene.device = options.device;
   const std::vector<VariantRuns> runs =
-      run_comparison(variants, {options.repeats, options.quiet, !options.page.empty()});
+      run_comparison(variants, {options.repeats, options.quiet, !options.page.empty(), options.threads});
   if (!options.json.empty()) write_result_file(options.json, comparison_json(runs));
   if (!options.page.empty()) write_result_file(options.page, comparison_page(runs));
 

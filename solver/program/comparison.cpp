@@ -8,6 +8,7 @@
 #include <memory>
 
 #include <solver/base/error.hpp>
+#include <solver/base/thread_count.hpp>
 #include <solver/output/history.hpp>
 #include <solver/output/progress.hpp>
 #include <solver/scene_rules.hpp>
@@ -30,6 +31,7 @@ constexpr double fewest_steps = 4;          ///< of a turn: at its begin the cac
 class AnySolver {
  public:
   virtual ~AnySolver() = default;
+  virtual std::int64_t elements() const = 0;
   virtual bool at_end() const = 0;
   virtual void step() = 0;
   virtual void finish() = 0;
@@ -43,6 +45,7 @@ template <class S>
 class SolverOf final : public AnySolver {
  public:
   explicit SolverOf(const Scene& scene) : solver_(scene) {}
+  std::int64_t elements() const override { return solver_.element_count(); }
   bool at_end() const override { return solver_.at_end(); }
   void step() override { solver_.step(); }
   void finish() override { solver_.finish(); }
@@ -71,6 +74,7 @@ class RunningVariant {
   }
 
   bool active() const { return active_; }
+  std::int64_t elements() const { return solver_->elements(); }
   ProgressState state() const { return solver_->state(); }
   double done() const { return fraction_done(limits_, solver_->state()); }
   /// Mean part of the run that a step has been.
@@ -171,6 +175,11 @@ class Race {
   }
 
   const std::vector<RunningVariant>& runs() const { return runs_; }
+  std::int64_t most_elements() const {
+    std::int64_t most = 0;
+    for (const RunningVariant& run : runs_) most = std::max(most, run.elements());
+    return most;
+  }
 
  private:
   bool active() const {
@@ -212,6 +221,7 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
   for (const Variant& variant : variants) results.push_back({variant.settings, {}, {}, ""});
   for (int repeat = 0; repeat < settings.repeats; ++repeat) {
     Race race(variants, settings.curves && repeat == 0);
+    const ThreadCount threads(settings.threads > 0 ? settings.threads : earned_threads(race.most_elements()));
     // All are at the same part of their runs: the first one speaks for all.
     const Scene& first = variants.front().scene;
     Progress progress({first.time.end, first.time.steps, first.units, settings.quiet, false});

@@ -37,6 +37,7 @@ struct ComparisonSettings {
   int repeats = 1;      ///< the whole is done so often
   bool quiet = false;   ///< no progress
   bool curves = false;  ///< keep what the variants are over time
+  int threads = 0;      ///< of all variants; 0: what the largest earns
 };
 
 /// Runs all variants to their ends; each ends in the state that a Simulation gives. Within a repeat all of them are in

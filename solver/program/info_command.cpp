@@ -6,6 +6,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/thread_count.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/output/progress.hpp>
@@ -259,9 +260,10 @@ void print_estimates(Solver<S>& solver, const Units& units) {
 }
 
 template <class S>
-void print_info(const Scene& scene) {
+void print_info(const Scene& scene, int threads) {
   const Units units = parse_units(scene.units);
   Solver<S> solver(scene);
+  DefaultExecutionSpace::set_concurrency(threads > 0 ? threads : earned_threads(solver.element_count()));
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
   fmt::print("  {}; {} precision", units_line(scene.units), sizeof(S) == sizeof(double) ? "double" : "float");
   if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
@@ -283,11 +285,11 @@ int info_command(const InfoOptions& options) {
     if (options.devices) return 0;
     throw InputError("info: expected a SCENE, or --device");
   }
-  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
   const SceneInput input = scene_input(options);
   input.with_places([&] {
     const Scene scene = input.read();
-    scene.precision == Precision::float32 ? print_info<float>(scene) : print_info<double>(scene);
+    scene.precision == Precision::float32 ? print_info<float>(scene, options.threads)
+                                          : print_info<double>(scene, options.threads);
     if (options.devices) print_missing_on_devices(scene);
   });
   return 0;

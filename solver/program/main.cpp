@@ -10,6 +10,7 @@
 #include <solver/base/version.h>
 
 #include "commands.hpp"
+#include "process/short_waits.hpp"
 #include "standard_streams.hpp"
 #include "stop_signals.hpp"
 
@@ -71,7 +72,9 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
       ->expected(1)
       ->allow_extra_args(false)
       ->take_all();
-  command.add_option("--threads", options.threads, "number of threads; 0: as many as OpenMP takes by default")
+  command
+      .add_option("--threads", options.threads,
+                  "number of threads (default: OMP_NUM_THREADS, else what the size earns)")
       ->check(CLI::Range(0, pinball::most_threads));
   command.add_option("--refine", options.overrides.refine, "multiplies the element counts of generated meshes")
       ->check(CLI::Range(1, 1000));
@@ -201,6 +204,8 @@ int run_program(int argc, char** argv) {
     return status;
   }
 
+  if (*run) pinball::start_again_with_short_waits(argv, options.threads);
+  if (*compare) pinball::start_again_with_short_waits(argv, comparison.threads);
   pinball::catch_stop_signals(*run ? pinball::AtSignal::ask : pinball::AtSignal::end);
   if (*run) return pinball::run_command(options);
   if (*info) return pinball::info_command(asked);

@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/device/devices.hpp>
 #include <solver/output/message.hpp>
@@ -63,16 +62,15 @@ int restart_command(const RunOptions& options) {
     throw InputError("--restart: expected neither --refine nor --precision, they are in the checkpoint");
   }
   const std::string out = options.out.empty() ? folder_of_checkpoint(options.restart) : options.out;
-  return print_end(
-      restart_recorded(options.restart, options.overrides.set,
-                       {out, options.quiet, options.checkpoint_every, nullptr, nullptr, stop_is_asked, options.device}),
-      out);
+  return print_end(restart_recorded(options.restart, options.overrides.set,
+                                    {out, options.quiet, options.checkpoint_every, nullptr, nullptr, stop_is_asked,
+                                     options.device, options.threads}),
+                   out);
 }
 
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  if (options.threads > 0) DefaultExecutionSpace::set_concurrency(options.threads);
   require_device(options.device);
   if (!options.restart.empty()) return restart_command(options);
   if (options.scene.empty()) throw InputError("run: expected a SCENE, or --restart FILE");
@@ -81,9 +79,9 @@ int run_command(const RunOptions& options) {
     Scene scene = input.read();
     scene.device = options.device;
     const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
-    return print_end(
-        run_recorded(scene, {out, options.quiet, options.checkpoint_every, &input.source, nullptr, stop_is_asked}),
-        out);
+    return print_end(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &input.source, nullptr,
+                                          stop_is_asked, Device::none, options.threads}),
+                     out);
   });
 }
 

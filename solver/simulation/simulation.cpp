@@ -44,6 +44,7 @@ Simulation::Simulation(const Scene& given, const SimulationOptions& options)
   } else {
     implementation_->solver = std::make_unique<Solver<double>>(scene);
   }
+  implementation_->elements = implementation_->read([](const auto& solver) { return solver.element_count(); });
 }
 
 Simulation::~Simulation() = default;
@@ -53,7 +54,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 bool Simulation::step() {
   Implementation& own = *implementation_;
   if (own.complete) return false;
-  const ThreadCount threads(own.options.threads);
+  const ThreadCount threads(own.threads());
   const Stopwatch watch(own.wall_seconds);
   own.change([&own](auto& solver) {
     if (solver.at_end()) {
@@ -139,7 +140,7 @@ std::vector<ProbeResult> Simulation::probes() const {
   return implementation_->read([](const auto& solver) { return solver.probes().results(solver.model(), solver.dt()); });
 }
 RunSummary Simulation::summary() const {
-  const ThreadCount threads(implementation_->options.threads);
+  const ThreadCount threads(implementation_->threads());
   RunSummary summary;
   summary.wall_seconds = implementation_->wall_seconds;
   implementation_->read([&summary](const auto& solver) { fill_summary(solver, summary); });
@@ -154,7 +155,7 @@ FieldSnapshot Simulation::snapshot() const {
 }
 
 void Simulation::persist(StateArchive& archive) {
-  const ThreadCount threads(implementation_->options.threads);
+  const ThreadCount threads(implementation_->threads());
   implementation_->change([&archive](auto& solver) { solver.persist(archive); });
   std::uint8_t complete = implementation_->complete ? 1 : 0;
   archive(complete);

@@ -89,7 +89,7 @@ std::span<const std::int32_t> Simulation::place_of_node() const {
   return implementation_->read([](const auto& s) { return std::span(s.model().node_of_scene_node); });
 }
 ArrayView Simulation::velocities_to_change() {
-  const ThreadCount threads(implementation_->options.threads);
+  const ThreadCount threads(implementation_->threads());
   return implementation_->change([](auto& s) { return vectors_to_change(s.change_velocities()); });
 }
 ArrayView Simulation::external_forces() {

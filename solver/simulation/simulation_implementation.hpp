@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <solver/base/thread_count.hpp>
 #include <solver/scene_rules.hpp>
 #include <solver/simulation.hpp>
 #include <solver/step/solver.hpp>
@@ -15,9 +17,13 @@ namespace pinball {
 struct Simulation::Implementation {
   std::variant<std::unique_ptr<Solver<double>>, std::unique_ptr<Solver<float>>> solver;
   SimulationOptions options;
+  std::int64_t elements = 0;
   std::vector<StepCallback> callbacks;
   double wall_seconds = 0;
   bool complete = false;
+
+  /// Threads of a step that begins now.
+  int threads() const { return options.threads > 0 ? options.threads : earned_threads(elements); }
 
   /// use(solver), with a Solver<double>& or a Solver<float>&.
   template <class Use>

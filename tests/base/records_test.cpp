@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
+
 #include <solver/base/records.hpp>
 #include <solver/base/thread_count.hpp>
 
@@ -25,6 +28,25 @@ TEST(NodeRecords, GivesTheRecordOfANode) {
   const Vec3<double> v = double_vector_of(record(velocity, 2));
   EXPECT_EQ(v.x, 108);
   EXPECT_EQ(v.z, 110);
+}
+
+TEST(ThreadCount, IsWhatTheSizeEarnsAtMostWhatOpenMPTakes) {
+  const char* const said = std::getenv("OMP_NUM_THREADS");
+  const std::string before = said != nullptr ? said : "";
+  ::unsetenv("OMP_NUM_THREADS");
+  {
+    const ThreadCount most(4);
+    EXPECT_EQ(earned_threads(0), 1);
+    EXPECT_EQ(earned_threads(2 * elements_of_thread - 1), 1);
+    EXPECT_EQ(earned_threads(2 * elements_of_thread), 2);
+    EXPECT_EQ(earned_threads(3 * elements_of_thread), 3);
+    EXPECT_EQ(earned_threads(std::int64_t(1) << 40), 4);
+    ::setenv("OMP_NUM_THREADS", "4", 1);
+    EXPECT_EQ(earned_threads(0), 4) << "who says how many is obeyed";
+    ::setenv("OMP_NUM_THREADS", "", 1);
+    EXPECT_EQ(earned_threads(0), 1);
+  }
+  before.empty() ? ::unsetenv("OMP_NUM_THREADS") : ::setenv("OMP_NUM_THREADS", before.c_str(), 1);
 }
 
 TEST(ThreadCount, PutsBackWhatItHasChanged) {

@@ -17,7 +17,7 @@ using namespace test;
 template <class Space>
 class Sums : public ::testing::Test {};
 #if !defined(PINBALL_TEST_SPACES)
-#define PINBALL_TEST_SPACES Serial, OpenMP, Threads, Mock
+#define PINBALL_TEST_SPACES Serial, OpenMP, Mock
 #endif
 using SumSpaces = ::testing::Types<PINBALL_TEST_SPACES>;
 TYPED_TEST_SUITE(Sums, SumSpaces);

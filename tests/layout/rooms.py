@@ -64,7 +64,7 @@ LANGUAGE = re.compile(r"[a-z_]+|std(def|int)\.h|sys/mman\.h|unistd\.h")
 FILES_AND_TERMINAL = re.compile(r"cstdio|iostream|fstream|filesystem|print")
 OF_KERNELS = re.compile(r"cmath|cstdint|cstddef|experimental/simd|immintrin\.h|utility")
 OF_EXEC = re.compile(OF_KERNELS.pattern + r"|atomic|charconv|cstdlib|cstring|exception|iterator|mutex|new|stdexcept|type_traits|sys/mman\.h"
-                     r"|omp\.h|pthread\.h|sched\.h|cuda_runtime\.h|hip/hip_runtime\.h|Kokkos_Core\.hpp")
+                     r"|omp\.h|pthread\.h|cuda_runtime\.h|hip/hip_runtime\.h|Kokkos_Core\.hpp")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.M)
 SOURCES = {".h", ".hpp", ".cpp", ".cu"}

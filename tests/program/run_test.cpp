@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
@@ -163,6 +165,46 @@ TEST_F(Program, AFolderThatCannotBeUsedEndsWithTwo) {
     EXPECT_EQ(f.status, 2) << out;
     EXPECT_THAT(f.text, testing::StartsWith("pinball: error: --out" + (out == "''" ? ":" : " " + out + ": cannot ")));
   }
+}
+
+/// What the program says, each time that it begins, of the environment in which its threads wait.
+Finished run_in(const std::string& environment, const std::string& arguments) {
+  const std::string nothing = "env -u GOMP_SPINCOUNT -u OMP_WAIT_POLICY -u OMP_NUM_THREADS OMP_DISPLAY_ENV=verbose ";
+  Finished result = run(arguments, nothing + environment);
+  const std::regex spins("GOMP_SPINCOUNT = '([^']*)'");
+  std::string all;
+  for (std::sregex_iterator i(result.text.begin(), result.text.end(), spins), end; i != end; ++i)
+    all += (*i)[1].str() + ' ';
+  result.text = all;
+  return result;
+}
+
+TEST_F(Program, ThreadsOfARunSpinBrieflyWhereTheEnvironmentSaysNothing) {
+#if !defined(__GLIBC__) || defined(__clang__)
+  GTEST_SKIP() << "another OpenMP than GCC's";
+#endif
+  const std::string scene = "two_blocks --set time.steps=2" + out();
+  EXPECT_THAT(run_in("", "run --threads 2 " + scene).text, testing::EndsWith(" 1000 "));
+  EXPECT_THAT(run_in("OMP_NUM_THREADS=2", "run " + scene).text, testing::EndsWith(" 1000 "));
+  EXPECT_THAT(run_in("", "compare two_blocks --quiet --repeat 1 --threads 2").text, testing::EndsWith(" 1000 "));
+  EXPECT_EQ(run_in("GOMP_SPINCOUNT=77", "run --threads 2 " + scene).text, "77 ");
+  EXPECT_EQ(run_in("OMP_WAIT_POLICY=passive", "run --threads 2 " + scene).text, "0 ");
+  const std::string alone = run_in("", "run --threads 1 " + scene).text;
+  EXPECT_EQ(std::count(alone.begin(), alone.end(), ' '), 1) << "begun once: " << alone;
+}
+
+TEST_F(Program, ThreadsAreThoseThatTheSizeEarnsUnlessSomebodySaysHowMany) {
+  const auto threads_of = [&](const std::string& environment, const std::string& arguments) {
+    const Finished f = run("run " + arguments + " --set time.steps=1" + out(), "env -u OMP_NUM_THREADS " + environment);
+    EXPECT_EQ(f.status, 0) << f.text;
+    return value_of(result("summary.json"), "threads");
+  };
+  EXPECT_EQ(threads_of("", "two_blocks"), "1");
+  EXPECT_EQ(threads_of("", "two_blocks --threads 3"), "3");
+  EXPECT_EQ(threads_of("OMP_NUM_THREADS=3", "two_blocks"), "3");
+  EXPECT_EQ(threads_of("OMP_NUM_THREADS=3", "two_blocks --threads 2"), "2");
+  const unsigned processors = std::clamp(std::thread::hardware_concurrency(), 1U, 6U);
+  EXPECT_EQ(threads_of("", "two_blocks --refine 4"), std::to_string(processors)) << "of 8,192 elements";
 }
 
 TEST_F(Program, RunWritesSummaryAndHistory) {

@@ -17,10 +17,10 @@ struct Finished {
   std::string text;  ///< stdout and stderr
 };
 
-/// pinball with these arguments of a shell.
-inline Finished run(const std::string& arguments) {
+/// pinball with these arguments of a shell; before: words that stand before it, such as `env NAME=VALUE`.
+inline Finished run(const std::string& arguments, const std::string& before = {}) {
   Finished result;
-  const std::string command = fmt::format("{} {} 2>&1", PINBALL_PROGRAM, arguments);
+  const std::string command = fmt::format("{} {} {} 2>&1", before, PINBALL_PROGRAM, arguments);
   std::FILE* pipe = ::popen(command.c_str(), "r");
   std::array<char, 4096> piece{};
   for (std::size_t n = 0; (n = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;)
