@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "element_update.hpp"
+#include "element_data.hpp"
 
 /// Sums of corner forces by the nodes: what a device does in the place of adding them to records element after element.
 /// No two threads write to one place, and each sum has one order: that in which the lists name the corners.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <kernels/element_update.hpp>
+#include <kernels/element_data.hpp>
 #include <kernels/exec.hpp>
 
 /// A model as it lies on a device: plain arrays that say nothing of the width of the host's packs, so that sources of a

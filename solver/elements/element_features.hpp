@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kernels/element_update.hpp>
+#include <kernels/element_data.hpp>
 #include <solver/base/built_features.hpp>
 
 /// From features that are known when a run begins to those of a kernel, each of which is compiled for itself: what is

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include <kernels/element_update.hpp>
+#include <kernels/element_data.hpp>
 
 namespace pinball {
 

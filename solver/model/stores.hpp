@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include <kernels/element_update.hpp>
+#include <kernels/element_data.hpp>
 #include <kernels/exec/array.hpp>
 #include <solver/base/packs.hpp>
 #include <solver/base/records.hpp>

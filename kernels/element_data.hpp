@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+
+#include "assumed_strain.hpp"
+#include "hourglass.hpp"
+#include "material.hpp"
+#include "yield/yield_curve.hpp"
+
+/// What an element kernel (element_update.hpp) works on: arrays of elements and nodes, constants of their material, and
+/// the features for which it is compiled.
+namespace pinball {
+
+enum class YieldLaw {
+  linear,  ///< of MaterialConstants (material.hpp)
+  general  ///< of HardeningConstants, too: back stress, curves, rates (yield/general_yield.hpp)
+};
+
+struct ElementFeatures {
+  bool plastic;  ///< von Mises plasticity; else elastic, without plastic strain
+  bool erosion;  ///< elements may be eroded; keeps an internal energy per element
+  bool bulk_viscosity;
+  HourglassKind hourglass;
+  YieldLaw yield = YieldLaw::linear;  ///< plastic only
+};
+
+/// Element arrays in rows of L elements: entry c of element e is at [(e / L) * N + c] * L + e % L for an array of N
+/// components. L is the width of a pack where packs work them, and 32 where threads of a device do, lane after lane of
+/// a warp. All aligned to the row. Padding elements repeat the nodes of a real one and have mass 0; their other state
+/// is never used.
+template <class S>
+struct ElementView {
+  const std::int32_t* corner;  ///< N = 8: node numbers
+  S* mass;                     ///< N = 1: of the material [mass]; 0 marks padding and eroded elements
+  S* stress;                   ///< N = 6: xx yy zz xy yz zx [stress]
+  S* plastic_strain;           ///< N = 1, plastic only [-]
+  S* hourglass_state;          ///< N = 12, only where keeps_hourglass_state: of KeptHourglass [stress]
+  S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
+  S* internal_energy;          ///< N = 1, erosion only [energy]
+  S* back_stress =
+      nullptr;  ///< N = 5: xx yy xy yz zx, general yield only; may be missing there: no back stress [stress]
+  /// N = 1: `mass` over the mass with which the element's nodes move; missing: they are the same [-]
+  const S* mass_share = nullptr;
+};
+
+/// Node records of four scalars (gather.hpp).
+template <class S>
+struct NodeView {
+  const S* position;
+  const S* velocity;
+  S* force;
+};
+
+template <class S>
+struct ElementConstants {
+  MaterialConstants<S> material;
+  S hourglass_coefficient;     ///< k of the viscous form [-]
+  S linear_viscosity;          ///< b1 [-]
+  S quadratic_viscosity;       ///< b2 [-]
+  bool erode_negative_volume;  ///< an element whose volume is not positive is eroded; else it is counted as inverted
+  AssumedStrainModuli<S> assumed_strain;  ///< of that form
+  S hourglass_modulus;                    ///< kappa M of the stiffness form [stress]
+  S specific_volume;                      ///< 1/density of the undeformed material [length^3/mass]
+  HardeningConstants<S> hardening{};      ///< general yield only
+};
+
+/// Where element `first`, the first of a pack, has its component 0 in an array of n components in rows of L.
+template <int L>
+PINBALL_FUNCTION std::int64_t place_in_rows(std::int64_t first, int n) {
+  return first / L * L * n + first % L;
+}
+
+/// The step that elements have just made.
+template <class S>
+struct ElementStep {
+  S length;      ///< since they were worked before [time]
+  S weight = 1;  ///< of their forces: how many steps of their nodes they act for, where these are shorter [-]
+};
+
+}  // namespace pinball
