@@ -41,6 +41,7 @@ struct ElementView {
       nullptr;  ///< N = 5: xx yy xy yz zx, general yield only; may be missing there: no back stress [stress]
   /// N = 1: `mass` over the mass with which the element's nodes move; missing: they are the same [-]
   const S* mass_share = nullptr;
+  const S* folding_onset = nullptr;  ///< N = 1: of its corners (folding.hpp); missing: folding_onset [-]
 };
 
 /// Node records of four scalars (gather.hpp).
@@ -62,6 +63,8 @@ struct ElementConstants {
   S hourglass_modulus;                    ///< kappa M of the stiffness form [stress]
   S specific_volume;                      ///< 1/density of the undeformed material [length^3/mass]
   HardeningConstants<S> hardening{};      ///< general yield only
+  S folding_energy = S(0);                ///< M/(8 density) of corners that are about to turn over [energy/mass]
+  bool erode_inside_out = false;          ///< an element with a corner that has turned over is eroded
 };
 
 /// Where element `first`, the first of a pack, has its component 0 in an array of n components in rows of L.

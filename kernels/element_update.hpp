@@ -4,6 +4,7 @@
 
 #include "bulk_viscosity.hpp"
 #include "element_data.hpp"
+#include "folding.hpp"
 #include "gather.hpp"
 #include "hexahedron.hpp"
 #include "kept_hourglass.hpp"
@@ -27,14 +28,17 @@ namespace pinball {
 /// What a tile of elements reports, per lane until the end of the tile.
 template <class T>
 struct ElementSums {
-  T internal = T(0);          ///< increment of the internal energy [energy]
-  T hourglass = T(0);         ///< increment of the hourglass energy, stored or (viscous form) lost [energy]
-  T viscous = T(0);           ///< increment of the bulk viscosity energy [energy]
-  T eroded = T(0);            ///< internal energy of elements eroded in this step [energy]
-  T stable_rate = T(0);       ///< largest 2/dt of a stable step dt [1/time]
-  T stable_rate_pack = T(0);  ///< pack in which it was found, counted in the tile
+  T internal = T(0);           ///< increment of the internal energy [energy]
+  T hourglass = T(0);          ///< increment of the hourglass energy, stored or (viscous form) lost [energy]
+  T viscous = T(0);            ///< increment of the bulk viscosity energy [energy]
+  T eroded = T(0);             ///< internal energy of elements eroded in this step [energy]
+  T stable_rate = T(0);        ///< largest 2/dt of a stable step dt [1/time]
+  T stable_rate_pack = T(0);   ///< pack in which it was found, counted in the tile
+  T hourglass_plastic = T(0);  ///< of `internal`: what yield has taken from the hourglass modes [energy]
+  T folding = T(0);            ///< stored now by corners that are about to turn over [energy]
   int eroded_count = 0;
-  int inverted_count = 0;  ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
+  int inside_out_count = 0;  ///< elements with a corner whose Jacobian is not positive, eroded ones left out
+  int inverted_count = 0;    ///< elements with a volume that is not positive (or NaN) and that are not eroded for it
 };
 
 /// What a caller that asks for nothing ahead puts between the parts of update_element_pack.
@@ -117,6 +121,9 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   if constexpr (features.bulk_viscosity) length = volume / area;
   ahead(1);
 
+  // Corners are looked at where they may be near turning over, also where a number is none.
+  const auto distorted = alive && !(largest_distortion(x, largest_b_b) < T(sound_distortion<S>) * (volume * volume));
+
   // Geometry in the middle of the step
   HexahedronModes<T> x_mid;
   const T minus_half_dt(S(-0.5) * dt);
@@ -151,8 +158,8 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const T inverse_square = inverse_volume * inverse_volume;
   T inverse_inertia = inverse_mass;
   if (elements.mass_share != nullptr) inverse_inertia = inverse_inertia * load<T>(elements.mass_share + first);
-  const T stable_rate = element_stable_rate(inverse_square * largest_b_b, inverse_square * trace_b_b, volume,
-                                            inverse_inertia, T(material.lambda), T(material.mu), viscosity);
+  T stable_rate = element_stable_rate(inverse_square * largest_b_b, inverse_square * trace_b_b, volume, inverse_inertia,
+                                      T(material.lambda), T(material.mu), viscosity);
   ahead(3);
 
   // Stress
@@ -214,6 +221,9 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
       radial_return(material, stress, plastic_strain);
     }
   }
+  if constexpr (features.plastic && keeps_hourglass) {
+    if (any_lost) sums.hourglass_plastic += lost.stored - number<T>(0.5) * lost.work;
+  }
   HourglassForce<T> hourglass{};
   if constexpr (keeps_hourglass) {
     hourglass = kept.force();
@@ -223,8 +233,22 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   }
   ahead(5);
 
+  // Corners that are about to turn over, and those that have
+  CornerResistance<T> corners;
+  MaskOf<T> inside_out(false);
+  const bool any_distorted = any_lane(distorted);
+  if (any_distorted) {
+    T onset(constants.folding_energy > S(0) ? folding_onset<S> : S(0));
+    if (elements.folding_onset != nullptr) onset = minimum(onset, load<T>(elements.folding_onset + first));
+    resist_folding<T, L>(nodes.position, nodes.velocity, corner, T(constants.folding_energy) * mass, onset,
+                         inverse_inertia, whole, corners);
+    // A corner takes at least two steps to close by half of what it is open.
+    stable_rate = maximum(square_root(stable_rate * stable_rate + corners.rate_square), T(4) * corners.closing_rate);
+    inside_out = alive && !(corners.worst > T(0));
+  }
+
   // Erosion: the element keeps its nodes and their mass, and carries no stress from now on.
-  [[maybe_unused]] MaskOf<T> fails(false);
+  MaskOf<T> fails(false);
   [[maybe_unused]] bool any_fails = false;
   auto carries = whole;
   auto inverted = alive && !has_volume;
@@ -232,6 +256,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     fails = plastic_strain > T(material.erosion_strain) && alive;
     // A volume that is not a number is no reason to erode: it is counted, and stops the run.
     if (constants.erode_negative_volume) fails = fails || (alive && minimum(volume, volume_mid) <= T(0));
+    if (constants.erode_inside_out) fails = fails || inside_out;
     any_fails = any_lane(fails);
     if (any_fails) {
       carries = carries && !fails;
@@ -253,6 +278,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     }
   }
   if (any_lane(inverted)) sums.inverted_count += count_lanes(inverted);
+  if (any_distorted) sums.inside_out_count += count_lanes(inside_out && !fails);
   ahead(6);
 
   // State of the next step
@@ -326,6 +352,21 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   }
   force_hourglass[3] = minus_weight * hourglass.p[3];
   from_modes(force_linear, force_hourglass, value);
+  if (any_distorted) {
+    if constexpr (features.erosion) {
+      if (any_fails) {
+        PINBALL_UNROLL
+        for (int i = 0; i < 8; ++i) corners.force[i] = select(fails, Vec3<T>{T(0), T(0), T(0)}, corners.force[i]);
+        const T taken_along = select(fails, corners.energy, T(0));
+        sums.internal += taken_along;
+        sums.eroded += taken_along;
+        corners.energy = select(fails, T(0), corners.energy);
+      }
+    }
+    sums.folding += corners.energy;
+    PINBALL_UNROLL
+    for (int i = 0; i < 8; ++i) value[i] = value[i] + weight * corners.force[i];
+  }
 
   forces.template take<T, L>(first, corner, value);
 }

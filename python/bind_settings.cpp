@@ -30,6 +30,8 @@ void bind_settings(py::module_& module) {
                               {{"keep", ContactOverlap::keep}, {"adjust", ContactOverlap::adjust}});
   bind_choice<NegativeVolume>(module, "NegativeVolume",
                               {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
+  bind_choice<InsideOut>(module, "InsideOut",
+                         {{"warn", InsideOut::warn}, {"erode", InsideOut::erode}, {"stop", InsideOut::stop}});
   bind_choice<StrainRate>(
       module, "StrainRate",
       {{"total", StrainRate::total}, {"deviatoric", StrainRate::deviatoric}, {"plastic", StrainRate::plastic}});
@@ -51,7 +53,10 @@ void bind_settings(py::module_& module) {
       .def_readwrite("bulk_viscosity", &ElementSettings::bulk_viscosity)
       .def_readwrite("linear_viscosity", &ElementSettings::linear_viscosity, "[-]")
       .def_readwrite("quadratic_viscosity", &ElementSettings::quadratic_viscosity, "[-]")
-      .def_readwrite("negative_volume", &ElementSettings::negative_volume);
+      .def_readwrite("negative_volume", &ElementSettings::negative_volume)
+      .def_readwrite("inside_out", &ElementSettings::inside_out)
+      .def_readwrite("folding_resistance", &ElementSettings::folding_resistance,
+                     "modulus of corners that are about to turn over, of the bulk modulus [-]");
   bind_data<ContactSettings>(module, "ContactSettings", "[contact] of a scene")
       .def_readwrite("method", &ContactSettings::method)
       .def_readwrite("enforcement", &ContactSettings::enforcement)

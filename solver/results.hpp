@@ -15,16 +15,20 @@ namespace pinball {
 /// Energies of the whole model [energy]; the total is kept constant up to `external` work.
 struct Energies {
   double kinetic = 0.0;
-  double internal = 0.0;        ///< work of the stresses, of elements that still carry stress
-  double hourglass = 0.0;       ///< work of the hourglass forces
-  double bulk_viscosity = 0.0;  ///< work of the bulk viscosity
-  double contact_stored = 0.0;  ///< elastic energy in the penalty springs
-  double contact_damped = 0.0;  ///< dissipated by the contact damping
-  double eroded = 0.0;          ///< internal energy that eroded elements took with them
-  double external = 0.0;        ///< work done on the model from outside
+  double internal = 0.0;           ///< work of the stresses, of elements that still carry stress
+  double hourglass = 0.0;          ///< work of the hourglass forces
+  double bulk_viscosity = 0.0;     ///< work of the bulk viscosity
+  double folding = 0.0;            ///< stored by corners of elements that are about to turn over
+  double contact_stored = 0.0;     ///< elastic energy in the penalty springs
+  double contact_damped = 0.0;     ///< dissipated by the contact damping
+  double eroded = 0.0;             ///< internal energy that eroded elements took with them
+  double external = 0.0;           ///< work done on the model from outside
+  double hourglass_plastic = 0.0;  ///< of `internal`: plastic work of the hourglass modes
 
   double contact() const { return contact_stored + contact_damped; }
-  double total() const { return kinetic + internal + hourglass + bulk_viscosity + contact() + eroded - external; }
+  double total() const {
+    return kinetic + internal + hourglass + bulk_viscosity + folding + contact() + eroded - external;
+  }
 };
 
 struct BodyResult {
@@ -101,8 +105,9 @@ struct HistoryRow {
   double time = 0.0;
   double dt = 0.0;
   Energies energy;
-  double balance_error = 0.0;  ///< (total - initial total) / initial total
-  Point momentum{};            ///< [mass length/time]
+  double balance_error = 0.0;   ///< (total - initial total) / initial total
+  Point momentum{};             ///< [mass length/time]
+  std::int64_t inside_out = 0;  ///< elements with a corner that has turned over
   std::vector<BodyResult> bodies;
   std::vector<double> more;  ///< of walls and probes, one per further column
 };
@@ -138,6 +143,14 @@ struct WatchedShare {
   double largest = 0.0;  ///< of the whole run [-]
   double since = 0.0;    ///< when it last went beyond what is sound [time]
   std::string place;     ///< where that was: "node 17 of body rod"; empty: it never did
+};
+
+/// Elements with a corner that has turned over.
+struct InsideOutCount {
+  std::int64_t elements = 0;  ///< at the end
+  std::int64_t most = 0;      ///< at once
+  double first_time = 0.0;    ///< [time]
+  std::string first_place;    ///< "element 17 of body rod"; empty: there was none
 };
 
 struct PhaseSeconds {
@@ -191,6 +204,10 @@ struct RunSummary {
   /// Hourglass energy below and above zero, of the largest internal energy, or of a hundredth of energy_in_motion where
   /// that is more.
   WatchedShare hourglass_created, hourglass_large;
+  WatchedShare hourglass_plastic;  ///< what yield has taken from hourglass modes, of the same
+  /// Kinetic and internal energy below zero, of energy_in_motion.
+  WatchedShare kinetic_below_zero, internal_below_zero;
+  InsideOutCount inside_out;
   double mass_added = 0.0;       ///< to all bodies for time.smallest_step [mass]
   std::string large_added_mass;  ///< where it is more than is sound, as a sentence; empty: nowhere
   Point momentum_initial{}, momentum_final{};

@@ -19,6 +19,7 @@ namespace pinball {
 enum class Precision { float32, float64 };
 enum class HourglassControl { none, viscous, stiffness, assumed_strain };
 enum class NegativeVolume { stop, erode };
+enum class InsideOut { warn, erode, stop };
 
 /// Of the viscous and stiffness forms; of the assumed strains the factor on what the material gives [-].
 inline double default_hourglass_coefficient(HourglassControl control) {
@@ -53,6 +54,10 @@ struct ElementSettings {
   double quadratic_viscosity = 1.2;  ///< element.quadratic_viscosity: b2 [-]
   /// element.negative_volume = "stop" | "erode"; default: erode where a material erodes, stop elsewhere
   std::optional<NegativeVolume> negative_volume;
+  /// element.inside_out = "warn" | "erode" | "stop": what becomes of an element with a corner that has turned over
+  InsideOut inside_out = InsideOut::warn;
+  /// element.folding_resistance: modulus with which corners resist turning over, over the bulk modulus [-]
+  double folding_resistance = 0.02;
 
   bool operator==(const ElementSettings&) const = default;
 };

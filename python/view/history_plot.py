@@ -15,6 +15,7 @@ ENERGIES = {
     "internal": "internal",
     "hourglass": "hourglass",
     "bulk_viscosity": "bulk viscosity",
+    "folding": "folding",
     "contact_stored": "contact, stored",
     "contact_damped": "contact, damped",
     "eroded": "eroded",

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "../../kernels/hexahedron.hpp"
+#include "../../kernels/folding.hpp"
 #include "point.hpp"
 
 /// Points as vectors of the kernels and back, and the kernels' formulas for one hexahedron that is given by points.
@@ -23,6 +23,13 @@ inline HexahedronModes<double> modes_of(const std::array<Point, 8>& corners) {
 inline double hexahedron_volume(const std::array<Point, 8>& corners) {
   const HexahedronModes<double> x = modes_of(corners);
   return hexahedron_volume(uniform_gradient(x), x);
+}
+
+/// The least Jacobian of a corner over the mean of the element, not above zero where a corner has turned over [-].
+inline double least_corner_share(const std::array<Point, 8>& corners) {
+  Vec3<double> x[8];
+  for (int i = 0; i < 8; ++i) x[i] = to_vector(corners[i]);
+  return least_corner_share(x, hexahedron_volume(corners));
 }
 
 }  // namespace pinball

@@ -92,6 +92,7 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   mesh.tile = Array<std::int32_t>(tile_.size());
   std::copy(tile_.begin(), tile_.end(), mesh.tile.data());
   mesh.mass_share = rows_of(model.elements.mass_share, 1);
+  mesh.folding_onset = rows_of(model.elements.folding_onset, 1);
   mesh.inverse_mass = Array<S>(static_cast<std::size_t>(mesh.nodes));
   mesh.node_mass = Array<double>(static_cast<std::size_t>(mesh.nodes));
   std::copy_n(model.nodes.inverse_mass.data(), mesh.nodes, mesh.inverse_mass.data());

@@ -32,6 +32,7 @@ struct DeviceMesh {
   Array<std::int32_t> corner;            ///< [places x 8] in rows: nodes
   Array<std::int32_t> tile;              ///< [places / widest_pack]: of the host, each of whole packs of that width
   Array<S> mass_share;                   ///< [places]; empty: nothing has added mass
+  Array<S> folding_onset;                ///< [places]; empty: no corner is near turning over at the start
   Array<S> inverse_mass;                 ///< [nodes] [1/mass]
   Array<double> node_mass;               ///< [nodes] [mass]
   Array<std::uint32_t> first_of_node;    ///< [nodes + 1] (CornersOfNodes)

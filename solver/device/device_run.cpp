@@ -121,6 +121,8 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Sche
   result.hourglass = totals.hourglass;
   result.viscous = totals.viscous;
   result.eroded = totals.eroded;
+  result.hourglass_plastic = totals.hourglass_plastic;
+  result.folding = totals.folding;
   result.time_step = S(2) / totals.stable_rate;  // infinite without living elements
   result.time_step_slot = totals.place < 0 ? -1 : layout_.slot_of_place(totals.place);
   if (resting.index >= 0 && resting.time_step < result.time_step) {
@@ -131,6 +133,7 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Sche
   if (model.scene.skip.resting) result.resting_elements = resting.elements;
   result.eroded_count = totals.eroded_count;
   result.inverted_count = totals.inverted_count;
+  result.inside_out_count = totals.inside_out_count;
   return result;
 }
 

@@ -70,6 +70,7 @@ class SpaceStep final : public DeviceStep<S> {
         tile_(copy_of(mesh.tile)),
         corner_(copy_of(mesh.corner)),
         mass_share_(copy_of(mesh.mass_share)),
+        folding_onset_(copy_of(mesh.folding_onset)),
         inverse_mass_(copy_of(mesh.inverse_mass)),
         node_mass_(copy_of(mesh.node_mass)),
         first_of_node_(copy_of(mesh.first_of_node)),
@@ -128,9 +129,9 @@ class SpaceStep final : public DeviceStep<S> {
   }
 
   std::size_t bytes() const override {
-    return corner_.bytes() + mass_share_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() + first_of_node_.bytes() +
-           corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() + tile_.bytes() +
-           resting_.bytes();
+    return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
+           first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
+           tile_.bytes() + resting_.bytes();
   }
 
  private:
@@ -175,7 +176,8 @@ class SpaceStep final : public DeviceStep<S> {
             state_.viscous_stress.data(),
             state_.internal_energy.data(),
             state_.back_stress.data(),
-            mass_share_.empty() ? nullptr : mass_share_.data()};
+            mass_share_.empty() ? nullptr : mass_share_.data(),
+            folding_onset_.empty() ? nullptr : folding_onset_.data()};
   }
 
   void add_part(const DevicePart<S>& part) {
@@ -202,7 +204,7 @@ class SpaceStep final : public DeviceStep<S> {
   std::int32_t tiles_;
   Array<std::int32_t, Memory> tile_;
   Array<std::int32_t, Memory> corner_;
-  Array<S, Memory> mass_share_, inverse_mass_;
+  Array<S, Memory> mass_share_, folding_onset_, inverse_mass_;
   Array<double, Memory> node_mass_;
   Array<std::uint32_t, Memory> first_of_node_, corners_of_node_;
   DeviceState<S, Memory> state_;

@@ -35,7 +35,10 @@ template <class S>
 InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& schedule, const Due& due, S dt) {
   schedule.begin_step(model, due, results_);
   for (TileResult<S>& result : results_)
-    result = {.time_step = result.time_step, .time_step_slot = result.time_step_slot};
+    result = {.folding = result.folding,
+              .time_step = result.time_step,
+              .time_step_slot = result.time_step_slot,
+              .inside_out_count = result.inside_out_count};
   for (int level = schedule.highest_level(due); level >= 0; --level) {
     schedule.show_mean_velocities(model.nodes, level);
     for_each_tile(schedule.tiles(level), [&](std::int32_t tile) {
@@ -64,8 +67,11 @@ InternalForceResult<S> InternalForces<S>::sum() const {
     sum.hourglass += r.hourglass;
     sum.viscous += r.viscous;
     sum.eroded += r.eroded;
+    sum.hourglass_plastic += r.hourglass_plastic;
+    sum.folding += r.folding;
     sum.eroded_count += r.eroded_count;
     sum.inverted_count += r.inverted_count;
+    sum.inside_out_count += r.inside_out_count;
     if (r.time_step < sum.time_step) {
       sum.time_step = r.time_step;
       sum.time_step_slot = r.time_step_slot;

@@ -15,7 +15,9 @@ namespace pinball {
 /// What the elements did in a step [energy].
 struct ElementWork {
   double internal = 0, hourglass = 0, viscous = 0;
-  double eroded = 0;  ///< internal energy that eroded elements take with them
+  double hourglass_plastic = 0;  ///< of `internal`: what yield took of hourglass modes
+  double folding = 0;            ///< that corners near turning over store now
+  double eroded = 0;             ///< internal energy that eroded elements take with them
 };
 
 /// Work of the whole mesh in one step, and what it found.
@@ -25,6 +27,7 @@ struct InternalForceResult : ElementWork {
   std::int64_t time_step_slot = -1;
   std::int64_t eroded_count = 0;
   std::int64_t inverted_count = 0;
+  std::int64_t inside_out_count = 0;    ///< elements with a corner that has turned over, also of tiles not worked
   std::int64_t resting_elements = 0;    ///< not worked, because their tiles rest
   std::int64_t subcycled_elements = 0;  ///< not worked, because their step is not over; without eroded ones
 };

@@ -10,10 +10,13 @@ namespace pinball {
 template <class S>
 struct TileResult {
   double internal = 0, hourglass = 0, viscous = 0, eroded = 0;  ///< energy increments of the step
+  double hourglass_plastic = 0;                                 ///< of `internal`: what yield took of hourglass modes
+  double folding = 0;                                           ///< energy that corners near turning over store now
   S time_step = 0;                                              ///< smallest stable step [time]
   std::int64_t time_step_slot = -1;                             ///< slot of the element that sets it
   std::int32_t eroded_count = 0;
   std::int32_t inverted_count = 0;
+  std::int64_t inside_out_count = 0;  ///< elements with a corner that has turned over
 };
 
 /// Packs first ... last - 1: a tile, of one part.

@@ -117,8 +117,11 @@ PINBALL_FUNCTION void update_packs(const TilePacks<ScalarOf<T>>& tile, TileResul
   result.hourglass = static_cast<double>(lane_sum(sums.hourglass));
   result.viscous = static_cast<double>(lane_sum(sums.viscous));
   result.eroded = static_cast<double>(lane_sum(sums.eroded));
+  result.hourglass_plastic = static_cast<double>(lane_sum(sums.hourglass_plastic));
+  result.folding = static_cast<double>(lane_sum(sums.folding));
   result.eroded_count = sums.eroded_count;
   result.inverted_count = sums.inverted_count;
+  result.inside_out_count = sums.inside_out_count;
   S rate = 0;
   result.time_step_slot = -1;
   for (int i = 0; i < width_of<T>; ++i) {

@@ -21,6 +21,7 @@
 
 #include "contact/ties.hpp"
 #include "elements/element_parts.hpp"
+#include "elements/folding_onsets.hpp"
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
 #include "material_held.hpp"
@@ -54,6 +55,8 @@ ElementConstants<S> constants_of(const Material& material, const ElementSettings
   const NegativeVolume policy =
       settings.negative_volume.value_or(material.erosion_strain > 0 ? NegativeVolume::erode : NegativeVolume::stop);
   c.erode_negative_volume = policy == NegativeVolume::erode;
+  c.folding_energy = static_cast<S>(settings.folding_resistance * material.bulk_modulus / (8 * material.density));
+  c.erode_inside_out = settings.inside_out == InsideOut::erode;
   return c;
 }
 
@@ -71,9 +74,10 @@ HourglassKind hourglass_kind(HourglassControl control) {
   return HourglassKind::none;
 }
 
-ElementFeatures features_of(const Material& material, const ElementSettings& settings, bool erode_negative_volume) {
+/// erodes: also for a reason other than its material's.
+ElementFeatures features_of(const Material& material, const ElementSettings& settings, bool erodes) {
   ElementFeatures f{};
-  f.erosion = erode_negative_volume || (material.plastic && material.erosion_strain > 0);
+  f.erosion = erodes || (material.plastic && material.erosion_strain > 0);
   f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
   f.bulk_viscosity = settings.bulk_viscosity;
   f.hourglass = hourglass_kind(settings.hourglass);
@@ -130,7 +134,8 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
       stored.back_stress |= material.isotropic_share < 1;
     }
-    const ElementFeatures f = features_of(material, settings, model.constants.back().erode_negative_volume);
+    const ElementFeatures f = features_of(
+        material, settings, model.constants.back().erode_negative_volume || model.constants.back().erode_inside_out);
     model.parts.push_back({static_cast<std::int32_t>(number), f, settings});
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;
@@ -186,9 +191,10 @@ void fill_nodes(Model<S>& model) {
 }
 
 /// Corners and masses of the elements, and the masses of the nodes: an eighth of each of their elements. mass_factor:
-/// of what a material gives, per element; empty: 1.
+/// of what a material gives, per element; empty: 1. onset: as of folding_onsets().
 template <class S>
-void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const std::vector<double>& mass_factor) {
+void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const std::vector<double>& mass_factor,
+                   const std::vector<double>& onset) {
   model.elements = ElementStore<S>(model.tile_packs.back(), features);
   model.element_mass.resize(model.mesh.hexahedra.size());
   model.added_mass.resize(mass_factor.size());
@@ -210,6 +216,7 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
         model.element_mass[e] += model.added_mass[e];
         model.elements.mass_share[slot] = static_cast<S>(1 / mass_factor[e]);
       }
+      if (!onset.empty()) model.elements.folding_onset[slot] = static_cast<S>(onset[e]);
     }
     for (int i = 0; i < 8; ++i) {  // of padding: those of the element before it
       const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
@@ -340,11 +347,13 @@ Model<S> build_model(const Scene& given) {
   ElementStoreFeatures features = add_parts(model, parts);
   const std::vector<double> mass_factor = mass_factors(model.scene, model.mesh, parts);
   features.mass_share = !mass_factor.empty();
+  const std::vector<double> onset = folding_onsets(model.mesh);
+  features.folding_onset = !onset.empty();
   const Hexahedra ordered = add_tiles(model, parts, mass_factor);
   const auto node_count = static_cast<std::int32_t>(model.mesh.nodes.size());
   model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
   fill_nodes(model);
-  fill_elements(model, features, mass_factor);
+  fill_elements(model, features, mass_factor, onset);
   invert_node_masses(model);
   number_ties(model);
   set_constraints(model, 0);

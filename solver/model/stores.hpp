@@ -46,6 +46,7 @@ struct ElementStoreFeatures {
   bool hourglass_state = false;
   bool back_stress = false;
   bool mass_share = false;
+  bool folding_onset = false;
 };
 
 /// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * W + lane; some are padding.
@@ -62,7 +63,8 @@ struct ElementStore {
   Array<S> viscous_stress;
   Array<S> internal_energy;
   Array<S> back_stress;
-  Array<S> mass_share;  ///< never changes; only where mass is added
+  Array<S> mass_share;     ///< never changes; only where mass is added
+  Array<S> folding_onset;  ///< never changes; only where a corner is near turning over at the start
 
   ElementStore() = default;
   ElementStore(std::int64_t packs, const ElementStoreFeatures& features) : slots(packs * width) {
@@ -75,6 +77,7 @@ struct ElementStore {
     if (features.erosion) internal_energy = Array<S>(slots);
     if (features.back_stress) back_stress = Array<S>(5 * slots);
     if (features.mass_share) mass_share = Array<S>(slots);
+    if (features.folding_onset) folding_onset = Array<S>(slots);
   }
 
   ElementView<S> view() {
@@ -86,11 +89,13 @@ struct ElementStore {
             viscous_stress.data(),
             internal_energy.data(),
             back_stress.data(),
-            mass_share.empty() ? nullptr : mass_share.data()};
+            mass_share.empty() ? nullptr : mass_share.data(),
+            folding_onset.empty() ? nullptr : folding_onset.data()};
   }
   std::size_t bytes() const {
     return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_state.bytes() +
-           viscous_stress.bytes() + internal_energy.bytes() + back_stress.bytes() + mass_share.bytes();
+           viscous_stress.bytes() + internal_energy.bytes() + back_stress.bytes() + mass_share.bytes() +
+           folding_onset.bytes();
   }
 
   /// Whether a slot holds an element that has not been eroded; padding does not.

@@ -37,10 +37,25 @@ void add_number(std::string& line, double value) {
 
 std::vector<std::string> history_column_names(const std::vector<std::string>& bodies,
                                               const std::vector<std::string>& more) {
-  std::vector<std::string> names{
-      "step",           "time",           "dt",     "kinetic",  "internal", "hourglass",     "bulk_viscosity",
-      "contact_stored", "contact_damped", "eroded", "external", "total",    "balance_error", "momentum_x",
-      "momentum_y",     "momentum_z"};
+  std::vector<std::string> names{"step",
+                                 "time",
+                                 "dt",
+                                 "kinetic",
+                                 "internal",
+                                 "hourglass",
+                                 "bulk_viscosity",
+                                 "contact_stored",
+                                 "contact_damped",
+                                 "eroded",
+                                 "external",
+                                 "total",
+                                 "balance_error",
+                                 "momentum_x",
+                                 "momentum_y",
+                                 "momentum_z",
+                                 "hourglass_plastic",
+                                 "folding",
+                                 "inside_out_elements"};
   for (const std::string& body : bodies) {
     for (const char* quantity :
          {"velocity_x", "velocity_y", "velocity_z", "mass_remaining", "eroded_elements", "max_plastic_strain"}) {
@@ -68,7 +83,10 @@ std::vector<double> history_numbers(const HistoryRow& row) {
                               row.balance_error,
                               row.momentum[0],
                               row.momentum[1],
-                              row.momentum[2]};
+                              row.momentum[2],
+                              e.hourglass_plastic,
+                              e.folding,
+                              static_cast<double>(row.inside_out)};
   for (const BodyResult& body : row.bodies) {
     numbers.insert(numbers.end(), body.velocity.begin(), body.velocity.end());
     numbers.insert(numbers.end(),

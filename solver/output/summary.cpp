@@ -19,7 +19,9 @@ Json energy_json(const RunSummary& s) {
   return {{"kinetic", e.kinetic},
           {"internal", e.internal},
           {"hourglass", e.hourglass},
+          {"hourglass_plastic", e.hourglass_plastic},
           {"bulk_viscosity", e.bulk_viscosity},
+          {"folding", e.folding},
           {"contact", e.contact()},
           {"contact_stored", e.contact_stored},
           {"contact_damped", e.contact_damped},
@@ -33,7 +35,10 @@ Json energy_json(const RunSummary& s) {
           {"contact_created_share", s.contact_created.largest},
           {"contact_swallowed_share", s.contact_swallowed.largest},
           {"hourglass_created_share", s.hourglass_created.largest},
-          {"hourglass_share", s.hourglass_large.largest}};
+          {"hourglass_share", s.hourglass_large.largest},
+          {"hourglass_plastic_share", s.hourglass_plastic.largest},
+          {"kinetic_below_zero_share", s.kinetic_below_zero.largest},
+          {"internal_below_zero_share", s.internal_below_zero.largest}};
 }
 
 Json body_json(const BodyResult& body) {
@@ -190,6 +195,11 @@ std::string summary_json(const RunSummary& s) {
         {"max_penetration_ratio", s.max_penetration_ratio},
         {"max_penetration_time", s.max_penetration_time},
         {"max_penetration_place", s.max_penetration_place}}},
+      {"inside_out",
+       {{"elements", s.inside_out.elements},
+        {"most", s.inside_out.most},
+        {"first_time", s.inside_out.first_time},
+        {"first_place", s.inside_out.first_place}}},
       {"skipped",
        {{"resting_element_steps", s.element_steps_resting},
         {"subcycled_element_steps", s.element_steps_subcycled},

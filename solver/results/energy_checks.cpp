@@ -27,6 +27,7 @@ std::vector<EnergyCheck> energy_checks(const RunSummary& s) {
     checks.push_back({what, share.largest, bound, sound ? "" : head + since(share, bound, place) + ": " + advice});
   };
   const bool contact = s.contact_method != "none";
+  const char* const eroded = s.energy.eroded > 0 ? " and that of eroded elements" : "";
   const bool springs = contact && s.contact_enforcement == "penalty";
   add("error of the balance, of the energy in motion", s.balance_error_in_motion, sound::balance,
       fmt::format("the energy balance was off by up to {} of the energy in motion",
@@ -51,8 +52,21 @@ std::vector<EnergyCheck> energy_checks(const RunSummary& s) {
                   percent(s.hourglass_created.largest)),
       "most of it in", "try a finer mesh there, or another element.hourglass");
   add("hourglass energy, of the internal energy", s.hourglass_large, sound::hourglass,
-      fmt::format("hourglass energy reached {} of the internal energy", percent(s.hourglass_large.largest)),
+      fmt::format("hourglass energy reached {} of the internal energy{}", percent(s.hourglass_large.largest), eroded),
       "most of it in", "try a finer mesh there, with several elements through what bends");
+  add("plastic work of hourglass modes, of the internal energy", s.hourglass_plastic, sound::hourglass_plastic,
+      fmt::format("hourglass modes have taken {} of the internal energy{} by yielding",
+                  percent(s.hourglass_plastic.largest), eroded),
+      "most of what is left in", "elements bend or fold by themselves: try several elements through what bends");
+  add("kinetic energy below zero, of the energy in motion", s.kinetic_below_zero, sound::below_zero,
+      fmt::format(
+          "the kinetic energy was below zero, by up to {} of the energy in motion, and is reported as zero there",
+          percent(s.kinetic_below_zero.largest)),
+      "the step was set by", "the step is too long for what moves: try a smaller time.cfl");
+  add("internal energy below zero, of the energy in motion", s.internal_below_zero, sound::below_zero,
+      fmt::format("the internal energy was below zero, by up to {} of the energy in motion",
+                  percent(s.internal_below_zero.largest)),
+      "the step was set by", "elements gave back more than they took: try a smaller time.cfl, or a finer mesh");
   return checks;
 }
 

@@ -26,11 +26,15 @@ inline constexpr double contact_swallowed = 0.2;
 inline constexpr double unconverged = 0.03;
 /// Hourglass energy, of the largest internal energy [-].
 inline constexpr double hourglass = 0.1;
+/// Plastic work of hourglass modes, of the same. Where one layer of elements bends it is most of all plastic work [-].
+inline constexpr double hourglass_plastic = 0.5;
 /// Hourglass energy below zero, of the same [-].
 inline constexpr double hourglass_created = 0.01;
 /// Least internal energy, of the energy in motion, that hourglass energy is compared with: a tenth of less is nothing
 /// that a result depends on, and a body at rest has none but round-off [-].
 inline constexpr double least_internal = 0.01;
+/// Kinetic energy and internal energy below zero, of the energy in motion [-].
+inline constexpr double below_zero = 0.005;
 /// Mass that is added to a body, and taken from it, for time.smallest_step, over that of its material [-].
 inline constexpr double added_mass = 0.05;
 

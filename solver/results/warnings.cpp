@@ -85,6 +85,13 @@ std::vector<std::string> warnings(const RunSummary& summary) {
   for (const EnergyCheck& check : energy_checks(summary)) {
     if (!check.sound()) found.push_back(check.warning);
   }
+  const InsideOutCount& corners = summary.inside_out;
+  if (corners.most > 0) {
+    found.push_back(fmt::format(
+        "elements were inside out at a corner: {} at the end, up to {} at once, first {} at time {:.6g}: try a smaller "
+        "time.cfl, a finer mesh there, or element.inside_out = \"erode\"",
+        corners.elements, corners.most, corners.first_place, corners.first_time));
+  }
   // Erosion exposes what lies deep inside others, which is no fault of the contact.
   const bool eroded = std::any_of(summary.bodies.begin(), summary.bodies.end(),
                                   [](const BodyResult& body) { return body.eroded_elements > 0; });

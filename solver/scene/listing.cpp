@@ -34,6 +34,10 @@ const char* name_of(HourglassControl control) {
                                                   : "assumed_strain";
 }
 
+const char* name_of(InsideOut policy) {
+  return policy == InsideOut::warn ? "warn" : policy == InsideOut::erode ? "erode" : "stop";
+}
+
 }  // namespace
 
 void list_element(const ElementSettings& element, const std::string& name, std::vector<SceneEntry>& all) {
@@ -49,6 +53,7 @@ void list_element(const ElementSettings& element, const std::string& name, std::
                       ? "\"erode\" where a material erodes, else \"stop\""
                       : toml_text(*element.negative_volume == NegativeVolume::stop ? "stop" : "erode"),
                   !element.negative_volume);
+  table.add_words("inside_out", toml_text(name_of(element.inside_out)), element.inside_out == InsideOut::warn);
 }
 
 namespace {

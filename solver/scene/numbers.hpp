@@ -22,6 +22,7 @@ void visit_numbers(ElementSettings& element, const Visit& visit) {
   visit("hourglass_coefficient", element.hourglass_coefficient, not_negative);
   visit("linear_viscosity", element.linear_viscosity, not_negative);
   visit("quadratic_viscosity", element.quadratic_viscosity, not_negative);
+  visit("folding_resistance", element.folding_resistance, not_negative);
 }
 
 template <class Visit>

@@ -25,7 +25,9 @@ void EnergyLedger::set_drift(double drift, double rounding) {
 void EnergyLedger::book(const ElementWork& elements, const ContactWork& contact, double external, double dt_before) {
   energies_.internal += elements.internal - elements.eroded;
   energies_.hourglass += elements.hourglass;
+  energies_.hourglass_plastic += elements.hourglass_plastic;
   energies_.bulk_viscosity += elements.viscous;
+  energies_.folding = elements.folding;
   energies_.eroded += elements.eroded + contact.eroded;
   energies_.contact_stored = contact.stored;
   contact_.book(contact, dt_before);

@@ -18,6 +18,9 @@ void EnergyWatch::look(const EnergyLedger& ledger, double sound_swallowing, doub
        sound_swallowing > 0 ? sound_swallowing * in_motion_ : HUGE_VAL, time);
   look(Watched::hourglass_created, -energies.hourglass, sound::hourglass_created * hourglass_measure_, time);
   look(Watched::hourglass_large, energies.hourglass, sound::hourglass * hourglass_measure_, time);
+  look(Watched::hourglass_plastic, energies.hourglass_plastic, sound::hourglass_plastic * hourglass_measure_, time);
+  look(Watched::kinetic_below_zero, -energies.kinetic, sound::below_zero * in_motion_, time);
+  look(Watched::internal_below_zero, -energies.internal, sound::below_zero * in_motion_, time);
 }
 
 void EnergyWatch::look(Watched kind, double energy, double bound, double time) {
@@ -31,7 +34,8 @@ void EnergyWatch::look(Watched kind, double energy, double bound, double time) {
 }
 
 double EnergyWatch::share(Watched kind) const {
-  const bool hourglass = kind == Watched::hourglass_created || kind == Watched::hourglass_large;
+  const bool hourglass =
+      kind == Watched::hourglass_created || kind == Watched::hourglass_large || kind == Watched::hourglass_plastic;
   const double measure = hourglass ? hourglass_measure_ : in_motion_;
   const double energy = kind == Watched::contact_swallowed ? std::max(0.0, of(kind).present) : of(kind).largest;
   return measure > 0 ? energy / measure : 0.0;

@@ -11,7 +11,16 @@
 namespace pinball {
 
 /// What a run is watched for (results/sound_bounds.hpp tells what is sound).
-enum class Watched { balance, contact_created, contact_swallowed, hourglass_created, hourglass_large };
+enum class Watched {
+  balance,
+  contact_created,
+  contact_swallowed,
+  hourglass_created,
+  hourglass_large,
+  hourglass_plastic,
+  kinetic_below_zero,
+  internal_below_zero
+};
 
 /// Energies that should be small, of which a warning at the end tells how large they got, since when and where.
 ///
@@ -20,7 +29,7 @@ enum class Watched { balance, contact_created, contact_swallowed, hourglass_crea
 /// end their largest value over that of what they are compared with.
 class EnergyWatch {
  public:
-  static constexpr std::size_t kinds = 5;
+  static constexpr std::size_t kinds = 8;
 
   /// All energies are at one time. sound_swallowing: bound of what contact swallows, of the energy in motion, 0: none
   /// [-]; time: of the forces.

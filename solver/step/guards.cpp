@@ -2,12 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <cmath>
 
 #include <solver/base/error.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
 
+#include "inside_out.hpp"
+#include "places.hpp"
 #include "report.hpp"
 
 namespace pinball {
@@ -17,13 +18,8 @@ namespace {
 /// Volume of an element over that of the undeformed one; at the time of the forces, dt before that of the positions.
 template <class S>
 double volume_ratio(const Model<S>& model, std::int64_t slot, double dt) {
-  std::array<Point, 8> corners;
-  for (int i = 0; i < 8; ++i) {
-    const std::int32_t node = model.elements.corners(slot)[i];
-    const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
-    for (int k = 0; k < 3; ++k) corners[i][k] = static_cast<double>(x[k]) - dt * static_cast<double>(v[k]);
-  }
-  return hexahedron_volume(corners) / element_volume(model.mesh, model.element_of_slot[slot]);
+  return hexahedron_volume(corners_at_forces(model, slot, dt)) /
+         element_volume(model.mesh, model.element_of_slot[slot]);
 }
 
 /// What is not finite of the state of an element, or nothing.
@@ -77,6 +73,16 @@ void Guards<S>::check_volumes(const InternalForceResult<S>& element) const {
   fail(fmt::format("{} of {} elements have no volume left {}, first of all {}", element.inverted_count,
                    model_.element_count(), when(), element_name(model_, worst)),
        fmt::format("{}, element.negative_volume=\"erode\", or an erosion_strain for the material", try_smaller_steps));
+}
+
+template <class S>
+void Guards<S>::check_inside_out(std::int64_t count) const {
+  if (count == 0) return;
+  const FoldedElement worst = most_folded(model_, clock_.dt(), true);
+  if (worst.slot < 0 || worst.share > 0) return;
+  fail(fmt::format("{} of {} elements are inside out at a corner {}, first of all {}", count, model_.element_count(),
+                   when(), element_name(model_, worst.slot)),
+       fmt::format("{}, a finer mesh there, or element.inside_out=\"warn\"", try_smaller_steps));
 }
 
 template <class S>

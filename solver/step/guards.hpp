@@ -25,6 +25,8 @@ class Guards {
 
   /// Elements that are turned inside out, where they are not to be eroded for it.
   void check_volumes(const InternalForceResult<S>& element) const;
+  /// Elements with a corner that has turned over, where element.inside_out is to stop the run.
+  void check_inside_out(std::int64_t count) const;
   /// energy: a sum that every element and every node goes into. A number that is not finite reaches it in the step in
   /// which it arises, before it spreads to other elements.
   void check_finite(double energy) const;

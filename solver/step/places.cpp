@@ -50,6 +50,17 @@ double moving_hourglass_energy(const Model<S>& model, std::int64_t slot) {
 }  // namespace
 
 template <class S>
+std::array<Point, 8> corners_at_forces(const Model<S>& model, std::int64_t slot, double dt) {
+  std::array<Point, 8> corners;
+  const std::array<std::int32_t, 8> nodes = model.elements.corners(slot);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const S *const x = model.nodes.position_of(nodes[i]), *const v = model.nodes.velocity_of(nodes[i]);
+    for (std::size_t k = 0; k < 3; ++k) corners[i][k] = static_cast<double>(x[k]) - dt * static_cast<double>(v[k]);
+  }
+  return corners;
+}
+
+template <class S>
 std::string node_name(const Model<S>& model, std::int64_t node) {
   if (node < 0) return "";
   const auto at = std::find(model.node_of_scene_node.begin(), model.node_of_scene_node.end(), node);
@@ -88,6 +99,8 @@ std::int64_t most_hourglassed_slot(const Model<S>& model) {
   return most;
 }
 
+template std::array<Point, 8> corners_at_forces(const Model<double>&, std::int64_t, double);
+template std::array<Point, 8> corners_at_forces(const Model<float>&, std::int64_t, double);
 template std::string node_name(const Model<double>&, std::int64_t);
 template std::string node_name(const Model<float>&, std::int64_t);
 template std::int64_t most_pushed_node(const Model<double>&, const ContactAlgorithm<double>&);

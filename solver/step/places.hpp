@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -8,6 +9,9 @@
 
 namespace pinball {
 
+/// Corners of an element at the time of the forces, dt before that of the positions [length].
+template <class S>
+std::array<Point, 8> corners_at_forces(const Model<S>& model, std::int64_t slot, double dt);
 /// "node 17 of body rod", by the numbers of the scene, for a node of the store; empty for a negative number.
 template <class S>
 std::string node_name(const Model<S>& model, std::int64_t node);

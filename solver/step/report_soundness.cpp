@@ -92,6 +92,12 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
   summary.contact_swallowed_sound = solver.sound_swallowing();
   summary.hourglass_created = watched_share(solver, Watched::hourglass_created);
   summary.hourglass_large = watched_share(solver, Watched::hourglass_large);
+  summary.hourglass_plastic = watched_share(solver, Watched::hourglass_plastic);
+  summary.kinetic_below_zero = watched_share(solver, Watched::kinetic_below_zero);
+  summary.internal_below_zero = watched_share(solver, Watched::internal_below_zero);
+  const InsideOutWatch& corners = solver.inside_out();
+  summary.inside_out = {corners.now(), corners.most(), corners.first_time(),
+                        corners.most() > 0 ? element_name(solver.model(), corners.first_slot()) : ""};
   const RunCounts& counts = solver.counts();
   summary.max_penetration_ratio = counts.penetration_ratio_max();
   summary.max_penetration_time = counts.deepest_time();

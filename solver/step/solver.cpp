@@ -235,6 +235,7 @@ void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& elem
   const double energy = kinetic + energies().total();
   if (element.inverted_count > 0 || !std::isfinite(energy)) model();  // where is looked for on the host
   guards_.check_volumes(element);
+  watch_corners(element.inside_out_count);
   guards_.check_finite(energy);
   if (!due.all()) return;
   if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>);
@@ -244,15 +245,29 @@ void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& elem
   guards_.check_time_step();
 }
 
+/// Where the first corner has turned over is looked for once, and where one is to stop the run.
+template <class S>
+void Solver<S>::watch_corners(std::int64_t inside_out) {
+  const bool first = inside_out_.look(inside_out, clock_.force_time());
+  if (inside_out == 0) return;
+  if (first) inside_out_.set_first(most_folded(model(), clock_.dt(), false).slot);
+  if (may_stop_inside_out(model_.scene)) {
+    model();
+    guards_.check_inside_out(inside_out);
+  }
+}
+
 /// Where an energy is beyond its bound is looked for once, when it goes there.
 template <class S>
 void Solver<S>::watch_energies() {
   watch_.look(ledger_, sound_swallowing_, clock_.force_time());
-  if (watch_.just_beyond(Watched::balance)) watch_.set_place(Watched::balance, clock_.limiting_slot());
+  for (const Watched kind : {Watched::balance, Watched::kinetic_below_zero, Watched::internal_below_zero}) {
+    if (watch_.just_beyond(kind)) watch_.set_place(kind, clock_.limiting_slot());
+  }
   for (const Watched kind : {Watched::contact_created, Watched::contact_swallowed}) {
     if (watch_.just_beyond(kind)) watch_.set_place(kind, most_pushed_node(model_, *contact()));
   }
-  for (const Watched kind : {Watched::hourglass_created, Watched::hourglass_large}) {
+  for (const Watched kind : {Watched::hourglass_created, Watched::hourglass_large, Watched::hourglass_plastic}) {
     if (watch_.just_beyond(kind)) watch_.set_place(kind, most_hourglassed_slot(model()));
   }
 }
@@ -311,6 +326,7 @@ void Solver<S>::persist(StateArchive& archive) {
   ledger_.persist(archive);
   body_energies_.persist(archive);
   watch_.persist(archive);
+  inside_out_.persist(archive);
   counts_.persist(archive);
   timers_.persist(archive);
   archive(initial_momentum_, kinetic_before_change_);
@@ -320,8 +336,10 @@ void Solver<S>::persist(StateArchive& archive) {
 /// What a state says of places where something happened is looked up for messages and for the summary.
 template <class S>
 void Solver<S>::check_places(const StateArchive& archive) const {
-  archive.require(model_.may_be_place(clock_.limiting_slot()) && counts_.deepest_node() < model_.nodes.count);
-  for (const Watched kind : {Watched::balance, Watched::hourglass_created, Watched::hourglass_large}) {
+  archive.require(model_.may_be_place(clock_.limiting_slot()) && model_.may_be_place(inside_out_.first_slot()) &&
+                  counts_.deepest_node() < model_.nodes.count);
+  for (const Watched kind : {Watched::balance, Watched::hourglass_created, Watched::hourglass_large,
+                             Watched::hourglass_plastic, Watched::kinetic_below_zero, Watched::internal_below_zero}) {
     archive.require(model_.may_be_place(watch_.place(kind)));
   }
   for (const Watched kind : {Watched::contact_created, Watched::contact_swallowed}) {

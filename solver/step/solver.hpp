@@ -25,6 +25,7 @@
 #include "energy_ledger.hpp"
 #include "energy_watch.hpp"
 #include "guards.hpp"
+#include "inside_out.hpp"
 #include "run_counts.hpp"
 #include "step_clock.hpp"
 
@@ -85,6 +86,7 @@ class Solver {
   const StepClock& clock() const { return clock_; }
   const EnergyLedger& ledger() const { return ledger_; }
   const EnergyWatch& watch() const { return watch_; }
+  const InsideOutWatch& inside_out() const { return inside_out_; }
   const RunCounts& counts() const { return counts_; }
   const ContactAlgorithm<S>* contact() const { return contact_.contact(); }
   const TiedStage<S>& tied() const { return tied_; }
@@ -131,6 +133,7 @@ class Solver {
   void reflect_at_symmetry_planes();
   void follow_ties();
   void keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact, double kinetic);
+  void watch_corners(std::int64_t inside_out);
   void watch_energies();
 
   mutable Model<S> model_;                ///< mutable: of a run on a device a mirror
@@ -146,6 +149,7 @@ class Solver {
   StepClock clock_;
   EnergyLedger ledger_;
   EnergyWatch watch_;
+  InsideOutWatch inside_out_;
   RunCounts counts_;
   Timers timers_;
   Guards<S> guards_;

@@ -48,7 +48,7 @@ function quantities() {
     ['most pairs in contact', ({summary: s}) => whole(s.contact.pairs_max)],
     ['searches', ({summary: s}) => whole(s.contact.searches)],
   ];
-  for (const key of ['kinetic', 'internal', 'hourglass', 'bulk_viscosity', 'contact', 'eroded', 'external']) {
+  for (const key of ['kinetic', 'internal', 'hourglass', 'bulk_viscosity', 'folding', 'contact', 'eroded', 'external']) {
     rows.push([named(`${words(key)} energy at the end`, units.energy), ({summary: s}) => figure(s.energy[key], 5)]);
   }
   variants[0].summary.bodies.forEach(({name}) => {
@@ -86,13 +86,15 @@ const drawn = (id, ...all) => {
 };
 
 function overlays() {
-  const energies = ['kinetic', 'internal', 'contact_stored', 'contact_damped', 'eroded', 'hourglass', 'bulk_viscosity', 'external', 'total'];
+  const energies = ['kinetic', 'internal', 'contact_stored', 'contact_damped', 'eroded', 'hourglass', 'hourglass_plastic', 'bulk_viscosity', 'folding', 'external', 'total'];
   drawn('energies', ...energies.map((name) => overlay(name, `${words(name)} energy`, units.energy)),
         overlay('balance_error', 'Error of the balance', '%', 100));
   drawn('bodies', ...variants[0].summary.bodies.flatMap(({name}) => ['x', 'y', 'z'].map((k) =>
     overlay(`${name}_velocity_${k}`, `${name}: velocity ${k}`, units.velocity))));
   drawn('momentum', ...['x', 'y', 'z'].map((k) => overlay(`momentum_${k}`, `Momentum ${k}`, units.momentum)));
-  const others = curves[0].columns.slice(16 + 6 * variants[0].summary.bodies.length);  // after those of all and of the bodies
+  // After those of all and of the bodies, of which the last is its largest plastic strain
+  const {columns} = curves[0], bodies = variants[0].summary.bodies;
+  const others = columns.slice(columns.indexOf(`${bodies[bodies.length - 1].name}_max_plastic_strain`) + 1);
   drawn('more', ...others.map((name) => overlay(name, words(name), /_impulse$/.test(name) ? units.momentum
       : /_force(_[xyz])?$/.test(name) ? units.force : /_velocity_[xyz]$/.test(name) ? units.velocity
       : /_(position|displacement)_[xyz]$/.test(name) ? units.length : /stress/.test(name) ? units.stress : '')));

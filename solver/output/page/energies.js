@@ -3,7 +3,8 @@
 
 const energyNames = {
   kinetic: 'of motion', internal: 'work of the stresses: elastic and plastic', hourglass: 'work of hourglass forces',
-  bulk_viscosity: 'work of bulk viscosity', contact_stored: 'in the springs of contact',
+  bulk_viscosity: 'work of bulk viscosity', folding: 'stored by corners of elements that are about to turn over',
+  contact_stored: 'in the springs of contact',
   contact_damped: 'taken by contact: damping, impulses, friction', eroded: 'gone with eroded elements',
   external: 'work done from outside, by walls, pressures, gravity and prescribed motion'};
 

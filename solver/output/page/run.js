@@ -31,7 +31,9 @@ function keyFigures() {
     ['elements', whole(s.elements)], ['nodes', whole(s.nodes)], ['steps', whole(s.steps)],
     ['time reached', figure(s.end_time), units.time], ['wall time', seconds(s.wall_seconds)],
     ['element steps per second', figure(s.element_steps_per_second, 3)],
-    ['largest balance error', percent(s.energy.balance_error_max)], ['precision', s.precision],
+    ['largest balance error', percent(s.energy.balance_error_max)],
+    ...(s.inside_out.most > 0 ? [['elements inside out, at most', whole(s.inside_out.most)]] : []),
+    ['precision', s.precision],
     ['threads', whole(s.threads)], ['version', s.version], ['state', s.state_hash],
   ];
   fill('figures', ...figures.map(([name, value, unit]) => make('div', {class: 'figure'},

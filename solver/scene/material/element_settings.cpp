@@ -21,6 +21,10 @@ ElementSettings read_element(const SceneTable& table, const ElementSettings& oth
     element.negative_volume = table.choice<NegativeVolume>(
         "negative_volume", {{"stop", NegativeVolume::stop}, {"erode", NegativeVolume::erode}});
   }
+  if (table.has("inside_out")) {
+    element.inside_out = table.choice<InsideOut>(
+        "inside_out", {{"warn", InsideOut::warn}, {"erode", InsideOut::erode}, {"stop", InsideOut::stop}});
+  }
   complete(element);
   return element;
 }
