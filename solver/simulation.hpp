@@ -16,6 +16,7 @@
 namespace pinball {
 
 class Simulation;
+struct FieldBase;  // field_base.hpp
 
 /// What a callback wants.
 enum class AfterStep {
@@ -113,6 +114,8 @@ class PINBALL_API Simulation {
   std::uint64_t state_hash() const;                  ///< of positions, velocities and stresses
   /// Copy of all fields at state_time(), in double and in the order of the scene.
   FieldSnapshot snapshot() const;
+  /// What of the fields does not change; its views are valid as long as the simulation is.
+  FieldBase field_base() const;
 
   // ---- Arrays ----
   // Numbers are of the scene's precision, but for masses (double). A view is valid as long as the simulation is, also

@@ -6,7 +6,8 @@ from view.fields import BadInput
 from view.labels import readable_powers, with_unit
 
 QUANTITIES = {"velocity": "velocity", "contact_force": "force", "stress": "stress", "pinball_radius": "length",
-              "von_mises": "stress"}
+              "von_mises": "stress", "displacement": "length", "pressure": "stress"}
+SIGNED = {"pressure"}  # beside components
 LABELS = {"von_mises": "von Mises stress", "plastic_strain": "effective plastic strain"}
 
 
@@ -48,11 +49,12 @@ class Quantity:
         if arrays[self.name].ndim > 1:
             self.components = [c.upper() if len(c) == 1 else c for c in mesh.components[self.name]]
         self.on_points = self.name in mesh.point_data
-        self.signed = self.component is not None
-        self.letters = component if self.signed else ""  # "x", "xy"
+        is_component = self.component is not None
+        self.signed = is_component or self.name in SIGNED
+        self.letters = component if is_component else ""  # "x", "xy"
         unit = mesh.units.get(QUANTITIES.get(self.name), "")
         label = LABELS.get(self.name, self.name.replace("_", " "))
-        self.label = readable_powers(with_unit(f"{label} {component}" if self.signed else label, unit))
+        self.label = readable_powers(with_unit(f"{label} {component}" if is_component else label, unit))
 
     def of(self, mesh):
         """(n,) or (m,) values of the nodes or elements of a mesh."""

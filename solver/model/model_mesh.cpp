@@ -66,8 +66,9 @@ bool same_file(const Body& a, const Body& b) {
          a.axis == b.axis && a.position == b.position;
 }
 
-/// Whether any probe names an element by its number.
+/// Whether any probe names an element by its number, or fields show them.
 bool numbers_elements(const Scene& scene) {
+  if (scene.output.field_interval > 0 || !scene.output.field_times.empty()) return true;
   return std::ranges::any_of(
       scene.probes, [](const Probe& probe) { return probe.kind == ProbeKind::element && probe.number.has_value(); });
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <solver/field_base.hpp>
 #include <solver/results.hpp>
 
 namespace pinball {
@@ -11,11 +12,12 @@ namespace pinball {
 /// Writes field output for ParaView: FOLDER/BASE_0000.vtu, _0001, ... and FOLDER/BASE.pvd, which lists them with their
 /// times. The list is renewed after every write and each file appears complete, so ParaView opens a running job.
 ///
-/// Point data: velocity (3 components), contact_force (3). Cell data: stress (xx yy zz xy yz zx) with von_mises,
-/// plastic_strain, pinball_radius, and always alive (UInt8) and body (Int32): eroded elements stay in the file, with
-/// alive = 0, and are hidden with a threshold on it. Positions are Float64, fields Float32. The scene's unit names are
-/// in a comment at the head of each file, the names of the bodies in its field data: strings `body_names`, of which
-/// that of body i is number i.
+/// Point data: velocity (3 components) with displacement (3), contact_force (3). Cell data: stress (xx yy zz xy yz zx)
+/// with von_mises and pressure (positive in compression), plastic_strain, pinball_radius, and always alive (UInt8) and
+/// body (Int32): eroded elements stay in the file, with alive = 0, and are hidden with a threshold on it. Where mesh
+/// files give numbers, node_number and element_number (Int64; -1: from no file). Positions are Float64, fields Float32.
+/// The scene's unit names are in a comment at the head of each file, the names of the bodies in its field data: strings
+/// `body_names`, of which that of body i is number i.
 class FieldWriter {
  public:
   using Written = std::vector<std::pair<double, std::string>>;  ///< time, file name
@@ -24,9 +26,10 @@ class FieldWriter {
   /// that are `kept`: the list begins with those of them that are there.
   /// `fields`: names as in OutputSettings::fields, empty for all; a field whose array in the snapshot is empty (the run
   /// did not need it) is left out. `units`: the scene's string. `bodies`: their names, in the order of their numbers.
+  /// `base`: its views have to be valid as long as this writes; without initial positions there are no displacements.
   /// Throws InputError for an unknown name, RunError where the folder cannot be made.
   FieldWriter(std::string folder, std::string base_name, std::vector<std::string> fields = {}, std::string units = {},
-              const Written& kept = {}, std::vector<std::string> bodies = {});
+              const Written& kept = {}, std::vector<std::string> bodies = {}, FieldBase base = {});
 
   /// Writes one file and renews the list. Throws RunError that names the file where it cannot be written.
   void write(const FieldSnapshot& snapshot);
@@ -42,16 +45,18 @@ class FieldWriter {
   std::vector<std::string> fields_;
   std::string units_;
   std::vector<std::string> bodies_;
+  FieldBase base_;
   Written written_;
   std::size_t next_number_ = 0;
 };
 
 /// Writes one snapshot with all its fields as `path` (a .vtu file). Throws RunError that names the file.
 void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std::vector<std::string>& fields = {},
-               const std::string& units = {}, const std::vector<std::string>& bodies = {});
+               const std::string& units = {}, const std::vector<std::string>& bodies = {}, const FieldBase& base = {});
 
 /// Writes FOLDER/last_good.vtu, a picture of the last state before a run failed, and returns its path. Throws RunError.
 std::string write_last_good_state(const std::string& folder, const FieldSnapshot& snapshot,
-                                  const std::string& units = {}, const std::vector<std::string>& bodies = {});
+                                  const std::string& units = {}, const std::vector<std::string>& bodies = {},
+                                  const FieldBase& base = {});
 
 }  // namespace pinball

@@ -103,7 +103,7 @@ void Recorder::open_files(const Simulation& simulation, const std::optional<RunR
   if (output.field_interval > 0 || !output.field_times.empty()) {
     fields_ = std::make_unique<FieldWriter>(folder_, "fields", output.fields, units_,
                                             kept ? kept->fields : FieldWriter::Written{},
-                                            names_of(simulation.scene().bodies));
+                                            names_of(simulation.scene().bodies), simulation.field_base());
   }
 }
 
@@ -178,7 +178,8 @@ std::string Recorder::save_last_good(Simulation& simulation) {
     restart = fmt::format(" and, for --restart, in {}", path(last_good_name));
   }
   last_good_ = {};
-  return sentence(write_last_good_state(folder_, simulation.snapshot(), units_, names_of(simulation.scene().bodies))) +
+  return sentence(write_last_good_state(folder_, simulation.snapshot(), units_, names_of(simulation.scene().bodies),
+                                        simulation.field_base())) +
          restart;
 }
 

@@ -10,6 +10,7 @@
 
 #include "boundary_parts.hpp"
 #include "contact/contact_parts.hpp"
+#include "field_names.hpp"
 #include "key_depth.hpp"
 #include "names.hpp"
 #include "overrides.hpp"
@@ -65,7 +66,7 @@ OutputSettings read_output(const SceneTable& table) {
   output.body_energies = table.boolean("body_energies", output.body_energies);
   output.field_times = table.numbers("field_times", not_negative);
   std::sort(output.field_times.begin(), output.field_times.end());
-  if (table.has("fields")) output.fields = table.texts("fields", output.fields);
+  if (table.has("fields")) output.fields = table.texts("fields", {field_names.begin(), field_names.end()});
   return output;
 }
 

@@ -33,7 +33,7 @@ ROOMS = {
     "deck": ["solver/deck/"],
     "deck/abaqus": ["solver/deck/abaqus/"],
     "model": ["solver/model/"],
-    "results": ["solver/results/", "solver/results.hpp"],
+    "results": ["solver/results/", "solver/results.hpp", "solver/field_base.hpp"],
     "elements": ["solver/elements/"],
     "boundary": ["solver/boundary/"],
     "device": ["solver/device/"],

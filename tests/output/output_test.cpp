@@ -129,6 +129,49 @@ TEST(FieldOutput, HoldsEveryFieldOfTheSnapshot) {
   EXPECT_EQ(vtu.arrays.at("pinball_radius").as<float>(), std::vector<float>(elements, 0.125F));
 }
 
+TEST(FieldOutput, HasDisplacementsPressureAndTheNumbersOfFiles) {
+  const TemporaryFolder folder("derived");
+  const FieldSnapshot s = two_blocks(2.5e-5, 0.125), start = two_blocks(0.0, 0.0);
+  FieldBase base{start.position, {}, {}};
+  for (std::size_t n = 0; n < s.position.size(); ++n)
+    base.node_number.push_back(static_cast<std::int64_t>(5'000'000'000 + n));
+  base.element_number.assign(s.hexahedra.size(), -1);
+  write_vtu(folder / "a.vtu", s, {}, "in-lbf-s", {}, base);
+  const Vtu vtu(folder / "a.vtu");
+  EXPECT_THAT(vtu.arrays.at("displacement").tag, testing::HasSubstr(R"(NumberOfComponents="3")"));
+  const auto displacement = vtu.arrays.at("displacement").as<float>();
+  ASSERT_EQ(displacement.size(), 3 * s.position.size());
+  for (std::size_t i = 0; i < displacement.size(); ++i) {
+    EXPECT_EQ(displacement[i], static_cast<float>(s.position[i / 3][i % 3] - start.position[i / 3][i % 3])) << i;
+  }
+  EXPECT_EQ(displacement[displacement.size() - 3], 0.125F) << "the second block has moved in x";
+  const auto pressure = vtu.arrays.at("pressure").as<float>();
+  ASSERT_EQ(pressure.size(), s.hexahedra.size());
+  for (std::size_t e = 0; e < pressure.size(); ++e) {
+    EXPECT_FLOAT_EQ(pressure[e], -(105.0F + static_cast<float>(e)) / 3.0F) << "positive in compression";
+  }
+  EXPECT_EQ(vtu.arrays.at("node_number").as<std::int64_t>(), base.node_number);
+  EXPECT_EQ(vtu.arrays.at("element_number").as<std::int64_t>(), base.element_number);
+}
+
+TEST(FieldOutput, BringsDisplacementWithVelocityAndPressureWithStress) {
+  const TemporaryFolder folder("brought");
+  const FieldSnapshot s = two_blocks(0.0, 0.0);
+  const FieldBase base{s.position, {}, {}};
+  const auto names = [&](const std::vector<std::string>& fields) {
+    write_vtu(folder / "a.vtu", s, fields, "", {}, base);
+    std::vector<std::string> found;
+    for (const auto& [name, array] : Vtu(folder / "a.vtu").arrays) {
+      if (name == "displacement" || name == "pressure" || name == "stress" || name == "velocity") found.push_back(name);
+    }
+    return found;
+  };
+  EXPECT_THAT(names({"velocity"}), testing::UnorderedElementsAre("velocity", "displacement"));
+  EXPECT_THAT(names({"stress"}), testing::UnorderedElementsAre("stress", "pressure"));
+  EXPECT_THAT(names({"displacement", "pressure"}), testing::UnorderedElementsAre("displacement", "pressure"));
+  EXPECT_THAT(names({"alive"}), testing::IsEmpty());
+}
+
 TEST(FieldOutput, WritesBlocksLongerThanItsBuffer) {
   const TemporaryFolder folder("long");
   FieldSnapshot s;
@@ -146,8 +189,8 @@ TEST(FieldOutput, WritesWhatIsAskedForAndThere) {
   write_vtu(folder / "a.vtu", s, {"stress", "pinball_radius"});
   std::vector<std::string> names;
   for (const auto& [name, array] : Vtu(folder / "a.vtu").arrays) names.push_back(name);
-  EXPECT_THAT(names, testing::UnorderedElementsAre("TimeValue", "stress", "von_mises", "alive", "body", "Points",
-                                                   "connectivity", "offsets", "types"));
+  EXPECT_THAT(names, testing::UnorderedElementsAre("TimeValue", "stress", "von_mises", "pressure", "alive", "body",
+                                                   "Points", "connectivity", "offsets", "types"));
 }
 
 TEST(FieldOutput, RejectsUnknownFieldsAndWrongSizes) {

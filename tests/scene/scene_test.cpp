@@ -295,7 +295,7 @@ TEST_F(SceneTest, ChoicesListWhatIsAllowed) {
   EXPECT_EQ(error(with(1, "precision = \"half\"")), "1:13: precision: expected \"double\" or \"float\", got \"half\"");
   EXPECT_EQ(error(with({"[output]", "fields = [\"stress\", \"stres\"]"})),
             "16:21: output.fields[1]: expected \"velocity\", \"contact_force\", \"stress\", \"plastic_strain\", "
-            "\"pinball_radius\" or \"alive\", got \"stres\"");
+            "\"pinball_radius\", \"alive\", \"displacement\" or \"pressure\", got \"stres\"");
 }
 
 TEST_F(SceneTest, AMisspeltContactIsRejected) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <solver/field_base.hpp>
+
 #include "array_scene.hpp"
 #include "simulation_case.hpp"
 
@@ -110,6 +112,27 @@ TEST(Simulation, MapsLeadFromNumbersOfTheSceneToPlacesInViews) {
   }
   EXPECT_EQ(largest, simulation.bodies()[1].max_plastic_strain);
   EXPECT_GT(largest, 0);
+}
+
+TEST(Simulation, FieldsKnowWhereNodesWereAndWhatMeshFilesCallThem) {
+  Scene scene = read_scene(find_scene("crushed_tube"));
+  ASSERT_GT(scene.output.field_interval, 0);
+  const Simulation tube(scene);
+  const FieldBase base = tube.field_base();  // the file numbers nodes and elements from 1 on
+  ASSERT_EQ(static_cast<std::int64_t>(base.node_number.size()), tube.nodes());
+  ASSERT_EQ(static_cast<std::int64_t>(base.element_number.size()), tube.elements());
+  for (std::size_t n = 0; n < base.node_number.size(); ++n) {
+    EXPECT_EQ(base.node_number[n], static_cast<std::int64_t>(n) + 1);
+  }
+  for (std::size_t e = 0; e < base.element_number.size(); ++e) {
+    EXPECT_EQ(base.element_number[e], static_cast<std::int64_t>(e) + 1);
+  }
+  EXPECT_EQ(base.initial[0], (Point{19, 0, 0}));
+
+  const Simulation generated(impact());
+  EXPECT_TRUE(generated.field_base().node_number.empty());
+  EXPECT_TRUE(generated.field_base().element_number.empty());
+  EXPECT_EQ(static_cast<std::int64_t>(generated.field_base().initial.size()), generated.nodes());
 }
 
 TEST(Simulation, MassesAreThoseOfTheBodies) {

@@ -129,6 +129,18 @@ class Quantities(unittest.TestCase):
         with self.assertRaisesRegex(BadInput, "no field strain in the output; there are: velocity, .*stress_zx"):
             Quantity("strain", mesh)
 
+    def test_pressure_has_a_sign_and_displacement_a_length(self):
+        mesh = two_cubes()
+        mesh.cell_data["pressure"] = np.array([-1.0, 2.0])
+        mesh.point_data["displacement"] = np.tile([0.0, 3.0, 4.0], (16, 1))
+        mesh.components["displacement"] = list("xyz")
+        mesh.units["length"] = "mm"
+        pressure, displacement = Quantity("pressure", mesh), Quantity("displacement", mesh)
+        self.assertEqual((pressure.label, pressure.signed, pressure.changes_sign("x")), ("pressure [N/m²]", True, False))
+        self.assertEqual(pressure.of(mesh).tolist(), [-1.0, 2.0])
+        self.assertEqual((displacement.label, displacement.signed), ("displacement [mm]", False))
+        self.assertEqual(set(displacement.of(mesh)), {5.0})
+
     def test_the_default_is_strain_where_there_is_any(self):
         mesh = two_cubes()
         self.assertEqual(default_field([mesh]), "plastic_strain")

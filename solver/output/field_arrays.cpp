@@ -1,0 +1,179 @@
+#include "field_arrays.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <solver/base/error.hpp>
+
+namespace pinball {
+namespace {
+
+/// count x components numbers of type T, made in blocks so that no second copy of a field is held.
+template <class T, class Value>
+DataArray make_array(std::string_view type, std::string_view name, std::size_t count, std::size_t components,
+                     Value value) {
+  DataArray array;
+  array.attributes = fmt::format(R"(type="{}" Name="{}")", type, name);
+  if (components > 1) array.attributes += fmt::format(R"( NumberOfComponents="{}")", components);
+  array.bytes = count * components * sizeof(T);
+  array.write = [=](OutputFile& file) {
+    constexpr std::size_t block = 4096;
+    std::vector<T> buffer(std::min(block, count) * components);
+    for (std::size_t begin = 0; begin < count; begin += block) {
+      const std::size_t end = std::min(begin + block, count);
+      T* to = buffer.data();
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t c = 0; c < components; ++c) *to++ = static_cast<T>(value(i, c));
+      }
+      file.write(buffer.data(), (end - begin) * components * sizeof(T));
+    }
+  };
+  return array;
+}
+
+template <class Components>
+DataArray vector_field(std::string_view name, const std::vector<Components>& field) {
+  return make_array<float>("Float32", name, field.size(), std::tuple_size_v<Components>,
+                           [&field](std::size_t i, std::size_t c) { return field[i][c]; });
+}
+
+DataArray scalar_field(std::string_view name, const std::vector<double>& field) {
+  return make_array<float>("Float32", name, field.size(), 1, [&field](std::size_t i, std::size_t) { return field[i]; });
+}
+
+double von_mises(const std::array<double, 6>& s) {
+  const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
+  return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+}
+
+/// Positive in compression.
+double pressure(const std::array<double, 6>& s) { return -(s[0] + s[1] + s[2]) / 3; }
+
+DataArray numbers_array(std::string_view name, const std::vector<std::int64_t>& numbers) {
+  return make_array<std::int64_t>("Int64", name, numbers.size(), 1,
+                                  [&numbers](std::size_t i, std::size_t) { return numbers[i]; });
+}
+
+/// Strings as VTK has them: each with a zero behind it.
+DataArray names_array(std::string_view name, const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& one : names) (text += one) += '\0';
+  DataArray array;
+  array.attributes = fmt::format(R"(type="String" Name="{}" NumberOfTuples="{}")", name, names.size());
+  array.bytes = text.size();
+  array.write = [text](OutputFile& file) { file.write(text); };
+  return array;
+}
+
+/// Whether a field is asked for, by itself or by one that brings it; without any names all are.
+struct Wanted {
+  const std::vector<std::string>& fields;
+
+  bool operator()(std::string_view name, std::string_view with = {}) const {
+    return fields.empty() ||
+           std::any_of(fields.begin(), fields.end(), [&](const auto& f) { return f == name || f == with; });
+  }
+};
+
+void list_node_arrays(const FieldSnapshot& s, const FieldBase& base, const Wanted& wanted, std::vector<DataArray>& to) {
+  if (wanted("velocity") && !s.velocity.empty()) to.push_back(vector_field("velocity", s.velocity));
+  if (wanted("displacement", "velocity") && !base.initial.empty()) {
+    to.push_back(make_array<float>("Float32", "displacement", s.position.size(), 3, [&](std::size_t i, std::size_t c) {
+      return s.position[i][c] - base.initial[i][c];
+    }));
+  }
+  if (wanted("contact_force") && !s.contact_force.empty()) {
+    to.push_back(vector_field("contact_force", s.contact_force));
+  }
+  if (!base.node_number.empty()) to.push_back(numbers_array("node_number", base.node_number));
+}
+
+void list_stress_arrays(const FieldSnapshot& s, const Wanted& wanted, std::vector<DataArray>& to) {
+  if (s.stress.empty()) return;
+  const auto invariant = [&](std::string_view name, double (*value)(const std::array<double, 6>&)) {
+    to.push_back(make_array<float>("Float32", name, s.stress.size(), 1,
+                                   [&s, value](std::size_t i, std::size_t) { return value(s.stress[i]); }));
+  };
+  if (wanted("stress")) {
+    to.push_back(vector_field("stress", s.stress));
+    constexpr std::array<std::string_view, 6> components = {"xx", "yy", "zz", "xy", "yz", "zx"};
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      to.back().attributes += fmt::format(R"( ComponentName{}="{}")", c, components[c]);
+    }
+    invariant("von_mises", von_mises);
+  }
+  if (wanted("pressure", "stress")) invariant("pressure", pressure);
+}
+
+void list_element_arrays(const FieldSnapshot& s, const FieldBase& base, const Wanted& wanted,
+                         std::vector<DataArray>& to) {
+  const std::size_t elements = s.hexahedra.size();
+  list_stress_arrays(s, wanted, to);
+  if (wanted("plastic_strain") && !s.plastic_strain.empty()) {
+    to.push_back(scalar_field("plastic_strain", s.plastic_strain));
+  }
+  if (wanted("pinball_radius") && !s.pinball_radius.empty()) {
+    to.push_back(scalar_field("pinball_radius", s.pinball_radius));
+  }
+  // Always: 5 bytes per element, and without `alive` an eroded element could not be hidden.
+  to.push_back(make_array<std::uint8_t>("UInt8", "alive", elements, 1, [&s](std::size_t i, std::size_t) {
+    return s.alive.empty() ? std::uint8_t{1} : s.alive[i];
+  }));
+  to.push_back(make_array<std::int32_t>("Int32", "body", elements, 1,
+                                        [&s](std::size_t i, std::size_t) { return s.body.empty() ? 0 : s.body[i]; }));
+  if (!base.element_number.empty()) to.push_back(numbers_array("element_number", base.element_number));
+}
+
+void list_mesh_arrays(const FieldSnapshot& s, FieldArrays& a) {
+  const std::size_t elements = s.hexahedra.size();
+  a.points.push_back(make_array<double>("Float64", "Points", s.position.size(), 3,
+                                        [&s](std::size_t i, std::size_t c) { return s.position[i][c]; }));
+  a.cells.push_back(make_array<std::int32_t>("Int32", "connectivity", 8 * elements, 1,
+                                             [&s](std::size_t i, std::size_t) { return s.hexahedra[i / 8][i % 8]; }));
+  a.cells.push_back(make_array<std::int64_t>("Int64", "offsets", elements, 1,
+                                             [](std::size_t i, std::size_t) { return 8 * (i + 1); }));
+  constexpr int vtk_hexahedron = 12;
+  a.cells.push_back(
+      make_array<std::uint8_t>("UInt8", "types", elements, 1, [](std::size_t, std::size_t) { return vtk_hexahedron; }));
+}
+
+void check_size(const std::string& path, std::string_view field, std::size_t size, std::size_t expected) {
+  if (size != 0 && size != expected) {
+    throw RunError(fmt::format("cannot write {}: {} has {} values, the mesh {}", path, field, size, expected));
+  }
+}
+
+}  // namespace
+
+FieldArrays list_arrays(const FieldSnapshot& s, const FieldBase& base, const std::vector<std::string>& fields,
+                        const std::vector<std::string>& bodies) {
+  FieldArrays a;
+  a.field.push_back(
+      make_array<double>("Float64", "TimeValue", 1, 1, [&s](std::size_t, std::size_t) { return s.time; }));
+  a.field.back().attributes += R"( NumberOfTuples="1")";
+  if (!bodies.empty()) a.field.push_back(names_array("body_names", bodies));
+  list_node_arrays(s, base, {fields}, a.point);
+  list_element_arrays(s, base, {fields}, a.cell);
+  list_mesh_arrays(s, a);
+  return a;
+}
+
+void check_sizes(const std::string& path, const FieldSnapshot& s, const FieldBase& base) {
+  const std::size_t nodes = s.position.size(), elements = s.hexahedra.size();
+  check_size(path, "velocity", s.velocity.size(), nodes);
+  check_size(path, "contact_force", s.contact_force.size(), nodes);
+  check_size(path, "stress", s.stress.size(), elements);
+  check_size(path, "plastic_strain", s.plastic_strain.size(), elements);
+  check_size(path, "pinball_radius", s.pinball_radius.size(), elements);
+  check_size(path, "alive", s.alive.size(), elements);
+  check_size(path, "body", s.body.size(), elements);
+  check_size(path, "displacement", base.initial.size(), nodes);
+  check_size(path, "node_number", base.node_number.size(), nodes);
+  check_size(path, "element_number", base.element_number.size(), elements);
+}
+
+}  // namespace pinball

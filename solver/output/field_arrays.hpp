@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <solver/field_base.hpp>
+#include <solver/results.hpp>
+
+#include "output_file.hpp"
+
+namespace pinball {
+
+/// One <DataArray>: what the head of the file says of it, and how its bytes are made.
+struct DataArray {
+  std::string attributes;
+  std::uint64_t bytes = 0;
+  std::function<void(OutputFile&)> write;
+};
+
+/// Those of one .vtu file, by the part that they stand in. They read what they were listed from.
+struct FieldArrays {
+  std::vector<DataArray> field, point, cell, points, cells;
+};
+
+/// Of a snapshot: fields as in OutputSettings::fields, empty for all; names of the bodies.
+FieldArrays list_arrays(const FieldSnapshot& snapshot, const FieldBase& base, const std::vector<std::string>& fields,
+                        const std::vector<std::string>& bodies);
+
+/// Throws RunError for an array that is there but of another length than the mesh: no reader would take the file.
+void check_sizes(const std::string& path, const FieldSnapshot& snapshot, const FieldBase& base);
+
+}  // namespace pinball

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace pinball {
+
+/// What output.fields may name. `velocity` brings `displacement`, `stress` the pressure.
+inline constexpr std::array<std::string_view, 8> field_names = {
+    "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive", "displacement", "pressure"};
+
+}  // namespace pinball

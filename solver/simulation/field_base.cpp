@@ -1,0 +1,29 @@
+#include <solver/field_base.hpp>
+
+#include "simulation_implementation.hpp"
+
+namespace pinball {
+
+namespace {
+
+using Numbers = std::vector<std::pair<std::int64_t, std::int32_t>>;
+
+/// Of all files; empty where none has any.
+std::vector<std::int64_t> numbers_of(const ModelMesh& mesh, Numbers FileNodes::*numbers, std::size_t count) {
+  std::vector<std::int64_t> result;
+  for (const FileNodes& file : mesh.files) {
+    if (!(file.*numbers).empty()) result.resize(count, -1);
+    for (const auto& [number, place] : file.*numbers) result[static_cast<std::size_t>(place)] = number;
+  }
+  return result;
+}
+
+}  // namespace
+
+FieldBase Simulation::field_base() const {
+  const ModelMesh& mesh = *implementation_->read([](const auto& solver) { return &solver.mesh(); });
+  return {mesh.nodes, numbers_of(mesh, &FileNodes::numbers, mesh.nodes.size()),
+          numbers_of(mesh, &FileNodes::element_numbers, mesh.hexahedra.size())};
+}
+
+}  // namespace pinball
