@@ -89,6 +89,22 @@ TEST(Gravity, MovesBodiesAsTheyFallAndItsWorkIsTheirEnergy) {
               1e-9 * solver.energies().kinetic);
 }
 
+/// Of all bodies or of some, along every axis and with the factor of its time: a free body has the integral of it all.
+TEST(Gravity, ActsOnItsBodiesAloneAlongEveryAxisAsItsTableSays) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}), block("b", {2, 2, 2}, 0.1, {1, 0, 0})}, 1e-3, false);
+  const Point of_all{7, -5, 3}, of_b{-11, 13, 17};
+  scene.gravities = {{of_all, {{0, 1e-3}, {2, 2}}}, {of_b, {{0, 5e-4, 1e-3}, {0.5, 0.5, 0.5}}, {"b"}}};
+  Solver<double> solver(scene);
+  run(solver);
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    const bool second = solver.mesh().body_of_node[n] == 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(velocity_of(solver, n)[k], 1e-3 * (2 * of_all[k] + (second ? 0.5 * of_b[k] : 0.0)), 1e-12) << n;
+    }
+  }
+  EXPECT_NEAR(solver.energies().external, solver.energies().kinetic, 1e-9 * solver.energies().kinetic);
+}
+
 TEST(Gravity, HasTheSameBitsWithTilesAtRestAndWithout) {
   Scene scene = scene_of({block("a", {4, 4, 4}, 0.1, {0, 0, 1e-6})}, 1e-3, false);
   scene.gravities = {{{0, 0, -9.81}, {}}};

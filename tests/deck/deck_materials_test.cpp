@@ -98,6 +98,11 @@ TEST_F(DeckMaterials, TwoLawsOfTheRateAreRefused) {
 TEST_F(DeckMaterials, WhatIsNotUsedIsTold) {
   EXPECT_THAT(told(with("300", "40")), Contains(HasSubstr("only one of the two constants")));
   EXPECT_THAT(told(with("300,0,0,1e-9", "")), Contains(HasSubstr("TDEL")));
+  const std::string part = "cube\n1,1,1\n", heated = "cube\n1,1,1,0,0,0,0,3\n";
+  std::string hot = cube;
+  hot.replace(hot.find(part), part.size(), heated);
+  EXPECT_THAT(told(hot + ends + elastic), Contains(HasSubstr("heat (TMID) is not computed")));
+  EXPECT_THAT(told(cube + ends + elastic), Not(Contains(HasSubstr("TMID"))));
   EXPECT_THAT(told(cube + ends + "*MAT_ELASTIC\n1,7.85E-9,210000.,0.3,0.1\n"), Contains(HasSubstr("DA and DB")));
   EXPECT_THAT(told(cube + ends + "*MAT_003\n1,7.85E-9,210000.,0.3,300,1000,0.5\n40,0\n"),
               Contains(HasSubstr("only one of the two constants")));

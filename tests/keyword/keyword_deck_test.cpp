@@ -199,6 +199,11 @@ TEST(KeywordDeck, AParameterHasOneValueInAllOfTheDeck) {
   EXPECT_THAT(error_of([&] { value("*PARAMETER_DUPLICATION\n2\n*PARAMETER\nRa,1\n*PARAMETER\nRa,2\n"); }),
               HasSubstr("DFLAG 2 is not read"));
   EXPECT_THAT(error_of([&] { value("*PARAMETER\nIa,1e300\n"); }), HasSubstr("expected a smaller whole number"));
+  for (const char* const declaration : {"Xa", "R", "7"}) {
+    EXPECT_THAT(error_of([&] { value(std::string("*PARAMETER\n") + declaration + ",1\n"); }),
+                HasSubstr("expected R, I or C and the name of a parameter, got"))
+        << declaration;
+  }
 }
 
 const char* const cases = R"(*KEYWORD
