@@ -137,11 +137,11 @@ class Tests(unittest.TestCase):
                 quick_tests.SHORTEST_LIMIT = kept
             self.assertEqual((name, said, whole), ("t", how, True))
 
-    def test_only_tests_that_come_by_a_fault_run_those_of_its_room_first(self):
-        near, far, other = (self.made(n, room=r) for n, r in (("near", "mesh"), ("far", "deck"), ("other", "mesh")))
-        near.seen = far.seen = frozenset({7})
-        near.seconds, far.seconds = 5, 1
-        self.assertEqual([some[0].name for _, some in quick_tests.batches(7, "mesh", [far, other, near])], ["near", "far"])
+    def test_only_tests_that_come_by_a_fault_run_short_ones_and_those_of_its_room_first(self):
+        near, far, short, other = (self.made(n, room=r) for n, r in (("near", "mesh"), ("far", "deck"), ("short", "deck"), ("other", "mesh")))
+        near.seen = far.seen = short.seen = frozenset({7})
+        near.seconds, far.seconds, short.seconds = 4, 1, 0.5
+        self.assertEqual([some[0].name for _, some in quick_tests.batches(7, "mesh", [far, other, near, short])], ["short", "near", "far"])
 
 
 class Judging(unittest.TestCase):
