@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <kernels/boundary/face_pressure.hpp>
 #include <solver/base/point.hpp>
 #include <tests/support/solver_case.hpp>
 
@@ -30,6 +31,23 @@ std::vector<Point> positions(const Solver<double>& solver) {
 Point area_of(const std::vector<Point>& x, const std::array<int, 4>& corners) {
   const Point a = cross(minus(x[corners[2]], x[corners[0]]), minus(x[corners[3]], x[corners[1]]));
   return {a[0] / 2, a[1] / 2, a[2] / 2};
+}
+
+/// Whatever it had before: all numbers of the face of an element that has eroded.
+TEST(Pressure, OfAFaceWhoseElementIsErodedIsNone) {
+  const std::vector<double> position{0, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0.5, 0, 0, 1, 0, 0}, mass{0.0, 2.0};
+  const std::vector<std::int64_t> element{0, 1};
+  const std::vector<std::int32_t> corners{0, 1, 2, 3, 0, 1, 2, 3};
+  std::vector<double> force(24, 7.0), x = position;
+  NodeArrays<double> nodes;
+  nodes.position = x.data();
+  nodes.element_mass = mass.data();
+  const PressFaces<double> press{nodes, element.data(), corners.data(), 3.0, force.data()};
+  for (const std::int64_t face : {0, 1}) press(face);
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_EQ(force[i], 0) << i;
+  double along = 0;
+  for (std::size_t i = 0; i < 4; ++i) along += force[12 + 3 * i + 2];
+  EXPECT_NEAR(along, -3, 1e-14) << "the other one is of area 1 seen along z";
 }
 
 /// Faces of a sphere's mesh are warped, and trapezoids: a quarter of the area on each corner has a moment.

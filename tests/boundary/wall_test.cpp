@@ -29,6 +29,25 @@ Scene falling_block(double end = 3e-4) {
 
 const WallResult& wall_of(const Solver<double>& solver) { return solver.boundary().walls().at(0); }
 
+/// The force of each step, over the time in which it changes velocities, is the impulse, and that what the block has
+/// got; a wall that stands has no velocity.
+TEST(StandingWall, HasTheForceOfEachStep) {
+  Solver<double> solver(falling_block());
+  const double before = momentum(solver.model())[2];
+  double sum = 0, largest = 0, dt_before = 0;
+  while (!solver.at_end()) {
+    EXPECT_EQ(wall_of(solver).velocity, 0);
+    solver.step();
+    sum += wall_of(solver).force * 0.5 * (dt_before + solver.dt());
+    largest = std::max(largest, wall_of(solver).force);
+    dt_before = solver.dt();
+    EXPECT_NEAR(wall_of(solver).impulse, sum, 1e-12 * std::abs(before));
+    EXPECT_NEAR(momentum(solver.model())[2] - before, sum, 1e-11 * std::abs(before));
+  }
+  EXPECT_GT(sum, std::abs(before)) << "it is thrown back";
+  EXPECT_EQ(wall_of(solver).force_max, largest);
+}
+
 /// In the step in which they meet, the first row of nodes and the wall come to one velocity.
 TEST(MovingWall, MeetsNodesAsInAPlasticImpact) {
   Scene scene = falling_block();

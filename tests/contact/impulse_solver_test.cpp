@@ -35,6 +35,13 @@ class Nodes final : public SurfaceSource<double> {
     place[1] = v.y;
     place[2] = v.z;
   }
+  /// Makes the step of length 1.
+  void take_force(std::int32_t node) {
+    for (int c = 0; c < 3; ++c) {
+      record(v_.data(), node)[c] += record(f_.data(), node)[c] / mass[static_cast<std::size_t>(node)];
+      record(f_.data(), node)[c] = 0;
+    }
+  }
   Vec3<double> velocity_of(std::int32_t node) const { return vector_of(v(node)); }
   Vec3<double> force_of(std::int32_t node) const { return vector_of(record(f_.data(), node)); }
 
@@ -101,6 +108,24 @@ TEST(ImpulsesOfTwoNodes, RubsWithTheCoefficientOfTheSlidingVelocity) {
       EXPECT_NEAR(-force.x / force.z, expected, 1e-12) << "sliding at " << sliding << ", decay " << decay;
       EXPECT_NEAR(force.y, 0, 1e-15);
     }
+  }
+}
+
+/// What is deep by approach leaves by a tenth of its depth in a step, and with no more energy than it has brought.
+TEST(ImpulsesOfTwoNodes, PushesADepthOutByATenthInAStep) {
+  for (const double speed : {4.0, 0.5}) {
+    Nodes nodes({2.0, 3.0});
+    const double depth = 0.25, reduced = 2.0 * 3.0 / 5.0;
+    nodes.set_velocity(0, {0, 0, -speed});
+    ImpulseSolver<double> solver(coupled(), 2, {2, {}});
+    solve_pair(solver, nodes, {0, 0, 1}, depth);
+    // Both are stopped; no time goes by for the pair, which is as deep in the next step.
+    const Vec3<double> stopped = nodes.velocity_of(0) + (1 / nodes.mass[0]) * nodes.force_of(0);
+    EXPECT_NEAR(stopped.z, (1 / nodes.mass[1]) * nodes.force_of(1).z, 1e-12);
+    for (const std::int32_t n : {0, 1}) nodes.take_force(n);
+    solve_pair(solver, nodes, {0, 0, 1}, depth);
+    const double apart = (nodes.force_of(0).z / nodes.mass[0]) - (nodes.force_of(1).z / nodes.mass[1]);
+    EXPECT_NEAR(apart, 0.1 * depth, 1e-12) << "of an energy of " << 0.5 * reduced * speed * speed;
   }
 }
 

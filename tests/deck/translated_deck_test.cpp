@@ -280,6 +280,15 @@ TEST_F(Deck, HasContactsOfSets) {
   EXPECT_EQ(s.contact_pairs[2].second.faces.at(0).set, "5");
 }
 
+/// Sets that a set adds are those of its own file, with the numbers that they have in the deck.
+TEST_F(Deck, AddsSetsOfAnIncludedFileWithItsOffset) {
+  std::ofstream(folder_ / "other.k")
+      << "*KEYWORD\n*SET_PART_LIST\n4\n1\n*SET_PART_ADD\n5\n4\n*LOAD_BODY_PARTS\n5\n*END\n";
+  const Scene s = scene(cube + elastic + ends + "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n*LOAD_BODY_Z\n5,3.\n" +
+                        "*INCLUDE_TRANSFORM\nother.k\n0,0,0,0,100\n\n1,1,1,1\n\n");
+  EXPECT_THAT(s.gravities.at(0).bodies, ElementsAre("cube"));
+}
+
 TEST_F(Deck, HasTiedContacts) {
   const Scene s = scene(two_cubes + "*CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET_ID\n3,glue\n2,1,3,3\n\n,,-0.1,-0.1\n");
   EXPECT_EQ(s.contact.method, ContactMethod::none);
@@ -287,6 +296,10 @@ TEST_F(Deck, HasTiedContacts) {
   EXPECT_EQ(tied.name, "contact_3");
   EXPECT_THAT(tied.first.bodies, ElementsAre("part_2"));
   EXPECT_DOUBLE_EQ(tied.tolerance, 0.12);
+  for (const std::string one_of_both : {",,-0.1,", ",,,-0.1"}) {
+    const std::string cards = "*CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET\n2,1,3,3\n\n";
+    EXPECT_DOUBLE_EQ(scene(two_cubes + cards + one_of_both + "\n").tied_contacts.at(0).tolerance, 0.06) << one_of_both;
+  }
   EXPECT_EQ(build_model<double>(s).tie_counts.at(0).nodes, 4);
   const Scene far = scene(two_cubes + "*CONTACT_TIED_NODES_TO_SURFACE\n2,1,3,3\n");
   EXPECT_EQ(build_model<double>(far).tie_counts.at(0).nodes, 0) << "0.1 is more than 0.05 of the diagonal";
