@@ -5,6 +5,7 @@ import os
 import pathlib
 import sys
 import tempfile
+import tomllib
 import types
 import unittest
 
@@ -353,6 +354,20 @@ class ParaViewStates(unittest.TestCase):
         self.assertEqual(recorded["cut"].ClipType.Normal, [-1.0, 0.0, 0.0])
         self.assertIs(recorded["mirror Y"].Input, recorded["cut"])
         self.assertIs(recorded["shown"].Input, recorded["mirror Y"])
+
+
+class Scenes(unittest.TestCase):
+    def test_those_that_come_along_leave_what_pictures_need(self):
+        scenes = sorted(pathlib.Path(__file__).parents[2].joinpath("data", "scenes").glob("*.toml"))
+        self.assertGreater(len(scenes), 20)
+        for path in scenes:
+            scene = tomllib.loads(path.read_text())
+            output = scene.get("output", {})
+            if path.stem == "block":
+                continue  # a hundred steps to be measured
+            self.assertTrue("field_interval" in output or output.get("field_times"), path.name)
+            if "field_interval" in output:
+                self.assertAlmostEqual(scene["time"]["end"] / output["field_interval"], 30, delta=6, msg=path.name)
 
 
 class Recorded:
