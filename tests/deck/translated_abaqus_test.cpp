@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -131,6 +132,31 @@ TEST_F(Abaqus, HoldsNodesByDegreesAndNames) {
               HasSubstr("deck.inp:24: there is no set of nodes none"));
   EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*BOUNDARY\n99, 1\n" + abaqus_step()),
               HasSubstr("deck.inp:24: node 99 is not there"));
+}
+
+TEST_F(Abaqus, DegreesThatNodesOfSolidsDoNotHaveAreToldOrRefused) {
+  const std::string head = abaqus_cube + abaqus_steel;
+  const std::string boundary = "*BOUNDARY\nbase, ", initial = "*INITIAL CONDITIONS, TYPE=VELOCITY\nbase, ";
+  const auto of_force = [](const std::string& degree) { return abaqus_step("*CLOAD\nbase, " + degree + ", 1.\n"); };
+  for (const char* degree : {"7", "0", "-1", "11"}) {
+    const std::string problem = fmt::format("with degree of freedom {} (deck.inp:24)", degree);
+    EXPECT_THAT(error(head + boundary + degree + "\n" + abaqus_step()), HasSubstr("*BOUNDARY " + problem));
+    EXPECT_THAT(error(head + initial + degree + ", 1.\n" + abaqus_step()), HasSubstr("*INITIAL CONDITIONS " + problem));
+    EXPECT_THAT(error(head + of_force(degree)), HasSubstr(fmt::format("*CLOAD with degree of freedom {}", degree)));
+  }
+  EXPECT_THAT(error(head + boundary + "-1, 3\n" + abaqus_step()), HasSubstr("*BOUNDARY with degree of freedom -1"));
+  EXPECT_THAT(error(head + boundary + "-5, -3\n" + abaqus_step()), HasSubstr("*BOUNDARY with degree of freedom -5"));
+  EXPECT_THAT(error(head + boundary + "1, 9\n" + abaqus_step()), HasSubstr("*BOUNDARY with degree of freedom 9"));
+  EXPECT_THAT(error(head + boundary + "3, 1\n" + abaqus_step()),
+              HasSubstr("deck.inp:24: *BOUNDARY: expected the first degree of freedom before the last, got 3 and 1"));
+  for (const char* degree : {"4", "5", "6"}) {
+    const auto told = [](const char* keyword) {
+      return ElementsAre(HasSubstr(fmt::format("*{} of rotations of nodes of solids (", keyword)));
+    };
+    EXPECT_THAT(translate(head + boundary + degree + "\n" + abaqus_step()).ignored, told("BOUNDARY"));
+    EXPECT_THAT(translate(head + initial + degree + ", 1.\n" + abaqus_step()).ignored, told("INITIAL CONDITIONS"));
+    EXPECT_THAT(translate(head + of_force(degree)).ignored, told("CLOAD"));
+  }
 }
 
 TEST_F(Abaqus, NodesOfNoSolidAreTold) {

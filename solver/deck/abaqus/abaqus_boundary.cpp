@@ -24,9 +24,16 @@ void write_abaqus_nodes(const AbaqusNodes& nodes, TomlText& scene) {
   }
 }
 
+bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree) {
+  if (degree >= 4 && degree <= 6) data.report.ignore(place, block.star_name() + " of rotations of nodes of solids");
+  if (degree < 1 || degree > 6)
+    data.report.refuse(place, fmt::format("{} with degree of freedom {}", block.star_name(), degree));
+  return degree >= 1 && degree <= 3;
+}
+
 namespace {
 
-/// One data line of *BOUNDARY: directions by their bits x, y, z; rotations of nodes of solids mean nothing.
+/// One data line of *BOUNDARY: directions by their bits x, y, z.
 struct Held {
   unsigned directions = 0;
   double magnitude = 0;
@@ -40,13 +47,19 @@ unsigned named_directions(const std::string& name, const DeckPlace& place) {
   return found->second;
 }
 
-Held held_of(const DataFields& f) {
+Held held_of(AbaqusData& data, const AbaqusBlock& block, const DataFields& f) {
   if (!f.blank(1) && !deck_integer(f.text(1))) return {named_directions(squeezed(f.text(1)), f.place()), 0.0};
   Held held{0, f.number(3, "magnitude", 0.0)};
   const std::int64_t first = f.integer(1, "first degree of freedom"), last = f.integer(2, "last one", first);
-  for (std::int64_t degree = first; degree <= last && degree <= 3; ++degree) {
-    if (degree >= 1) held.directions |= 1U << (degree - 1);
+  if (last < first)
+    fail_at(f.place(),
+            fmt::format("*BOUNDARY: expected the first degree of freedom before the last, got {} and {}", first, last));
+  for (std::int64_t degree = std::clamp<std::int64_t>(first, 1, 7); degree <= std::min<std::int64_t>(last, 6);
+       ++degree) {
+    if (is_translation(data, block, f.place(), degree)) held.directions |= 1U << (degree - 1);
   }
+  if (first < 1 || first > 6) is_translation(data, block, f.place(), first);
+  if (last > 6 && last != first) is_translation(data, block, f.place(), last);
   return held;
 }
 
@@ -121,7 +134,7 @@ class Boundary {
 
   void add(const AbaqusBlock& block, const Card& card) {
     const DataFields f(card);
-    const Held held = held_of(f);
+    const Held held = held_of(data_, block, f);
     if (held.directions == 0) return;
     const AbaqusNodes nodes = data_.nodes(f.text(0), card.place);
     if (nodes.set.empty() && !data_.used[static_cast<std::size_t>(nodes.members[0])])

@@ -9,11 +9,7 @@ namespace {
 void write_force(AbaqusData& data, const AbaqusBlock& block, const Card& card, TomlText& scene) {
   const DataFields f(card);
   const std::int64_t degree = f.integer(1, "degree of freedom");
-  if (degree < 1 || degree > 3) {
-    if (degree < 4 || degree > 6)
-      data.report.refuse(card.place, fmt::format("*CLOAD with degree of freedom {}", degree));
-    return;  // moments on nodes of solids
-  }
+  if (!is_translation(data, block, card.place, degree)) return;
   const double magnitude = f.number(2, "magnitude", 0.0);
   const AbaqusCurve curve = data.curve(block);
   Point force{};

@@ -29,6 +29,10 @@ void translate_abaqus_contact(AbaqusData& data, TomlText& scene);
 /// NODE OUTPUT and ELEMENT OUTPUT of HISTORY: a [[probe]] each.
 void translate_abaqus_probes(AbaqusData& data, TomlText& scene);
 
+/// Whether a degree of freedom is a translation, 1 to 3. Rotations, 4 to 6, which nodes of solids do not have, are
+/// told; others are refused.
+bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree);
+
 /// The line of a table that says which keyword it is of.
 void write_abaqus_head(const char* table, const AbaqusBlock& block, const DeckPlace& place, TomlText& scene);
 /// set or nodes.

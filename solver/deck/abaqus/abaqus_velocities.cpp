@@ -69,7 +69,7 @@ void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene) {
       const DataFields f(*card);
       const std::int64_t degree = f.integer(1, "degree of freedom");
       const double value = f.number(2, "velocity", 0.0);
-      if (degree < 1 || degree > 3) continue;  // rotations
+      if (!is_translation(data, block, card->place, degree)) continue;
       const auto [found, is_new] = known.try_emplace(label_key(f.text(0)), all.size());
       if (is_new) all.push_back({data.nodes(f.text(0), card->place), card->place, {}, {}});
       all[found->second].velocity[static_cast<std::size_t>(degree - 1)] = value;
