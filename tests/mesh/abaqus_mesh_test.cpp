@@ -188,5 +188,28 @@ TEST(AbaqusMesh, WhatIsWrongIsToldWithItsPlace) {
             "a.inp:29: *INSTANCE: there is no *PART q");
 }
 
+TEST(AbaqusMesh, SetsOfSetsMayBeAnyDepth) {
+  constexpr int depth = 20000;
+  for (const bool forward : {true, false}) {  // each set before, or behind, the one that it is made of
+    std::string sets = "*NSET, NSET=s0\n1, 2\n", inverse;
+    for (int i = 1; i <= depth; ++i) {
+      const std::string one = "*NSET, NSET=s" + std::to_string(i) + "\ns" + std::to_string(i - 1) + "\n";
+      forward ? sets += one : inverse = one + inverse;
+    }
+    const MeshFile file = read(nodes + cubes + inverse + sets);
+    EXPECT_THAT(find_set(file.node_sets, "s" + std::to_string(depth))->members, ElementsAre(0, 1));
+  }
+}
+
+TEST(AbaqusMesh, ALabelOfManyPointsIsOfNoInstance) {
+  std::string label = "x";
+  for (int i = 0; i < 100000; ++i) label = (i % 2 == 0 ? "p." : "q.") + label;
+  const std::string two = part +
+                          "*ASSEMBLY\n*INSTANCE, NAME=p, PART=Block\n*END INSTANCE\n*INSTANCE, NAME=q, PART=Block\n"
+                          "*END INSTANCE\n*NSET, NSET=deep\n" +
+                          label + "\n*END ASSEMBLY\n";
+  EXPECT_THAT(find_set(read(two).node_sets, "deep")->problem.substr(0, 60), HasSubstr("there is no set of nodes q.p."));
+}
+
 }  // namespace
 }  // namespace pinball::test

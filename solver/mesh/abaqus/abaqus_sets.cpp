@@ -28,7 +28,11 @@ AbaqusSets::AbaqusSets(const std::vector<AbaqusComponent>& components, const std
       elements_(std::move(elements)),
       node_sets_(components.size()),
       element_sets_(components.size()),
-      surfaces_(components.size()) {}
+      surfaces_(components.size()) {
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    if (!components[c].key.empty()) component_of_key_.emplace(components[c].key, c);
+  }
+}
 
 void AbaqusSets::add_range(std::size_t component, bool of_nodes, const std::string& name, std::size_t first,
                            std::size_t last) {
@@ -55,16 +59,75 @@ void AbaqusSets::read() {
   }
 }
 
-void AbaqusSets::resolve(std::size_t component, bool of_nodes, Set& set) {
-  if (set.state == Set::State::done) return;
-  if (set.state == Set::State::at_work)
-    fail_at(set.blocks.front()->place, fmt::format("the set {} has itself as a member", set.name));
-  set.state = Set::State::at_work;
+AbaqusSets::Set* AbaqusSets::find(const SetKey& key) {
+  Sets& known = sets(key.component, key.of_nodes);
+  const auto found = known.find(key.key);
+  return found == known.end() ? nullptr : &found->second;
+}
+
+void AbaqusSets::resolve(const SetKey& first) {
+  std::vector<SetKey> stack{first};
+  while (!stack.empty()) {
+    const SetKey key = stack.back();
+    Set* const set = find(key);
+    if (set == nullptr || set->state == Set::State::done) {
+      stack.pop_back();
+      continue;
+    }
+    if (set->state == Set::State::open) {
+      set->state = Set::State::at_work;
+      set->needs = sets_in(key, *set);
+    }
+    if (set->needs.empty()) {
+      fill(key, *set);
+      stack.pop_back();
+      continue;
+    }
+    const SetKey next = std::move(set->needs.back());
+    set->needs.pop_back();
+    const Set* const other = find(next);
+    if (other != nullptr && other->state == Set::State::open) stack.push_back(next);
+  }
+}
+
+std::vector<AbaqusSets::SetKey> AbaqusSets::sets_of_label(std::size_t component, bool of_nodes,
+                                                          std::string_view label) const {
+  std::vector<SetKey> keys{{component, of_nodes, label_key(label)}};
+  if (const auto parts = split_label(label)) {
+    if (const auto other = component_of(parts->first)) keys.push_back({*other, of_nodes, label_key(parts->second)});
+  }
+  return keys;
+}
+
+std::vector<AbaqusSets::SetKey> AbaqusSets::sets_in(const SetKey& key, const Set& set) const {
+  std::vector<SetKey> all;
+  const auto add = [&](std::size_t component, bool of_nodes, std::string_view label) {
+    for (SetKey& one : sets_of_label(component, of_nodes, label)) all.push_back(std::move(one));
+  };
+  for (const AbaqusBlock* block : set.blocks) {
+    const std::size_t scope = component_of(block->value("INSTANCE").value_or("")).value_or(key.component);
+    if (key.of_nodes && block->has("ELSET")) {
+      add(scope, false, block->value("ELSET").value_or(""));
+      continue;
+    }
+    if (block->has("GENERATE")) continue;
+    DataLines lines(*block);
+    while (const auto card = lines.next()) {
+      for (const std::string_view entry : entries_of(card->text)) {
+        const bool is_label = !entry.empty() && entry.find_first_of("0123456789+-") != 0;
+        if (is_label) add(scope, key.of_nodes, entry);
+      }
+    }
+  }
+  return all;
+}
+
+void AbaqusSets::fill(const SetKey& key, Set& set) {
   try {
     for (const auto& [first, last] : set.ranges) {
       for (std::size_t i = first; i < last; ++i) set.members.push_back(static_cast<std::int32_t>(i));
     }
-    for (const AbaqusBlock* block : set.blocks) add_block(component, of_nodes, *block, set.members);
+    for (const AbaqusBlock* block : set.blocks) add_block(key.component, key.of_nodes, *block, set.members);
   } catch (const InputError& error) {
     set.problem = error.what();  // of sets that nothing uses nobody has to know
   }
@@ -127,11 +190,8 @@ std::optional<std::int32_t> AbaqusSets::numbered(std::size_t component, bool of_
 }
 
 std::optional<std::size_t> AbaqusSets::component_of(const std::string& instance) const {
-  const std::string key = label_key(instance);
-  for (std::size_t c = 0; c < components_.size(); ++c) {
-    if (!key.empty() && components_[c].key == key) return c;
-  }
-  return std::nullopt;
+  const auto found = component_of_key_.find(label_key(instance));
+  return found == component_of_key_.end() ? std::nullopt : std::optional(found->second);
 }
 
 void AbaqusSets::add_entry(std::size_t component, bool of_nodes, const std::string& label, const DeckPlace& place,
@@ -148,35 +208,25 @@ void AbaqusSets::add_entry(std::size_t component, bool of_nodes, const std::stri
 
 const std::vector<std::int32_t>& AbaqusSets::members(std::size_t component, bool of_nodes, const std::string& label,
                                                      const DeckPlace& place) {
-  Sets& known = sets(component, of_nodes);
-  const auto found = known.find(label_key(label));
-  if (found != known.end()) {
-    resolve(component, of_nodes, found->second);
-    if (!found->second.problem.empty()) throw InputError(found->second.problem);
-    return found->second.members;
+  for (const SetKey& key : sets_of_label(component, of_nodes, label)) {
+    Set* const set = find(key);
+    if (set == nullptr) continue;
+    if (set->state == Set::State::at_work) fail_at(place, fmt::format("the set {} has itself as a member", set->name));
+    resolve(key);
+    if (!set->problem.empty()) throw InputError(set->problem);
+    return set->members;
   }
-  if (const auto parts = split_label(label)) {
-    const auto other = component_of(parts->first);
-    if (other && *other != component) {
-      const auto number = deck_integer(trimmed(parts->second));
-      if (!number) return members(*other, of_nodes, parts->second, place);
-      Set& single = sets(*other, of_nodes)[fmt::format("{}", *number)];  // kept, and not named in the file
-      single.state = Set::State::done;
-      const auto node = numbered(*other, of_nodes, *number);
-      if (!node) fail_at(place, fmt::format("{} {} is not there", kind(of_nodes), label));
-      single.members = {*node};
-      return single.members;
-    }
-  }
-  if (const auto number = deck_integer(trimmed(label))) {
-    const auto place_of = numbered(component, of_nodes, *number);
-    if (!place_of) fail_at(place, fmt::format("{} {} is not there", kind(of_nodes), label));
-    Set& single = known[label_key(label)];
-    single.state = Set::State::done;
-    single.members = {*place_of};
-    return single.members;
-  }
-  fail_at(place, fmt::format("there is no set of {}s {}", kind(of_nodes), label));
+  const auto parts = split_label(label);
+  const auto other = parts ? component_of(parts->first) : std::nullopt;
+  const std::size_t owner = other.value_or(component);
+  const auto number = deck_integer(trimmed(other ? parts->second : label));
+  if (!number) fail_at(place, fmt::format("there is no set of {}s {}", kind(of_nodes), label));
+  const auto place_of = numbered(owner, of_nodes, *number);
+  if (!place_of) fail_at(place, fmt::format("{} {} is not there", kind(of_nodes), label));
+  Set& single = sets(owner, of_nodes)[fmt::format("{}", *number)];  // kept, and not named in the file
+  single.state = Set::State::done;
+  single.members = {*place_of};
+  return single.members;
 }
 
 void AbaqusSets::add_nodes_of_elements(const std::vector<std::int32_t>& elements,
@@ -207,7 +257,7 @@ AbaqusKeys AbaqusSets::name_all() {
     for (std::size_t c = 0; c < components_.size(); ++c) {
       for (auto& [key, set] : sets(c, of_nodes)) {
         if (set.name.empty()) continue;  // a single node or element
-        resolve(c, of_nodes, set);
+        resolve({c, of_nodes, key});
         for (const auto& [name, full_key] : names_in_file(c, set.name, key, uses)) {
           (of_nodes ? file_.node_sets : file_.element_sets).push_back({0, name, set.members, set.problem});
           (of_nodes ? keys_.node_sets : keys_.element_sets).push_back(full_key);

@@ -32,6 +32,12 @@ class AbaqusSets {
   AbaqusKeys name_all();
 
  private:
+  /// Of a component, of nodes or of elements, by its label.
+  struct SetKey {
+    std::size_t component = 0;
+    bool of_nodes = false;
+    std::string key;
+  };
   struct Set {
     std::string name;
     std::vector<std::pair<std::size_t, std::size_t>> ranges;
@@ -39,6 +45,7 @@ class AbaqusSets {
     std::vector<std::int32_t> members;
     std::string problem;
     enum class State { open, at_work, done } state = State::open;
+    std::vector<SetKey> needs{};  ///< sets that it is made of, while it is at work
   };
   struct Surface {
     std::string name, key;
@@ -50,7 +57,13 @@ class AbaqusSets {
   using Sets = std::map<std::string, Set>;
 
   Sets& sets(std::size_t component, bool of_nodes) { return (of_nodes ? node_sets_ : element_sets_)[component]; }
-  void resolve(std::size_t component, bool of_nodes, Set& set);
+  /// Finds the members of a set, and before them those of all sets that it is made of, however deep: no call for each.
+  void resolve(const SetKey& first);
+  void fill(const SetKey& key, Set& set);
+  /// Which sets a label may mean, as a component calls it.
+  std::vector<SetKey> sets_of_label(std::size_t component, bool of_nodes, std::string_view label) const;
+  std::vector<SetKey> sets_in(const SetKey& key, const Set& set) const;
+  Set* find(const SetKey& key);
   void add_block(std::size_t component, bool of_nodes, const AbaqusBlock& block, std::vector<std::int32_t>& members);
   void generate(std::size_t component, bool of_nodes, const Card& card, std::vector<std::int32_t>& members) const;
   std::optional<std::int32_t> numbered(std::size_t component, bool of_nodes, std::int64_t number) const;
@@ -69,6 +82,7 @@ class AbaqusSets {
   const std::vector<AbaqusComponent>& components_;
   const std::vector<AbaqusRange>& ranges_;
   MeshFile& file_;
+  std::map<std::string, std::size_t> component_of_key_;
   std::vector<NumberIndex> nodes_, elements_;
   std::vector<Sets> node_sets_, element_sets_;
   std::vector<std::vector<Surface>> surfaces_;
