@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <set>
 
 #include <solver/base/error.hpp>
+#include <solver/keyword/input_file.hpp>
 
 namespace pinball {
 
@@ -16,21 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t deepest_include = 64;
-
-std::shared_ptr<const std::string> text_of(const std::string& path, const DeckPlace* from) {
-  std::error_code problem;
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file || fs::is_directory(path, problem)) {
-    const std::string message = path + ": no such file, or it cannot be read";
-    if (from != nullptr) fail_at(*from, message);
-    throw InputError(message);
-  }
-  auto text = std::make_shared<std::string>(static_cast<std::size_t>(file.tellg()), '\0');
-  file.seekg(0);
-  file.read(text->data(), static_cast<std::streamsize>(text->size()));
-  if (!file) throw InputError(path + ": cannot be read");
-  return text;
-}
 
 /// Takes a line, with its end, off a text.
 std::string_view take_line(std::string_view& rest) {
@@ -186,7 +170,7 @@ class Reader {
     const std::string path = search(label_text(name));
     if (open_.size() > deepest_include || std::ranges::count(open_, path) != 0)
       fail_at(place, fmt::format("INPUT={}: the file includes itself", name));
-    add_file(text_of(path, &place), path);
+    add_file(std::make_shared<const std::string>(files_.open(path, &place, "INPUT=")), path);
   }
 
   /// Beside the file that names it, or beside the deck.
@@ -202,6 +186,7 @@ class Reader {
 
   AbaqusDeck deck_;
   fs::path folder_;
+  DeckFiles files_;
   std::vector<std::string> open_;
   std::string part_, instance_;
   DeckPlace opened_;
@@ -211,7 +196,7 @@ class Reader {
 
 }  // namespace
 
-AbaqusDeck read_abaqus_deck(const std::string& path) { return Reader().read(text_of(path, nullptr), path); }
+AbaqusDeck read_abaqus_deck(const std::string& path) { return parse_abaqus_deck(bytes_of_file(path), path); }
 
 AbaqusDeck parse_abaqus_deck(std::string text, const std::string& name) {
   return Reader().read(std::make_shared<const std::string>(std::move(text)), name);

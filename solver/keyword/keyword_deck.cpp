@@ -9,6 +9,7 @@
 #include "deck_cases.hpp"
 #include "fields.hpp"
 #include "included_files.hpp"
+#include "input_file.hpp"
 #include "keyword_scanner.hpp"
 
 namespace pinball {
@@ -16,7 +17,6 @@ namespace pinball {
 namespace {
 
 constexpr std::size_t deepest_include = 64;
-constexpr std::size_t most_files = 10'000;  // two files that include one each twice are 2^64 after 64 of them
 
 bool is_parameter(const std::string& name) {
   return name.starts_with("PARAMETER") && name != "PARAMETER_TYPE" && name != "PARAMETER_DUPLICATION";
@@ -74,9 +74,7 @@ class Reader {
       const std::string path = included_.find(file.name, open_.back());
       if (open_.size() > deepest_include || std::ranges::count(open_, path) != 0)
         fail_at(file.place, fmt::format("*INCLUDE {}: the file includes itself", file.name));
-      if (deck_.files.size() >= most_files)
-        fail_at(file.place, fmt::format("*INCLUDE {}: the deck includes more than {} files", file.name, most_files));
-      add_file(deck_text(path, &file.place), path, file.transform, block.wide);
+      add_file(deck_text_of(files_.open(path, &file.place, "*INCLUDE")), path, file.transform, block.wide);
     }
   }
 
@@ -106,6 +104,7 @@ class Reader {
   KeywordDeck deck_;
   DeckCases cases_;
   IncludedFiles included_;
+  DeckFiles files_;
   std::vector<Found> found_;
   std::vector<std::string> open_;  ///< files that are being read, each included by the one before
 };
@@ -113,7 +112,7 @@ class Reader {
 }  // namespace
 
 KeywordDeck read_keyword_deck(const std::string& path, std::optional<std::int64_t> chosen_case) {
-  return Reader(path, chosen_case).read(deck_text(path, nullptr), path);
+  return Reader(path, chosen_case).read(deck_text_of(bytes_of_file(path)), path);
 }
 
 KeywordDeck parse_keyword_deck(std::string text, const std::string& name, std::optional<std::int64_t> chosen_case) {

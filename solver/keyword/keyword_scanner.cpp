@@ -1,10 +1,6 @@
 #include "keyword_scanner.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-
-#include <solver/base/error.hpp>
 
 #include "fields.hpp"
 
@@ -31,23 +27,6 @@ std::shared_ptr<const std::string> deck_text_of(std::string text) {
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   mend_line_ends(text);
   return std::make_shared<const std::string>(std::move(text));
-}
-
-std::shared_ptr<const std::string> deck_text(const std::string& path, const DeckPlace* from) {
-  std::error_code problem;
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file || std::filesystem::is_directory(path, problem)) {
-    const std::string message = path + ": no such file, or it cannot be read";
-    if (from != nullptr) fail_at(*from, "*INCLUDE " + message);
-    throw InputError(message);
-  }
-  const std::streamoff size = file.tellg();
-  if (size < 0) throw InputError(path + ": cannot be read");
-  std::string text(static_cast<std::size_t>(size), '\0');
-  file.seekg(0);
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file) throw InputError(path + ": cannot be read");
-  return deck_text_of(std::move(text));
 }
 
 bool take_ending(std::string& name, std::string_view ending) {

@@ -8,10 +8,8 @@
 
 namespace pinball {
 
-/// Text of a file: without a byte order mark, and with "\n" at the end of each line, whatever system wrote it ("\r\n"
-/// stays as it is). from: the card that names the file; null: none. Throws InputError where it cannot be read.
-std::shared_ptr<const std::string> deck_text(const std::string& path, const DeckPlace* from);
-/// The same of a text in memory.
+/// The bytes of a file as text: without a byte order mark, and with "\n" at the end of each line, whatever system wrote
+/// it ("\r\n" stays as it is).
 std::shared_ptr<const std::string> deck_text_of(std::string text);
 
 /// Takes an ending such as "_TITLE" off a name.

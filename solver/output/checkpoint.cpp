@@ -10,6 +10,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/version.h>
+#include <solver/keyword/input_file.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/model/stores.hpp>
 #include <solver/results/state_hash.hpp>
@@ -47,8 +48,7 @@ std::int32_t simd_width(Precision precision) {
 
 /// The content of a file whose header, size and hash are right.
 StateBytes read_content(const std::string& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": expected a checkpoint, got a folder");
+  require_file(path);
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) throw InputError(path + ": no such file, or it cannot be read");
   const auto size = static_cast<std::uint64_t>(file.tellg());

@@ -8,6 +8,7 @@
 #include <solver/base/error.hpp>
 #include <solver/deck/abaqus/translated_abaqus.hpp>
 #include <solver/deck/translated_deck.hpp>
+#include <solver/keyword/input_file.hpp>
 
 namespace pinball {
 
@@ -55,6 +56,7 @@ void require_no_abaqus_input(const std::string& path) {
 bool is_any_deck(const std::string& path) { return is_deck(path) || is_abaqus_deck(path); }
 
 TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options) {
+  require_file(path);
   require_no_scene(path);
   if (is_abaqus_deck(path)) return translate_abaqus(path, options);
   require_no_abaqus_input(path);
@@ -112,6 +114,7 @@ SceneInput scene_input(const SceneOptions& options) {
     if (options.chosen_case || options.lenient) {
       throw InputError(options.scene + ": --case and --lenient are for decks (.k, .key, .dyn, .inp)");
     }
+    require_file(path);
     require_scene(path);
     return {read_scene_source(path, options.overrides), {}};
   }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <solver/base/error.hpp>
+#include <solver/keyword/input_file.hpp>
 #include <solver/scene.hpp>
 
 #include "boundary_parts.hpp"
@@ -194,16 +193,6 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   return scene;
 }
 
-std::string read_text(const std::string& path) {
-  std::error_code problem;
-  if (std::filesystem::is_directory(path, problem)) throw InputError(path + ": expected a scene file, got a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": no such file, or it cannot be read");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 toml::table parse(const std::string& text, const std::string& path) {
   require_short_keys(text, path);
   try {
@@ -274,7 +263,7 @@ void check_variants(const std::string& text, const std::string& path, const std:
 }  // namespace
 
 SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides) {
-  return {path, read_text(path), overrides};
+  return {path, bytes_of_file(path), overrides};
 }
 
 Scene read_scene(const std::string& path, const SceneOverrides& overrides) {

@@ -1,5 +1,7 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -7,10 +9,13 @@
 
 #include <solver/abaqus/abaqus_deck.hpp>
 #include <solver/base/error.hpp>
+#include <tests/support/error_of.hpp>
+#include <tests/support/folder_case.hpp>
 
 namespace pinball::test {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -122,6 +127,31 @@ TEST(AbaqusDeck, WhatIsNoAbaqusInputIsToldSo) {
   EXPECT_THAT(error_of("*NODE\n*ELEMENT_SOLID\n"), HasSubstr("a.inp:2: *ELEMENT_SOLID: expected Abaqus input"));
   EXPECT_THAT(error_of("time.end = 1\n"), HasSubstr("a.inp:1: expected a keyword such as *HEADING"));
   EXPECT_THAT(error_of(""), HasSubstr("there is no keyword in it"));
+}
+
+class IncludingAbaqusDeck : public FolderTest {
+ protected:
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+};
+
+TEST_F(IncludingAbaqusDeck, FilesThatIncludeEachOtherTwiceAreStopped) {
+  for (int i = 0; i < 40; ++i)
+    write(fmt::format("{}.inp", i), fmt::format("*INCLUDE, INPUT={0}.inp\n*INCLUDE, INPUT={0}.inp\n", i + 1));
+  write("40.inp", "*NODE\n");
+  EXPECT_THAT(test::error_of([&] { read_abaqus_deck(path("0.inp")); }), HasSubstr("includes more than 10000 files"));
+}
+
+TEST_F(IncludingAbaqusDeck, FoldersPipesAndDevicesAreNoFiles) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const char* name : {"pipe", "/dev/zero", "/dev/null"}) {
+    write("main.inp", fmt::format("*HEADING\n*NODE, INPUT={}\n", name));
+    EXPECT_THAT(test::error_of([&] { read_abaqus_deck(path("main.inp")); }),
+                AllOf(HasSubstr("main.inp:2: INPUT="), HasSubstr("expected a file, got a pipe or a device")))
+        << name;
+  }
+  write("main.inp", "*HEADING\n*INCLUDE, INPUT=.\n");
+  EXPECT_THAT(test::error_of([&] { read_abaqus_deck(path("main.inp")); }), HasSubstr("expected a file, got a folder"));
 }
 
 TEST(AbaqusDeck, IncludesKeywordsAndDataLines) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <filesystem>
@@ -265,6 +266,18 @@ TEST_F(IncludingDeck, FilesThatIncludeEachOtherTwiceAreStopped) {
   for (int i = 0; i < 40; ++i) write(fmt::format("{}.k", i), fmt::format("*INCLUDE\n{0}.k\n{0}.k\n", i + 1));
   write("40.k", "*NODE\n");
   EXPECT_THAT(error_of([&] { read_keyword_deck(path("0.k")); }), HasSubstr("includes more than 10000 files"));
+}
+
+TEST_F(IncludingDeck, FoldersPipesAndDevicesAreNoFiles) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const char* name : {"pipe", "/dev/zero", "/dev/null"}) {
+    write("main.k", fmt::format("*KEYWORD\n*INCLUDE\n{}\n", name));
+    EXPECT_THAT(error_of([&] { read_keyword_deck(path("main.k")); }),
+                testing::AllOf(HasSubstr("main.k:3: *INCLUDE"), HasSubstr("expected a file, got a pipe or a device")))
+        << name;
+  }
+  EXPECT_THAT(error_of([&] { read_keyword_deck(path("pipe")); }), HasSubstr("expected a file, got a pipe"));
+  EXPECT_THAT(error_of([&] { read_keyword_deck(path(".")); }), HasSubstr("expected a file, got a folder"));
 }
 
 TEST_F(IncludingDeck, AFileThatIsMissingOrIncludesItselfIsAnErrorWithItsPlace) {

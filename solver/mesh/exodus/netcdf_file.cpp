@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include <solver/base/error.hpp>
+#include <solver/keyword/input_file.hpp>
 
 #include "netcdf_header.hpp"
 
@@ -22,8 +22,7 @@ void NetcdfFile::fail(const std::string& variable, const std::string& problem) c
 #ifdef PINBALL_NETCDF
 
 NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
-  if (!std::ifstream(path) || !std::filesystem::is_regular_file(path))
-    throw InputError(path + ": no such file, or it cannot be read");
+  require_file(path);
   check_netcdf_header(path);
   // Deflated data takes at least a 1032nd of its size.
   most_ = 1032 * static_cast<std::int64_t>(std::filesystem::file_size(path));

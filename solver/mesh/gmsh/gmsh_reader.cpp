@@ -8,7 +8,7 @@
 #include <optional>
 
 #include <solver/base/error.hpp>
-#include <solver/mesh/file/file_bytes.hpp>
+#include <solver/keyword/input_file.hpp>
 #include <solver/mesh/file/mesh_scanner.hpp>
 
 #include "gmsh_collector.hpp"

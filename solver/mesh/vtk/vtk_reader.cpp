@@ -1,7 +1,7 @@
 #include "vtk_reader.hpp"
 
 #include <solver/base/error.hpp>
-#include <solver/mesh/file/file_bytes.hpp>
+#include <solver/keyword/input_file.hpp>
 
 namespace pinball {
 
