@@ -1,6 +1,6 @@
 #include "boundary_text.hpp"
 
-#include <set>
+#include <map>
 
 namespace pinball {
 
@@ -43,14 +43,12 @@ std::vector<std::string> all_bodies(const DeckData& data) {
 
 std::vector<std::string> bodies_of(const DeckData& data, const std::vector<std::int64_t>& parts,
                                    const DeckPlace& place) {
-  std::set<std::string> wanted;
+  std::map<std::int64_t, std::string> wanted;
   for (const std::int64_t part : parts) {
-    if (const auto body = data.body_of(part, place)) wanted.insert(*body);
+    if (auto body = data.body_of(part, place)) wanted.emplace(part, std::move(*body));
   }
   std::vector<std::string> bodies;
-  for (const std::string& body : all_bodies(data)) {
-    if (wanted.contains(body)) bodies.push_back(body);
-  }
+  for (auto& [part, body] : wanted) bodies.push_back(std::move(body));
   return bodies;
 }
 

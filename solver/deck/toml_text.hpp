@@ -50,33 +50,37 @@ class TomlText {
   void entry(const char* name, const std::string& comment = "") { head(fmt::format("[[{}]]", name), comment); }
   template <class Value>
   void key(const char* name, const Value& value) {
-    text_ += fmt::format("{} = {}\n", name, toml(value));
+    add_line(fmt::format("{} = {}", name, toml(value)));
   }
-  void raw(const char* name, const std::string& value) { text_ += fmt::format("{} = {}\n", name, value); }
-  void comment(const std::string& text) { text_ += "# " + text + '\n'; }
+  void raw(const char* name, const std::string& value) { add_line(fmt::format("{} = {}", name, value)); }
+  void comment(const std::string& text) { add_line("# " + text); }
   /// What follows is of this card.
-  void from(const std::string& keyword, const std::string& place) {
-    origins_.push_back({1 + static_cast<std::size_t>(std::ranges::count(text_, '\n')), place, keyword});
-  }
+  void from(const std::string& keyword, const std::string& place) { origins_.push_back({1 + lines_, place, keyword}); }
   void append(const TomlText& more) {
-    text_ += '\n';
-    const auto before = static_cast<std::size_t>(std::ranges::count(text_, '\n'));
+    add_line("");
     for (TextOrigin origin : more.origins_) {
-      origin.line += before;
+      origin.line += lines_;
       origins_.push_back(origin);
     }
     text_ += more.text_;
+    lines_ += more.lines_;
   }
   const std::string& text() const { return text_; }
   const std::vector<TextOrigin>& origins() const { return origins_; }
 
  private:
   void head(const std::string& line, const std::string& comment) {
-    if (!text_.empty()) text_ += '\n';
+    if (!text_.empty()) add_line("");
     const bool names_card = comment.starts_with('*') && comment.find(' ') != std::string::npos;
     const std::size_t blank = end_of_keyword(comment);
     from(names_card ? comment.substr(0, blank) : "", names_card ? first_place(comment.substr(blank + 1)) : "");
-    text_ += line + (comment.empty() ? "" : "  # " + comment) + '\n';
+    add_line(line + (comment.empty() ? "" : "  # " + comment));
+  }
+  /// Without its end.
+  void add_line(const std::string& line) {
+    text_ += line;
+    text_ += '\n';
+    ++lines_;
   }
   /// The blank behind a keyword, which may be of several words.
   static std::size_t end_of_keyword(const std::string& comment) {
@@ -96,6 +100,7 @@ class TomlText {
     return text.substr(0, text.find_first_not_of("0123456789", colon));
   }
   std::string text_;
+  std::size_t lines_ = 0;  ///< of the text
   std::vector<TextOrigin> origins_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <unordered_map>
 
 #include <solver/base/error.hpp>
 #include <solver/base/point.hpp>
@@ -104,6 +106,27 @@ class Assembly {
     MeshFile file;
     std::vector<std::int32_t> node;     ///< of the model, per node of the file; -1: none
     std::vector<std::int32_t> element;  ///< of the model, per element of the file; -1: none
+    std::unordered_map<std::string, std::vector<std::int32_t>> of_part{};  ///< elements of those that have a name alone
+
+    /// Those of many parts are found in one go through the file, where a name, or a number, is that of one part alone.
+    void find_parts() {
+      std::map<std::string, int> uses;
+      std::vector<std::string> names;
+      for (const MeshPart& part : file.parts) {
+        names.push_back(part.id != 0 ? std::to_string(part.id) : part.name);
+        ++uses[names.back()];
+        if (part.id != 0 && part.name != names.back()) ++uses[part.name];
+      }
+      for (std::size_t e = 0; e < file.part.size(); ++e) {
+        if (file.part[e] < 0) continue;
+        const std::string& name = names[static_cast<std::size_t>(file.part[e])];
+        if (!name.empty() && uses[name] == 1) of_part[name].push_back(static_cast<std::int32_t>(e));
+      }
+    }
+    std::vector<std::int32_t> elements_of(const std::string& part) const {
+      const auto found = of_part.find(part);
+      return found != of_part.end() ? found->second : elements_of_part(file, part);
+    }
   };
 
   void add_mesh(std::size_t b) {
@@ -168,10 +191,11 @@ class Assembly {
       parts.push_back(std::get_if<FileMesh>(&scene_.bodies[other].mesh)->part);
     }
     file_of_body_[b] = static_cast<std::int32_t>(files_.size());
-    Placed placed{read_mesh_file(*settings, parts), {}, {}};
+    Placed placed{read_mesh_file(*settings, parts), {}, {}, {}};
     place_of_body(placed.file.mesh, b);
     placed.node.assign(placed.file.mesh.nodes.size(), -1);
     placed.element.assign(placed.file.mesh.hexahedra.size(), -1);
+    if (parts.size() > 1) placed.find_parts();
     return files_.emplace_back(std::move(placed));
   }
 
@@ -179,19 +203,13 @@ class Assembly {
   void add_part(std::size_t b) {
     Placed& placed = file_of(b);
     const MeshFile& file = placed.file;
-    const std::vector<std::int32_t> elements =
-        elements_of_part(file, std::get_if<FileMesh>(&scene_.bodies[b].mesh)->part);
+    const std::vector<std::int32_t> elements = placed.elements_of(std::get_if<FileMesh>(&scene_.bodies[b].mesh)->part);
     if (elements.empty()) {
       throw InputError(
           fmt::format("{}body {}: {} has no hexahedra of it", message_head(scene_), scene_.bodies[b].name, file.path));
     }
-    std::vector<bool> used(placed.node.size(), false);
-    for (const std::int32_t e : elements) {
-      require_free(placed, e, b);
-      for (const std::int32_t node : file.mesh.hexahedra[e]) used[node] = true;
-    }
-    for (std::size_t n = 0; n < used.size(); ++n) {
-      if (!used[n]) continue;
+    for (const std::int32_t e : elements) require_free(placed, e, b);
+    for (const std::int32_t n : nodes_of(file, elements)) {
       if (placed.node[n] >= 0) {
         all_.shared[b].push_back(placed.node[n]);
         continue;
@@ -208,6 +226,16 @@ class Assembly {
       placed.element[e] = static_cast<std::int32_t>(all_.element_count());
       add_element(hexahedron, b, [&] { return element_name(file, e); });
     }
+  }
+
+  /// Of some elements, in the order of the file.
+  static std::vector<std::int32_t> nodes_of(const MeshFile& file, const std::vector<std::int32_t>& elements) {
+    std::vector<std::int32_t> nodes;
+    for (const std::int32_t e : elements)
+      nodes.insert(nodes.end(), file.mesh.hexahedra[e].begin(), file.mesh.hexahedra[e].end());
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
   }
 
   void require_free(const Placed& placed, std::int32_t e, std::size_t b) const {

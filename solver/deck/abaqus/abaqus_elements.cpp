@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -52,16 +53,16 @@ std::vector<std::set<std::string>> types_of_parts(const AbaqusMesh& mesh) {
   return types;
 }
 
-Controls controls_of(AbaqusData& data, const AbaqusBody& body, const std::set<std::string>& types) {
+using NamedControls = std::map<std::string, const AbaqusBlock*>;
+
+Controls controls_of(AbaqusData& data, const NamedControls& named, const AbaqusBody& body,
+                     const std::set<std::string>& types) {
   Controls controls;
   const AbaqusBlock& section = *data.mesh.sections[body.section].block;
   if (const auto name = section.value("CONTROLS")) {
-    const AbaqusBlock* found = nullptr;
-    for (const AbaqusBlock& block : data.deck.blocks) {
-      if (block.name == "SECTIONCONTROLS" && label_key(block.require("NAME")) == label_key(*name)) found = &block;
-    }
-    if (found == nullptr) fail_at(section.place, fmt::format("there is no *SECTION CONTROLS {}", *name));
-    controls = read_controls(*found);
+    const auto found = named.find(label_key(*name));
+    if (found == named.end()) fail_at(section.place, fmt::format("there is no *SECTION CONTROLS {}", *name));
+    controls = read_controls(*found->second);
   }
   const bool full = std::ranges::any_of(
       types, [](const std::string& type) { return type.starts_with("C3D8") && type.find('R') == std::string::npos; });
@@ -96,9 +97,13 @@ std::pair<double, double> bulk_viscosity(AbaqusData& data) {
 std::vector<DeckElement> abaqus_elements(AbaqusData& data) {
   const auto types = types_of_parts(data.mesh);
   const auto [linear, quadratic] = bulk_viscosity(data);
+  NamedControls named;
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name == "SECTIONCONTROLS") named.emplace(label_key(block.require("NAME")), &block);
+  }
   std::vector<DeckElement> elements;
   for (const AbaqusBody& body : data.bodies) {
-    const Controls controls = controls_of(data, body, types[body.section]);
+    const Controls controls = controls_of(data, named, body, types[body.section]);
     elements.push_back(
         {controls.hourglass, controls.coefficient, quadratic * controls.quadratic, linear * controls.linear});
   }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "abaqus_parts.hpp"
@@ -47,9 +49,12 @@ class Probes {
 
   /// Whose range a place in the mesh is in.
   std::size_t component_of(std::size_t at, std::size_t AbaqusRange::*first, std::size_t AbaqusRange::*count) const {
-    std::size_t c = 0;
-    while (at - data_.mesh.ranges[c].*first >= data_.mesh.ranges[c].*count) ++c;
-    return c;
+    const auto& ranges =
+        data_.mesh.ranges;  // one behind the other; of those without any the next one begins there, too
+    const auto after = std::ranges::upper_bound(ranges, at, {}, first);
+    auto range = std::prev(after);
+    while (at - (*range).*first >= (*range).*count) --range;
+    return static_cast<std::size_t>(range - ranges.begin());
   }
 
   const AbaqusData& data_;
