@@ -7,6 +7,8 @@
 #include <map>
 #include <numbers>
 
+#include <solver/keyword/given_once.hpp>
+
 namespace pinball {
 
 InstancePlacement::InstancePlacement(const AbaqusBlock& instance) {
@@ -53,7 +55,10 @@ class Gatherer {
   explicit Gatherer(const AbaqusDeck& deck) : deck_(deck) {}
 
   std::vector<AbaqusComponent> gather() {
-    for (const AbaqusBlock& block : deck_.blocks) sort_in(block);
+    for (const AbaqusBlock& block : deck_.blocks) {
+      if (block.name == "PART") given_.add("part " + label_key(block.require("NAME")), block.place);
+      sort_in(block);
+    }
     for (const AbaqusBlock& block : deck_.blocks) {
       if (block.name == "INSTANCE") add_instance(block);
       if (block.name == "PART" && !assembly_) add_component(block, block.part);
@@ -89,16 +94,14 @@ class Gatherer {
 
   void add_component(const AbaqusBlock& block, const std::string& part) {
     const std::string label = *block.value("NAME");
-    for (const AbaqusComponent& other : components_) {
-      if (other.key == label_key(label))
-        fail_at(block.place, fmt::format("{}: the name {} is given twice", block.star_name(), label_text(label)));
-    }
+    if (block.name == "INSTANCE") instances_.add("instance " + label_key(label), block.place);
     components_.push_back({label_text(label), label_key(label), parts_[part], {}, block.place});
   }
 
   const AbaqusDeck& deck_;
   bool assembly_ = false;
   std::map<std::string, std::vector<const AbaqusBlock*>> parts_, own_;
+  GivenOnce given_, instances_;
   AbaqusComponent rest_;
   std::vector<AbaqusComponent> components_;
 };

@@ -5,8 +5,10 @@
 namespace pinball {
 
 const std::string* AbaqusBlock::find(const char* parameter) const {
-  for (const auto& [key, value] : parameters) {
-    if (key == parameter) return &value;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].first != parameter) continue;
+    if (log != nullptr) log->asked(this, i);
+    return &parameters[i].second;
   }
   return nullptr;
 }
@@ -51,7 +53,8 @@ std::optional<Card> DataLines::next() {
       ++place_.line;
       const std::size_t first = line.find_first_not_of(" \t\r");
       if (first == std::string_view::npos || line.substr(first, 2) == "**") continue;
-      return Card{trimmed(line), place_};
+      ++lines_;
+      return Card{trimmed(line), place_, block_->is_mesh() ? nullptr : block_->log};
     }
     open(segment_ + 1);
   }

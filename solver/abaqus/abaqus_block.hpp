@@ -27,7 +27,10 @@ struct AbaqusBlock {
   std::string part, instance;  ///< labels of those that it stands in; empty: none
   bool assembly = false;       ///< whether it stands in *ASSEMBLY
   int step = 0;                ///< number of the step that it belongs to; 0: to the model
+  ReadingLog* log = nullptr;   ///< where it is written down what of it is read; null: nowhere
 
+  /// Whether its data lines, a mesh, are too many to follow them one by one.
+  bool is_mesh() const { return name == "NODE" || name == "ELEMENT"; }
   bool has(const char* parameter) const { return find(parameter) != nullptr; }
   /// Value as written; none: not given.
   std::optional<std::string> value(const char* parameter) const;
@@ -47,6 +50,11 @@ struct AbaqusBlock {
 class DataLines {
  public:
   explicit DataLines(const AbaqusBlock& block) : block_(&block) { open(0); }
+  DataLines(const DataLines&) = delete;
+  DataLines& operator=(const DataLines&) = delete;
+  ~DataLines() {
+    if (block_->log != nullptr) block_->log->reached(block_, lines_);
+  }
   std::optional<Card> next();
   /// The next line. Throws InputError naming what was expected where there is none.
   Card require(const std::string& expected);
@@ -58,6 +66,7 @@ class DataLines {
   std::size_t segment_ = 0;
   std::string_view rest_;
   DeckPlace place_;
+  std::size_t lines_ = 0;  ///< that were taken
 };
 
 }  // namespace pinball

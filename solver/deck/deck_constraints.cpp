@@ -29,9 +29,12 @@ void write_held(const DeckData& data, const Held& held, const DeckPlace& place, 
   write_span(held.when, scene);
 }
 
-/// What the numbers behind that of a node or a set say; nothing for rotations alone.
-Held held_of(const Fields& f, const KeywordBlock& block) {
+/// What the numbers behind that of a node or a set say; nothing for rotations alone, which are told.
+Held held_of(const DeckData& data, const Fields& f, const KeywordBlock& block) {
   Held held;
+  bool turns = false;
+  for (std::size_t k = 5; k < 8; ++k) turns |= f.integer(k, "dofr", 0) != 0;
+  if (turns) data.report.ignore(f.place(), block.star_name() + " of rotations of nodes of solids");
   held.system = definition_number(block, f.integer(1, "cid", 0));
   for (unsigned k = 0; k < 3; ++k) {
     if (f.integer(2 + k, "dof", 0) != 0) held.directions |= 1U << k;
@@ -55,6 +58,9 @@ void translate_node_codes(DeckData& data, TomlText& scene) {
   if (left_out.count > 0)
     data.report.understood(fmt::format("*NODE: TC of {} node{} of no solid is not used, the first is node {}",
                                        left_out.count, left_out.count == 1 ? "" : "s", left_out.first));
+  if (data.mesh.held_rotations > 0)
+    data.report.understood(fmt::format("*NODE: RC of {} node{} is not used: nodes of solids have no rotations",
+                                       data.mesh.held_rotations, data.mesh.held_rotations == 1 ? "" : "s"));
   for (const auto& [directions, numbers] : nodes) {
     scene.entry("constraint", "TC of *NODE");
     write_held(data, {directions, 0, {}}, {}, scene);
@@ -73,7 +79,7 @@ void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Hel
     const auto card = cards.next_filled();
     if (!card) return;
     const Fields f = data.fields(*card);
-    Held held = held_of(f, block);
+    Held held = held_of(data, f, block);
     if (spans) {
       const Card span = cards.next_or_blank();
       held.when = span_of(data.fields(span), 0, 1);

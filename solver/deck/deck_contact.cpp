@@ -95,8 +95,11 @@ DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
   Cards cards(block);
   DeckContact contact;
   if (block.id || block.title) {
-    const std::int64_t id = data.fields(cards.require("the number of the contact")).integer(0, "cid", 0);
+    Card number = cards.require("the number of the contact");
+    number.log = nullptr;  // what follows it is a title
+    const std::int64_t id = data.fields(number).integer(0, "cid", 0);
     if (id > 0) contact.name = fmt::format("contact_{}", id);
+    if (id > 0) data.give_once(block, fmt::format("contact {}", id), block.place);
   }
   const Card first = cards.require("the surfaces of the contact"), second = cards.next_or_blank(),
              third = cards.next_or_blank();

@@ -61,9 +61,9 @@ void write_damping(DeckData& data, TomlText& scene) {
     data.report.refuse(card->place, "*DAMPING_GLOBAL with a curve");
     return;
   }
-  for (std::size_t i = 2; i < 8; ++i) {
+  for (std::size_t i = 2; i < 5; ++i) {
     const double factor = f.number(i, "factor", 0.0);
-    if (i < 5 && factor != 0 && factor != 1) {
+    if (factor != 0 && factor != 1) {
       data.report.refuse(card->place, "*DAMPING_GLOBAL with factors of directions");
       return;
     }

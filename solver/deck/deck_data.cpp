@@ -40,17 +40,38 @@ std::string name_of(const std::string& title) {
 DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& report_)
     : deck(deck_), mesh(mesh_), report(report_) {
   for (const KeywordBlock& block : deck.blocks) {
-    if (is_part(block)) read_parts(block);
-    if (block.name == "SECTION_SOLID") read_section(block);
-    if (block.name == "HOURGLASS") read_hourglass(block);
-    if (block.name == "DEFINE_CURVE") read_curve(block);
-    if (block.name == "DEFINE_TABLE") read_table(block);
-    if (block.name == "DEFINE_VECTOR") read_vector(block);
-    if (block.name == "DEFINE_COORDINATE_SYSTEM" || block.name == "DEFINE_COORDINATE_VECTOR") read_system(block);
-    if (block.name.starts_with("SET_PART")) read_part_set(block);
-    if (block.name == "DEFINE_BOX") read_box(block);
+    blocks_[block.name].push_back(&block);
+    read(block);
   }
   name_bodies();
+}
+
+const std::vector<const KeywordBlock*>& DeckData::blocks_of(const std::string& name) const {
+  static const std::vector<const KeywordBlock*> none;
+  const auto found = blocks_.find(name);
+  return found == blocks_.end() ? none : found->second;
+}
+
+void DeckData::read(const KeywordBlock& block) {
+  require_one_of_a_kind(block);
+  if (is_part(block)) read_parts(block);
+  if (block.name == "SECTION_SOLID") read_section(block);
+  if (block.name == "HOURGLASS") read_hourglass(block);
+  if (block.name == "DEFINE_CURVE") read_curve(block);
+  if (block.name == "DEFINE_TABLE") read_table(block);
+  if (block.name == "DEFINE_VECTOR") read_vector(block);
+  if (block.name == "DEFINE_COORDINATE_SYSTEM" || block.name == "DEFINE_COORDINATE_VECTOR") read_system(block);
+  if (block.name.starts_with("SET_PART")) read_part_set(block);
+  if (block.name == "DEFINE_BOX") read_box(block);
+}
+
+/// Controls, and files of output, have no numbers: a deck has one of each kind. Those that are ignored may stand as
+/// often as they like.
+void DeckData::require_one_of_a_kind(const KeywordBlock& block) {
+  const bool kind = block.name.starts_with("CONTROL_") || block.name == "DAMPING_GLOBAL" ||
+                    (block.name.starts_with("DATABASE_") && !block.name.starts_with("DATABASE_HISTORY_"));
+  const KeywordRule* rule = kind ? rule_of(block.name) : nullptr;
+  if (rule != nullptr && rule->treatment == Treatment::done) give_once(block, block.star_name(), block.place);
 }
 
 void DeckData::read_parts(const KeywordBlock& block) {
@@ -61,9 +82,12 @@ void DeckData::read_parts(const KeywordBlock& block) {
     if (f.integer(3, "eosid", 0) != 0) report.refuse(card.place, "*PART with an equation of state");
     if (f.integer(7, "tmid", 0) != 0) report.understood(fmt::format("part {}: heat (TMID) is not computed", id));
     const std::int64_t hourglass_id = f.integer(4, "hgid", 0);
-    all_parts_.push_back({id, f.integer(1, "secid", 0) + other,
-                          f.integer(2, "mid", 0) + offset_of(block, &DeckTransform::material),
-                          hourglass_id == 0 ? 0 : hourglass_id + other, "", card.place});
+    all_parts_[id] = {id,
+                      f.integer(1, "secid", 0) + other,
+                      f.integer(2, "mid", 0) + offset_of(block, &DeckTransform::material),
+                      hourglass_id == 0 ? 0 : hourglass_id + other,
+                      "",
+                      card.place};
     titles_[id] = std::string(trimmed(title.text));
   });
 }
@@ -71,7 +95,9 @@ void DeckData::read_parts(const KeywordBlock& block) {
 void DeckData::read_section(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
     const Fields f = fields(card);
-    section_form[f.integer(0, "secid") + offset_of(block, &DeckTransform::other)] = f.integer(1, "elform", 1);
+    const std::int64_t id = f.integer(0, "secid") + offset_of(block, &DeckTransform::other);
+    give_once(block, fmt::format("section {}", id), card.place);
+    section_form[id] = f.integer(1, "elform", 1);
   });
 }
 
@@ -80,7 +106,9 @@ void DeckData::read_hourglass(const KeywordBlock& block) {
     const Fields f = fields(card);
     const DeckHourglass h{f.integer(1, "ihq", 0), f.number(2, "qm", 0.0), f.number(4, "q1", 0.0),
                           f.number(5, "q2", 0.0)};
-    hourglass[f.integer(0, "hgid") + offset_of(block, &DeckTransform::other)] = h;
+    const std::int64_t id = f.integer(0, "hgid") + offset_of(block, &DeckTransform::other);
+    give_once(block, fmt::format("hourglass control {}", id), card.place);
+    hourglass[id] = h;
   });
 }
 
@@ -97,12 +125,15 @@ void DeckData::read_curve(const KeywordBlock& block) {
   const double offa = f.number(4, "offa", 0.0), offo = f.number(5, "offo", 0.0);
   DeckCurve curve;
   curve.units = units_of(block);
+  curve.relaxes = f.integer(1, "sidr", 0) == 1;
   while (const auto card = cards.next_filled()) {
     const Fields point(*card, deck.parameters, point_columns);
     curve.abscissa.push_back(sfa * (point.number(0, "abscissa", 0.0) + offa));
     curve.ordinate.push_back(sfo * (point.number(1, "ordinate", 0.0) + offo));
   }
-  curves_[f.integer(0, "lcid") + offset_of(block, &DeckTransform::define)] = std::move(curve);
+  const std::int64_t id = f.integer(0, "lcid") + offset_of(block, &DeckTransform::define);
+  give_once(block, fmt::format("curve or table {}", id), head.place);
+  curves_[id] = std::move(curve);
 }
 
 /// Values, and then as many curves, which follow as keywords of their own in the order of the values. The values are
@@ -112,7 +143,9 @@ void DeckData::read_table(const KeywordBlock& block) {
   if (block.title) cards.next();
   const Card head = cards.require("the number of the table");
   const std::int64_t add = offset_of(block, &DeckTransform::define);
-  DeckTable& table = tables_[fields(head).integer(0, "tbid") + add];
+  const std::int64_t number = fields(head).integer(0, "tbid") + add;
+  give_once(block, fmt::format("curve or table {}", number), head.place);
+  DeckTable& table = tables_[number] = {};
   while (const auto card = cards.next_filled()) {
     const Fields point(*card, deck.parameters, point_columns);
     table.curves.emplace_back(point.number(0, "value", 0.0), point.integer(1, "lcid", 0));
@@ -129,8 +162,8 @@ void DeckData::read_table(const KeywordBlock& block) {
     if (next == deck.blocks.size()) fail_at(block.place, "*DEFINE_TABLE: expected a curve for each of its values");
     Cards of_curve(deck.blocks[next]);
     if (deck.blocks[next].title) of_curve.next();
-    const Card number = of_curve.require("the number of the curve");
-    id = fields(number).integer(0, "lcid") + add;
+    const Card of_number = of_curve.require("the number of the curve");
+    id = fields(of_number).integer(0, "lcid") + add;
     ++next;
   }
 }
@@ -140,7 +173,9 @@ void DeckData::read_vector(const KeywordBlock& block) {
     const Fields f = fields(card);
     Point d{};
     for (std::size_t k = 0; k < 3; ++k) d[k] = f.number(4 + k, "head", 0.0) - f.number(1 + k, "tail", 0.0);
-    vectors_[f.integer(0, "vid") + offset_of(block, &DeckTransform::define)] = unit(d, card.place);
+    const std::int64_t id = f.integer(0, "vid") + offset_of(block, &DeckTransform::define);
+    give_once(block, fmt::format("vector {}", id), card.place);
+    vectors_[id] = unit(d, card.place);
   });
 }
 
@@ -179,7 +214,9 @@ void DeckData::read_system(const KeywordBlock& block) {
     }
   }
   const Point e1 = unit(x, first.place), e3 = unit(cross(e1, in_plane), first.place);
-  systems_[f.integer(0, "cid") + offset_of(block, &DeckTransform::define)] = {e1, cross(e3, e1), e3};
+  const std::int64_t id = f.integer(0, "cid") + offset_of(block, &DeckTransform::define);
+  give_once(block, fmt::format("local system {}", id), first.place);
+  systems_[id] = {e1, cross(e3, e1), e3};
 }
 
 void DeckData::read_part_set(const KeywordBlock& block) {
@@ -196,6 +233,7 @@ void DeckData::read_part_set(const KeywordBlock& block) {
   const std::int64_t id = fields(head).integer(0, "sid") + offset_of(block, &DeckTransform::set);
   std::vector<std::int64_t> members;
   while (const auto card = cards.next_filled()) add_parts(block, *card, members);
+  if (!collects) give_once(block, fmt::format("set of parts {}", id), head.place);
   std::vector<std::int64_t>& set = part_sets_[id];
   if (!collects) set.clear();
   set.insert(set.end(), members.begin(), members.end());
@@ -232,14 +270,15 @@ void DeckData::name_bodies() {
   }
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
     if (elements[p] == 0) continue;
-    const auto found = std::ranges::find(all_parts_, mesh.parts[p].id, &DeckPart::id);
+    const auto found = all_parts_.find(mesh.parts[p].id);
     if (found == all_parts_.end()) {
       const auto first = std::ranges::find(mesh.part, static_cast<std::int32_t>(p)) - mesh.part.begin();
       throw InputError(fmt::format("{}: element {} is of part {}, which no *PART defines",
                                    place_of_element(mesh, static_cast<std::int32_t>(first)), mesh.element_ids[first],
                                    mesh.parts[p].id));
     }
-    parts.push_back(*found);
+    parts.push_back(found->second);
+    materials_.insert(found->second.material);
   }
   std::ranges::sort(parts, {}, &DeckPart::id);  // whatever their order in the deck: the scene is the same
   std::set<std::string> taken;
@@ -259,6 +298,8 @@ const DeckCurve& DeckData::find_curve(std::int64_t id, const DeckPlace& place) c
 
 const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const {
   const DeckCurve& found = find_curve(id, place);
+  if (found.relaxes)
+    fail_at(place, fmt::format("*DEFINE_CURVE {} is for dynamic relaxation alone (SIDR 1), which is not there", id));
   if (!found.units.are_own())
     fail_at(place, fmt::format("*DEFINE_CURVE {} stands in an included file of other units, where curves are those of "
                                "materials alone: move it into the deck",
@@ -309,11 +350,14 @@ std::vector<std::int64_t> DeckData::part_set(std::int64_t id, const DeckPlace& p
   return found->second;
 }
 
+const DeckPart* DeckData::find_part(std::int64_t id) const {
+  const auto found = std::ranges::lower_bound(parts, id, {}, &DeckPart::id);
+  return found != parts.end() && found->id == id ? &*found : nullptr;
+}
+
 std::optional<std::string> DeckData::body_of(std::int64_t part, const DeckPlace& place) const {
-  const auto found = std::ranges::find(parts, part, &DeckPart::id);
-  if (found != parts.end()) return found->body;
-  if (std::ranges::find(all_parts_, part, &DeckPart::id) == all_parts_.end())
-    fail_at(place, fmt::format("no *PART has the number {}", part));
+  if (const DeckPart* found = find_part(part)) return found->body;
+  if (!all_parts_.contains(part)) fail_at(place, fmt::format("no *PART has the number {}", part));
   return std::nullopt;
 }
 

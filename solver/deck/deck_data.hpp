@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <solver/base/point.hpp>
 #include <solver/keyword/fields.hpp>
+#include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_deck.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/scene_boundary.hpp>
@@ -40,7 +43,8 @@ struct DeckElement {
 
 struct DeckCurve {
   std::vector<double> abscissa, ordinate;
-  DeckUnits units{};  ///< of the file that it stands in: what they mean for it, only who uses it knows
+  DeckUnits units{};     ///< of the file that it stands in: what they mean for it, only who uses it knows
+  bool relaxes = false;  ///< SIDR 1: it is for dynamic relaxation, and not for the run itself
 };
 
 /// Curves over the strain rate.
@@ -86,9 +90,23 @@ class DeckData {
   /// Body of a part. Throws InputError for a number without a part; none: a part without solids.
   std::optional<std::string> body_of(std::int64_t part, const DeckPlace& place) const;
 
+  /// A part with solids; null: there is none of this number.
+  const DeckPart* find_part(std::int64_t id) const;
+  /// Whether a part with solids is of it.
+  bool is_used(std::int64_t material) const { return materials_.contains(material); }
+  /// Throws InputError where the deck gives this ("section 1") already.
+  void give_once(const KeywordBlock& block, const std::string& what, const DeckPlace& place) {
+    given_.add(what, place, block.of_case);
+  }
+
+  /// The keywords of this name, in their order.
+  const std::vector<const KeywordBlock*>& blocks_of(const std::string& name) const;
+
   Fields fields(const Card& card) const { return Fields(card, deck.parameters); }
 
  private:
+  void read(const KeywordBlock& block);
+  void require_one_of_a_kind(const KeywordBlock& block);
   void read_parts(const KeywordBlock& block);
   void read_section(const KeywordBlock& block);
   void read_hourglass(const KeywordBlock& block);
@@ -109,7 +127,10 @@ class DeckData {
   std::map<std::int64_t, std::array<Point, 3>> systems_;
   std::map<std::int64_t, std::vector<std::int64_t>> part_sets_;
   std::map<std::int64_t, std::string> titles_;
-  std::vector<DeckPart> all_parts_;
+  std::map<std::int64_t, DeckPart> all_parts_;
+  std::unordered_map<std::string, std::vector<const KeywordBlock*>> blocks_;
+  std::set<std::int64_t> materials_;  ///< of the parts with solids
+  GivenOnce given_;
 };
 
 }  // namespace pinball

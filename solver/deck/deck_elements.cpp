@@ -86,9 +86,8 @@ void write_body_element(const DeckElement& element, TomlText& scene) {
 
 std::optional<Card> last_card(const DeckData& data, const std::string& name, int number) {
   std::optional<Card> found;
-  for (const KeywordBlock& block : data.deck.blocks) {
-    if (block.name != name) continue;
-    Cards cards(block);
+  for (const KeywordBlock* block : data.blocks_of(name)) {
+    Cards cards(*block);
     std::optional<Card> card = cards.next();
     for (int i = 0; i < number && card; ++i) card = cards.next();
     if (card || number > 0) found = card;

@@ -13,7 +13,8 @@ void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& sc
     const Fields f = data.fields(card);
     const std::int64_t degree = f.integer(1, "dof");
     if (degree < 1 || degree > 3) {
-      if (degree >= 5 && degree <= 7) return;  // moments on nodes of solids
+      if (degree >= 5 && degree <= 7)
+        return data.report.ignore(card.place, block.star_name() + " of moments on nodes of solids");
       data.report.refuse(card.place, fmt::format("{} with DOF {}", block.star_name(), degree));
       return;
     }
@@ -88,13 +89,12 @@ namespace {
 /// *LOAD_BODY_PARTS: what all loads on bodies act on; empty: all.
 std::vector<std::string> loaded_bodies(const DeckData& data) {
   std::vector<std::string> bodies;
-  for (const KeywordBlock& block : data.deck.blocks) {
-    if (block.name != "LOAD_BODY_PARTS") continue;
-    Cards cards(block);
+  for (const KeywordBlock* block : data.blocks_of("LOAD_BODY_PARTS")) {
+    Cards cards(*block);
     const Card card = cards.require("the set of parts");
-    const std::int64_t set = set_number(block, data.fields(card).integer(0, "psid"));
+    const std::int64_t set = set_number(*block, data.fields(card).integer(0, "psid"));
     for (const std::string& body : bodies_of(data, data.part_set(set, card.place), card.place)) bodies.push_back(body);
-    if (bodies.empty()) fail_at(card.place, fmt::format("{}: no part of set {} has solids", block.star_name(), set));
+    if (bodies.empty()) fail_at(card.place, fmt::format("{}: no part of set {} has solids", block->star_name(), set));
   }
   return bodies;
 }

@@ -9,10 +9,6 @@ namespace pinball {
 
 namespace {
 
-bool is_used(const DeckData& data, std::int64_t material) {
-  return std::ranges::any_of(data.parts, [material](const DeckPart& part) { return part.material == material; });
-}
-
 void write_head(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
                 TomlText& scene) {
   const bool plastic = keyword_alias(block.name) != "MAT_ELASTIC";
@@ -159,6 +155,8 @@ void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fie
   const std::int64_t lcss = to_curve(second.integer(2, "lcss", 0)), lcsr = to_curve(second.integer(3, "lcsr", 0));
   const std::vector<double> eps = card_of_numbers(data, cards), es = card_of_numbers(data, cards);
   const auto points = curve_of_points(eps, es, units, f.place());
+  if (!points && std::ranges::any_of(eps, [](double strain) { return strain != 0; }))
+    not_used(data, f, "no point of EPS1 to EPS8, which have no stresses ES1 to ES8,");
   const DeckRate rate(second, units, "c", "p", 4);
   const bool is_table = data.table(lcss) != nullptr, by_curves = is_table || lcsr != 0;
   if (lcss != 0 && points) not_used(data, f, "LCSS, and not the points EPS and ES,");
@@ -212,7 +210,12 @@ void translate_material(DeckData& data, const KeywordBlock& block, TomlText& sce
   const Card card = cards.require("the constants of the material");
   const Fields f = data.fields(card);
   const std::int64_t id = material_number(data, block);
-  if (!is_used(data, id)) return;
+  if (!data.is_used(id)) {
+    data.report.unused(block.place,
+                       fmt::format("{}, material {}, which no part with solids has", block.star_name(), id));
+    if (block.log != nullptr) block.log->done(&block);
+    return;
+  }
   const std::string kind = keyword_alias(block.name);
   write_head(id, title, block, f, scene);
   if (kind == "MAT_ELASTIC" && (f.number(4, "da", 0.0) != 0 || f.number(5, "db", 0.0) != 0))

@@ -20,7 +20,8 @@ class ProbeKeywords {
   /// Eight numbers on a card, with _ID one and a title. add: what *INCLUDE_TRANSFORM adds to them.
   void translate(const KeywordBlock& block, std::int64_t add, TomlText& scene) {
     Cards cards(block);
-    while (const auto card = cards.next_filled()) {
+    while (auto card = cards.next_filled()) {
+      if (block.id) card->log = nullptr;  // what follows the number is a title
       const Fields f = data_.fields(*card);
       for (std::size_t i = 0; i < (block.id ? 1U : 8U); ++i) {
         const std::int64_t number = f.integer(i, kind_, 0);

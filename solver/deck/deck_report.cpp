@@ -29,6 +29,12 @@ void DeckReport::require_all_done(const std::string& file) const {
   throw InputError(text);
 }
 
+std::vector<std::string> DeckReport::understood() const {
+  std::vector<std::string> lines = understood_;
+  for (const Count& one : unused_) lines.push_back("not used: " + line(one));
+  return lines;
+}
+
 std::vector<std::string> DeckReport::ignored() const {
   std::vector<std::string> lines;
   for (const Count& one : ignored_) lines.push_back(line(one));

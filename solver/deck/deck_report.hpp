@@ -12,6 +12,8 @@ namespace pinball {
 class DeckReport {
  public:
   void understood(const std::string& line) { understood_.push_back(line); }
+  /// Something that stands in a keyword that is done, and has not become anything.
+  void unused(const DeckPlace& place, const std::string& what) { count(unused_, what, place, ""); }
   void ignore(const KeywordBlock& block) { ignore(block.place, block.star_name()); }
   void ignore(const DeckPlace& place, const std::string& what) { count(ignored_, what, place, ""); }
   /// A node of no solid that a keyword names: it has no mass, and nothing moves with it.
@@ -28,7 +30,8 @@ class DeckReport {
 
   /// Throws InputError with all that is refused, if there is anything.
   void require_all_done(const std::string& file) const;
-  const std::vector<std::string>& understood() const { return understood_; }
+  /// With what is unused behind all else.
+  std::vector<std::string> understood() const;
   std::vector<std::string> ignored() const;
 
  private:
@@ -42,7 +45,7 @@ class DeckReport {
   static std::string line(const Count& one);
 
   std::vector<std::string> understood_;
-  std::vector<Count> ignored_, refused_;
+  std::vector<Count> ignored_, unused_, refused_;
 };
 
 }  // namespace pinball

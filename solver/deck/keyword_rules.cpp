@@ -26,7 +26,7 @@ const std::vector<KeywordRule>& keyword_rules() {
        in_other_units},
       {"CONTROL_HOURGLASS", done, "the same where a part has none, or blanks; without it IHQ 1, QH 0.1",
        in_other_units},
-      {"CONTROL_TERMINATION", done, "ENDTIM, ENDCYC; the other limits are ignored"},
+      {"CONTROL_TERMINATION", done, "ENDTIM, ENDCYC; the other limits are not used, and told"},
       {"CONTROL_TIMESTEP", done,
        "TSSFAC, DT2MS (mass scaling at the start); LCTM, DT2MSF, DT2MSLC and IMSCL are refused"},
       {"CONTROL_BULK_VISCOSITY", done, "Q1 and Q2: coefficients sqrt(Q1) and Q2; without it 1.5 and 0.06",

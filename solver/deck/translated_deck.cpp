@@ -6,11 +6,13 @@
 #include <map>
 
 #include <solver/base/error.hpp>
+#include <solver/keyword/given_once.hpp>
 #include <solver/mesh/keyword_mesh.hpp>
 
 #include "deck_data.hpp"
 #include "deck_parts.hpp"
 #include "keyword_rules.hpp"
+#include "unread.hpp"
 
 namespace pinball {
 
@@ -69,19 +71,22 @@ void describe_mesh(const DeckData& data, DeckReport& report) {
   std::vector<std::int64_t> elements(data.mesh.parts.size(), 0);
   for (const std::int32_t part : data.mesh.part) ++elements[part];
   for (std::size_t p = 0; p < data.mesh.parts.size(); ++p) {
-    for (const DeckPart& part : data.parts) {
-      if (part.id == data.mesh.parts[p].id)
-        report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}", part.id, part.body, elements[p],
-                                      part.material));
-    }
+    const DeckPart* part = data.find_part(data.mesh.parts[p].id);
+    if (part != nullptr)
+      report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}", part->id, part->body, elements[p],
+                                    part->material));
   }
 }
 
 /// By their numbers: whatever their order in the deck, the scene is the same.
 void translate_materials(DeckData& data, TomlText& scene) {
-  std::multimap<std::int64_t, const KeywordBlock*> materials;
+  std::map<std::int64_t, const KeywordBlock*> materials;
+  GivenOnce given;
   for (const KeywordBlock& block : data.deck.blocks) {
-    if (block.name.starts_with("MAT_")) materials.emplace(material_number(data, block), &block);
+    if (!block.name.starts_with("MAT_")) continue;
+    const std::int64_t number = material_number(data, block);
+    given.add(fmt::format("material {}", number), block.place, block.of_case);
+    materials[number] = &block;
   }
   for (const auto& [number, block] : materials) translate_material(data, *block, scene);
 }
@@ -102,7 +107,9 @@ bool is_deck(const std::string& path) {
 }
 
 TranslatedDeck translate_deck(const std::string& path, const DeckOptions& options) {
-  const KeywordDeck deck = read_keyword_deck(path, options.chosen_case);
+  KeywordDeck deck = read_keyword_deck(path, options.chosen_case);
+  ReadingLog log;
+  follow_reading(deck, log);
   DeckReport report;
   sort_keywords(deck, options.lenient, report);
   report.require_all_done(path);
@@ -132,6 +139,7 @@ TranslatedDeck translate_deck(const std::string& path, const DeckOptions& option
   if (deck.left_out_of_case > 0)
     report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}", deck.left_out_of_case,
                                   fmt::join(deck.cases, ", ")));
+  tell_unread(deck, log, report);
   report.require_all_done(path);
   scene.append(bodies);
   scene.append(boundary);

@@ -66,15 +66,10 @@ std::optional<double> deck_number(std::string_view text) {
 }
 
 Fields::Fields(const Card& card, const Parameters& parameters, std::span<const int> widths)
-    : parameters_(&parameters), place_(card.place) {
+    : parameters_(&parameters), place_(card.place), log_(card.log), line_(card.text.data()) {
   std::string_view rest = card.text;
   if (rest.find(',') != std::string_view::npos) {
-    while (count_ < most_fields) {
-      const std::size_t comma = rest.find(',');
-      fields_[count_++] = trimmed(rest.substr(0, comma));
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
-    }
+    cut_at_commas(rest);
     return;
   }
   // Nobody knows what columns a tab stands for.
@@ -89,7 +84,32 @@ Fields::Fields(const Card& card, const Parameters& parameters, std::span<const i
   }
 }
 
-std::string_view Fields::raw(std::size_t field) const { return field < count_ ? fields_[field] : std::string_view{}; }
+Fields::~Fields() {
+  if (log_ == nullptr) return;
+  std::uint32_t left = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const bool is_open = (asked_ >> i & 1U) == 0 && !fields_[i].empty();
+    if (is_open && deck_number(fields_[i]) != 0.0) left |= 1U << i;  // 0 is a blank
+  }
+  log_->left(line_, left);
+}
+
+void Fields::cut_at_commas(std::string_view rest) {
+  while (count_ < most_fields) {
+    const std::size_t comma = rest.find(',');
+    fields_[count_++] = trimmed(rest.substr(0, comma));
+    if (comma == std::string_view::npos) return;
+    rest.remove_prefix(comma + 1);
+  }
+  if (rest.find_first_not_of(", \t\r") != std::string_view::npos)
+    fail_at(place_, fmt::format("expected at most {} fields between commas, got more", most_fields));
+}
+
+std::string_view Fields::raw(std::size_t field) const {
+  if (field >= count_) return {};
+  asked_ |= 1U << field;
+  return fields_[field];
+}
 
 std::string Fields::text(std::size_t field) const {
   const std::string_view given = raw(field);

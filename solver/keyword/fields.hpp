@@ -33,6 +33,10 @@ inline constexpr std::array<int, 8> eight_by_ten{10, 10, 10, 10, 10, 10, 10, 10}
 class Fields {
  public:
   Fields(const Card& card, const Parameters& parameters, std::span<const int> widths = eight_by_ten);
+  Fields(const Fields&) = delete;
+  Fields& operator=(const Fields&) = delete;
+  /// Writes down which fields nobody has asked for.
+  ~Fields();
 
   std::string text(std::size_t field) const;
   bool blank(std::size_t field) const { return raw(field).empty(); }
@@ -41,6 +45,7 @@ class Fields {
   const DeckPlace& place() const { return place_; }
 
  private:
+  void cut_at_commas(std::string_view rest);
   std::string_view raw(std::size_t field) const;
   [[noreturn]] void fail(std::size_t field, const char* name, const std::string& expected) const;
 
@@ -49,6 +54,9 @@ class Fields {
   std::size_t count_ = 0;
   const Parameters* parameters_;
   const DeckPlace& place_;
+  ReadingLog* log_;
+  const char* line_;
+  mutable std::uint32_t asked_ = 0;  ///< fields by their bits
 };
 
 }  // namespace pinball

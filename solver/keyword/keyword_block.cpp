@@ -14,7 +14,8 @@ std::optional<Card> Cards::next() {
     ++place_.line;
     while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     if (!line.empty() && line.front() == '$') continue;
-    return Card{line, place_};
+    ++lines_;
+    return Card{line, place_, block_->log};
   }
   return std::nullopt;
 }
@@ -32,7 +33,7 @@ Card Cards::require(const std::string& expected) {
 
 Card Cards::next_or_blank() {
   if (const std::optional<Card> card = next()) return *card;
-  return {{}, place_};
+  return {{}, place_, nullptr};
 }
 
 }  // namespace pinball

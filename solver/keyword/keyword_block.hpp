@@ -8,6 +8,7 @@
 
 #include "deck_place.hpp"
 #include "deck_units.hpp"
+#include "reading_log.hpp"
 
 namespace pinball {
 
@@ -15,6 +16,7 @@ namespace pinball {
 struct Card {
   std::string_view text;  ///< without the end of the line
   DeckPlace place;
+  ReadingLog* log = nullptr;  ///< where it is written down what of it is read; null: nowhere
 
   bool blank() const { return text.find_first_not_of(" \t") == std::string_view::npos; }
 };
@@ -36,6 +38,8 @@ struct KeywordBlock {
   std::string_view body;  ///< lines, comments among them
   DeckPlace place;        ///< of the keyword itself
   std::shared_ptr<const DeckTransform> transform;  ///< none: numbers as they are
+  bool of_case = false;                            ///< whether it belongs to the chosen case, and not to all
+  ReadingLog* log = nullptr;                       ///< as that of its cards
 
   std::string star_name() const { return '*' + name + (title ? "_TITLE" : "") + (id ? "_ID" : ""); }
 };
@@ -53,6 +57,11 @@ class Cards {
  public:
   explicit Cards(const KeywordBlock& block)
       : body_(block.body), place_{block.place.file, block.place.line}, block_(&block) {}
+  Cards(const Cards&) = delete;
+  Cards& operator=(const Cards&) = delete;
+  ~Cards() {
+    if (block_->log != nullptr) block_->log->reached(block_, lines_);
+  }
 
   /// The next line; none: the block ends.
   std::optional<Card> next();
@@ -67,6 +76,7 @@ class Cards {
   std::string_view body_;
   DeckPlace place_;
   const KeywordBlock* block_;
+  std::size_t lines_ = 0;  ///< that were taken
 };
 
 /// The cards of a keyword that has one for each of its things, with one more before each where it has _TITLE or _ID.

@@ -97,7 +97,10 @@ class Reader {
         ++deck_.left_out_of_case;
       }
     }
-    for (KeywordBlock& block : of_case) deck_.blocks.push_back(std::move(block));
+    for (KeywordBlock& block : of_case) {
+      block.of_case = true;
+      deck_.blocks.push_back(std::move(block));
+    }
   }
 
   std::optional<std::int64_t> chosen_;

@@ -4,6 +4,7 @@
 
 #include <solver/base/point.hpp>
 #include <solver/keyword/fields.hpp>
+#include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_deck.hpp>
 
 namespace pinball {
@@ -37,7 +38,9 @@ class KeywordBoxes {
  private:
   void read(const KeywordDeck& deck, const KeywordBlock& block, const Card& card) {
     const Fields fields(card, deck.parameters);
-    KeywordBox& box = boxes_[fields.integer(0, "boxid") + offset_of(block, &DeckTransform::define)];
+    const std::int64_t id = fields.integer(0, "boxid") + offset_of(block, &DeckTransform::define);
+    given_.add("box " + std::to_string(id), card.place, block.of_case);
+    KeywordBox& box = boxes_[id];
     const double length = units_of(block).length;
     for (std::size_t k = 0; k < 3; ++k) {
       box.low[k] = length * fields.number(1 + 2 * k, "minimum", 0.0);
@@ -46,6 +49,7 @@ class KeywordBoxes {
   }
 
   std::map<std::int64_t, KeywordBox> boxes_;
+  GivenOnce given_;
 };
 
 /// Number and name of a set: the first cards of its keyword.
@@ -54,6 +58,7 @@ void read_set_head(const KeywordBlock& block, const Parameters& parameters, Card
   if (block.title) set.name = std::string(trimmed(cards.require("a title").text));
   const Card head = cards.require("the number of the set");
   set.id = Fields(head, parameters).integer(0, "sid") + offset_of(block, &DeckTransform::set);
+  if (deck_integer(set.name)) set.name.clear();  // sets are found by their numbers, which no title takes away
 }
 
 }  // namespace pinball

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include <solver/base/error.hpp>
 #include <solver/keyword/fields.hpp>
+#include <solver/keyword/given_once.hpp>
 #include <solver/keyword/number_index.hpp>
 
 #include "keyword_segments.hpp"
@@ -80,6 +80,7 @@ class Reader {
   /// TC: which directions of the node just read are held.
   void hold(const Fields& fields) {
     static constexpr std::uint8_t directions_of_code[8] = {0, 1, 2, 4, 3, 6, 5, 7};
+    if (fields.integer(5, "rc", 0) != 0) ++file_.held_rotations;
     const std::int64_t code = fields.integer(4, "tc", 0);
     if (code < 0 || code > 7) fail_at(fields.place(), fmt::format("*NODE: tc: expected 0 to 7, got {}", code));
     if (code == 0) return;
@@ -90,9 +91,10 @@ class Reader {
   void read_parts(const KeywordBlock& block) {
     for_each_part(block, [&](const Card& title, const Card& card) {
       const std::int64_t id = Fields(card, deck_.parameters).integer(0, "pid") + offset_of(block, &DeckTransform::part);
-      if (!defined_parts_.insert(id).second) fail_at(card.place, fmt::format("part {} is given twice", id));
-      part_of(id);
-      file_.parts[part_places_.at(id)].name = std::string(trimmed(title.text));
+      given_.add(fmt::format("part {}", id), card.place, block.of_case);
+      std::string_view name = trimmed(title.text);
+      if (deck_integer(name)) name = {};  // parts are found by their numbers, which no title takes away
+      file_.parts[static_cast<std::size_t>(part_of(id))].name = std::string(name);
     });
   }
 
@@ -158,18 +160,27 @@ class Reader {
   void check_element_numbers() const {
     const std::int32_t repeated = NumberIndex(file_.element_ids).repeated();
     if (repeated < 0) return;
-    throw InputError(
-        fmt::format("{}: element {} is given twice", place_of_element(file_, repeated), file_.element_ids[repeated]));
+    const std::int64_t number = file_.element_ids[static_cast<std::size_t>(repeated)];
+    const auto first = std::ranges::find(file_.element_ids, number) - file_.element_ids.begin();
+    throw InputError(fmt::format("{}: element {} is given twice, first in {}", place_of_element(file_, repeated),
+                                 number, place_of_element(file_, static_cast<std::int32_t>(first))));
   }
 
   void check_node_numbers() const {
     const std::int32_t repeated = NumberIndex(file_.node_ids).repeated();
     if (repeated < 0) return;
-    const auto is_later = [repeated](const Run& run) { return run.first > static_cast<std::size_t>(repeated); };
+    const std::int64_t number = file_.node_ids[static_cast<std::size_t>(repeated)];
+    const auto first = static_cast<std::size_t>(std::ranges::find(file_.node_ids, number) - file_.node_ids.begin());
+    fail_at(place_of_node(static_cast<std::size_t>(repeated)),
+            fmt::format("node {} is given twice, first in {}", number, place_of_node(first).text()));
+  }
+
+  DeckPlace place_of_node(std::size_t node) const {
+    const auto is_later = [node](const Run& run) { return run.first > node; };
     const Run& run = *(std::ranges::find_if(node_blocks_, is_later) - 1);
     Cards cards(*run.block);
-    for (auto i = run.first; i < static_cast<std::size_t>(repeated); ++i) cards.next_filled();
-    fail_at(cards.next_filled()->place, fmt::format("node {} is given twice", file_.node_ids[repeated]));
+    for (auto i = run.first; i < node; ++i) cards.next_filled();
+    return cards.next_filled()->place;
   }
 
   const KeywordDeck& deck_;
@@ -177,7 +188,7 @@ class Reader {
   MeshFile file_;
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
-  std::set<std::int64_t> defined_parts_;
+  GivenOnce given_;
   std::vector<Run> node_blocks_;
 };
 

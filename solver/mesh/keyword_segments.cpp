@@ -6,6 +6,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/faces.hpp>
+#include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_scanner.hpp>
 
 #include "keyword_boxes.hpp"
@@ -41,8 +42,12 @@ class Segments {
     } catch (const InputError& error) {
       set.problem = error.what();
     }
+    const bool collects = block.name.ends_with("_COLLECT");
+    if (!collects) given_.add(fmt::format("set of segments {}", set.id), block.place, block.of_case);
+    if (!collects && block.of_case)
+      std::erase_if(file_.face_sets, [&](const FaceSet& other) { return other.id == set.id; });
     const auto same = std::ranges::find(file_.face_sets, set.id, &FaceSet::id);
-    if (block.name.ends_with("_COLLECT") && same != file_.face_sets.end()) {
+    if (collects && same != file_.face_sets.end()) {
       same->faces.insert(same->faces.end(), set.faces.begin(), set.faces.end());
       if (same->problem.empty()) same->problem = set.problem;
     } else {
@@ -154,6 +159,7 @@ class Segments {
   const NumberIndex& nodes_;
   MeshFile& file_;
   KeywordBoxes boxes_;
+  GivenOnce given_;
   std::vector<SurfaceFace> surface_;
 };
 

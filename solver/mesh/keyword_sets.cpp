@@ -60,6 +60,9 @@ void KeywordSets::read_set(const KeywordBlock& block) {
       set = std::move(*same);
       sets(block).erase(same);
     }
+  } else {
+    given_.add(fmt::format("set of {} {}", of_nodes(block) ? "nodes" : "solids", set.id), block.place, block.of_case);
+    if (block.of_case) std::erase_if(sets(block), [&](const MeshSet& other) { return other.id == set.id; });
   }
   try {
     add_members(block, cards, set.members);

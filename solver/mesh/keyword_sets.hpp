@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <solver/keyword/fields.hpp>
+#include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_deck.hpp>
 #include <solver/keyword/number_index.hpp>
 
@@ -57,6 +58,7 @@ class KeywordSets {
   const NumberIndex& nodes_;
   NumberIndex elements_;
   KeywordBoxes boxes_;
+  GivenOnce given_;
   Numbered sorted_nodes_, sorted_elements_;  ///< by number, made where a range asks for it
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <solver/keyword/fields.hpp>
+#include <solver/keyword/given_once.hpp>
 
 namespace pinball {
 
@@ -99,6 +100,7 @@ void Transformation::then(const Transformation& other) {
 }
 
 Transformations::Transformations(const KeywordDeck& deck) {
+  GivenOnce given;
   for (const KeywordBlock& block : deck.blocks) {
     if (block.name != "DEFINE_TRANSFORMATION") continue;
     if (!units_of(block).are_own())
@@ -108,6 +110,8 @@ Transformations::Transformations(const KeywordDeck& deck) {
     const std::int64_t number = Fields(cards.require("its number"), deck.parameters).integer(0, "tranid");
     Transformation whole;
     while (const auto card = cards.next_filled()) whole.then(one_of(Fields(*card, deck.parameters)));
+    given.add(fmt::format("transformation {}", number + (block.transform ? block.transform->define : 0)), block.place,
+              block.of_case);
     by_number_[number + (block.transform ? block.transform->define : 0)] = whole;
   }
 }

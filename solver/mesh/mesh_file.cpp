@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 
 #include <solver/base/error.hpp>
@@ -19,16 +20,28 @@ namespace pinball {
 
 namespace {
 
-/// The one of this name, or else of this number; null: none. Of several the last one counts, as in a deck.
+[[noreturn]] void fail_several(const std::string& name, std::int64_t first, std::int64_t second) {
+  throw InputError(
+      fmt::format("\"{}\" is the name of several parts or sets of a mesh file, of those with the numbers {} "
+                  "and {}: expected a name of its own, or a number",
+                  name, first, second));
+}
+
+/// The one of this name, or else of this number, of which the last one counts; null: none. Throws InputError for a name
+/// of several.
 template <class Named>
 const Named* find_named(const std::vector<Named>& items, const std::string& name) {
   const Named* found = nullptr;
   for (const Named& item : items) {
-    if (item.name == name && !name.empty()) found = &item;
+    if (item.name != name || name.empty()) continue;
+    if (found != nullptr && found->id != item.id) fail_several(name, found->id, item.id);
+    found = &item;
   }
-  if (found != nullptr) return found;
+  std::int64_t number = 0;
+  const char* const end = name.data() + name.size();
+  if (found != nullptr || std::from_chars(name.data(), end, number).ptr != end || number == 0) return found;
   for (const Named& item : items) {
-    if (item.id != 0 && std::to_string(item.id) == name) found = &item;
+    if (item.id == number) found = &item;
   }
   return found;
 }

@@ -62,6 +62,7 @@ struct MeshFile {
   std::vector<std::int32_t> line;         ///< per hexahedron, in its file; empty: not known
   std::vector<MeshLines> lines_of;        ///< in the order of the hexahedra; empty: all are lines of the file itself
   std::vector<std::uint8_t> held;         ///< per node: bits of x, y, z that the file itself holds; empty: none
+  std::size_t held_rotations = 0;         ///< nodes whose rotations the file holds, which those of solids do not have
   std::vector<MeshPart> parts;
   std::vector<MeshSet> node_sets, element_sets;
   std::vector<FaceSet> face_sets;
@@ -73,7 +74,7 @@ struct MeshFile {
 MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts);
 
 /// Elements of a part: that of this name or number, or else the set of elements of it; all for "". Throws InputError
-/// where there is none; it names the nearest.
+/// where there is none, of which it names the nearest, or a name of several.
 std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::string& part);
 
 /// The file, or the included one, that a hexahedron stands in.
@@ -81,7 +82,7 @@ const std::string& path_of_element(const MeshFile& file, std::int32_t element);
 /// "FILE:LINE" where it stands; the file alone where the line is not known.
 std::string place_of_element(const MeshFile& file, std::int32_t element);
 
-/// The set of this name, or else of this number; null: none. Of several the last one counts, as in a deck.
+/// The set of this name, or else of this number; null: none. Throws InputError for a name of several.
 const MeshSet* find_set(const std::vector<MeshSet>& sets, const std::string& name);
 const FaceSet* find_set(const std::vector<FaceSet>& sets, const std::string& name);
 /// All names and numbers, for messages.

@@ -269,6 +269,7 @@ TEST_F(IncludingDeck, FilesThatIncludeEachOtherTwiceAreStopped) {
 }
 
 TEST_F(IncludingDeck, FoldersPipesAndDevicesAreNoFiles) {
+  std::filesystem::remove(path("pipe"));
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   for (const char* name : {"pipe", "/dev/zero", "/dev/null"}) {
     write("main.k", fmt::format("*KEYWORD\n*INCLUDE\n{}\n", name));

@@ -178,9 +178,9 @@ TEST(AbaqusMesh, WhatIsWrongIsToldWithItsPlace) {
             "a.inp:15: element 1: expected 6 nodes, got more");
   EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D10\n1, 1, 2, 3\n"),
             "a.inp:14: *ELEMENT, TYPE=C3D10 is not read: expected C3D8R, C3D8, C3D6");
-  EXPECT_EQ(error_of(nodes + "*NODE\n3, 0.\n"), "a.inp:15: node 3 is given twice");
+  EXPECT_EQ(error_of(nodes + "*NODE\n3, 0.\n"), "a.inp:15: node 3 is given twice, first in a.inp:4");
   EXPECT_EQ(error_of(nodes + cubes + "*ELEMENT, TYPE=C3D8\n7, 1, 2, 3, 4, 11, 12, 13, 14\n"),
-            "a.inp:19: element 7 is given twice");
+            "a.inp:19: element 7 is given twice, first in a.inp:15");
   EXPECT_EQ(error_of(nodes + "*NGEN\n1, 4, 1\n"), "a.inp:14: *NGEN is not read");
   EXPECT_EQ(error_of("*NODE\n1, x\n"), "a.inp:2: x (field 2): expected a number, got \"x\"");
   EXPECT_EQ(error_of(nodes + cubes + "*SOLID SECTION, ELSET=none\n"), "a.inp:18: there is no set of elements none");

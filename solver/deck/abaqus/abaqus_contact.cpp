@@ -74,9 +74,15 @@ class Contact {
  private:
   void read_interactions() {
     Friction* current = nullptr;
+    std::string name;
     for (const AbaqusBlock& block : data_.deck.blocks) {
-      if (block.name == "SURFACEINTERACTION") current = &interactions_[label_key(block.require("NAME"))];
-      if (block.name == "FRICTION" && current != nullptr) *current = read_friction(data_, block);
+      if (block.name == "SURFACEINTERACTION") {
+        name = label_key(block.require("NAME"));
+        current = &interactions_[name];
+      }
+      if (block.name != "FRICTION" || current == nullptr) continue;
+      data_.give_once("*FRICTION of the interaction " + name, block.place);
+      *current = read_friction(data_, block);
     }
   }
 

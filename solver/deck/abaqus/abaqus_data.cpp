@@ -29,12 +29,25 @@ AbaqusData::AbaqusData(const AbaqusDeck& deck_, const AbaqusMesh& mesh_, DeckRep
   for (std::size_t i = 0; i < mesh.keys.node_sets.size(); ++i) node_sets_[mesh.keys.node_sets[i]] = i;
   for (std::size_t i = 0; i < mesh.keys.element_sets.size(); ++i) element_sets_[mesh.keys.element_sets[i]] = i;
   for (std::size_t i = 0; i < mesh.keys.face_sets.size(); ++i) face_sets_[mesh.keys.face_sets[i]] = i;
+  for (std::size_t c = 0; c < mesh.components.size(); ++c) components_.emplace(mesh.components[c].key, c);
   require_sections();
   name_bodies();
   read_steps();
   for (const AbaqusBlock& block : deck.blocks) {
+    require_once(block);
     if (block.name == "AMPLITUDE") read_amplitude(block);
   }
+}
+
+/// What has a name stands once, and so does what each step has one of.
+void AbaqusData::require_once(const AbaqusBlock& block) {
+  static const std::set<std::string> named{"MATERIAL", "AMPLITUDE", "SECTIONCONTROLS", "SURFACEINTERACTION"},
+      one_a_step{"DYNAMIC", "BULKVISCOSITY", "FIXEDMASSSCALING"};
+  if (named.contains(block.name)) give_once(block.star_name() + ' ' + label_key(block.require("NAME")), block.place);
+  if (block.name == "TIE" && block.has("NAME")) give_once("*TIE " + label_key(block.require("NAME")), block.place);
+  if (one_a_step.contains(block.name))
+    give_once(block.step > 0 ? fmt::format("{} of step {}", block.star_name(), block.step) : block.star_name(),
+              block.place);
 }
 
 const AbaqusBlock* AbaqusData::last(const std::string& name) const {
@@ -211,10 +224,8 @@ AbaqusCurve AbaqusData::curve(const AbaqusBlock& block) const {
 }
 
 const AbaqusRange* AbaqusData::range_of(const std::string& instance) const {
-  for (std::size_t c = 0; c < mesh.components.size(); ++c) {
-    if (mesh.components[c].key == label_key(instance)) return &mesh.ranges[c];
-  }
-  return nullptr;
+  const auto found = components_.find(label_key(instance));
+  return found == components_.end() ? nullptr : &mesh.ranges[found->second];
 }
 
 AbaqusNodes AbaqusData::nodes(const std::string& label, const DeckPlace& place) const {

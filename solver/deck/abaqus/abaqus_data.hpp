@@ -7,6 +7,7 @@
 #include <solver/deck/deck_parts.hpp>
 #include <solver/deck/deck_report.hpp>
 #include <solver/deck/toml_text.hpp>
+#include <solver/keyword/given_once.hpp>
 #include <solver/keyword/number_index.hpp>
 #include <solver/mesh/abaqus/abaqus_mesh.hpp>
 
@@ -79,6 +80,8 @@ class AbaqusData {
   AbaqusCurve curve(const AbaqusBlock& block) const;
   /// The last keyword of a name, without case and blanks, which is the one that counts; null: none.
   const AbaqusBlock* last(const std::string& name) const;
+  /// Throws InputError where the deck gives this ("material STEEL") already.
+  void give_once(const std::string& what, const DeckPlace& place) { given_.add(what, place); }
   /// Name of a material, or the like, in the scene.
   std::string material_name(const std::string& key) const { return "mat_" + plain_name(key); }
   static std::string plain_name(const std::string& label);
@@ -91,8 +94,11 @@ class AbaqusData {
   void read_amplitude(const AbaqusBlock& block);
   const AbaqusRange* range_of(const std::string& instance) const;
 
+  void require_once(const AbaqusBlock& block);
+
   NumberIndex numbers_;  ///< of nodes
-  std::map<std::string, std::size_t> node_sets_, element_sets_, face_sets_;
+  GivenOnce given_;
+  std::map<std::string, std::size_t> node_sets_, element_sets_, face_sets_, components_;
   std::map<std::string, AbaqusCurve> amplitudes_;
 };
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include <solver/keyword/given_once.hpp>
+
 #include "abaqus_parts.hpp"
 
 namespace pinball {
@@ -21,7 +23,17 @@ struct Curve {
 struct AbaqusMaterial {
   const AbaqusBlock* head = nullptr;
   std::vector<const AbaqusBlock*> options;
+  GivenOnce given{};
 
+  /// Options of a material stand once, but for *PLASTIC at another rate.
+  void add(const AbaqusBlock& block) {
+    static const std::set<std::string> once{"DENSITY",       "ELASTIC",      "PLASTIC",
+                                            "RATEDEPENDENT", "SHEARFAILURE", "DAMPING"};
+    const std::string rate = block.name == "PLASTIC" ? fmt::format(" at the rate {}", block.number("RATE", 0.0)) : "";
+    if (!once.contains(block.name)) return;
+    given.add(block.star_name() + rate + " of one material", block.place);
+    options.push_back(&block);
+  }
   const AbaqusBlock* option(const char* name) const {
     const AbaqusBlock* found = nullptr;
     for (const AbaqusBlock* block : options) {
@@ -37,11 +49,11 @@ std::map<std::string, AbaqusMaterial> materials_of(const AbaqusDeck& deck) {
   for (const AbaqusBlock& block : deck.blocks) {
     if (block.name == "MATERIAL") {
       current = &materials[label_key(block.require("NAME"))];
-      *current = {&block, {}};
+      current->head = &block;
     } else if (block.step > 0 || block.name == "ASSEMBLY" || block.name == "PART") {
       current = nullptr;
     } else if (current != nullptr) {
-      current->options.push_back(&block);
+      current->add(block);
     }
   }
   return materials;
@@ -188,6 +200,19 @@ void write_damping(AbaqusData& data, const std::map<std::string, AbaqusMaterial>
   scene.key("mass", *factors.begin());
 }
 
+/// Materials of no section, with their options.
+void tell_unused(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& materials) {
+  std::set<std::string> used;
+  for (const AbaqusBody& body : data.bodies) used.insert(body.material);
+  for (const auto& [key, material] : materials) {
+    if (used.contains(key)) continue;
+    data.report.unused(material.head->place, fmt::format("*MATERIAL {}, which no section with elements has", key));
+    for (const AbaqusBlock* block : material.options) {
+      if (block->log != nullptr) block->log->done(block);
+    }
+  }
+}
+
 }  // namespace
 
 void translate_abaqus_materials(AbaqusData& data, TomlText& scene) {
@@ -199,6 +224,7 @@ void translate_abaqus_materials(AbaqusData& data, TomlText& scene) {
     if (found == materials.end())
       fail_at(section.place, fmt::format("there is no *MATERIAL {}", section.require("MATERIAL")));
   }
+  tell_unused(data, materials);
   write_damping(data, materials, scene);
   for (const AbaqusBody& body : data.bodies) {
     if (written.insert(body.material).second) write_material(data, body.material, materials.at(body.material), scene);

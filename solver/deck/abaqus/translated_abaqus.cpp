@@ -8,6 +8,7 @@
 
 #include "abaqus_parts.hpp"
 #include "abaqus_rules.hpp"
+#include "abaqus_unread.hpp"
 
 namespace pinball {
 
@@ -63,7 +64,9 @@ bool is_abaqus_deck(const std::string& path) {
 
 TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& options) {
   if (options.chosen_case) throw InputError(path + ": --case is for LS-DYNA decks (.k, .key, .dyn)");
-  const AbaqusDeck deck = read_abaqus_deck(path);
+  AbaqusDeck deck = read_abaqus_deck(path);
+  ReadingLog log;
+  follow_reading(deck, log);
   DeckReport report;
   sort_keywords(deck, options.lenient, report);
   report.require_all_done(path);
@@ -83,6 +86,7 @@ TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& opti
   translate_abaqus_initial_velocities(data, boundary);
   translate_abaqus_loads(data, boundary);
   translate_abaqus_probes(data, boundary);
+  tell_unread(deck, log, report);
   report.require_all_done(path);
   scene.append(bodies);
   scene.append(boundary);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <solver/keyword/number_index.hpp>
@@ -109,14 +110,14 @@ class Reader {
   /// The line of the second one is looked for only now.
   [[noreturn]] static void fail_twice(const AbaqusComponent& component, const char* keyword, const char* what,
                                       std::int64_t number) {
-    bool found = false;
+    std::optional<DeckPlace> first;
     for (const AbaqusBlock* block : component.blocks) {
       if (block->name != keyword) continue;
       DataLines lines(*block);
       while (const auto card = lines.next()) {
         if (DataFields(*card).integer(0, "number") != number) continue;
-        if (found) fail_at(card->place, fmt::format("{} {} is given twice", what, number));
-        found = true;
+        if (first) fail_at(card->place, fmt::format("{} {} is given twice, first in {}", what, number, first->text()));
+        first = card->place;
       }
     }
     fail_at(component.place, fmt::format("{} {} is given twice", what, number));
@@ -192,8 +193,9 @@ class Reader {
       const std::string set = section.block->require("ELSET");
       for (const std::int32_t e : sets.members(section.component, false, set, section.block->place)) {
         if (file_.part[e] >= 0 && file_.part[e] != part)
-          fail_at(section.block->place, fmt::format("*SOLID SECTION: element {} is in that of {}, too",
-                                                    file_.element_ids[e], file_.parts[file_.part[e]].name));
+          fail_at(section.block->place,
+                  fmt::format("*SOLID SECTION: element {} is in that of {}, too, {}", file_.element_ids[e],
+                              file_.parts[file_.part[e]].name, mesh_.sections[file_.part[e]].block->place.text()));
         file_.part[e] = part;
       }
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <solver/base/error.hpp>
+#include <solver/keyword/given_once.hpp>
 
 namespace pinball {
 
@@ -43,6 +44,7 @@ void AbaqusSets::add_range(std::size_t component, bool of_nodes, const std::stri
 
 void AbaqusSets::read() {
   for (std::size_t c = 0; c < components_.size(); ++c) {
+    GivenOnce given;  // an instance has the blocks of its part
     for (const AbaqusBlock* block : components_[c].blocks) {
       const bool of_nodes = block->name == "NSET";
       if (of_nodes || block->name == "ELSET") {
@@ -53,6 +55,9 @@ void AbaqusSets::read() {
       }
       if (block->name == "SURFACE") {
         const std::string name = block->require("NAME");
+        given.add(
+            fmt::format("surface {}{}{}", components_[c].key, components_[c].key.empty() ? "" : ".", label_key(name)),
+            block->place);
         surfaces_[c].push_back({label_text(name), label_key(name), block});
       }
     }

@@ -1,0 +1,50 @@
+#include "unread.hpp"
+
+#include <fmt/format.h>
+
+#include "keyword_rules.hpp"
+
+namespace pinball {
+
+std::string fields_text(std::uint32_t fields) {
+  std::vector<int> numbers;
+  for (int i = 0; i < 32; ++i) {
+    if ((fields >> i & 1U) != 0) numbers.push_back(i + 1);
+  }
+  if (numbers.size() == 1) return fmt::format("field {}", numbers[0]);
+  const int last = numbers.back();
+  numbers.pop_back();
+  return fmt::format("fields {} and {}", fmt::join(numbers, ", "), last);
+}
+
+void follow_reading(KeywordDeck& deck, ReadingLog& log) {
+  for (KeywordBlock& block : deck.blocks) {
+    const KeywordRule* rule = rule_of(keyword_alias(block.name));
+    const bool is_done = rule != nullptr && (rule->treatment == Treatment::done || rule->treatment == Treatment::mesh);
+    if (is_done && block.name != "NODE" && block.name != "ELEMENT_SOLID") block.log = &log;
+  }
+}
+
+void tell_unread(const KeywordDeck& deck, const ReadingLog& log, DeckReport& report) {
+  for (const KeywordBlock& block : deck.blocks) {
+    if (block.log == nullptr || log.is_done(&block)) continue;
+    if (!log.has_seen(&block)) {
+      report.unused(block.place, block.star_name());
+      continue;
+    }
+    if (block.name == "TITLE") continue;  // of one line
+    KeywordBlock silent = block;
+    silent.log = nullptr;
+    Cards cards(silent);
+    for (std::size_t line = 0; const auto card = cards.next(); ++line) {
+      if (line >= log.lines_of(&block)) {
+        if (!card->blank()) report.unused(card->place, block.star_name() + ": the rest of its lines");
+        continue;
+      }
+      if (const std::uint32_t left = log.left_of(card->text.data()); left != 0)
+        report.unused(card->place, fmt::format("{}: {}", block.star_name(), fields_text(left)));
+    }
+  }
+}
+
+}  // namespace pinball
