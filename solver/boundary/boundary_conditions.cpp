@@ -60,14 +60,34 @@ void BoundaryConditions<S>::find_changes(const Scene& scene) {
 template <class S>
 bool BoundaryConditions<S>::follow(Model<S>& model, const NodeArrays<S>& nodes, double time, const StepLengths& step) {
   const auto past = static_cast<std::size_t>(std::ranges::upper_bound(changes_, time) - changes_.begin());
-  if (past == changed_ && !was_read_) return false;
+  if (past == changed_) return false;
+  set_present(model, time);
+  if (constrains_) done_ -= held_->energy_along(nodes, step);
+  changed_ = past;
+  return true;
+}
+
+template <class S>
+void BoundaryConditions<S>::set_present(Model<S>& model, double time) {
   set_constraints(model, time);
   take_constraints(model);
-  if (past != changed_ && constrains_) done_ -= held_->energy_along(nodes, step);
-  changed_ = past;
-  was_read_ = false;
   walls_.take_held_directions(model);
-  return true;
+}
+
+template <class S>
+void BoundaryConditions<S>::persist(StateArchive& archive, Model<S>& model, double time) {
+  archive(done_, last_, changed_);
+  std::vector<Point> forces;
+  if (!archive.reads()) forces = named_forces(model, time);
+  archive(forces);
+  archive.require(forces.size() == named_.names().size());
+  if (archive.reads()) forces_read_ = std::move(forces);
+  archive.require(changed_ <= changes_.size());
+  // The model is of the start, or of a later time: what acts from the last change on is set at once, so that neither a
+  // stage of the next step that comes before follow() nor another save finds anything else.
+  if (archive.reads() && !changes_.empty()) set_present(model, changed_ == 0 ? 0.0 : changes_[changed_ - 1]);
+  pressures_.persist(archive);
+  walls_.persist(archive);
 }
 
 template <class S>
@@ -79,6 +99,7 @@ void BoundaryConditions<S>::take_constraints(const Model<S>& model) {
 
 template <class S>
 void BoundaryConditions<S>::add_loads(const NodeArrays<S>& nodes, double time) {
+  forces_read_.reset();
   for (const Load& load : loads_) {
     const double factor = load.given.table.value(time);
     Point present{};

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
@@ -47,13 +48,9 @@ class BoundaryConditions {
   /// Forces that a host adds in every step, in records of four like those of the nodes; zero at first, and then what
   /// the host writes. They are no part of the state that is saved.
   Array<S>& host_forces(const Model<S>& model);
-  void persist(StateArchive& archive) {
-    archive(done_, last_, changed_);
-    archive.require(changed_ <= changes_.size());
-    was_read_ = archive.reads();  // the model has the constraints of another time
-    pressures_.persist(archive);
-    walls_.persist(archive);
-  }
+  /// Reading gives the model the constraints and prescribed velocities of the state, which are no part of it. time: of
+  /// the forces, where it writes.
+  void persist(StateArchive& archive, Model<S>& model, double time);
   const std::vector<WallResult>& walls() const { return walls_.results(); }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
   /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
@@ -67,21 +64,23 @@ class BoundaryConditions {
     NodalLoad given;
     std::unique_ptr<NodeForceKernels<S>> nodes;
   };
+  std::vector<Point> named_forces(const Model<S>& model, double time) const;
   static Load load_of(const Model<S>& model, const NodalLoad& given, const BoundaryKernels<S>& kernels);
   void find_changes(const Scene& scene);
+  void set_present(Model<S>& model, double time);
   void take_constraints(const Model<S>& model);
   ExternalWork work_of_step(const NodeArrays<S>& nodes, const StepLengths& step);
 
   bool any_ = false, acts_ = false;  ///< acts_: does work
   std::vector<double> changes_;      ///< when constraints or prescribed velocities begin or end, in order
-  bool was_read_ = false;
-  std::uint64_t changed_ = 0;  ///< how many of them are past
+  std::uint64_t changed_ = 0;        ///< how many of them are past
   std::unique_ptr<const BoundaryKernels<S>> kernels_;
   std::vector<Load> loads_;
   Array<S> host_forces_;                          ///< empty until asked for [force]
   std::unique_ptr<NodeForceKernels<S>> of_host_;  ///< null: until then
   std::unique_ptr<NodeForceKernels<S>> damping_;  ///< null: there is none
   NamedForces named_;
+  std::optional<std::vector<Point>> forces_read_;  ///< with a state, up to its next step: by name [force]
   GravityLoads<S> gravity_;
   std::vector<TimeTable> velocity_tables_;
   std::vector<MotionQuantity> quantities_;  ///< of the tables

@@ -50,6 +50,7 @@ void FacePressures<S>::apply(const NodeArrays<S>& nodes, double time) {
     const double factor = time >= given.start || given.start <= 0 ? given.table.value(time - given.start) : 0.0;
     const auto pressure = static_cast<S>(factor * given.pressure);
     load.acts = pressure != S(0);
+    load.force_read.reset();
     if (load.acts) load.faces->add(nodes, pressure);
   }
 }
@@ -73,11 +74,27 @@ std::vector<PressureResult> FacePressures<S>::results() const {
     PressureResult& result = results.emplace_back();
     result.name = load.given.name;
     result.work = load.done + load.last.now;
-    if (!load.acts) continue;
-    const ForceSum force = load.faces->force();
-    result.force = {force.x, force.y, force.z};
+    result.force = force_of(load);
   }
   return results;
+}
+
+template <class S>
+Point FacePressures<S>::force_of(const Load& load) {
+  if (load.force_read) return *load.force_read;
+  if (!load.acts) return {};
+  const ForceSum force = load.faces->force();
+  return {force.x, force.y, force.z};
+}
+
+/// The forces on the faces are those of a step, and are made anew in the next one: their sum is what is saved.
+template <class S>
+void FacePressures<S>::persist(StateArchive& archive) {
+  for (Load& load : loads_) {
+    Point force = archive.reads() ? Point{} : force_of(load);
+    archive(load.done, load.last, force);
+    if (archive.reads()) load.force_read = force;
+  }
 }
 
 template <class S>

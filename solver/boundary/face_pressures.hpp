@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
@@ -27,9 +28,7 @@ class FacePressures {
   /// Work of the forces that apply() has added; to be called when all forces are known.
   ExternalWork work(const NodeArrays<S>& nodes, const StepLengths& step);
 
-  void persist(StateArchive& archive) {
-    for (Load& load : loads_) archive(load.done, load.last);
-  }
+  void persist(StateArchive& archive);
   std::vector<PressureResult> results() const;
   std::size_t bytes() const;
 
@@ -40,7 +39,9 @@ class FacePressures {
     bool acts = false;  ///< at the time of the forces
     double done = 0;    ///< work of all steps before the last
     ExternalWork last;
+    std::optional<Point> force_read;  ///< with a state, up to its next step [force]
   };
+  static Point force_of(const Load& load);
   std::vector<Load> loads_;
 };
 

@@ -31,7 +31,8 @@ void NamedForces::add(const std::string& name, const Point& force, std::vector<P
 }
 
 template <class S>
-std::vector<ForceResult> BoundaryConditions<S>::forces(const Model<S>& model, double time) const {
+std::vector<Point> BoundaryConditions<S>::named_forces(const Model<S>& model, double time) const {
+  if (forces_read_) return *forces_read_;
   const Scene& scene = model.scene;
   std::vector<Point> sums(named_.names().size(), Point{});
   const auto add = [&](const std::string& name, const ForceSum& force) {
@@ -46,11 +47,19 @@ std::vector<ForceResult> BoundaryConditions<S>::forces(const Model<S>& model, do
     if (!name.empty()) add(name, held_->force_of_prescribed(static_cast<std::int32_t>(t)));
   }
   if (named_.any()) gravity_.add_forces(model, time, named_, sums);
+  return sums;
+}
+
+template <class S>
+std::vector<ForceResult> BoundaryConditions<S>::forces(const Model<S>& model, double time) const {
+  const std::vector<Point> sums = named_forces(model, time);
   std::vector<ForceResult> results;
   for (std::size_t i = 0; i < sums.size(); ++i) results.push_back({named_.names()[i], sums[i]});
   return results;
 }
 
+template std::vector<Point> BoundaryConditions<double>::named_forces(const Model<double>&, double) const;
+template std::vector<Point> BoundaryConditions<float>::named_forces(const Model<float>&, double) const;
 template std::vector<ForceResult> BoundaryConditions<double>::forces(const Model<double>&, double) const;
 template std::vector<ForceResult> BoundaryConditions<float>::forces(const Model<float>&, double) const;
 
