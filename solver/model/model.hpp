@@ -24,9 +24,8 @@ namespace pinball {
 struct FileNodes {
   std::string path;
   std::vector<std::pair<std::int64_t, std::int32_t>> numbers;  ///< number in the file and node, by number; may be empty
-  /// Number in the file and element, by number; empty where no probe asks for one.
-  std::vector<std::pair<std::int64_t, std::int32_t>> element_numbers{};
-  std::vector<MeshSet> sets;          ///< of nodes of the model
+  std::vector<std::pair<std::int64_t, std::int32_t>> element_numbers{};  ///< the same of elements
+  std::vector<MeshSet> sets;                                             ///< of nodes of the model
   std::vector<MeshSet> element_sets;  ///< of elements of the model; parts, and then sets
   std::vector<FaceSet> face_sets;     ///< of nodes of the model, those of its elements alone
   std::vector<MeshGroup> groups{};    ///< all parts and sets of the file

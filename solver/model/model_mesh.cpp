@@ -68,13 +68,6 @@ bool same_file(const Body& a, const Body& b) {
          a.axis == b.axis && a.position == b.position;
 }
 
-/// Whether any probe names an element by its number, or fields show them.
-bool numbers_elements(const Scene& scene) {
-  if (scene.output.field_interval > 0 || !scene.output.field_times.empty()) return true;
-  return std::ranges::any_of(
-      scene.probes, [](const Probe& probe) { return probe.kind == ProbeKind::element && probe.number.has_value(); });
-}
-
 /// Puts the meshes of the bodies together.
 class Assembly {
  public:
@@ -92,7 +85,6 @@ class Assembly {
     }
     for (const Placed& placed : files_) {
       all_.files.push_back(file_nodes(placed.file, placed.node, placed.element));
-      if (numbers_elements(scene_)) add_element_numbers(placed.file, placed.element, all_.files.back());
     }
     check_files();
     all_.file_of_body = file_of_body_;
@@ -138,7 +130,7 @@ class Assembly {
     for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
       std::array<std::int32_t, 8> hexahedron = mesh.hexahedra[e];
       for (std::int32_t& node : hexahedron) node += offset;
-      add_element(hexahedron, b, [&] { return fmt::format("element {}", e); });
+      add_element(hexahedron, b, [&] { return fmt::format("element {}", all_.element_count() - 1); });
     }
   }
 
@@ -147,7 +139,8 @@ class Assembly {
     for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
       std::array<Point, 8> corners;
       for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[mesh.hexahedra[e][i]];
-      require_none(volume_problem(corners, scene_.precision), b, [&] { return fmt::format("element {}", e); });
+      require_none(volume_problem(corners, scene_.precision), b,
+                   [&] { return fmt::format("element {}", all_.element_count() + static_cast<std::int64_t>(e)); });
     }
   }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <solver/model/model_surface.hpp>
+#include <solver/model/place_names.hpp>
 
 namespace pinball {
 
@@ -65,8 +66,7 @@ std::string node_name(const Model<S>& model, std::int64_t node) {
   if (node < 0) return "";
   const auto at = std::find(model.node_of_scene_node.begin(), model.node_of_scene_node.end(), node);
   if (at == model.node_of_scene_node.end()) return "";
-  const auto number = static_cast<std::size_t>(at - model.node_of_scene_node.begin());
-  return fmt::format("node {} of body {}", number, model.mesh.body_names[model.mesh.body_of_node[number]]);
+  return node_name(model.mesh, at - model.node_of_scene_node.begin());
 }
 
 template <class S>

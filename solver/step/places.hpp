@@ -12,7 +12,7 @@ namespace pinball {
 /// Corners of an element at the time of the forces, dt before that of the positions [length].
 template <class S>
 std::array<Point, 8> corners_at_forces(const Model<S>& model, std::int64_t slot, double dt);
-/// "node 17 of body rod", by the numbers of the scene, for a node of the store; empty for a negative number.
+/// The name of a node of the store (place_names.hpp); empty for a negative number.
 template <class S>
 std::string node_name(const Model<S>& model, std::int64_t node);
 /// Node of the store on which the last step's contact force was largest; negative where there was none.

@@ -7,6 +7,7 @@
 #include <kernels/exec.hpp>
 #include <solver/base/version.h>
 #include <solver/device/devices.hpp>
+#include <solver/model/place_names.hpp>
 #include <solver/results/state_hash.hpp>
 
 #include "report_soundness.hpp"
@@ -28,7 +29,7 @@ template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot) {
   const std::int32_t element = slot < 0 ? -1 : model.element_of_slot[slot];
   if (element < 0) return "no element";
-  return fmt::format("element {} of body {}", element, model.mesh.body_of_element(element));
+  return element_name(model.mesh, element);
 }
 
 template <class S>

@@ -14,7 +14,7 @@ namespace pinball {
 /// Sum over all nodes [mass length/time].
 template <class S>
 Point momentum(const Model<S>& model);
-/// "element 17 of body rod", by the numbers of the scene; "no element" for padding and a negative slot.
+/// The name of the element of a slot (place_names.hpp); "no element" for padding and a negative slot.
 template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot);
 /// What set the smallest step: the name of an element, "contact", "the speed of impact"; empty before the first step.

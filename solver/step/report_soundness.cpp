@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <solver/model/place_names.hpp>
 #include <solver/results/sound_bounds.hpp>
 
 #include "places.hpp"
@@ -75,7 +76,7 @@ void add_overlaps(const Solver<S>& solver, RunSummary& summary) {
     overlap.depth = found.depth;
     overlap.share = found.share;
     if (found.node < 0) continue;
-    overlap.place = fmt::format("node {} of body {}", found.node, mesh.body_names[mesh.body_of_node[found.node]]);
+    overlap.place = node_name(mesh, found.node);
   }
 }
 

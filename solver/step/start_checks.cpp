@@ -9,6 +9,7 @@
 #include <solver/base/error.hpp>
 #include <solver/model/elements/element_start.hpp>
 #include <solver/model/elements/mass_scaling.hpp>
+#include <solver/model/place_names.hpp>
 
 namespace pinball {
 
@@ -55,10 +56,6 @@ SmallestStep smallest_step(const StartElements& elements, const ModelMesh& mesh)
   return smallest;
 }
 
-std::string name_of(const ModelMesh& mesh, std::int64_t element) {
-  return fmt::format("element {} of body {}", element, mesh.body_of_element(element));
-}
-
 /// How a message names the settings of an element: those of its body, or of all.
 std::string settings_of(const Scene& scene, const ModelMesh& mesh, std::int64_t element) {
   const auto body = static_cast<std::size_t>(mesh.body[static_cast<std::size_t>(element)]);
@@ -91,7 +88,7 @@ std::string viscous_sentence(const Scene& scene, const ModelMesh& mesh) {
   return fmt::format(
       "{}.hourglass_coefficient = {:.4g} is beyond {:.3g}, up to which viscous hourglass forces are stable in {} "
       "with time.cfl = {:.4g}: where the number is the QH of another code, give QH/4, which is {:.4g}",
-      settings_of(scene, mesh, worst), k, most, name_of(mesh, worst), scene.time.cfl, k / 4);
+      settings_of(scene, mesh, worst), k, most, element_name(mesh, worst), scene.time.cfl, k / 4);
 }
 
 /// Of the other two forms; name: of the table that has the settings.
@@ -113,7 +110,7 @@ void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longe
   const SmallestStep smallest = smallest_step(StartElements(scene, mesh), mesh);
   const double stable = scene.time.cfl * smallest.step, step = std::min(stable, longest_impact_step);
   const double end = scene.time.end;
-  const std::string at = name_of(mesh, smallest.element);
+  const std::string at = element_name(mesh, smallest.element);
   if (!(stable > 0) || !std::isfinite(stable)) {
     throw InputError(
         fmt::format("{}the stable step of {} is {:.3g}: expected a number > 0, look at its material and "

@@ -7,6 +7,7 @@
 #include <solver/base/error.hpp>
 #include <solver/model/element_checks.hpp>
 #include <solver/model/initial_overlap.hpp>
+#include <solver/model/place_names.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 #include "overlapping_bodies.hpp"
@@ -66,9 +67,9 @@ void check_volumes(const Scene& scene, const ModelMesh& mesh, const std::vector<
     const std::string problem = volume_problem(mesh.corners(e), scene.precision);
     if (problem.empty()) continue;
     throw InputError(
-        fmt::format("{}element {} of body {} {} when its nodes are put on the surface of the body that they lie in "
+        fmt::format("{}{} {} when its nodes are put on the surface of the body that they lie in "
                     "(contact.overlap = \"adjust\"): move the bodies apart",
-                    message_head(scene), e, mesh.body_of_element(e), problem));
+                    message_head(scene), element_name(mesh, e), problem));
   }
 }
 

@@ -11,6 +11,7 @@
 #include <solver/contact/search/box_pairs.hpp>
 #include <solver/model/element_checks.hpp>
 #include <solver/model/exposed_faces.hpp>
+#include <solver/model/place_names.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 #include "contact_sides.hpp"
@@ -229,9 +230,9 @@ class TieSearch {
       const std::string problem = volume_problem(mesh_.corners(e), scene_.precision);
       if (problem.empty()) continue;
       throw InputError(
-          fmt::format("{}element {} of body {} {} when its nodes are put on the faces that they are tied "
+          fmt::format("{}{} {} when its nodes are put on the faces that they are tied "
                       "to: try a smaller contact.tied tolerance",
-                      message_head(scene_), e, mesh_.body_of_element(e), problem));
+                      message_head(scene_), element_name(mesh_, e), problem));
     }
   }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <solver/base/error.hpp>
+#include <solver/model/place_names.hpp>
 
 #include "element_start.hpp"
 
@@ -20,9 +21,9 @@ std::vector<double> mass_factors(const Scene& scene, const ModelMesh& mesh, cons
     const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
     const double factor = start.mass_factor(time.smallest_step / time.cfl);
     if (!(factor > 0) || !std::isfinite(factor)) {
-      throw InputError(fmt::format(
-          "{}time.smallest_step: expected a step for which element {} of body {} can have a mass, got {:.9g}",
-          message_head(scene), e, mesh.body_of_element(static_cast<std::int64_t>(e)), time.smallest_step));
+      throw InputError(fmt::format("{}time.smallest_step: expected a step for which {} can have a mass, got {:.9g}",
+                                   message_head(scene), element_name(mesh, static_cast<std::int64_t>(e)),
+                                   time.smallest_step));
     }
     factors[e] = time.mass_scaling == MassScaling::all ? factor : std::max(1.0, factor);
   }

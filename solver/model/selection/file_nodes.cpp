@@ -65,16 +65,13 @@ FileNodes file_nodes(const MeshFile& file, const std::vector<std::int32_t>& node
   named.path = file.path;
   named.groups = groups_of(file);
   named.numbers = numbers_of(file.node_ids, node);
+  named.element_numbers = numbers_of(file.element_ids, element);
   for (const MeshSet& set : file.node_sets) named.sets.push_back(set_of_model(set, node, file.node_ids));
   for (const FaceSet& set : file.face_sets) named.face_sets.push_back(faces_of_model(set, node));
   named.element_sets = parts_as_sets(file, element);
   for (const MeshSet& set : file.element_sets)
     named.element_sets.push_back(set_of_model(set, element, file.element_ids));
   return named;
-}
-
-void add_element_numbers(const MeshFile& file, const std::vector<std::int32_t>& element, FileNodes& named) {
-  named.element_numbers = numbers_of(file.element_ids, element);
 }
 
 }  // namespace pinball

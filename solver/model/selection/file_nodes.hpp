@@ -12,7 +12,4 @@ namespace pinball {
 FileNodes file_nodes(const MeshFile& file, const std::vector<std::int32_t>& node,
                      const std::vector<std::int32_t>& element);
 
-/// Adds the numbers of the elements, which are not kept without need.
-void add_element_numbers(const MeshFile& file, const std::vector<std::int32_t>& element, FileNodes& named);
-
 }  // namespace pinball
