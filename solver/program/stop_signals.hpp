@@ -2,7 +2,8 @@
 
 #include <solver/base/export.h>
 
-/// Ctrl-C (SIGINT) and SIGTERM, for the program: the library knows of no signal.
+/// Ctrl-C (SIGINT), SIGTERM, the end of the terminal (SIGHUP), and what batch systems send before they kill a job
+/// (SIGUSR1, SIGUSR2, SIGXCPU), for the program: the library knows of no signal.
 namespace pinball {
 
 /// What the first signal does; a second one always ends the program at once, with status 128 + its number.

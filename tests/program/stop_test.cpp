@@ -73,7 +73,7 @@ class Stops : public testing::Test {
 };
 
 TEST_F(Stops, ASignalEndsARunAfterItsStepWithAllItsFiles) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU}) {
     start_long_run();
     EXPECT_EQ(end_with(signal), 128 + signal);
     const Json json = summary();
@@ -88,6 +88,30 @@ TEST_F(Stops, ASignalEndsARunAfterItsStepWithAllItsFiles) {
     EXPECT_EQ(f.status, 0) << f.text;
     EXPECT_EQ(summary()["status"], "done");
   }
+}
+
+TEST_F(Stops, ALogThatNobodyReadsEndsNoRun) {
+  const std::string steps = " --set time.steps=300 --set output.field_interval=1e-6 --out " + out_;
+  in_shell("run rod_plate" + steps + " 2>&1 >/dev/null | head -c 1 >/dev/null");
+  for (int wait = 0; wait < 300 && summary()["status"] == "running"; ++wait) ::usleep(100000);
+  EXPECT_EQ(summary()["status"], "done");
+}
+
+TEST_F(Stops, AFileThatMayNotGrowIsAnErrorThatNamesIt) {
+  const Finished f = run("run rod_plate --set output.interval=step --out " + out_, "ulimit -f 40;");
+  EXPECT_EQ(f.status, 1) << f.text;
+  EXPECT_THAT(f.text, HasSubstr("pinball: error: cannot write " + out_));
+  EXPECT_THAT(f.text, HasSubstr("File too large"));
+}
+
+TEST_F(Stops, ARunWithoutATerminalGoesOn) {
+  ::signal(SIGHUP, SIG_IGN);  // as nohup does
+  start_long_run();
+  ::signal(SIGHUP, SIG_DFL);
+  ::kill(process_, SIGHUP);
+  ::usleep(50000);
+  EXPECT_EQ(end_with(SIGINT), 130);
+  EXPECT_EQ(summary()["status"], "stopped");
 }
 
 TEST_F(Stops, AKilledRunIsOneThatRuns) {
@@ -120,6 +144,9 @@ TEST_F(Stops, ComparisonsEndAtOnce) {
     start(command);
     ::usleep(200000);
     EXPECT_EQ(end_with(SIGTERM), 143) << command[0];
+    start(command);
+    ::usleep(200000);
+    EXPECT_EQ(end_with(SIGHUP), 129) << command[0];
   }
 }
 
