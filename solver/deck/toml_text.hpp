@@ -14,6 +14,7 @@ namespace pinball {
 /// Values as TOML writes them; numbers such that the same bits are read again.
 inline std::string toml(double value) {
   std::string text = fmt::format("{}", value);
+  if (!std::isfinite(value)) return text;  // which the scene is refused for, where it stands
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }

@@ -139,9 +139,16 @@ class Parser {
     rest_.remove_prefix(length);
     return peek() == '(' ? call(name) : name == "pi" ? std::acos(-1.0) : value_of_(name);
   }
+  static bool is_sign(char c) { return c == '+' || c == '-'; }
   double constant() {
     double value = 0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
+    // Of the constant alone: how far ahead a library looks for its end is the library's own.
+    std::size_t length = std::min(rest_.find_first_not_of("0123456789."), rest_.size());
+    if (length < rest_.size() && (rest_[length] == 'e' || rest_[length] == 'E')) {
+      const std::size_t digits = length + (length + 1 < rest_.size() && is_sign(rest_[length + 1]) ? 2 : 1);
+      length = std::min(rest_.find_first_not_of("0123456789", digits), rest_.size());
+    }
+    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + length, value);
     if (error != std::errc()) fail("a number");
     rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     return value;

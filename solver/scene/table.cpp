@@ -35,7 +35,8 @@ std::string nearest_key(std::string_view key, std::string_view path, const Table
       best = join(table, candidate);
     }
   };
-  for (const auto candidate : own.keys) consider(path, candidate, 0);
+  // What other programs, and other keys here, call the name of a file.
+  for (const auto candidate : own.keys) consider(path, candidate, candidate == "file" && key == "path" ? -100 : 0);
   for (const auto& other : scene_keys()) {
     // The other kinds of mesh share their place with this one: their keys would be just as wrong here.
     if (other.shown == own.shown) continue;

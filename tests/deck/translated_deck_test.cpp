@@ -15,6 +15,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
 class Deck : public DeckTest {};
@@ -23,6 +24,11 @@ TEST_F(Deck, OfACubeIsAScene) {
   const Scene s = scene(cube + elastic + ends + "*TITLE\nA cube\n");
   EXPECT_EQ(s.name, "deck");
   expect_cube(s, "cube");
+}
+
+TEST_F(Deck, NumbersBeyondAllAreToldWithTheirCard) {
+  const std::string stiff = cube + "*MAT_ELASTIC\n1,7.85E-9,1.7E308,0.49999\n" + ends;
+  EXPECT_THAT(error_in_cards(stiff), AllOf(StartsWith("deck.k:21: *MAT_ELASTIC"), HasSubstr("got inf")));
 }
 
 TEST_F(Deck, HasTheDefaultsOfDecks) {

@@ -98,6 +98,18 @@ TEST(DeckExpression, FollowsTheRulesOfArithmetic) {
   EXPECT_THROW(evaluate_expression(std::string(100000, '('), value_of), std::invalid_argument);
 }
 
+TEST(DeckExpression, TakesManyTermsAndNumbersOfAllForms) {
+  const auto none = [](std::string_view) { return 0.0; };
+  std::string terms;
+  for (int i = 0; i < 100'000; ++i) terms += "1+";
+  EXPECT_EQ(evaluate_expression(terms + "1", none), 100'001.0);
+  EXPECT_THROW(evaluate_expression(terms, none), std::invalid_argument);
+  EXPECT_EQ(evaluate_expression("1e2+1.5E-1-.25+2.", none), 101.9);
+  EXPECT_EQ(evaluate_expression("1e+2*2-1", none), 199.0);
+  EXPECT_THROW(evaluate_expression("1e", none), std::invalid_argument);
+  EXPECT_THROW(evaluate_expression("1..2", none), std::invalid_argument);
+}
+
 TEST(KeywordDeck, KnowsNamesOptionsAndComments) {
   const KeywordDeck deck = parse_keyword_deck(
       "$ a comment\n*keyword\n*Set_Node_List_Title\n$\nname\n  1\r\n*ELEMENT_SOLID (ten nodes "

@@ -150,6 +150,11 @@ TEST_F(SceneTest, UnknownKeysNameTheNearest) {
   EXPECT_EQ(error(with(3, "end = 1.0\nstep = 3")), "4:1: time.step: unknown key, nearest is time.steps");
   EXPECT_EQ(error(with(7, "denisty = 8930")),
             "7:1: material.copper.denisty: unknown key, nearest is material.copper.density");
+  for (const char* type : {"file", "keyword", "vtk"}) {
+    EXPECT_EQ(error(with(14, std::string("mesh = { type = \"") + type + "\", path = \"bar.k\" }")),
+              "14:" + std::to_string(21 + std::string(type).size()) +
+                  ": body.bar.mesh.path: unknown key, nearest is body.bar.mesh.file");
+  }
   EXPECT_EQ(error(with({"[contct]", "beta = 1"})), "15:2: contct: unknown key, nearest is contact");
   EXPECT_EQ(error(with({"[contact]", "hourglass = \"none\""})),
             "16:1: contact.hourglass: unknown key, nearest is element.hourglass");
