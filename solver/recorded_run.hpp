@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "base/export.h"
 #include "results.hpp"
@@ -12,10 +13,20 @@ namespace pinball {
 
 struct Checkpoint;  // solver/output/checkpoint.hpp: not for hosts
 
+/// What is known of the deck of another program that a scene is made of: for summary.json, messages and checkpoints.
+struct DeckNotes {
+  struct Card {
+    std::uint64_t line;          ///< from which on the text of the scene says what the card says
+    std::string place, keyword;  ///< "deck.k:12", "*MAT_ELASTIC"; empty: no card
+  };
+  std::vector<std::string> lines;  ///< what was made of what, and what of it is ignored
+  std::vector<Card> cards;         ///< in the order of their lines
+};
+
 /// What a recorded run writes, and from what it goes on.
 struct RecordOptions {
   std::string out;                    ///< folder for the results; empty: nothing is written
-  bool quiet = false;                 ///< no progress
+  bool quiet = false;                 ///< no progress, and no notes on what was read
   std::int64_t checkpoint_every = 0;  ///< steps, or cycles of them with subcycling, between checkpoints; 0: none
   /// What the scene was read from, unchanged since: checkpoints and a last good state to restart from need it.
   const SceneSource* source = nullptr;
@@ -27,6 +38,8 @@ struct RecordOptions {
   /// Of a run that goes on from a checkpoint (restart.hpp): where it does. Other runs: where their scene says.
   Device device = Device::none;
   int threads = 0;  ///< as in SimulationOptions
+  DeckNotes deck{};     ///< of a scene that is made of one; a restart has its own
+  bool silent = false;  ///< nor warnings: for a host that tells them itself
 };
 
 /// Runs a scene to its end and writes history, fields and summary into the folder, and checkpoint.pinball if asked for.

@@ -237,6 +237,7 @@ struct RunSummary {
       mesh_warnings;                    ///< of meshes of files: nodes on each other, folded elements, what is left out
   std::vector<std::string> near_nodes;  ///< selections that nodes lie near to and that do not take them, in words
   std::string unstable_hourglass;       ///< an hourglass coefficient too large for the steps; empty: it is not
+  std::vector<std::string> notes;       ///< what was made of a deck, line by line
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements
 };

@@ -1,10 +1,21 @@
 """Reads history.csv; needs NumPy alone."""
 
 import csv
+import json
+import os
 
 import numpy as np
 
-from view.fields import BadInput, read_units
+from view.fields import BadInput
+
+
+def read_units(folder):
+    """{quantity: unit} as summary.json names them; empty where there is none."""
+    try:
+        with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
+            return dict(json.load(file).get("unit_names", {}))
+    except (OSError, ValueError):
+        return {}
 
 
 def read_history(path):
@@ -14,7 +25,6 @@ def read_history(path):
             lines = file.read().split("\n")
     except OSError as error:
         raise BadInput(f"{path}: cannot be read: {error.strerror}")
-    units = read_units("\n".join(line for line in lines if line.startswith("#")))
     rows = list(csv.reader(line for line in lines if line and not line.startswith("#")))
     # The last row of a running or killed job may be cut.
     complete = [row for row in rows[1:] if len(row) == len(rows[0])]
@@ -28,4 +38,4 @@ def read_history(path):
     missing = [name for name in ("time", "dt", "total", "balance_error", "momentum_x") if name not in columns]
     if missing:
         raise BadInput(f"{path}: not a history: no column {', '.join(missing)}")
-    return columns, units
+    return columns, read_units(os.path.dirname(path))

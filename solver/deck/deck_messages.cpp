@@ -82,4 +82,30 @@ std::string TranslatedDeck::in_cards(const std::string& message, const std::stri
   return result;
 }
 
+namespace {
+
+/// Calls act(where) for what messages call each part of a scene.
+template <class Act>
+void for_each_where(Scene& scene, const Act& act) {
+  for (PlaneConstraint& plane : scene.constraints) act(plane.where);
+  for (FixedConstraint& fixed : scene.fixed_constraints) act(fixed.nodes.where);
+  for (RigidWall& wall : scene.rigid_walls) {
+    act(wall.where);
+    act(wall.nodes.where);
+  }
+  for (PrescribedVelocity& given : scene.prescribed_velocities) act(given.nodes.where);
+  for (NodalLoad& load : scene.loads) act(load.nodes.where);
+  for (Pressure& pressure : scene.pressures) act(pressure.faces.where);
+  for (InitialVelocity& given : scene.initial_velocities) act(given.nodes.where);
+  for (ContactPair& pair : scene.contact_pairs) act(pair.where);
+  for (TiedContact& tied : scene.tied_contacts) act(tied.where);
+  for (Probe& probe : scene.probes) act(probe.where);
+}
+
+}  // namespace
+
+void TranslatedDeck::name_parts(Scene& read, const std::string& name) const {
+  for_each_where(read, [&](std::string& where) { where = in_cards(where, name); });
+}
+
 }  // namespace pinball

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <solver/scene.hpp>
+
 #include "toml_text.hpp"
 
 namespace pinball {
@@ -27,6 +29,8 @@ struct TranslatedDeck {
   /// A message that names lines of the scene, as "NAME:LINE:COLUMN: KEY", with the cards in their place: "deck.k:12:
   /// *MAT_ELASTIC (ro)". name: that by which the scene was read.
   std::string in_cards(const std::string& message, const std::string& name) const;
+  /// Of the scene that was read by that name: gives each part, for messages and warnings, the name of its card.
+  void name_parts(Scene& read, const std::string& name) const;
 };
 
 /// Whether a path is that of a deck by its ending: .k, .key, .dyn.

@@ -76,7 +76,12 @@ StateBytes read_content(const std::string& path) {
 void CheckpointHead::persist(StateArchive& archive) {
   std::int32_t precision = source.overrides.precision ? static_cast<std::int32_t>(*source.overrides.precision) : -1;
   archive(source.path, source.text, source.overrides.set, source.overrides.refine, precision, source.overrides.vary,
-          mesh_files, fingerprint, simd_width, version);
+          mesh_files, fingerprint, simd_width, version, deck.lines);
+  std::uint64_t cards = deck.cards.size();
+  archive(cards);
+  archive.require(cards <= archive.left());
+  deck.cards.resize(cards);
+  for (DeckNotes::Card& card : deck.cards) archive(card.line, card.place, card.keyword);
   source.overrides.precision.reset();
   if (precision >= 0) source.overrides.precision = static_cast<Precision>(precision);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
+#include <solver/recorded_run.hpp>
 #include <solver/scene.hpp>
 
 /// A run between two steps as one file, from which it goes on with the same bits, with any number of threads.
@@ -31,6 +32,7 @@ struct CheckpointHead {
   std::uint64_t fingerprint = 0;                                  ///< of the model as built, see Solver
   std::int32_t simd_width = 0;
   std::string version;  ///< of the program
+  DeckNotes deck;
 
   void persist(StateArchive& archive);
 };

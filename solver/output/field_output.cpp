@@ -104,7 +104,10 @@ FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<
   for (const auto& file : kept) {
     const auto there =
         std::find_if(stale.begin(), stale.end(), [&file](const auto& path) { return path.filename() == file.second; });
-    if (there == stale.end()) continue;
+    if (there == stale.end()) {
+      lost_.push_back(file.second);
+      continue;
+    }
     stale.erase(there);
     written_.push_back(file);
   }

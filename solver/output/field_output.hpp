@@ -37,6 +37,8 @@ class FieldWriter {
   /// Number of files written.
   std::size_t count() const { return written_.size(); }
   const Written& written() const { return written_; }
+  /// Names of those that were to be kept and are not there.
+  const std::vector<std::string>& lost() const { return lost_; }
 
  private:
   void write_list() const;
@@ -47,6 +49,7 @@ class FieldWriter {
   std::vector<std::string> bodies_;
   FieldBase base_;
   Written written_;
+  std::vector<std::string> lost_;
   std::size_t next_number_ = 0;
 };
 

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include <solver/base/error.hpp>
-#include <solver/results/units.hpp>
 
 #include "output_file.hpp"
 #include "run_files.hpp"
@@ -97,17 +97,14 @@ std::vector<double> history_numbers(const HistoryRow& row) {
 }
 
 HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies,
-                             const std::string& units, const std::vector<std::string>& more,
-                             const std::optional<std::uint64_t>& kept)
+                             const std::vector<std::string>& more, const std::optional<HistoryPart>& kept)
     : path_(in_folder(folder, history_name)), bodies_(bodies.size()), more_(more.size()) {
   make_folder(folder);
-  std::string head = fmt::format("# {}\n", units_line(units));
-  std::string names;
+  std::string head;
   for (const std::string& column : history_column_names(bodies, more)) {
-    if (!names.empty()) names += ',';
-    names += cell(column);
+    if (!head.empty()) head += ',';
+    head += cell(column);
   }
-  head += names;
   head += '\n';
   if (kept) cut(head, *kept);
   file_ = std::fopen(path_.c_str(), kept ? "ab" : "wb");
@@ -122,20 +119,27 @@ HistoryWriter::HistoryWriter(const std::string& folder, const std::vector<std::s
 }
 
 /// Cuts off what an earlier run has written after the state that this one goes on from.
-void HistoryWriter::cut(const std::string& head, std::uint64_t kept) {
-  std::string present(head.size(), '\0');
-  std::ifstream file(path_, std::ios::binary | std::ios::ate);
-  const bool long_enough = file && static_cast<std::uint64_t>(file.tellg()) >= kept && kept >= head.size();
-  file.seekg(0);
-  file.read(present.data(), static_cast<std::streamsize>(present.size()));
-  if (!long_enough || present != head) {
-    throw InputError(fmt::format(
-        "{}: expected the rows up to the time of the checkpoint; with --out the results go to another folder", path_));
+void HistoryWriter::cut(const std::string& head, const HistoryPart& kept) {
+  std::ifstream file(path_, std::ios::binary);
+  std::string piece(std::max<std::size_t>(head.size(), 1U << 16), '\0');
+  bool begins = true;
+  for (std::uint64_t left = kept.bytes; left > 0 && file;) {
+    file.read(piece.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(left, piece.size())));
+    const auto count = static_cast<std::size_t>(file.gcount());
+    if (left == kept.bytes) begins = std::string_view(piece).substr(0, count).starts_with(head);
+    hash_.add(piece.data(), count);
+    left -= count;
+  }
+  if (!file || !begins || hash_.value() != kept.hash) {
+    throw InputError(
+        fmt::format("{}: expected the rows up to the time of the checkpoint, as the run has written "
+                    "them; with --out the results go to another folder",
+                    path_));
   }
   std::error_code error;
-  std::filesystem::resize_file(path_, kept, error);
+  std::filesystem::resize_file(path_, kept.bytes, error);
   if (error) throw_write_error(path_, error.value());
-  written_ = kept;
+  written_ = kept.bytes;
 }
 
 HistoryWriter::~HistoryWriter() { std::fclose(file_); }
@@ -156,6 +160,7 @@ void HistoryWriter::append(const std::string& text) {
     throw_write_error(path_, errno);
   }
   written_ += text.size();
+  hash_.add(text.data(), text.size());
 }
 
 }  // namespace pinball

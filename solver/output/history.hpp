@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <solver/results.hpp>
+#include <solver/results/state_hash.hpp>
 
 namespace pinball {
 
@@ -16,7 +17,13 @@ std::vector<std::string> history_column_names(const std::vector<std::string>& bo
 /// The numbers of a row, one per column.
 std::vector<double> history_numbers(const HistoryRow& row);
 
-/// Writes FOLDER/history.csv: a comment line with the units, a line of column names, then one line per row.
+/// So many bytes of a history, and their StateHash.
+struct HistoryPart {
+  std::uint64_t bytes = 0, hash = 0;
+};
+
+/// Writes FOLDER/history.csv: a line of column names, then one line per row, as readers of tables take it; the units
+/// are in summary.json.
 ///
 /// Columns: step, time, dt, the parts of Energies and their total, balance_error (relative), momentum_x,y,z, and for
 /// each body NAME_velocity_x,y,z, NAME_mass_remaining, NAME_eroded_elements, NAME_max_plastic_strain; then what walls
@@ -27,28 +34,28 @@ std::vector<double> history_numbers(const HistoryRow& row);
 /// read back as the same doubles. Each row reaches the file before write() returns: a killed run keeps its history.
 class HistoryWriter {
  public:
-  /// `bodies`: names, in the order of HistoryRow::bodies. `units`: the scene's string. `more`: names of the columns
-  /// that HistoryRow::more holds.
-  /// `kept`: goes on with the file of an earlier run, of which it keeps so many bytes; without it the file is new.
-  /// Throws RunError that names the file where it cannot be written, InputError where the file to go on with is too
-  /// short or has other columns.
-  HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies, const std::string& units = {},
-                const std::vector<std::string>& more = {}, const std::optional<std::uint64_t>& kept = {});
+  /// `bodies`: names, in the order of HistoryRow::bodies. `more`: names of the columns that HistoryRow::more holds.
+  /// `kept`: goes on with the file of an earlier run, of which it keeps this part; without it the file is new.
+  /// Throws RunError that names the file where it cannot be written, InputError where the file to go on with does not
+  /// begin with what is to be kept.
+  HistoryWriter(const std::string& folder, const std::vector<std::string>& bodies,
+                const std::vector<std::string>& more = {}, const std::optional<HistoryPart>& kept = {});
   ~HistoryWriter();
   HistoryWriter(const HistoryWriter&) = delete;
   HistoryWriter& operator=(const HistoryWriter&) = delete;
 
   /// Appends a row; it has the bodies that were named. Throws RunError that names the file.
   void write(const HistoryRow& row);
-  std::uint64_t bytes() const { return written_; }  ///< of the file
+  HistoryPart written() const { return {written_, hash_.value()}; }  ///< all of the file
 
  private:
-  void cut(const std::string& head, std::uint64_t kept);
+  void cut(const std::string& head, const HistoryPart& kept);
   void append(const std::string& text);
 
   std::string path_;
   std::size_t bodies_ = 0, more_ = 0;
   std::uint64_t written_ = 0;
+  StateHash hash_;
   std::FILE* file_ = nullptr;
 };
 

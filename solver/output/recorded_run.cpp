@@ -6,6 +6,7 @@
 #include <solver/run_page.hpp>
 
 #include "message.hpp"
+#include "out_of_memory.hpp"
 #include "progress.hpp"
 #include "recorder.hpp"
 #include "run_folder.hpp"
@@ -24,9 +25,8 @@ class RecordedRun {
         recorder_(simulation_, options, folder.continues()) {
     const RunSummary summary = simulation_.summary();
     folder_.begin(summary);
-    if (options_.quiet) return;
-    if (const std::string added = added_mass_text(summary); !added.empty()) print_message(added);
-    for (const TiedResult& tied : summary.tied) print_message("contact.tied " + tied_text(tied));
+    if (!options_.quiet) print_notes(summary);
+    if (options_.silent) return;
     for (const std::string& warning : start_warnings(summary)) print_message("warning: " + warning);
   }
 
@@ -35,6 +35,8 @@ class RecordedRun {
       make_steps();
     } catch (const RunError& error) {
       throw RunError(error.what() + leave_failed(error.what()));
+    } catch (const std::bad_alloc&) {
+      throw OutOfMemory(fmt::format("in step {} at time {:.6g}", simulation_.steps(), simulation_.time()), bytes());
     }
     const RunSummary summary = result(simulation_.complete() ? RunStatus::done : RunStatus::stopped);
     write_page(summary);
@@ -43,6 +45,15 @@ class RecordedRun {
   }
 
  private:
+  static void print_notes(const RunSummary& summary) {
+    if (const std::string added = added_mass_text(summary); !added.empty()) print_message(added);
+    for (const TiedResult& tied : summary.tied) print_message("contact.tied " + tied_text(tied));
+  }
+
+  double bytes() const {
+    return static_cast<double>(simulation_.summary().bytes_per_element) * static_cast<double>(simulation_.elements());
+  }
+
   void make_steps() {
     const Scene& scene = simulation_.scene();
     Progress progress({scene.time.end, scene.time.steps, scene.units, options_.quiet});
@@ -68,6 +79,7 @@ class RecordedRun {
     summary.started = folder_.started();
     summary.status = status;
     summary.error = error;
+    summary.notes = options_.deck.lines;
     return summary;
   }
 
@@ -101,11 +113,28 @@ class RecordedRun {
 
 }  // namespace
 
+namespace {
+
+/// What fails with a memory that is full is told with what was being done.
+template <class Act>
+auto with_memory_told(const Scene& scene, const RunFolder& folder, const Act& act) {
+  try {
+    return act();
+  } catch (const OutOfMemory&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    if (folder.begun()) throw OutOfMemory("while results were written");
+    throw OutOfMemory("while the scene was built", least_bytes(scene));
+  }
+}
+
+}  // namespace
+
 RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
   RunFolder folder(scene, options);
-  if (!folder.warning().empty() && !options.quiet) print_message("warning: " + folder.warning());
+  if (!folder.warning().empty() && !options.silent) print_message("warning: " + folder.warning());
   try {
-    return RecordedRun(scene, options, folder).run();
+    return with_memory_told(scene, folder, [&] { return RecordedRun(scene, options, folder).run(); });
   } catch (const InputError& error) {
     if (folder.begun()) folder.fail(error.what());
     throw;  // else the folder becomes what it was

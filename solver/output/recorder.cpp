@@ -7,6 +7,7 @@
 #include <solver/base/error.hpp>
 #include <solver/scene_rules.hpp>
 
+#include "message.hpp"
 #include "run_files.hpp"
 
 namespace pinball {
@@ -47,6 +48,7 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options, bool co
   if (options.source != nullptr) {
     head_ = checkpoint_head(*options.source, simulation.scene());
     head_->fingerprint = simulation.fingerprint();
+    head_->deck = options.deck;
   } else if (checkpoint_every_ > 0) {
     throw InputError("a checkpoint needs the source of the scene");
   }
@@ -57,6 +59,12 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options, bool co
   }
   if (folder_.empty()) return;
   open_files(simulation, kept);
+  if (fields_ && !fields_->lost().empty() && !options.silent) {
+    print_message(fmt::format("warning: {} of the run so far, {} of {}, {} not in {}: fields.pvd goes on without {}",
+                              fields_->lost().front(), fields_->lost().size(), kept->fields.size(),
+                              fields_->lost().size() == 1 ? "is" : "are", folder_,
+                              fields_->lost().size() == 1 ? "it" : "them"));
+  }
   if (simulation.steps() > 0) {
     history_times_.passed(simulation.state_time());
     field_times_.passed(simulation.state_time());
@@ -95,10 +103,10 @@ RunRecord Recorder::restart(const Checkpoint& checkpoint, Simulation& simulation
 }
 
 void Recorder::open_files(const Simulation& simulation, const std::optional<RunRecord>& kept) {
-  std::optional<std::uint64_t> rows;
-  if (kept) rows = kept->history_bytes;
-  history_ = std::make_unique<HistoryWriter>(folder_, names_of(simulation.scene().bodies), units_,
-                                             simulation.history_columns(), rows);
+  std::optional<HistoryPart> rows;
+  if (kept) rows = kept->history;
+  history_ =
+      std::make_unique<HistoryWriter>(folder_, names_of(simulation.scene().bodies), simulation.history_columns(), rows);
   const OutputSettings& output = simulation.scene().output;
   if (output.field_interval > 0 || !output.field_times.empty()) {
     fields_ = std::make_unique<FieldWriter>(folder_, "fields", output.fields, units_,
@@ -125,7 +133,7 @@ void Recorder::record(Simulation& simulation, bool last) {
 }
 
 void Recorder::save(Simulation& simulation) {
-  RunRecord record{wall_seconds(), history_->bytes(), fields_ ? fields_->written() : FieldWriter::Written{}};
+  RunRecord record{wall_seconds(), history_->written(), fields_ ? fields_->written() : FieldWriter::Written{}};
   StateArchive::save(last_good_, [&](StateArchive& archive) {
     record.persist(archive);
     simulation.persist(archive);

@@ -51,10 +51,10 @@ class Schedule {
 /// What a run has written and taken when a state was saved: with the state of the solver what a run goes on from.
 struct RunRecord {
   double wall_seconds = 0;
-  std::uint64_t history_bytes = 0;
+  HistoryPart history;
   FieldWriter::Written fields;
 
-  void persist(StateArchive& archive) { archive(wall_seconds, history_bytes, fields); }
+  void persist(StateArchive& archive) { archive(wall_seconds, history, fields); }
 };
 
 /// Brings a simulation of the same scene to the state of a checkpoint. Throws InputError that names the file.

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <solver/results/units.hpp>
 #include <solver/results/warnings.hpp>
 #include <solver/summary.hpp>
 
@@ -104,6 +105,23 @@ const char* status_name(RunStatus status) {
   return "";
 }
 
+/// By quantity; those that the scene names: history.csv has its columns in them.
+Json unit_names(const std::string& units) {
+  const Units u = parse_units(units);
+  Json names = Json::object();
+  for (const auto& [quantity, unit] : {std::pair{"time", u.time},
+                                       {"length", u.length},
+                                       {"velocity", u.velocity},
+                                       {"mass", u.mass},
+                                       {"force", u.force},
+                                       {"momentum", u.momentum},
+                                       {"energy", u.energy},
+                                       {"stress", u.stress}}) {
+    if (!unit.empty()) names[quantity] = unit;
+  }
+  return names;
+}
+
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
 Json head_json(const RunSummary& s) {
@@ -113,6 +131,7 @@ Json head_json(const RunSummary& s) {
           {"error", text_or_null(s.error)},
           {"started", text_or_null(s.started)},
           {"units", s.units},
+          {"unit_names", unit_names(s.units)},
           {"version", s.version},
           {"precision", s.precision},
           {"device", s.device},
@@ -215,6 +234,7 @@ std::string summary_json(const RunSummary& s) {
       {"bytes_per_element", s.bytes_per_element},
       {"probes", probes},
       {"warnings", warnings(s)},
+      {"notes", s.notes},
   });
   return text_of(json);
 }

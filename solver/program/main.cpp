@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <exception>
 #include <limits>
+#include <new>
 #include <string>
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
 #include <solver/base/version.h>
+#include <solver/output/out_of_memory.hpp>
 
 #include "commands.hpp"
 #include "process/short_waits.hpp"
@@ -226,6 +228,10 @@ int main(int argc, char** argv) {
     return status;
   } catch (const pinball::InputError& error) {
     return report(error, bad_input);
+  } catch (const pinball::OutOfMemory& error) {
+    return report(error, run_failed);
+  } catch (const std::bad_alloc&) {
+    return report(pinball::OutOfMemory(""), run_failed);
   } catch (const std::exception& error) {  // RunError, and what nobody foresaw
     return report(error, run_failed);
   }

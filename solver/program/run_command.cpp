@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include <solver/base/error.hpp>
 #include <solver/device/devices.hpp>
 #include <solver/output/message.hpp>
@@ -39,19 +41,37 @@ void print_result(const RunSummary& s, const std::string& out) {
         b.velocity[2], b.max_plastic_strain);
   }
   fmt::print("  state {:016x}; results in {}\n", s.state_hash, out);
-  for (const std::string& warning : warnings(s)) print_message("warning: " + warning);
+}
+
+/// All of them, also those of the start, which progress has moved far away by now; where there was none, these once.
+void print_warnings(const RunSummary& summary, bool quiet) {
+  const std::vector<std::string> told = quiet ? start_warnings(summary) : std::vector<std::string>();
+  for (const std::string& warning : warnings(summary)) {
+    if (std::ranges::find(told, warning) == told.end()) print_message("warning: " + warning);
+  }
 }
 
 /// Tells what has become of a run. Returns the exit status.
-int print_end(const RunSummary& summary, const std::string& out) {
-  print_result(summary, out);
+int print_end(const RunSummary& summary, const RecordOptions& options) {
+  print_result(summary, options.out);
+  print_warnings(summary, options.quiet);
   if (summary.status != RunStatus::stopped) return 0;
   print_message(fmt::format("stopped in step {}; this goes on: pinball run --restart {}", summary.steps,
-                            in_folder(out, checkpoint_name)));
+                            in_folder(options.out, checkpoint_name)));
   return 128 + stop_signal();
 }
 
 bool stop_is_asked() { return stop_signal() != 0; }
+
+RecordOptions record_options(const RunOptions& options, const std::string& out) {
+  RecordOptions record;
+  record.out = out;
+  record.quiet = options.quiet;
+  record.checkpoint_every = options.checkpoint_every;
+  record.stop = stop_is_asked;
+  record.threads = options.threads;
+  return record;
+}
 
 /// Goes on with the scene of the checkpoint, which is read from there.
 int restart_command(const RunOptions& options) {
@@ -62,10 +82,9 @@ int restart_command(const RunOptions& options) {
     throw InputError("--restart: expected neither --refine nor --precision, they are in the checkpoint");
   }
   const std::string out = options.out.empty() ? folder_of_checkpoint(options.restart) : options.out;
-  return print_end(restart_recorded(options.restart, options.overrides.set,
-                                    {out, options.quiet, options.checkpoint_every, nullptr, nullptr, stop_is_asked,
-                                     options.device, options.threads}),
-                   out);
+  RecordOptions record = record_options(options, out);
+  record.device = options.device;
+  return print_end(restart_recorded(options.restart, options.overrides.set, record), record);
 }
 
 }  // namespace
@@ -78,10 +97,10 @@ int run_command(const RunOptions& options) {
   return input.with_places([&] {
     Scene scene = input.read();
     scene.device = options.device;
-    const std::string out = options.out.empty() ? "out/" + scene.name : options.out;
-    return print_end(run_recorded(scene, {out, options.quiet, options.checkpoint_every, &input.source, nullptr,
-                                          stop_is_asked, Device::none, options.threads}),
-                     out);
+    RecordOptions record = record_options(options, options.out.empty() ? "out/" + scene.name : options.out);
+    record.source = &input.source;
+    record.deck = input.notes();
+    return print_end(run_recorded(scene, record), record);
   });
 }
 

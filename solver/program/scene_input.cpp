@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -82,30 +83,21 @@ std::string path_of(const std::string& name) {
   }
 }
 
-/// Calls act(where) for what messages call each part of a scene.
-template <class Act>
-void for_each_where(Scene& scene, const Act& act) {
-  for (PlaneConstraint& plane : scene.constraints) act(plane.where);
-  for (FixedConstraint& fixed : scene.fixed_constraints) act(fixed.nodes.where);
-  for (RigidWall& wall : scene.rigid_walls) {
-    act(wall.where);
-    act(wall.nodes.where);
-  }
-  for (PrescribedVelocity& given : scene.prescribed_velocities) act(given.nodes.where);
-  for (NodalLoad& load : scene.loads) act(load.nodes.where);
-  for (Pressure& pressure : scene.pressures) act(pressure.faces.where);
-  for (InitialVelocity& given : scene.initial_velocities) act(given.nodes.where);
-  for (ContactPair& pair : scene.contact_pairs) act(pair.where);
-  for (TiedContact& tied : scene.tied_contacts) act(tied.where);
-  for (Probe& probe : scene.probes) act(probe.where);
-}
-
 }  // namespace
 
 Scene SceneInput::read() const {
   Scene scene = read_scene(source);
-  if (deck) for_each_where(scene, [this](std::string& where) { where = deck->in_cards(where, source.path); });
+  if (deck) deck->name_parts(scene, source.path);
   return scene;
+}
+
+DeckNotes SceneInput::notes() const {
+  DeckNotes notes;
+  if (!deck) return notes;
+  notes.lines = deck->understood;
+  for (const std::string& line : deck->ignored) notes.lines.push_back("ignored: " + line);
+  for (const TextOrigin& origin : deck->origins) notes.cards.push_back({origin.line, origin.place, origin.keyword});
+  return notes;
 }
 
 SceneInput scene_input(const SceneOptions& options) {
@@ -120,6 +112,7 @@ SceneInput scene_input(const SceneOptions& options) {
   }
   TranslatedDeck deck = translate_any_deck(path, {options.chosen_case, options.lenient, ""});
   if (!options.quiet) print_deck(deck, path);
+  std::fflush(stdout);  // before the progress, in a log that both go to
   SceneSource source{path + " as a scene", deck.scene, options.overrides};
   return {std::move(source), std::move(deck)};
 }

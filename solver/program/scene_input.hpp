@@ -4,6 +4,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/deck/translated_deck.hpp>
+#include <solver/recorded_run.hpp>
 #include <solver/scene.hpp>
 
 #include "commands.hpp"
@@ -26,6 +27,8 @@ struct SceneInput {
 
   /// What is told of its parts, such as warnings, names the cards of the deck, too.
   Scene read() const;
+  /// What print_deck() prints, and where the cards are; empty of a scene file.
+  DeckNotes notes() const;
 
   /// Does something with the scene. InputError of it names the cards of the deck in place of lines of its scene.
   template <class Act>

@@ -56,12 +56,12 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
   EXPECT_THAT(keys(json),
-              ElementsAre("scene", "title", "status", "error", "started", "units", "version", "precision", "device",
+              ElementsAre("scene", "title", "status", "error", "started", "units", "unit_names", "version", "precision", "device",
                           "threads", "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds",
                           "phase_seconds", "element_steps", "element_steps_skipped", "element_steps_eroded",
                           "element_steps_resting", "element_steps_subcycled", "element_steps_per_second", "energy",
                           "momentum", "bodies", "mass_scaling", "rigid_walls", "pressures", "contact", "inside_out",
-                          "skipped", "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings"));
+                          "skipped", "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(
       keys(json["energy"]),
@@ -102,6 +102,16 @@ TEST(Summary, HoldsTheValues) {
   EXPECT_EQ(json["rigid_walls"], Json::parse(R"([{"name": "wall", "impulse": 3.0, "force_max": 2.0}])"));
   EXPECT_EQ(json["probes"], Json::parse(R"([{"name": "tip", "kind": "node", "body": "rod", "number": 7,
       "point": [1.0, 2.0, 3.0], "values": {"velocity_x": 4.0, "velocity_y": 5.0}}])"));
+}
+
+TEST(Summary, NamesTheUnitsOfTheColumnsOfTheHistory) {
+  RunSummary s = example();
+  s.units = "in-lbf-s";
+  EXPECT_EQ(Json::parse(summary_json(s))["unit_names"],
+            Json::parse(R"({"time": "s", "length": "in", "velocity": "in/s", "mass": "lbf s^2/in", "force": "lbf",
+                            "momentum": "lbf s", "energy": "lbf in", "stress": "lbf/in^2"})"));
+  s.units = "";
+  EXPECT_EQ(Json::parse(summary_json(s))["unit_names"], Json::object());
 }
 
 TEST(Summary, EmptyListsKeepTheirType) {

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -148,6 +149,29 @@ mesh = { type = "block", size = [0.04, 0.04, 0.2], elements = [1, 1, 1] }
   ASSERT_THAT(f.text, HasSubstr(warning));
   EXPECT_LT(f.text.find(warning), f.text.find("energy error"));
   EXPECT_THAT(result("summary.json"), HasSubstr("the balls of element 0 of body cube and"));
+  const Finished quiet = run("run " + scene(flat) + out());
+  EXPECT_EQ(quiet.text.find(warning), quiet.text.rfind(warning)) << "once is enough where nothing else is said";
+  EXPECT_LT(quiet.text.find(warning), quiet.text.find("energy:"));
+  const Finished failed = run("run " + scene(flat) + out() + " --set time.cfl=1.2 --set guard.energy_error=1e-12");
+  EXPECT_EQ(failed.status, 1);
+  EXPECT_THAT(failed.text, HasSubstr(warning));
+}
+
+TEST_F(Program, WhatWasMadeOfADeckComesFirstAndIsInTheSummary) {
+  const std::string deck = std::string(PINBALL_SOURCE_DIR) + "/data/decks/velocities.k";
+  const Finished f = run("run " + deck + " --out " + (folder_ / "out"));
+  EXPECT_EQ(f.status, 0) << f.text;
+  EXPECT_EQ(f.text.find(deck + ", as this program understands it:"), 0U) << f.text;
+  EXPECT_LT(f.text.find("understands it:"), f.text.find("energy error"));
+  const auto notes = nlohmann::json::parse(result("summary.json"))["notes"];
+  ASSERT_FALSE(notes.empty());
+  for (const auto& note : notes) {
+    const std::string text = note.get<std::string>(), ignored = "ignored: ";
+    EXPECT_THAT(f.text, HasSubstr(text.starts_with(ignored) ? text.substr(ignored.size()) : text));
+  }
+  EXPECT_EQ(run("run " + deck + out() + " --checkpoint-every 1000").status, 0);
+  EXPECT_EQ(run("run --quiet --restart " + (folder_ / "out/checkpoint.pinball")).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(result("summary.json"))["notes"], notes);
 }
 
 TEST_F(Program, ASuccessfulRunRemovesAnOldLastGoodState) {
