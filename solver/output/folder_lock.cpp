@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cerrno>
+#include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include <solver/base/error.hpp>
@@ -52,10 +54,12 @@ FolderLock::~FolderLock() {
 
 /// Returns whether the file that is locked is the one that others find.
 bool FolderLock::lock(System system) {
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+  if (descriptor_ < 0 && errno == ELOOP) throw_foreign();
   if (descriptor_ < 0) {
     throw InputError(fmt::format("--out {}: cannot write there: {}", folder_, std::generic_category().message(errno)));
   }
+  require_own_file();
   if (system(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
     if (error == EWOULDBLOCK) {
@@ -72,6 +76,25 @@ bool FolderLock::lock(System system) {
   if (is_file_at(descriptor_, path_)) return true;
   ::close(descriptor_);
   return false;
+}
+
+/// What the name is that of something else, whose content would be lost.
+void FolderLock::require_own_file() const {
+  struct stat there {};
+  constexpr std::string_view begin = "process ";
+  std::array<char, begin.size()> text{};
+  const bool is_file = ::fstat(descriptor_, &there) == 0 && S_ISREG(there.st_mode) && there.st_nlink <= 1;
+  if (is_file && (there.st_size == 0 || (::pread(descriptor_, text.data(), text.size(), 0) == std::ssize(begin) &&
+                                         std::string_view(text.data(), text.size()) == begin))) {
+    return;
+  }
+  ::close(descriptor_);
+  throw_foreign();
+}
+
+void FolderLock::throw_foreign() const {
+  throw InputError(
+      fmt::format("--out {}: expected {} to be the lock of a run, got something else: move it away", folder_, path_));
 }
 
 /// A name is a help, not needed: what goes wrong here is left alone.

@@ -10,8 +10,8 @@ class FolderLock {
  public:
   using System = int (*)(int descriptor, int operation);  ///< as flock(2)
 
-  /// `folder` is there. Throws InputError that names the folder and the process where another run has it, and where no
-  /// file can be written.
+  /// `folder` is there. Throws InputError that names the folder and the process where another run has it, where no
+  /// file can be written, and where a file or link of that name is none of a run.
   explicit FolderLock(const std::string& folder);
   FolderLock(const std::string& folder, System system);  ///< for file systems that a test has not
   ~FolderLock();                                         ///< removes the file
@@ -23,6 +23,8 @@ class FolderLock {
 
  private:
   bool lock(System system);
+  void require_own_file() const;
+  [[noreturn]] void throw_foreign() const;
   void name_holder() const;
 
   std::string folder_, path_, warning_;

@@ -25,6 +25,10 @@ void make_folder(const std::string& folder) {
 }
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), part_(path_ + ".part") {
+  // What a killed run has left, or a link to a file of somebody else, which would be written in its place.
+  std::error_code error;
+  if (!std::filesystem::exists(part_, error) || std::filesystem::is_regular_file(part_, error))
+    std::filesystem::remove(part_, error);
   file_ = std::fopen(part_.c_str(), "wb");
   if (file_ == nullptr) throw_write_error(path_, errno);
 }

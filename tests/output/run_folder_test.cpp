@@ -24,6 +24,7 @@ using Json = nlohmann::json;
 using test::content;
 using test::error_of;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::StartsWith;
 
 class RunFolders : public testing::Test {
@@ -119,9 +120,12 @@ TEST_F(RunFolders, AFailedRunSaysWhy) {
 }
 
 TEST_F(RunFolders, AnErrorInTheMiddleThatIsNoneOfTheRunIsToldToo) {
-  EXPECT_THROW(run(source_of("two_blocks"), []() -> bool { throw std::bad_alloc(); }), std::bad_alloc);
+  const std::string error =
+      error_of<std::bad_alloc>([&] { run(source_of("two_blocks"), []() -> bool { throw std::bad_alloc(); }); });
+  EXPECT_THAT(error, MatchesRegex("out of memory in step 1 at time [0-9.e-]+, which takes at least [0-9]+ MiB: the "
+                                  "program had up to [0-9]+ MiB of the [0-9]+ MiB of this machine, and .*"));
   EXPECT_EQ(summary()["status"], "failed");
-  EXPECT_EQ(summary()["error"], "std::bad_alloc");
+  EXPECT_EQ(summary()["error"], error);
 }
 
 TEST_F(RunFolders, WhatCannotBeSavedAfterAFailureComesAfterTheError) {
@@ -184,6 +188,46 @@ TEST_F(RunFolders, TwoRunsCannotHaveOne) {
   EXPECT_EQ(summary()["status"], "done");
   EXPECT_EQ(summary()["steps"], 74);
   run(source);  // and another one afterwards
+}
+
+TEST_F(RunFolders, ALockWritesIntoNoFileOfOthers) {
+  const std::string kept = folder_ / "kept", lock = folder_ / "out/pinball.lock";
+  std::filesystem::create_directories(folder_ / "out");
+  std::ofstream(kept) << "mine";
+  const auto refusal = [&] { return error_of([&] { run(source_of("two_blocks")); }); };
+  const auto refused = HasSubstr(": expected " + lock + " to be the lock of a run, got something else");
+  std::filesystem::create_symlink(kept, lock);
+  EXPECT_THAT(refusal(), refused);
+  std::filesystem::remove(lock);
+  std::filesystem::create_symlink(folder_ / "none", lock);
+  EXPECT_THAT(refusal(), refused);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "none"));
+  std::filesystem::remove(lock);
+  std::filesystem::create_hard_link(kept, lock);
+  EXPECT_THAT(refusal(), refused);
+  std::filesystem::remove(lock);
+  std::filesystem::create_directory(lock);
+  EXPECT_THAT(refusal(), HasSubstr("--out "));
+  std::filesystem::remove(lock);
+  leave("pinball.lock", "notes of somebody");
+  EXPECT_THAT(refusal(), refused);
+  EXPECT_EQ(content(lock), "notes of somebody");
+  EXPECT_EQ(content(kept), "mine");
+  for (const char* dead : {"", "process 1 on here\n"}) {  // of runs that were killed
+    leave("pinball.lock", dead);
+    EXPECT_EQ(refusal(), test::no_error) << dead;
+  }
+}
+
+TEST_F(RunFolders, AFileBeingWrittenIsNoLinkToAnother) {
+  const std::string kept = folder_ / "kept";
+  std::filesystem::create_directories(folder_ / "out");
+  std::ofstream(kept) << "mine";
+  for (const char* name : {"summary.json.part", "index.html.part", "history.csv"})
+    std::filesystem::create_symlink(kept, folder_ / (std::string("out/") + name));
+  run(source_of("two_blocks"));
+  EXPECT_EQ(content(kept), "mine");
+  EXPECT_EQ(summary()["status"], "done");
 }
 
 TEST_F(RunFolders, AFileSystemWithoutLocksGivesAWarning) {
