@@ -5,6 +5,7 @@
 #include <solver/contact/embedded_contact.hpp>
 
 #include "bindings.hpp"
+#include "interpreter_lock.hpp"
 
 namespace pinball::python {
 
@@ -207,8 +208,7 @@ class ContactObject {
       ~End() { busy = false; }
     } const end{busy_};
     try {
-      const py::gil_scoped_release unlocked;
-      what();
+      without_lock(what);
     } catch (const EmbeddedContactError& error) {
       throw_python(error);
     }

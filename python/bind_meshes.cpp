@@ -1,4 +1,5 @@
 #include "bindings.hpp"
+#include "interpreter_lock.hpp"
 #include "numpy_arrays.hpp"
 
 namespace pinball::python {
@@ -9,7 +10,7 @@ namespace {
 std::shared_ptr<const void> keep(py::array coordinates, py::array hexahedra) {
   auto* arrays = new std::pair(std::move(coordinates), std::move(hexahedra));
   return {static_cast<const void*>(arrays), [arrays](const void*) {
-            const py::gil_scoped_acquire lock;
+            const TakenLock lock;
             delete arrays;
           }};
 }

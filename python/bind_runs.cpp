@@ -2,6 +2,7 @@
 #include <solver/summary.hpp>
 
 #include "bindings.hpp"
+#include "interpreter_lock.hpp"
 
 namespace pinball::python {
 
@@ -11,19 +12,16 @@ namespace {
 template <class Run>
 py::object recorded(RecordOptions options, const Run& run) {
   bool interrupted = false;
-  options.quiet = true;
+  options.quiet = options.silent = true;  // the warnings are in what is returned
   options.stop = [&interrupted] {
-    const py::gil_scoped_acquire lock;
+    const TakenLock lock;
     interrupted = PyErr_CheckSignals() != 0;
     if (!interrupted) return false;
     PyErr_Clear();
     return true;
   };
   RunSummary summary;
-  {
-    const py::gil_scoped_release unlocked;
-    summary = run(options);
-  }
+  without_lock([&] { summary = run(options); });
   if (interrupted) {
     PyErr_SetNone(PyExc_KeyboardInterrupt);
     throw py::error_already_set();

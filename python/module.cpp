@@ -2,6 +2,7 @@
 #include <solver/base/version.h>
 
 #include "bindings.hpp"
+#include "interpreter_lock.hpp"
 
 /// Behind the Python package `pinball`: the C++ interface of <pinball/solver/simulation.hpp>, with NumPy arrays for
 /// views.
@@ -12,6 +13,7 @@ PYBIND11_MODULE(_core, module) {
   python::py::register_exception<pinball::InputError>(module, "InputError", PyExc_ValueError);
   python::py::register_exception<pinball::RunError>(module, "RunError", PyExc_RuntimeError);
   module.attr("version") = pinball_version();
+  python::watch_end_of_interpreter();
   python::bind_scene(module);
   python::bind_results(module);
   python::bind_simulation(module);

@@ -8,6 +8,7 @@
 #include <solver/restart.hpp>
 #include <solver/scene_rules.hpp>
 
+#include "interpreter_lock.hpp"
 #include "numpy_arrays.hpp"
 
 namespace pinball::python {
@@ -16,7 +17,7 @@ namespace {
 
 /// Ctrl-C ends a run as it ends other Python code.
 AfterStep check_signals(Simulation&) {
-  const py::gil_scoped_acquire lock;
+  const TakenLock lock;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   return AfterStep::go_on;
 }
@@ -24,8 +25,9 @@ AfterStep check_signals(Simulation&) {
 /// Building takes as long as some steps: other threads run meanwhile. The scene is the simulation's own, which no other
 /// thread changes.
 Simulation built(const Scene scene, int threads) {
-  const py::gil_scoped_release unlocked;
-  return Simulation(scene, {threads});
+  std::optional<Simulation> simulation;
+  without_lock([&] { simulation.emplace(scene, SimulationOptions{threads}); });
+  return std::move(*simulation);
 }
 
 /// The mesh of a body, as a mesh of arrays that is where the body's nodes began.
@@ -81,8 +83,9 @@ bool SimulationObject::make_steps(const Make& make) {
     std::optional<std::thread::id>& stepping;
     ~End() { stepping.reset(); }  // with the lock, which comes back first
   } const end{stepping_};
-  const py::gil_scoped_release unlocked;
-  return make(simulation_);
+  bool goes_on = false;
+  without_lock([&] { goes_on = make(simulation_); });
+  return goes_on;
 }
 
 bool SimulationObject::step() {
@@ -102,8 +105,10 @@ void SimulationObject::on_step(py::function function) {
     delete f;
   });
   use().on_step([this, kept](Simulation&) {
-    const py::gil_scoped_acquire lock;
-    const py::object answer = (*kept)(py::cast(this, py::return_value_policy::reference));
+    const TakenLock lock;
+    const py::object self = py::cast(this, py::return_value_policy::reference);
+    const auto answer = py::reinterpret_steal<py::object>(call_python(kept->ptr(), self.ptr()));
+    if (!answer) throw py::error_already_set();
     return answer.is(py::bool_(false)) ? AfterStep::stop : AfterStep::go_on;
   });
 }
@@ -132,6 +137,12 @@ void SimulationObject::save_checkpoint(const std::string& path) {
   Simulation& simulation = use();
   if (!source_) {
     throw InputError("checkpoint: expected a scene of a file, which it holds the text of; pickle takes any simulation");
+  }
+  if (has_forces_) {
+    throw InputError(
+        "checkpoint: expected no external forces, which it does not hold, got a simulation whose external_forces() "
+        "were "
+        "asked for; pickle takes any simulation");
   }
   SourcedScene as_read{checked_scene(read_scene(*source_)), source_};
   as_read.device = simulation.scene().device;  // of no file

@@ -133,6 +133,10 @@ class Checkpoints(unittest.TestCase):
         for scene, message in ((block_of_arrays(), "expected a scene of a file"), (changed, "that was changed")):
             with self.assertRaisesRegex(pinball.InputError, message):
                 pinball.Simulation(scene).save_checkpoint(self.file)
+        simulation = simulation_of("two_bars")
+        simulation.external_forces()[:] = 1
+        with self.assertRaisesRegex(pinball.InputError, "expected no external forces"):
+            simulation.save_checkpoint(self.file)
         self.assertFalse(pathlib.Path(self.file).exists())
 
     def test_that_are_damaged_are_refused(self):

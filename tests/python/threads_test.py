@@ -4,6 +4,8 @@ import multiprocessing
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 import unittest
@@ -212,6 +214,35 @@ class Interrupts(unittest.TestCase):
         self.assertIn(simulation.steps, (10, 11))
         simulation.run()
         self.assertEqual(simulation.state_hash, hash_of(1))
+
+
+class DaemonThreads(unittest.TestCase):
+    """Threads that are still in a run when the interpreter ends: the program ends as if they had not been."""
+
+    def ends_well(self, work, wait="time.sleep(0.2)"):
+        script = ("import sys, tempfile, threading, time, pinball\n"
+                  "scene = pinball.read_scene('rod_plate')\n"
+                  f"def work():\n    {work}\n"
+                  "for _ in range(2): threading.Thread(target=work, daemon=True).start()\n"
+                  f"{wait}\nsys.exit(7)\n")
+        ended = subprocess.run([sys.executable, "-c", script], timeout=LIMIT, capture_output=True, text=True)
+        self.assertEqual((ended.returncode, ended.stderr), (7, ""), work)
+
+    def test_in_a_run(self):
+        self.ends_well("pinball.Simulation(scene).run()")
+
+    def test_that_builds(self):
+        self.ends_well("pinball.Simulation(scene)", wait="")
+
+    def test_in_steps(self):
+        self.ends_well("s = pinball.Simulation(scene)\n    while s.step(): pass")
+
+    def test_in_a_callback(self):
+        for callback in ("lambda s: time.sleep(0.001)", "lambda s: time.sleep(100)", "lambda s: sum(range(30000))"):
+            self.ends_well(f"s = pinball.Simulation(scene); s.on_step({callback}); s.run()")
+
+    def test_in_a_recorded_run(self):
+        self.ends_well("pinball.run_recorded(scene, tempfile.mkdtemp())")
 
 
 if __name__ == "__main__":
