@@ -11,6 +11,8 @@
 
 #include <solver/base/error.hpp>
 #include <solver/output/checkpoint.hpp>
+#include <tests/support/changing_scene.hpp>
+#include <tests/support/cube_text.hpp>
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
 #include <tests/support/scene_text.hpp>
@@ -51,6 +53,7 @@ class Checkpoints : public testing::Test {
     EXPECT_EQ(result(folder), result(other));
     for (const char* name : {"/history.csv", "/fields.pvd"}) EXPECT_EQ(content(folder + name), content(other + name));
   }
+  void expect_kills_without_harm(const std::vector<std::string>& run);
   static bool exists(const std::string& path) { return std::filesystem::exists(path); }
   /// The same scene stopped early: a checkpoint of its middle.
   void leave_checkpoint(const std::string& scene, int steps) {
@@ -72,6 +75,9 @@ TEST_F(Checkpoints, ARestartGoesOnInTheFolderOfItsCheckpoint) {
   EXPECT_EQ(content(half_ + "/fields_0003.vtu"), content(whole_ + "/fields_0003.vtu"));
   expect_done("--restart " + file_ + " --set time.steps=-1");  // once more: later rows and files are cut off
   expect_same_results(half_, whole_);
+  std::filesystem::remove(half_ + "/fields_0000.vtu");
+  const Finished f = run("run --quiet --restart " + file_ + " --set time.steps=-1");
+  EXPECT_THAT(f.text, HasSubstr("warning: fields_0000.vtu of the run so far, 1 of 3, is not in " + half_));
 }
 
 TEST_F(Checkpoints, WritingThemChangesNothing) {
@@ -133,6 +139,57 @@ TEST_F(Checkpoints, AHistoryThatDoesNotBelongToTheCheckpointIsRejected) {
   std::ofstream(half_ + "/history.csv") << "# short\n";
   expect_input_error("--restart " + file_, "history.csv: expected the rows up to the time of the checkpoint");
   expect_done("--restart " + file_ + " --out " + other_);
+}
+
+TEST_F(Checkpoints, AnEditedHistoryIsRejectedAndLeftAlone) {
+  leave_checkpoint("two_blocks", 25);
+  const std::string path = half_ + "/history.csv", whole = content(path);
+  const std::string cut = whole.substr(0, whole.size() / 2), more = whole + "1,2,3\n";
+  std::string edited = whole;
+  char& digit = edited[edited.find("\n3,") + 1];  // the number of a step
+  digit = '4';
+  for (const std::string& text : {edited, cut}) {
+    std::ofstream(path) << text;
+    expect_input_error("--restart " + file_,
+                       "history.csv: expected the rows up to the time of the checkpoint, as the "
+                       "run has written them");
+    EXPECT_EQ(content(path), text);
+  }
+  std::ofstream(path) << more;  // as of a run that went further
+  expect_done("--restart " + file_ + " --set time.steps=-1");
+  expect_done("two_blocks --out " + whole_);
+  EXPECT_EQ(content(path), content(whole_ + "/history.csv"));
+}
+
+TEST_F(Checkpoints, ADeckThatGoesOnSaysWhatItSaidAtTheStart) {
+  const std::string deck = folder_ / "deck.k";
+  std::ofstream(deck) << "*KEYWORD\n*NODE\n"
+                      << test::cube_lines(1) << R"(99,9.,9.,9.
+*ELEMENT_SOLID
+10,1,1,2,3,4,5,6,7,8
+*PART
+cube
+1,1,1
+*SECTION_SOLID
+1,1
+*MAT_ELASTIC
+1,7.85E-9,210000.,0.3
+*SET_NODE_LIST
+3
+5,6,7,8,99
+*BOUNDARY_SPC_SET
+3,0,1
+*CONTROL_TERMINATION
+1.0E-4
+*END
+)";
+  expect_done(deck + " --out " + whole_);
+  const auto whole = nlohmann::json::parse(content(whole_ + "/summary.json"));
+  EXPECT_THAT(whole["warnings"].dump(), HasSubstr("deck.k:25: *BOUNDARY_SPC_SET"));
+  EXPECT_FALSE(whole["notes"].empty());
+  leave_checkpoint(deck, 25);
+  expect_done("--restart " + file_ + " --set time.steps=-1");
+  expect_same_results(half_, whole_);
 }
 
 TEST_F(Checkpoints, AChangedMeshFileIsAnError) {
@@ -202,9 +259,16 @@ pid_t start(const std::vector<std::string>& arguments) {
   ::_exit(127);
 }
 
-TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
-  const std::vector<std::string> scene{"run", "rod_plate", "--set", "time.end=16e-6", "--quiet", "--checkpoint-every"};
-  expect_done("rod_plate --set time.end=16e-6 --threads 2 --out " + whole_);
+/// Runs with these arguments, is killed at random moments, and comes to the results of a run without a break.
+void Checkpoints::expect_kills_without_harm(const std::vector<std::string>& run) {
+  std::vector<std::string> scene{"run"};
+  std::string line;
+  for (const std::string& word : run) {
+    scene.push_back(word);
+    line += word + ' ';
+  }
+  scene.insert(scene.end(), {"--quiet", "--checkpoint-every"});
+  expect_done(line + "--threads 2 --out " + whole_);
   std::mt19937 random(3);
   using Time = std::filesystem::file_time_type;
   const auto written = [&] { return exists(file_) ? std::filesystem::last_write_time(file_) : Time{}; };
@@ -243,6 +307,16 @@ TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
   EXPECT_GT(restarts, 3);
   expect_same_results(half_, whole_);
   EXPECT_FALSE(exists(file_ + ".part"));
+}
+
+TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
+  expect_kills_without_harm({"rod_plate", "--set", "time.end=16e-6"});
+}
+
+TEST_F(Checkpoints, AKilledRunKnowsWhatHasBegunAndEnded) {
+  const std::string path = folder_ / "changing.toml";
+  std::ofstream(path) << test::changing_scene;
+  expect_kills_without_harm({path});
 }
 
 /// A cube alone, whose steps are unstable above a cfl of 1.
