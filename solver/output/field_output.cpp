@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include <solver/base/error.hpp>
-#include <solver/results/units.hpp>
 #include <solver/scene/field_names.hpp>
+#include <solver/scene/units.hpp>
 
 #include "field_arrays.hpp"
 #include "output_file.hpp"

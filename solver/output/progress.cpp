@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <solver/results/units.hpp>
+#include <solver/scene/units.hpp>
 
 namespace pinball {
 

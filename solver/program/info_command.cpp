@@ -10,8 +10,8 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/output/progress.hpp>
-#include <solver/results/units.hpp>
 #include <solver/results/warnings.hpp>
+#include <solver/scene/units.hpp>
 #include <solver/step/solver.hpp>
 
 #include "commands.hpp"
@@ -25,12 +25,6 @@
 namespace pinball {
 
 namespace {
-
-/// Of a mass that is itself a force times time squared over length: its "/in" becomes "/in^4".
-std::string density_unit(const Units& units) {
-  if (units.mass.empty()) return "";
-  return units.mass.ends_with("/" + units.length) ? units.mass + "^4" : units.mass + "/" + units.length + "^3";
-}
 
 std::string volume_text(double volume, const Units& units) {
   return fmt::format("volume {:.10g}{}", volume, units.length.empty() ? "" : " " + units.length + "^3");
@@ -88,7 +82,7 @@ void print_materials(const Scene& scene, const Units& units) {
   for (const Material& m : scene.materials) {
     const double wave_modulus = m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
     fmt::print("  {} ({}): density {}, bulk modulus {}, shear modulus {}\n", m.name,
-               m.plastic ? "von Mises" : "elastic", with_unit(m.density, density_unit(units)),
+               m.plastic ? "von Mises" : "elastic", with_unit(m.density, units.density),
                with_unit(m.bulk_modulus, units.stress), with_unit(m.shear_modulus, units.stress));
     fmt::print("    velocity of longitudinal waves {}\n",
                with_unit(std::sqrt(wave_modulus / m.density), units.velocity));

@@ -8,6 +8,7 @@
 
 #include "names.hpp"
 #include "numbers.hpp"
+#include "units.hpp"
 
 namespace pinball {
 
@@ -238,6 +239,7 @@ void check_probes(Scene& scene, const BodyNames& names) {
 Scene checked_scene(Scene scene) {
   complete_scene(scene);
   const auto settings = [](const char* path, auto& table) { Table(path).numbers(table); };
+  Table("").require_none(units_problem(scene.units));
   settings("time", scene.time);
   Table("time").require_none(problem_of(scene.time));
   settings("element", scene.element);

@@ -15,6 +15,7 @@
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "table.hpp"
+#include "units.hpp"
 
 namespace pinball {
 
@@ -159,6 +160,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   scene.refine = overrides.refine;
   scene.title = top.text("title", "");
   scene.units = top.text("units", "");
+  top.require_none(units_problem(scene.units));
   scene.precision = top.choice<Precision>("precision", {{"double", Precision::float64}, {"float", Precision::float32}},
                                           scene.precision);
   if (overrides.precision) scene.precision = *overrides.precision;

@@ -12,7 +12,6 @@
 #include <thread>
 
 #include <solver/output/progress.hpp>
-#include <solver/results/units.hpp>
 
 namespace pinball {
 namespace {
@@ -118,19 +117,6 @@ TEST(Progress, NamesDurations) {
   EXPECT_EQ(readable_duration(185.0), "3 min 05 s");
   EXPECT_EQ(readable_duration(7800.0), "2 h 10 min");
   EXPECT_EQ(readable_duration(std::numeric_limits<double>::quiet_NaN()), "?");
-}
-
-TEST(Units, AreDerivedFromForceOrMass) {
-  const Units force = parse_units("in-lbf-s");
-  EXPECT_EQ(force.stress, "lbf/in^2");
-  EXPECT_EQ(force.mass, "lbf s^2/in");
-  const Units mass = parse_units("m-kg-s");
-  EXPECT_EQ(mass.stress, "kg/(m s^2)");
-  EXPECT_EQ(mass.force, "kg m/s^2");
-  EXPECT_EQ(parse_units("kg-mm-ms").length, "mm");
-  EXPECT_EQ(parse_units("SI").time, "");
-  EXPECT_EQ(parse_units("in--s").time, "");
-  EXPECT_EQ(units_line(""), "units: not named");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST_F(SceneTest, FillsInDefaults) {
 TEST_F(SceneTest, ReadsEveryKey) {
   const Scene scene = read({R"(
 title = "all of it"
-units = "mm-ms"
+units = "ms-mm-g"
 precision = "float"
 time = { end = 2, cfl = 1.2, steps = 7, subcycling = false }
 contact = { method = "pinball", enforcement = "penalty", gap = "pinball", beta = 2, damping = 0, radius = "current", self = false, search = "hash", skin = 0.25 }
@@ -94,7 +94,7 @@ normal = [0, -2, 0]
 body = "b"
 )"});
   EXPECT_EQ(scene.title, "all of it");
-  EXPECT_EQ(scene.units, "mm-ms");
+  EXPECT_EQ(scene.units, "ms-mm-g");
   EXPECT_EQ(scene.precision, Precision::float32);
   EXPECT_EQ(scene.time.end, 2.0);
   EXPECT_EQ(scene.time.cfl, 1.2);

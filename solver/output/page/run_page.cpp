@@ -5,9 +5,9 @@
 #include <solver/output/output_file.hpp>
 #include <solver/output/run_files.hpp>
 #include <solver/results/energy_checks.hpp>
-#include <solver/results/units.hpp>
 #include <solver/run_page.hpp>
 #include <solver/scene/listing.hpp>
+#include <solver/scene/units.hpp>
 #include <solver/summary.hpp>
 
 #include "curves.hpp"

@@ -10,16 +10,12 @@ nlohmann::ordered_json units_json(const Units& units) {
 }
 
 std::string unit_of(const std::string& dimension, const Units& units) {
-  // A mass that is itself a force times time squared over length: its "/in" becomes "/in^4".
-  const std::string density = units.mass.empty()                         ? ""
-                              : units.mass.ends_with("/" + units.length) ? units.mass + "^4"
-                                                                         : units.mass + "/" + units.length + "^3";
   const std::map<std::string, std::string> names{{"T", units.time},
                                                  {"L", units.length},
                                                  {"L/T", units.velocity},
                                                  {"M/(L T^2)", units.stress},
                                                  {"M L/T^2", units.force},
-                                                 {"M/L^3", density},
+                                                 {"M/L^3", units.density},
                                                  {"1/T", units.time.empty() ? "" : "1/" + units.time},
                                                  {"-", ""}};
   const auto found = names.find(dimension);

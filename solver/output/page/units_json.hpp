@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include <solver/results/units.hpp>
+#include <solver/scene/units.hpp>
 
 namespace pinball {
 

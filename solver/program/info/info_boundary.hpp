@@ -1,7 +1,7 @@
 #pragma once
 
 #include <solver/model/model.hpp>
-#include <solver/results/units.hpp>
+#include <solver/scene/units.hpp>
 
 namespace pinball {
 

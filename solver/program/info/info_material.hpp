@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <solver/results/units.hpp>
 #include <solver/scene.hpp>
+#include <solver/scene/units.hpp>
 
 namespace pinball {
 

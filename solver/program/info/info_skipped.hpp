@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/results/units.hpp>
+#include <solver/scene/units.hpp>
 #include <solver/step/solver.hpp>
 
 namespace pinball {
