@@ -11,9 +11,11 @@ void bind_settings(py::module_& module) {
                                  {"viscous", HourglassControl::viscous},
                                  {"stiffness", HourglassControl::stiffness},
                                  {"assumed_strain", HourglassControl::assumed_strain}});
-  bind_choice<ContactMethod>(
-      module, "ContactMethod",
-      {{"none", ContactMethod::none}, {"pinball", ContactMethod::pinball}, {"slideline", ContactMethod::slideline}});
+  bind_choice<ContactMethod>(module, "ContactMethod",
+                             {{"none", ContactMethod::none},
+                              {"pinball", ContactMethod::pinball},
+                              {"slideline", ContactMethod::slideline},
+                              {"not_set", ContactMethod::not_set}});
   bind_choice<Enforcement>(module, "Enforcement",
                            {{"penalty", Enforcement::penalty},
                             {"projection", Enforcement::projection},

@@ -37,7 +37,7 @@ struct RecordOptions {
   std::function<bool()> stop{};
   /// Of a run that goes on from a checkpoint (restart.hpp): where it does. Other runs: where their scene says.
   Device device = Device::none;
-  int threads = 0;  ///< as in SimulationOptions
+  int threads = 0;      ///< as in SimulationOptions
   DeckNotes deck{};     ///< of a scene that is made of one; a restart has its own
   bool silent = false;  ///< nor warnings: for a host that tells them itself
 };

@@ -236,8 +236,12 @@ struct RunSummary {
   std::vector<std::string>
       mesh_warnings;                    ///< of meshes of files: nodes on each other, folded elements, what is left out
   std::vector<std::string> near_nodes;  ///< selections that nodes lie near to and that do not take them, in words
-  std::string unstable_hourglass;       ///< an hourglass coefficient too large for the steps; empty: it is not
-  std::vector<std::string> notes;       ///< what was made of a deck, line by line
+  /// What nobody is likely to mean, seen before the first step: units, speeds, meshes, bodies that never meet.
+  std::vector<std::string> unlikely;
+  double expected_impact = 0.0;    ///< speed of the fastest; 0: none is expected [length/time]
+  std::string contact_because;     ///< why contact is on or off where the scene leaves that open; empty: it does not
+  std::string unstable_hourglass;  ///< an hourglass coefficient too large for the steps; empty: it is not
+  std::vector<std::string> notes;  ///< what was made of a deck, line by line
   std::uint64_t state_hash = 0;
   std::int64_t bytes_per_element = 0;  ///< memory of the stores over the number of elements
 };

@@ -158,10 +158,12 @@ struct Scene {
   std::string name;                          ///< file name without folder and ending
   std::string path;                          ///< the file it was read from
   std::string title;                         ///< title
-  std::string units;                         ///< units = "in-lbf-s": named, never converted
+  std::string units;                         ///< units = "in-lbf-s": named, compared with known solids, never converted
   Precision precision = Precision::float64;  ///< precision = "double" | "float"
   Device device = Device::none;              ///< --device
   int refine = 1;                            ///< --refine: already multiplied into the element counts of the meshes
+  /// Translated from a deck of another program, in which nothing touches without a card that says so.
+  bool of_deck = false;
   TimeSettings time;
   ElementSettings element;
   ContactSettings contact;

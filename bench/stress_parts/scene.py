@@ -73,7 +73,7 @@ def block(name, size, elements, material="solid", **more):
 
 def scene(end, materials, bodies, contact=None, cfl=0.9, steps=None, element=None, **more):
     """One of the suite: without bulk viscosity unless it asks for it, so that nothing hides energy."""
-    tables = {"title": "stress", "units": "m-kg-s", "time": {"end": float(end), "cfl": float(cfl)},
+    tables = {"title": "stress", "units": "none", "time": {"end": float(end), "cfl": float(cfl)},
               "element": {"bulk_viscosity": False, **(element or {})}}
     if steps:
         tables["time"]["steps"] = int(steps)

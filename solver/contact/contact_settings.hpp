@@ -2,7 +2,8 @@
 
 namespace pinball {
 
-enum class ContactMethod { none, pinball, slideline };
+/// Not set, it is decided where the bodies are known: pinball where some can meet, else none.
+enum class ContactMethod { none, pinball, slideline, not_set };
 enum class Enforcement { penalty, projection, lagrange };
 enum class ContactGap { pinball, face, not_set };
 enum class ContactRadius { initial, current };
@@ -24,7 +25,8 @@ inline constexpr double largest_radius_factor = 10, largest_skin = 10;
 
 /// What can be chosen about contact, with its keys in a scene.
 struct ContactSettings {
-  ContactMethod method = ContactMethod::none;       ///< contact.method = "none" | "pinball" | "slideline"
+  /// contact.method = "none" | "pinball" | "slideline"; not set, it becomes pinball where bodies can meet, else none
+  ContactMethod method = ContactMethod::not_set;
   Enforcement enforcement = Enforcement::lagrange;  ///< contact.enforcement = "penalty" | "projection" | "lagrange"
   /// contact.gap = "pinball" | "face"; not set, it becomes pinball (penalty) or face
   ContactGap gap = ContactGap::not_set;

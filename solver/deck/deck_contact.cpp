@@ -188,7 +188,7 @@ void write_tied(DeckData& data, const DeckContact& contact, TomlText& scene) {
 
 }  // namespace
 
-void translate_contact(DeckData& data, TomlText& scene) {
+bool translate_contact(DeckData& data, TomlText& scene) {
   std::vector<DeckContact> contacts;
   for (const KeywordBlock& block : data.deck.blocks) {
     if (is_contact(block.name)) contacts.push_back(read_contact(data, block));
@@ -198,10 +198,16 @@ void translate_contact(DeckData& data, TomlText& scene) {
   for (const DeckContact& contact : contacts) {
     if (!contact.tied) touching.push_back(&contact);
   }
-  if (!touching.empty()) write_touching(data, touching, scene);
+  if (touching.empty()) {
+    scene.table("contact", "of which no card says anything");
+    scene.key("method", "none");
+  } else {
+    write_touching(data, touching, scene);
+  }
   for (const DeckContact& contact : contacts) {
     if (contact.tied) write_tied(data, contact, scene);
   }
+  return !touching.empty();
 }
 
 }  // namespace pinball

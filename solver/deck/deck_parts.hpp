@@ -39,8 +39,8 @@ void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText&
 void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
 void translate_body_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
 
-/// All contact keywords together: [contact].
-void translate_contact(DeckData& data, TomlText& scene);
+/// All contact keywords together: [contact]. Returns whether any says what touches.
+bool translate_contact(DeckData& data, TomlText& scene);
 /// CONTROL, DAMPING, DATABASE: title, [time], [element], [damping], [output].
 void translate_controls(DeckData& data, TomlText& scene);
 /// *DATABASE_HISTORY_NODE, _SOLID and sets of these: a [[probe]] each.

@@ -120,7 +120,7 @@ TranslatedDeck translate_deck(const std::string& path, const DeckOptions& option
   TomlText scene;
   scene.comment(fmt::format("{} as this program understands it.", std::filesystem::path(path).filename().string()));
   translate_controls(data, scene);
-  translate_contact(data, scene);
+  const bool contact_said = translate_contact(data, scene);
   TomlText bodies, boundary;
   std::size_t walls = 0;
   translate_parts(data, mesh_keys(path, options), bodies);
@@ -143,7 +143,7 @@ TranslatedDeck translate_deck(const std::string& path, const DeckOptions& option
   report.require_all_done(path);
   scene.append(bodies);
   scene.append(boundary);
-  return {scene.text(), report.understood(), report.ignored(), scene.origins()};
+  return {scene.text(), report.understood(), report.ignored(), scene.origins(), contact_said};
 }
 
 }  // namespace pinball

@@ -25,6 +25,7 @@ struct TranslatedDeck {
   std::vector<std::string> understood;  ///< lines that say what was made of what, and where they differ
   std::vector<std::string> ignored;     ///< keywords that cannot change the answer, with how many and where
   std::vector<TextOrigin> origins;      ///< which lines of the scene are of which cards
+  bool contact_said = true;             ///< whether any card says what touches
 
   /// A message that names lines of the scene, as "NAME:LINE:COLUMN: KEY", with the cards in their place: "deck.k:12:
   /// *MAT_ELASTIC (ro)". name: that by which the scene was read.

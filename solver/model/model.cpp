@@ -342,6 +342,7 @@ Model<S> build_model(const Scene& given) {
     if (std::holds_alternative<ArrayMesh>(body.mesh)) body.mesh = ArrayMesh{};  // the host's arrays may go now
   }
   model.tied_nodes = find_ties(model.scene, model.mesh, model.tie_counts);
+  model.look = look_at(model.scene, model.mesh);
   adjust_initial_overlaps(model.scene, model.tied_nodes, model.mesh);
   const ElementParts parts = element_parts(model.scene);
   ElementStoreFeatures features = add_parts(model, parts);

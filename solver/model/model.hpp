@@ -15,6 +15,7 @@
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/scene.hpp>
 
+#include "look/look.hpp"
 #include "stores.hpp"
 #include "yield_curves.hpp"
 
@@ -94,6 +95,7 @@ template <class S>
 struct Model {
   Scene scene;
   ModelMesh mesh;
+  Look look;
 
   NodeStore<S> nodes;
   ElementStore<S> elements;

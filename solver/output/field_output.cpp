@@ -10,7 +10,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/scene/field_names.hpp>
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 
 #include "field_arrays.hpp"
 #include "output_file.hpp"

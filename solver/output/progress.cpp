@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 
 namespace pinball {
 
@@ -61,6 +61,13 @@ void Progress::update(const ProgressState& state) {
   if (terminal_ ? since < 0.1 : since < settings_.log_seconds && tenths(done) < next_tenth_) return;
   next_tenth_ = std::max(next_tenth_, tenths(done) + 1);
   show(state, done);
+}
+
+void Progress::say(const std::string& text) {
+  if (settings_.quiet) return;
+  std::fputs((terminal_ ? "\r" + text + "\x1b[K\n" : text + '\n').c_str(), stream_);
+  std::fflush(stream_);
+  line_open_ = false;
 }
 
 void Progress::finish(const ProgressState& state) {

@@ -39,6 +39,9 @@ class Progress {
   /// Call after each step: costs one reading of the clock where nothing is to be shown.
   void update(const ProgressState& state);
 
+  /// A line that stays above those of progress.
+  void say(const std::string& text);
+
   /// Shows the last state, whatever the time since the line before.
   void finish(const ProgressState& state);
 

@@ -5,6 +5,7 @@
 #include <solver/results/warnings.hpp>
 #include <solver/run_page.hpp>
 
+#include "first_moments.hpp"
 #include "message.hpp"
 #include "out_of_memory.hpp"
 #include "progress.hpp"
@@ -25,6 +26,7 @@ class RecordedRun {
         recorder_(simulation_, options, folder.continues()) {
     const RunSummary summary = simulation_.summary();
     folder_.begin(summary);
+    impact_speed_ = summary.expected_impact;
     if (!options_.quiet) print_notes(summary);
     if (options_.silent) return;
     for (const std::string& warning : start_warnings(summary)) print_message("warning: " + warning);
@@ -47,6 +49,7 @@ class RecordedRun {
  private:
   static void print_notes(const RunSummary& summary) {
     if (const std::string added = added_mass_text(summary); !added.empty()) print_message(added);
+    if (!summary.contact_because.empty()) print_message(summary.contact_because);
     for (const TiedResult& tied : summary.tied) print_message("contact.tied " + tied_text(tied));
   }
 
@@ -58,7 +61,9 @@ class RecordedRun {
     const Scene& scene = simulation_.scene();
     Progress progress({scene.time.end, scene.time.steps, scene.units, options_.quiet});
     progress.begin(simulation_.progress());
+    FirstMoments first_moments(simulation_, impact_speed_);
     simulation_.on_step([&](Simulation& s) {
+      if (const std::string expected = first_moments.expected(s); !expected.empty()) progress.say(expected);
       recorder_.record(s, s.complete());
       if (s.complete()) {
         progress.finish(s.progress());
@@ -109,6 +114,7 @@ class RecordedRun {
   RunFolder& folder_;
   Simulation simulation_;
   Recorder recorder_;
+  double impact_speed_ = 0;
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <solver/results/units.hpp>
 #include <solver/results/warnings.hpp>
+#include <solver/scene/units/units.hpp>
 #include <solver/summary.hpp>
 
 #include "output_file.hpp"
@@ -192,6 +192,7 @@ std::string summary_json(const RunSummary& s) {
       {"pressures", pressures},
       {"contact",
        {{"method", s.contact_method},
+        {"because", text_or_null(s.contact_because)},
         {"pairs", pairs},
         {"tied", ties},
         {"overlaps", overlaps},

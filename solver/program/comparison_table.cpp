@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 
 #include "comparison_report.hpp"
 #include "comparison_times.hpp"

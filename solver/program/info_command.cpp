@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include <kernels/exec.hpp>
@@ -9,13 +8,13 @@
 #include <solver/base/thread_count.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
-#include <solver/output/progress.hpp>
 #include <solver/results/warnings.hpp>
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 #include <solver/step/solver.hpp>
 
 #include "commands.hpp"
 #include "info/info_boundary.hpp"
+#include "info/info_cost.hpp"
 #include "info/info_devices.hpp"
 #include "info/info_material.hpp"
 #include "info/info_mesh.hpp"
@@ -211,50 +210,23 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
                  pair.friction, pair.second.empty() ? ", of its first side alone" : "");
     }
   }
+  if (!model.look.contact_because.empty()) fmt::print("  {}\n", model.look.contact_because);
   for (const TiedResult& tied : model.tie_counts) fmt::print("  tied contact {}\n", tied_text(tied));
   print_boundary_conditions(model, units);
   fmt::print("  output: {}\n", output_text(scene, units));
 }
 
-/// Takes a few steps, for at most half a second, and extrapolates.
+/// What a run warns of, too, beside what is wrong with its meshes.
 template <class S>
-void print_estimates(Solver<S>& solver, const Units& units) {
-  using Clock = std::chrono::steady_clock;
-  const Scene& scene = solver.scene();
-  const Model<S>& model = solver.model();
-  fmt::print("cost\n");
-  fmt::print("  {} tiles of elements in {} colours, {} elements per pack (SIMD), {} thread{}\n", model.tile_count(),
-             model.tile_colours.colour_offsets.size() - 1, ElementStore<S>::width, DefaultExecutionSpace::concurrency(),
-             DefaultExecutionSpace::concurrency() == 1 ? "" : "s");
-  solver.step();
-  const double first = solver.dt();
-  const auto contact_bytes = solver.contact() != nullptr ? solver.contact()->bytes() : 0;
-  const auto bytes = static_cast<double>(model.bytes() + contact_bytes);
-  fmt::print("  memory of the stores: {}, {:.0f} bytes per element\n", readable_bytes(bytes),
-             bytes / static_cast<double>(model.element_count()));
-  double steps = std::max(1.0, std::ceil(scene.time.end / first));
-  const bool limited = scene.time.steps >= 0 && static_cast<double>(scene.time.steps) < steps;
-  if (limited) steps = static_cast<double>(scene.time.steps);
-  fmt::print("  first step {} (time.cfl {:.3g}), {:.0f} steps {}\n", with_unit(first, units.time), scene.time.cfl,
-             steps,
-             limited ? "(time.steps)"
-                     : fmt::format("to {} if the step stays so; it shrinks with squeezed elements",
-                                   with_unit(scene.time.end, units.time)));
-  const auto start = Clock::now();
-  const auto elapsed = [&start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const std::int64_t before = solver.steps();
-  for (int i = 0; elapsed() < 0.5 && i < 20 && solver.time() < scene.time.end; ++i) solver.step();
-  const auto timed = static_cast<double>(solver.steps() - before);
-  if (timed > 0) {
-    const double per_step = elapsed() / timed, run_time = per_step * steps;
-    fmt::print("  run time about {} ({:.3g} ms per step, {:.3g} million element steps per second, without output)\n",
-               run_time < 60 ? fmt::format("{:.2g} s", run_time) : readable_duration(run_time), 1e3 * per_step,
-               1e-6 * static_cast<double>(model.element_count()) / per_step);
-  }
+void print_unlikely(const Solver<S>& solver) {
+  std::vector<std::string> all = solver.look().unlikely;
+  if (!solver.many_steps().empty()) all.push_back(solver.many_steps());
+  for (const std::string& sentence : all) fmt::print("warning: {}\n", sentence);
 }
 
+/// Returns the scene with all that its bodies decide.
 template <class S>
-void print_info(const Scene& scene, int threads) {
+Scene print_info(const Scene& scene, int threads) {
   const Units units = parse_units(scene.units);
   Solver<S> solver(scene);
   DefaultExecutionSpace::set_concurrency(threads > 0 ? threads : earned_threads(solver.element_count()));
@@ -268,7 +240,9 @@ void print_info(const Scene& scene, int threads) {
   print_materials(scene, units);
   print_what_runs(solver, units);
   print_what_is_skipped(solver, units);
-  print_estimates(solver, units);
+  print_unlikely(solver);
+  print_cost(solver, units);
+  return solver.scene();
 }
 
 }  // namespace
@@ -282,9 +256,10 @@ int info_command(const InfoOptions& options) {
   const SceneInput input = scene_input(options);
   input.with_places([&] {
     const Scene scene = input.read();
-    scene.precision == Precision::float32 ? print_info<float>(scene, options.threads)
-                                          : print_info<double>(scene, options.threads);
-    if (options.devices) print_missing_on_devices(scene);
+    const bool single = scene.precision == Precision::float32;
+    const Scene decided =
+        single ? print_info<float>(scene, options.threads) : print_info<double>(scene, options.threads);
+    if (options.devices) print_missing_on_devices(decided);
   });
   return 0;
 }

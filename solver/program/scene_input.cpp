@@ -87,6 +87,7 @@ std::string path_of(const std::string& name) {
 
 Scene SceneInput::read() const {
   Scene scene = read_scene(source);
+  scene.of_deck = deck && !deck->contact_said;
   if (deck) deck->name_parts(scene, source.path);
   return scene;
 }

@@ -132,6 +132,7 @@ std::string added_mass_text(const RunSummary& summary) {
 
 std::vector<std::string> start_warnings(const RunSummary& summary) {
   std::vector<std::string> found = summary.mesh_warnings;
+  found.insert(found.end(), summary.unlikely.begin(), summary.unlikely.end());
   add_overlaps(summary, found);
   if (!summary.unseen_balls.empty()) {
     found.push_back(

@@ -13,9 +13,9 @@ namespace pinball {
 /// nothing eroded, impulses that were not solved for; and all of start_warnings().
 std::vector<std::string> warnings(const RunSummary& summary);
 
-/// Those that are known before the first step: what is wrong with meshes of files, bodies that overlap, balls
-/// that cannot see what they should, steps that hourglass control and added masses are too large for, and what the
-/// chosen form of contact cannot do.
+/// Those that are known before the first step: what is wrong with meshes of files, what nobody is likely to mean,
+/// bodies that overlap, balls that cannot see what they should, steps that hourglass control and added masses are too
+/// large for, and what the chosen form of contact cannot do.
 std::vector<std::string> start_warnings(const RunSummary& summary);
 
 /// The mass that is added, in total and of each body, also in percent; empty: none is.

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include <solver/base/error.hpp>
+#include <solver/scene/units/units.hpp>
 #include <solver/scene_rules.hpp>
 
 #include "names.hpp"
 #include "numbers.hpp"
-#include "units.hpp"
 
 namespace pinball {
 

@@ -70,7 +70,8 @@ void list_contact(const Scene& scene, std::vector<SceneEntry>& all) {
   complete(without);
   without.friction = 0;
   Entries table(all, "contact");
-  table.add_words("method", toml_text(name_of(contact.method)), contact.method == ContactMethod::none);
+  const bool not_set = contact.method == ContactMethod::not_set;
+  table.add_words("method", not_set ? "pinball where bodies can meet" : toml_text(name_of(contact.method)), not_set);
   table.add_words("enforcement", toml_text(enforcement_name(contact.enforcement)),
                   contact.enforcement == ContactSettings{}.enforcement);
   table.add_words("gap", toml_text(contact.gap == ContactGap::pinball ? "pinball" : "face"),

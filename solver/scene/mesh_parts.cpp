@@ -202,7 +202,8 @@ MeshSettings read_by_ending(const SceneTable& table, const MeshScale& scale) {
 double least_bytes_of_element(const Scene& scene, const ElementSettings& element) {
   const double number = scene.precision == Precision::float32 ? sizeof(float) : sizeof(double);
   const bool state = element.hourglass != HourglassControl::none && element.hourglass != HourglassControl::viscous;
-  const bool contact = scene.contact.method != ContactMethod::none;
+  const ContactMethod method = scene.contact.method;
+  const bool contact = method == ContactMethod::pinball || method == ContactMethod::slideline;
   const double measured = 125 + 38 * number + (state ? 23 * number : 0) + (contact ? 165 + 6 * number : 0);
   return 0.9 * measured;
 }

@@ -6,6 +6,7 @@
 #include <solver/base/error.hpp>
 #include <solver/keyword/input_file.hpp>
 #include <solver/scene.hpp>
+#include <solver/scene/units/units.hpp>
 
 #include "boundary_parts.hpp"
 #include "contact/contact_parts.hpp"
@@ -15,7 +16,6 @@
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "table.hpp"
-#include "units.hpp"
 
 namespace pinball {
 

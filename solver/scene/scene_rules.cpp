@@ -45,6 +45,8 @@ void make_unit(NodeSelection& nodes) {
 void complete_scene(Scene& scene) {
   complete(scene.element);
   complete(scene.contact);
+  const bool any_pair = !scene.contact_pairs.empty();
+  if (any_pair && scene.contact.method == ContactMethod::not_set) scene.contact.method = ContactMethod::pinball;
   for (std::size_t p = 0; p < scene.contact_pairs.size(); ++p) {
     ContactPair& pair = scene.contact_pairs[p];
     complete(pair, scene.contact);
@@ -107,7 +109,8 @@ std::optional<Problem> problem_of(const ContactSettings& contact) {
     return Problem{contact.friction > 0 ? "friction" : "static_friction",
                    "expected 0: friction needs enforcement = \"projection\" or \"lagrange\""};
   }
-  if (contact.method == ContactMethod::pinball && contact.gap == ContactGap::pinball && any_friction) {
+  const bool balls = contact.method == ContactMethod::pinball || contact.method == ContactMethod::not_set;
+  if (balls && contact.gap == ContactGap::pinball && any_friction) {
     return Problem{contact.friction > 0 ? "friction" : "static_friction",
                    "expected 0: balls do not touch where elements do, friction needs gap = \"face\""};
   }

@@ -124,13 +124,12 @@ void Guards<S>::check_time_step() const {
                                dt, when(), model_.scene.time.end, step_limit(model_, clock_)));
   }
   if (!(dt > 0 && dt < ratio * clock_.dt_max() && clock_.remaining() > 2 * dt)) return;
-  throw RunError(
-      fmt::format("the stable step has collapsed to {:.3g} {}, less than guard.time_step_collapse = {:.3g} of the "
-                  "largest, {:.3g}; it is set by {}: {}",
-                  dt, when(), ratio, clock_.dt_max(), step_limit(model_, clock_),
-                  clock_.limited_by() == StepLimit::contact
-                      ? "try a smaller contact.beta, or contact.enforcement=\"lagrange\", which does not limit it"
-                      : "try an erosion_strain for its material, or a better shape of its mesh"));
+  fail(fmt::format("the stable step has collapsed to {:.3g} {}, less than guard.time_step_collapse = {:.3g} of the "
+                   "largest, {:.3g}; it is set by {}",
+                   dt, when(), ratio, clock_.dt_max(), step_limit(model_, clock_)),
+       clock_.limited_by() == StepLimit::contact
+           ? "try a smaller contact.beta, or contact.enforcement=\"lagrange\", which does not limit it"
+           : "try an erosion_strain for its material, or a better shape of its mesh");
 }
 
 template <class S>

@@ -110,6 +110,10 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
         fmt::format("{} and {}, by {} of their nodes and points of elements", now.first, now.second, now.points);
   }
   summary.mesh_warnings = solver.mesh().warnings;
+  summary.unlikely = solver.look().unlikely;
+  if (!solver.many_steps().empty()) summary.unlikely.push_back(solver.many_steps());
+  summary.expected_impact = solver.look().impact_speed;
+  summary.contact_because = solver.look().contact_because;
   summary.near_nodes = solver.near_nodes();
   summary.unstable_hourglass = solver.unstable_hourglass();
   summary.large_added_mass = large_added_mass(solver.model());

@@ -65,10 +65,11 @@ Solver<S>::Solver(const Scene& scene)
     sound_swallowing_ = sound_swallowing_of(model_.scene);
   }
   require_built(model_, boundary_.any());
-  check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
+  const SmallestStep smallest = check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
+  many_steps_ = find_many_steps(model_.scene, model_.mesh, smallest);
   near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
-  guards_.blame(unstable_hourglass_);
+  guards_.blame(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum(model_);
 }
 

@@ -57,6 +57,7 @@ class Solver {
   /// What no step changes; of a run on a device nothing is copied for it.
   const Scene& scene() const { return model_.scene; }
   const ModelMesh& mesh() const { return model_.mesh; }
+  const Look& look() const { return model_.look; }
   std::int64_t element_count() const { return model_.element_count(); }
   /// Of a run on a device the mirror on the host, brought up to date: its state is copied where the last steps have
   /// changed it.
@@ -103,6 +104,8 @@ class Solver {
   const std::vector<std::string>& near_nodes() const { return near_nodes_; }
   /// What makes hourglass forces unstable from the start, as a sentence; empty: nothing.
   const std::string& unstable_hourglass() const { return unstable_hourglass_; }
+  /// How many steps there are, as a sentence, where they are more than anybody is likely to want; else empty.
+  const std::string& many_steps() const { return many_steps_; }
   /// The part of the energy in motion up to which contact may swallow it; 0 where the scene asks for what does [-].
   double sound_swallowing() const { return sound_swallowing_; }
   const Timers& timers() const { return timers_; }
@@ -158,7 +161,7 @@ class Solver {
   std::vector<InitialOverlap> initial_overlaps_;  ///< only looked for in a scene with contact
   std::optional<UnseenBalls> unseen_balls_;       ///< only looked for where the gap is that of balls
   std::vector<std::string> near_nodes_;
-  std::string unstable_hourglass_;
+  std::string unstable_hourglass_, many_steps_;
   double sound_swallowing_ = 0;
   std::optional<double> kinetic_before_change_;  ///< velocities may have been changed since [energy]
 };

@@ -15,6 +15,9 @@ namespace pinball {
 
 namespace {
 
+/// Beyond this, somebody may have meant another time or other units.
+constexpr double most_steps = 1e6;
+
 /// The elements of a mesh, each with its settings and the mass that is added to it.
 class StartElements {
  public:
@@ -40,11 +43,6 @@ class StartElements {
   const ModelMesh& mesh_;
   ElementParts parts_;
   std::vector<double> mass_factor_;
-};
-
-struct SmallestStep {
-  double step = std::numeric_limits<double>::infinity();
-  std::int64_t element = 0;
 };
 
 SmallestStep smallest_step(const StartElements& elements, const ModelMesh& mesh) {
@@ -106,7 +104,7 @@ std::string stiff_sentence(const ElementSettings& element, const std::string& na
 
 }  // namespace
 
-void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step) {
+SmallestStep check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step) {
   const SmallestStep smallest = smallest_step(StartElements(scene, mesh), mesh);
   const double stable = scene.time.cfl * smallest.step, step = std::min(stable, longest_impact_step);
   const double end = scene.time.end;
@@ -130,6 +128,18 @@ void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longe
                     "it would turn every motion round within one step",
                     message_head(scene), 2 / smallest.step, at, scene.damping.mass));
   }
+  return smallest;
+}
+
+std::string find_many_steps(const Scene& scene, const ModelMesh& mesh, const SmallestStep& smallest) {
+  const double step = scene.time.cfl * smallest.step, all = scene.time.end / step;
+  const double steps = scene.time.steps >= 0 ? std::min(all, static_cast<double>(scene.time.steps)) : all;
+  if (!(steps >= most_steps)) return "";
+  const Point extent = element_extent(mesh, static_cast<std::size_t>(smallest.element));
+  return fmt::format(
+      "time.end = {:.6g} takes {:.3g} steps of {:.3g} or more, set by {}, which is {:.3g} x {:.3g} x {:.3g}: look at "
+      "time.end and at units, or give such elements mass with time.smallest_step",
+      scene.time.end, steps, step, name_of(mesh, smallest.element), extent[0], extent[1], extent[2]);
 }
 
 std::string find_unstable_hourglass(const Scene& scene, const ModelMesh& mesh) {

@@ -7,11 +7,22 @@
 /// What the meshes and materials of a scene show of its numbers before the first step.
 namespace pinball {
 
+/// The element that would set the step of a run.
+struct SmallestStep {
+  double step = std::numeric_limits<double>::infinity();  ///< that it is stable with [time]
+  std::int64_t element = 0;
+};
+
 /// Throws InputError for a time.end that no number of stable steps reaches, and for a damping.mass of which one stable
 /// step makes nonsense: beyond 2/dt it turns every motion round and enlarges it.
 ///
 /// longest_impact_step: StepClock::longest_impact_step [time]
-void check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step);
+///
+/// Returns the smallest stable step of all elements.
+SmallestStep check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step);
+
+/// A sentence on a run of a million steps or more; else empty.
+std::string find_many_steps(const Scene& scene, const ModelMesh& mesh, const SmallestStep& smallest);
 
 /// A sentence on the hourglass_coefficient that is furthest beyond what the steps allow, of [element] or of a body;
 /// empty where none is.

@@ -55,13 +55,14 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(keys(json),
-              ElementsAre("scene", "title", "status", "error", "started", "units", "unit_names", "version", "precision", "device",
-                          "threads", "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds",
-                          "phase_seconds", "element_steps", "element_steps_skipped", "element_steps_eroded",
-                          "element_steps_resting", "element_steps_subcycled", "element_steps_per_second", "energy",
-                          "momentum", "bodies", "mass_scaling", "rigid_walls", "pressures", "contact", "inside_out",
-                          "skipped", "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
+  EXPECT_THAT(
+      keys(json),
+      ElementsAre("scene", "title", "status", "error", "started", "units", "unit_names", "version", "precision",
+                  "device", "threads", "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds",
+                  "phase_seconds", "element_steps", "element_steps_skipped", "element_steps_eroded",
+                  "element_steps_resting", "element_steps_subcycled", "element_steps_per_second", "energy", "momentum",
+                  "bodies", "mass_scaling", "rigid_walls", "pressures", "contact", "inside_out", "skipped",
+                  "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(
       keys(json["energy"]),

@@ -52,6 +52,12 @@ TEST_F(DeckInput, PartsOfItsSceneAreNamedByCards) {
   std::ofstream(options.scene) << "*KEYWORD\n" << cube << elastic << ends << set_of_top << "*BOUNDARY_SPC_SET\n3,0,1\n";
   const Scene read = scene_input(options).read();
   EXPECT_EQ(read.fixed_constraints.at(0).nodes.where, options.scene + ":26: *BOUNDARY_SPC_SET: constraint.0");
+  EXPECT_TRUE(read.of_deck) << "no card says what touches";
+  EXPECT_EQ(read.contact.method, ContactMethod::none);
+  std::ofstream(options.scene, std::ios::app) << "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n\n\n";
+  const Scene touching = scene_input(options).read();
+  EXPECT_FALSE(touching.of_deck);
+  EXPECT_EQ(touching.contact.method, ContactMethod::pinball);
 }
 
 }  // namespace

@@ -116,6 +116,13 @@ TEST(Warnings, WhatIsKnownAtTheStart) {
   EXPECT_EQ(start_warnings(s), warnings(s));
 }
 
+TEST(Warnings, WhatNobodyIsLikelyToMean) {
+  RunSummary s = sound();
+  s.unlikely = {"no two bodies can meet", "material m is of other units"};
+  EXPECT_THAT(warnings(s), ElementsAre(s.unlikely[0], s.unlikely[1]));
+  EXPECT_EQ(start_warnings(s), warnings(s));
+}
+
 TEST(Warnings, ContactThatDidNotConverge) {
   RunSummary s = sound();
   s.sweeps = {100, 5000, 50, 3, 0, 0.16, 8e-4};

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <solver/scene_rules.hpp>
 #include <tests/support/scene_fixture.hpp>
 
 /// Reading of what touches what.
@@ -86,7 +87,11 @@ TEST_F(SceneContactTest, BadPairsAreNamed) {
   EXPECT_THAT(problem({"first = \"bar\"", "name = \"bar_contact\""}), HasSubstr("the names of those of a body"));
   EXPECT_THAT(problem({"first = \"bar\"", "[[contact.pair]]", "name = \"pair_0\"", "first = \"bar\""}),
               HasSubstr("a second time"));
-  EXPECT_THAT(error(with({"[[contact.pair]]", "first = \"bar\""})), HasSubstr("a pair needs contact.method"));
+  EXPECT_THAT(error(with({"[contact]", "method = \"none\"", "[[contact.pair]]", "first = \"bar\""})),
+              HasSubstr("a pair needs contact.method"));
+  Scene left_out = read(with({"[[contact.pair]]", "first = \"bar\""}));
+  complete_scene(left_out);
+  EXPECT_EQ(left_out.contact.method, ContactMethod::pinball);
 }
 
 TEST_F(SceneContactTest, ReadsEveryKeyOfATie) {

@@ -23,7 +23,7 @@ TEST_F(SceneTest, FillsInDefaults) {
   EXPECT_EQ(scene.element.hourglass, HourglassControl::assumed_strain);
   EXPECT_EQ(scene.element.hourglass_coefficient, 1.0);
   EXPECT_FALSE(scene.element.negative_volume);
-  EXPECT_EQ(scene.contact.method, ContactMethod::none);
+  EXPECT_EQ(scene.contact.method, ContactMethod::not_set);
   EXPECT_EQ(scene.contact.enforcement, Enforcement::lagrange);
   EXPECT_EQ(scene.contact.gap, ContactGap::face);
   EXPECT_EQ(scene.contact.beta, 1.0);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <solver/scene/unit_names.hpp>
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/unit_names.hpp>
+#include <solver/scene/units/units.hpp>
 #include <tests/support/error_of.hpp>
 
 /// Names of units: what a scene may call its own, and what follows from them.

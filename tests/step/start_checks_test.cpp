@@ -177,6 +177,32 @@ TEST(StartChecks, OtherFormsAreSureUpToOne) {
   EXPECT_THAT(told(HourglassControl::none, 10), IsEmpty());
 }
 
+TEST(StartChecks, AMillionStepsAreTold) {
+  Scene scene = flying_cube();
+  scene.time.end = 0.9 * 0.99e6 * stable_step();
+  EXPECT_THAT(Solver<double>(scene).many_steps(), IsEmpty());
+  scene.time.end = 0.9 * 1.01e6 * stable_step();
+  EXPECT_THAT(Solver<double>(scene).many_steps(),
+              AllOf(HasSubstr("takes 1.01e+06 steps"), HasSubstr("element 0 of body")));
+  scene.time.steps = 100;
+  EXPECT_THAT(Solver<double>(scene).many_steps(), IsEmpty());
+}
+
+/// Steel in kg and m, its scene in g and mm.
+TEST(StartChecks, AFailureNamesTheUnitsOfAMaterial) {
+  Scene scene = flying_cube();
+  scene.units = "g-mm-ms";
+  Solver<double> solver(scene);
+  solver.step();
+  Array<double>& position = solver.change_model().nodes.position;
+  for (std::size_t n = 0; n < 8; ++n) {
+    if (position[4 * n + 2] > 0.05) position[4 * n + 2] -= 0.2;  // turned inside out
+  }
+  EXPECT_THAT(error_of([&] { solver.step(); }),
+              AllOf(HasSubstr("have no volume left"), HasSubstr(": material steel: density 7850"),
+                    HasSubstr("both are those of steel in kg-m-s"), testing::Not(HasSubstr("erosion_strain"))));
+}
+
 TEST(StartChecks, AFailureNamesTheHourglassCoefficient) {
   Scene scene = scene_of(
       {block("a", {4, 4, 4}, 0.025, {0, 0, 0}, {0, 0, 20}), block("b", {4, 4, 4}, 0.025, {0, 0, 0.1065}, {0, 0, -20})},

@@ -48,7 +48,8 @@ class Contact {
  public:
   explicit Contact(AbaqusData& data) : data_(data), exclusions_(data) {}
 
-  void translate(TomlText& scene) {
+  /// Returns whether anything says what touches, be it nothing.
+  bool translate(TomlText& scene) {
     read_interactions();
     for (const AbaqusBlock& block : data_.deck.blocks) {
       if (block.name == "CONTACTINCLUSIONS") read_inclusions(block);
@@ -61,7 +62,9 @@ class Contact {
     exclusions_.report_idle();
     if (touching.empty()) {
       if (!pairs_.empty()) data_.report.understood("contact: none, all of it is excluded");
-      return;
+      scene.table("contact", pairs_.empty() ? "of which no keyword says anything" : "all of which is excluded");
+      scene.key("method", "none");
+      return !pairs_.empty();
     }
     const AbaqusBlock& head = *pairs_.front().block;
     scene.table("contact", fmt::format("{} {}", head.star_name(), head.place.text()));
@@ -69,6 +72,7 @@ class Contact {
     write_friction(common_, scene);
     write_pairs(touching, scene);
     data_.report.understood("contact: exact, of faces and edges, without penalties");
+    return true;
   }
 
  private:
@@ -185,11 +189,12 @@ void write_ties(const AbaqusData& data, const AbaqusBlock& block, TomlText& scen
 
 }  // namespace
 
-void translate_abaqus_contact(AbaqusData& data, TomlText& scene) {
-  Contact(data).translate(scene);
+bool translate_abaqus_contact(AbaqusData& data, TomlText& scene) {
+  const bool said = Contact(data).translate(scene);
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name == "TIE") write_ties(data, block, scene);
   }
+  return said;
 }
 
 }  // namespace pinball

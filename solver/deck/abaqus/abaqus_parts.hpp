@@ -23,8 +23,8 @@ void translate_abaqus_boundary(AbaqusData& data, TomlText& scene);
 void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene);
 /// CLOAD, DLOAD: [[load]], [[gravity]].
 void translate_abaqus_loads(AbaqusData& data, TomlText& scene);
-/// CONTACT and its options: [contact].
-void translate_abaqus_contact(AbaqusData& data, TomlText& scene);
+/// CONTACT and its options: [contact]. Returns whether anything says what touches.
+bool translate_abaqus_contact(AbaqusData& data, TomlText& scene);
 
 /// NODE OUTPUT and ELEMENT OUTPUT of HISTORY: a [[probe]] each.
 void translate_abaqus_probes(AbaqusData& data, TomlText& scene);

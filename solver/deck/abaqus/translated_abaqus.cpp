@@ -79,7 +79,7 @@ TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& opti
   scene.comment(fmt::format("{} as this program understands it.", own_name));
   data.body_elements = abaqus_elements(data);
   translate_abaqus_controls(data, scene);
-  translate_abaqus_contact(data, scene);
+  const bool contact_said = translate_abaqus_contact(data, scene);
   translate_abaqus_materials(data, scene);
   translate_abaqus_bodies(data, options.name_in_scene.empty() ? own_name : options.name_in_scene, bodies);
   translate_abaqus_boundary(data, boundary);
@@ -90,7 +90,7 @@ TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& opti
   report.require_all_done(path);
   scene.append(bodies);
   scene.append(boundary);
-  return {scene.text(), report.understood(), report.ignored(), scene.origins()};
+  return {scene.text(), report.understood(), report.ignored(), scene.origins(), contact_said};
 }
 
 }  // namespace pinball

@@ -7,7 +7,7 @@
 #include <solver/results/energy_checks.hpp>
 #include <solver/run_page.hpp>
 #include <solver/scene/listing.hpp>
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 #include <solver/summary.hpp>
 
 #include "curves.hpp"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 
 namespace pinball {
 

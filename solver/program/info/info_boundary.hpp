@@ -1,7 +1,7 @@
 #pragma once
 
 #include <solver/model/model.hpp>
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 
 namespace pinball {
 

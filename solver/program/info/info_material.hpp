@@ -3,7 +3,7 @@
 #include <string>
 
 #include <solver/scene.hpp>
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 
 namespace pinball {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/scene/units.hpp>
+#include <solver/scene/units/units.hpp>
 #include <solver/step/solver.hpp>
 
 namespace pinball {

@@ -28,10 +28,10 @@ std::optional<Problem> problem_of_times(double start, double end) {
 
 std::optional<Problem> problem_of(const ContactPair& pair, const ContactSettings& contact) {
   if (contact.method == ContactMethod::none) {
-    return Problem{"name", "a pair needs contact.method = \"pinball\" or \"slideline\""};
+    return Problem{"name", "a pair needs contact.method = \"pinball\" or \"slideline\", got \"none\""};
   }
   if (pair.first.empty()) return Problem{"first", "expected at least one body or set, got none"};
-  const bool balls = contact.method == ContactMethod::pinball && contact.gap == ContactGap::pinball;
+  const bool balls = contact.method != ContactMethod::slideline && contact.gap == ContactGap::pinball;
   const bool nodes = !pair.first.nodes.empty() || !pair.second.nodes.empty();
   if (nodes && balls) return Problem{"first", "balls are those of elements: sets of nodes need contact.gap = \"face\""};
   if (!pair.first.nodes.empty() && pair.second.empty()) {

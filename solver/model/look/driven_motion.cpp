@@ -1,0 +1,168 @@
+#include "driven_motion.hpp"
+
+#include <solver/base/error.hpp>
+#include <solver/model/selection/node_selection.hpp>
+#include <solver/model/selection/pressed_faces.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// Of a prescribed motion, as a multiple of what stands beside its table.
+double displacement(const PrescribedVelocity& given, double time) {
+  const double from = std::max(0.0, given.when.start), to = std::min(time, given.when.end);
+  if (to <= from) return 0;
+  switch (given.quantity) {
+    case MotionQuantity::velocity:
+      return given.table.integral(to) - given.table.integral(from);
+    case MotionQuantity::displacement:
+      return given.table.value(to) - given.table.value(from);
+    case MotionQuantity::acceleration:
+      break;
+  }
+  return given.table.second_integral(to) - given.table.second_integral(from);
+}
+
+Point times(double factor, const Point& vector) { return {factor * vector[0], factor * vector[1], factor * vector[2]}; }
+
+/// Nodes of each group; what acts on nodes of several acts on all of these.
+class DrivenMotions {
+ public:
+  DrivenMotions(const Scene& scene, const ModelMesh& mesh, const std::vector<std::int32_t>& group, std::size_t groups,
+                const std::vector<double>& times)
+      : scene_(scene), mesh_(mesh), group_(group), times_(times), all_(groups), nodes_(groups, 0), mass_(groups, 0.0) {
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) ++nodes_[group_of(n)];
+    for (DrivenMotion& own : all_) {
+      own.moved.resize(times.size());
+      own.pushed.assign(times.size(), Extent{{}, {}});
+    }
+    if (!scene.loads.empty() || !scene.pressures.empty()) weigh();
+  }
+
+  std::vector<DrivenMotion> find() {
+    hold();
+    for (const PrescribedVelocity& given : scene_.prescribed_velocities) prescribe(given);
+    for (const Gravity& gravity : scene_.gravities) fall(gravity);
+    for (const NodalLoad& load : scene_.loads) push(load);
+    for (const Pressure& pressure : scene_.pressures) press(pressure);
+    return std::move(all_);
+  }
+
+ private:
+  std::size_t group_of(std::size_t node) const {
+    return static_cast<std::size_t>(group_[static_cast<std::size_t>(mesh_.body_of_node[node])]);
+  }
+  /// How many nodes of each group a selection has.
+  std::vector<std::int64_t> counts(const NodeSelection& selection) const {
+    std::vector<std::int64_t> count(all_.size(), 0);
+    for (const std::int32_t n : matching_nodes(mesh_, selection)) ++count[group_of(static_cast<std::size_t>(n))];
+    return count;
+  }
+  void weigh() {
+    const std::vector<std::size_t> material = material_of_bodies(scene_);
+    for (std::size_t e = 0; e < mesh_.hexahedra.size(); ++e) {
+      const auto body = static_cast<std::size_t>(mesh_.body[e]);
+      mass_[static_cast<std::size_t>(group_[body])] +=
+          scene_.materials[material[body]].density * element_volume(mesh_, e);
+    }
+  }
+
+  void hold() {
+    for (const PlaneConstraint& plane : scene_.constraints) stop(counts(nodes_of(plane)), {plane.normal});
+    for (const FixedConstraint& fixed : scene_.fixed_constraints) {
+      if (fixed.frame == Frame::global) stop(counts(fixed.nodes), fixed.directions, fixed.when.always());
+    }
+  }
+  void stop(const std::vector<std::int64_t>& count, const std::vector<Point>& directions, bool always = true) {
+    for (std::size_t g = 0; g < all_.size(); ++g) {
+      if (count[g] == 0) continue;
+      all_[g].held |= always && directions.size() == 3 && count[g] == nodes_[g];
+      for (const Point& d : directions) {
+        for (std::size_t k = 0; k < 3; ++k) all_[g].stopped[k] = all_[g].stopped[k] || std::abs(d[k]) > 0.5;
+      }
+    }
+  }
+
+  void prescribe(const PrescribedVelocity& given) {
+    const std::vector<std::int64_t> count = counts(given.nodes);
+    for (std::size_t g = 0; g < all_.size(); ++g) {
+      if (count[g] == 0) continue;
+      DrivenMotion& own = all_[g];
+      own.in_part = own.in_part || count[g] < nodes_[g];
+      own.wholly = own.wholly || (count[g] == nodes_[g] && !given.direction);
+      double before = 0;
+      for (std::size_t j = 0; j < times_.size(); ++j) {
+        const double now = displacement(given, times_[j]);
+        own.moved[j].take(times(now, given.velocity));
+        if (j > 0) own.speed = std::max(own.speed, speed(now - before, j, given.velocity));
+        before = now;
+      }
+    }
+  }
+  double speed(double change, std::size_t j, const Point& vector) const {
+    return std::abs(change) * norm(vector) / (times_[j] - times_[j - 1]);
+  }
+
+  void fall(const Gravity& gravity) {
+    std::vector<bool> falls(all_.size(), gravity.bodies.empty());
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+      if (std::ranges::find(gravity.bodies, scene_.bodies[b].name) != gravity.bodies.end())
+        falls[static_cast<std::size_t>(group_[b])] = true;
+    }
+    for (std::size_t g = 0; g < all_.size(); ++g) {
+      if (falls[g]) add(all_[g], gravity.acceleration, gravity.table, 0);
+    }
+  }
+  void add(DrivenMotion& own, const Point& acceleration, const TimeTable& table, double start) const {
+    for (std::size_t j = 0; j < times_.size(); ++j) {
+      if (times_[j] < start) continue;
+      const Point to = times(table.second_integral(times_[j] - start), acceleration);
+      own.pushed[j] = own.pushed[j] + Extent{to, to};
+    }
+  }
+
+  void push(const NodalLoad& load) {
+    const std::vector<std::int64_t> count = counts(load.nodes);
+    for (std::size_t g = 0; g < all_.size(); ++g) {
+      if (count[g] == 0 || !(mass_[g] > 0)) continue;
+      const double factor = (load.each ? static_cast<double>(count[g]) : 1.0) / mass_[g];
+      add(all_[g], times(factor, load.force), load.table, 0);
+    }
+  }
+  /// With the directions in which its faces look now.
+  void press(const Pressure& pressure) {
+    std::vector<Point> force(all_.size(), Point{});
+    for (const PressedFace& face : pressed_faces(mesh_, scene_.constraints, pressure)) {
+      const auto at = [&](std::size_t i) { return mesh_.nodes[static_cast<std::size_t>(face.corners[i])]; };
+      const Point area = cross(minus(at(2), at(0)), minus(at(3), at(1)));
+      Point& own = force[group_of(static_cast<std::size_t>(face.corners[0]))];
+      for (std::size_t k = 0; k < 3; ++k) own[k] -= pressure.pressure * area[k] / 2;
+    }
+    for (std::size_t g = 0; g < all_.size(); ++g) {
+      if (mass_[g] > 0) add(all_[g], times(1 / mass_[g], force[g]), pressure.table, pressure.start);
+    }
+  }
+
+  const Scene& scene_;
+  const ModelMesh& mesh_;
+  const std::vector<std::int32_t>& group_;
+  const std::vector<double>& times_;
+  std::vector<DrivenMotion> all_;
+  std::vector<std::int64_t> nodes_;
+  std::vector<double> mass_;
+};
+
+}  // namespace
+
+std::vector<DrivenMotion> driven_motions(const Scene& scene, const ModelMesh& mesh,
+                                         const std::vector<std::int32_t>& group, std::size_t groups,
+                                         const std::vector<double>& times) {
+  return DrivenMotions(scene, mesh, group, groups, times).find();
+}
+
+double wall_displacement(const RigidWall& wall, double time) {
+  const double to = std::min(time, wall.when.end);
+  return wall.mass > 0 ? wall.speed * to : wall.speed * wall.table.integral(to);
+}
+
+}  // namespace pinball

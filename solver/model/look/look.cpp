@@ -1,0 +1,146 @@
+#include "look.hpp"
+
+#include <fmt/core.h>
+
+#include <solver/model/model.hpp>
+#include <solver/scene/material/known_solids.hpp>
+#include <solver/scene/units/units.hpp>
+
+#include "meetings.hpp"
+#include "thin_bodies.hpp"
+
+namespace pinball {
+
+namespace {
+
+std::string number(double value, const std::string& unit) {
+  return unit.empty() ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
+}
+
+/// One look at one scene.
+class LookAt {
+ public:
+  LookAt(Scene& scene, const ModelMesh& mesh) : scene_(scene), mesh_(mesh), units_(parse_units(scene.units)) {}
+
+  Look look() {
+    check_materials();
+    const bool lone = scene_.bodies.size() == 1 && scene_.rigid_walls.empty();
+    if (!lone) movers_ = find_movers(scene_, mesh_);
+    if (movers_.all.size() > 1) meetings_ = find_meetings(movers_);
+    decide_contact();
+    check_speeds();
+    check_whether_anything_meets();
+    if (meetings_.possible || meets_wall()) tell(find_thin_body(scene_, mesh_));
+    return std::move(look_);
+  }
+
+ private:
+  void tell(std::string sentence) {
+    if (!sentence.empty()) look_.unlikely.push_back(std::move(sentence));
+  }
+  /// What makes a run fail, too. The first one counts.
+  void blame(const std::string& sentence) {
+    if (look_.cause.empty()) look_.cause = sentence;
+    tell(sentence);
+  }
+
+  void check_materials() {
+    for (const Material& material : scene_.materials) blame(unlikely_material(material, units_));
+  }
+
+  std::string names(const Meeting& met) const {
+    return fmt::format("{} and {}", mesh_.body_names[static_cast<std::size_t>(met.first)],
+                       mesh_.body_names[static_cast<std::size_t>(met.second)]);
+  }
+  std::string when(const Meeting& met) const {
+    return met.time > 0 ? fmt::format("from time {} on", number(met.time, units_.time)) : "from the start on";
+  }
+
+  void decide_contact() {
+    ContactMethod& method = scene_.contact.method;
+    if (scene_.of_deck && method == ContactMethod::none && meetings_.expected) {
+      tell(
+          fmt::format("bodies {} meet {}, and no card of the deck has them touch: they go through each other; "
+                      "--set contact.method=pinball makes all bodies touch",
+                      names(*meetings_.expected), when(*meetings_.expected)));
+    }
+    if (method != ContactMethod::not_set) return;
+    method = meetings_.possible ? ContactMethod::pinball : ContactMethod::none;
+    if (meetings_.possible) {
+      look_.contact_because = fmt::format("contact is on (contact.method is left out): bodies {} can meet {}",
+                                          names(*meetings_.possible), when(*meetings_.possible));
+    } else if (movers_.all.size() > 1) {
+      look_.contact_because = "contact is off (contact.method is left out): no two bodies can meet";
+    }
+  }
+
+  double wave_of_body(std::int32_t body) const {
+    for (const Material& material : scene_.materials) {
+      if (material.name == scene_.bodies[static_cast<std::size_t>(body)].material) return wave_speed(material);
+    }
+    return 0;
+  }
+
+  bool is_held(std::int32_t body) const {
+    return std::ranges::any_of(movers_.all, [body](const Mover& mover) {
+      return mover.held && std::ranges::find(mover.bodies, body) != mover.bodies.end();
+    });
+  }
+
+  /// Beyond the speed of waves nothing of what a body does in front of the impact reaches what lies behind.
+  void check_speeds() {
+    if (meetings_.fastest) {
+      const Meeting& met = *meetings_.fastest;
+      const double share = is_held(met.first) || is_held(met.second) ? 1.0 : 0.5;  // of free bodies each takes half
+      if (scene_.contact.method != ContactMethod::none) look_.impact_speed = share * met.speed;
+      const double wave = std::min(wave_of_body(met.first), wave_of_body(met.second));
+      if (met.speed > wave) tell_speed(fmt::format("bodies {} meet", names(met)), met.speed, wave);
+    }
+    bool told = false;
+    for (const Mover& mover : movers_.all) {
+      const double wave = wave_of_body(mover.bodies.front());
+      if (mover.meets_wall) look_.impact_speed = std::max(look_.impact_speed, mover.speed);
+      if (!mover.meets_wall || mover.speed <= wave || told) continue;
+      told = true;
+      tell_speed(fmt::format("body {} and a rigid wall meet",
+                             mesh_.body_names[static_cast<std::size_t>(mover.bodies.front())]),
+                 mover.speed, wave);
+    }
+  }
+  void tell_speed(const std::string& who, double speed, double wave) {
+    blame(fmt::format("{} at {}, {:.3g} times the speed of waves in them, {}: look at velocities, densities and moduli",
+                      who, number(speed, units_.velocity), speed / wave, number(wave, units_.velocity)));
+  }
+
+  bool meets_wall() const {
+    return std::ranges::any_of(movers_.all, [](const Mover& mover) { return mover.meets_wall; });
+  }
+  /// Whether anything can come of contact, or of walls, that the scene asks for.
+  void check_whether_anything_meets() {
+    const bool alone = movers_.all.size() < 2;
+    if (meetings_.possible || meets_wall() || !movers_.anything_moves) return;
+    if (!alone && scene_.contact.method != ContactMethod::none) {
+      tell(fmt::format(
+          "contact.method is on, and no two of the {} bodies can meet until time.end = {}: look at positions "
+          "and velocities",
+          scene_.bodies.size(), number(scene_.time.end, units_.time)));
+    }
+    if (!scene_.rigid_walls.empty()) {
+      tell(fmt::format("no body can reach a rigid wall until time.end = {}: look at positions, velocities and normals",
+                       number(scene_.time.end, units_.time)));
+    }
+  }
+
+  Scene& scene_;
+  const ModelMesh& mesh_;
+  Units units_;
+  Movers movers_;
+  Meetings meetings_;
+  Look look_;
+};
+
+}  // namespace
+
+Look look_at(Scene& scene, const ModelMesh& mesh) { return LookAt(scene, mesh).look(); }
+
+}  // namespace pinball

@@ -1,0 +1,93 @@
+#include "meetings.hpp"
+
+namespace pinball {
+
+namespace {
+
+constexpr std::size_t most_movers = 2000;
+
+using Moves = std::vector<Extent> Mover::*;
+
+/// The cells of two movers that come near to each other while one moves within `way` beside the other.
+const MoverCell* cells_meet(const Mover& a, const Mover& b, const Extent& way, double margin, const MoverCell** of_b) {
+  for (const MoverCell& one : a.cells) {
+    const Extent swept = one.box + way;
+    if (!overlap(swept, b.box, margin)) continue;
+    for (const MoverCell& other : b.cells) {
+      if (!overlap(swept, other.box, margin)) continue;
+      *of_b = &other;
+      return &one;
+    }
+  }
+  return nullptr;
+}
+
+bool is_at_rest(const Mover& mover, Moves moves) { return (mover.*moves).back().reach() == 0 && mover.speed == 0; }
+
+std::optional<Meeting> meeting_of(const Mover& a, const Mover& b, const std::vector<double>& times, Moves moves) {
+  if (is_at_rest(a, moves) && is_at_rest(b, moves)) return {};
+  const double margin = 1e-6 * std::min(a.box.size(), b.box.size());
+  double speed = 0;
+  Extent before = (a.*moves)[0] - (b.*moves)[0];
+  for (std::size_t j = 1; j < times.size(); ++j) {
+    const Extent now = (a.*moves)[j] - (b.*moves)[j], way = hull(before, now);
+    const Extent change{minus(now.low, before.low), minus(now.high, before.high)};
+    speed = std::max({speed, norm(change.low), norm(change.high)});
+    before = now;
+    const MoverCell* of_b = nullptr;
+    if (!overlap(a.box + way, b.box, margin)) continue;
+    const MoverCell* of_a = cells_meet(a, b, way, margin, &of_b);
+    if (of_a == nullptr) continue;
+    return Meeting{std::min(of_a->body, of_b->body), std::max(of_a->body, of_b->body), times[j - 1],
+                   speed / (times[1] - times[0])};
+  }
+  return {};
+}
+
+/// Everything that a mover sweeps.
+std::vector<Extent> swept(const Movers& movers, Moves moves) {
+  std::vector<Extent> boxes;
+  for (const Mover& mover : movers.all) {
+    Extent all;
+    for (const Extent& moved : mover.*moves) all.take(moved);
+    boxes.push_back(mover.box + all);
+  }
+  return boxes;
+}
+
+template <class Take>
+void for_each_meeting(const Movers& movers, Moves moves, const Take& take) {
+  const std::vector<Extent> boxes = swept(movers, moves);
+  for (std::size_t a = 0; a < boxes.size(); ++a) {
+    for (std::size_t b = a + 1; b < boxes.size(); ++b) {
+      if (!overlap(boxes[a], boxes[b], 1e-6 * movers.all[a].box.size())) continue;
+      if (const auto met = meeting_of(movers.all[a], movers.all[b], movers.times, moves)) take(*met);
+    }
+  }
+}
+
+void keep_first(std::optional<Meeting>& first, const Meeting& met) {
+  if (!first || met.time < first->time) first = met;
+}
+
+}  // namespace
+
+Meetings find_meetings(const Movers& movers) {
+  Meetings meetings;
+  if (movers.all.size() > most_movers) {
+    meetings.possible = Meeting{movers.all[0].bodies.front(), movers.all[1].bodies.front(), 0, 0};
+    return meetings;
+  }
+  for_each_meeting(movers, &Mover::moved, [&](const Meeting& met) {
+    keep_first(meetings.expected, met);
+    if (!meetings.fastest || met.speed > meetings.fastest->speed) meetings.fastest = met;
+  });
+  if (meetings.expected) {
+    meetings.possible = meetings.expected;
+  } else {
+    for_each_meeting(movers, &Mover::strayed, [&](const Meeting& met) { keep_first(meetings.possible, met); });
+  }
+  return meetings;
+}
+
+}  // namespace pinball

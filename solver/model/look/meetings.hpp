@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "movers.hpp"
+
+namespace pinball {
+
+/// Two bodies that come to each other.
+struct Meeting {
+  std::int32_t first = 0, second = 0;  ///< bodies
+  double time = 0;                     ///< when, at the earliest [time]
+  double speed = 0;                    ///< largest of one as the other sees it [length/time]
+};
+
+struct Meetings {
+  std::optional<Meeting> expected;  ///< the first of those that meet if all goes on as it begins
+  std::optional<Meeting> possible;  ///< the first of those that a deformation or a rebound may bring together
+  std::optional<Meeting> fastest;   ///< of the expected ones
+};
+
+/// Which of the movers meet, by the boxes of their cells; those that do not move beside each other do not. At most so
+/// many that a tenth of a second is enough: of more than 2,000 movers any two may possibly meet.
+Meetings find_meetings(const Movers& movers);
+
+}  // namespace pinball

@@ -1,0 +1,205 @@
+#include "movers.hpp"
+
+#include <numeric>
+#include <utility>
+
+#include "driven_motion.hpp"
+#include "initial_motion.hpp"
+
+namespace pinball {
+
+namespace {
+
+constexpr std::size_t steps = 128;      ///< pieces that the time of the run is cut into
+constexpr std::size_t cells_along = 5;  ///< of a body, along each axis
+constexpr double turns = 0.05;          ///< an angle beyond which a mover is as good as turned all ways [rad]
+
+/// Bodies that have nodes in common, or are tied, have one number; numbers count from 0.
+class Groups {
+ public:
+  Groups(const Scene& scene, const ModelMesh& mesh) : group(scene.bodies.size()) {
+    std::iota(group.begin(), group.end(), 0);
+    join_by_nodes(mesh);
+    for (const TiedContact& tied : scene.tied_contacts) join(tied, scene);
+    std::vector<std::int32_t> number(group.size(), -1);
+    for (std::int32_t& own : group) {
+      std::int32_t& of_root = number[static_cast<std::size_t>(root(own))];
+      if (of_root < 0) of_root = count++;
+      named_.push_back(of_root);
+    }
+    group = std::move(named_);
+  }
+  std::vector<std::int32_t> group;
+  std::int32_t count = 0;
+
+ private:
+  std::int32_t root(std::int32_t body) const {
+    while (group[static_cast<std::size_t>(body)] != body) body = group[static_cast<std::size_t>(body)];
+    return body;
+  }
+  void join(std::int32_t a, std::int32_t b) {
+    a = root(a);
+    b = root(b);
+    group[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
+  void join_by_nodes(const ModelMesh& mesh) {
+    for (std::size_t b = 0; b < mesh.shared.size(); ++b) {
+      for (const std::int32_t n : mesh.shared[b])
+        join(static_cast<std::int32_t>(b), mesh.body_of_node[static_cast<std::size_t>(n)]);
+    }
+  }
+  /// Of sets only the file knows whose they are: all bodies of files are then taken for tied.
+  void join(const TiedContact& tied, const Scene& scene) {
+    std::vector<std::int32_t> members;
+    for (const ContactSide* side : {&tied.first, &tied.second}) {
+      const bool sets = !side->elements.empty() || !side->faces.empty() || !side->nodes.empty();
+      for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+        const Body& body = scene.bodies[b];
+        const bool named = std::ranges::find(side->bodies, body.name) != side->bodies.end();
+        if (named || (sets && std::holds_alternative<FileMesh>(body.mesh)))
+          members.push_back(static_cast<std::int32_t>(b));
+      }
+    }
+    for (const std::int32_t member : members) join(member, members.front());
+  }
+
+  std::vector<std::int32_t> named_;
+};
+
+Extent box_of(const ModelMesh& mesh, std::size_t element) {
+  Extent box;
+  for (const std::int32_t n : mesh.hexahedra[element]) box.take(mesh.nodes[static_cast<std::size_t>(n)]);
+  return box;
+}
+
+/// Each body cut into boxes by a grid; an element belongs to the one in which its middle lies.
+void cut_into_cells(const ModelMesh& mesh, const std::vector<std::int32_t>& group, std::vector<Mover>& movers) {
+  const std::size_t bodies = mesh.body_names.size();
+  std::vector<Extent> whole(bodies);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+    whole[static_cast<std::size_t>(mesh.body_of_node[n])].take(mesh.nodes[n]);
+  for (std::size_t b = 0; b < mesh.shared.size(); ++b) {
+    for (const std::int32_t n : mesh.shared[b]) whole[b].take(mesh.nodes[static_cast<std::size_t>(n)]);
+  }
+  constexpr std::size_t all = cells_along * cells_along * cells_along;
+  std::vector<Extent> cells(bodies * all);
+  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+    const auto b = static_cast<std::size_t>(mesh.body[e]);
+    const Extent box = box_of(mesh, e);
+    std::size_t cell = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = whole[b].high[k] - whole[b].low[k];
+      const double place = length > 0 ? ((box.low[k] + box.high[k]) / 2 - whole[b].low[k]) / length : 0.0;
+      cell = cell * cells_along + static_cast<std::size_t>(std::clamp(place, 0.0, 0.999) * cells_along);
+    }
+    cells[b * all + cell].take(box);
+  }
+  for (std::size_t b = 0; b < bodies; ++b) {
+    Mover& mover = movers[static_cast<std::size_t>(group[b])];
+    mover.bodies.push_back(static_cast<std::int32_t>(b));
+    for (std::size_t c = 0; c < all; ++c) {
+      if (cells[b * all + c].empty()) continue;
+      mover.cells.push_back({cells[b * all + c], static_cast<std::int32_t>(b)});
+      mover.box.take(cells[b * all + c]);
+    }
+  }
+}
+
+/// What turns is a sphere about its centre, as far as anybody knows.
+void make_round(Mover& mover, const InitialMotion& motion) {
+  const Point& c = motion.centre;
+  const double r = motion.radius;
+  mover.box = {{c[0] - r, c[1] - r, c[2] - r}, {c[0] + r, c[1] + r, c[2] + r}};
+  mover.cells = {{mover.box, mover.bodies.front()}};
+}
+
+Extent scaled(const Extent& velocity, double time) {
+  Extent box = velocity;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] *= time;
+    box.high[k] *= time;
+  }
+  return box;
+}
+
+void move(Mover& mover, const InitialMotion& initial, const DrivenMotion& driven, const std::vector<double>& times) {
+  mover.held = driven.held;
+  mover.speed = driven.held ? 0.0 : driven.wholly ? driven.speed : std::max(initial.speed, driven.speed);
+  bool stopped = false;
+  for (const bool one : driven.stopped) stopped = stopped || one;
+  double furthest = 0;
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    Extent free = scaled(initial.velocity, times[j]), strayed;
+    if (driven.held) {
+      free = {{}, {}};
+    } else if (driven.wholly) {
+      free = driven.moved[j];
+    } else {
+      Extent pushed = driven.pushed[j];
+      strayed = free + pushed;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (driven.stopped[k]) pushed.low[k] = pushed.high[k] = 0;
+      }
+      free = free + pushed;
+      if (!driven.moved[j].empty()) free.take(driven.moved[j]);
+    }
+    mover.moved.push_back(free);
+    strayed.take(free);
+    // What is held or moved in part deforms, and what deforms spreads to all sides.
+    const bool deforms = !driven.held && !driven.wholly && (stopped || driven.in_part);
+    furthest = std::max(furthest, strayed.reach());
+    if (deforms) strayed.take(Extent{{-furthest, -furthest, -furthest}, {furthest, furthest, furthest}});
+    mover.strayed.push_back(strayed);
+  }
+}
+
+/// Signed distance along a direction of the corner of a box that is furthest back.
+double lowest(const Extent& box, const Point& normal) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += normal[k] * (normal[k] > 0 ? box.low[k] : box.high[k]);
+  return sum;
+}
+
+/// Whether a wall is met, by which the mover may fly anywhere. With a wall that moves, or is pushed, whatever is in its
+/// way is moved.
+void meet_walls(const Scene& scene, const std::vector<double>& times, Mover& mover) {
+  for (const RigidWall& wall : scene.rigid_walls) {
+    const double place = dot(wall.plane.normal, wall.plane.point), margin = 1e-6 * mover.box.size();
+    for (std::size_t j = 0; j < times.size() && !mover.meets_wall; ++j) {
+      const double gap = lowest(mover.box + mover.strayed[j], wall.plane.normal) - place;
+      mover.meets_wall = gap - wall_displacement(wall, times[j]) <= margin;
+    }
+    if (mover.meets_wall) mover.speed = std::max(mover.speed, std::abs(wall.speed));
+  }
+  if (!mover.meets_wall) return;
+  double furthest = 0;
+  for (std::size_t j = 0; j < times.size(); ++j) {
+    furthest = std::max({furthest, mover.strayed[j].reach(), mover.speed * times[j]});
+    mover.strayed[j].take(Extent{{-furthest, -furthest, -furthest}, {furthest, furthest, furthest}});
+  }
+}
+
+}  // namespace
+
+Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
+  Movers movers;
+  for (std::size_t j = 0; j <= steps; ++j)
+    movers.times.push_back(scene.time.end * static_cast<double>(j) / static_cast<double>(steps));
+  const Groups groups(scene, mesh);
+  const auto count = static_cast<std::size_t>(groups.count);
+  movers.all.resize(count);
+  cut_into_cells(mesh, groups.group, movers.all);
+  const std::vector<InitialMotion> initial = initial_motions(scene, mesh, groups.group, count);
+  const std::vector<DrivenMotion> driven = driven_motions(scene, mesh, groups.group, count, movers.times);
+  for (std::size_t g = 0; g < count; ++g) {
+    Mover& mover = movers.all[g];
+    if (initial[g].turning * scene.time.end > turns && !driven[g].held) make_round(mover, initial[g]);
+    move(mover, initial[g], driven[g], movers.times);
+    meet_walls(scene, movers.times, mover);
+    const bool moves = mover.speed > 0 || mover.moved.back().reach() > 0 || mover.strayed.back().reach() > 0;
+    movers.anything_moves = movers.anything_moves || (moves && !mover.held);
+  }
+  return movers;
+}
+
+}  // namespace pinball

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <solver/model/model.hpp>
+
+#include "extent.hpp"
+
+namespace pinball {
+
+/// A part of a mover at the start.
+struct MoverCell {
+  Extent box;
+  std::int32_t body = 0;
+};
+
+/// Bodies that go together, because they have nodes in common or are tied, and where they may be in the course of a
+/// run.
+struct Mover {
+  std::vector<std::int32_t> bodies;
+  std::vector<MoverCell> cells;  ///< together they hold all its elements, at the start
+  Extent box;                    ///< all of the cells
+  std::vector<Extent> moved;     ///< displacements that its places may have, at each of the times [length]
+  std::vector<Extent> strayed;   ///< the same, with what a deformation or a rebound may add [length]
+  double speed = 0;              ///< largest, but for what a load or gravity gives it [length/time]
+  bool held = false;             ///< no node of it can move
+  bool meets_wall = false;       ///< a rigid wall, or one moves towards it
+};
+
+struct Movers {
+  std::vector<double> times;  ///< ascending, from 0 to the end of the run
+  std::vector<Mover> all;
+  bool anything_moves = false;  ///< by a velocity, a prescribed one, a load, gravity or a wall
+};
+
+/// Follows initial velocities, spins, prescribed motion, gravity, loads and pressures, as if nothing met anything.
+/// mesh: with the ties of the scene found.
+Movers find_movers(const Scene& scene, const ModelMesh& mesh);
+
+}  // namespace pinball

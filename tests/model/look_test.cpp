@@ -1,0 +1,248 @@
+#include <gmock/gmock.h>
+
+#include <solver/model/model.hpp>
+#include <solver/scene_rules.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// What is seen in a scene before the first step: what is meant by nobody is told, in one sentence; what is meant is
+/// not.
+namespace pinball {
+namespace {
+
+using namespace test;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Look look(Scene scene) {
+  complete_scene(scene);
+  ModelMesh mesh = build_mesh(scene);
+  return look_at(scene, mesh);
+}
+
+ContactMethod decided(Scene scene) {
+  complete_scene(scene);
+  ModelMesh mesh = build_mesh(scene);
+  look_at(scene, mesh);
+  return scene.contact.method;
+}
+
+/// Two cubes of 3 x 3 x 3 elements of size 1, a gap of 1 between them, for one unit of time.
+Scene two_cubes(const Point& first, const Point& second = {}) {
+  Scene scene = scene_of({block("a", {3, 3, 3}, 1, {0, 0, 0}, first), block("b", {3, 3, 3}, 1, {0, 0, 4}, second)}, 1);
+  scene.contact.method = ContactMethod::not_set;
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  return scene;
+}
+
+TEST(LookAtContact, IsOnWhereBodiesMeet) {
+  EXPECT_EQ(decided(two_cubes({0, 0, 10})), ContactMethod::pinball);
+  EXPECT_THAT(look(two_cubes({0, 0, 10})).contact_because, HasSubstr("bodies a and b can meet"));
+  EXPECT_THAT(look(two_cubes({0, 0, 10})).unlikely, IsEmpty());
+  EXPECT_EQ(decided(two_cubes({0, 0, 0}, {0, 0, -1.1})), ContactMethod::pinball);
+  EXPECT_EQ(decided(two_cubes({0, 0, 10}, {0, 0, 8})), ContactMethod::pinball);  // overtakes
+}
+
+TEST(LookAtContact, IsOffWhereTheyMoveAwayOrTogetherOrMissEachOther) {
+  for (const Scene& scene : {two_cubes({0, 0, 0}), two_cubes({0, 0, -10}), two_cubes({0, 0, 0}, {0, 0, 10}),
+                             two_cubes({7, 0, 10}, {7, 0, 10}), two_cubes({0, 0, 0.9}), two_cubes({100, 0, 10})}) {
+    EXPECT_EQ(decided(scene), ContactMethod::none) << scene.bodies[0].velocity[2];
+  }
+  EXPECT_THAT(look(two_cubes({0, 0, -10})).contact_because, HasSubstr("contact is off"));
+}
+
+TEST(LookAtContact, OfOneBodyIsOff) {
+  Scene scene = two_cubes({0, 0, 10});
+  scene.bodies.pop_back();
+  EXPECT_EQ(decided(scene), ContactMethod::none);
+  EXPECT_EQ(look(scene).contact_because, "");
+}
+
+TEST(LookAtContact, FollowsGravityPrescribedMotionLoadsAndRebounds) {
+  Scene falls = two_cubes({});
+  falls.gravities.push_back({.acceleration = {0, 0, 3}, .table = {}, .bodies = {"a"}, .name = {}});
+  EXPECT_EQ(decided(falls), ContactMethod::pinball);  // 1.5 in this time
+  falls.gravities[0].acceleration = {0, 0, 1.9};
+  EXPECT_EQ(decided(falls), ContactMethod::none);
+  falls.gravities[0] = {.acceleration = {0, 0, 50}, .table = {}, .bodies = {}, .name = {}};
+  EXPECT_EQ(decided(falls), ContactMethod::none);  // both fall
+
+  Scene moved = two_cubes({});
+  PrescribedVelocity given;
+  given.nodes.body = "b";
+  given.direction = Point{0, 0, 1};
+  given.velocity = {0, 0, -2};
+  moved.prescribed_velocities = {given};
+  EXPECT_EQ(decided(moved), ContactMethod::pinball);
+  moved.prescribed_velocities[0].velocity = {0, 0, 2};
+  EXPECT_EQ(decided(moved), ContactMethod::none);
+  moved.prescribed_velocities[0].velocity = {0, 0, -2};
+  moved.prescribed_velocities[0].when.end = 0.4;
+  EXPECT_EQ(decided(moved), ContactMethod::none);
+
+  Scene loaded = two_cubes({});
+  NodalLoad load;
+  load.nodes.body = "a";
+  load.force = {0, 0, 2.2 * 27 * 7850};
+  loaded.loads = {load};
+  EXPECT_EQ(decided(loaded), ContactMethod::pinball);
+  loaded.loads[0].force[2] *= -1;
+  EXPECT_EQ(decided(loaded), ContactMethod::none);
+
+  Scene rebounds = two_cubes({0, 0, -10});
+  rebounds.rigid_walls.emplace_back().plane.normal = {0, 0, 1};
+  EXPECT_EQ(decided(rebounds), ContactMethod::pinball);
+}
+
+TEST(LookAtContact, OfWhatTurnsKnowsHowFarItReaches) {
+  Scene scene = two_cubes({});
+  scene.time.end = 100;
+  scene.bodies[0].angular_velocity = {0, 0, 1};
+  scene.bodies[1].position = {0, 0, 8};
+  EXPECT_EQ(decided(scene), ContactMethod::none);
+  scene.bodies[0].angular_velocity = {1, 0, 0};
+  scene.bodies[1].position = {0, 0, 3.2};  // its corners come by
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+}
+
+TEST(LookAtContact, TakesWhatIsTiedForOne) {
+  Scene scene = two_cubes({0, 0, 10}, {0, 0, 10});
+  scene.bodies[1].position = {0, 0, 3};
+  scene.bodies[1].velocity = {0, 0, 0};
+  scene.tied_contacts = {{.name = "glue", .first = {.bodies = {"a"}}, .second = {.bodies = {"b"}}}};
+  EXPECT_EQ(decided(scene), ContactMethod::none);
+  scene.tied_contacts.clear();
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+}
+
+TEST(LookAtContact, ThatASceneSaysStays) {
+  Scene scene = two_cubes({0, 0, 10});
+  for (const ContactMethod method : {ContactMethod::none, ContactMethod::slideline, ContactMethod::pinball}) {
+    scene.contact.method = method;
+    EXPECT_EQ(decided(scene), method);
+    EXPECT_EQ(look(scene).contact_because, "");
+    EXPECT_THAT(look(scene).unlikely, IsEmpty());
+  }
+}
+
+TEST(LookAtContact, OfADeckThatSaysNothingIsOffAndTold) {
+  Scene scene = two_cubes({0, 0, 10});
+  scene.contact.method = ContactMethod::none;
+  scene.of_deck = true;
+  EXPECT_THAT(look(scene).unlikely, ElementsAre(HasSubstr("bodies a and b meet from time 0.09375 s on, and no card")));
+  scene.bodies[0].velocity = {0, 0, -10};
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());
+}
+
+TEST(LookAtContact, TellsThatNothingEverMeets) {
+  Scene scene = two_cubes({0, 0, -10});
+  scene.contact.method = ContactMethod::pinball;
+  EXPECT_THAT(look(scene).unlikely, ElementsAre(HasSubstr("no two of the 2 bodies can meet until time.end = 1 s")));
+  Scene wall = two_cubes({0, 0, 10});
+  wall.bodies.pop_back();
+  wall.rigid_walls.emplace_back().plane = {{0, 0, -1}, {0, 0, 1}};
+  EXPECT_THAT(look(wall).unlikely, ElementsAre(HasSubstr("no body can reach a rigid wall")));
+  wall.bodies[0].velocity = {0, 0, -10};
+  EXPECT_THAT(look(wall).unlikely, IsEmpty());
+}
+
+TEST(LookAtSpeeds, TellsAnImpactBeyondTheSpeedOfWaves) {
+  Scene scene = two_cubes({0, 0, 25 * 6000});
+  scene.time.end = 1e-4;
+  const Look found = look(scene);
+  EXPECT_THAT(found.unlikely,
+              ElementsAre(HasSubstr("bodies a and b meet at 1.5e+05 m/s, 25 times the speed of waves")));
+  EXPECT_EQ(found.cause, found.unlikely[0]);
+  scene.bodies[0].velocity = {0, 0, -25 * 6000};
+  scene.contact.method = ContactMethod::none;
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());  // it flies off
+  Scene wall = scene;
+  wall.bodies.pop_back();
+  wall.rigid_walls.emplace_back().plane = {{0, 0, -1}, {0, 0, 1}};
+  EXPECT_THAT(look(wall).unlikely, ElementsAre(HasSubstr("body a and a rigid wall meet")));
+}
+
+/// Of a scene with these units.
+std::vector<std::string> of_material(const std::string& units, double density, double young) {
+  Scene scene = two_cubes({});
+  scene.bodies.pop_back();
+  scene.units = units;
+  Material& m = scene.materials[0];
+  m.density = density;
+  m.bulk_modulus = young / (3 * (1 - 2 * 0.3));
+  m.shear_modulus = young / (2 * (1 + 0.3));
+  return look(scene).unlikely;
+}
+
+TEST(LookAtMaterials, KnowsSolidsInTheUnitsOfTheScene) {
+  for (const auto& [units, density, young] :
+       std::vector<std::tuple<const char*, double, double>>{{"SI", 7850, 210e9},
+                                                            {"g-mm-ms", 7.85e-3, 210e3},
+                                                            {"tonne-mm-s", 2.7e-9, 70e3},
+                                                            {"kg-mm-ms", 8.93e-6, 117},
+                                                            {"g-cm-us", 19.3, 4.0},
+                                                            {"in-lbf-s", 7.34e-4, 30e6},
+                                                            {"cm-N-s", 7.85e-5, 2.1e7},
+                                                            {"g-mm-ms", 1.1e-3, 5},     // rubber
+                                                            {"g-mm-ms", 0.05e-3, 10},   // foam
+                                                            {"g-mm-ms", 0.785, 210e3},  // mass scaled by hand
+                                                            {"in-lbf-s", 0.01, 1000},   // of the report
+                                                            {"", 1, 1},
+                                                            {"none", 1, 100},
+                                                            {"", 7850, 2.1e11},
+                                                            {"", 7.85e-9, 2.1e5}}) {
+    EXPECT_THAT(of_material(units, density, young), IsEmpty()) << units << ' ' << density << ' ' << young;
+  }
+}
+
+TEST(LookAtMaterials, TellsThoseOfOtherUnits) {
+  EXPECT_THAT(of_material("g-mm-ms", 7.85e-3, 2.1e11),
+              ElementsAre(HasSubstr("its density is that of steel, its Young's modulus 1e+06 times as large")));
+  EXPECT_THAT(of_material("g-mm-ms", 7850, 210e3),
+              ElementsAre(HasSubstr("its Young's modulus is that of steel, its density 1e+06 times as large")));
+  EXPECT_THAT(of_material("g-mm-ms", 7850, 2.1e11), ElementsAre(HasSubstr("both are those of steel in kg-m-s")));
+  EXPECT_THAT(of_material("SI", 2.7e-9, 70e3), ElementsAre(HasSubstr("both are those of aluminium in tonne-mm-s")));
+  EXPECT_THAT(of_material("tonne-mm-s", 7.85e-6, 210e3), ElementsAre(HasSubstr("1e+03 times")));
+  EXPECT_THAT(of_material("in-lbf-s", 0.283, 30e6), ElementsAre(HasSubstr("beyond all solids")));
+  EXPECT_THAT(of_material("", 7850, 210e3),
+              ElementsAre(HasSubstr("of steel in kg-m-s, its Young's modulus in g-mm-ms")));
+  EXPECT_THAT(of_material("", 0.283, 30e6), ElementsAre(HasSubstr("of steel in lb/in^3")));
+}
+
+/// A plate of so many layers, of a material that yields, that a cube strikes.
+Scene struck_plate(int layers, bool plastic = true) {
+  Scene scene = two_cubes({0, 0, 10});
+  scene.bodies[1].mesh = BlockMesh{{8, 8, 1}, {8, 8, layers}};
+  scene.materials = {plastic ? plastic_material("steel", 4e8, 0) : elastic_material()};
+  return scene;
+}
+
+TEST(LookAtLayers, TellsAPlateOfOne) {
+  EXPECT_THAT(look(struck_plate(1)).unlikely, ElementsAre(HasSubstr("body b has one layer of elements")));
+  EXPECT_THAT(look(struck_plate(2)).unlikely, IsEmpty());
+  EXPECT_THAT(look(struck_plate(1, false)).unlikely, IsEmpty());
+  Scene bar = struck_plate(2);
+  bar.bodies[0].mesh = BlockMesh{{1, 1, 3}, {1, 1, 5}};
+  EXPECT_THAT(look(bar).unlikely, ElementsAre(HasSubstr("body a has one layer of elements")));
+}
+
+TEST(LookAtLayers, LeavesOutPlaneStrainAndWhatIsHeld) {
+  Scene scene = struck_plate(1);
+  for (const double z : {4.0, 5.0}) {
+    PlaneConstraint plane;
+    plane.point = {0, 0, z};
+    plane.normal = {0, 0, 1};
+    scene.constraints.push_back(plane);
+  }
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());
+  Scene held = struck_plate(1);
+  FixedConstraint fixed;
+  fixed.nodes.body = "b";
+  fixed.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  held.fixed_constraints = {fixed};
+  EXPECT_THAT(look(held).unlikely, IsEmpty());
+}
+
+}  // namespace
+}  // namespace pinball

@@ -1,0 +1,80 @@
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <set>
+
+#include <solver/base/error.hpp>
+#include <solver/deck/abaqus/translated_abaqus.hpp>
+#include <solver/deck/translated_deck.hpp>
+#include <solver/step/solver.hpp>
+
+/// Scenes and decks that are sound raise no alarm at the start: those that come along, and public ones.
+namespace pinball {
+namespace {
+
+using testing::IsEmpty;
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_in(const fs::path& folder, const std::set<std::string>& endings) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (endings.contains(entry.path().extension().string())) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void expect_no_alarm(const Scene& scene, const std::string& name) {
+  const Solver<double> solver(scene);
+  EXPECT_THAT(solver.look().unlikely, IsEmpty()) << name;
+  EXPECT_EQ(solver.look().cause, "") << name;
+  EXPECT_EQ(solver.many_steps(), "") << name;
+}
+
+TEST(NoAlarm, OfScenesThatComeAlong) {
+  const auto scenes = files_in(PINBALL_SOURCE_DIR "/data/scenes", {".toml"});
+  ASSERT_GE(scenes.size(), 20U);
+  for (const fs::path& path : scenes) expect_no_alarm(read_scene(path.string()), path.stem().string());
+}
+
+/// As far as they can be run: what is refused has its own tests.
+std::size_t check_decks(const fs::path& folder, const std::string& but = "") {
+  std::size_t checked = 0;
+  for (const fs::path& path : files_in(folder, {".k", ".key", ".dyn", ".inp"})) {
+    if (path.filename() == but) continue;
+    Scene scene;
+    try {
+      const TranslatedDeck deck =
+          is_abaqus_deck(path.string()) ? translate_abaqus(path.string()) : translate_deck(path.string());
+      scene = read_scene(SceneSource{path.string(), deck.scene, {}});
+      scene.of_deck = !deck.contact_said;
+    } catch (const InputError&) {
+      continue;
+    }
+    expect_no_alarm(scene, path.filename().string());
+    ++checked;
+  }
+  return checked;
+}
+
+TEST(NoAlarm, OfDecksThatComeAlong) {
+  EXPECT_GE(check_decks(PINBALL_SOURCE_DIR "/data/decks"), 15U);
+  EXPECT_GE(check_decks(PINBALL_SOURCE_DIR "/data/decks/abaqus"), 8U);
+}
+
+TEST(NoAlarm, OfPublicDecks) {
+  const fs::path folder = PINBALL_SOURCE_DIR "/../shared/decks";
+  if (!fs::is_directory(folder)) GTEST_SKIP() << "no public decks here";
+  EXPECT_GE(check_decks(folder, "projectile.k"), 2U);
+  // Without the frame that adds its contact, its rod goes through the plate.
+  const std::string path = folder / "projectile.k";
+  Scene scene = read_scene(SceneSource{path, translate_deck(path).scene, {}});
+  scene.of_deck = true;
+  EXPECT_THAT(
+      Solver<double>(scene).look().unlikely,
+      testing::ElementsAre(testing::HasSubstr("bodies Projectile and Plate meet from the start on, and no card")));
+}
+
+}  // namespace
+}  // namespace pinball
