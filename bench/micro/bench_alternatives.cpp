@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include <kernels/exec.hpp>
+#include <kernels/gather.hpp>
 #include <solver/model/model.hpp>
 
 #include "block_scene.hpp"

@@ -55,7 +55,10 @@ ElementConstants<S> constants_of(const Material& material, const ElementSettings
   const NegativeVolume policy =
       settings.negative_volume.value_or(material.erosion_strain > 0 ? NegativeVolume::erode : NegativeVolume::stop);
   c.erode_negative_volume = policy == NegativeVolume::erode;
-  c.folding_energy = static_cast<S>(settings.folding_resistance * material.bulk_modulus / (8 * material.density));
+  // What does not yield has hourglass forces that resist.
+  if (material.plastic) {
+    c.folding_energy = static_cast<S>(settings.folding_resistance * material.bulk_modulus / (8 * material.density));
+  }
   c.erode_inside_out = settings.inside_out == InsideOut::erode;
   return c;
 }

@@ -10,8 +10,8 @@
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
 
-#include "key_depth.hpp"
 #include "table.hpp"
+#include "text/key_depth.hpp"
 
 namespace pinball {
 

@@ -11,11 +11,11 @@
 #include "boundary_parts.hpp"
 #include "contact/contact_parts.hpp"
 #include "field_names.hpp"
-#include "key_depth.hpp"
 #include "names.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "table.hpp"
+#include "text/key_depth.hpp"
 
 namespace pinball {
 

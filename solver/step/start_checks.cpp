@@ -139,7 +139,7 @@ std::string find_many_steps(const Scene& scene, const ModelMesh& mesh, const Sma
   return fmt::format(
       "time.end = {:.6g} takes {:.3g} steps of {:.3g} or more, set by {}, which is {:.3g} x {:.3g} x {:.3g}: look at "
       "time.end and at units, or give such elements mass with time.smallest_step",
-      scene.time.end, steps, step, name_of(mesh, smallest.element), extent[0], extent[1], extent[2]);
+      scene.time.end, steps, step, element_name(mesh, smallest.element), extent[0], extent[1], extent[2]);
 }
 
 std::string find_unstable_hourglass(const Scene& scene, const ModelMesh& mesh) {

@@ -87,6 +87,15 @@ __global__ void pairs_of_edges(const Vec3<S>* end, EdgePair<S>* pairs) {
   pairs[pair] = nearest_points(at[0], at[1], at[2], at[3]);
 }
 
+/// point: the corners of an element.
+template <class S>
+__global__ void least_corners(const Vec3<S>* point, const S* volume, S* share) {
+  const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  Vec3<S> corner[8];
+  for (int i = 0; i < 8; ++i) corner[i] = point[8 * element + i];
+  share[element] = least_corner_share(corner, volume[element]);
+}
+
 template <class S>
 __global__ void box_balls(const S* ball, S* level, S* next) {
   const std::int64_t group = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
@@ -216,6 +225,7 @@ void instantiate() {
   add_contact_forces<S><<<1, 32>>>(nullptr, 0, nullptr, nullptr);
   feet_on_faces<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   pairs_of_edges<S><<<1, 32>>>(nullptr, nullptr);
+  least_corners<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   box_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   find_meeting_boxes<S><<<1, 32>>>({}, nullptr);
   find_meeting_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);

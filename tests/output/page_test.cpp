@@ -112,7 +112,7 @@ TEST(Curves, ThatAreThinnedKeepTheirPeaksBesideWhatIsNoNumber) {
 TEST(Curves, AreReadFromAHistoryWithNamesInQuotesAndNumbersThatAreNone) {
   const test::TemporaryFolder folder("page_curves");
   {
-    HistoryWriter writer(folder.path.string(), {"a,b"}, "m-kg-s");
+    HistoryWriter writer(folder.path.string(), {"a,b"});
     HistoryRow row;
     row.bodies.resize(1);
     row.time = 0.25;
@@ -126,11 +126,11 @@ TEST(Curves, AreReadFromAHistoryWithNamesInQuotesAndNumbersThatAreNone) {
   EXPECT_EQ(curves.columns, history_column_names({"a,b"}, {}));
   ASSERT_EQ(curves.rows.size(), 1U) << "a row that is not whole is none";
   const Json json = Json::parse(curves_json(curves));
-  EXPECT_EQ(json["columns"][16], "a,b_velocity_x");
+  EXPECT_EQ(json["columns"][19], "a,b_velocity_x");
   EXPECT_EQ(json["data"][1][0], 0.25);
   EXPECT_TRUE(json["data"][3][0].is_null());
   EXPECT_TRUE(json["data"][4][0].is_null());
-  EXPECT_EQ(json["data"][19][0], 3.5);
+  EXPECT_EQ(json["data"][22][0], 3.5);
   EXPECT_TRUE(read_history(folder / "nothing.csv").rows.empty());
 }
 
@@ -199,13 +199,23 @@ TEST_F(RunPage, HasTheNumbersAndEveryKey) {
 TEST_F(RunPage, HasEachColumnOfTheHistoryUnderItsName) {
   const std::vector<std::string> names = history_column_names({"b"}, {"more"});
   {
-    HistoryWriter writer(folder_.path.string(), {"b"}, "m-kg-s", {"more"});
+    HistoryWriter writer(folder_.path.string(), {"b"}, {"more"});
     for (const double at : {0.0, 100.0, 200.0}) {
       HistoryRow row;
       row.step = static_cast<std::int64_t>(at);
       row.time = at + 1;
       row.dt = at + 2;
-      row.energy = {at + 3, at + 4, at + 5, at + 6, at + 7, at + 8, at + 9, at + 10};
+      row.energy = {.kinetic = at + 3,
+                    .internal = at + 4,
+                    .hourglass = at + 5,
+                    .bulk_viscosity = at + 6,
+                    .folding = at + 23,
+                    .contact_stored = at + 7,
+                    .contact_damped = at + 8,
+                    .eroded = at + 9,
+                    .external = at + 10,
+                    .hourglass_plastic = at + 24};
+      row.inside_out = static_cast<std::int64_t>(at) + 25;
       row.balance_error = -(at + 12);
       row.momentum = {at + 13, at + 14, at + 15};
       row.bodies.resize(1);
@@ -226,6 +236,9 @@ TEST_F(RunPage, HasEachColumnOfTheHistoryUnderItsName) {
     EXPECT_EQ(history["data"][column], Json({first, first + sign * 100, first + sign * 200})) << name;
   };
   expect("step", 0);
+  expect("folding", 23);
+  expect("hourglass_plastic", 24);
+  expect("inside_out_elements", 25);
   expect("time", 1);
   expect("dt", 2);
   expect("kinetic", 3);

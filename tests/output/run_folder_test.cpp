@@ -82,7 +82,7 @@ TEST_F(RunFolders, WhatAnEarlierRunHasLeftIsRemovedAndNothingElse) {
   for (const std::string& name : of_run) leave(name);
   for (const std::string& name : others) leave(name);
   leave("summary.json", "{}");
-  run(source_of("two_blocks"));
+  run(source_of("two_blocks", {"output.field_interval=0"}));
   for (const std::string& name : of_run) EXPECT_FALSE(exists(name)) << name;
   for (const std::string& name : others) EXPECT_TRUE(exists(name)) << name;
   EXPECT_FALSE(exists(".earlier"));

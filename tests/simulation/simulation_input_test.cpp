@@ -76,7 +76,7 @@ TEST_F(WrongArrays, NodesOfNoElement) {
 
 TEST_F(WrongArrays, InvertedElements) {
   for (std::size_t i = 0; i < 4; ++i) std::swap(mesh().hexahedra[i], mesh().hexahedra[i + 4]);
-  EXPECT_THAT(input_error_of(host_.scene), testing::HasSubstr("body b: element 0 is inverted or flat"));
+  EXPECT_THAT(input_error_of(host_.scene), testing::HasSubstr("body b: element 27 is inverted or flat"));
 }
 
 TEST(WrongScenes, NameTheKey) {

@@ -198,7 +198,7 @@ TEST(StartChecks, AFailureNamesTheUnitsOfAMaterial) {
   for (std::size_t n = 0; n < 8; ++n) {
     if (position[4 * n + 2] > 0.05) position[4 * n + 2] -= 0.2;  // turned inside out
   }
-  EXPECT_THAT(error_of([&] { solver.step(); }),
+  EXPECT_THAT(error_of<RunError>([&] { solver.step(); }),
               AllOf(HasSubstr("have no volume left"), HasSubstr(": material steel: density 7850"),
                     HasSubstr("both are those of steel in kg-m-s"), testing::Not(HasSubstr("erosion_strain"))));
 }

@@ -119,7 +119,9 @@ class LookAt {
   void check_whether_anything_meets() {
     const bool alone = movers_.all.size() < 2;
     if (meetings_.possible || meets_wall() || !movers_.anything_moves) return;
-    if (!alone && scene_.contact.method != ContactMethod::none) {
+    // Balls reach out of the faces that are looked at here.
+    const bool balls = scene_.contact.method == ContactMethod::pinball && scene_.contact.gap == ContactGap::pinball;
+    if (!alone && scene_.contact.method != ContactMethod::none && !balls) {
       tell(fmt::format(
           "contact.method is on, and no two of the {} bodies can meet until time.end = {}: look at positions "
           "and velocities",
