@@ -19,8 +19,8 @@ void EnergyWatch::look(const EnergyLedger& ledger, double sound_swallowing, doub
   look(Watched::hourglass_created, -energies.hourglass, sound::hourglass_created * hourglass_measure_, time);
   look(Watched::hourglass_large, energies.hourglass, sound::hourglass * hourglass_measure_, time);
   look(Watched::hourglass_plastic, energies.hourglass_plastic, sound::hourglass_plastic * hourglass_measure_, time);
-  look(Watched::kinetic_below_zero, -energies.kinetic, sound::below_zero * in_motion_, time);
-  look(Watched::internal_below_zero, -energies.internal, sound::below_zero * in_motion_, time);
+  look(Watched::kinetic_below_zero, -energies.kinetic, sound::kinetic_below_zero * in_motion_, time);
+  look(Watched::internal_below_zero, -energies.internal, sound::internal_below_zero * in_motion_, time);
 }
 
 void EnergyWatch::look(Watched kind, double energy, double bound, double time) {

@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "report.hpp"
 
 namespace pinball {
@@ -65,7 +63,7 @@ HistoryRow history_row(const Solver<S>& solver) {
   row.step = solver.steps();
   row.time = solver.force_time();
   row.dt = solver.dt() > 0 ? solver.dt() : solver.clock().dt_before();
-  row.energy = reported_energies(solver);
+  row.energy = solver.energies();
   row.balance_error = solver.balance_error();
   row.momentum = momentum(model);
   row.inside_out = solver.inside_out().now();
@@ -95,8 +93,8 @@ HistoryRow history_row(const Solver<S>& solver) {
   }
   for (const BodyShare& body : solver.body_energies().results(model)) {
     const Point& p = body.momentum;
-    row.more.insert(row.more.end(), {std::max(0.0, body.kinetic), p[0], p[1], p[2], body.mass, body.internal,
-                                     body.hourglass, body.bulk_viscosity});
+    row.more.insert(row.more.end(),
+                    {body.kinetic, p[0], p[1], p[2], body.mass, body.internal, body.hourglass, body.bulk_viscosity});
   }
   return row;
 }
