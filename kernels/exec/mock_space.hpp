@@ -32,6 +32,13 @@ class MockMemory {
   /// bytes: a multiple of pages.
   void* allocate(std::size_t bytes) {
     const std::lock_guard<std::mutex> lock(mutex_);
+    for (std::size_t i = 0; i < released_count_; ++i) {
+      if (released_[i].bytes != bytes) continue;
+      void* const memory = released_[i].memory;
+      released_[i] = released_[--released_count_];
+      ++pieces_;
+      return memory;
+    }
     if (bytes > range - next_) throw std::bad_alloc();
     if (next_ + bytes > used_) extend(next_ + bytes);
     void* const memory = begin_ + next_;
@@ -40,11 +47,13 @@ class MockMemory {
     return memory;
   }
 
-  /// Addresses are used again when nothing is left of them: a device's program takes its memory once.
+  /// Addresses are used again for as many bytes, and all of them when nothing is left: what comes and goes in each step
+  /// must not make the range longer that mprotect walks through.
   void release(void* memory, std::size_t bytes) noexcept {
     const std::lock_guard<std::mutex> lock(mutex_);
     madvise(memory, bytes, MADV_DONTNEED);
-    if (--pieces_ == 0) next_ = 0;
+    if (released_count_ < most_released) released_[released_count_++] = {memory, bytes};
+    if (--pieces_ == 0) next_ = released_count_ = 0;
   }
 
   /// While it lives, the calling thread may touch the memory. Scopes may lie in each other.
@@ -66,6 +75,12 @@ class MockMemory {
 
  private:
   static constexpr std::size_t range = std::size_t(1) << 38;  ///< of addresses; memory comes when it is touched
+  struct Piece {
+    void* memory;
+    std::size_t bytes;
+  };
+  static constexpr std::size_t most_released =
+      256;  ///< pieces that wait to be used again; of more the addresses are lost
   static constexpr std::size_t huge_page = std::size_t(2) << 20;
 
   MockMemory() {
@@ -134,7 +149,9 @@ class MockMemory {
   std::size_t next_ = 0;    ///< bytes from the beginning that are given out, or were
   std::size_t used_ = 0;    ///< bytes from the beginning that the system gives, whole huge pages
   std::size_t pieces_ = 0;  ///< given out and not released
-  std::int64_t open_ = 0;   ///< scopes for which all threads may touch it
+  Piece released_[most_released] = {};
+  std::size_t released_count_ = 0;
+  std::int64_t open_ = 0;  ///< scopes for which all threads may touch it
 };
 
 struct MockSpace {

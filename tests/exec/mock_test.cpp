@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <kernels/exec.hpp>
@@ -140,6 +141,21 @@ TEST(Mock, GivesMemoryThatWasReleasedAgain) {
     EXPECT_EQ(on_the_host(arrays.back()), std::vector<std::int64_t>(512, 0));
   }
   EXPECT_THROW(MockArray(std::size_t(1) << 50), std::bad_alloc);
+}
+
+TEST(Mock, UsesTheAddressesOfWhatComesAndGoesAgain) {
+  const MockArray stays(600);
+  MockArray replaced(5000);
+  const std::int64_t* const first = replaced.data();
+  const std::int64_t* last = nullptr;
+  for (int repeat = 0; repeat < 2000; ++repeat) {
+    MockArray next(5000);
+    last = next.data();
+    parallel_for("fill", RangePolicy<Mock>{0, 5000}, Fill{next.data()});
+    replaced = std::move(next);
+  }
+  EXPECT_LE(last > first ? last - first : first - last, 2 * 5120);
+  EXPECT_EQ(on_the_host(MockArray(5000)), std::vector<std::int64_t>(5000, 0));
 }
 
 TEST(Mock, SaysWhatProtectsIt) {
