@@ -29,12 +29,13 @@ std::string missing_on_device(const Scene& scene) {
 
 namespace {
 
-/// The device of a scene. Throws InputError for what no device can do yet, and where there is no such device.
+/// The device of a scene. Throws MissingOnDevice, and InputError where there is no such device.
 Device device_for(const Scene& scene) {
   const std::string missing = missing_on_device(scene);
   if (!missing.empty()) {
-    throw InputError(fmt::format("{}no device can do this scene yet: it has {}; expected --device none",
-                                 message_head(scene), missing));
+    throw MissingOnDevice(fmt::format("{}no device can do this scene yet: it has {}; expected --device none",
+                                      message_head(scene), missing),
+                          missing);
   }
   require_device(scene.device);
   return scene.device;

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <solver/base/error.hpp>
 #include <solver/boundary/space/boundary_kernels.hpp>
 #include <solver/elements/internal_forces.hpp>
 
@@ -17,12 +19,19 @@ namespace pinball {
 /// done.
 std::string missing_on_device(const Scene& scene);
 
+/// A scene with something that no device can do yet.
+struct MissingOnDevice : InputError {
+  MissingOnDevice(const std::string& what, std::string what_is_missing)
+      : InputError(what), missing(std::move(what_is_missing)) {}
+  std::string missing;  ///< as of missing_on_device
+};
+
 /// A model whose state lies on a device. The host's stores are a mirror of it: who reads them asks for bring_back
 /// first, who changes them says so. This is the one place that knows which of both is newer.
 template <class S>
 class DeviceRun {
  public:
-  /// Throws InputError for what no device can do yet, and where there is no such device.
+  /// Throws MissingOnDevice, and InputError where there is no such device.
   explicit DeviceRun(const Model<S>& model);
 
   /// Copies the state into the stores, if the device has changed it since.
