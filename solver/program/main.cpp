@@ -4,14 +4,15 @@
 #include <exception>
 #include <limits>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
 #include <solver/base/version.h>
-#include <solver/output/out_of_memory.hpp>
 
 #include "commands.hpp"
+#include "process/memory_error.hpp"
 #include "process/short_waits.hpp"
 #include "standard_streams.hpp"
 #include "stop_signals.hpp"
@@ -228,10 +229,8 @@ int main(int argc, char** argv) {
     return status;
   } catch (const pinball::InputError& error) {
     return report(error, bad_input);
-  } catch (const pinball::OutOfMemory& error) {
-    return report(error, run_failed);
-  } catch (const std::bad_alloc&) {
-    return report(pinball::OutOfMemory(""), run_failed);
+  } catch (const std::bad_alloc& error) {
+    return report(std::runtime_error(pinball::memory_error(error)), run_failed);
   } catch (const std::exception& error) {  // RunError, and what nobody foresaw
     return report(error, run_failed);
   }
