@@ -148,7 +148,8 @@ struct OutputSettings {
   /// body each: where bodies share a material, results are others in their last digits
   bool body_energies = false;
   /// output.fields: which of these
-  std::vector<std::string> fields{"velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive"};
+  std::vector<std::string> fields{"velocity",       "contact_force", "stress",      "plastic_strain",
+                                  "pinball_radius", "alive",         "corner_share"};
 };
 
 /// Where the arrays of a run lie, and its steps are made.

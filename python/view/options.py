@@ -38,8 +38,8 @@ def parser():
     p = argparse.ArgumentParser(prog="pinball view", description=DESCRIPTION, epilog=EXAMPLES,
                                 formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("folder", metavar="OUT", help="the output folder of a run")
-    p.add_argument("--field", help="plastic_strain, von_mises, pressure, displacement, velocity, contact_force, pinball_radius, body, "
-                   "or a component (stress_xx, velocity_z); default: plastic strain where there is any, else von Mises stress")
+    p.add_argument("--field", help="plastic_strain, von_mises, pressure, displacement, velocity, contact_force, pinball_radius, "
+                   "corner_share, body, or a component (stress_xx, velocity_z); default: plastic strain where there is any, else von Mises stress")
     p.add_argument("--times", nargs="+", type=float, metavar="T", help="the outputs nearest to these times, in the scene's "
                    "unit; default: four, evenly spaced")
     p.add_argument("--view", default="iso", help=f"{', '.join(VIEWS)}, or AZIMUTH,ELEVATION in degrees from the side "

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <solver/base/error.hpp>
+#include <solver/base/hexahedron_of_points.hpp>
 
 namespace pinball {
 namespace {
@@ -52,6 +53,15 @@ double von_mises(const std::array<double, 6>& s) {
 
 /// Positive in compression.
 double pressure(const std::array<double, 6>& s) { return -(s[0] + s[1] + s[2]) / 3; }
+
+/// The least Jacobian of a corner over the mean volume: not above 0 where a corner has turned over, 1 in a
+/// parallelepiped, 0 where the element has no volume [-].
+double corner_share(const FieldSnapshot& s, std::size_t element) {
+  std::array<Point, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i) corners[i] = s.position[static_cast<std::size_t>(s.hexahedra[element][i])];
+  const double volume = hexahedron_volume(corners);
+  return volume == 0 ? 0.0 : std::copysign(1.0, volume) * least_corner_share(corners);
+}
 
 DataArray numbers_array(std::string_view name, const std::vector<std::int64_t>& numbers) {
   return make_array<std::int64_t>("Int64", name, numbers.size(), 1,
@@ -118,6 +128,10 @@ void list_element_arrays(const FieldSnapshot& s, const FieldBase& base, const Wa
   }
   if (wanted("pinball_radius") && !s.pinball_radius.empty()) {
     to.push_back(scalar_field("pinball_radius", s.pinball_radius));
+  }
+  if (wanted("corner_share")) {
+    to.push_back(make_array<float>("Float32", "corner_share", elements, 1,
+                                   [&s](std::size_t i, std::size_t) { return corner_share(s, i); }));
   }
   // Always: 5 bytes per element, and without `alive` an eroded element could not be hidden.
   to.push_back(make_array<std::uint8_t>("UInt8", "alive", elements, 1, [&s](std::size_t i, std::size_t) {

@@ -6,7 +6,8 @@
 namespace pinball {
 
 /// What output.fields may name. `velocity` brings `displacement`, `stress` the pressure.
-inline constexpr std::array<std::string_view, 8> field_names = {
-    "velocity", "contact_force", "stress", "plastic_strain", "pinball_radius", "alive", "displacement", "pressure"};
+inline constexpr std::array<std::string_view, 9> field_names = {"velocity",       "contact_force",  "stress",
+                                                                "plastic_strain", "pinball_radius", "alive",
+                                                                "displacement",   "pressure",       "corner_share"};
 
 }  // namespace pinball

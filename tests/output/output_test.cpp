@@ -129,6 +129,23 @@ TEST(FieldOutput, HoldsEveryFieldOfTheSnapshot) {
   EXPECT_EQ(vtu.arrays.at("pinball_radius").as<float>(), std::vector<float>(elements, 0.125F));
 }
 
+TEST(FieldOutput, TellsWhereElementsHaveTurnedOver) {
+  const TemporaryFolder folder("corner_share");
+  FieldSnapshot s = two_blocks(0.0, 0.0);
+  const auto lift = [&s](std::size_t element, std::size_t corner, double height) {
+    s.position[static_cast<std::size_t>(s.hexahedra[element][corner])][2] += height;
+  };
+  // Corner 4, alone above corner 0, is moved down to it: J_0 and J_4 become those of what is left of its edge.
+  lift(8, 4, -0.125);
+  for (std::size_t i = 4; i < 8; ++i) lift(10, i, -0.5);  // all of the last is turned over
+  write_vtu(folder / "a.vtu", s, {"corner_share"});
+  const auto share = Vtu(folder / "a.vtu").arrays.at("corner_share").as<float>();
+  ASSERT_EQ(share.size(), s.hexahedra.size());
+  EXPECT_FLOAT_EQ(share[0], 1.0F);
+  EXPECT_FLOAT_EQ(share[8], 0.5F / 0.875F) << "half the edge of corner 0; an eighth of the volume is lost";
+  EXPECT_FLOAT_EQ(share[10], -1.0F);
+}
+
 TEST(FieldOutput, HasDisplacementsPressureAndTheNumbersOfFiles) {
   const TemporaryFolder folder("derived");
   const FieldSnapshot s = two_blocks(2.5e-5, 0.125), start = two_blocks(0.0, 0.0);

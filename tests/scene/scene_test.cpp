@@ -30,7 +30,7 @@ TEST_F(SceneTest, FillsInDefaults) {
   EXPECT_EQ(scene.contact.search, ContactSearch::automatic);
   EXPECT_TRUE(scene.skip.contact_search);
   EXPECT_TRUE(scene.skip.resting);
-  EXPECT_EQ(scene.output.fields.size(), 6u);
+  EXPECT_EQ(scene.output.fields.size(), 7u);
   ASSERT_EQ(scene.materials.size(), 1u);
   EXPECT_TRUE(scene.materials[0].plastic);
   EXPECT_EQ(scene.materials[0].density, 8930.0);
@@ -300,7 +300,7 @@ TEST_F(SceneTest, ChoicesListWhatIsAllowed) {
   EXPECT_EQ(error(with(1, "precision = \"half\"")), "1:13: precision: expected \"double\" or \"float\", got \"half\"");
   EXPECT_EQ(error(with({"[output]", "fields = [\"stress\", \"stres\"]"})),
             "16:21: output.fields[1]: expected \"velocity\", \"contact_force\", \"stress\", \"plastic_strain\", "
-            "\"pinball_radius\", \"alive\", \"displacement\" or \"pressure\", got \"stres\"");
+            "\"pinball_radius\", \"alive\", \"displacement\", \"pressure\" or \"corner_share\", got \"stres\"");
 }
 
 TEST_F(SceneTest, AMisspeltContactIsRejected) {
