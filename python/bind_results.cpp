@@ -9,6 +9,7 @@ namespace {
 void bind_energies(py::module_& module) {
   DataClass<Energies> energies(module, "Energies", "Energies of the whole model [energy].");
   energies.def_readonly("kinetic", &Energies::kinetic)
+      .def_readonly("kinetic_below_zero", &Energies::kinetic_below_zero, "of the kinetic energy, reported apart")
       .def_readonly("internal", &Energies::internal)
       .def_readonly("hourglass", &Energies::hourglass)
       .def_readonly("hourglass_plastic", &Energies::hourglass_plastic, "part of internal")

@@ -15,19 +15,21 @@ namespace pinball {
 /// Energies of the whole model [energy]; the total is kept constant up to `external` work.
 struct Energies {
   double kinetic = 0.0;
-  double internal = 0.0;           ///< work of the stresses, of elements that still carry stress
-  double hourglass = 0.0;          ///< work of the hourglass forces
-  double bulk_viscosity = 0.0;     ///< work of the bulk viscosity
-  double folding = 0.0;            ///< stored by corners of elements that are about to turn over
-  double contact_stored = 0.0;     ///< elastic energy in the penalty springs
-  double contact_damped = 0.0;     ///< dissipated by the contact damping
-  double eroded = 0.0;             ///< internal energy that eroded elements took with them
-  double external = 0.0;           ///< work done on the model from outside
-  double hourglass_plastic = 0.0;  ///< of `internal`: plastic work of the hourglass modes
+  double kinetic_below_zero = 0.0;  ///< what of the kinetic energy is reported apart from it; not above 0
+  double internal = 0.0;            ///< work of the stresses, of elements that still carry stress
+  double hourglass = 0.0;           ///< work of the hourglass forces
+  double bulk_viscosity = 0.0;      ///< work of the bulk viscosity
+  double folding = 0.0;             ///< stored by corners of elements that are about to turn over
+  double contact_stored = 0.0;      ///< elastic energy in the penalty springs
+  double contact_damped = 0.0;      ///< dissipated by the contact damping
+  double eroded = 0.0;              ///< internal energy that eroded elements took with them
+  double external = 0.0;            ///< work done on the model from outside
+  double hourglass_plastic = 0.0;   ///< of `internal`: plastic work of the hourglass modes
 
   double contact() const { return contact_stored + contact_damped; }
   double total() const {
-    return kinetic + internal + hourglass + bulk_viscosity + folding + contact() + eroded - external;
+    return kinetic + kinetic_below_zero + internal + hourglass + bulk_viscosity + folding + contact() + eroded -
+           external;
   }
 };
 

@@ -139,7 +139,7 @@ def columns(run, made, rotation=np.eye(3)):
     h, total = run.history, run.history["total"][0]
     speed = max(np.linalg.norm(body["velocity"]) for body in made["body"])
     found = [h["time"] / made["time"]["end"]]
-    found += [h[name] / total for name in ("kinetic", "internal", "hourglass", "bulk_viscosity", "contact_stored", "contact_damped",
+    found += [h[name] / total for name in ("kinetic", "kinetic_below_zero", "internal", "hourglass", "bulk_viscosity", "contact_stored", "contact_damped",
                                            "external")]
     for body in sorted(body["name"] for body in made["body"]):
         v = np.array([h[f"{body}_velocity_{axis}"] for axis in "xyz"]) / speed

@@ -55,7 +55,8 @@ std::vector<std::string> history_column_names(const std::vector<std::string>& bo
                                  "momentum_z",
                                  "hourglass_plastic",
                                  "folding",
-                                 "inside_out_elements"};
+                                 "inside_out_elements",
+                                 "kinetic_below_zero"};
   for (const std::string& body : bodies) {
     for (const char* quantity :
          {"velocity_x", "velocity_y", "velocity_z", "mass_remaining", "eroded_elements", "max_plastic_strain"}) {
@@ -86,7 +87,8 @@ std::vector<double> history_numbers(const HistoryRow& row) {
                               row.momentum[2],
                               e.hourglass_plastic,
                               e.folding,
-                              static_cast<double>(row.inside_out)};
+                              static_cast<double>(row.inside_out),
+                              e.kinetic_below_zero};
   for (const BodyResult& body : row.bodies) {
     numbers.insert(numbers.end(), body.velocity.begin(), body.velocity.end());
     numbers.insert(numbers.end(),

@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;  // keys stay in the order in which a reade
 Json energy_json(const RunSummary& s) {
   const Energies& e = s.energy;
   return {{"kinetic", e.kinetic},
+          {"kinetic_below_zero", e.kinetic_below_zero},
           {"internal", e.internal},
           {"hourglass", e.hourglass},
           {"hourglass_plastic", e.hourglass_plastic},

@@ -59,8 +59,9 @@ std::vector<EnergyCheck> energy_checks(const RunSummary& s) {
                   percent(s.hourglass_plastic.largest), eroded),
       "most of what is left in", "elements bend or fold by themselves: try several elements through what bends");
   add("kinetic energy below zero, of the energy in motion", s.kinetic_below_zero, sound::kinetic_below_zero,
-      fmt::format("the kinetic energy was below zero, by up to {} of the energy in motion",
-                  percent(s.kinetic_below_zero.largest)),
+      fmt::format(
+          "the kinetic energy was below zero, by up to {} of the energy in motion, and is reported as zero there",
+          percent(s.kinetic_below_zero.largest)),
       "the step was set by", "the step is too long for what moves: try a smaller time.cfl");
   add("internal energy below zero, of the energy in motion", s.internal_below_zero, sound::internal_below_zero,
       fmt::format("the internal energy was below zero, by up to {} of the energy in motion",

@@ -143,6 +143,14 @@ std::uint64_t state_hash(const Model<S>& model) {
 }
 
 template <class S>
+Energies reported_energies(const Solver<S>& solver) {
+  Energies energies = solver.energies();
+  energies.kinetic_below_zero = std::min(0.0, energies.kinetic);
+  energies.kinetic = std::max(0.0, energies.kinetic);
+  return energies;
+}
+
+template <class S>
 void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   const Model<S>& model = solver.model();
   const Scene& scene = model.scene;
@@ -174,7 +182,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.element_steps_subcycled = counts.subcycled_element_steps;
   summary.element_steps =
       all_element_steps - counts.eroded_element_steps - counts.resting_element_steps - counts.subcycled_element_steps;
-  summary.energy = solver.energies();
+  summary.energy = reported_energies(solver);
   summary.initial_total = solver.initial_energy();
   summary.final_total = solver.energies().total();
   summary.balance_error_max = solver.ledger().balance_error_max();
@@ -261,6 +269,8 @@ template ProgressState progress_state(const Solver<double>&);
 template ProgressState progress_state(const Solver<float>&);
 template FieldSnapshot snapshot(const Solver<double>&);
 template FieldSnapshot snapshot(const Solver<float>&);
+template Energies reported_energies(const Solver<double>&);
+template Energies reported_energies(const Solver<float>&);
 template void fill_summary(const Solver<double>&, RunSummary&);
 template void fill_summary(const Solver<float>&, RunSummary&);
 

@@ -30,6 +30,11 @@ std::uint64_t state_hash(const Model<S>& model);
 template <class S>
 std::uint64_t fingerprint(const Model<S>& model);
 
+/// The energies, but none of motion below zero: what central differences keep is m/2 v(n-1/2) . v(n+1/2), of velocities
+/// that may be opposite where the step is long for a motion. The balance is that of the numbers as they are.
+template <class S>
+Energies reported_energies(const Solver<S>& solver);
+
 /// Names of HistoryRow::more.
 template <class S>
 std::vector<std::string> more_columns(const Solver<S>& solver);

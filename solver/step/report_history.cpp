@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "report.hpp"
 
 namespace pinball {
@@ -63,7 +65,7 @@ HistoryRow history_row(const Solver<S>& solver) {
   row.step = solver.steps();
   row.time = solver.force_time();
   row.dt = solver.dt() > 0 ? solver.dt() : solver.clock().dt_before();
-  row.energy = solver.energies();
+  row.energy = reported_energies(solver);
   row.balance_error = solver.balance_error();
   row.momentum = momentum(model);
   row.inside_out = solver.inside_out().now();
@@ -93,8 +95,8 @@ HistoryRow history_row(const Solver<S>& solver) {
   }
   for (const BodyShare& body : solver.body_energies().results(model)) {
     const Point& p = body.momentum;
-    row.more.insert(row.more.end(),
-                    {body.kinetic, p[0], p[1], p[2], body.mass, body.internal, body.hourglass, body.bulk_viscosity});
+    row.more.insert(row.more.end(), {std::max(0.0, body.kinetic), p[0], p[1], p[2], body.mass, body.internal,
+                                     body.hourglass, body.bulk_viscosity});
   }
   return row;
 }

@@ -297,20 +297,21 @@ TEST(History, HasTheColumnsAndReachesTheFileRowByRow) {
   EXPECT_EQ(names,
             "step,time,dt,kinetic,internal,hourglass,bulk_viscosity,contact_stored,contact_damped,eroded,external,"
             "total,balance_error,momentum_x,momentum_y,momentum_z,hourglass_plastic,folding,inside_out_elements,"
+            "kinetic_below_zero,"
             "rod_velocity_x,rod_velocity_y,rod_velocity_z,rod_mass_remaining,rod_eroded_elements,"
             "rod_max_plastic_strain,plate_velocity_x,plate_velocity_y,plate_velocity_z,plate_mass_remaining,"
             "plate_eroded_elements,plate_max_plastic_strain");
   std::vector<std::string> cells;
   std::istringstream cell_text(values);
   for (std::string cell; std::getline(cell_text, cell, ',');) cells.push_back(cell);
-  ASSERT_EQ(cells.size(), 31U);
+  ASSERT_EQ(cells.size(), 32U);
   EXPECT_EQ(cells[0], "1");
   EXPECT_EQ(std::stod(cells[1]), row.time);  // every bit
   EXPECT_EQ(cells[5], "nan");
   EXPECT_EQ(std::stod(cells[9]), row.energy.eroded);
   EXPECT_EQ(std::stod(cells[15]), -3.0);
-  EXPECT_EQ(cells[23], "1");
-  EXPECT_EQ(std::stod(cells[30]), 1.0 / 3.0);
+  EXPECT_EQ(cells[24], "1");
+  EXPECT_EQ(std::stod(cells[31]), 1.0 / 3.0);
 }
 
 TEST(History, RejectsARowOfOtherBodiesAndQuotesNames) {

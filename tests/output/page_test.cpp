@@ -126,11 +126,11 @@ TEST(Curves, AreReadFromAHistoryWithNamesInQuotesAndNumbersThatAreNone) {
   EXPECT_EQ(curves.columns, history_column_names({"a,b"}, {}));
   ASSERT_EQ(curves.rows.size(), 1U) << "a row that is not whole is none";
   const Json json = Json::parse(curves_json(curves));
-  EXPECT_EQ(json["columns"][19], "a,b_velocity_x");
+  EXPECT_EQ(json["columns"][20], "a,b_velocity_x");
   EXPECT_EQ(json["data"][1][0], 0.25);
   EXPECT_TRUE(json["data"][3][0].is_null());
   EXPECT_TRUE(json["data"][4][0].is_null());
-  EXPECT_EQ(json["data"][22][0], 3.5);
+  EXPECT_EQ(json["data"][23][0], 3.5);
   EXPECT_TRUE(read_history(folder / "nothing.csv").rows.empty());
 }
 

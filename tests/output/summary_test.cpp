@@ -66,11 +66,11 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(
       keys(json["energy"]),
-      ElementsAre("kinetic", "internal", "hourglass", "hourglass_plastic", "bulk_viscosity", "folding", "contact",
-                  "contact_stored", "contact_damped", "eroded", "external", "initial_total", "final_total",
-                  "balance_error_max", "in_motion", "balance_error_in_motion_max", "contact_created_share",
-                  "contact_swallowed_share", "hourglass_created_share", "hourglass_share", "hourglass_plastic_share",
-                  "kinetic_below_zero_share", "internal_below_zero_share"));
+      ElementsAre("kinetic", "kinetic_below_zero", "internal", "hourglass", "hourglass_plastic", "bulk_viscosity",
+                  "folding", "contact", "contact_stored", "contact_damped", "eroded", "external", "initial_total",
+                  "final_total", "balance_error_max", "in_motion", "balance_error_in_motion_max",
+                  "contact_created_share", "contact_swallowed_share", "hourglass_created_share", "hourglass_share",
+                  "hourglass_plastic_share", "kinetic_below_zero_share", "internal_below_zero_share"));
   EXPECT_THAT(keys(json["momentum"]), ElementsAre("initial", "final"));
   ASSERT_EQ(json["bodies"].size(), 2U);
   EXPECT_THAT(keys(json["bodies"][0]), ElementsAre("name", "elements", "eroded_elements", "mass_initial",
