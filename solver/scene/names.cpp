@@ -6,9 +6,23 @@
 
 namespace pinball {
 
-std::optional<Problem> Names::add(const std::string& name) {
-  if (!known_.insert(name).second) {
-    return Problem{"name", fmt::format("expected a name of its own, got \"{}\" a second time", name)};
+namespace {
+
+/// Of a place FILE:LINE:COLUMN.
+std::string line_of(const std::string& place) {
+  const std::size_t column = place.rfind(':');
+  if (column == std::string::npos || column == 0) return {};
+  const std::size_t line = place.rfind(':', column - 1) + 1;  // npos + 1 is 0
+  return place.substr(line, column - line);
+}
+
+}  // namespace
+
+std::optional<Problem> Names::add(const std::string& name, const std::string& place) {
+  if (const auto [known, is_new] = known_.emplace(name, place); !is_new) {
+    const std::string line = line_of(known->second);
+    return Problem{"name", fmt::format("expected a name of its own, got \"{}\" a second time{}", name,
+                                       line.empty() ? "" : "; the first is in line " + line)};
   }
   in_order_.push_back(name);
   return {};

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 #include <solver/scene_rules.hpp>
@@ -21,14 +21,15 @@ class Names {
   }
 
   bool has(const std::string& name) const { return known_.contains(name); }
-  /// A name that an earlier table has is a problem, and not added.
-  std::optional<Problem> add(const std::string& name);
+  /// A name that an earlier table has is a problem, and not added. place: FILE:LINE:COLUMN, for that message; empty: in
+  /// no file.
+  std::optional<Problem> add(const std::string& name, const std::string& place = {});
   /// A reference under `key` to a name of `kind` ("material") that is none of these.
   std::optional<Problem> reference_problem(std::string_view key, std::string_view kind, const std::string& name) const;
 
  private:
   std::vector<std::string> in_order_;
-  std::unordered_set<std::string> known_;
+  std::unordered_map<std::string, std::string> known_;  ///< with their places
 };
 
 /// The columns NAME_force_x of a pair would be those of a body, BODY_contact_force_x.

@@ -16,6 +16,7 @@
 #include "parts.hpp"
 #include "table.hpp"
 #include "text/key_depth.hpp"
+#include "text/repeated_key.hpp"
 
 namespace pinball {
 
@@ -85,12 +86,12 @@ void read_contact_parts(const SceneTable& contact, Scene& scene) {
   Names pairs, ties;
   for (const SceneTable& table : contact.tables("pair", "contact_pair")) {
     const ContactPair pair = read_contact_pair(table, scene, bodies);
-    table.require_none(pairs.add(pair.name));
+    table.require_none(pairs.add(pair.name, table.where("name")));
     scene.contact_pairs.push_back(pair);
   }
   for (const SceneTable& table : contact.tables("tied", "contact_tied")) {
     const TiedContact tied = read_tied_contact(table, scene, bodies);
-    table.require_none(ties.add(tied.name));
+    table.require_none(ties.add(tied.name, table.where("name")));
     scene.tied_contacts.push_back(tied);
   }
 }
@@ -120,7 +121,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   Names walls;
   for (const auto& table : tables("rigid_wall")) {
     const RigidWall wall = read_rigid_wall(table, scene.rigid_walls.size());
-    table.require_none(walls.add(wall.name));
+    table.require_none(walls.add(wall.name, table.where("name")));
     scene.rigid_walls.push_back(wall);
   }
   for (const auto& table : tables("prescribed_velocity")) {
@@ -131,7 +132,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   Names pressures;
   for (const auto& table : tables("pressure")) {
     const Pressure pressure = read_pressure(table, scene.pressures.size());
-    table.require_none(pressures.add(pressure.name));
+    table.require_none(pressures.add(pressure.name, table.where("name")));
     scene.pressures.push_back(pressure);
   }
   std::vector<std::string> names;
@@ -147,7 +148,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   Names columns(scene.bodies);  // of history.csv
   for (const auto& table : tables("probe")) {
     const Probe probe = read_probe(table);
-    table.require_none(columns.add(probe.name));
+    table.require_none(columns.add(probe.name, table.where("name")));
     scene.probes.push_back(probe);
   }
 }
@@ -177,7 +178,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   Names materials, body_names;
   for (const auto& table : top.tables("material", "material")) {
     const Material material = read_material(table);
-    table.require_none(materials.add(material.name));
+    table.require_none(materials.add(material.name, table.where("name")));
     scene.materials.push_back(material);
   }
   const auto bodies = top.tables("body", "body");
@@ -185,7 +186,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   for (const auto& table : bodies) {
     Body body = read_body(table, scene);
     if (auto* file = std::get_if<FileMesh>(&body.mesh)) find_mesh_file(table, *file, path);
-    table.require_none(body_names.add(body.name));
+    table.require_none(body_names.add(body.name, table.where("name")));
     table.require_none(materials.reference_problem("material", "material", body.material));
     scene.bodies.push_back(body);
   }
@@ -200,7 +201,9 @@ toml::table parse(const std::string& text, const std::string& path) {
   try {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}: not valid TOML: {}", location(error.source(), path), error.description()));
+    const std::int64_t first = line_of_first(text, error);
+    throw InputError(fmt::format("{}: not valid TOML: {}{}", location(error.source(), path), error.description(),
+                                 first > 0 ? fmt::format("; the first is in line {}", first) : ""));
   }
 }
 

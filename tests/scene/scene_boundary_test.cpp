@@ -218,7 +218,7 @@ TEST_F(SceneBoundaryTest, MissingAndWrongValues) {
             "17:8: rigid_wall.0.body: no body is named \"baar\", nearest is \"bar\"");
   EXPECT_EQ(error(with({"[[rigid_wall]]", "name = \"a\"", "normal = [0, 0, 1]", "[[rigid_wall]]", "name = \"a\"",
                         "normal = [0, 0, 1]"})),
-            "19:8: rigid_wall.a.name: expected a name of its own, got \"a\" a second time");
+            "19:8: rigid_wall.a.name: expected a name of its own, got \"a\" a second time; the first is in line 16");
   EXPECT_EQ(error(with({"[[constraint]]", "type = \"fixd\""})),
             "16:8: constraint.0.type: expected \"symmetry\" or \"fixed\", got \"fixd\"");
   EXPECT_EQ(error(with({"[[constraint]]", "type = \"fixed\"", "body = \"bar\""})),

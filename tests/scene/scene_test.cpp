@@ -360,16 +360,24 @@ TEST_F(SceneTest, NamesAndReferences) {
             "5:8: material.a.b.name: expected a name of letters, digits, \"_\" and \"-\", got \"a.b\"");
   auto lines = minimal;
   for (std::size_t i = 10; i < 14; ++i) lines.push_back(minimal[i]);
-  EXPECT_EQ(error(lines), "16:8: body.bar.name: expected a name of its own, got \"bar\" a second time");
+  EXPECT_EQ(error(lines),
+            "16:8: body.bar.name: expected a name of its own, got \"bar\" a second time; the first is in line 12");
   lines = minimal;
   for (std::size_t i = 3; i < 10; ++i) lines.push_back(minimal[i]);
-  EXPECT_EQ(error(lines), "16:8: material.copper.name: expected a name of its own, got \"copper\" a second time");
+  EXPECT_EQ(
+      error(lines),
+      "16:8: material.copper.name: expected a name of its own, got \"copper\" a second time; the first is in line 5");
   EXPECT_EQ(error(with({"[[constraint]]", "type = \"symmetry\"", "normal = [0, 1, 0]", "body = \"baar\""})),
             "18:8: constraint.0.body: no body is named \"baar\", nearest is \"bar\"");
 }
 
 TEST_F(SceneTest, Syntax) {
   EXPECT_EQ(error(with(3, "end = = 2")).substr(0, 21), "3:7: not valid TOML: ");
+  // What stands twice is told with both lines, in one table and in two.
+  EXPECT_THAT(error(with({"[output]", "interval = 1", "fields = []", "interval = 2"})),
+              testing::AllOf(testing::StartsWith("18:"), testing::EndsWith("'interval'; the first is in line 16")));
+  EXPECT_THAT(error(with({"[element]", "[output]", "interval = 1", "[element]"})),
+              testing::AllOf(testing::StartsWith("18:"), testing::EndsWith("; the first is in line 15")));
   EXPECT_EQ(error(with(3, "end = 1\nend = 2")).substr(0, 2), "4:");
   EXPECT_THROW(read_scene((folder_ / "none.toml").string()), InputError);
   EXPECT_THROW(read_scene(folder_.string()), InputError);
