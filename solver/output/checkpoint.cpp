@@ -7,6 +7,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <set>
+#include <tuple>
 
 #include <solver/base/error.hpp>
 #include <solver/base/version.h>
@@ -92,9 +95,10 @@ CheckpointHead checkpoint_head(const SceneSource& source, const Scene& scene) {
   head.source.path = std::filesystem::absolute(source.path).string();
   head.simd_width = simd_width(scene.precision);
   head.version = PINBALL_VERSION;
+  std::set<std::tuple<std::string, MeshFormat, std::optional<std::int64_t>>> looked_at;  // bodies may have one file
   for (const Body& body : scene.bodies) {
     const auto* mesh = std::get_if<FileMesh>(&body.mesh);
-    if (mesh == nullptr) continue;
+    if (mesh == nullptr || !looked_at.emplace(mesh->file, mesh->format, mesh->chosen_case).second) continue;
     for (const std::string& file : files_of(*mesh)) {
       std::string path = std::filesystem::absolute(file).string();
       const auto same = [&path](const auto& known) { return known.first == path; };
