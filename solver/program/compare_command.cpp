@@ -1,8 +1,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include <solver/device/devices.hpp>
+#include <solver/output/message.hpp>
+#include <solver/results/warnings.hpp>
 #include <solver/scene/machine.hpp>
 
 #include "commands.hpp"
@@ -11,6 +14,20 @@
 #include "result_file.hpp"
 
 namespace pinball {
+
+namespace {
+
+/// What each variant's run would have been warned of, by the variant's name; what a failed one is told of stands in the
+/// table.
+void print_warnings(const std::vector<VariantRuns>& runs) {
+  for (const VariantRuns& variant : runs) {
+    for (const std::string& warning : warnings(variant.repeats.front())) {
+      print_message(fmt::format("warning: {}: {}", name_of(variant.settings), warning));
+    }
+  }
+}
+
+}  // namespace
 
 int compare_command(const CompareOptions& options) {
   require_device(options.device);
@@ -28,6 +45,8 @@ int compare_command(const CompareOptions& options) {
   const RunSummary& first = runs.front().repeats.front();
   fmt::print("{}: {} thread{}, {}\n", first.scene, first.threads, first.threads == 1 ? "" : "s", processor_name());
   fmt::print("{}", comparison_table(runs));
+  std::fflush(stdout);  // before the warnings, in a log that both go to
+  print_warnings(runs);
   return std::all_of(runs.begin(), runs.end(), [](const VariantRuns& v) { return v.failure.empty(); }) ? 0 : 1;
 }
 

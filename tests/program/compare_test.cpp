@@ -285,6 +285,14 @@ TEST_F(CompareProgram, ComparesTheTwoMethodsOfContactByDefault) {
   EXPECT_THAT(f.text, HasSubstr("slideline"));
 }
 
+TEST_F(CompareProgram, TellsWhatTheRunsAreWarnedOf) {
+  const Finished f = run("compare two_blocks --quiet --repeat 1 --vary 'body.upper.velocity=[0,0,-20],[0,0,-9e4]' " +
+                         std::string("--set time.steps=3"));
+  EXPECT_EQ(f.status, 0) << f.text;
+  EXPECT_THAT(f.text, HasSubstr("warning: body.upper.velocity=[0,0,-9e4]: "));
+  EXPECT_THAT(f.text, Not(HasSubstr("warning: body.upper.velocity=[0,0,-20]: ")));
+}
+
 TEST_F(CompareProgram, AVariantThatFailsIsNamedAndTheOthersGoOn) {
   const std::string arguments = "compare two_blocks --quiet --repeat 2 --vary guard.energy_error=1e-9,0.5 --json ";
   const Finished f = run(arguments + json_file());
