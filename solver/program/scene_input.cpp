@@ -2,14 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include <solver/base/error.hpp>
 #include <solver/deck/abaqus/translated_abaqus.hpp>
 #include <solver/deck/translated_deck.hpp>
 #include <solver/keyword/input_file.hpp>
+#include <solver/mesh/mesh_format.hpp>
 
 namespace pinball {
 
@@ -25,6 +28,41 @@ void require_scene(const std::string& path) {
     throw InputError(path +
                      ": expected a scene, this is a deck of keywords: name it .k, .key or .dyn if it is one of "
                      "LS-DYNA, .inp if it is one of Abaqus");
+  }
+}
+
+/// Whether the first line that says something could be one of TOML: a table, or a key with a value. A scene that comes
+/// through a pipe has no ending, and cannot be looked at before it is read.
+bool may_be_toml(const std::string& path) {
+  std::error_code problem;
+  if (!std::filesystem::is_regular_file(path, problem)) return true;
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  while (std::getline(file, line)) {
+    if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+    if (std::any_of(line.begin(), line.end(), [](char c) { return c >= 0 && c < '\t'; })) return false;  // no text
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos || line[begin] == '#') continue;
+    return line[begin] == '[' || line.find('=') != std::string::npos;
+  }
+  return true;  // empty, which the reader says
+}
+
+/// Neither a scene by its ending nor by what it holds: meshes, and what other programs read.
+void require_known_format(const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".toml") return;
+  if (format_by_ending(path)) {
+    throw InputError(
+        fmt::format("{}: expected a scene or a deck, this is a mesh by its ending: a body of a scene names it, "
+                    "mesh = {{type = \"file\", file = \"{}\"}}",
+                    path, std::filesystem::path(path).filename().string()));
+  }
+  if (!may_be_toml(path)) {
+    throw InputError(
+        path +
+        ": expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp); meshes of "
+        "a scene's bodies end in " +
+        known_endings() + ". This file is none of these: another program may convert it, gmsh or meshio");
   }
 }
 
@@ -109,6 +147,7 @@ SceneInput scene_input(const SceneOptions& options) {
     }
     require_file(path);
     require_scene(path);
+    require_known_format(path);
     return {read_scene_source(path, options.overrides), {}};
   }
   TranslatedDeck deck = translate_any_deck(path, {options.chosen_case, options.lenient, ""});

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <utility>
 
 #include <solver/program/scene_input.hpp>
 #include <tests/deck/deck_case.hpp>
@@ -13,6 +15,7 @@ namespace pinball::test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// What is said of a text in a file of that name.
 std::string error_for(const std::string& name, const std::string& text) {
@@ -40,6 +43,18 @@ TEST(SceneInput, WhatIsNotWhatItsNameSaysIsToldSo) {
   EXPECT_THAT(error_for("a.k", "\ntitle = \"a\"\n"), HasSubstr("this is a scene: name it .toml"));
   EXPECT_THAT(error_for("a.k", "** comment\n*NODE\n"), HasSubstr("this is Abaqus input: name it .inp"));
   EXPECT_THAT(error_for("a.k", scene), HasSubstr("this is a scene: name it .toml"));
+}
+
+TEST(SceneInput, WhatNothingReadsIsToldWhatIsRead) {
+  const std::string zipped = std::string("\x1f\x8b\x08\0\0=\n", 7);
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.rad", "#RADIOSS STARTER\n/BEGIN\n"},
+                                   {"a.bdf", "$ NASTRAN\nSOL 700\n"},
+                                   {"a.unv", "    -1\n  2411\n"},
+                                   {"a.k.gz", zipped}}) {
+    EXPECT_THAT(error_for(name, text), HasSubstr("expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn)"));
+  }
+  EXPECT_THAT(error_for("a.msh", "$MeshFormat\n4.1 0 8\n"), HasSubstr("mesh = {type = \"file\", file = \"a.msh\"}"));
+  EXPECT_THAT(error_for("scene.txt", scene), Not(HasSubstr("expected a scene (.toml)"))) << "by another name";
 }
 
 class DeckInput : public FolderTest {};
