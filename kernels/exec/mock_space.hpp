@@ -79,8 +79,8 @@ class MockMemory {
     void* memory;
     std::size_t bytes;
   };
-  static constexpr std::size_t most_released =
-      256;  ///< pieces that wait to be used again; of more the addresses are lost
+  /// Pieces that wait to be used again; of more the addresses are lost until nothing is left.
+  static constexpr std::size_t most_released = 256;
   static constexpr std::size_t huge_page = std::size_t(2) << 20;
 
   MockMemory() {
