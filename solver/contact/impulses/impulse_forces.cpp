@@ -22,8 +22,9 @@ bool ImpulseSolver<S>::opens(std::int64_t pack, int lane) const {
          !(pairs_[i].rate_free + rows_.rows[i].position_rate > 0);
 }
 
-/// Rows that open together move the same nodes: what one of them may give is measured by what all of them do. Serial:
-/// few open in a step.
+/// Rows that open together move the same nodes: what one of them may give is measured by what all of them do, each by
+/// its part of the last force. (Where rows outnumber nodes some hold nothing but round-off.) Serial: few open in a
+/// step.
 template <class S>
 bool ImpulseSolver<S>::share_release() {
   bool any = false;
@@ -32,14 +33,18 @@ bool ImpulseSolver<S>::share_release() {
       if (!opens(pack, lane)) continue;
       if (!any) release_share_.assign(nodes_.size(), 0);
       any = true;
-      const RowView row = rows_[static_cast<std::size_t>(packs_.order().row(pack, lane))];
-      for (int k = 0; k < row.nodes; ++k) release_share_[row.node[k]] += std::abs(row.weight[k]);
+      const auto i = static_cast<std::size_t>(packs_.order().row(pack, lane));
+      const RowView row = rows_[i];
+      for (int k = 0; k < row.nodes; ++k) {
+        release_share_[row.node[k]] += std::abs(row.weight[k]) * pairs_[i].memory.force;
+      }
     }
   }
   return any;
 }
 
-/// Bound of the row sum of G M^-1 G^T over the rows that open [1/mass].
+/// Bound of the row sum of G M^-1 G^T over the rows that open, weighted by their last forces over that of row i
+/// [1/mass].
 template <class S>
 double ImpulseSolver<S>::shared_inverse_mass(std::int32_t i) const {
   const RowView row = rows_[static_cast<std::size_t>(i)];
@@ -51,7 +56,7 @@ double ImpulseSolver<S>::shared_inverse_mass(std::int32_t i) const {
     shared += most * release_share_[row.node[k]];
   }
   const double inverse_mass = rows_.rows[i].inverse_mass;
-  return alone > 0 ? inverse_mass * shared / alone : inverse_mass;
+  return alone > 0 ? inverse_mass * shared / (alone * pairs_[i].memory.force) : inverse_mass;
 }
 
 template <class S>

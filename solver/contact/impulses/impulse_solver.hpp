@@ -175,7 +175,7 @@ class ImpulseSolver {
   std::vector<std::int32_t> active_;      ///< rows that take part
   RowPacks packs_;                        ///< of the active rows
   std::vector<ImpulseNode> nodes_;        ///< per entry of node_
-  std::vector<double> release_share_;     ///< per entry of nodes_: sum of |w| over the rows that open
+  std::vector<double> release_share_;     ///< per entry of nodes_: sum of |w| F over the rows that open [force]
   Array<double> velocity_;                ///< records of four numbers, per entry of node_
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
   std::vector<LastEntry> last_entry_;     ///< per entry of node_
