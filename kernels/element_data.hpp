@@ -65,6 +65,7 @@ struct ElementConstants {
   HardeningConstants<S> hardening{};      ///< general yield only
   S folding_energy = S(0);                ///< M/(8 density) of corners that are about to turn over [energy/mass]
   bool erode_inside_out = false;          ///< an element with a corner that has turned over is eroded
+  bool never_yields = false;              ///< elastic, also where the kernel is one of plasticity (with erosion)
 };
 
 /// Where element `first`, the first of a pack, has its component 0 in an array of n components in rows of L.

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "bulk_viscosity.hpp"
+#include "elastic/neo_hookean.hpp"
 #include "element_data.hpp"
 #include "folding.hpp"
 #include "gather.hpp"
@@ -142,8 +143,18 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
 
   // Strain increment and spin
   const Tensor<T> gradient = velocity_gradient(b_mid, v, inverse_volume_mid);
-  const Rotation<T> rotation = hughes_winget_rotation(T(dt) * axial_vector(gradient));
-  const Symmetric<T> strain = T(dt) * symmetric_part(gradient);
+  [[maybe_unused]] Rotation<T> rotation;
+  if constexpr (features.plastic || features.hourglass == HourglassKind::stiffness) {
+    rotation = hughes_winget_rotation(T(dt) * axial_vector(gradient));
+  }
+  [[maybe_unused]] Tensor<T> half_gradient;  // times the step: h of neo_hookean.hpp
+  if constexpr (!features.plastic) half_gradient = T(S(0.5) * dt) * gradient;
+  Symmetric<T> strain;
+  if constexpr (features.plastic) {
+    strain = T(dt) * symmetric_part(gradient);
+  } else {
+    strain = twice_symmetric_part(half_gradient);
+  }
   const T volumetric = trace(strain);
 
   // Bulk viscosity and, with it, the stable step of the next step
@@ -158,19 +169,40 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const T inverse_square = inverse_volume * inverse_volume;
   T inverse_inertia = inverse_mass;
   if (elements.mass_share != nullptr) inverse_inertia = inverse_inertia * load<T>(elements.mass_share + first);
-  T stable_rate = element_stable_rate(inverse_square * largest_b_b, inverse_square * trace_b_b, volume, inverse_inertia,
-                                      T(material.lambda), T(material.mu), viscosity);
+  const auto stable_rate_of = [&](const T& lambda, const T& mu) {
+    return element_stable_rate(inverse_square * largest_b_b, inverse_square * trace_b_b, volume, inverse_inertia,
+                               lambda, mu, viscosity);
+  };
+  T stable_rate(0);
+  if constexpr (features.plastic) stable_rate = stable_rate_of(T(material.lambda), T(material.mu));
   ahead(3);
 
   // Stress
   S* stored = elements.stress + place_in_rows<L>(first, 6);
   const Symmetric<T> stress_old{state(stored),         state(stored + L),     state(stored + 2 * L),
                                 state(stored + 3 * L), state(stored + 4 * L), state(stored + 5 * L)};
-  // The increment belongs to the middle of the rotation: half of it turns with the old stress. Added whole after the
-  // rotation it would be turned by half a step, a skew part of the stiffness that feeds the high modes of a spinning
-  // body.
-  const Symmetric<T> half_increment = elastic_increment(T(S(0.5) * material.lambda), T(S(0.5) * material.mu), strain);
-  Symmetric<T> stress = rotate(rotation, stress_old + half_increment) + half_increment;
+  Symmetric<T> stress;
+  if constexpr (features.plastic) {
+    // The increment belongs to the middle of the rotation: half of it turns with the old stress. Added whole after the
+    // rotation it would be turned by half a step, a skew part of the stiffness that feeds the high modes of a spinning
+    // body.
+    const Symmetric<T> half_increment = elastic_increment(T(S(0.5) * material.lambda), T(S(0.5) * material.mu), strain);
+    stress = rotate(rotation, stress_old + half_increment) + half_increment;
+  }
+  // What yields has a rate law, and what never does has an energy; erosion has no kernel of its own for that.
+  constexpr bool may_be_elastic = features.erosion && features.yield == YieldLaw::linear;
+  if (!features.plastic || (may_be_elastic && constants.never_yields)) {
+    const VolumeChange<T> change{mass * T(constants.specific_volume), T(material.density) * inverse_mass, volume_mid,
+                                 volume, inverse_volume};
+    NeoHookeanState<T> now;
+    if constexpr (features.plastic) {
+      update_neo_hookean<T>(material.lambda, material.mu, T(S(0.5) * dt) * gradient, change, whole, stress_old, now);
+    } else {
+      now = neo_hookean_step<T>(material.lambda, material.mu, half_gradient, change, whole, stress_old);
+    }
+    stress = now.stress;
+    stable_rate = stable_rate_of(now.lambda, now.mu);
+  }
   ahead(4);
 
   // Hourglass modes

@@ -111,6 +111,12 @@ PINBALL_FUNCTION Symmetric<T> symmetric_part(const Tensor<T>& a) {
           half * (a.row_y.z + a.row_z.y),
           half * (a.row_z.x + a.row_x.z)};
 }
+/// L + L^T
+template <class T>
+PINBALL_FUNCTION Symmetric<T> twice_symmetric_part(const Tensor<T>& a) {
+  return {a.row_x.x + a.row_x.x, a.row_y.y + a.row_y.y, a.row_z.z + a.row_z.z,
+          a.row_x.y + a.row_y.x, a.row_y.z + a.row_z.y, a.row_z.x + a.row_x.z};
+}
 /// Axial vector w of the skew part W = (L - L^T) / 2, so that W v = w x v.
 template <class T>
 PINBALL_FUNCTION Vec3<T> axial_vector(const Tensor<T>& a) {

@@ -60,6 +60,7 @@ ElementConstants<S> constants_of(const Material& material, const ElementSettings
     c.folding_energy = static_cast<S>(settings.folding_resistance * material.bulk_modulus / (8 * material.density));
   }
   c.erode_inside_out = settings.inside_out == InsideOut::erode;
+  c.never_yields = !material.plastic;
   return c;
 }
 

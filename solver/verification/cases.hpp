@@ -12,6 +12,7 @@ namespace pinball {
 std::vector<VerificationRow> verify_block(const Scene& scene);
 std::vector<VerificationRow> verify_cantilever(const Scene& scene);
 std::vector<VerificationRow> verify_cyclic_shear(const Scene& scene);
+std::vector<VerificationRow> verify_elastic_cycles(const Scene& scene);
 std::vector<VerificationRow> verify_patch_test(const Scene& scene);
 std::vector<VerificationRow> verify_plastic_cantilever(const Scene& scene);
 std::vector<VerificationRow> verify_plate_impact(const Scene& scene);

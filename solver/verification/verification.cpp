@@ -24,6 +24,7 @@ const std::vector<VerificationCase>& verification_cases() {
       {"patch_test", verify_patch_test},
       {"uniaxial_strain", verify_uniaxial_strain},
       {"cyclic_shear", verify_cyclic_shear},
+      {"elastic_cycles", verify_elastic_cycles},
       {"spinning_block", verify_spinning_block},
       {"block", verify_block},
       {"plate_impact", verify_plate_impact},

@@ -18,6 +18,7 @@ void compare_features() {
   if (!plastic) {
     scene.constants.material.yield_stress = scene.constants.material.ultimate_stress = infinity;
     scene.constants.material.erosion_strain = infinity;  // strain stays zero
+    scene.constants.never_yields = true;                 // else the full kernel has a rate law
     for (ElementState& s : scene.element) s.plastic_strain = 0;
   }
   if (!erosion) {

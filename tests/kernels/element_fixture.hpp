@@ -57,16 +57,18 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
   const MaterialConstants<double>& m = c.material;
   HardeningConstants<S> hardening{};  // its arrays are of doubles
   if constexpr (std::is_same_v<S, double>) hardening = c.hardening;
-  return {{S(m.lambda), S(m.mu), S(m.yield_stress), S(m.plastic_modulus), S(m.ultimate_stress), S(m.erosion_strain),
-           S(m.density), S(m.sound_speed)},
-          S(c.hourglass_coefficient),
-          S(c.linear_viscosity),
-          S(c.quadratic_viscosity),
-          c.erode_negative_volume,
-          assumed_strain_moduli(S(m.lambda), S(m.mu), S(c.hourglass_coefficient)),
-          S(c.hourglass_coefficient) * hourglass_modulus(S(m.lambda), S(m.mu)),
-          S(1) / S(m.density),
-          hardening};
+  ElementConstants<S> to{{S(m.lambda), S(m.mu), S(m.yield_stress), S(m.plastic_modulus), S(m.ultimate_stress),
+                          S(m.erosion_strain), S(m.density), S(m.sound_speed)},
+                         S(c.hourglass_coefficient),
+                         S(c.linear_viscosity),
+                         S(c.quadratic_viscosity),
+                         c.erode_negative_volume,
+                         assumed_strain_moduli(S(m.lambda), S(m.mu), S(c.hourglass_coefficient)),
+                         S(c.hourglass_coefficient) * hourglass_modulus(S(m.lambda), S(m.mu)),
+                         S(1) / S(m.density),
+                         hardening};
+  to.never_yields = c.never_yields;
+  return to;
 }
 
 template <class T, ElementFeatures features>
