@@ -50,6 +50,17 @@ struct WallPush {
   }
 };
 
+/// What nodes and a wall come to in a step.
+struct WallStop {
+  double force = 0;    ///< of the reactions along the normal [force]
+  double closing = 0;  ///< fastest of the nodes that would come to the wall in two more such steps [length/time]
+
+  PINBALL_FUNCTION void join(const WallStop& other) {
+    force += other.force;
+    closing = closing > other.closing ? closing : other.closing;
+  }
+};
+
 /// Direction in which the wall can push its i-th node.
 template <class S>
 PINBALL_FUNCTION const S* wall_direction(const WallPlane<S>& wall, const WallNodes<S>& of, std::int64_t i) {
@@ -78,6 +89,14 @@ PINBALL_FUNCTION S wall_mobility(const NodeArrays<S>& nodes, std::int64_t node, 
   return step.position * step.velocity * nodes.inverse_mass[node];
 }
 
+/// Of a node before the step, from where the wall was at the start.
+template <class S>
+PINBALL_FUNCTION S wall_height(const WallPlane<S>& wall, const S* x) {
+  S height = 0;
+  for (int k = 0; k < 3; ++k) height += wall.normal[k] * (x[k] - wall.point[k]);
+  return height;
+}
+
 /// Of a node after the step, without the wall, from where the wall would be if it kept still.
 template <class S>
 PINBALL_FUNCTION S wall_gap(const NodeArrays<S>& nodes, const WallPlane<S>& wall, std::int64_t node,
@@ -89,6 +108,17 @@ PINBALL_FUNCTION S wall_gap(const NodeArrays<S>& nodes, const WallPlane<S>& wall
     gap += wall.normal[k] * ((x[k] - wall.point[k]) + step.position * v[k] + mobility * f[k]);
   }
   return gap;
+}
+
+/// Velocity along the normal after the step, without the wall [length/time].
+template <class S>
+PINBALL_FUNCTION S wall_rate(const NodeArrays<S>& nodes, const WallPlane<S>& wall, std::int64_t node,
+                             const WallStep<S>& step) {
+  const S *v = nodes.velocity + 4 * node, *f = nodes.force + 4 * node;
+  const S change = step.velocity * nodes.inverse_mass[node];
+  S rate = 0;
+  for (int k = 0; k < 3; ++k) rate += wall.normal[k] * (v[k] + change * f[k]);
+  return rate;
 }
 
 /// Force that stops a node across the normal, as far as friction allows it. f: all other forces on the node.
@@ -131,7 +161,7 @@ struct PushWall {
   }
 };
 
-/// Sets the reactions on the nodes of a wall and adds them to their forces; sums up those along the normal.
+/// Sets the reactions on the nodes of a wall and adds them to their forces.
 template <class S>
 struct StopAtWall {
   NodeArrays<S> nodes;
@@ -139,7 +169,7 @@ struct StopAtWall {
   WallNodes<S> of;
   WallStep<S> step;
 
-  PINBALL_FUNCTION void operator()(std::int64_t i, double& sum) const {
+  PINBALL_FUNCTION void operator()(std::int64_t i, WallStop& sum) const {
     const auto node = std::int64_t(of.nodes[i]);
     const S *x = nodes.position + 4 * node, *v = nodes.velocity + 4 * node;
     S* f = nodes.force + 4 * node;
@@ -149,7 +179,12 @@ struct StopAtWall {
     if (of.drag != nullptr) {
       for (int k = 0; k < 3; ++k) of.drag[3 * i + k] = S(0);
     }
-    if (!(over < S(0)) || !(mobility > S(0)) || !wall_takes(wall, x, step.before)) return;
+    if (!(mobility > S(0)) || !wall_takes(wall, x, step.before)) return;
+    if (!(over < S(0))) {
+      const S rate = (step.after - step.before) / step.position - wall_rate(nodes, wall, node, step);
+      if (S(2) * step.position * rate > over) sum.join({0, static_cast<double>(rate)});
+      return;
+    }
     const S* d = wall_direction(wall, of, i);
     const S free = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];  // 1 where nothing else holds the node
     const S reaction = -over / (mobility * free);
@@ -161,7 +196,9 @@ struct StopAtWall {
       for (int k = 0; k < 3; ++k) of.drag[3 * i + k] = stopping[k];
       for (int k = 0; k < 3; ++k) f[k] += stopping[k];
     }
-    sum += static_cast<double>(reaction);
+    // A node that the wall puts on its plane still comes towards it; the next step takes that.
+    const S left = wall_height(wall, x) - step.before;
+    sum.join({static_cast<double>(reaction), static_cast<double>(left / step.position)});
   }
 };
 

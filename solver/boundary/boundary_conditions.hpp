@@ -52,6 +52,8 @@ class BoundaryConditions {
   /// the forces, where it writes.
   void persist(StateArchive& archive, Model<S>& model, double time);
   const std::vector<WallResult>& walls() const { return walls_.results(); }
+  /// At which nodes will come to a wall in the coming step [length/time].
+  double closing() const { return walls_.closing(); }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
   /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
   /// name; time: of the forces.

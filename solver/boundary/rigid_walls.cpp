@@ -26,7 +26,8 @@ void RigidWalls<S>::react(const NodeArrays<S>& nodes, Wall& wall, WallResult& re
     velocity = wall.motion.given_velocity(time, step);
     ends_at(velocity);
   }
-  const double sum = wall.nodes->stop(nodes, wall.plane, at);
+  const auto [sum, closing] = wall.nodes->stop(nodes, wall.plane, at);
+  closing_ = std::max(closing_, closing);
   if (wall.motion.moves()) {
     result.velocity = wall.motion.velocity_after(result.velocity, velocity, step.velocity() * sum);
     result.displacement += step.after * result.velocity;
@@ -38,6 +39,7 @@ void RigidWalls<S>::react(const NodeArrays<S>& nodes, Wall& wall, WallResult& re
 
 template <class S>
 void RigidWalls<S>::apply(const NodeArrays<S>& nodes, double time, const StepLengths& step) {
+  closing_ = 0;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall& wall = walls_[w];
     WallResult& result = results_[w];

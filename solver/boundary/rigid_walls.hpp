@@ -45,9 +45,13 @@ class RigidWalls {
   /// Work of the reactions that apply() has set; to be called when all forces are known.
   ExternalWork work(const NodeArrays<S>& nodes, const StepLengths& step) const;
 
+  /// Fastest of the nodes that will come to a wall in a step like the last one [length/time].
+  double closing() const { return closing_; }
+
   void persist(StateArchive& archive) {
     for (WallResult& wall : results_)
       archive(wall.force, wall.force_max, wall.impulse, wall.displacement, wall.velocity);
+    archive(closing_);
   }
   const std::vector<WallResult>& results() const { return results_; }
   std::size_t bytes() const;
@@ -61,10 +65,11 @@ class RigidWalls {
   };
   static Wall wall_of(const Model<S>& model, const RigidWall& given, const BoundaryKernels<S>& kernels);
   static void stand_back(const Model<S>& model, const RigidWall& given, WallPlane<S>& plane);
-  static void react(const NodeArrays<S>& nodes, Wall& wall, WallResult& result, double time, const StepLengths& step);
+  void react(const NodeArrays<S>& nodes, Wall& wall, WallResult& result, double time, const StepLengths& step);
 
   std::vector<Wall> walls_;
   std::vector<WallResult> results_;
+  double closing_ = 0;
 };
 
 }  // namespace pinball

@@ -152,7 +152,7 @@ std::unique_ptr<BoundaryKernels<S>> DeviceRun<S>::boundary_kernels() const {
 }
 
 template <class S>
-double DeviceRun<S>::integrate(const StepLengths& step) {
+MotionEnergy DeviceRun<S>::integrate(const StepLengths& step) {
   device_is_newer_ = true;
   return step_->integrate(step);
 }

@@ -49,7 +49,7 @@ class DeviceRun {
   /// with_sums: the forces of nodes have those of their corners, for who adds more before nodes are integrated.
   InternalForceResult<S> update_elements(const Model<S>& model, Schedule<S>& schedule, InternalForces<S>& forces, S dt,
                                          bool with_sums);
-  double integrate(const StepLengths& step);
+  MotionEnergy integrate(const StepLengths& step);
 
   std::size_t bytes() const;  ///< of both, less the stores of the model
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <kernels/boundary/node_arrays.hpp>
+#include <kernels/node_update.hpp>
 
 #include "device_mesh.hpp"
 #include "device_resting.hpp"
@@ -40,8 +41,8 @@ class DeviceStep {
   /// Sums of the corner forces into those of the nodes, for those who add to them before nodes are integrated.
   virtual void sum_corner_forces() = 0;
   /// Velocities and positions of all nodes, and zero forces (node_update.hpp); sums the corner forces first where
-  /// sum_corner_forces has not been called. Returns the kinetic energy at the time of the forces [energy].
-  virtual double integrate(const StepLengths& step) = 0;
+  /// sum_corner_forces has not been called.
+  virtual MotionEnergy integrate(const StepLengths& step) = 0;
 
   virtual std::size_t bytes() const = 0;  ///< on the device
 };

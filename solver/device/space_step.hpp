@@ -31,18 +31,17 @@ struct MovingNodes {
   const double* mass;
   S velocity_step, position_step, energy_step;
 
-  PINBALL_FUNCTION void integrate(std::int64_t n, S* with_force, double& twice_kinetic) const {
-    const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, with_force, inverse_mass[n], velocity_step,
-                                position_step, energy_step);
-    twice_kinetic += mass[n] * static_cast<double>(v2);
+  PINBALL_FUNCTION void integrate(std::int64_t n, S* with_force, MotionEnergy& sum) const {
+    sum.add(mass[n], integrate_node(position + 4 * n, velocity + 4 * n, with_force, inverse_mass[n], velocity_step,
+                                    position_step, energy_step));
   }
 };
 
 template <class S>
 struct IntegratesNodes {
   MovingNodes<S> nodes;
-  PINBALL_FUNCTION void operator()(std::int64_t n, double& twice_kinetic) const {
-    nodes.integrate(n, nodes.force + 4 * n, twice_kinetic);
+  PINBALL_FUNCTION void operator()(std::int64_t n, MotionEnergy& sum) const {
+    nodes.integrate(n, nodes.force + 4 * n, sum);
   }
 };
 
@@ -52,10 +51,10 @@ struct SumsAndIntegrates {
   MovingNodes<S> nodes;
   CornersOfNodes corners;
   const S* corner_force;
-  PINBALL_FUNCTION void operator()(std::int64_t n, double& twice_kinetic) const {
+  PINBALL_FUNCTION void operator()(std::int64_t n, MotionEnergy& sum) const {
     alignas(4 * sizeof(S)) S force[4] = {};
     add_corner_forces<device_row>(corners, corner_force, n, force);
-    nodes.integrate(n, force, twice_kinetic);
+    nodes.integrate(n, force, sum);
   }
 };
 
@@ -114,18 +113,18 @@ class SpaceStep final : public DeviceStep<S> {
     summed_ = true;
   }
 
-  double integrate(const StepLengths& step) override {
+  MotionEnergy integrate(const StepLengths& step) override {
     const MovingNodes<S> nodes{state_.position.data(),     state_.velocity.data(),     force_.data(),
                                inverse_mass_.data(),       node_mass_.data(),          static_cast<S>(step.velocity()),
                                static_cast<S>(step.after), static_cast<S>(step.before)};
-    double twice_kinetic = 0;
+    MotionEnergy energy;
     if (summed_) {
-      parallel_reduce("integration", all_nodes(), IntegratesNodes<S>{nodes}, twice_kinetic);
+      parallel_reduce("integration", all_nodes(), IntegratesNodes<S>{nodes}, energy);
     } else {
       parallel_reduce("sums of corner forces and integration", all_nodes(),
-                      SumsAndIntegrates<S>{nodes, corners(), corner_force_.data()}, twice_kinetic);
+                      SumsAndIntegrates<S>{nodes, corners(), corner_force_.data()}, energy);
     }
-    return 0.5 * twice_kinetic;
+    return energy;
   }
 
   std::size_t bytes() const override {

@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include <kernels/exec.hpp>
-#include <kernels/node_update.hpp>
 
 namespace pinball {
 
 template <class S>
-double integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& step) {
+MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& step) {
   const auto position_step = static_cast<S>(step.after), energy_step = static_cast<S>(step.before);
   const auto velocity_step = static_cast<S>(step.velocity());
   const auto integrate = [&](std::int64_t begin, std::int64_t end, S way_step) {
@@ -19,27 +18,26 @@ double integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& 
     const S* inverse_mass = model.nodes.inverse_mass.data();
     const double* mass = model.node_mass.data();
     const S steps[] = {velocity_step, way_step, energy_step};
-    double sum = 0;
+    MotionEnergy sum;
     for (std::int64_t n = begin; n < end; ++n) {
-      const S v2 = integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], steps[0],
-                                  steps[1], steps[2]);
-      sum += mass[n] * static_cast<double>(v2);
+      sum.add(mass[n], integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], steps[0],
+                                      steps[1], steps[2]));
     }
     return sum;
   };
-  double twice_kinetic = 0;
+  MotionEnergy energy;
   parallel_reduce(
-      "integration", RangePolicy<>{0, span_count(model.nodes.count)}, twice_kinetic,
-      [&](std::int64_t begin, std::int64_t end, double& partial) {
+      "integration", RangePolicy<>{0, span_count(model.nodes.count)}, energy,
+      [&](std::int64_t begin, std::int64_t end, MotionEnergy& partial) {
         for (std::int64_t span = begin; span < end; ++span) {
           if (!due.contain(span)) continue;
           const std::int64_t first = span * nodes_per_span;
           const std::int64_t last = std::min<std::int64_t>(model.nodes.count, first + nodes_per_span);
-          partial += integrate(first, last, position_step * static_cast<S>(due.steps(span)));
+          partial.join(integrate(first, last, position_step * static_cast<S>(due.steps(span))));
         }
       },
-      [](double& whole, double partial) { whole += partial; });
-  return 0.5 * twice_kinetic;
+      [](MotionEnergy& whole, const MotionEnergy& partial) { whole.join(partial); });
+  return energy;
 }
 
 template <class S>
@@ -54,8 +52,8 @@ double kinetic_energy(const Model<S>& model) {
   return 0.5 * twice;
 }
 
-template double integrate_nodes(Model<double>&, const DueSpans&, const StepLengths&);
-template double integrate_nodes(Model<float>&, const DueSpans&, const StepLengths&);
+template MotionEnergy integrate_nodes(Model<double>&, const DueSpans&, const StepLengths&);
+template MotionEnergy integrate_nodes(Model<float>&, const DueSpans&, const StepLengths&);
 template double kinetic_energy(const Model<double>&);
 template double kinetic_energy(const Model<float>&);
 

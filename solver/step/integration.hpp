@@ -1,15 +1,16 @@
 #pragma once
 
 #include <kernels/boundary/external_work.hpp>
+#include <kernels/node_update.hpp>
 #include <solver/model/model.hpp>
 #include <solver/model/node_spans.hpp>
 
 namespace pinball {
 
 /// Accelerations, velocities and positions of the nodes that are due (report figure 4, 5-6; node_update.hpp), and zero
-/// forces. Returns their kinetic energy at the time of the forces [energy].
+/// forces.
 template <class S>
-double integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& step);
+MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& step);
 
 /// Of all nodes, with the velocities as they are [energy].
 template <class S>

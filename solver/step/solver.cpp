@@ -66,6 +66,7 @@ Solver<S>::Solver(const Scene& scene)
   }
   require_built(model_, boundary_.any());
   const SmallestStep smallest = check_against_steps(model_.scene, model_.mesh, clock_.longest_impact_step());
+  clock_.expect_impacts(smallest.rate_of_closing);
   many_steps_ = find_many_steps(model_.scene, model_.mesh, smallest);
   near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
@@ -126,10 +127,10 @@ void Solver<S>::make_step(const Due& due) {
   boundary_forces(due);                                         // 1-2  f += loads, damping; ties; constraints, given v
   const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; constraints again
   wall_reactions();                                             //      f += rigid walls
-  const double kinetic = integrate(due);                        // 5-6  v += dt f/m, x += dt v, f = 0
+  const MotionEnergy motion = integrate(due);                   // 5-6  v += dt f/m, x += dt v, f = 0
   reflect_at_symmetry_planes();                                 //      what erosion has set free
   follow_ties();                                                //      tied nodes go where their faces do
-  keep_accounts(due, element, ties + springs + impulses, kinetic);  //      energies, counts, guards
+  keep_accounts(due, element, ties + springs + impulses, motion);  //      energies, counts, guards
   clock_.advance(due);
 }
 
@@ -170,8 +171,10 @@ void Solver<S>::follow_ties() {
 template <class S>
 void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs) {
   timers_.measure(Phase::time_step, [&] {
-    clock_.choose(due, schedule_.bound(model_, due, internal_forces_.tiles(), static_cast<double>(element.time_step),
-                                       element.time_step_slot, springs.frequency2));
+    clock_.choose(due,
+                  schedule_.bound(model_, due, internal_forces_.tiles(), static_cast<double>(element.time_step),
+                                  element.time_step_slot, springs.frequency2),
+                  due.first ? model_.look.closing_speed : std::max(springs.expected_change, boundary_.closing()));
   });
 }
 
@@ -208,15 +211,15 @@ void Solver<S>::wall_reactions() {
                   [&] { boundary_.add_wall_reactions(nodes(), clock_.time(), clock_.lengths()); });
 }
 
-/// Returns the kinetic energy at the time of the forces, of the nodes that are integrated in this step of the cycle.
+/// Returns the energies of the nodes that are integrated in this step of the cycle.
 template <class S>
-double Solver<S>::integrate(const Due& due) {
+MotionEnergy Solver<S>::integrate(const Due& due) {
   return timers_.measure(Phase::integration, [&] {
     if (due.all() && body_energies_.any()) body_energies_.take_kinetic(model_, clock_.lengths());
     if (device_) return device_->integrate(clock_.lengths());
-    const double kinetic = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths());
+    const MotionEnergy motion = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths());
     schedule_.end_step(model_.nodes);
-    return kinetic;
+    return motion;
   });
 }
 
@@ -229,18 +232,19 @@ void Solver<S>::reflect_at_symmetry_planes() {
 /// The total of the energies is checked where all elements are at one time.
 template <class S>
 void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
-                              double kinetic) {
+                              const MotionEnergy& motion) {
   ledger_.book(element, contact, boundary_.work(), clock_.dt_before());
   body_energies_.book(model_, internal_forces_.tiles());
   counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count(), clock_.force_time());
-  const double energy = kinetic + energies().total();
+  const double energy = motion.kinetic + energies().total();
   if (element.inverted_count > 0 || !std::isfinite(energy)) model();  // where is looked for on the host
   guards_.check_volumes(element);
   watch_corners(element.inside_out_count);
   guards_.check_finite(energy);
   if (!due.all()) return;
   if (due.first) ledger_.set_drift(drift_energy(model_, initial_momentum_), rounding<S>);
-  ledger_.close(due.first, kinetic);
+  ledger_.close(due.first, motion.kinetic);
+  clock_.take_change(motion.change, ledger_.in_motion());
   watch_energies();
   guards_.check_energy(ledger_);
   guards_.check_time_step();

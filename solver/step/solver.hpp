@@ -132,10 +132,11 @@ class Solver {
   void boundary_forces(const Due& due);
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions();
-  double integrate(const Due& due);
+  MotionEnergy integrate(const Due& due);
   void reflect_at_symmetry_planes();
   void follow_ties();
-  void keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact, double kinetic);
+  void keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
+                     const MotionEnergy& motion);
   void watch_corners(std::int64_t inside_out);
   void watch_energies();
 

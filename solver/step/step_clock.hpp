@@ -9,7 +9,7 @@
 
 namespace pinball {
 
-/// What set the smallest step of a run.
+/// What set the smallest step of a run: impact_speed is the way that bodies make in a step, or what stops them.
 enum class StepLimit { none, element, contact, impact_speed };
 
 /// Where a run is in time, and how long its steps are. Between two steps positions belong to time(), forces, stresses
@@ -38,8 +38,14 @@ class StepClock {
   /// No step is longer from now on, whatever is stable (longest_contact_step).
   void limit_by_impact_speed(double step);
   double longest_impact_step() const { return longest_impact_step_; }
+  /// rate_of_closing: of SmallestStep [1/length].
+  void expect_impacts(double rate_of_closing) { rate_of_closing_ = rate_of_closing; }
   /// The forces of time() are known, and with them what bounds the coming step, or cycle of steps.
-  void choose(const Due& due, const StepBound& bound);
+  /// closing: largest change of velocity that contact or a wall will give to what it stops first in the coming steps
+  /// [length/time].
+  void choose(const Due& due, const StepBound& bound, double closing);
+  /// After the step. change: of MotionEnergy; in_motion: of EnergyLedger [energy].
+  void take_change(double change, double in_motion);
   /// The positions have moved.
   void advance(const Due& due);
 
@@ -47,12 +53,16 @@ class StepClock {
 
  private:
   double longest_step(double stable) const;
+  double step_into_impact(double stable, double closing) const;
+  bool may_be_raised(double step) const;
 
   double end_, cfl_, damping_;
   std::int64_t steps_at_end_;
   double time_ = 0, force_time_ = 0, dt_ = 0, dt_before_ = 0;
   std::int64_t steps_ = 0;
   double longest_impact_step_;  ///< from the velocities at the start or after a change; infinite without contact [time]
+  double rate_of_closing_ = 0;
+  double change_ = 0;  ///< largest share of the energy in motion that velocities were changed by of late [-]
   double dt_min_ = 0, dt_max_ = 0;
   StepLimit limited_by_ = StepLimit::none;
   std::int64_t limiting_slot_ = -1;

@@ -86,8 +86,8 @@ TEST_P(ContactProtocol, TheStageThatIsNotDueDoesNothing) {
 }
 
 TEST(ContactWork, AddsWhatSumsAndKeepsTheLargestOfTheRest) {
-  ContactWork work{1, 2, 3, 4, 0.5, 6, 7, {1, 9, 9, 0, 0}};
-  work += {10, 20, 30, 40, 0.25, 60, 70, {1, 20, 20, 1, 0}};
+  ContactWork work{1, 2, 3, 4, 0.5, 6, 7, 8, {1, 9, 9, 0, 0}};
+  work += {10, 20, 30, 40, 0.25, 60, 70, 5, {1, 20, 20, 1, 0}};
   EXPECT_EQ(work.stored, 11);
   EXPECT_EQ(work.eroded, 22);
   EXPECT_EQ(work.damped_power, 33);
@@ -97,6 +97,7 @@ TEST(ContactWork, AddsWhatSumsAndKeepsTheLargestOfTheRest) {
   EXPECT_EQ(work.sweeps.largest, 20);
   EXPECT_EQ(work.pairs, 66);
   EXPECT_EQ(work.frequency2, 70);
+  EXPECT_EQ(work.expected_change, 8);
 }
 
 TEST(ContactLedger, SumsPowerByTheTrapezoidalRuleAndGoesOnAfterARestart) {

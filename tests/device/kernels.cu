@@ -130,10 +130,12 @@ __global__ void write_what_bits_tell(const unsigned* bits, const double* from, d
 }
 
 template <class S>
-__global__ void integrate_nodes(S* position, S* velocity, S* force, const S* inverse_mass, const S* normal, S dt) {
+__global__ void integrate_nodes(S* position, S* velocity, S* force, const S* inverse_mass, const S* normal, S dt,
+                                MotionEnergy* energy) {
   const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   constrain_node(force + 4 * node, velocity + 4 * node, normal);
-  integrate_node(position + 4 * node, velocity + 4 * node, force + 4 * node, inverse_mass[node], dt, dt, dt);
+  energy[node].add(1.0, integrate_node(position + 4 * node, velocity + 4 * node, force + 4 * node, inverse_mass[node], dt,
+                                       dt, dt));
 }
 
 template <class S>
@@ -201,7 +203,7 @@ void instantiate_boundary() {
   call_on_all<<<1, 32>>>(MoveNodes<S>{});
   call_on_all<<<1, 32>>>(ReflectNodes<S>{});
   add_up_numbers<<<1, 32>>>(EnergyAlong<S>{}, nullptr);
-  add_up_numbers<<<1, 32>>>(StopAtWall<S>{}, nullptr);
+  add_up<<<1, 32>>>(StopAtWall<S>{}, static_cast<WallStop*>(nullptr));
   add_up<<<1, 32>>>(ForceOfTable<double, NodeConstraint<S>>{}, static_cast<ForceSum*>(nullptr));
   add_up<<<1, 32>>>(ForceOfTable<S, NodePrescription<S>>{}, static_cast<ForceSum*>(nullptr));
   add_up<<<1, 32>>>(PushWall<S>{}, static_cast<WallPush*>(nullptr));
@@ -229,7 +231,7 @@ void instantiate() {
   box_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   find_meeting_boxes<S><<<1, 32>>>({}, nullptr);
   find_meeting_balls<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
-  integrate_nodes<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, S(0));
+  integrate_nodes<S><<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, S(0), nullptr);
 }
 
 }  // namespace

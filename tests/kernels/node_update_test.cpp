@@ -16,14 +16,15 @@ TEST(IntegrateNode, IsTheCentralDifferenceStep) {
   Node n;
   n.position[0] = 1, n.velocity[0] = 2, n.force[0] = 3;
   n.position[1] = -1, n.velocity[1] = -2, n.force[1] = 0.5;
-  const double product = integrate_node(n.position, n.velocity, n.force, 0.5, 0.2, 0.3, 0.1);
+  const NodeMotion<double> motion = integrate_node(n.position, n.velocity, n.force, 0.5, 0.2, 0.3, 0.1);
   EXPECT_DOUBLE_EQ(n.velocity[0], 2 + 0.2 * 1.5);
   EXPECT_DOUBLE_EQ(n.position[0], 1 + 0.3 * 2.3);
   EXPECT_DOUBLE_EQ(n.velocity[1], -2 + 0.2 * 0.25);
   EXPECT_DOUBLE_EQ(n.position[1], -1 - 0.3 * 1.95);
   EXPECT_EQ(n.velocity[2], 0);
-  EXPECT_DOUBLE_EQ(product, 2 * (2 + 0.1 * 1.5) + 2 * (2 - 0.1 * 0.25));  // with the step before
-  for (const double f : n.force) EXPECT_EQ(f, 0);                         // cleared for the next step, spare included
+  EXPECT_DOUBLE_EQ(motion.kinetic, 2 * (2 + 0.1 * 1.5) + 2 * (2 - 0.1 * 0.25));  // with the step before
+  EXPECT_NEAR(motion.change, 0.3 * 0.3 + 0.05 * 0.05, 1e-15);  // of differences of numbers of the size of 2
+  for (const double f : n.force) EXPECT_EQ(f, 0);              // cleared for the next step, spare included
   EXPECT_EQ(n.position[3], 7);
   EXPECT_EQ(n.velocity[3], 8);
 }
@@ -31,7 +32,7 @@ TEST(IntegrateNode, IsTheCentralDifferenceStep) {
 TEST(IntegrateNode, LeavesANodeAtRestToTheBit) {
   Node n;
   n.position[0] = 0.1, n.position[1] = -0.2, n.position[2] = 0.3;
-  EXPECT_EQ(integrate_node(n.position, n.velocity, n.force, 3.0, 0.2, 0.3, 0.2), 0);
+  EXPECT_EQ(integrate_node(n.position, n.velocity, n.force, 3.0, 0.2, 0.3, 0.2).kinetic, 0);
   EXPECT_EQ(n.position[0], 0.1);
   EXPECT_EQ(n.position[1], -0.2);
   EXPECT_EQ(n.position[2], 0.3);
@@ -69,7 +70,7 @@ TEST(IntegrateNode, BalancesKineticEnergyAndTrapezoidalWork) {
       if (i > 0) work += 0.5 * dt * n.velocity[c] * (force[c] + previous_force[c]);
       n.force[c] = previous_force[c] = force[c];
     }
-    const double kinetic = 0.5 * mass * integrate_node(n.position, n.velocity, n.force, 1 / mass, dt, dt, dt);
+    const double kinetic = 0.5 * mass * integrate_node(n.position, n.velocity, n.force, 1 / mass, dt, dt, dt).kinetic;
     if (i == 0) kinetic_start = kinetic;
     ASSERT_NEAR(kinetic - kinetic_start, work, 1e-11);
   }

@@ -57,7 +57,7 @@ TEST(Comparison, ErodingVariantsEndAsSingleRunsDo) {
 
 TEST(Comparison, KeepsCurvesWhereAskedTo) {
   const auto variants =
-      variants_of("rod_plate", {"contact.enforcement=penalty,projection"}, {.set = {"time.end=8e-6"}});
+      variants_of("rod_plate", {"contact.enforcement=penalty,projection"}, {.set = {"time.end=4e-6"}});
   const std::vector<VariantRuns> with = run_comparison(variants, {2, true, true}),
                                  without = run_comparison(variants, {1, true});
   for (std::size_t i = 0; i < with.size(); ++i) {

@@ -83,8 +83,8 @@ class WallKernels {
   virtual void clear_reactions() = 0;
   /// What the nodes do to the wall.
   virtual WallPush push(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) = 0;
-  /// Sets the reactions and adds them to the forces; returns their sum along the normal.
-  virtual double stop(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) = 0;
+  /// Sets the reactions and adds them to the forces.
+  virtual WallStop stop(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) = 0;
   /// Of the reactions, when all forces are known.
   virtual void add_work(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const StepLengths& step,
                         ExternalWork& sum) = 0;

@@ -25,8 +25,8 @@ class SpaceWall final : public WallKernels<S> {
     add_sum<Space>("push on a rigid wall", count(), PushWall<S>{nodes, wall, of(), step}, sum);
     return sum;
   }
-  double stop(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) override {
-    double sum = 0;
+  WallStop stop(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) override {
+    WallStop sum;
     add_sum<Space>("rigid wall", count(), StopAtWall<S>{nodes, wall, of(), step}, sum);
     return sum;
   }

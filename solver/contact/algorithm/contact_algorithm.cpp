@@ -27,7 +27,9 @@ template <class S>
 ContactWork ContactAlgorithm<S>::before_step(const SurfaceSource<S>& source, double dt) {
   if (!impulses_) return spring_forces(source, static_cast<S>(dt));
   collect_impulses(source, dt);
-  return {};
+  ContactWork work;
+  work.expected_change = impulses_->expected_change(source, dt);
+  return work;
 }
 
 template <class S>

@@ -27,8 +27,10 @@ struct ContactWork {
   double penetration_ratio = 0;  ///< largest penetration over the size of the pair, R1 + R2 [-]
   std::int64_t pairs = 0;        ///< pairs in contact
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
-  SweepCounts sweeps;            ///< for impulses by lagrange
-  std::int32_t deepest = -1;     ///< a node of the pair of the largest penetration; negative: there is none
+  /// Largest change of velocity that impulses will give to what comes to touch in the coming steps [length/time].
+  double expected_change = 0;
+  SweepCounts sweeps;         ///< for impulses by lagrange
+  std::int32_t deepest = -1;  ///< a node of the pair of the largest penetration; negative: there is none
 
   /// Of two stages of one step together.
   ContactWork& operator+=(const ContactWork& other) {
@@ -42,6 +44,7 @@ struct ContactWork {
     }
     pairs += other.pairs;
     frequency2 = std::max(frequency2, other.frequency2);
+    expected_change = std::max(expected_change, other.expected_change);
     sweeps += other.sweeps;
     return *this;
   }

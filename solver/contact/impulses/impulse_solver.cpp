@@ -136,6 +136,33 @@ void ImpulseSolver<S>::limit_depth(const SurfaceSource<S>& /*source*/, std::size
   pair.memory.depth = std::max(0.0, pair.depth);
 }
 
+/// Part of the closing velocity of a row that the more mobile of its sides takes: 1/2 between equal ones.
+template <class S>
+double ImpulseSolver<S>::mobile_share(const SurfaceSource<S>& source, const RowView& row) const {
+  const Point a{row.direction[0], row.direction[1], row.direction[2]};
+  double mobility[2] = {0, 0};
+  for (int k = 0; k < row.nodes; ++k) {
+    const std::int32_t n = node_[row.node[k]];
+    double free = 1;
+    for (const Point& held : held_.of(n)) free -= std::pow(held[0] * a[0] + held[1] * a[1] + held[2] * a[2], 2);
+    mobility[row.weight[k] < 0] += std::abs(row.weight[k]) * free * static_cast<double>(source.inverse_mass[n]);
+  }
+  const double larger = std::max(mobility[0], mobility[1]);
+  return larger > 0 ? larger / (mobility[0] + mobility[1]) : 0.0;
+}
+
+template <class S>
+double ImpulseSolver<S>::expected_change(const SurfaceSource<S>& source, double dt) const {
+  double largest = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const double closing = pairs_[i].rate_before;
+    if (closing > largest && pairs_[i].depth + 2 * dt * closing > 0) {
+      largest = std::max(largest, closing * mobile_share(source, rows_[i]));
+    }
+  }
+  return largest;
+}
+
 /// Velocities v* and what held directions leave of the inverse masses.
 template <class S>
 void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocity_step) {

@@ -84,6 +84,9 @@ class ImpulseSolver {
   void set_ties(const TiedNodes<S>* ties) { ties_ = ties; }
   /// All rows are there. dt: the step just made.
   void finish_rows(const SurfaceSource<S>& source, double dt);
+  /// Largest change of velocity that stopping a gap will give one of its sides, of the gaps that close within two steps
+  /// like the one just made; after finish_rows. By mean masses of the nodes on both sides [length/time].
+  double expected_change(const SurfaceSource<S>& source, double dt) const;
 
   /// Solves for the impulses of the coming step and adds the forces that give them to the nodes.
   /// Loads, constraints and prescribed velocities must already be in the node forces and velocities; what the forces of
@@ -124,6 +127,8 @@ class ImpulseSolver {
     double taken;              ///< the same without friction [energy]
     PairMemory memory;
   };
+
+  double mobile_share(const SurfaceSource<S>& source, const RowView& row) const;
 
   /// Where a node stands last in a row.
   struct LastEntry {

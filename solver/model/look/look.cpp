@@ -92,14 +92,20 @@ class LookAt {
     if (meetings_.fastest) {
       const Meeting& met = *meetings_.fastest;
       const double share = is_held(met.first) || is_held(met.second) ? 1.0 : 0.5;  // of free bodies each takes half
-      if (scene_.contact.method != ContactMethod::none) look_.impact_speed = share * met.speed;
+      if (scene_.contact.method != ContactMethod::none) {
+        if (scene_.contact.enforcement != Enforcement::penalty) look_.closing_speed = met.speed;
+        look_.impact_speed = share * met.speed;
+      }
       const double wave = std::min(wave_of_body(met.first), wave_of_body(met.second));
       if (met.speed > wave) tell_speed(fmt::format("bodies {} meet", names(met)), met.speed, wave);
     }
     bool told = false;
     for (const Mover& mover : movers_.all) {
       const double wave = wave_of_body(mover.bodies.front());
-      if (mover.meets_wall) look_.impact_speed = std::max(look_.impact_speed, mover.speed);
+      if (mover.meets_wall) {
+        look_.closing_speed = std::max(look_.closing_speed, mover.speed);
+        look_.impact_speed = std::max(look_.impact_speed, mover.speed);
+      }
       if (!mover.meets_wall || mover.speed <= wave || told) continue;
       told = true;
       tell_speed(fmt::format("body {} and a rigid wall meet",

@@ -14,7 +14,8 @@ struct Look {
   std::vector<std::string> unlikely;  ///< what nobody is likely to mean, a sentence each
   std::string cause;                  ///< the one of them that a run which fails owes it to; empty: none
   std::string contact_because;        ///< why contact is on or off, where the scene leaves it open
-  double impact_speed = 0;            ///< that a body takes in the fastest impact; 0: none is expected [length/time]
+  double closing_speed = 0;  ///< of the fastest impact that is not on springs; 0: none is expected [length/time]
+  double impact_speed = 0;   ///< that a body takes in the fastest impact; 0: none is expected [length/time]
 };
 
 /// Looks at units and materials, at speeds beside those of waves, at what can meet what and whether anything does, and
