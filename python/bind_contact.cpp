@@ -260,7 +260,10 @@ void bind_contact(py::module_& module) {
            py::arg("held_node") = none, py::arg("held_direction") = none,
            "position: (nodes, 3), undeformed [length]; mass: (nodes,) [mass]; corners: (elements, 8), int32 or int64; "
            "body, part: (elements,); bulk_modulus: (elements,) or (parts,) [stress]; sphere_*: (spheres,); held_node: "
-           "(held,), held_direction: (held, 3). Options by name: method, enforcement, gap, radius (texts), beta, "
+           "(held,), held_direction: (held, 3). Spheres meet the faces of elements, whatever their radius; with gap = "
+           "'pinball' "
+           "the balls of elements, between which small ones fall. Options by name: method, enforcement, gap, radius "
+           "(texts), beta, "
            "damping, friction, static_friction, radius_factor, skin, self, keep_lists, threads, first_index. Arrays of "
            "the right type without gaps are used where they lie and have to stay unchanged; others are copied.")
       .def("update", &ContactObject::update, py::arg("position"), py::arg("velocity"), py::arg("dt_before"),

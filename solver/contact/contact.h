@@ -84,7 +84,8 @@ enum pinball_contact_enforcement {
   PINBALL_CONTACT_PROJECTION = 1,
   PINBALL_CONTACT_LAGRANGE = 2
 };
-/** What impulses keep from closing: the distance of balls, or that of the faces that look at each other. */
+/** What impulses keep from closing: the distance of balls, or that of the faces that look at each other. With springs:
+ * whether spheres meet the balls of elements, between which small ones fall, or their faces. */
 enum pinball_contact_gap { PINBALL_CONTACT_GAP_PINBALL = 0, PINBALL_CONTACT_GAP_FACE = 1 };
 /** Radii of balls: of the undeformed elements, or of their present volumes. */
 enum pinball_contact_radius { PINBALL_CONTACT_RADIUS_INITIAL = 0, PINBALL_CONTACT_RADIUS_CURRENT = 1 };
@@ -105,7 +106,7 @@ typedef struct pinball_contact_options {
   int32_t first_index;     /**< number of the first node: 0, or 1 as in Fortran; 0 */
   int32_t method;          /**< pinball_contact_method; PINBALL_CONTACT_PINBALL */
   int32_t enforcement;     /**< pinball_contact_enforcement; PINBALL_CONTACT_PENALTY */
-  int32_t gap;             /**< pinball_contact_gap, for impulses of pinballs; PINBALL_CONTACT_GAP_FACE */
+  int32_t gap;             /**< pinball_contact_gap, of pinballs; PINBALL_CONTACT_GAP_FACE */
   int32_t radius;          /**< pinball_contact_radius; PINBALL_CONTACT_RADIUS_INITIAL, without which no spheres */
   int32_t self;            /**< 1: a body may touch itself; 1 */
   int32_t keep_lists;      /**< 1: lists of what may touch serve many steps, with the same results; 1 */

@@ -20,6 +20,7 @@ ROOMS = {
     "contact/impulses": ["solver/contact/impulses/"],
     "contact/algorithm": ["solver/contact/algorithm/"],
     "contact/segments": ["solver/contact/segments/"],
+    "contact/spheres": ["solver/contact/spheres/"],
     "contact/pinball": ["solver/contact/pinball/"],
     "contact/faces": ["solver/contact/faces/"],
     "contact/slideline": ["solver/contact/slideline/"],

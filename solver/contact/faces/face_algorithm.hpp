@@ -7,12 +7,12 @@
 #include <solver/contact/algorithm/contact_algorithm.hpp>
 #include <solver/contact/segments/edge_table.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
+#include <solver/contact/spheres/sphere_surface.hpp>
 
 #include "edge_rows.hpp"
 #include "feature_lists.hpp"
 #include "node_rows.hpp"
 #include "sphere_rows.hpp"
-#include "sphere_surface.hpp"
 
 namespace pinball {
 

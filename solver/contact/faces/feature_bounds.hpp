@@ -8,9 +8,9 @@
 #include <solver/contact/search/surface_motion.hpp>
 #include <solver/contact/segments/edge_table.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
+#include <solver/contact/spheres/sphere_surface.hpp>
 
 #include "feature_row.hpp"
-#include "sphere_surface.hpp"
 
 namespace pinball {
 

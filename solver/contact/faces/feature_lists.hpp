@@ -11,10 +11,10 @@
 #include <solver/contact/search/surface_motion.hpp>
 #include <solver/contact/segments/edge_table.hpp>
 #include <solver/contact/segments/segment_surface.hpp>
+#include <solver/contact/spheres/sphere_surface.hpp>
 
 #include "feature_bounds.hpp"
 #include "sorted_pairs.hpp"
-#include "sphere_surface.hpp"
 
 namespace pinball {
 

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include <solver/contact/segments/segment_surface.hpp>
+#include <solver/contact/spheres/sphere_surface.hpp>
 
 #include "feature_lists.hpp"
 #include "feature_row.hpp"
-#include "sphere_surface.hpp"
 
 namespace pinball {
 

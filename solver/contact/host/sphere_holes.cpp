@@ -34,8 +34,7 @@ double widest_hole(const ContactElement& element, unsigned exposed, double radiu
 
 template <class S>
 std::string sphere_holes(const ContactSettings& settings, const SurfaceSource<S>& source, const Surface& surface) {
-  const bool faces = settings.gap == ContactGap::face && settings.enforcement != Enforcement::penalty;
-  if (settings.method != ContactMethod::pinball || faces) return "";
+  if (settings.method != ContactMethod::pinball || settings.gap == ContactGap::face) return "";
   double smallest = INFINITY, widest = 0;
   std::int64_t spheres = 0;
   for (const bool count : {false, true}) {
@@ -52,11 +51,9 @@ std::string sphere_holes(const ContactSettings& settings, const SurfaceSource<S>
     }
   }
   if (spheres == 0) return "";
-  return message_of(
-      "mesh->sphere_radius: ", spheres, " spheres, the smallest of radius ", smallest,
-      ", may fall between the balls of elements, at nodes of faces where holes are up to ", widest,
-      ": try options->enforcement = PINBALL_CONTACT_LAGRANGE with options->gap = PINBALL_CONTACT_GAP_FACE, "
-      "or a larger options->radius_factor");
+  return message_of("mesh->sphere_radius: ", spheres, " spheres, the smallest of radius ", smallest,
+                    ", may fall between the balls of elements, at nodes of faces where holes are up to ", widest,
+                    ": try options->gap = PINBALL_CONTACT_GAP_FACE, or a larger options->radius_factor");
 }
 
 template std::string sphere_holes(const ContactSettings&, const SurfaceSource<double>&, const Surface&);

@@ -11,16 +11,17 @@ namespace pinball {
 
 template <class S>
 void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self, ContactSearch how,
-                        const ContactPairs* pairs) {
+                        const ContactPairs* pairs, bool spheres_apart) {
+  const Wanted wanted{pinballs, pairs, spheres_apart};
   remember();
   boxes_.build(balls);
   collect_references(pinballs);
   has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
   constexpr std::int64_t most_met = 300;  // above, the tree takes longer (docs/performance.md)
   if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups, most_met) == ContactSearch::hash) {
-    find_by_hash(pinballs, self, pairs);
+    find_by_hash(pinballs, self, wanted);
   } else {
-    find(pinballs, self, pairs);
+    find(pinballs, self, wanted);
   }
   number(pinballs);
   recall();
@@ -51,7 +52,7 @@ void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
 
 /// The pairs of each piece, and which pinballs have any.
 template <class S>
-void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs) {
+void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted) {
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   parallel_for("neighbours", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
@@ -69,14 +70,14 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const Cont
       leave_out(self, group, groups);
       NearBalls<S>::leave_out_passing(tree, own, groups);
       leave_out_neighbours(pinballs, group, groups);
-      if (pairs != nullptr) leave_out_apart(pinballs, *pairs, group, groups);
+      if (!wanted.all()) leave_out_unwanted(wanted, group, groups);
       append(group, groups, found);
     }
   });
 }
 
 template <class S>
-void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs) {
+void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted) {
   by_hash_.find(pinballs, boxes_.view(), reference_.data(), self);
   parallel_for("pairs by a hash", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const auto firsts = by_hash_.pairs().firsts(piece), seconds = by_hash_.pairs().seconds(piece);
@@ -84,7 +85,7 @@ void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self, co
     found.first.assign(firsts.begin(), firsts.end());
     found.second.assign(seconds.begin(), seconds.end());
     found.pairs = firsts.size();
-    if (pairs != nullptr) keep_allowed(pinballs, *pairs, found);
+    if (!wanted.all()) keep_wanted(wanted, found);
     for (std::size_t pair = 0; pair < found.pairs; ++pair) {
       mark(found.first[pair]);
       mark(found.second[pair]);
@@ -130,8 +131,8 @@ void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::
 }
 
 template <class S>
-void PairList<S>::leave_out_apart(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::int32_t group,
-                                  std::span<typename NearBalls<S>::Group> near) const {
+void PairList<S>::leave_out_unwanted(const Wanted& wanted, std::int32_t group,
+                                     std::span<typename NearBalls<S>::Group> near) {
   constexpr int G = ball_group<S>;
   for (auto& other : near) {
     for (int w = 0; w < other.balls.words; ++w) {
@@ -139,18 +140,18 @@ void PairList<S>::leave_out_apart(const SurfacePinballs<S>& pinballs, const Cont
         const int bit = 64 * w + __builtin_ctzll(bits);
         const auto a = static_cast<std::size_t>(group * G + bit / G);
         const auto b = static_cast<std::size_t>(other.number * G + bit % G);
-        if (!may_touch(pinballs, pairs, a, b)) other.balls.clear_in_row(bit / G, 1U << bit % G);
+        if (!wanted(a, b)) other.balls.clear_in_row(bit / G, 1U << bit % G);
       }
     }
   }
 }
 
 template <class S>
-void PairList<S>::keep_allowed(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, Found& found) {
+void PairList<S>::keep_wanted(const Wanted& wanted, Found& found) {
   std::size_t kept = 0;
   for (std::size_t pair = 0; pair < found.pairs; ++pair) {
     const std::int32_t first = found.first[pair], second = found.second[pair];
-    if (!may_touch(pinballs, pairs, static_cast<std::size_t>(first), static_cast<std::size_t>(second))) continue;
+    if (!wanted(static_cast<std::size_t>(first), static_cast<std::size_t>(second))) continue;
     found.first[kept] = first;
     found.second[kept++] = second;
   }
@@ -158,9 +159,10 @@ void PairList<S>::keep_allowed(const SurfacePinballs<S>& pinballs, const Contact
 }
 
 template <class S>
-bool PairList<S>::may_touch(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::size_t a,
-                            std::size_t b) {
-  return pairs.elements(pinballs.slot[a], pinballs.corners[a], pinballs.slot[b], pinballs.corners[b]).may;
+bool PairList<S>::Wanted::operator()(std::size_t a, std::size_t b) const {
+  if (spheres_apart && pinballs.is_sphere(a) != pinballs.is_sphere(b)) return false;
+  return pairs == nullptr ||
+         pairs->elements(pinballs.slot[a], pinballs.corners[a], pinballs.slot[b], pinballs.corners[b]).may;
 }
 
 template <class S>

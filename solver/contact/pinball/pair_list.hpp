@@ -30,9 +30,10 @@ class PairList {
   };
 
   /// Builds the list from nothing. balls: one per pinball; self: a body may touch itself; how: the list is the same;
-  /// pairs: of the scene, which may touch, or null.
+  /// pairs: of the scene, which may touch, or null; spheres_apart: balls of spheres meet each other alone.
   void build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>& balls, bool self,
-             ContactSearch how = ContactSearch::automatic, const ContactPairs* pairs = nullptr);
+             ContactSearch how = ContactSearch::automatic, const ContactPairs* pairs = nullptr,
+             bool spheres_apart = false);
   double stored_energy() const;  ///< of the springs of all pairs [energy]
 
   std::int32_t size() const { return static_cast<std::int32_t>(listed_.size()); }  ///< pinballs that have a pair
@@ -74,19 +75,25 @@ class PairList {
   /// First of all pinballs of a piece.
   std::int32_t piece_begin(std::int64_t piece) const;
   void collect_references(const SurfacePinballs<S>& pinballs);
-  void find(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs);
-  void find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const ContactPairs* pairs);
+  /// Of two pinballs, by their numbers: whether their pair is wanted, and whether there are some that are not.
+  struct Wanted {
+    const SurfacePinballs<S>& pinballs;
+    const ContactPairs* pairs;
+    bool spheres_apart;
+    bool all() const { return pairs == nullptr && !spheres_apart; }
+    bool operator()(std::size_t a, std::size_t b) const;
+  };
+  void find(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted);
+  void find_by_hash(const SurfacePinballs<S>& pinballs, bool self, const Wanted& wanted);
   /// What may come near the balls of a group without what is listed already, and without pairs of one body that were
   /// not apart in the undeformed mesh.
   void leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const;
   /// The same without pairs of elements that share a corner.
   void leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::int32_t group,
                             std::span<typename NearBalls<S>::Group> near) const;
-  /// What the pairs of the scene let touch.
-  static bool may_touch(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::size_t a, std::size_t b);
-  void leave_out_apart(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, std::int32_t group,
-                       std::span<typename NearBalls<S>::Group> near) const;
-  static void keep_allowed(const SurfacePinballs<S>& pinballs, const ContactPairs& pairs, Found& found);
+  static void leave_out_unwanted(const Wanted& wanted, std::int32_t group,
+                                 std::span<typename NearBalls<S>::Group> near);
+  static void keep_wanted(const Wanted& wanted, Found& found);
   void append(std::int32_t group, std::span<const typename NearBalls<S>::Group> near, Found& found);
   void mark(std::int32_t pinball);
   void number(const SurfacePinballs<S>& pinballs);

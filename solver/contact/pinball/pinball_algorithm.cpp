@@ -41,7 +41,11 @@ S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 
 template <class S>
 PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const SurfaceSource<S>& source,
                                       InitialSurface start)
-    : ContactAlgorithm<S>(settings, source, start), surface_(std::move(start.topology)) {
+    : ContactAlgorithm<S>(settings, source, start),
+      on_faces_(SphereSprings<S>::wanted(settings, source, start.topology)
+                    ? std::make_unique<SphereSprings<S>>(settings, source, start.topology)
+                    : nullptr),
+      surface_(std::move(start.topology)) {
   penalty_ = {static_cast<S>(settings.beta), static_cast<S>(settings.damping)};
   std::vector<std::int32_t> exposed;
   for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
@@ -81,6 +85,10 @@ void PinballAlgorithm<S>::update_surface(const SurfaceSource<S>& source, const s
     for (const std::int32_t slot : surface_.uncovered()) {
       uncovered_.push_back(slot);
       list_valid_ = list_valid_ && all_.chosen[slot] != 0;
+    }
+    if (on_faces_) {
+      lost_energy_ += on_faces_->remove_eroded(eroded);
+      list_valid_ = list_valid_ && on_faces_->complete();
     }
   }
   update_geometry(source);
@@ -153,7 +161,8 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
                factor * radius + motion_.allowance(all_.corners[p]));
   });
   const double stored_before = this->lists_outdated_ ? list_.stored_energy() : 0.0;
-  list_.build(all_, balls_, this->settings_.self, this->settings_.search, this->pairs_.get());
+  list_.build(all_, balls_, this->settings_.self, this->settings_.search, this->pairs_.get(), on_faces_ != nullptr);
+  if (on_faces_) on_faces_->build(source, motion_, horizon);
   if (this->lists_outdated_) ended_energy_ += stored_before - list_.stored_energy();
   this->lists_outdated_ = false;
   list_valid_ = true;
@@ -187,13 +196,15 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   for (const std::int32_t node : node_) is_listed_[node] = 0;
   node_.clear();
   is_listed_.resize(static_cast<std::size_t>(source.node_count), 0);
-  for (const auto& corners : pinballs_.corners) {
-    for (const std::int32_t node : corners) {
+  const auto add = [this](const auto& nodes) {
+    for (const std::int32_t node : nodes) {
       std::uint8_t& listed = is_listed_[node];
       if (listed == 0) node_.push_back(node);
       listed = 1;
     }
-  }
+  };
+  for (const auto& corners : pinballs_.corners) add(corners);
+  if (on_faces_) add(on_faces_->listed_nodes());
 }
 
 template <class S>
@@ -205,7 +216,7 @@ void PinballAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, doubl
 }
 
 template <class S>
-ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& /*source*/, S dt) {
+ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& source, S dt) {
   clock_.count_step(dt);
   const PairSums<S> sums = pair_forces_.compute(pinballs_.view(), penalty_, list_, dt, pinballs_.force.data());
   ContactWork work;
@@ -216,6 +227,17 @@ ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& /*source*
   work.penetration_ratio = static_cast<double>(sums.penetration_ratio);
   if (sums.deepest >= 0) work.deepest = pinballs_.corners[sums.deepest][0];
   work.pairs = sums.pairs;
+  if (on_faces_) {
+    const SphereSums spheres = on_faces_->compute(source, static_cast<double>(dt));
+    ContactWork of_spheres;
+    of_spheres.stored = spheres.stored;
+    of_spheres.damped_power = spheres.damped;
+    of_spheres.dissipated = spheres.lost;
+    of_spheres.penetration_ratio = spheres.penetration_ratio;
+    of_spheres.deepest = spheres.deepest;
+    of_spheres.pairs = spheres.pairs;
+    work += of_spheres;
+  }
   return work;
 }
 
@@ -239,6 +261,7 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
                             }
                           }
                         });
+  if (on_faces_) on_faces_->add_forces(source);
   // Gershgorin: a pair of stiffness p2 enters the row of each of its 16 nodes with p2/8 (8/8 + 8/8) / m_I.
   S largest = 0;
   parallel_reduce(
@@ -285,6 +308,7 @@ void PinballAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const 
       }
     }
   }
+  if (on_faces_) on_faces_->add_node_forces(node_force);
   if (this->impulses_) this->impulses_->add_node_forces(node_force);
 }
 
@@ -309,7 +333,8 @@ template <class S>
 std::size_t PinballAlgorithm<S>::bytes() const {
   return pinballs_.bytes() + list_.bytes() + pair_forces_.bytes() + surface_.bytes() + all_.bytes() +
          all_before_.bytes() + balls_.bytes() + motion_.bytes() + radius_.capacity() * sizeof(S) +
-         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() + (this->impulses_ ? this->impulses_->bytes() : 0);
+         node_.capacity() * sizeof(node_[0]) + is_listed_.capacity() +
+         (this->impulses_ ? this->impulses_->bytes() : 0) + (on_faces_ ? on_faces_->bytes() : 0);
 }
 
 template class PinballAlgorithm<double>;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/algorithm/contact_algorithm.hpp>
 #include <solver/contact/search/surface_motion.hpp>
+#include <solver/contact/spheres/sphere_springs.hpp>
 #include <solver/contact/surface/surface.hpp>
 
 #include "pair_forces.hpp"
@@ -30,7 +32,10 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   void add_node_forces(std::vector<Point>& node_force) const override;
   void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_; }
-  ListSize listed() const override { return {list_.size(), list_.pairs(), list_.places()}; }
+  ListSize listed() const override {
+    const std::int64_t of_spheres = on_faces_ ? on_faces_->listed_pairs() : 0;
+    return {list_.size(), list_.pairs() + of_spheres, list_.places() + of_spheres};
+  }
   const std::vector<std::int32_t>* listed_nodes() const override { return &node_; }
   void persist(StateArchive& archive, const SurfaceSource<S>& source) override;
   std::size_t bytes() const override;
@@ -55,6 +60,8 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
   /// Has the motion of the nodes of all pinballs watched.
   void watch_nodes(const SurfaceSource<S>& source);
 
+  /// Null: no spheres, or their balls meet those of elements. Hosts alone have spheres, and they keep no state.
+  std::unique_ptr<SphereSprings<S>> on_faces_;
   Surface surface_;
   std::vector<std::int32_t> uncovered_;  ///< slots, by erosion since the pinballs of the surface were chosen
   SurfacePinballs<S> all_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -29,6 +30,10 @@ struct SurfacePinballs {
   /// radius_factor: on the radii of the elements, but not of spheres [-]; before: memory for what they are until then.
   void update(const SurfaceSource<S>& source, double radius_factor, const Surface& surface,
               const std::vector<std::int32_t>& uncovered, SurfacePinballs& before);
+  /// Whether all corners are one node.
+  bool is_sphere(std::size_t p) const {
+    return std::all_of(corners[p].begin(), corners[p].end(), [&](std::int32_t n) { return n == corners[p][0]; });
+  }
   void persist(StateArchive& archive, const SurfaceSource<S>& source, double radius_factor);
   std::size_t bytes() const;
 

@@ -1,0 +1,103 @@
+#include "near_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "outward.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// What two distances of one point differ by at most that were found from two faces, over the distance [-].
+constexpr double round_off = 1e-9;
+
+}  // namespace
+
+template <class S>
+void NearFaces<S>::collect(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+                           const SphereSurface<S>& spheres, const SphereLists<S>& lists, std::int64_t number) {
+  candidates_.clear();
+  const auto& sphere = spheres.spheres()[static_cast<std::size_t>(number)];
+  const Vec3<double> centre = double_vector_of(source.x(sphere.node));
+  for (std::int64_t place = lists.first(number); place < lists.first(number + 1); ++place) {
+    const std::int32_t s = lists.segment(place);
+    if (!surface.active_segment(s)) continue;
+    const auto& segment = surface.segments()[static_cast<std::size_t>(s)];
+    const double within =
+        std::max(static_cast<double>(sphere.radius), deepest_centre * static_cast<double>(segment.thickness));
+    Vec3<double> x[4];
+    for (int k = 0; k < 4; ++k) x[k] = double_vector_of(source.x(segment.node[k]));
+    const Vec3<double> to = centre - 0.25 * (x[0] + x[1] + x[2] + x[3]);
+    const Vec3<double> diagonal1 = x[2] - x[0], diagonal2 = x[3] - x[1];
+    const double extent2 = std::max(dot(diagonal1, diagonal1), dot(diagonal2, diagonal2));  // no corner is further off
+    if (dot(to, to) > 2 * (within * within + extent2)) continue;
+    const NearestOnFace<double> at = nearest_on_face(x, centre);
+    if (at.distance < within) candidates_.push_back({s, segment.body, at});
+  }
+}
+
+/// Whether no other face that has the same point on its rim comes nearer; of several that do not, the first.
+template <class S>
+bool NearFaces<S>::is_least(const SegmentSurface<S>& surface, const Candidate& candidate) const {
+  if (candidate.at.rim[0] < 0) return true;
+  const auto& own = surface.segments()[static_cast<std::size_t>(candidate.segment)].node;
+  const std::int32_t rim[2] = {own[candidate.at.rim[0]], own[candidate.at.rim[1]]};
+  for (const Candidate& other : candidates_) {
+    if (other.segment == candidate.segment) continue;
+    const auto& node = surface.segments()[static_cast<std::size_t>(other.segment)].node;
+    const auto has = [&node](std::int32_t n) { return std::find(node, node + 4, n) != node + 4; };
+    if (!has(rim[0]) || !has(rim[1])) continue;
+    const bool inside = other.at.rim[0] < 0;
+    if (inside ? other.at.distance <= (1 + round_off) * candidate.at.distance
+               : other.at.distance < candidate.at.distance ||
+                     (other.at.distance == candidate.at.distance && other.segment < candidate.segment)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class S>
+bool NearFaces<S>::is_nearest_of_body(const Candidate& candidate) const {
+  return std::none_of(candidates_.begin(), candidates_.end(), [&](const Candidate& other) {
+    return other.body == candidate.body &&
+           (other.at.distance < candidate.at.distance ||
+            (other.at.distance == candidate.at.distance && other.segment < candidate.segment));
+  });
+}
+
+template <class S>
+const std::vector<FaceTouch>& NearFaces<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+                                                 const SphereSurface<S>& spheres, const SphereLists<S>& lists,
+                                                 std::int64_t number) {
+  collect(source, surface, spheres, lists, number);
+  touches_.clear();
+  const auto radius = static_cast<double>(spheres.spheres()[static_cast<std::size_t>(number)].radius);
+  for (const Candidate& candidate : candidates_) {
+    if (!is_least(surface, candidate)) continue;
+    const Outward outward = outward_at(source, surface, candidate.segment, candidate.at.rim);
+    const double along = dot(candidate.at.away, outward.normal);
+    const bool behind = along < 0;
+    if (behind && !(outward.closed && is_nearest_of_body(candidate))) continue;
+    FaceTouch touch{};
+    touch.segment = candidate.segment;
+    std::copy(std::begin(candidate.at.weight), std::end(candidate.at.weight), touch.weight);
+    touch.depth = radius + (behind ? candidate.at.distance : -candidate.at.distance);
+    if (behind && !(candidate.at.distance <
+                    deepest_centre * static_cast<double>(
+                                         surface.segments()[static_cast<std::size_t>(candidate.segment)].thickness))) {
+      continue;
+    }
+    if (!(touch.depth > 0)) continue;
+    const bool on_the_surface = !(candidate.at.distance > round_off * radius);
+    touch.direction = on_the_surface ? outward.normal : ((behind ? -1 : 1) / candidate.at.distance) * candidate.at.away;
+    touches_.push_back(touch);
+  }
+  return touches_;
+}
+
+template class NearFaces<double>;
+template class NearFaces<float>;
+
+}  // namespace pinball
