@@ -13,11 +13,15 @@ namespace {
 constexpr double moments = 0.1, between_notes = 0.005;  // [s]
 /// Runs that end before anybody has read the line need none.
 constexpr double worth_saying = 2;  // [s]
+/// Part of the elements that lie on the surface, of bodies that are neither thin nor large [-].
+constexpr double usual_surface = 0.5;
 
 }  // namespace
 
 FirstMoments::FirstMoments(const Simulation& simulation, double impact_speed)
-    : forecast_(simulation.scene(), impact_speed), said_(simulation.steps() > 0) {}
+    : forecast_(simulation.scene(), impact_speed,
+                simulation.scene().contact.method == ContactMethod::none ? 0.0 : usual_surface),
+      said_(simulation.steps() > 0) {}
 
 std::string FirstMoments::expected(const Simulation& simulation) {
   if (said_) return "";

@@ -226,9 +226,11 @@ void print_unlikely(const Solver<S>& solver) {
 
 /// Returns the scene with all that its bodies decide.
 template <class S>
-Scene print_info(const Scene& scene, int threads) {
+Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   const Units units = parse_units(scene.units);
+  if (threads > 0) DefaultExecutionSpace::set_concurrency(threads);  // others would wait, and be counted, from now on
   Solver<S> solver(scene);
+  spent.built = processor_seconds();
   DefaultExecutionSpace::set_concurrency(threads > 0 ? threads : earned_threads(solver.element_count()));
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
   fmt::print("  {}; {} precision", units_line(scene.units), sizeof(S) == sizeof(double) ? "double" : "float");
@@ -241,13 +243,14 @@ Scene print_info(const Scene& scene, int threads) {
   print_what_runs(solver, units);
   print_what_is_skipped(solver, units);
   print_unlikely(solver);
-  print_cost(solver, units);
+  print_cost(solver, units, spent);
   return solver.scene();
 }
 
 }  // namespace
 
 int info_command(const InfoOptions& options) {
+  const SpentSoFar spent{processor_seconds()};
   if (options.devices) print_devices();
   if (options.scene.empty()) {
     if (options.devices) return 0;
@@ -258,7 +261,7 @@ int info_command(const InfoOptions& options) {
     const Scene scene = input.read();
     const bool single = scene.precision == Precision::float32;
     const Scene decided =
-        single ? print_info<float>(scene, options.threads) : print_info<double>(scene, options.threads);
+        single ? print_info<float>(scene, options.threads, spent) : print_info<double>(scene, options.threads, spent);
     if (options.devices) print_missing_on_devices(decided);
   });
   return 0;

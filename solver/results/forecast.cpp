@@ -9,12 +9,15 @@ namespace pinball {
 
 namespace {
 
-constexpr double strain_share = 0.55, strain_of_impact = 3.5, most_strain = 4, cost_of_contact = 0.3,
-                 wakes_within = 0.1;
+constexpr double strain_share = 0.6, strain_of_impact = 3.5, most_strain = 3.72, wakes_within = 0.1;
+constexpr double cost_of_contact = 0.2, cost_of_folds = 0.7, cost_of_yielding = 0.25;
+constexpr double steps_of_lists = 20, usual_sweeps = 5;
+/// What a solution costs besides, in sweeps.
+constexpr double fixed_sweeps = 3;
 /// Part of the run after which its own last steps say all.
 constexpr double settled = 0.7;
 
-/// By how much the steps of a run are smaller than its first.
+/// By how much the steps of a run are smaller than its first, in the mean.
 double shrinking(const Scene& scene, double speed) {
   double most = 1;
   for (const Material& m : scene.materials) {
@@ -28,31 +31,56 @@ double shrinking(const Scene& scene, double speed) {
 
 }  // namespace
 
-Forecast::Forecast(const Scene& scene, double speed)
-    : end_(scene.time.end), shrinking_(shrinking(scene, speed)), most_steps_(scene.time.steps), meets_(speed > 0) {}
+double StepPhases::settled(double waking) const {
+  const double all = elements + searches + impulses + others;
+  if (!(all > 0)) return waking;
+  const double list = lists > 0 ? searches / static_cast<double>(lists) : of_list;
+  const double later = list > 0 ? list * static_cast<double>(steps) / steps_of_lists : searches;
+  const double sweeps_part = std::min(1.0, (usual_sweeps + fixed_sweeps) / (sweeps + fixed_sweeps));
+  return (elements * waking + later + impulses * sweeps_part + others) / all;
+}
+
+Forecast::Forecast(const Scene& scene, double speed, double surface)
+    : end_(scene.time.end),
+      shrinking_(shrinking(scene, speed)),
+      contact_(surface * (scene.bodies.size() > 1 ? cost_of_contact : cost_of_folds)),
+      most_steps_(scene.time.steps) {}
 
 void Forecast::take(const RunPlace& place) { places_.push_back(place); }
 
-ExpectedRun Forecast::expected(double at_rest) const {
+double Forecast::seconds_per_step() const {
   const RunPlace &first = places_.front(), &now = places_.back();
-  // The later half of what is known.
+  if (now.steps == first.steps) return now.seconds / static_cast<double>(std::max<std::int64_t>(now.steps, 1));
+  return (now.seconds - first.seconds) / static_cast<double>(now.steps - first.steps);
+}
+
+double Forecast::length_of_steps(double trust) const {
+  const RunPlace &first = places_.front(), &now = places_.back();
+  // Of the later half of what is known.
   const auto half = std::ranges::find_if(
       places_, [&](const RunPlace& place) { return place.seconds >= (first.seconds + now.seconds) / 2; });
   const RunPlace& from = half == places_.end() - 1 && places_.size() > 1 ? places_[places_.size() - 2] : *half;
-  const double steps = std::max(1.0, static_cast<double>(now.steps - from.steps));
-  const double share = std::clamp(now.time / end_, 0.0, 1.0), trust = std::min(1.0, share / settled);
-  const double last = now.time > from.time ? (now.time - from.time) / steps : now.dt;
-  const double shrunk = std::min(last, first.dt / shrinking_);
-  const double step = std::pow(last, trust) * std::pow(shrunk, 1 - trust);
+  const bool known = now.steps > from.steps && now.time > from.time;
+  const double last = known ? (now.time - from.time) / static_cast<double>(now.steps - from.steps) : now.dt;
+  // The first ones may be short for an impact, and what contact bounds is not what elements are stable with.
+  const double longest = std::ranges::max(places_, {}, &RunPlace::dt).dt;
+  return std::pow(last, trust) * std::pow(longest / shrinking_, 1 - trust);
+}
+
+ExpectedRun Forecast::expected(double at_rest, const StepPhases& phases) const {
+  const RunPlace& now = places_.back();
+  const double share = std::clamp(now.time / end_, 0.0, 1.0), trust = std::pow(std::min(1.0, share / settled), 2);
+  const double step = length_of_steps(trust);
   double left = std::max(0.0, end_ - now.time) / step;
   if (most_steps_ >= 0) left = std::min(left, static_cast<double>(most_steps_ - now.steps));
+  left = std::max(left, 0.0);
   at_rest = std::clamp(at_rest, 0.0, 0.95);
   const double will_rest = share > wakes_within ? at_rest : at_rest / 2;
-  double cost = (now.seconds - from.seconds) / steps * (1 - will_rest) / (1 - at_rest);
+  const double yielding = shrinking_ > 1 ? 1 + cost_of_yielding * (1 - trust) : 1;
+  double cost = seconds_per_step() * phases.settled(yielding * (1 - will_rest) / (1 - at_rest));
   const bool touched = std::ranges::any_of(places_, [](const RunPlace& place) { return place.touching; });
-  if (meets_ && !touched) cost *= 1 + cost_of_contact * (1 - trust);
-  left = std::max(left, 0.0);
-  return {static_cast<double>(now.steps) + left, now.seconds + left * cost};
+  if (!touched) cost *= 1 + contact_ * (1 - trust);
+  return {static_cast<double>(now.steps) + left, now.seconds + left * cost, std::min(end_, now.time + left * step)};
 }
 
 }  // namespace pinball
