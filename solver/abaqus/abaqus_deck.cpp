@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t deepest_include = 64;
+constexpr std::size_t deepest_abaqus_include = 64;
 
 /// Takes a line, with its end, off a text.
 std::string_view take_line(std::string_view& rest) {
@@ -41,7 +41,7 @@ std::string title_of(std::string_view words) {
   return title;
 }
 
-class Reader {
+class AbaqusReader {
  public:
   AbaqusDeck read(std::shared_ptr<const std::string> text, const std::string& path) {
     folder_ = fs::path(path).parent_path();
@@ -168,7 +168,7 @@ class Reader {
 
   void open_included(const std::string& name, const DeckPlace& place) {
     const std::string path = search(label_text(name));
-    if (open_.size() > deepest_include || std::ranges::count(open_, path) != 0)
+    if (open_.size() > deepest_abaqus_include || std::ranges::count(open_, path) != 0)
       fail_at(place, fmt::format("INPUT={}: the file includes itself", name));
     add_file(std::make_shared<const std::string>(files_.open(path, &place, "INPUT=")), path);
   }
@@ -199,7 +199,7 @@ class Reader {
 AbaqusDeck read_abaqus_deck(const std::string& path) { return parse_abaqus_deck(bytes_of_file(path), path); }
 
 AbaqusDeck parse_abaqus_deck(std::string text, const std::string& name) {
-  return Reader().read(std::make_shared<const std::string>(std::move(text)), name);
+  return AbaqusReader().read(std::make_shared<const std::string>(std::move(text)), name);
 }
 
 }  // namespace pinball

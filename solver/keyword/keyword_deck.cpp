@@ -22,9 +22,9 @@ bool is_parameter(const std::string& name) {
   return name.starts_with("PARAMETER") && name != "PARAMETER_TYPE" && name != "PARAMETER_DUPLICATION";
 }
 
-class Reader {
+class KeywordReader {
  public:
-  Reader(const std::string& path, std::optional<std::int64_t> chosen_case)
+  KeywordReader(const std::string& path, std::optional<std::int64_t> chosen_case)
       : chosen_(chosen_case), cases_(chosen_case), included_(path) {}
 
   KeywordDeck read(std::shared_ptr<const std::string> text, const std::string& path) {
@@ -115,11 +115,11 @@ class Reader {
 }  // namespace
 
 KeywordDeck read_keyword_deck(const std::string& path, std::optional<std::int64_t> chosen_case) {
-  return Reader(path, chosen_case).read(deck_text_of(bytes_of_file(path)), path);
+  return KeywordReader(path, chosen_case).read(deck_text_of(bytes_of_file(path)), path);
 }
 
 KeywordDeck parse_keyword_deck(std::string text, const std::string& name, std::optional<std::int64_t> chosen_case) {
-  return Reader(name, chosen_case).read(deck_text_of(std::move(text)), name);
+  return KeywordReader(name, chosen_case).read(deck_text_of(std::move(text)), name);
 }
 
 }  // namespace pinball

@@ -22,9 +22,9 @@ constexpr std::array<int, 6> node_columns{8, 16, 16, 16, 8, 8}, wide_node_column
 constexpr std::array<int, 10> solid_columns{8, 8, 8, 8, 8, 8, 8, 8, 8, 8},
     wide_solid_columns{10, 10, 10, 10, 10, 10, 10, 10, 10, 10};
 
-class Reader {
+class KeywordMeshReader {
  public:
-  explicit Reader(const KeywordDeck& deck) : deck_(deck), transformations_(deck) {}
+  explicit KeywordMeshReader(const KeywordDeck& deck) : deck_(deck), transformations_(deck) {}
 
   MeshFile read() {
     file_.path = deck_.files.front();
@@ -194,6 +194,6 @@ class Reader {
 
 }  // namespace
 
-MeshFile keyword_mesh(const KeywordDeck& deck) { return Reader(deck).read(); }
+MeshFile keyword_mesh(const KeywordDeck& deck) { return KeywordMeshReader(deck).read(); }
 
 }  // namespace pinball

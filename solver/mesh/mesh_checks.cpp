@@ -19,7 +19,7 @@ using Hexahedron = std::array<std::int32_t, 8>;
 constexpr int neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                   {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
 /// Edges along each parent direction, in one order around it: (-,-), (+,-), (+,+), (-,+) of the two that follow.
-constexpr int along[3][4][2] = {
+constexpr int edges_along[3][4][2] = {
     {{0, 1}, {3, 2}, {7, 6}, {4, 5}}, {{0, 3}, {4, 7}, {5, 6}, {1, 2}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
 double triple(const Point& a, const Point& b, const Point& c) { return dot(a, cross(b, c)); }
@@ -69,7 +69,7 @@ Shape shape_of(const std::array<Point, 8>& x, const Hexahedron& nodes) {
   double longest = 0, shortest = std::numeric_limits<double>::infinity();
   for (int direction = 0; direction < 3; ++direction) {
     for (int i = 0; i < 4; ++i) {
-      const auto& ends = along[direction][i];
+      const auto& ends = edges_along[direction][i];
       const Point edge = minus(x[ends[1]], x[ends[0]]);
       tangents.edge[direction][i] = edge;
       const double square = dot(edge, edge);

@@ -143,7 +143,7 @@ Json head_json(const RunSummary& s) {
 }
 
 /// dump() turns NaN and infinity into null; bytes that are no UTF-8 (a title) are replaced, not thrown over.
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+std::string indented(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 }  // namespace
 
@@ -152,7 +152,7 @@ std::string summary_head_json(const RunSummary& summary) {
   if (summary.elements == 0) {
     for (const char* key : {"threads", "simd_width", "elements", "nodes"}) json[key] = nullptr;
   }
-  return text_of(json);
+  return indented(json);
 }
 
 std::string summary_json(const RunSummary& s) {
@@ -238,7 +238,7 @@ std::string summary_json(const RunSummary& s) {
       {"warnings", warnings(s)},
       {"notes", s.notes},
   });
-  return text_of(json);
+  return indented(json);
 }
 
 void write_summary(const std::string& folder, const RunSummary& summary) {

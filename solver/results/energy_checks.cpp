@@ -2,13 +2,12 @@
 
 #include <fmt/core.h>
 
+#include "percent.hpp"
 #include "sound_bounds.hpp"
 
 namespace pinball {
 
 namespace {
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 /// ", beyond 10 % since time 1.2e-05 (node 17 of body rod)"
 std::string since(const WatchedShare& share, double bound, const char* what) {

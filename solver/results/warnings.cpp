@@ -5,13 +5,12 @@
 #include <algorithm>
 
 #include "energy_checks.hpp"
+#include "percent.hpp"
 #include "sound_bounds.hpp"
 
 namespace pinball {
 
 namespace {
-
-std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 /// Impulses that are not those of the coupled system: faces that should close no gap do, or are pushed askew.
 void add_unconverged_contact(const SweepCounts& counts, std::vector<std::string>& found) {

@@ -24,7 +24,7 @@ double largest_of(const Stress& s) {
   return largest;
 }
 
-double young_modulus(const Material& m) {
+double young_modulus_of(const Material& m) {
   return 9 * m.bulk_modulus * m.shear_modulus / (3 * m.bulk_modulus + m.shear_modulus);
 }
 
@@ -205,7 +205,7 @@ std::vector<VerificationRow> verify_uniaxial_strain(const Scene& scene) {
 
 std::vector<VerificationRow> verify_spinning_block(const Scene& scene) {
   const Material& m = scene.materials[0];
-  const double spin = scene.bodies[0].angular_velocity[2], modulus = young_modulus(m);
+  const double spin = scene.bodies[0].angular_velocity[2], modulus = young_modulus_of(m);
   const BlockMesh& mesh = std::get<BlockMesh>(scene.bodies[0].mesh);
   const double half_length = 0.5 * mesh.size[0];
   std::vector<VerificationRow> rows;

@@ -35,9 +35,9 @@ std::size_t lines_of(const AbaqusBlock& block) {
   return lines;
 }
 
-class Reader {
+class AbaqusMeshReader {
  public:
-  explicit Reader(const AbaqusDeck& deck) {
+  explicit AbaqusMeshReader(const AbaqusDeck& deck) {
     mesh_.components = abaqus_components(deck);
     mesh_.sections = abaqus_sections(mesh_.components);
     file_.path = deck.files.front();
@@ -240,6 +240,6 @@ class Reader {
 
 }  // namespace
 
-AbaqusMesh abaqus_mesh(const AbaqusDeck& deck) { return Reader(deck).read(); }
+AbaqusMesh abaqus_mesh(const AbaqusDeck& deck) { return AbaqusMeshReader(deck).read(); }
 
 }  // namespace pinball

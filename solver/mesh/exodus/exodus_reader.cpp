@@ -35,9 +35,9 @@ bool is_without_volume(const std::string& type) {
                              [&](const std::string& beginning) { return name.starts_with(beginning); });
 }
 
-class Reader {
+class ExodusReader {
  public:
-  Reader(const std::string& path, const std::vector<std::string>& parts) : in_(path), wanted_(parts) {}
+  ExodusReader(const std::string& path, const std::vector<std::string>& parts) : in_(path), wanted_(parts) {}
 
   MeshFile read() {
     file_.path = in_.path();
@@ -264,7 +264,7 @@ class Reader {
 }  // namespace
 
 MeshFile read_exodus(const std::string& path, const std::vector<std::string>& parts) {
-  return Reader(path, parts).read();
+  return ExodusReader(path, parts).read();
 }
 
 }  // namespace pinball

@@ -19,9 +19,9 @@
 namespace pinball {
 namespace {
 
-class Reader {
+class GmshReader {
  public:
-  Reader(std::string_view text, const std::string& name, const std::vector<std::string>& physicals)
+  GmshReader(std::string_view text, const std::string& name, const std::vector<std::string>& physicals)
       : scan_(text, name), groups_(name), physicals_(physicals) {}
 
   MeshFile read() {
@@ -331,7 +331,7 @@ class Reader {
 }  // namespace
 
 MeshFile parse_gmsh(std::string_view text, const std::string& name, const std::vector<std::string>& physicals) {
-  return Reader(text, name, physicals).read();
+  return GmshReader(text, name, physicals).read();
 }
 
 MeshFile read_gmsh(const std::string& path, const std::vector<std::string>& physicals) {

@@ -31,9 +31,9 @@ std::string decoded(std::string_view name) {
   return text;
 }
 
-class Reader {
+class LegacyReader {
  public:
-  Reader(std::string_view text, const std::string& name) : scan_(text, name) {}
+  LegacyReader(std::string_view text, const std::string& name) : scan_(text, name) {}
 
   VtkGrid read() {
     read_head();
@@ -256,6 +256,6 @@ class Reader {
 
 }  // namespace
 
-VtkGrid parse_vtk_legacy(const std::string& bytes, const std::string& name) { return Reader(bytes, name).read(); }
+VtkGrid parse_vtk_legacy(const std::string& bytes, const std::string& name) { return LegacyReader(bytes, name).read(); }
 
 }  // namespace pinball

@@ -24,10 +24,10 @@ namespace {
 constexpr std::int64_t most_points = std::numeric_limits<std::int32_t>::max() / 8;
 constexpr std::string_view appended_tag = "<AppendedData";
 
-class Reader {
+class VtuReader {
  public:
   /// The text of the file up to its appended data is parsed in its place.
-  Reader(std::string& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+  VtuReader(std::string& bytes, const std::string& name) : bytes_(bytes), name_(name) {}
 
   VtkGrid read() {
     parse();
@@ -236,7 +236,7 @@ class Reader {
 
 }  // namespace
 
-VtkGrid parse_vtu(std::string& bytes, const std::string& name) { return Reader(bytes, name).read(); }
+VtkGrid parse_vtu(std::string& bytes, const std::string& name) { return VtuReader(bytes, name).read(); }
 
 #else
 

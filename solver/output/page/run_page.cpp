@@ -74,7 +74,7 @@ Json checks_json(const RunSummary& summary) {
   return checks;
 }
 
-std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string compact(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
@@ -95,11 +95,11 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
        {"status", status},
        {"error", failed ? fmt::format("<p class=\"error\" role=\"alert\">{}</p>", html_text(settings.error)) : ""}});
   content.scripts = {"format.js", "axes.js", "curves.js", "pictures.js", "energies.js", "run.js"};
-  content.blocks = {{"units", text_of(units_json(units))},
+  content.blocks = {{"units", compact(units_json(units))},
                     {"summary", summary_json(summary)},
-                    {"checks", text_of(checks_json(summary))},
+                    {"checks", compact(checks_json(summary))},
                     {"history", curves_json(curves)},
-                    {"scene", text_of(scene_json(scene, units, settings, summary))}};
+                    {"scene", compact(scene_json(scene, units, settings, summary))}};
   make_folder(folder);
   OutputFile file(in_folder(folder, page_name));
   file.write(make_page(content));
