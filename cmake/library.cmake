@@ -1,7 +1,7 @@
 # The libraries of the package.
 #
-#   pinball_library(NAME SOURCES ... [API_SOURCES ...] [INTERNALS_OF OTHER ...] [LINKS ...] [COMPILES_WITH ...]
-#                   [OF_PROGRAM])
+#   pinball_library(NAME [SOURCES ...] [TEXT_SOURCES ...] [API_SOURCES ...] [INTERNALS_OF OTHER ...] [LINKS ...]
+#                   [COMPILES_WITH ...] [OF_PROGRAM])
 #
 # compiles the sources once, position independent and with all symbols hidden that are not marked PINBALL_API, and links
 # from these objects
@@ -11,9 +11,11 @@
 #                          glibc-hwcaps/LEVEL beside the first, where the dynamic loader finds it
 # Pinball::NAME is the archive, or with BUILD_SHARED_LIBS the shared library.
 #
+# TEXT_SOURCES read and write text, once in a run: they are optimised less, which compiles them in two thirds of the time.
+#
 # INTERNALS_OF are libraries whose internals this one uses. The archive links them. A shared library cannot, because they
-# are hidden there: it takes in the objects of their SOURCES. Their API_SOURCES, which define what they export, it leaves
-# out, so that a symbol is exported by one library only.
+# are hidden there: it takes in the objects of their SOURCES and TEXT_SOURCES. Their API_SOURCES, which define what they
+# export, it leaves out, so that a symbol is exported by one library only.
 #
 # OF_PROGRAM: no library for hosts, so that there is a shared one only with BUILD_SHARED_LIBS.
 #
@@ -44,18 +46,38 @@ function(pinball_objects target)
   endif()
   set_target_properties(${target} PROPERTIES
     POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden CUDA_VISIBILITY_PRESET hidden HIP_VISIBILITY_PRESET hidden
-    VISIBILITY_INLINES_HIDDEN ON)
-  # To read these takes longer than to compile most of the sources: once for all libraries of a level. That each source
-  # includes what it needs is not seen to by it: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON does.
+    VISIBILITY_INLINES_HIDDEN ON
+    UNITY_BUILD ${PINBALL_UNITY} UNITY_BUILD_MODE GROUP)  # pinball_unite_rooms says which
+  # To read these takes longer than to compile most of the sources: once for all libraries of a level and an optimisation.
+  # What they define keeps theirs (GCC 12): with those of -O3 a source of text takes 3.1 s at -O1, with those of -O1 2.0 s.
+  # That each source includes what it needs is not seen to by it: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON does.
   set(first pinball_contact_objects)
+  if(target MATCHES "_text_objects")
+    target_compile_options(${target} PRIVATE $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-O1>)
+    set(first pinball_solver_text_objects)
+  endif()
   if(arg_LEVEL)
-    set(first pinball_contact_objects_${arg_LEVEL})
+    string(APPEND first _${arg_LEVEL})
   endif()
   if(target STREQUAL first)
     target_precompile_headers(${target} PRIVATE ${PINBALL_SLOW_HEADERS})
   else()
     target_precompile_headers(${target} REUSE_FROM ${first})
   endif()
+endfunction()
+
+# Two translation units for each room of these sources, one of its folder and one of all folders in that: for rooms whose
+# sources take longer to read what they include than to compile. Not for those that work in the steps: with PINBALL_CONTRACT
+# what the compiler fuses depends on what it sees together. A source with flags of its own is compiled by itself.
+function(pinball_unite_rooms)
+  foreach(source IN LISTS ARGN)
+    file(RELATIVE_PATH source_in_room ${CMAKE_CURRENT_SOURCE_DIR} ${source})
+    string(REGEX REPLACE "^([^/]+)/.*" "\\1" unit ${source_in_room})
+    if(source_in_room MATCHES "/.*/")
+      string(APPEND unit "_folders")
+    endif()
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit})
+  endforeach()
 endfunction()
 
 function(pinball_link_library target name type)
@@ -85,7 +107,7 @@ function(pinball_link_library target name type)
 endfunction()
 
 function(pinball_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "OF_PROGRAM" "" "SOURCES;API_SOURCES;INTERNALS_OF;LINKS;COMPILES_WITH")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OF_PROGRAM" "" "SOURCES;TEXT_SOURCES;API_SOURCES;INTERNALS_OF;LINKS;COMPILES_WITH")
   set(levels none ${PINBALL_HWCAPS})
   foreach(level IN LISTS levels)
     set(suffix "_${level}")
@@ -95,11 +117,11 @@ function(pinball_library name)
       set(level_option)
     endif()
     set(objects)
-    foreach(part objects api_objects)
-      set(sources ${arg_SOURCES})
-      if(part STREQUAL "api_objects")
-        set(sources ${arg_API_SOURCES})
-      endif()
+    set(sources_of_objects ${arg_SOURCES})
+    set(sources_of_text_objects ${arg_TEXT_SOURCES})
+    set(sources_of_api_objects ${arg_API_SOURCES})
+    foreach(part objects text_objects api_objects)
+      set(sources ${sources_of_${part}})
       if(sources)
         pinball_objects(pinball_${name}_${part}${suffix} ${level_option} SOURCES ${sources} COMPILES_WITH ${arg_LINKS} ${arg_COMPILES_WITH})
         list(APPEND objects pinball_${name}_${part}${suffix})
@@ -107,7 +129,11 @@ function(pinball_library name)
     endforeach()
     set(shared_objects ${objects})
     foreach(other IN LISTS arg_INTERNALS_OF)
-      list(APPEND shared_objects pinball_${other}_objects${suffix})
+      foreach(part objects text_objects)
+        if(TARGET pinball_${other}_${part}${suffix})
+          list(APPEND shared_objects pinball_${other}_${part}${suffix})
+        endif()
+      endforeach()
     endforeach()
 
     if(level STREQUAL "none")
