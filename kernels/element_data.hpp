@@ -17,9 +17,9 @@ enum class YieldLaw {
 };
 
 struct ElementFeatures {
-  bool plastic;  ///< von Mises plasticity; else elastic, without plastic strain
-  bool erosion;  ///< elements may be eroded; keeps an internal energy per element
-  bool bulk_viscosity;
+  bool plastic;         ///< von Mises plasticity; else elastic, without plastic strain
+  bool erosion;         ///< elements may be eroded; keeps an internal energy per element, where there is a place for it
+  bool bulk_viscosity;  ///< may have it: its coefficients decide
   HourglassKind hourglass;
   YieldLaw yield = YieldLaw::linear;  ///< plastic only
 };
@@ -36,7 +36,7 @@ struct ElementView {
   S* plastic_strain;           ///< N = 1, plastic only [-]
   S* hourglass_state;          ///< N = 12, only where keeps_hourglass_state: of KeptHourglass [stress]
   S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
-  S* internal_energy;          ///< N = 1, erosion only [energy]
+  S* internal_energy;          ///< N = 1, erosion only; may be missing where nothing erodes [energy]
   S* back_stress =
       nullptr;  ///< N = 5: xx yy xy yz zx, general yield only; may be missing there: no back stress [stress]
   /// N = 1: `mass` over the mass with which the element's nodes move; missing: they are the same [-]
@@ -67,6 +67,13 @@ struct ElementConstants {
   bool erode_inside_out = false;          ///< an element with a corner that has turned over is eroded
   bool never_yields = false;              ///< elastic, also where the kernel is one of plasticity (with erosion)
 };
+
+/// Without coefficients there is none: nothing of it is read, written or worked out. No kernel of its own for that, as
+/// it takes a branch that goes one way in all packs of a part.
+template <class S>
+PINBALL_FUNCTION bool has_bulk_viscosity(const ElementConstants<S>& constants) {
+  return constants.linear_viscosity > S(0) || constants.quadratic_viscosity > S(0);
+}
 
 /// Where element `first`, the first of a pack, has its component 0 in an array of n components in rows of L.
 template <int L>

@@ -93,6 +93,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const S dt = step.length;
   const std::int64_t first = pack * width_of<T>;
   const MaterialConstants<S>& material = constants.material;
+  const bool viscous = features.bulk_viscosity && has_bulk_viscosity(constants);
 
   const T mass = load<T>(elements.mass + first);
   const auto alive = mass > T(0);
@@ -119,7 +120,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const T inverse_mass = T(1) / select(alive, mass, T(1));
   [[maybe_unused]] const T area = face_area(trace_b_b);
   [[maybe_unused]] T length(0);
-  if constexpr (features.bulk_viscosity) length = volume / area;
+  if (viscous) length = volume / area;
   ahead(1);
 
   // Corners are looked at where they may be near turning over, also where a number is none.
@@ -161,7 +162,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   T viscosity(0);
   [[maybe_unused]] T dilatation(0);
   const T density = mass * inverse_volume;
-  if constexpr (features.bulk_viscosity) {
+  if (viscous) {
     dilatation = gradient.row_x.x + gradient.row_y.y + gradient.row_z.z;
     viscosity = bulk_viscosity(T(constants.linear_viscosity), T(constants.quadratic_viscosity), density,
                                T(material.sound_speed), length, dilatation);
@@ -350,12 +351,12 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
     sums.hourglass += T(8) * done;
   }
   sums.internal += work;
-  if constexpr (features.erosion) {
+  if (features.erosion && elements.internal_energy != nullptr) {
     const T energy = state(elements.internal_energy + first) + work;
     store(energy, elements.internal_energy + first);
     if (any_fails) sums.eroded += select(fails, energy, T(0));
   }
-  if constexpr (features.bulk_viscosity) {
+  if (viscous) {
     const T q_old = state(elements.viscous_stress + first), q = viscosity * dilatation;
     store(q, elements.viscous_stress + first);
     sums.viscous += number<T>(0.5) * volume_mid * (q_old + q) * volumetric;

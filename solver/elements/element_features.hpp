@@ -5,11 +5,15 @@
 
 /// From features that are known when a run begins to those of a kernel, each of which is compiled for itself: what is
 /// returned is choice.template of<features>(). Features that the program is built without choose those with less.
+///
+/// Each kernel is seconds of compiling. Bulk viscosity has none of its own: without coefficients the kernel leaves it
+/// out.
 namespace pinball {
 
-template <bool plastic, bool erosion, bool viscosity, YieldLaw yield, class Choice>
+template <bool plastic, bool erosion, YieldLaw yield, class Choice>
 auto choose_hourglass(const Choice& choice, [[maybe_unused]] HourglassKind kind) {
   using enum HourglassKind;
+  constexpr bool viscosity = built::bulk_viscosity;
   if constexpr (built::hourglass) {
     if (kind == stiffness) {
       return choice.template of<ElementFeatures{plastic, erosion, viscosity, stiffness, yield}>();
@@ -22,33 +26,22 @@ auto choose_hourglass(const Choice& choice, [[maybe_unused]] HourglassKind kind)
   return choice.template of<ElementFeatures{plastic, erosion, viscosity, none, yield}>();
 }
 
-template <bool plastic, bool erosion, YieldLaw yield, class Choice>
-auto choose_viscosity(const Choice& choice, const ElementFeatures& f) {
-  if constexpr (built::bulk_viscosity) {
-    if (f.bulk_viscosity) return choose_hourglass<plastic, erosion, true, yield>(choice, f.hourglass);
-  }
-  return choose_hourglass<plastic, erosion, false, yield>(choice, f.hourglass);
-}
-
-/// YieldLaw::general.
+/// YieldLaw::general. Nor has erosion one there, which a limit that is never reached keeps away.
 template <class Choice>
 auto choose_general_features(const Choice& choice, const ElementFeatures& f) {
-  if constexpr (built::plasticity && built::erosion) {
-    if (f.erosion) return choose_viscosity<true, true, YieldLaw::general>(choice, f);
-  }
-  return choose_viscosity<true, false, YieldLaw::general>(choice, f);
+  return choose_hourglass<true, built::erosion, YieldLaw::general>(choice, f.hourglass);
 }
 
 /// Elastic, and YieldLaw::linear.
 template <class Choice>
 auto choose_linear_features(const Choice& choice, const ElementFeatures& f) {
   if constexpr (built::plasticity && built::erosion) {
-    if (f.plastic && f.erosion) return choose_viscosity<true, true, YieldLaw::linear>(choice, f);
+    if (f.plastic && f.erosion) return choose_hourglass<true, true, YieldLaw::linear>(choice, f.hourglass);
   }
   if constexpr (built::plasticity) {
-    if (f.plastic) return choose_viscosity<true, false, YieldLaw::linear>(choice, f);
+    if (f.plastic) return choose_hourglass<true, false, YieldLaw::linear>(choice, f.hourglass);
   }
-  return choose_viscosity<false, false, YieldLaw::linear>(choice, f);
+  return choose_hourglass<false, false, YieldLaw::linear>(choice, f.hourglass);
 }
 
 inline bool is_general(const ElementFeatures& f) {

@@ -41,8 +41,12 @@ class PackAhead {
       }
     }
     if (part == 7) {
-      if constexpr (features.bulk_viscosity) ask_for_state(elements_.viscous_stress, 1, 0, 1);
-      if constexpr (features.erosion) ask_for_state(elements_.internal_energy, 1, 0, 1);
+      if constexpr (features.bulk_viscosity) {
+        if (elements_.viscous_stress != nullptr) ask_for_state(elements_.viscous_stress, 1, 0, 1);
+      }
+      if constexpr (features.erosion) {
+        if (elements_.internal_energy != nullptr) ask_for_state(elements_.internal_energy, 1, 0, 1);
+      }
     }
   }
 

@@ -50,8 +50,10 @@ ElementConstants<S> constants_of(const Material& material, const ElementSettings
   c.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass_coefficient);
   c.hourglass_modulus = c.hourglass_coefficient * hourglass_modulus(c.material.lambda, c.material.mu);
   c.specific_volume = static_cast<S>(1 / material.density);
-  c.linear_viscosity = static_cast<S>(settings.linear_viscosity);
-  c.quadratic_viscosity = static_cast<S>(settings.quadratic_viscosity);
+  if (settings.bulk_viscosity) {
+    c.linear_viscosity = static_cast<S>(settings.linear_viscosity);
+    c.quadratic_viscosity = static_cast<S>(settings.quadratic_viscosity);
+  }
   const NegativeVolume policy =
       settings.negative_volume.value_or(material.erosion_strain > 0 ? NegativeVolume::erode : NegativeVolume::stop);
   c.erode_negative_volume = policy == NegativeVolume::erode;

@@ -22,7 +22,7 @@ struct ElementScene {
   std::vector<ElementState> element;
   ElementConstants<double> constants{};
   double dt = 0.01;
-  bool has_back_stress = true;
+  bool has_back_stress = true, has_viscous_stress = true, has_internal_energy = true;
   double padding = std::numeric_limits<double>::quiet_NaN();  ///< what the state of padding elements holds
 
   void add(const Corners& x, const Corners& v, const ElementState& state) {
@@ -110,9 +110,14 @@ ElementOutcome advance(const ElementScene& scene) {
     }
   }
 
-  const ElementView<S> elements{
-      corner.data(),    mass.data(),    stress.data(), plastic_strain.data(),
-      hourglass.data(), viscous.data(), energy.data(), scene.has_back_stress ? back.data() : nullptr};
+  const ElementView<S> elements{corner.data(),
+                                mass.data(),
+                                stress.data(),
+                                plastic_strain.data(),
+                                hourglass.data(),
+                                scene.has_viscous_stress ? viscous.data() : nullptr,
+                                scene.has_internal_energy ? energy.data() : nullptr,
+                                scene.has_back_stress ? back.data() : nullptr};
   const NodeView<S> nodes{position.data(), velocity.data(), force.data()};
   ElementSums<T> sums;
   for (std::size_t p = 0; p < packs; ++p) {
