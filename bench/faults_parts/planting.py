@@ -8,7 +8,7 @@ import shutil
 from report_parts.builds import ROOT, Failed
 
 from .named import all_named, text_of
-from .rules import candidates
+from .rules import ARCHIVE, candidates
 
 SWITCH = "bench/faults_parts/switch.hpp"  # below the root, as all of the tree includes
 LEFT_OUT = ("build", "out", ".git", "__pycache__")
@@ -18,16 +18,23 @@ ROOMS = ("kernels", "abaqus", "boundary", "contact", "deck", "elements", "keywor
 MOST = 4000
 
 
-def sources(rooms, headers):
-    """Files of the rooms, below ROOT."""
+def sources(rooms):
+    """Files of the rooms, below ROOT; headers of kernels, and those that list what of a state is saved."""
     found = []
     for room in rooms:
         top = room if room == "kernels" else os.path.join("solver", room)
         for folder, folders, files in os.walk(os.path.join(ROOT, top)):
             folders[:] = sorted(f for f in folders if f not in LEFT_OUT and f not in ("exec", "device"))
-            found += [os.path.relpath(os.path.join(folder, f), ROOT) for f in sorted(files)
-                      if f.endswith(".cpp") or (headers and f.endswith(".hpp"))]
+            for path in (os.path.relpath(os.path.join(folder, f), ROOT) for f in sorted(files)):
+                if path.endswith(".cpp") or (path.endswith(".hpp") and (room == "kernels" or ARCHIVE.search(text_of(path)))):
+                    found.append(path)
     return found
+
+
+def faults_of(file):
+    """What the rules find in a file. Headers are read by much of the tree: of most only what of a state is saved."""
+    found = candidates(file, text_of(file))
+    return found if file.endswith(".cpp") or file.startswith("kernels/") else [f for f in found if f.rule == "unread"]
 
 
 def overlaps(fault, others):
@@ -39,10 +46,10 @@ def by_rule(options, taken):
     chance, count, rooms = random.Random(options.seed), options.count, options.rooms
     piles = {}
     for room in rooms:
-        some = [file for file in sources([room], headers=room == "kernels") if re.search(options.only, file)]
+        some = [file for file in sources([room]) if re.search(options.only, file)]
         chance.shuffle(some)
         for file in some[:options.files]:
-            for fault in candidates(file, text_of(file)):
+            for fault in faults_of(file):
                 piles.setdefault(room, {}).setdefault(fault.rule, []).append(fault)
     chosen = list(taken)
     while piles and len(chosen) < len(taken) + count:

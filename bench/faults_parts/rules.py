@@ -14,12 +14,14 @@ IF = re.compile(r"^ {2,}(?:\} else )?if \((?P<condition>[^;{}\"\n]+)\)(?= \{$| [
 LOOP = re.compile(r"\bfor \((?:int|std::size_t|std::int(?:32|64)_t) \w+ = (?P<start>0);")
 CARD = re.compile(r"\b\w+\.(?P<kind>number|integer)\((?P<field>\d+), \"[^\"]+\", (?P<default>-?[\d.]+)\)")
 FIELD = re.compile(r"\b\w+\.(?:number|integer)\((?P<field>\d+), \"[^\"]+\"")
+# Members of a state that is saved and read.
+ARCHIVE = re.compile(r"\barchive\((?P<members>[^;{}()]+)\);")
 DECIMAL = re.compile(r"(?<![\w.])\d+\.\d+(?:e-?\d+)?(?![\w.])")
 NO_VALUE = re.compile(r"\[[&=\w, *]*\]\(|\[[&=]\]|fmt::|\bfail|std::move|co_|\bnew\b|//")
 # Time that is measured, texts, and what is there for speed and memory alone, as no output tells.
 NO_STATEMENT = re.compile(
     r"^(?:return|throw|delete|break|continue|static_assert|using|case|else|goto|ASSERT|EXPECT|#)\b|\b(?:reserve|shrink_to_fit|ahead|"
-    r"PINBALL_\w+|prefetch|assert|fail\w*|throw)\(|fmt::|//|\[[&=\w, *]*\]\(|\[[&=]\]")
+    r"PINBALL_\w+|prefetch|assert|fail\w*|throw|archive)\(|fmt::|//|\[[&=\w, *]*\]\(|\[[&=]\]")
 TURNED = {" < ": " > ", " > ": " < ", " <= ": " > ", " >= ": " < ", " == ": " != ", " != ": " == ", " && ": " || ", " || ": " && "}
 SIGNS = {" + ": " - ", " - ": " + ", "std::min(": "std::max(", "std::max(": "std::min(", "minimum(": "maximum(", "maximum(": "minimum("}
 NEXT = {".x": ".y", ".y": ".z", ".z": ".x", "[0]": "[1]", "[1]": "[2]", "[2]": "[0]"}
@@ -88,6 +90,16 @@ def of_cards(file, text):
         yield Fault(file, found["field"], str(int(found["field"]) + 1), rule="field", begin=found.start("field"))
 
 
+def of_archives(file, text):
+    """A member that is saved, and not brought back by what goes on from that."""
+    for found in ARCHIVE.finditer(text):
+        begin = found.start("members")
+        for part in found["members"].split(","):
+            member = part.strip()
+            yield Fault(file, member, f"::pinball_faults::unread({member})", rule="unread", begin=begin + part.index(member))
+            begin += len(part) + 1
+
+
 def in_a_constant(text, place):
     """Whether the place is in a line, or in a function, that the compiler works out, or beside the code: a comment, a macro."""
     line = text[text.rfind("\n", 0, place) + 1:place]
@@ -100,5 +112,6 @@ def in_a_constant(text, place):
 
 def candidates(file, text):
     """All faults that the rules know for a file."""
-    found = [*of_values(file, text), *of_statements(file, text), *of_loops(file, text), *of_cards(file, text)]
+    found = [*of_values(file, text), *of_statements(file, text), *of_loops(file, text), *of_cards(file, text),
+             *of_archives(file, text)]
     return [fault for fault in found if not in_a_constant(text, fault.begin) and fault.wrong != fault.right]

@@ -4,7 +4,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <type_traits>
 
 /// The switch of planted faults (bench/faults): which one is on, and which ones a program has come by.
 ///
@@ -47,6 +49,19 @@ inline const bool started = [] {
     return true;
   seen[number] = 1;
   return false;
+}
+
+/// Takes the place of a member that is saved and read: what is read does not reach it.
+template <class T>
+T& unread(const T& member) {
+  thread_local T copy;
+  if constexpr (std::is_copy_assignable_v<T>) {
+    copy = member;
+  } else {  // an Array
+    copy.reset(member.size());
+    std::copy(member.data(), member.data() + member.size(), copy.data());
+  }
+  return copy;
 }
 
 }  // namespace pinball_faults

@@ -22,6 +22,7 @@ double length(const Fields& f, double a, double b) {
   for (std::size_t i = 0; i < 3; ++i) total += part[i];
   const double read = f.number(3, "sf", 1.0);
   counts.last = part[0];
+  archive(a, part_.b, sum_);
   fail_at(f.place(), "a + b");
   return sum - read;  // a - b
 }
@@ -61,6 +62,18 @@ class Rules(unittest.TestCase):
     def test_pass_over_fields_of_cards(self):
         self.assertEqual(found("card"), {('f.number(3, "sf", 1.0)', "double(1.0)")})
         self.assertEqual(found("field"), {("3", "4")})
+
+    def test_leave_members_of_a_state_unread(self):
+        self.assertEqual(found("unread"), {(m, f"::pinball_faults::unread({m})") for m in ("a", "part_.b", "sum_")})
+        for fault in candidates("solver/x/y.cpp", SOURCE):
+            if fault.rule == "unread":
+                self.assertEqual(SOURCE[fault.begin:fault.begin + len(fault.right)], fault.right)
+
+    def test_of_headers_find_what_of_a_state_is_saved(self):
+        headers = [file for file in planting.sources(["step"]) if file.endswith(".hpp")]
+        self.assertIn("solver/step/energy_ledger.hpp", headers)
+        self.assertNotIn("solver/step/guards.hpp", headers)
+        self.assertEqual({fault.rule for file in headers for fault in planting.faults_of(file)}, {"unread"})
 
     def test_leave_constants_and_messages_alone(self):
         for fault in candidates("solver/x/y.cpp", SOURCE):
