@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/step/guards.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/solver_case.hpp>
 
@@ -76,9 +77,9 @@ TEST(Guards, TheElementWithTheLeastVolumeIsNamed) {
       std::swap(model.nodes.position[node(i) + k], model.nodes.position[node(i + 4) + k]);
     }
   }
-  EXPECT_THAT(failure(solver),
-              AllOf(HasSubstr("elements have no volume left in step 1"),
-                    HasSubstr(" of body b: try a smaller time.cfl"), HasSubstr("element.negative_volume=\"erode\"")));
+  EXPECT_THAT(failure(solver), AllOf(HasSubstr("elements have no volume left in step 1"),
+                                     HasSubstr("first of all element 9 of body b: try a smaller time.cfl"),
+                                     HasSubstr("element.negative_volume=\"erode\"")));
 }
 
 TEST(Guards, TheEnergyBalanceHasABound) {
@@ -113,6 +114,115 @@ TEST(Guards, ACollapsedStepNamesItsElement) {
   EXPECT_THAT(failure(solver),
               AllOf(HasSubstr("the stable step has collapsed to"), HasSubstr("guard.time_step_collapse = 0.5"),
                     HasSubstr("set by element 19 of body b: try an erosion_strain")));
+}
+
+/// What a guard says of a model by itself.
+template <class S, class Check>
+std::string said_of(const Model<S>& model, const Check& check) {
+  const StepClock clock(model.scene.time);
+  const Guards<S> guards(model, clock);
+  return error_of<RunError>([&] { check(guards); });
+}
+
+template <class S>
+std::string not_finite(const Model<S>& model) {
+  return said_of(model, [](const Guards<S>& guards) { guards.check_finite(std::nan("")); });
+}
+
+/// With all arrays that an element may have.
+Scene with_all_of_an_element() {
+  Scene scene = two_bodies();
+  scene.materials = {plastic_material("steel", 3e8, 0.5)};
+  scene.materials[0].isotropic_share = 0.5;
+  scene.element.bulk_viscosity = true;
+  return scene;
+}
+
+TEST(Guards, EveryNumberOfAnElementIsLookedAt) {
+  const Model<double> sound = build_model<double>(with_all_of_an_element());
+  EXPECT_THAT(not_finite(sound), HasSubstr("the energy is not finite in step 0 at time 0, though all elements are"));
+  struct Part {
+    Array<double> ElementStore<double>::*array;
+    int components;
+    const char* name;
+  };
+  using Store = ElementStore<double>;
+  for (const Part& part :
+       {Part{&Store::stress, 6, "stress"}, Part{&Store::plastic_strain, 1, "plastic strain"},
+        Part{&Store::hourglass_state, 12, "hourglass force"}, Part{&Store::viscous_stress, 1, "bulk viscosity"},
+        Part{&Store::internal_energy, 1, "internal energy"}, Part{&Store::back_stress, 5, "back stress"}}) {
+    for (int component = 0; component < part.components; ++component) {
+      const std::size_t element = static_cast<std::size_t>(component) % 2 == 0 ? 0 : 19;  // the first and the last
+      Model<double> model = build_model<double>(with_all_of_an_element());
+      Array<double>& array = model.elements.*part.array;
+      ASSERT_FALSE(array.empty()) << part.name;
+      array[Store::at(model.slot_of_element[element], component, part.components)] = std::nan("");
+      EXPECT_THAT(not_finite(model), AllOf(HasSubstr("the " + std::string(part.name) + " of element "),
+                                           HasSubstr(element == 0 ? "element 0 of body a is" : "element 19 of body b")))
+          << component;
+    }
+  }
+}
+
+TEST(Guards, EveryPlaceAndVelocityOfACornerIsLookedAt) {
+  for (std::size_t component = 0; component < 3; ++component) {
+    for (const bool place : {true, false}) {
+      Model<double> model = build_model<double>(two_bodies());
+      const std::int32_t corner = model.mesh.hexahedra[19][6];  // of no other element
+      const std::size_t at = 4 * static_cast<std::size_t>(model.node_of_scene_node[corner]) + component;
+      (place ? model.nodes.position : model.nodes.velocity)[at] = std::numeric_limits<double>::infinity();
+      EXPECT_THAT(not_finite(model), HasSubstr("a node of element 19 of body b has a velocity that is not finite"));
+    }
+  }
+}
+
+/// Squeezes bodies of one element, one of them more than the others.
+TEST(Guards, AnyElementMayBeTheOneWithTheLeastVolume) {
+  constexpr std::size_t count = 5;
+  Scene scene = scene_of({}, 1e-3, false);
+  for (std::size_t b = 0; b < count; ++b) {
+    scene.bodies.push_back(block("body" + std::to_string(b), {1, 1, 1}, 0.1, {static_cast<double>(b), 0, 0}));
+  }
+  InternalForceResult<double> found;
+  found.inverted_count = 3;
+  const auto squeezed = [&](std::size_t least) {
+    Model<double> model = build_model<double>(scene);
+    for (std::size_t b = 0; b < count; ++b) {
+      for (const std::int32_t node : model.mesh.hexahedra[b]) {
+        model.nodes.position[4 * static_cast<std::size_t>(model.node_of_scene_node[node]) + 2] *=
+            b == least ? -0.5 : 0.1 * static_cast<double>(b + 1);
+      }
+    }
+    return model;
+  };
+  const auto said = [&](const Model<double>& model) {
+    return said_of(model, [&](const Guards<double>& guards) { guards.check_volumes(found); });
+  };
+  for (std::size_t least = 0; least < count; ++least) {
+    const std::string name = std::to_string(least);
+    EXPECT_THAT(said(squeezed(least)), HasSubstr("3 of 5 elements have no volume left in step 0 at time 0, first of "
+                                                 "all element " +
+                                                 name + " of body body" + name + ":"));
+  }
+  Model<double> model = squeezed(0);
+  model.elements.mass[static_cast<std::size_t>(model.slot_of_element[0])] = 0;
+  EXPECT_THAT(said(model), HasSubstr("element 1 of body body1:")) << "what is eroded has none to lose";
+  found.inverted_count = 0;
+  EXPECT_EQ(said(model), no_error);
+}
+
+TEST(Guards, AStepThatMovesTheTimeNoFurtherEndsTheRun) {
+  const Model<double> model = build_model<double>(two_bodies());
+  TimeSettings time = model.scene.time;
+  StepClock clock(time);
+  const Guards<double> guards(model, clock);
+  clock.choose({}, {1e-6, model.slot_of_element[3]}, 0);
+  EXPECT_EQ(error_of<RunError>([&] { guards.check_time_step(); }), no_error);
+  StepClock lost(time);
+  lost.choose({}, {1e-30, model.slot_of_element[3]}, 0);
+  EXPECT_THAT(error_of<RunError>([&] { Guards<double>(model, lost).check_time_step(); }),
+              AllOf(HasSubstr("no number of steps of "), HasSubstr("reaches time.end = 0.001"),
+                    HasSubstr("the step is set by element 3 of body a")));
 }
 
 }  // namespace
