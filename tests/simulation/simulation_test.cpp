@@ -167,6 +167,28 @@ TEST(Simulation, GoesOnFromTheStateAtItsEndWithNothingToDo) {
   EXPECT_EQ(second.steps(), first.steps());
 }
 
+/// Read once, and not, as test::load does, twice.
+TEST(Simulation, ASavedStateKnowsWhetherItIsTheEnd) {
+  for (const bool complete : {false, true}) {
+    Simulation first(impact());
+    first.run_until(0.4e-4);
+    if (complete) first.run();
+    const StateBytes bytes = test::saved(first);
+    EXPECT_EQ(bytes[bytes.size() - 1], std::byte{complete}) << "of files that other programs of this version read";
+    Simulation second(impact());
+    StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+    second.persist(archive);
+    EXPECT_EQ(second.complete(), complete);
+    EXPECT_EQ(second.summary().status, complete ? RunStatus::done : RunStatus::running);
+  }
+}
+
+TEST(Simulation, NothingCannotBeCalledBack) {
+  Simulation simulation(impact());
+  EXPECT_THROW(simulation.on_step({}), InputError);
+  EXPECT_TRUE(simulation.step());
+}
+
 TEST(Simulation, KnowsWhereItsNodesBegan) {
   Simulation simulation(impact());
   std::vector<double> before(3 * simulation.nodes()), after(before.size());

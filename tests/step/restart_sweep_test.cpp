@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include <solver/output/history.hpp>
 #include <solver/program/scene_input.hpp>
 #include <solver/scene/table.hpp>
 #include <solver/simulation.hpp>
@@ -22,9 +23,8 @@ namespace {
 using test::load;
 using test::saved;
 
-/// All that a run tells at its end, and what a row of the history has at the time.
-std::string outcome(Simulation& simulation) {
-  simulation.run();
+/// All that a run tells at the time, but for seconds, threads and memory.
+std::string told_by(const Simulation& simulation) {
   RunSummary summary = simulation.summary();
   summary.threads = 0;
   summary.phases.clear();
@@ -34,20 +34,32 @@ std::string outcome(Simulation& simulation) {
   return summary_json(summary);
 }
 
-struct Row {
-  std::int64_t step = 0;
-  std::vector<double> numbers;
-  bool operator==(const Row&) const = default;
+/// The same at its end.
+std::string outcome(Simulation& simulation) {
+  simulation.run();
+  return told_by(simulation);
+}
+
+/// A row of the history.
+std::vector<double> row_of(const Simulation& simulation) { return history_numbers(simulation.history_row()); }
+
+/// What a run is before a step.
+struct Stop {
+  std::int64_t step;
+  StateBytes bytes;
+  std::string told;
+  FieldSnapshot fields;
 };
 
-Row row_of(const Simulation& simulation) {
-  const HistoryRow row = simulation.history_row();
-  Row all{row.step, row.more};
-  all.numbers.insert(all.numbers.end(), {row.time, row.dt, row.energy.total(), row.energy.external, row.momentum[0]});
-  for (const BodyResult& body : row.bodies) {
-    all.numbers.insert(all.numbers.end(), body.velocity.begin(), body.velocity.end());
-  }
-  return all;
+void expect_same_fields(const FieldSnapshot& one, const FieldSnapshot& other) {
+  EXPECT_EQ(one.time, other.time);
+  EXPECT_EQ(one.position, other.position);
+  EXPECT_EQ(one.velocity, other.velocity);
+  EXPECT_EQ(one.contact_force, other.contact_force);
+  EXPECT_EQ(one.stress, other.stress);
+  EXPECT_EQ(one.plastic_strain, other.plastic_strain);
+  EXPECT_EQ(one.pinball_radius, other.pinball_radius);
+  EXPECT_EQ(one.alive, other.alive);
 }
 
 /// A simulation that goes on from a state which another one has read, saved and not gone on from.
@@ -58,26 +70,29 @@ Simulation gone_on(const Scene& scene, const StateBytes& bytes, int threads) {
   return rest;
 }
 
-/// Saves before some of the steps and goes on from each in a simulation of its own: row by row up to the step after the
-/// next of these, one of them to the end.
+/// Saves before some of the steps and goes on from each in a simulation of its own: it tells what the run has told
+/// there, and then the same row by row up to the step after the next of these, one of them to the end.
 void expect_same_after_restarts(const Scene& scene, const std::set<std::int64_t>& saves) {
   Simulation whole(scene, {1});
-  std::vector<std::pair<std::int64_t, StateBytes>> states;
-  std::vector<Row> rows;
+  std::vector<Stop> states;
+  std::vector<std::vector<double>> rows;
   while (!whole.at_end()) {
-    if (saves.contains(static_cast<std::int64_t>(rows.size()))) states.emplace_back(rows.size(), saved(whole));
+    const auto step = static_cast<std::int64_t>(rows.size());
+    if (saves.contains(step)) states.push_back({step, saved(whole), told_by(whole), whole.snapshot()});
     whole.step();
     rows.push_back(row_of(whole));
   }
   const std::string expected = outcome(whole);
   ASSERT_FALSE(states.empty());
   for (std::size_t i = 0; i < states.size(); ++i) {
-    const auto from = static_cast<std::size_t>(states[i].first);
-    Simulation rest = gone_on(scene, states[i].second, 1 + static_cast<int>(i % 3));
+    const auto from = static_cast<std::size_t>(states[i].step);
+    Simulation rest = gone_on(scene, states[i].bytes, 1 + static_cast<int>(i % 3));
     if (from > 0) {
       EXPECT_EQ(row_of(rest), rows[from - 1]) << "as read after step " << from;
     }
-    const auto to = i + 1 < states.size() ? static_cast<std::size_t>(states[i + 1].first) + 2 : rows.size();
+    EXPECT_EQ(told_by(rest), states[i].told) << "as read after step " << from;
+    expect_same_fields(rest.snapshot(), states[i].fields);
+    const auto to = i + 1 < states.size() ? static_cast<std::size_t>(states[i + 1].step) + 2 : rows.size();
     for (std::size_t step = from; step < std::min(to, rows.size()); ++step) {
       rest.step();
       ASSERT_EQ(row_of(rest), rows[step]) << "in step " << step << " from step " << from;
