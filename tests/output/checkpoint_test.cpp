@@ -192,6 +192,49 @@ cube
   expect_same_results(half_, whole_);
 }
 
+TEST_F(Checkpoints, AFileHasAllThatWasWritten) {
+  CheckpointHead head;
+  head.source.path = "/a/scene.toml";
+  head.source.text = "[time]";
+  head.source.overrides.set = {"time.end=1", "a=2"};
+  head.source.overrides.refine = 3;
+  head.source.overrides.vary = {"fast", "coarse"};
+  head.mesh_files = {{"/a/b.msh", 11}, {"/c.k", 12}};
+  head.fingerprint = 13;
+  head.simd_width = 14;
+  head.version = "9.8.7";
+  head.deck.lines = {"one", "two"};
+  head.deck.cards = {{15, "deck.k:3", "*PART"}, {16, "deck.k:7", "*MAT_ELASTIC"}};
+  StateBytes state(5);
+  for (std::size_t i = 0; i < 5; ++i) state[i] = static_cast<std::byte>(17 + i);
+  for (const std::optional<Precision> precision :
+       {std::optional<Precision>(), std::optional(Precision::float64), std::optional(Precision::float32)}) {
+    head.source.overrides.precision = precision;
+    write_checkpoint(folder_ / "a.pinball", head, state);
+    const Checkpoint read = read_checkpoint(folder_ / "a.pinball");
+    EXPECT_EQ(read.path, folder_ / "a.pinball");
+    EXPECT_EQ(read.head.source.path, head.source.path);
+    EXPECT_EQ(read.head.source.text, head.source.text);
+    EXPECT_EQ(read.head.source.overrides.set, head.source.overrides.set);
+    EXPECT_EQ(read.head.source.overrides.refine, 3);
+    EXPECT_EQ(read.head.source.overrides.vary, head.source.overrides.vary);
+    EXPECT_EQ(read.head.source.overrides.precision, precision);
+    EXPECT_EQ(read.head.mesh_files, head.mesh_files);
+    EXPECT_EQ(read.head.fingerprint, 13U);
+    EXPECT_EQ(read.head.simd_width, 14);
+    EXPECT_EQ(read.head.version, "9.8.7");
+    EXPECT_EQ(read.head.deck.lines, head.deck.lines);
+    ASSERT_EQ(read.head.deck.cards.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(read.head.deck.cards[i].line, head.deck.cards[i].line);
+      EXPECT_EQ(read.head.deck.cards[i].place, head.deck.cards[i].place);
+      EXPECT_EQ(read.head.deck.cards[i].keyword, head.deck.cards[i].keyword);
+    }
+    EXPECT_EQ(std::vector<std::byte>(read.state.begin(), read.state.end()),
+              std::vector<std::byte>(state.data(), state.data() + 5));
+  }
+}
+
 TEST_F(Checkpoints, AChangedMeshFileIsAnError) {
   const std::string mesh = folder_ / "part.msh";
   std::string text = R"($MeshFormat

@@ -314,6 +314,79 @@ TEST(History, HasTheColumnsAndReachesTheFileRowByRow) {
   EXPECT_EQ(std::stod(cells[31]), 1.0 / 3.0);
 }
 
+/// The first row of a history, by its columns.
+std::map<std::string, double> columns_of(const std::string& path) {
+  std::istringstream text(read_text(path));
+  std::string names, values;
+  std::getline(text, names);
+  std::getline(text, values);
+  std::istringstream name_text(names), value_text(values);
+  std::map<std::string, double> columns;
+  for (std::string name, value; std::getline(name_text, name, ',') && std::getline(value_text, value, ',');) {
+    EXPECT_TRUE(columns.emplace(name, std::stod(value)).second) << name << " is there twice";
+  }
+  return columns;
+}
+
+/// Each number is another one, and every second below zero: what is taken for another shows. sign: of the first, so
+/// that with both all numbers have been below zero.
+void expect_own_columns(double sign) {
+  const TemporaryFolder folder("columns");
+  HistoryWriter writer(folder.path.string(), {"rod", "plate"}, {"wall_force", "tip_velocity_x"});
+  HistoryRow row;
+  row.step = 17;
+  row.inside_out = 19;
+  std::map<std::string, double> expected{{"step", 17}, {"inside_out_elements", 19}};
+  double next = sign;
+  const auto set = [&](const std::string& name, double& number) {
+    next = -1.25 * next;
+    expected[name] = number = next;
+  };
+  set("time", row.time);
+  set("dt", row.dt);
+  Energies& e = row.energy;
+  set("kinetic", e.kinetic);
+  set("internal", e.internal);
+  set("hourglass", e.hourglass);
+  set("bulk_viscosity", e.bulk_viscosity);
+  set("contact_stored", e.contact_stored);
+  set("contact_damped", e.contact_damped);
+  set("eroded", e.eroded);
+  set("external", e.external);
+  set("hourglass_plastic", e.hourglass_plastic);
+  set("folding", e.folding);
+  set("kinetic_below_zero", e.kinetic_below_zero);
+  set("balance_error", row.balance_error);
+  for (std::size_t k = 0; k < 3; ++k) set(std::string("momentum_") + "xyz"[k], row.momentum[k]);
+  std::int64_t eroded = 3;
+  for (const char* name : {"rod", "plate"}) {
+    BodyResult& body = row.bodies.emplace_back();
+    const std::string head = std::string(name) + '_';
+    for (std::size_t k = 0; k < 3; ++k) set(head + "velocity_" + "xyz"[k], body.velocity[k]);
+    set(head + "mass_remaining", body.mass_remaining);
+    set(head + "max_plastic_strain", body.max_plastic_strain);
+    body.eroded_elements = eroded++;
+    expected[head + "eroded_elements"] = static_cast<double>(body.eroded_elements);
+  }
+  row.more.resize(2);
+  set("wall_force", row.more[0]);
+  set("tip_velocity_x", row.more[1]);
+  expected["total"] = e.kinetic + e.internal + e.hourglass + e.bulk_viscosity + e.contact_stored + e.contact_damped +
+                      e.eroded + e.folding + e.kinetic_below_zero - e.external;
+  writer.write(row);
+  const std::map<std::string, double> columns = columns_of(folder / "history.csv");
+  EXPECT_EQ(columns.size(), expected.size());
+  for (const auto& [name, number] : expected) {
+    ASSERT_TRUE(columns.contains(name)) << name;
+    EXPECT_DOUBLE_EQ(columns.at(name), number) << name;
+  }
+}
+
+TEST(History, EveryColumnHoldsItsOwnNumber) {
+  expect_own_columns(1);
+  expect_own_columns(-1);
+}
+
 TEST(History, RejectsARowOfOtherBodiesAndQuotesNames) {
   const TemporaryFolder folder("quotes");
   HistoryWriter writer(folder.path.string(), {"a,\"b\""});

@@ -10,6 +10,7 @@
 #include <solver/base/error.hpp>
 #include <solver/output/checkpoint.hpp>
 #include <solver/output/folder_lock.hpp>
+#include <solver/output/recorder.hpp>
 #include <solver/recorded_run.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/output_case.hpp>
@@ -160,6 +161,35 @@ TEST_F(RunFolders, AStoppedRunGoesOnWithTheSameBits) {
     }
     EXPECT_FALSE(exists("history.png")) << "of half a run";
   }
+}
+
+/// As if the first part had taken a day.
+TEST_F(RunFolders, TheTimeOfARunThatGoesOnIsThatOfBothParts) {
+  const SceneSource source = source_of("two_blocks");
+  const RunSummary half = run(source, [] { return true; });
+  const std::string path = folder_ / "out/checkpoint.pinball";
+  Checkpoint checkpoint = read_checkpoint(path);
+  StateArchive archive = StateArchive::reading(checkpoint.state);
+  RunRecord record;
+  record.persist(archive);
+  EXPECT_GT(record.wall_seconds, 0);
+  EXPECT_LE(record.wall_seconds, half.wall_seconds);
+  record.wall_seconds = 86400;
+  const std::span<const std::byte> rest = archive.rest();
+  StateBytes later;
+  StateArchive::save(later, [&](StateArchive& to) {
+    record.persist(to);
+    for (const std::byte byte : rest) {
+      std::byte one = byte;
+      to(one);
+    }
+  });
+  write_checkpoint(path, checkpoint.head, later);
+  checkpoint = read_checkpoint(path);
+  const RunSummary end = run_recorded(read_scene(checkpoint.head.source),
+                                      {folder_ / "out", true, 0, &checkpoint.head.source, &checkpoint});
+  EXPECT_GT(end.wall_seconds, 86400);
+  EXPECT_EQ(summary()["wall_seconds"], end.wall_seconds);
 }
 
 TEST_F(RunFolders, ARestartThatIsRefusedLeavesItsFolderAsItWas) {

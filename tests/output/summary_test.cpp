@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include <solver/base/error.hpp>
@@ -103,6 +104,209 @@ TEST(Summary, HoldsTheValues) {
   EXPECT_EQ(json["rigid_walls"], Json::parse(R"([{"name": "wall", "impulse": 3.0, "force_max": 2.0}])"));
   EXPECT_EQ(json["probes"], Json::parse(R"([{"name": "tip", "kind": "node", "body": "rod", "number": 7,
       "point": [1.0, 2.0, 3.0], "values": {"velocity_x": 4.0, "velocity_y": 5.0}}])"));
+}
+
+/// Numbers of the summary that are of their own, each another one, and every second below zero: with both signs of the
+/// first, all of them.
+class Numbers {
+ public:
+  explicit Numbers(double sign) : next_(sign) {}
+  double operator()(const std::string& path) {
+    next_ = -1.125 * next_;
+    expected_[path] = next_;
+    return next_;
+  }
+  std::int64_t whole(const std::string& path) {
+    expected_[path] = static_cast<double>(++count_);
+    return count_;
+  }
+  Point vector(const std::string& path) {
+    Point v{};
+    for (std::size_t k = 0; k < 3; ++k) v[k] = (*this)(path + '/' + std::to_string(k));
+    return v;
+  }
+  void also(const std::string& path, double number) { expected_[path] = number; }
+  void expect_in(const Json& json) const {
+    for (const auto& [path, number] : expected_) {
+      const Json::json_pointer place(path);
+      ASSERT_TRUE(json.contains(place) && json[place].is_number()) << path;
+      EXPECT_DOUBLE_EQ(json[place].get<double>(), number) << path;
+    }
+  }
+  /// Numbers that nobody has named.
+  void expect_all_of(const Json& json, const std::string& head = {}) const {
+    for (const auto& item : json.items()) {
+      const std::string path = head + '/' + item.key();
+      if (item.value().is_structured()) expect_all_of(item.value(), path);
+      EXPECT_TRUE(!item.value().is_number() || expected_.contains(path)) << path;
+    }
+  }
+
+ private:
+  std::map<std::string, double> expected_;
+  double next_;
+  std::int64_t count_ = 100;
+};
+
+void expect_own_numbers(double sign) {
+  RunSummary s;
+  Numbers n(sign);
+  s.threads = static_cast<int>(n.whole("/threads"));
+  s.simd_width = static_cast<int>(n.whole("/simd_width"));
+  s.elements = n.whole("/elements");
+  s.nodes = n.whole("/nodes");
+  s.steps = n.whole("/steps");
+  s.end_time = n("/end_time");
+  s.dt_min = n("/dt/min");
+  s.dt_max = n("/dt/max");
+  s.wall_seconds = n("/wall_seconds");
+  n.also("/element_steps_per_second", static_cast<double>(s.elements * s.steps) / s.wall_seconds);
+  s.phases = {{"output", n("/phase_seconds/output")}};
+  s.element_steps = n.whole("/element_steps");
+  s.element_steps_eroded = n.whole("/element_steps_eroded");
+  s.element_steps_resting = n.whole("/element_steps_resting");
+  s.element_steps_subcycled = n.whole("/element_steps_subcycled");
+  n.also("/skipped/resting_element_steps", static_cast<double>(s.element_steps_resting));
+  n.also("/skipped/subcycled_element_steps", static_cast<double>(s.element_steps_subcycled));
+  n.also("/element_steps_skipped",
+         static_cast<double>(s.element_steps_eroded + s.element_steps_resting + s.element_steps_subcycled));
+  Energies& e = s.energy;
+  e.kinetic = n("/energy/kinetic");
+  e.kinetic_below_zero = n("/energy/kinetic_below_zero");
+  e.internal = n("/energy/internal");
+  e.hourglass = n("/energy/hourglass");
+  e.hourglass_plastic = n("/energy/hourglass_plastic");
+  e.bulk_viscosity = n("/energy/bulk_viscosity");
+  e.folding = n("/energy/folding");
+  e.contact_stored = n("/energy/contact_stored");
+  e.contact_damped = n("/energy/contact_damped");
+  n.also("/energy/contact", e.contact_stored + e.contact_damped);
+  e.eroded = n("/energy/eroded");
+  e.external = n("/energy/external");
+  s.initial_total = n("/energy/initial_total");
+  s.final_total = n("/energy/final_total");
+  s.balance_error_max = n("/energy/balance_error_max");
+  s.energy_in_motion = n("/energy/in_motion");
+  s.balance_error_in_motion.largest = n("/energy/balance_error_in_motion_max");
+  s.contact_created.largest = n("/energy/contact_created_share");
+  s.contact_swallowed.largest = n("/energy/contact_swallowed_share");
+  s.hourglass_created.largest = n("/energy/hourglass_created_share");
+  s.hourglass_large.largest = n("/energy/hourglass_share");
+  s.hourglass_plastic.largest = n("/energy/hourglass_plastic_share");
+  s.kinetic_below_zero.largest = n("/energy/kinetic_below_zero_share");
+  s.internal_below_zero.largest = n("/energy/internal_below_zero_share");
+  s.inside_out.elements = n.whole("/inside_out/elements");
+  s.inside_out.most = n.whole("/inside_out/most");
+  s.inside_out.first_time = n("/inside_out/first_time");
+  s.momentum_initial = n.vector("/momentum/initial");
+  s.momentum_final = n.vector("/momentum/final");
+  double material_mass = 0;
+  for (const std::string b : {"0", "1"}) {
+    BodyResult& body = s.bodies.emplace_back();
+    body.elements = n.whole("/bodies/" + b + "/elements");
+    body.eroded_elements = n.whole("/bodies/" + b + "/eroded_elements");
+    body.mass_initial = n("/bodies/" + b + "/mass_initial");
+    body.mass_remaining = n("/bodies/" + b + "/mass_remaining");
+    body.mass_added = n("/bodies/" + b + "/mass_added");
+    body.velocity = n.vector("/bodies/" + b + "/velocity");
+    body.max_plastic_strain = n("/bodies/" + b + "/max_plastic_strain");
+    material_mass += body.mass_initial;
+  }
+  s.mass_added = n("/mass_scaling/added");
+  n.also("/mass_scaling/percent", 100 * s.mass_added / (material_mass - s.mass_added));
+  WallResult& wall = s.walls.emplace_back();
+  wall.moves = true;
+  wall.impulse = n("/rigid_walls/0/impulse");
+  wall.force_max = n("/rigid_walls/0/force_max");
+  wall.displacement = n("/rigid_walls/0/displacement");
+  wall.velocity = n("/rigid_walls/0/velocity");
+  s.pressures.push_back({"gas", n.vector("/pressures/0/force"), n("/pressures/0/work")});
+  s.probes = {{"tip",
+               "rod",
+               n.whole("/probes/0/number"),
+               false,
+               n.vector("/probes/0/point"),
+               {{"velocity_x", n("/probes/0/values/velocity_x")}}}};
+  PairResult& pair = s.contact_pairs.emplace_back();
+  pair.impulse = n.vector("/contact/pairs/0/impulse");
+  pair.force_max = n("/contact/pairs/0/force_max");
+  TiedResult& tied = s.tied.emplace_back();
+  tied.nodes = n.whole("/contact/tied/0/nodes");
+  tied.near = n.whole("/contact/tied/0/near");
+  tied.held = n.whole("/contact/tied/0/held");
+  tied.taken = n.whole("/contact/tied/0/taken");
+  OverlapResult& overlap = s.overlaps.emplace_back();
+  overlap.points = n.whole("/contact/overlaps/0/points");
+  overlap.nodes = n.whole("/contact/overlaps/0/nodes");
+  overlap.depth = n("/contact/overlaps/0/depth");
+  overlap.share = n("/contact/overlaps/0/share");
+  s.pinballs = n.whole("/contact/pinballs");
+  s.pairs_max = n.whole("/contact/pairs_max");
+  s.sweeps.solutions = n.whole("/contact/sweeps/solutions");
+  n.also("/contact/solves", static_cast<double>(s.sweeps.solutions));
+  s.sweeps.sweeps = 7 * s.sweeps.solutions;
+  n.also("/contact/sweeps/mean", 7);
+  s.sweeps.largest = n.whole("/contact/sweeps/largest");
+  s.sweeps.at_bound = n.whole("/contact/sweeps/at_bound");
+  n.also("/contact/unconverged", static_cast<double>(s.sweeps.at_bound));
+  s.sweeps.unsolved = n.whole("/contact/sweeps/unsolved");
+  s.sweeps.residual = n("/contact/residual_max");
+  s.sweeps.relative = n("/contact/residual_share_max");
+  s.searches = n.whole("/contact/searches");
+  s.searches_skipped = n.whole("/contact/searches_skipped");
+  n.also("/skipped/searches", static_cast<double>(s.searches_skipped));
+  s.max_penetration_ratio = n("/contact/max_penetration_ratio");
+  s.max_penetration_time = n("/contact/max_penetration_time");
+  s.inner_element_steps = n.whole("/skipped/inner_element_steps");
+  s.bytes_not_stored = n.whole("/skipped/bytes_not_stored");
+  s.skipped_seconds.resting = n("/skipped_seconds/resting");
+  s.skipped_seconds.subcycling = n("/skipped_seconds/subcycling");
+  s.skipped_seconds.searches = n("/skipped_seconds/searches");
+  s.skipped_seconds.inner_elements = n("/skipped_seconds/inner_elements");
+  s.bytes_per_element = n.whole("/bytes_per_element");
+  const Json json = Json::parse(summary_json(s));
+  n.expect_in(json);
+  n.expect_all_of(json);
+}
+
+TEST(Summary, EveryKeyHoldsItsOwnNumber) {
+  expect_own_numbers(1);
+  expect_own_numbers(-1);
+}
+
+TEST(Summary, EveryKeyHoldsItsOwnText) {
+  RunSummary s;
+  std::map<std::string, std::string> expected;
+  const auto set = [&](const char* path, std::string& text) { expected[path] = text = "text of " + std::string(path); };
+  set("/scene", s.scene);
+  set("/title", s.title);
+  set("/error", s.error);
+  set("/started", s.started);
+  set("/units", s.units);
+  set("/version", s.version);
+  set("/precision", s.precision);
+  set("/device", s.device);
+  set("/dt/limited_by", s.dt_limited_by);
+  set("/inside_out/first_place", s.inside_out.first_place);
+  set("/bodies/0/name", s.bodies.emplace_back().name);
+  set("/rigid_walls/0/name", s.walls.emplace_back().name);
+  set("/pressures/0/name", s.pressures.emplace_back().name);
+  set("/probes/0/name", s.probes.emplace_back().name);
+  set("/probes/0/body", s.probes[0].body);
+  set("/contact/pairs/0/name", s.contact_pairs.emplace_back().name);
+  set("/contact/tied/0/name", s.tied.emplace_back().name);
+  OverlapResult& overlap = s.overlaps.emplace_back();
+  set("/contact/overlaps/0/first", overlap.first);
+  set("/contact/overlaps/0/second", overlap.second);
+  set("/contact/overlaps/0/place", overlap.place);
+  set("/contact/method", s.contact_method);
+  set("/contact/because", s.contact_because);
+  set("/contact/enforcement", s.contact_enforcement);
+  set("/contact/gap", s.contact_gap);
+  set("/contact/max_penetration_place", s.max_penetration_place);
+  set("/notes/0", s.notes.emplace_back());
+  const Json json = Json::parse(summary_json(s));
+  for (const auto& [path, text] : expected) EXPECT_EQ(json[Json::json_pointer(path)], text) << path;
 }
 
 TEST(Summary, NamesTheUnitsOfTheColumnsOfTheHistory) {
