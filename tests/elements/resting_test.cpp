@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include <solver/elements/resting_tiles.hpp>
 #include <tests/support/solver_case.hpp>
@@ -211,6 +212,35 @@ TEST(RestingTiles, AreLookedAtAnewWhenTheModelWasChanged) {
   EXPECT_EQ(skipped_by_step(solver), 0);
   EXPECT_EQ(skipped_by_step(solver), 256 - 32);
   EXPECT_GT(kinetic_energy(solver), 0);
+}
+
+/// Node by node, of a block whose tiles have nodes of several stretches of the store.
+TEST(RestingTiles, HaveTheNodesOfTheirElementsAndNoOthers) {
+  for (const Scene& scene : {long_bar(), scene_of({block("a", {30, 25, 20}, 0.1, {0, 0, 0})}, 1)}) {
+    const Model<double> model = build_model<double>(scene);
+    const RestingTiles<double> resting(model);
+    ASSERT_EQ(static_cast<std::int64_t>(resting.tiles().size()), model.tile_count());
+    std::size_t most = 0;
+    for (const auto& tile : resting.tiles()) {
+      std::set<std::int32_t> expected, found;
+      std::int32_t elements = 0;
+      for (std::size_t e = 0; e < model.slot_of_element.size(); ++e) {
+        const std::int64_t slot = model.slot_of_element[e], pack = slot / ElementStore<double>::width;
+        if (pack < model.tile_packs[tile.number] || pack >= model.tile_packs[tile.number + 1]) continue;
+        ++elements;
+        for (const std::int32_t node : model.elements.corners(slot)) expected.insert(node);
+      }
+      for (const NodeRange& range : tile.nodes) {
+        ASSERT_LT(range.first, range.end);
+        for (std::int32_t node = range.first; node < range.end; ++node) EXPECT_TRUE(found.insert(node).second);
+      }
+      EXPECT_EQ(found, expected) << "tile " << tile.number;
+      EXPECT_EQ(tile.elements, elements);
+      most = std::max(most, tile.nodes.size());
+    }
+    if (model.tile_count() == 8) continue;
+    EXPECT_GT(most, 1U) << "the test is to cover tiles of several ranges";
+  }
 }
 
 TEST(RestingTiles, HaveOneVelocityAndNoStress) {

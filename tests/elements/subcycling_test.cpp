@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/elements/schedule.hpp>
 #include <solver/model/step_levels.hpp>
 #include <tests/support/solver_case.hpp>
 
@@ -222,6 +223,73 @@ TEST(Subcycling, ContactLimitsTheStepsOfElementsAtTheSurfaceAlone) {
   EXPECT_DOUBLE_EQ(subcycling.stable_step(tiles, 0).step, 1);
   // Of the surface 2 / sqrt(4/1 + w^2). Elements behind it would allow less with the same w: 2 / sqrt(4/4^2 + w^2) / 4.
   EXPECT_DOUBLE_EQ(subcycling.stable_step(tiles, 0.25).step, 2 / std::sqrt(4.25));
+}
+
+/// A bar with a thin section, one of whose tiles behind the surface is squeezed: 2.9 times the smallest step in place
+/// of 4, so that tiles beside it are to be lowered. Where contact makes the smallest step half as long, others are.
+class SqueezedBar {
+ public:
+  /// unit: the smallest stable step
+  explicit SqueezedBar(double unit) : model_(build_model<double>(scene())) {
+    results_.resize(static_cast<std::size_t>(model_.tile_count()));
+    bool squeezed = false;
+    for (std::size_t t = 0; t < results_.size(); ++t) {
+      const TileLevels& levels = model_.tile_levels[t];
+      const bool here = !squeezed && levels.highest == 2;
+      squeezed = squeezed || here;
+      results_[t].time_step = unit * (here ? 2.9 : std::ldexp(1.0, levels.own));
+    }
+    EXPECT_TRUE(squeezed);
+  }
+
+  Schedule<double> schedule() const { return Schedule<double>(model_); }
+  /// A step in the middle of a cycle, with contact of this frequency.
+  void step_within(Schedule<double>& schedule, double frequency2) const {
+    schedule.bound(model_, {1}, results_, 1, 0, frequency2);
+  }
+  /// A step that works all; contact has let go. Returns the elements of the levels of the cycle that it begins.
+  std::vector<std::int64_t> step_of_all(Schedule<double>& schedule) const {
+    schedule.begin_step(model_, {}, results_);
+    schedule.bound(model_, {}, results_, 1, 0, 0);
+    return schedule.subcycling()->elements_of_levels();
+  }
+  /// The same of another schedule that goes on from the state of this one.
+  std::vector<std::int64_t> step_of_all_after_a_restart(Schedule<double>& schedule) const {
+    StateBytes bytes;
+    StateArchive::save(bytes, [&](StateArchive& archive) { schedule.persist(archive, model_); });
+    StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+    Schedule<double> rest = this->schedule();
+    rest.persist(archive, model_);
+    EXPECT_EQ(archive.left(), 0U);
+    return step_of_all(rest);
+  }
+
+ private:
+  static Scene scene() {
+    Scene scene = bar_with_thin_section(1, 9);
+    scene.contact.method = ContactMethod::pinball;
+    return scene;
+  }
+  Model<double> model_;
+  std::vector<TileResult<double>> results_;
+};
+
+TEST(Subcycling, ContactWithinACycleCountsInTheLevelsOfTheNext) {
+  const SqueezedBar bar(1);
+  Schedule<double> touched = bar.schedule(), free = bar.schedule();
+  bar.step_within(touched, 12);  // 2 / sqrt(4 + 12)
+  bar.step_within(touched, 0);   // the largest of a cycle counts
+  const std::vector<std::int64_t> after_a_restart = bar.step_of_all_after_a_restart(touched);
+  const std::vector<std::int64_t> levels = bar.step_of_all(touched);
+  EXPECT_EQ(after_a_restart, levels);
+  EXPECT_NE(bar.step_of_all(free), levels);
+}
+
+/// A frequency of nothing is nothing, however long the steps are.
+TEST(Subcycling, WithoutContactTheUnitOfTimeDoesNotMatter) {
+  const SqueezedBar bar(1), slow(1024);
+  Schedule<double> one = bar.schedule(), other = slow.schedule();
+  for (int cycle = 0; cycle < 3; ++cycle) EXPECT_EQ(bar.step_of_all(one), slow.step_of_all(other)) << cycle;
 }
 
 TEST(Subcycling, GoesWithErosion) {
