@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "impact_case.hpp"
 
@@ -152,6 +154,44 @@ TYPED_TEST(ClosingFaces, MeetAndGoNoFurther) {
     largest = std::max(largest, before / way);
   }
   EXPECT_GT(largest, 0.5);
+}
+
+/// Two elements, the lower one with a level upper side; that of the other rises from its edge over the lower's nodes.
+Scene wedge_on_a_cube(bool upper_first) {
+  static const std::vector<double> cube{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+  static const std::vector<double> wedge = [] {
+    constexpr double low = 1 + 1.0 / 1024, rise = 1.0 / 16;
+    return std::vector<double>{0, 0, low,     1, 0, low + rise, 1, 1, low + rise, 0, 1, low,
+                               0, 0, low + 1, 1, 0, low + 1,    1, 1, low + 1,    0, 1, low + 1};
+  }();
+  static const std::vector<std::int32_t> corners{0, 1, 2, 3, 4, 5, 6, 7};
+  const auto body = [](const std::string& name, const std::vector<double>& nodes, double speed) {
+    Body one = block(name, {1, 1, 1}, 1, {0, 0, 0}, {0, 0, speed});
+    one.mesh = ArrayMesh{view_records(nodes.data(), 8, 3), view_records(corners.data(), 1, 8), 0, {}};
+    return one;
+  };
+  Scene scene = scene_of({body("cube", cube, 10), body("wedge", wedge, -10)}, 1);
+  if (upper_first) std::swap(scene.bodies[0], scene.bodies[1]);
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  return scene;
+}
+
+/// Node on node: along the mean of the normals of both, so that it does not matter which body is the first.
+TEST(ContactByImpulsesOfNodes, NodesThatMeetPushTheSameWhicheverBodyIsTheFirst) {
+  double aside[2] = {};
+  for (const bool upper_first : {false, true}) {
+    Solver<double> solver(wedge_on_a_cube(upper_first));
+    const auto of_cube = [&] { return velocity_of_body(solver, upper_first ? 1 : 0); };
+    solver.step();
+    const Point before = of_cube();
+    while (of_cube()[2] == before[2] && solver.steps() < 20) solver.step();
+    const double down = 10 - of_cube()[2];
+    ASSERT_GT(down, 1);
+    aside[upper_first ? 1 : 0] = of_cube()[0] / down;
+  }
+  EXPECT_NEAR(aside[0], aside[1], 1e-9);
+  EXPECT_GT(aside[0], 0.005) << "the sides are not parallel";
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -35,6 +36,8 @@ class Nodes final : public SurfaceSource<double> {
     place[1] = v.y;
     place[2] = v.z;
   }
+  /// Something else than contact.
+  void push(std::int32_t node, double load) { record(f_.data(), node)[2] += load; }
   /// Makes the step of length 1.
   void take_force(std::int32_t node) {
     for (int c = 0; c < 3; ++c) {
@@ -126,6 +129,33 @@ TEST(ImpulsesOfTwoNodes, PushesADepthOutByATenthInAStep) {
     solve_pair(solver, nodes, {0, 0, 1}, depth);
     const double apart = (nodes.force_of(0).z / nodes.mass[0]) - (nodes.force_of(1).z / nodes.mass[1]);
     EXPECT_NEAR(apart, 0.1 * depth, 1e-12) << "of an energy of " << 0.5 * reduced * speed * speed;
+  }
+}
+
+/// A node is stopped, pressed on without moving, and let go. In the step after the last that pushes it gets half of
+/// that once more, but with no more energy than it was stopped with: all of that, for it came and goes with the same.
+TEST(ImpulsesOfTwoNodes, GiveBackNoMoreThanTheyHaveTaken) {
+  const double reduced = 2.0 * 3.0 / 5.0, opening = 0.1;
+  for (const double pressing : {20.0, 1.5}) {
+    for (const double speed : {1.0, 0.3}) {
+      Nodes nodes({2.0, 3.0});
+      nodes.set_velocity(0, {0, 0, -speed});
+      ImpulseSolver<double> solver(coupled(), 2, {2, {}});
+      const auto step = [&](double load) {  // returns the impulse
+        nodes.push(0, load);
+        solve_pair(solver, nodes, {0, 0, 1}, 0);
+        const double impulse = nodes.force_of(0).z - load;
+        for (const std::int32_t n : {0, 1}) nodes.take_force(n);
+        return impulse;
+      };
+      EXPECT_NEAR(step(0), reduced * speed, 1e-12);
+      const double last = step(-pressing);
+      EXPECT_NEAR(last, pressing * reduced / 2.0, 1e-12);
+      // p (0 + opening + p / reduced) / 2 <= reduced speed^2 / 2, for both were at rest in the step before
+      const double half = 0.5 * reduced * opening;
+      const double most = -half + std::sqrt(half * half + reduced * reduced * speed * speed);
+      EXPECT_NEAR(step(2.0 * opening), std::min(0.5 * last, most), 1e-12) << pressing << ", " << speed;
+    }
   }
 }
 

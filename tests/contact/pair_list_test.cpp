@@ -367,5 +367,11 @@ TEST_F(Straying, AllowancesFollowWhatANodeHasStrayed) {
   EXPECT_EQ(motion.allowance(all.corners[4]), at_rest);
 }
 
+/// All of a surface has eroded, or there is none.
+TEST(PairList, NoBallsHaveNoPairs) {
+  EXPECT_TRUE(found(bodies<double>(0), {}).empty());
+  EXPECT_TRUE(found(bodies<float>(0), {}).empty());
+}
+
 }  // namespace
 }  // namespace pinball

@@ -124,12 +124,16 @@ TEST(EmbeddedErrors, OfCreationNameTheArgument) {
       {"no corners", [](Case& c) { c.mesh.corners = nullptr; }, PINBALL_CONTACT_NULL_POINTER, "mesh->corners"},
       {"corner", [](Case& c) { c.corners[11] = 17; }, PINBALL_CONTACT_BAD_INDEX, "mesh->corners[11]"},
       {"corner below", [](Case& c) { c.corners[2] = -1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->corners[2]"},
+      {"first corner", [](Case& c) { c.corners[0] = -1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->corners[0]"},
       {"from 1", [](Case& c) { c.options.first_index = 1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->corners[0]"},
       {"body", [](Case& c) { c.body[1] = -1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->body[1]"},
+      {"first body", [](Case& c) { c.body[0] = -1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->body[0]"},
       {"part", [](Case& c) { c.part[1] = 2; }, PINBALL_CONTACT_BAD_INDEX, "mesh->part[1]"},
+      {"first part", [](Case& c) { c.part[0] = -1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->part[0]"},
       {"no modulus", [](Case& c) { c.mesh.bulk_modulus = nullptr; }, PINBALL_CONTACT_NULL_POINTER,
        "mesh->bulk_modulus"},
       {"modulus", [](Case& c) { c.bulk_modulus[1] = 0; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->bulk_modulus[1]"},
+      {"first modulus", [](Case& c) { c.bulk_modulus[0] = nan; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->bulk_modulus[0]"},
       {"element mass", [](Case& c) { c.element_mass[1] = -8; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->element_mass[1]"},
       {"volume", [](Case& c) { c.element_volume[0] = 0; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->element_volume[0]"},
       {"inside out",
@@ -145,6 +149,9 @@ TEST(EmbeddedErrors, OfCreationNameTheArgument) {
       {"radius", [](Case& c) { c.sphere_radius[0] = -0.3; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->sphere_radius[0]"},
       {"held", [](Case& c) { c.held_node[0] = 17; }, PINBALL_CONTACT_BAD_INDEX, "mesh->held_node[0]"},
       {"direction", [](Case& c) { c.held_direction[2] = 2; }, PINBALL_CONTACT_BAD_NUMBER, "mesh->held_direction"},
+      {"direction of no length", [](Case& c) { c.held_direction[2] = 0; }, PINBALL_CONTACT_BAD_NUMBER, "entry 0"},
+      {"direction along x", [](Case& c) { c.held_direction[0] = 0.5; }, PINBALL_CONTACT_BAD_NUMBER, "entry 0"},
+      {"direction along y", [](Case& c) { c.held_direction[1] = 0.5; }, PINBALL_CONTACT_BAD_NUMBER, "entry 0"},
       {"two directions",
        [](Case& c) {
          c.held_node = {3, 2, 3}, c.held_direction = {0, 0, 1, 0, 0, 1, 0, 0.6, 0.8};
@@ -165,6 +172,7 @@ TEST(EmbeddedErrors, OfCreationNameTheArgument) {
       {"most threads", [](Case& c) { c.options.threads = std::numeric_limits<std::int32_t>::max(); },
        PINBALL_CONTACT_BAD_OPTION, "options->threads"},
       {"tiles", [](Case& c) { c.tiles[1] = 1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->tile_offsets[1]"},
+      {"first tile", [](Case& c) { c.tiles[0] = 1; }, PINBALL_CONTACT_BAD_INDEX, "mesh->tile_offsets[0]"},
       {"no place", [](Case& c) { c.start.y = nullptr; }, PINBALL_CONTACT_NULL_POINTER, "position"},
       {"stride", [](Case& c) { c.start.stride = 0; }, PINBALL_CONTACT_BAD_COUNT, "position->stride"},
       {"place", [](Case& c) { c.position[3 * 7 + 1] = nan; }, PINBALL_CONTACT_BAD_NUMBER, "position: node 7"},
@@ -179,6 +187,20 @@ TEST(EmbeddedErrors, OfCreationNameTheArgument) {
     EXPECT_EQ(pinball_contact_update(contact, &c.arrays, 0), PINBALL_CONTACT_BAD_ORDER);
     pinball_contact_destroy(contact);
   }
+}
+
+/// Along each axis and between them, of one node and of others.
+TEST(EmbeddedErrors, HeldDirectionsOfUnitLengthAreTaken) {
+  Case c;
+  c.held_node = {3, 3, 3, 9, 10};
+  c.held_direction = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.6, 0, 0.8, 0, -0.8, 0.6};
+  c.mesh.held_count = 5;
+  c.mesh.held_node = c.held_node.data();
+  c.mesh.held_direction = c.held_direction.data();
+  pinball_contact* contact = nullptr;
+  EXPECT_EQ(pinball_contact_create(&c.options, &c.mesh, &c.start, &contact), PINBALL_CONTACT_OK)
+      << pinball_contact_message(contact);
+  pinball_contact_destroy(contact);
 }
 
 TEST(EmbeddedErrors, NullPointersAreNamed) {
