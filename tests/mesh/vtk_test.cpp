@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include <solver/mesh/quality.hpp>
 #include <solver/mesh/vtk/vtk_reader.hpp>
 #include <tests/support/scene_text.hpp>
@@ -81,6 +83,23 @@ TEST_P(Vtk, FilesWithOtherBytesAreReadOrErrors) {
   EXPECT_GT(
       errors_where_changed(bytes_of("vtk/grid_" + GetParam()), 4000, [](const std::string& bytes) { read(bytes); }),
       500);
+}
+
+/// None of them 0, which is what a number has that was not read.
+TEST(VtkLegacy, EveryCoordinateOfEveryPointIsRead) {
+  const std::string text = bytes_of("vtk/grid_ascii.vtk");
+  const std::size_t begin = text.find("\n0 0 0 1 0 0") + 1, end = text.find("CELLS 4");
+  std::istringstream given(text.substr(begin, end - begin));
+  std::string moved;
+  std::vector<Point> expected(14);
+  for (Point& point : expected) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      given >> point[k];
+      point[k] += 10.0 + static_cast<double>(k);
+      moved += std::to_string(point[k]) + ' ';
+    }
+  }
+  EXPECT_EQ(read(text.substr(0, begin) + moved + '\n' + text.substr(end)).mesh.nodes, expected);
 }
 
 TEST(VtkLegacy, NamesTheLineOfWhatIsWrong) {
