@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include <solver/abaqus/abaqus_assembly.hpp>
 #include <solver/abaqus/abaqus_deck.hpp>
 #include <solver/base/error.hpp>
 #include <tests/support/error_of.hpp>
@@ -119,6 +120,24 @@ TEST(AbaqusDeck, WhatIsNotClosedIsToldWithItsPlace) {
             "a.inp:2: *PART: expected *END PART before the end of the deck");
   EXPECT_THAT(error_of("*END PART\n"), HasSubstr("a.inp:1: *END PART: nothing is open that it closes"));
   EXPECT_THAT(error_of("*STEP\n*STEP\n"), HasSubstr("a.inp:2: *STEP: the step before it is not closed"));
+  const std::string part = "*PART, NAME=p\n", instance = "*INSTANCE, NAME=i, PART=p\n";
+  for (const std::string& first : {part, instance}) {
+    for (const std::string& second : {part, instance}) {
+      const std::string name = second == part ? "*PART" : "*INSTANCE";
+      EXPECT_EQ(error_of(first + second + "*END PART\n*END INSTANCE\n"),
+                "a.inp:2: " + name + ": a *PART or an *INSTANCE before it is not closed");
+    }
+  }
+}
+
+TEST(AbaqusDeck, InstancesThatAreWrittenAlikeButForQuotesHaveNamesOfTheirOwn) {
+  const AbaqusDeck deck = parse(
+      "*PART, NAME=p\n*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=low, PART=p\n*END INSTANCE\n*INSTANCE, "
+      "NAME=\"low\", PART=p\n"
+      "*END INSTANCE\n*INSTANCE, NAME=Top, PART=p\n*END INSTANCE\n");
+  std::vector<std::string> names;
+  for (const AbaqusComponent& component : abaqus_components(deck)) names.push_back(component.name);
+  EXPECT_THAT(names, ElementsAre("LOW", "low", "Top", "")) << "the last is what belongs to none";
 }
 
 TEST(AbaqusDeck, WhatIsNoAbaqusInputIsToldSo) {

@@ -63,6 +63,21 @@ TEST_F(DeckGivenOnce, ThatOfACaseTakesThePlaceOfThatOfAll) {
   EXPECT_EQ(scene(both).time.end, 1e-6);
 }
 
+/// A case has a contact beside that of all cases: both are done, and the later has no name.
+TEST_F(DeckGivenOnce, ContactsOfOneNumberHaveOneName) {
+  const auto contact = [](const std::string& friction) {
+    return "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n7\n1,1,3,3\n" + friction + "\n\n";
+  };
+  DeckOptions first;
+  first.chosen_case = 1;
+  const Scene s =
+      scene(cube + elastic + ends + contact("0.1") + "*CASE_BEGIN_1\n" + contact("0.2") + "*CASE_END_1\n", first);
+  ASSERT_EQ(s.contact_pairs.size(), 2U);
+  EXPECT_EQ(s.contact_pairs[0].name, "contact_7");
+  EXPECT_NE(s.contact_pairs[1].name, "contact_7");
+  EXPECT_EQ(s.contact_pairs[1].friction, 0.2);
+}
+
 TEST_F(DeckGivenOnce, NumbersThatAreTitlesOfOthersFindTheirOwn) {
   const std::string sets = "*SET_NODE_LIST_TITLE\n8\n7\n1,2\n*SET_NODE_LIST_TITLE\n7\n8\n5,6,7,8\n";
   const Scene s = scene(cube + elastic + ends + sets + "*BOUNDARY_SPC_SET\n7,0,1,1,1\n");

@@ -212,6 +212,12 @@ TEST(KeywordDeck, AParameterHasOneValueInAllOfTheDeck) {
   EXPECT_THAT(error_of([&] { value("*PARAMETER_DUPLICATION\n2\n*PARAMETER\nRa,1\n*PARAMETER\nRa,2\n"); }),
               HasSubstr("DFLAG 2 is not read"));
   EXPECT_THAT(error_of([&] { value("*PARAMETER\nIa,1e300\n"); }), HasSubstr("expected a smaller whole number"));
+  for (const char* const text : {"fast", "1..2", "300mm"}) {
+    for (const char kind : {'R', 'I'}) {
+      EXPECT_EQ(error_of([&] { value(std::string("*PARAMETER\n") + kind + "a," + text + '\n'); }),
+                std::string("a.k:2: parameter a: expected a number, got \"") + text + '"');
+    }
+  }
   for (const char* const declaration : {"Xa", "R", "7"}) {
     EXPECT_THAT(error_of([&] { value(std::string("*PARAMETER\n") + declaration + ",1\n"); }),
                 HasSubstr("expected R, I or C and the name of a parameter, got"))
