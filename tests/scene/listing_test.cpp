@@ -92,6 +92,26 @@ TEST(SceneListing, TellsWhatIsDefault) {
   EXPECT_TRUE(entry_of("time", "cfl").is_default);
 }
 
+TEST(SceneListing, TellsWhetherAProbeWatchesAllThatItMay) {
+  for (const ProbeKind kind : {ProbeKind::node, ProbeKind::element}) {
+    const std::vector<std::string> all = probe_quantities(kind), first{all.front()};
+    for (const auto& given : {std::vector<std::string>{}, all, first}) {
+      Scene scene = example();
+      scene.probes = {{"tip", kind, {0, 0, 0}, "", given}};
+      bool found = false;
+      for (const SceneEntry& entry : list_scene(scene)) {
+        if (entry.table != "probe.tip" || entry.key != "quantities") continue;
+        found = true;
+        EXPECT_EQ(entry.is_default, given != first);
+        const std::string second = '"' + all[1] + '"';
+        EXPECT_EQ(entry.value.find(second) != std::string::npos, given != first) << entry.value;
+        EXPECT_NE(entry.value.find('"' + first[0] + '"'), std::string::npos) << entry.value;
+      }
+      EXPECT_TRUE(found);
+    }
+  }
+}
+
 TEST(SceneListing, WritesValuesAsASceneHasThem) {
   EXPECT_EQ(entry_of("body.bar", "velocity").value, "[0, 0, 7]");
   EXPECT_EQ(entry_of("body.bar", "velocity").unit, "L/T");
