@@ -210,6 +210,29 @@ TEST(FixedConstraint, InACylindricalFrame) {
   }
 }
 
+/// Between the axes of the frame: of a turned direction the sign of each component shows.
+TEST(FixedConstraint, HoldsObliqueDirectionsOfACylindricalFrame) {
+  Scene scene = scene_of({block("a", {3, 3, 2}, 0.1, {-0.15, -0.15, 0}, {1, 2, 3})}, 3e-5, false);
+  scene.bodies[0].angular_velocity = {0, 0, 100};
+  FixedConstraint fixed;
+  fixed.nodes.body = "a";
+  fixed.frame = Frame::cylindrical;
+  fixed.axis = {{0, 0, 5}, {0, 0, 1}};
+  fixed.directions = {{0.48, 0.64, 0.6}};
+  scene.fixed_constraints = {fixed};
+  Solver<double> solver(scene);
+  run(solver);
+  double across = 0;
+  for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+    const Point &x = solver.mesh().nodes[n], v = velocity_of(solver, n);
+    const double r = std::hypot(x[0], x[1]);
+    const double radial = (x[0] * v[0] + x[1] * v[1]) / r, circumferential = (x[0] * v[1] - x[1] * v[0]) / r;
+    EXPECT_NEAR(0.48 * radial + 0.64 * circumferential + 0.6 * v[2], 0, 1e-12);
+    across = std::max(across, std::abs(0.48 * radial - 0.64 * circumferential + 0.6 * v[2]));
+  }
+  EXPECT_GT(across, 0.1);
+}
+
 TEST(FixedConstraint, HoldsALineAndTheNearestNode) {
   Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {1, 2, 3})}, 1e-4, false);
   FixedConstraint line, point;

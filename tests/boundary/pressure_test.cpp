@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include <kernels/boundary/face_pressure.hpp>
 #include <solver/base/point.hpp>
@@ -48,6 +49,40 @@ TEST(Pressure, OfAFaceWhoseElementIsErodedIsNone) {
   double along = 0;
   for (std::size_t i = 0; i < 4; ++i) along += force[12 + 3 * i + 2];
   EXPECT_NEAR(along, -3, 1e-14) << "the other one is of area 1 seen along z";
+}
+
+/// Of any warped face, by Gauss' rule with 3 x 3 points, exact for it: p N_i over dx/dxi x dx/deta, inwards.
+TEST(Pressure, OnEachCornerOfAWarpedFaceIsItsIntegral) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const double point[3] = {-std::sqrt(0.6), 0, std::sqrt(0.6)}, weight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+  const double xi_of[4] = {-1, 1, 1, -1}, eta_of[4] = {-1, -1, 1, 1}, p = 2.5;
+  for (int sample = 0; sample < 20; ++sample) {
+    std::vector<double> position(16);
+    for (double& x : position) x = 5 + any(random);
+    const std::vector<std::int32_t> corners{2, 0, 3, 1};
+    double force[12];
+    pressure_on_corners(position.data(), corners.data(), p, force);
+    double expected[12] = {};
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        Point along_xi{}, along_eta{};
+        for (std::size_t i = 0; i < 4; ++i) {
+          for (std::size_t k = 0; k < 3; ++k) {
+            const double x = position[4 * static_cast<std::size_t>(corners[i]) + k];
+            along_xi[k] += 0.25 * xi_of[i] * (1 + eta_of[i] * point[b]) * x;
+            along_eta[k] += 0.25 * eta_of[i] * (1 + xi_of[i] * point[a]) * x;
+          }
+        }
+        const Point area = cross(along_xi, along_eta);
+        for (std::size_t i = 0; i < 4; ++i) {
+          const double shape = 0.25 * (1 + xi_of[i] * point[a]) * (1 + eta_of[i] * point[b]);
+          for (std::size_t k = 0; k < 3; ++k) expected[3 * i + k] -= p * shape * weight[a] * weight[b] * area[k];
+        }
+      }
+    }
+    for (std::size_t i = 0; i < 12; ++i) EXPECT_NEAR(force[i], expected[i], 1e-13) << i;
+  }
 }
 
 /// Faces of a sphere's mesh are warped, and trapezoids: a quarter of the area on each corner has a moment.
