@@ -132,8 +132,8 @@ TEST(ImpulsesOfTwoNodes, PushesADepthOutByATenthInAStep) {
   }
 }
 
-/// A node is stopped, pressed on without moving, and let go. In the step after the last that pushes it gets half of
-/// that once more, but with no more energy than it was stopped with: all of that, for it came and goes with the same.
+/// A node closes a gap, is stopped, pressed on without moving, and let go. In the step after the last that pushes it
+/// gets half of that once more, but with no more energy than it was stopped with in both steps.
 TEST(ImpulsesOfTwoNodes, GiveBackNoMoreThanTheyHaveTaken) {
   const double reduced = 2.0 * 3.0 / 5.0, opening = 0.1;
   for (const double pressing : {20.0, 1.5}) {
@@ -141,20 +141,21 @@ TEST(ImpulsesOfTwoNodes, GiveBackNoMoreThanTheyHaveTaken) {
       Nodes nodes({2.0, 3.0});
       nodes.set_velocity(0, {0, 0, -speed});
       ImpulseSolver<double> solver(coupled(), 2, {2, {}});
-      const auto step = [&](double load) {  // returns the impulse
+      const auto step = [&](double load, double depth) {  // returns the impulse
         nodes.push(0, load);
-        solve_pair(solver, nodes, {0, 0, 1}, 0);
+        solve_pair(solver, nodes, {0, 0, 1}, depth);
         const double impulse = nodes.force_of(0).z - load;
         for (const std::int32_t n : {0, 1}) nodes.take_force(n);
         return impulse;
       };
-      EXPECT_NEAR(step(0), reduced * speed, 1e-12);
-      const double last = step(-pressing);
+      EXPECT_NEAR(step(0, -0.5 * speed), 0.5 * reduced * speed, 1e-12);
+      EXPECT_NEAR(step(0, 0), 0.5 * reduced * speed, 1e-12);
+      const double last = step(-pressing, 0);
       EXPECT_NEAR(last, pressing * reduced / 2.0, 1e-12);
       // p (0 + opening + p / reduced) / 2 <= reduced speed^2 / 2, for both were at rest in the step before
       const double half = 0.5 * reduced * opening;
       const double most = -half + std::sqrt(half * half + reduced * reduced * speed * speed);
-      EXPECT_NEAR(step(2.0 * opening), std::min(0.5 * last, most), 1e-12) << pressing << ", " << speed;
+      EXPECT_NEAR(step(2.0 * opening, 0), std::min(0.5 * last, most), 1e-12) << pressing << ", " << speed;
     }
   }
 }
