@@ -161,6 +161,10 @@ TEST(LookAtSpeeds, TellsAnImpactBeyondTheSpeedOfWaves) {
   wall.bodies.pop_back();
   wall.rigid_walls.emplace_back().plane = {{0, 0, -1}, {0, 0, 1}};
   EXPECT_THAT(look(wall).unlikely, ElementsAre(HasSubstr("body a and a rigid wall meet")));
+  wall.bodies.push_back(wall.bodies[0]);
+  wall.bodies[1].name = "b";
+  wall.bodies[1].position[0] += 100;
+  EXPECT_THAT(look(wall).unlikely, ElementsAre(HasSubstr("body a and a rigid wall meet"))) << "one stands for all";
 }
 
 /// Of a scene with these units.

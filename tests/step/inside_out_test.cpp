@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <solver/results/warnings.hpp>
+#include <solver/step/inside_out.hpp>
 #include <solver/step/report.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
@@ -46,6 +47,34 @@ RunSummary summary_of(Solver<S>& solver) {
 RunSummary result(const Scene& scene) {
   Solver<double> solver(scene);
   return summary_of(solver);
+}
+
+/// Bodies of one element, one corner of each pushed down along its edge, of one more than of the others.
+TEST(InsideOut, AnyElementMayBeTheOneThatIsMostFolded) {
+  constexpr std::size_t count = 4;
+  Scene scene = scene_of({}, 1e-3, false);
+  for (std::size_t b = 0; b < count; ++b) {
+    scene.bodies.push_back(block("body" + std::to_string(b), {1, 1, 1}, 1, {2.0 * static_cast<double>(b), 0, 0}));
+  }
+  scene.element.inside_out = InsideOut::stop;
+  scene.bodies[0].element = scene.element;
+  scene.bodies[0].element->inside_out = InsideOut::warn;
+  for (std::size_t most = 0; most < count; ++most) {
+    Model<double> model = build_model<double>(scene);
+    for (std::size_t b = 0; b < count; ++b) {
+      const std::int32_t corner = model.mesh.hexahedra[b][4];
+      const double down = b == most ? 0.75 : 0.125 * static_cast<double>(1 + (b + 1) % count);
+      model.nodes.position[4 * static_cast<std::size_t>(model.node_of_scene_node[corner]) + 2] -= down;
+    }
+    const FoldedElement found = most_folded(model, 0.0, false);
+    EXPECT_EQ(found.slot, model.slot_of_element[most]) << most;
+    EXPECT_NEAR(found.share, 0.25 / (1 - 0.75 / 4), 1e-12) << "of its volume that is left";
+    const FoldedElement of_those = most_folded(model, 0.0, true);
+    EXPECT_NE(of_those.slot, model.slot_of_element[0]) << "its body does not stop";
+    EXPECT_EQ(of_those.slot == model.slot_of_element[most], most != 0);
+    model.elements.mass[static_cast<std::size_t>(model.slot_of_element[most])] = 0;
+    EXPECT_NE(most_folded(model, 0.0, false).slot, model.slot_of_element[most]) << "eroded";
+  }
 }
 
 TEST(InsideOut, ABlockThatIsCrushedDoesNotFold) {
