@@ -114,6 +114,21 @@ TEST(Simulation, WhatAChangeOfVelocitiesBringsIsWorkFromOutside) {
   EXPECT_LT(std::abs(simulation.balance_error()), 1e-12);
 }
 
+/// Of what moves already, by the difference of both energies; twice in a row it is one change.
+TEST(Simulation, WhatAChangeBringsToAMovingBodyIsTheDifference) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {3, 0, 4})}, 1e-4, false);
+  const double mass = 7850 * 0.2 * 0.2 * 0.2;
+  Simulation simulation(scene);
+  simulation.step();
+  simulation.step();
+  push(simulation, 1.0);
+  push(simulation, 1.0);
+  simulation.run();
+  EXPECT_NEAR(simulation.energies().external, 0.5 * mass * (25 - 9), 1e-9);
+  EXPECT_NEAR(simulation.energies().kinetic, 0.5 * mass * (25 + 16), 1e-9);
+  EXPECT_LT(std::abs(simulation.balance_error()), 1e-12);
+}
+
 TEST(Simulation, AChangeBeforeTheFirstStepIsAnInitialVelocity) {
   Scene scene = impact();
   Simulation changed(scene);
