@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,7 +12,9 @@
 #include <solver/base/error.hpp>
 #include <solver/output/checkpoint.hpp>
 #include <solver/output/folder_lock.hpp>
+#include <solver/output/out_of_memory.hpp>
 #include <solver/output/recorder.hpp>
+#include <solver/output/run_folder.hpp>
 #include <solver/recorded_run.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/output_case.hpp>
@@ -111,6 +115,27 @@ TEST_F(RunFolders, BadInputThatTheMeshShowsLeavesTheFolderAsItWas) {
   EXPECT_FALSE(exists(".earlier"));
 }
 
+TEST_F(RunFolders, ARunWithoutOneLeavesNothing) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path);
+  const SceneSource source = source_of("two_blocks");
+  const RunSummary summary = run_recorded(read_scene(source), {"", true, 0, &source});
+  std::filesystem::current_path(here);
+  EXPECT_EQ(summary.status, RunStatus::done);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path));
+}
+
+/// While the scene is built, for one.
+TEST_F(RunFolders, AFailureBeforeTheRunHasBegunIsKept) {
+  const SceneSource source = source_of("two_blocks");
+  leave("summary.json", "{}");
+  { RunFolder(read_scene(source), {folder_ / "out", true, 0, &source}).fail("no memory"); }
+  EXPECT_EQ(summary()["status"], "failed");
+  EXPECT_EQ(summary()["error"], "no memory");
+  { RunFolder(read_scene(source), {folder_ / "out", true, 0, &source}); }
+  EXPECT_EQ(summary()["error"], "no memory") << "what neither has begun nor failed leaves the folder as it was";
+}
+
 TEST_F(RunFolders, AFailedRunSaysWhy) {
   const std::string error = error_of<RunError>([&] { run(unstable()); });
   const Json json = summary();
@@ -127,6 +152,27 @@ TEST_F(RunFolders, AnErrorInTheMiddleThatIsNoneOfTheRunIsToldToo) {
                                   "program had up to [0-9]+ MiB of the [0-9]+ MiB of this machine, and .*"));
   EXPECT_EQ(summary()["status"], "failed");
   EXPECT_EQ(summary()["error"], error);
+}
+
+/// Both numbers in MiB; what a mesh of a file takes nobody knows before it is read.
+TEST(OutOfMemoryText, HasWhatTheSystemSaysAndWhatIsKnown) {
+  Scene scene;
+  Body body;
+  body.mesh = FileMesh{};
+  scene.bodies = {body};
+  EXPECT_EQ(least_bytes(scene), 0);
+  const auto most_held = [] {
+    struct rusage usage {};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024;
+  };
+  const double before = most_held();
+  const std::string text = OutOfMemory("while it was tried", 3.4 * 1024 * 1024).what();
+  EXPECT_THAT(text, StartsWith("out of memory while it was tried, which takes at least 3 MiB: the program had up to "));
+  const double told = std::stod(text.substr(text.find("had up to ") + 10));
+  EXPECT_GE(told, std::floor(before));
+  EXPECT_LE(told, std::ceil(most_held()));
+  EXPECT_THAT(OutOfMemory("").what(), StartsWith("out of memory: the program had up to "));
 }
 
 TEST_F(RunFolders, WhatCannotBeSavedAfterAFailureComesAfterTheError) {
