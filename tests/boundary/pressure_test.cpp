@@ -1,11 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
+#include <utility>
 
 #include <kernels/boundary/face_pressure.hpp>
 #include <solver/base/point.hpp>
+#include <solver/model/selection/pressed_faces.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Pressure on faces: against closed forms, and following what it presses on.
@@ -49,6 +53,39 @@ TEST(Pressure, OfAFaceWhoseElementIsErodedIsNone) {
   double along = 0;
   for (std::size_t i = 0; i < 4; ++i) along += force[12 + 3 * i + 2];
   EXPECT_NEAR(along, -3, 1e-14) << "the other one is of area 1 seen along z";
+}
+
+/// Of a block by itself each face that looks out, once, with its corners counterclockwise seen from there.
+TEST(Pressure, OnABodyIsOnEveryExposedFaceOnce) {
+  const double h = 0.1;
+  const Model<double> model =
+      build_model<double>(scene_of({block("other", {1, 1, 1}, h, {-1, 0, 0}), block("a", {2, 3, 2}, h, {0, 0, 0})}, 1));
+  const std::vector<PressedFace> faces = pressed_faces(model.mesh, {}, pressure_on("a", 1));
+  EXPECT_EQ(faces.size(), 2U * (6 + 6 + 4));
+  std::set<std::pair<std::int64_t, std::array<std::int32_t, 4>>> different;
+  Point outwards{};
+  double volume = 0;
+  for (const PressedFace& face : faces) {
+    std::array<std::int32_t, 4> key = face.corners;
+    std::sort(key.begin(), key.end());
+    different.insert({face.element, key});
+    Point middle{};
+    for (const std::int32_t node : face.corners) {
+      for (std::size_t k = 0; k < 3; ++k) middle[k] += model.mesh.nodes[static_cast<std::size_t>(node)][k] / 4;
+    }
+    const auto corner = [&](std::size_t i) { return model.mesh.nodes[static_cast<std::size_t>(face.corners[i])]; };
+    Point area = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
+    for (double& component : area) component /= 2;
+    EXPECT_NEAR(norm(area), h * h, 1e-15);
+    EXPECT_EQ(model.mesh.body[static_cast<std::size_t>(face.element)], 1);
+    EXPECT_NEAR(dot(area, minus(middle, element_centre(model.mesh, static_cast<std::size_t>(face.element)))),
+                h * h * h / 2, 1e-15);
+    for (std::size_t k = 0; k < 3; ++k) outwards[k] += area[k];
+    volume += dot(area, middle) / 3;
+  }
+  EXPECT_EQ(different.size(), faces.size());
+  EXPECT_NEAR(norm(outwards), 0, 1e-15);
+  EXPECT_NEAR(volume, 12 * h * h * h, 1e-15);
 }
 
 /// Of any warped face, by Gauss' rule with 3 x 3 points, exact for it: p N_i over dx/dxi x dx/deta, inwards.
