@@ -6,6 +6,7 @@
 
 #include <solver/elements/schedule.hpp>
 #include <solver/model/step_levels.hpp>
+#include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
 /// Elements that make steps of their own: which, what is conserved, and that the answer stays the same.
@@ -290,6 +291,54 @@ TEST(Subcycling, WithoutContactTheUnitOfTimeDoesNotMatter) {
   const SqueezedBar bar(1), slow(1024);
   Schedule<double> one = bar.schedule(), other = slow.schedule();
   for (int cycle = 0; cycle < 3; ++cycle) EXPECT_EQ(bar.step_of_all(one), slow.step_of_all(other)) << cycle;
+}
+
+/// Torn apart by its own motion.
+Scene torn_bar() {
+  Scene scene = bar_with_thin_section(1.2e-2);
+  scene.materials = {plastic_material("steel", 1e8, 0.02)};
+  scene.bodies[0].velocity_gradient[0][0] = 20;
+  scene.bodies[0].velocity_noise = 1;
+  return scene;
+}
+
+struct Stop {
+  StateBytes bytes;
+  std::vector<std::int64_t> levels;
+};
+
+/// Goes on from states on the way; returns these.
+std::vector<Stop> expect_same_after_restarts(const Scene& scene) {
+  Solver<double> whole(scene);
+  std::vector<Stop> stops;
+  for (int cycle = 0; !whole.at_end(); ++cycle) {
+    if (cycle < 6 || cycle % 16 == 1) stops.push_back({saved(whole), whole.subcycling()->elements_of_levels()});
+    whole.step();
+  }
+  whole.finish();
+  RunSummary expected;
+  fill_summary(whole, expected);
+  for (const Stop& stop : stops) {
+    Solver<double> rest(scene);
+    EXPECT_EQ(load(rest, stop.bytes), 0U);
+    EXPECT_EQ(rest.subcycling()->elements_of_levels(), stop.levels);
+    run(rest);
+    RunSummary summary;
+    fill_summary(rest, summary);
+    EXPECT_EQ(summary.state_hash, expected.state_hash);
+    EXPECT_EQ(summary.element_steps_subcycled, expected.element_steps_subcycled);
+  }
+  return stops;
+}
+
+TEST(Subcycling, GoesOnFromASavedStateWithTheVelocitiesOfItsLevels) {
+  const std::vector<Stop> stops = expect_same_after_restarts(shaken_bar(60));
+  EXPECT_EQ(stops.back().levels.size(), 3U) << "there are to be nodes between levels";
+}
+
+TEST(Subcycling, GoesOnFromASavedStateWithTheLevelsThatItHad) {
+  const std::vector<Stop> stops = expect_same_after_restarts(torn_bar());
+  EXPECT_NE(stops.front().levels, stops.back().levels) << "they are to change";
 }
 
 TEST(Subcycling, GoesWithErosion) {
