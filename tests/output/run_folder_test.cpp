@@ -166,7 +166,9 @@ TEST(OutOfMemoryText, HasWhatTheSystemSaysAndWhatIsKnown) {
     ::getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) / 1024;
   };
+  { const std::string much(std::size_t{256} << 20U, 'x'); }  // so that a part of it is more than it is rounded by
   const double before = most_held();
+  EXPECT_GT(before, 200);
   const std::string text = OutOfMemory("while it was tried", 3.4 * 1024 * 1024).what();
   EXPECT_THAT(text, StartsWith("out of memory while it was tried, which takes at least 3 MiB: the program had up to "));
   const double told = std::stod(text.substr(text.find("had up to ") + 10));
