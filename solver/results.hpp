@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/sweep_counts.hpp"
+#include "base/iteration_counts.hpp"
 #include "base/tied_result.hpp"
 #include "mesh.hpp"
 
@@ -223,7 +223,7 @@ struct RunSummary {
   std::vector<TiedResult> tied;           ///< of the scene, at the start
   std::int64_t pinballs = 0;              ///< at the end
   std::int64_t pairs_max = 0;             ///< most pairs in contact at one step
-  SweepCounts sweeps;                     ///< of impulses of contact, by lagrange
+  IterationCounts iterations;             ///< of impulses of contact, by lagrange
   std::int64_t searches = 0, searches_skipped = 0;
   std::int64_t inner_element_steps = 0;  ///< of elements that are not in contact, because no face of theirs is exposed
   std::int64_t bytes_not_stored = 0;     ///< of element arrays that the scene's features need not have

@@ -78,7 +78,7 @@ enum pinball_contact_number { PINBALL_CONTACT_DOUBLE = 0, PINBALL_CONTACT_FLOAT 
 enum pinball_contact_index { PINBALL_CONTACT_INT32 = 0, PINBALL_CONTACT_INT64 = 1 };
 /** Balls in surface elements (Belytschko, Liu and Neal 1990), or slave nodes against master faces. */
 enum pinball_contact_method { PINBALL_CONTACT_PINBALL = 0, PINBALL_CONTACT_SLIDELINE = 1 };
-/** Springs; or impulses: one sweep over all pairs, or the coupled system of the step. */
+/** Springs; or impulses: one step towards the solution of the coupled system of the step, or that solution. */
 enum pinball_contact_enforcement {
   PINBALL_CONTACT_PENALTY = 0,
   PINBALL_CONTACT_PROJECTION = 1,

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double strain_share = 0.6, strain_of_impact = 3.5, most_strain = 3.72, wakes_within = 0.1;
 constexpr double cost_of_contact = 0.2, cost_of_folds = 0.7, cost_of_yielding = 0.25;
-constexpr double steps_of_lists = 20, usual_sweeps = 5;
-/// What a solution costs besides, in sweeps.
-constexpr double fixed_sweeps = 3;
+constexpr double steps_of_lists = 20, usual_iterations = 5;
+/// What a solution costs besides, in iterations.
+constexpr double fixed_iterations = 3;
 /// Part of the run after which its own last steps say all.
 constexpr double settled = 0.7;
 
@@ -36,8 +36,8 @@ double StepPhases::settled(double waking) const {
   if (!(all > 0)) return waking;
   const double list = lists > 0 ? searches / static_cast<double>(lists) : of_list;
   const double later = list > 0 ? list * static_cast<double>(steps) / steps_of_lists : searches;
-  const double sweeps_part = std::min(1.0, (usual_sweeps + fixed_sweeps) / (sweeps + fixed_sweeps));
-  return (elements * waking + later + impulses * sweeps_part + others) / all;
+  const double iterations_part = std::min(1.0, (usual_iterations + fixed_iterations) / (iterations + fixed_iterations));
+  return (elements * waking + later + impulses * iterations_part + others) / all;
 }
 
 Forecast::Forecast(const Scene& scene, double speed, double surface)

@@ -24,12 +24,12 @@ struct ExpectedRun {
 struct StepPhases {
   double elements = 0, searches = 0, impulses = 0, others = 0;
   std::int64_t steps = 0, lists = 0;  ///< steps that were made, and lists of contact
-  double sweeps = 0;                  ///< mean number of them [-]
+  double iterations = 0;              ///< mean number of them [-]
   double of_list = 0;                 ///< where none was made: what one takes
 
   /// What these would have taken later in a run, over what they took: lists serve 20 steps (horizon_steps) and not
-  /// those few with which a run begins; impulses need the sweeps of an impact at its beginning alone, later 5 in the
-  /// mean (taylor_plate, crushed_tube: 4.6, 2.6); elements that rest wake. waking: times as many are worked on.
+  /// those few with which a run begins; impulses need the iterations of an impact at its beginning alone, later 5 in
+  /// the mean (taylor_plate, crushed_tube: 4.6, 2.6); elements that rest wake. waking: times as many are worked on.
   double settled(double waking) const;
 };
 

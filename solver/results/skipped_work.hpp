@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include <solver/base/sweep_counts.hpp>
+#include <solver/base/iteration_counts.hpp>
 #include <solver/model/stores.hpp>
 #include <solver/results.hpp>
 
@@ -31,7 +31,7 @@ struct WorkCounts {
   std::int64_t inner_element_steps = 0;    ///< of elements without an exposed face, in a scene with contact
   std::int64_t searches = 0, searches_skipped = 0;
   double search_seconds = 0;  ///< of the steps that searched
-  SweepCounts sweeps;
+  IterationCounts iterations;
 };
 
 /// Estimates from what the run itself has measured of the work that it did.

@@ -13,11 +13,12 @@ namespace pinball {
 namespace {
 
 /// Impulses that are not those of the coupled system: faces that should close no gap do, or are pushed askew.
-void add_unconverged_contact(const SweepCounts& counts, std::vector<std::string>& found) {
+void add_unconverged_contact(const IterationCounts& counts, std::vector<std::string>& found) {
   const double share = static_cast<double>(counts.at_bound) / static_cast<double>(counts.solutions);
   if (!(share > sound::unconverged)) return;
   found.push_back(fmt::format(
-      "the impulses of contact did not converge in {} of {} steps with contact ({}), within {} sweeps: up to {:.3g} of "
+      "the impulses of contact did not converge in {} of {} steps with contact ({}), within {} iterations: up to "
+      "{:.3g} of "
       "a velocity was left, {} of the largest that contact had to change in its step: try a smaller time.cfl, meshes "
       "that fit where bodies meet, or contact.enforcement = \"projection\"",
       counts.at_bound, counts.solutions, percent(share), counts.largest, counts.residual, percent(counts.relative)));
@@ -110,7 +111,7 @@ std::vector<std::string> warnings(const RunSummary& summary) {
                     "contact has let them in",
                     summary.end_time, percent(sound::depth_at_end), summary.overlap_at_end));
   }
-  add_unconverged_contact(summary.sweeps, found);
+  add_unconverged_contact(summary.iterations, found);
   for (const std::string& warning : start_warnings(summary)) found.push_back(warning);
   return found;
 }

@@ -204,7 +204,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
     summary.searches = contact->searches();
     summary.searches_skipped = contact->searches_skipped();
   }
-  summary.sweeps = counts.sweeps;
+  summary.iterations = counts.iterations;
   counts.searches = summary.searches;
   counts.searches_skipped = summary.searches_skipped;
   summary.inner_element_steps = counts.inner_element_steps;

@@ -36,7 +36,7 @@ class RunCounts {
         work_.inner_element_steps += all - eroded_elements_ - surface;
       }
     }
-    work_.sweeps += contact.sweeps;
+    work_.iterations += contact.iterations;
     eroded_elements_ += element.eroded_count;
     if (contact.penetration_ratio > deepest_.ratio) deepest_ = {contact.penetration_ratio, time, contact.deepest};
     pairs_ = contact.pairs;
@@ -53,16 +53,16 @@ class RunCounts {
                             work_.inner_element_steps,
                             work_.searches,
                             work_.searches_skipped,
-                            work_.sweeps.solutions,
-                            work_.sweeps.sweeps,
-                            work_.sweeps.largest,
-                            work_.sweeps.at_bound,
-                            work_.sweeps.unsolved,
+                            work_.iterations.solutions,
+                            work_.iterations.iterations,
+                            work_.iterations.largest,
+                            work_.iterations.at_bound,
+                            work_.iterations.unsolved,
                             eroded_elements_,
                             pairs_,
                             pairs_max_};
     archive.require_all(counts, -most, most);
-    archive.require(work_.sweeps.residual >= 0 && work_.sweeps.relative >= 0);
+    archive.require(work_.iterations.residual >= 0 && work_.iterations.relative >= 0);
   }
 
  private:

@@ -93,8 +93,8 @@ TEST(ContactWork, AddsWhatSumsAndKeepsTheLargestOfTheRest) {
   EXPECT_EQ(work.damped_power, 33);
   EXPECT_EQ(work.dissipated, 44);
   EXPECT_EQ(work.penetration_ratio, 0.5);
-  EXPECT_EQ(work.sweeps.sweeps, 29);
-  EXPECT_EQ(work.sweeps.largest, 20);
+  EXPECT_EQ(work.iterations.iterations, 29);
+  EXPECT_EQ(work.iterations.largest, 20);
   EXPECT_EQ(work.pairs, 66);
   EXPECT_EQ(work.frequency2, 70);
   EXPECT_EQ(work.expected_change, 8);

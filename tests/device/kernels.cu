@@ -51,18 +51,21 @@ __global__ void contact_rows(const Vec3<double>* d, const double* reach, const V
   row[pair] = pinball_row(d[pair], reach[pair], normal[2 * pair], normal[2 * pair + 1]);
 }
 
-__global__ void sweep_impulses(const RowPack* rows, double* velocity, double* change) {
+/// b, then what is allowed of it, and what of it is free.
+__global__ void row_impulses(const Vec3<double>* direction, const double* coefficient, Vec3<double>* impulse,
+                             Vec3<double>* free) {
   const std::int64_t row = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  apply_impulses<double>(rows[row], velocity);
-  apply_friction<double>(rows[row], velocity);
-  change[row] = sweep_rows<double>(rows[row], velocity) + sweep_friction<double>(rows[row], velocity);
+  const Vec3<double> b = impulse[row];
+  const FrictionBound bound{coefficient[row], 0};
+  impulse[row] = allowed_impulse(b, direction[row], bound);
+  free[row] = free_part(freedom_of(impulse[row], direction[row], bound, free[row]), direction[row], b);
 }
 
-__global__ void project_velocities(const RowPack* rows, double* velocity) {
-  const std::int64_t row = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  find_closing<double>(rows[row], velocity);
-  add_shares<double>(rows[row], velocity);
-  share_impulses<double>(rows[row], velocity);
+__global__ void move_nodes(const ImpulseNode* nodes, const std::int32_t* rows, const std::int32_t* row,
+                           const double* weight, const double* impulses, Vec3<double>* change) {
+  const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  const std::int32_t first = rows[node];
+  change[node] = moved_by(nodes[node], weighted_sum(rows[node + 1] - first, row + first, weight + first, impulses));
 }
 
 __global__ void friction_mobilities(const ImpulseNode* nodes, double* mobility) {
@@ -240,8 +243,8 @@ void instantiate_kernels() {
   copy_cells<<<1, 32>>>({}, nullptr, nullptr, nullptr);
   find_coordinates<<<1, 32>>>({}, nullptr, nullptr);
   contact_rows<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
-  sweep_impulses<<<1, 32>>>(nullptr, nullptr, nullptr);
-  project_velocities<<<1, 32>>>(nullptr, nullptr);
+  row_impulses<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
+  move_nodes<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
   friction_mobilities<<<1, 32>>>(nullptr, nullptr);
   write_what_bits_tell<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
   instantiate<double>();

@@ -39,7 +39,7 @@ TEST_F(New, WritesASceneThatRunsSoundly) {
   const Finished ran = run("run " + path + " --quiet --out " + out);
   ASSERT_EQ(ran.status, 0) << ran.text;
   const auto summary = nlohmann::json::parse(content(out + "/summary.json"));
-  for (const auto& warning : summary["warnings"]) {  // that of sweeps which do not converge is true
+  for (const auto& warning : summary["warnings"]) {  // that of iterations which do not converge is true
     EXPECT_THAT(warning.get<std::string>(), HasSubstr("impulses of contact did not converge"));
   }
   EXPECT_LT(summary["energy"]["balance_error_max"].get<double>(), 1e-3);

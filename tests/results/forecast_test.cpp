@@ -95,11 +95,11 @@ TEST(Forecast, LeavesOutWhatOnlyABeginningHas) {
   phases.lists = 1;
   EXPECT_DOUBLE_EQ(phases.settled(1), 1);
   phases = {
-      .elements = 6, .searches = 0, .impulses = 0, .others = 0, .steps = 10, .lists = 0, .sweeps = 0, .of_list = 4};
+      .elements = 6, .searches = 0, .impulses = 0, .others = 0, .steps = 10, .lists = 0, .iterations = 0, .of_list = 4};
   EXPECT_DOUBLE_EQ(phases.settled(1), 8.0 / 6) << "none yet";
-  phases = {.elements = 5, .searches = 0, .impulses = 5, .others = 0, .steps = 20, .lists = 1, .sweeps = 197};
-  EXPECT_DOUBLE_EQ(phases.settled(1), 0.5 * (1 + 8.0 / 200)) << "sweeps of an impact";
-  phases.sweeps = 2;
+  phases = {.elements = 5, .searches = 0, .impulses = 5, .others = 0, .steps = 20, .lists = 1, .iterations = 197};
+  EXPECT_DOUBLE_EQ(phases.settled(1), 0.5 * (1 + 8.0 / 200)) << "iterations of an impact";
+  phases.iterations = 2;
   EXPECT_DOUBLE_EQ(phases.settled(1), 1);
 }
 

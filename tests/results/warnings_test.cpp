@@ -125,12 +125,12 @@ TEST(Warnings, WhatNobodyIsLikelyToMean) {
 
 TEST(Warnings, ContactThatDidNotConverge) {
   RunSummary s = sound();
-  s.sweeps = {100, 5000, 50, 3, 0, 0.16, 8e-4};
+  s.iterations = {100, 5000, 50, 3, 0, 0.16, 8e-4};
   EXPECT_THAT(warnings(s), IsEmpty());
-  s.sweeps.at_bound = 4;
-  EXPECT_THAT(warnings(s),
-              ElementsAre(AllOf(HasSubstr("did not converge in 4 of 100 steps with contact (4 %), within 50 sweeps"),
-                                HasSubstr("0.16 of a velocity was left, 0.08 % of the largest"))));
+  s.iterations.at_bound = 4;
+  EXPECT_THAT(warnings(s), ElementsAre(AllOf(
+                               HasSubstr("did not converge in 4 of 100 steps with contact (4 %), within 50 iterations"),
+                               HasSubstr("0.16 of a velocity was left, 0.08 % of the largest"))));
 }
 
 TEST(Warnings, Overlaps) {

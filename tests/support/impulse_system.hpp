@@ -1,21 +1,22 @@
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <solver/base/records.hpp>
-#include <solver/contact/impulses/row_packs.hpp>
+#include <solver/contact/impulses/impulse_iterations.hpp>
+#include <solver/contact/impulses/row_system.hpp>
 
 namespace pinball::test {
 
-/// A contact system by itself: nodes, rows, and the packs of the rows.
+/// A contact system by itself: nodes, rows, and their solution.
 struct ImpulseSystem {
   std::vector<ImpulseNode> nodes;
   Array<double> velocities;
   ContactRows rows;
   std::vector<FrictionRow> frictions;
-  RowPacks packs;
+  RowSystem system;
+  ImpulseIterations iterations;
 
   /// held: along y.
   void add_node(const Vec3<double>& v, double inverse_mass, bool held) {
@@ -30,8 +31,8 @@ struct ImpulseSystem {
     rows.weight.push_back(weight);
     ++rows.rows.back().nodes;
   }
-  /// With friction unless mu is negative; width: rows to a pack.
-  void build(double mu = -1, int width = RowPacks::widest) {
+  /// With friction unless mu is negative.
+  void build(double mu = -1) {
     velocities.renew(given_.size());
     std::copy(given_.begin(), given_.end(), velocities.data());
     std::vector<std::int32_t> all;
@@ -48,8 +49,15 @@ struct ImpulseSystem {
       }
       if (mu >= 0) frictions.push_back(friction);
     }
-    packs.build(rows, all, nodes, frictions, width);
+    system.build(rows, all, nodes, frictions);
+    iterations.reset(system);
+    for (std::int32_t k = 0; k < system.size(); ++k) {
+      RowSystem::Row& row = system.row(k);
+      row.scale = std::abs(row.rate + dot(row.direction, system.approach(k, velocities.data())));
+      iterations.set_impulse(k, rows.rows[static_cast<std::size_t>(system.original(k))].impulse * row.direction);
+    }
   }
+  ImpulseIterations::Result solve() { return iterations.solve(system, velocities.data()); }
 
   const double* velocity(std::int64_t node) const {
     return record(velocities.empty() ? given_.data() : velocities.data(), node);
@@ -69,27 +77,37 @@ struct ImpulseSystem {
     }
     return sum;
   }
+  /// p of a row, by its number as it was added.
   double impulse(std::size_t row) const {
-    const auto [pack, lane] = place_of(row);
-    return packs.impulse(pack, lane);
+    const std::int32_t k = number_of(row);
+    return dot(iterations.impulse(k), system.row(k).direction);
   }
   Vec3<double> friction(std::size_t row) const {
-    const auto [pack, lane] = place_of(row);
-    return packs.friction(pack, lane);
+    const std::int32_t k = number_of(row);
+    return iterations.impulse(k) - impulse(row) * system.row(k).direction;
   }
-  /// Pack and lane of a row.
-  std::pair<std::int64_t, int> place_of(std::size_t row) const {
-    for (std::size_t pack = 0; pack < packs.order().packs().size(); ++pack) {
-      for (int lane = 0; lane < packs.width(); ++lane) {
-        if (packs.order().row(static_cast<std::int64_t>(pack), lane) == static_cast<std::int32_t>(row)) {
-          return {static_cast<std::int64_t>(pack), lane};
-        }
-      }
-    }
-    return {-1, -1};
+  /// What still drives a row, with its compliance: zero where it is free, along q where it slides.
+  Vec3<double> drive(std::size_t row) const {
+    constexpr double e = ImpulseIterations::softness;
+    const std::int32_t k = number_of(row);
+    const RowSystem::Row& of = system.row(k);
+    const Vec3<double> b = iterations.impulse(k), along = dot(of.direction, b) * of.direction;
+    return e * (system.approach(k, given_.data()) - of.sum_along * along - of.sum_across * (b - along)) +
+           (1 - e) * system.approach(k, velocities.data()) + of.rate * of.direction;
+  }
+  /// s of a row along its direction.
+  double closing(std::size_t row) const {
+    const std::int32_t k = number_of(row);
+    return dot(system.row(k).direction, system.approach(k, velocities.data()));
   }
 
  private:
+  std::int32_t number_of(std::size_t row) const {
+    for (std::int32_t k = 0; k < system.size(); ++k) {
+      if (system.original(k) == static_cast<std::int32_t>(row)) return k;
+    }
+    return -1;
+  }
   std::vector<double> given_;
 };
 

@@ -46,7 +46,7 @@ ContactWork ContactAlgorithm<S>::after_constraints(const SurfaceSource<S>& sourc
   work.penetration_ratio = solved.penetration_ratio;
   work.deepest = solved.deepest;
   work.pairs = solved.pairs;
-  work.sweeps.add(solved.sweeps, solved.at_bound, solved.unsolved, solved.residual, solved.scale);
+  work.iterations.add(solved.iterations, solved.at_bound, solved.unsolved, solved.residual, solved.scale);
   return work;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <kernels/boundary/external_work.hpp>
+#include <solver/base/iteration_counts.hpp>
 #include <solver/base/state_archive.hpp>
-#include <solver/base/sweep_counts.hpp>
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/impulses/impulse_solver.hpp>
 #include <solver/contact/surface/surface.hpp>
@@ -29,8 +29,8 @@ struct ContactWork {
   double frequency2 = 0;         ///< bound on the square of the contact frequency [1/time^2]
   /// Largest change of velocity that impulses will give to what comes to touch in the coming steps [length/time].
   double expected_change = 0;
-  SweepCounts sweeps;         ///< for impulses by lagrange
-  std::int32_t deepest = -1;  ///< a node of the pair of the largest penetration; negative: there is none
+  IterationCounts iterations;  ///< for impulses by lagrange
+  std::int32_t deepest = -1;   ///< a node of the pair of the largest penetration; negative: there is none
 
   /// Of two stages of one step together.
   ContactWork& operator+=(const ContactWork& other) {
@@ -45,7 +45,7 @@ struct ContactWork {
     pairs += other.pairs;
     frequency2 = std::max(frequency2, other.frequency2);
     expected_change = std::max(expected_change, other.expected_change);
-    sweeps += other.sweeps;
+    iterations += other.iterations;
     return *this;
   }
   friend ContactWork operator+(ContactWork a, const ContactWork& b) { return a += b; }

@@ -8,124 +8,119 @@ namespace pinball {
 
 namespace {
 
-/// A row slides if it does so faster than by this part of the velocity that its friction can stop; the rest is what the
-/// sweeps leave.
-constexpr double sliding = 1e-3;
+/// A row slides if its friction is at its bound, but for the first, and it does so faster than by the second of the
+/// velocity that its friction can stop.
+constexpr double of_bound = 1e-3, sliding = 1e-3;
+
+/// Part of the impulse of the step before that one may have that opens.
+constexpr double remainder = 2e-3;
 
 }  // namespace
 
-/// Whether a row that pushed in the step before opens in this one.
+/// Whether a row that pushed in the step before opens in this one: nothing drives it together any more, but for what
+/// its compliance has left.
 template <class S>
-bool ImpulseSolver<S>::opens(std::int64_t pack, int lane) const {
-  const std::int32_t i = packs_.order().row(pack, lane);
-  return i >= 0 && pairs_[i].memory.force > 0 && !(packs_.impulse(pack, lane) > 0) &&
-         !(pairs_[i].rate_free + rows_.rows[i].position_rate > 0);
+bool ImpulseSolver<S>::opens(std::int64_t k) const {
+  const auto i = static_cast<std::size_t>(system_.original(k));
+  const RowSystem::Row& row = system_.row(k);
+  const double little = remainder * rows_.rows[i].impulse;
+  return pairs_[i].memory.force > 0 && dot(iterations_.impulse(k), row.direction) <= little &&
+         pairs_[i].rate_free + row.rate <= little * row.inverse_mass;
+}
+
+/// Bound of the row sum of G M^-1 G^T over the rows that open, weighted by their last forces over that of row k
+/// [1/mass].
+template <class S>
+double ImpulseSolver<S>::shared_inverse_mass(std::int64_t k) const {
+  const RowView row = system_.entries(k);
+  double alone = 0, shared = 0;
+  for (int e = 0; e < row.nodes; ++e) {
+    const double* m = nodes_[row.node[e]].inverse_mass;
+    const double most = std::abs(row.weight[e]) * std::max({m[0], m[1], m[2]});
+    alone += most * std::abs(row.weight[e]);
+    shared += most * release_share_[row.node[e]];
+  }
+  const double inverse_mass = system_.row(k).inverse_mass;
+  return alone > 0 ? inverse_mass * shared / (alone * pairs_[system_.original(k)].memory.force) : inverse_mass;
+}
+
+/// Impulse that a row that opens gives: the largest for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost, and
+/// at most half of the last.
+template <class S>
+double ImpulseSolver<S>::released_by(std::int64_t k) const {
+  const Pair& pair = pairs_[system_.original(k)];
+  const double inverse_mass = shared_inverse_mass(k);
+  const double sum = pair.rate_before + dot(system_.row(k).direction, system_.approach(k, velocity_.data()));
+  return (sum + std::sqrt(sum * sum + 8 * budget_of(pair) * inverse_mass)) / (2 * inverse_mass);
 }
 
 /// Rows that open together move the same nodes: what one of them may give is measured by what all of them do, each by
-/// its part of the last force. (Where rows outnumber nodes some hold nothing but round-off.) Serial: few open in a
-/// step.
+/// its part of the last force. (Where rows outnumber nodes some hold nothing but round-off.)
 template <class S>
-bool ImpulseSolver<S>::share_release() {
+void ImpulseSolver<S>::release(double velocity_step) {
   bool any = false;
-  for (std::int64_t pack = 0; pack < static_cast<std::int64_t>(packs_.order().packs().size()); ++pack) {
-    for (int lane = 0; lane < packs_.width(); ++lane) {
-      if (!opens(pack, lane)) continue;
-      if (!any) release_share_.assign(nodes_.size(), 0);
-      any = true;
-      const auto i = static_cast<std::size_t>(packs_.order().row(pack, lane));
-      const RowView row = rows_[i];
-      for (int k = 0; k < row.nodes; ++k) {
-        release_share_[row.node[k]] += std::abs(row.weight[k]) * pairs_[i].memory.force;
-      }
-    }
-  }
-  return any;
-}
-
-/// Bound of the row sum of G M^-1 G^T over the rows that open, weighted by their last forces over that of row i
-/// [1/mass].
-template <class S>
-double ImpulseSolver<S>::shared_inverse_mass(std::int32_t i) const {
-  const RowView row = rows_[static_cast<std::size_t>(i)];
-  double alone = 0, shared = 0;
-  for (int k = 0; k < row.nodes; ++k) {
-    const double* m = nodes_[row.node[k]].inverse_mass;
-    const double most = std::abs(row.weight[k]) * std::max({m[0], m[1], m[2]});
-    alone += most * std::abs(row.weight[k]);
-    shared += most * release_share_[row.node[k]];
-  }
-  const double inverse_mass = rows_.rows[i].inverse_mass;
-  return alone > 0 ? inverse_mass * shared / (alone * pairs_[i].memory.force) : inverse_mass;
-}
-
-template <class S>
-void ImpulseSolver<S>::release(std::int64_t pack, double velocity_step) {
-  bool any = false;
-  for (int lane = 0; lane < packs_.width(); ++lane) any = any || opens(pack, lane);
+  for (std::int32_t k = 0; k < system_.size() && !any; ++k) any = opens(k);
   if (!any) return;
-  Vec3<double> v[RowPacks::widest];
-  packs_.find_approach(pack, velocity_.data(), v);
-  double released[RowPacks::widest] = {};
-  bool some = false;
-  for (int l = 0; l < packs_.width(); ++l) {
-    if (!opens(pack, l)) continue;
-    const std::int32_t i = packs_.order().row(pack, l);
-    Pair& pair = pairs_[i];
-    const double inverse_mass = shared_inverse_mass(i);
-    // Largest p for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost.
-    const double* a = rows_.rows[i].direction;
-    const double sum = pair.rate_before + dot(Vec3<double>{a[0], a[1], a[2]}, v[l]);
-    const double root = std::sqrt(sum * sum + 8 * budget_of(pair) * inverse_mass);
-    const double missing = std::min(0.5 * pair.memory.force * velocity_step, (sum + root) / (2 * inverse_mass));
-    if (!(missing > 0)) continue;
-    released[l] = missing;
-    some = true;
-    packs_.set_impulse(pack, l, missing);
-    pair.memory.force = -1;  // so that it does not count as a contact at the next step
+  release_share_.assign(nodes_.size(), 0);
+  for_all("shares of rows that open", nodes_.size(), [&](std::int64_t place) {
+    system_.for_rows_of(static_cast<std::int32_t>(place), [&](std::int32_t k, double weight) {
+      if (opens(k)) release_share_[place] += std::abs(weight) * pairs_[system_.original(k)].memory.force;
+    });
+  });
+  released_.assign(active_.size(), 0);
+  for_all("release", active_.size(), [&](std::int64_t k) {
+    if (!opens(k)) return;
+    const double half = 0.5 * pairs_[system_.original(k)].memory.force * velocity_step;
+    released_[k] = std::max(0.0, std::min(half, released_by(k)));
+  });
+  for_all("release of nodes", nodes_.size(), [&](std::int64_t place) {
+    Vec3<double> impulse{0, 0, 0};
+    system_.for_rows_of(static_cast<std::int32_t>(place), [&](std::int32_t k, double weight) {
+      impulse = impulse + (weight * released_[k]) * system_.row(k).direction;
+    });
+    const Vec3<double> change = moved_by(nodes_[place], impulse);
+    double* const v = record(velocity_.data(), place);
+    v[0] -= change.x;
+    v[1] -= change.y;
+    v[2] -= change.z;
+  });
+  for (std::int32_t k = 0; k < system_.size(); ++k) {
+    if (!(released_[k] > 0)) continue;
+    iterations_.set_impulse(k, released_[k] * system_.row(k).direction);
+    pairs_[system_.original(k)].memory.force = -1;  // so that it does not count as a contact at the next step
   }
-  if (some) packs_.take(pack, released, velocity_.data());
 }
 
-/// Forces of the rows of a pack, and what they take out.
+/// What a row takes out. Returns its force on body 1, with that of friction.
 template <class S>
-void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step) {
-  Vec3<double> v[RowPacks::widest];
-  packs_.find_approach(pack, velocity_.data(), v);
-  for (int l = 0; l < packs_.width(); ++l) {
-    const std::int32_t i = packs_.order().row(pack, l);
-    if (i < 0) continue;
-    Pair& pair = pairs_[i];
-    const RowView row = rows_[static_cast<std::size_t>(i)];
-    const double* a = row.direction;
-    const Vec3<double> after = v[l];
-    const double rate = a[0] * after.x + a[1] * after.y + a[2] * after.z;
-    pair.force = packs_.impulse(pack, l) / step.velocity();
-    pair.lost = work_of(pair.force, pair.rate_before, rate, step);
-    pair.taken = pair.lost.now + pair.lost.later;  // without friction
-    pair.memory.lost += pair.taken;
-    pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
-    if (has_friction()) pair.lost.join(keep_friction(pack, l, after - rate * Vec3<double>{a[0], a[1], a[2]}, step));
-    if (!(pair.force > 0)) continue;
-    for (int k = 0; k < row.nodes; ++k) {
-      S* const force = source.f(node_[row.node[k]]);
-      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(pair.force * row.weight[k] * a[c]);
-      if (!has_friction()) continue;
-      for (int c = 0; c < 3; ++c) force[c] -= static_cast<S>(row.weight[k] * pair.memory.friction[c]);
-    }
-  }
+Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& step) {
+  Pair& pair = pairs_[system_.original(k)];
+  const Vec3<double> a = system_.row(k).direction, after = system_.approach(k, velocity_.data());
+  const double rate = dot(a, after);
+  pair.force = std::max(0.0, dot(a, iterations_.impulse(k))) / step.velocity();
+  pair.lost = work_of(pair.force, pair.rate_before, rate, step);
+  pair.taken = pair.lost.now + pair.lost.later;  // without friction
+  pair.memory.lost += pair.taken;
+  pair.memory.force = pair.memory.force < 0 ? 0 : pair.force;
+  if (has_friction()) pair.lost.join(keep_friction(k, after - rate * a, step));
+  if (!(pair.force > 0)) return {0, 0, 0};
+  const Vec3<double> force = pair.force * a;
+  if (!has_friction()) return force;
+  return force + Vec3<double>{pair.memory.friction[0], pair.memory.friction[1], pair.memory.friction[2]};
 }
 
 /// Force of the friction of a row, and its work. after: sliding velocity.
 template <class S>
-ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t pack, int lane, const Vec3<double>& after,
-                                             const StepLengths& step) {
-  const std::int32_t i = packs_.order().row(pack, lane);
+ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t k, const Vec3<double>& after, const StepLengths& step) {
+  const std::int32_t i = system_.original(k);
   Pair& pair = pairs_[i];
   const FrictionRow& friction = frictions_[i];
-  pair.memory.slides = std::sqrt(dot(after, after)) >
-                       sliding * friction.coefficient * packs_.impulse(pack, lane) * friction.inverse_mass;
-  const Vec3<double> q = packs_.friction(pack, lane);
+  const Vec3<double> a = system_.row(k).direction, b = iterations_.impulse(k);
+  const double p = dot(a, b);
+  const Vec3<double> q = b - p * a;
+  const double most = friction.coefficient * p;
+  pair.memory.slides = std::sqrt(dot(q, q)) >= (1 - of_bound) * most &&
+                       std::sqrt(dot(after, after)) > sliding * most * friction.inverse_mass;
   const double impulse[3] = {q.x, q.y, q.z}, rate[3] = {after.x, after.y, after.z};
   ExternalWork lost;
   for (int c = 0; c < 3; ++c) {
@@ -133,6 +128,27 @@ ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t pack, int lane, const 
     lost.join(work_of(pair.memory.friction[c], pair.sliding_before[c], rate[c], step));
   }
   return lost;
+}
+
+/// Forces of the rows on their nodes: each node sums up those of its rows.
+template <class S>
+void ImpulseSolver<S>::give_forces(const SurfaceSource<S>& source, const StepLengths& step) {
+  force_.renew(4 * active_.size());
+  for_all("forces of rows", active_.size(), [&](std::int64_t k) {
+    const Vec3<double> force = finish_row(k, step);
+    double* const to = record(force_.data(), k);
+    to[0] = force.x;
+    to[1] = force.y;
+    to[2] = force.z;
+    to[3] = 0;
+  });
+  for_all("forces of rows on nodes", nodes_.size(), [&](std::int64_t place) {
+    const Vec3<double> sum = system_.impulse_at(static_cast<std::int32_t>(place), force_.data());
+    S* const force = source.f(node_[place]);
+    force[0] -= static_cast<S>(sum.x);
+    force[1] -= static_cast<S>(sum.y);
+    force[2] -= static_cast<S>(sum.z);
+  });
 }
 
 template <class S>
@@ -190,14 +206,13 @@ void ImpulseSolver<S>::name_memory() {
   for (std::size_t i = 0; i < memory_.size(); ++i) names_.add(memory_[i].first, memory_[i].second, i);
 }
 
-#define PINBALL_INSTANTIATE(S)                                                                            \
-  template bool ImpulseSolver<S>::share_release();                                                        \
-  template void ImpulseSolver<S>::release(std::int64_t, double);                                          \
-  template void ImpulseSolver<S>::finish_pack(const SurfaceSource<S>&, std::int64_t, const StepLengths&); \
-  template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                                 \
-  template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;                             \
-  template void ImpulseSolver<S>::add_pair_forces(std::vector<Point>&) const;                             \
-  template void ImpulseSolver<S>::remember();                                                             \
+#define PINBALL_INSTANTIATE(S)                                                              \
+  template void ImpulseSolver<S>::release(double);                                          \
+  template void ImpulseSolver<S>::give_forces(const SurfaceSource<S>&, const StepLengths&); \
+  template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                   \
+  template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;               \
+  template void ImpulseSolver<S>::add_pair_forces(std::vector<Point>&) const;               \
+  template void ImpulseSolver<S>::remember();                                               \
   template void ImpulseSolver<S>::name_memory();
 PINBALL_INSTANTIATE(double)
 PINBALL_INSTANTIATE(float)

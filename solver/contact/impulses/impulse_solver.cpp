@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include <kernels/exec.hpp>
@@ -17,45 +16,15 @@ namespace {
 /// velocity of g/dt.
 constexpr double push_out = 0.1;
 
-/// Two blocks whose meshes do not fit are thrown apart by the same to 1e-4 with bounds of 20, 50, 200 and 1,000 sweeps,
-/// but turned and mirrored they agree to 1e-4 from 200 on: with 50, impulses still shift over rows that hardly differ
-/// from their neighbours.
-constexpr int most_sweeps = 200;
+/// Faster than anything closes, and still a number.
+constexpr double more_than_any_rate = 1e100;
 /// Way of a step, over the size of a pair, up to which a pair that is new counts as being at rest.
 constexpr double at_rest = 1e-6;
-/// Of the sweeps, relative to the largest closing velocity. They begin with the impulses of the step before, so that
-/// what one step leaves the next one takes up: from 1e-9 to 1e-3 the worst stress of the contact patch test errs by 1.6
-/// to 2.4 %, and two bars by the same to all digits; 1e-4 takes a sixth of the time of 1e-9 in the patch test.
-constexpr double tolerance = 1e-4;
-/// The same where the bound ends the sweeps: more than this is worth a warning.
+/// What is left where the bound of their number ends iterations, over what impulses were to change: more than this is
+/// worth a warning.
 constexpr double sound = 1e-2;
 
-/// Rows from which on a second thread gains more than it has to wait for.
-constexpr std::size_t rows_worth_a_thread = 512;
-
 }  // namespace
-
-template <class S>
-template <class Body>
-void ImpulseSolver<S>::for_nodes(const char* name, const Body& body) const {
-  const auto count = static_cast<std::int64_t>(node_.size());
-  if (rows_.size() < rows_worth_a_thread) {
-    parallel_for(name, RangePolicy<Serial>{0, count}, body);
-  } else {
-    parallel_for(name, RangePolicy<>{0, count}, body);
-  }
-}
-
-template <class S>
-template <class Body>
-void ImpulseSolver<S>::for_rows(const char* name, const Body& body) const {
-  const auto count = static_cast<std::int64_t>(rows_.size());
-  if (rows_.size() < rows_worth_a_thread) {
-    parallel_for(name, RangePolicy<Serial>{0, count}, body);
-  } else {
-    parallel_for(name, RangePolicy<>{0, count}, body);
-  }
-}
 
 template <class S>
 ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t node_count, HeldDirections held,
@@ -105,11 +74,12 @@ void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
   for (const std::int32_t n : node_) node_place_[n] = -1;
   // Each velocity is fetched once: a node has several rows.
   velocity_.renew(4 * node_.size());
-  for_nodes("velocities of nodes", [&](std::int64_t i) {
+  for_all("velocities of nodes", node_.size(), [&](std::int64_t i) {
     const S* const v = source.v(node_[i]);
     for (int c = 0; c < 3; ++c) record(velocity_.data(), i)[c] = static_cast<double>(v[c]);
   });
-  for_rows("depths of rows", [&](std::int64_t i) { limit_depth(source, static_cast<std::size_t>(i), dt); });
+  for_all("depths of rows", rows_.size(),
+          [&](std::int64_t i) { limit_depth(source, static_cast<std::size_t>(i), dt); });
 }
 
 /// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element
@@ -168,7 +138,7 @@ template <class S>
 void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocity_step) {
   nodes_.resize(node_.size());
   velocity_.renew(4 * node_.size());
-  for_nodes("nodes of rows", [&](std::int64_t i) {
+  for_all("nodes of rows", node_.size(), [&](std::int64_t i) {
     const std::int32_t n = node_[i];
     const auto m = static_cast<double>(source.inverse_mass[n]);
     ImpulseNode& node = nodes_[i];
@@ -202,7 +172,8 @@ void ImpulseSolver<S>::set_budget() {
 
 template <class S>
 void ImpulseSolver<S>::set_rates(double velocity_step, double dt) {
-  for_rows("rates of rows", [&](std::int64_t i) { set_rate(static_cast<std::size_t>(i), velocity_step, dt); });
+  for_all("rates of rows", rows_.size(),
+          [&](std::int64_t i) { set_rate(static_cast<std::size_t>(i), velocity_step, dt); });
 }
 
 template <class S>
@@ -226,7 +197,7 @@ void ImpulseSolver<S>::set_rate(std::size_t i, double velocity_step, double dt) 
   } else if (dt > 0) {
     own.position_rate = pair.depth / dt;
   } else {  // nothing moves any more: an open gap asks for nothing
-    own.position_rate = pair.depth < -1e-9 * pair.size ? -std::numeric_limits<double>::infinity() : 0.0;
+    own.position_rate = pair.depth < -1e-9 * pair.size ? -more_than_any_rate : 0.0;
   }
   pair.rate_free = dot(a, v);
   own.impulse = std::max(0.0, pair.memory.force) * velocity_step;
@@ -250,7 +221,7 @@ template <class S>
 void ImpulseSolver<S>::begin_friction(double velocity_step) {
   if (!has_friction()) return;
   frictions_.resize(rows_.size());
-  for_rows("friction of rows", [&](std::int64_t i) {
+  for_all("friction of rows", rows_.size(), [&](std::int64_t i) {
     const RowView row = rows_[static_cast<std::size_t>(i)];
     const double *a = row.direction, *before = pairs_[i].memory.friction;
     const double along = a[0] * before[0] + a[1] * before[1] + a[2] * before[2];
@@ -275,33 +246,43 @@ double ImpulseSolver<S>::friction_of(std::size_t i) const {
   return rule.friction + (rule.static_friction - rule.friction) * std::exp(-rule.friction_decay * speed);
 }
 
-/// What the sweeps are compared with.
+/// What a row is to change.
 template <class S>
-double ImpulseSolver<S>::largest_rate() const {
-  double scale = 0;
-  for (const std::int32_t i : active_) {
-    const Pair& pair = pairs_[i];
-    scale = std::max({scale, pair.rate_free + rows_.rows[i].position_rate, pair.rate_before});
-    if (!has_friction()) continue;
-    const double* s = pair.sliding_before;
-    scale = std::max(scale, std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]));
-  }
-  return scale;
+double ImpulseSolver<S>::rate_scale(std::size_t i) const {
+  const Pair& pair = pairs_[i];
+  const double scale = std::max({0.0, pair.rate_free + rows_.rows[i].position_rate, pair.rate_before});
+  if (!has_friction()) return scale;
+  const double* s = pair.sliding_before;
+  return std::max(scale, std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]));
+}
+
+/// The rows that take part, and the impulses of the step before to begin with.
+template <class S>
+void ImpulseSolver<S>::build_system(double velocity_step) {
+  choose_active();
+  begin_friction(velocity_step);
+  system_.build(rows_, active_, nodes_, frictions_);
+  iterations_.reset(system_);
+  for_all("rows to begin with", active_.size(), [&](std::int64_t k) {
+    const auto i = static_cast<std::size_t>(system_.original(k));
+    system_.row(k).scale = rate_scale(i);
+    Vec3<double> b = rows_.rows[i].impulse * system_.row(k).direction;
+    if (has_friction()) {
+      const double* q = frictions_[i].impulse;
+      b = b + Vec3<double>{q[0], q[1], q[2]};
+    }
+    iterations_.set_impulse(k, b);
+  });
 }
 
 template <class S>
 void ImpulseSolver<S>::solve_coupled(ImpulseResult& result) {
-  const double scale = result.scale = largest_rate();
-  packs_.apply(velocity_.data());  // begin with the impulses of the step before
-  if (active_.empty()) return;
-  double change = 0;
-  do {
-    change = packs_.sweep(velocity_.data());
-    ++result.sweeps;
-  } while (!(change <= tolerance * scale) && result.sweeps < most_sweeps);
-  result.residual = change;
-  result.at_bound = !(change <= tolerance * scale);
-  result.unsolved = !(change <= sound * scale);
+  const ImpulseIterations::Result solved = iterations_.solve(system_, velocity_.data());
+  result.iterations = solved.steps;
+  result.residual = solved.residual;
+  result.scale = solved.scale;
+  result.at_bound = !solved.converged;
+  result.unsolved = !solved.converged && !(solved.residual <= sound * solved.scale);
 }
 
 template <class S>
@@ -324,18 +305,14 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   load_nodes(source, velocity_step);
   set_budget();
   set_rates(velocity_step, step.after);
-  choose_active();
-  begin_friction(velocity_step);
-  packs_.build(rows_, active_, nodes_, frictions_, RowPacks::width_for(active_.size()));
+  build_system(velocity_step);
   if (lagrange_) {
     solve_coupled(result);
   } else {
-    packs_.project(velocity_.data());
+    iterations_.project(system_, velocity_.data());
   }
-  if (share_release()) {
-    packs_.coloured_heavy("release", [&](std::int64_t p) { release(p, velocity_step); });
-  }
-  packs_.coloured_heavy("forces of rows", [&](std::int64_t p) { finish_pack(source, p, step); });
+  release(velocity_step);
+  give_forces(source, step);
   sum_up(result);
   remember();
   return result;
@@ -374,9 +351,9 @@ void ImpulseSolver<S>::check(const StateArchive& archive, std::int32_t node_coun
 template <class S>
 std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return rows_.bytes() + packs_.bytes() + velocity_.bytes() + of(frictions_) + of(pairs_) + of(active_) + of(nodes_) +
-         of(node_) + of(last_entry_) + of(memory_) + of(release_share_) + names_.bytes() + of(node_place_) +
-         held_.bytes();
+  return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + force_.bytes() + of(frictions_) +
+         of(pairs_) + of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) + of(release_share_) +
+         of(released_) + names_.bytes() + of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;

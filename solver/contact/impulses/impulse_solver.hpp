@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <kernels/boundary/external_work.hpp>
-#include <kernels/exec/array.hpp>
+#include <kernels/exec.hpp>
 #include <kernels/tensor.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/contact/contact_settings.hpp>
@@ -16,8 +16,9 @@
 #include <solver/contact/tied/tied_nodes.hpp>
 
 #include "contact_rows.hpp"
+#include "impulse_iterations.hpp"
 #include "pair_names.hpp"
-#include "row_packs.hpp"
+#include "row_system.hpp"
 
 namespace pinball {
 
@@ -27,19 +28,19 @@ struct ImpulseResult {
   double penetration_ratio = 0;  ///< largest penetration, as it is, over the size of its pair [-]
   std::int32_t deepest = -1;     ///< first node of that pair; negative: nothing is deep
   std::int64_t pairs = 0;        ///< pairs that push
-  int sweeps = 0;                ///< over the rows, by lagrange
-  bool at_bound = false;         ///< the sweeps ended at the bound of their number
-  bool unsolved = false;         ///< and what the last one changed was not small
-  double residual = 0;           ///< what the last one changed [length/time]
-  double scale = 0;              ///< what that is compared with: the largest rate of a row [length/time]
+  int iterations = 0;            ///< iterations of the island of rows that took the most, by lagrange
+  bool at_bound = false;         ///< they ended at the bound of their number
+  bool unsolved = false;         ///< and what was left was not small
+  double residual = 0;           ///< what they left, of the island with the most over its scale [length/time]
+  double scale = 0;              ///< of that island: the largest rate that its impulses are to change [length/time]
 };
 
 /// Contact by impulses instead of springs: after accelerations are known and before positions move, impulses take out
 /// the velocities v* with which gaps would close within the step (kernels/contact_impulse.hpp). They do not change the
 /// stable step.
 ///
-///   lagrange     the coupled system of the step, by sweeps until it is solved, or a bound of their number is met;
-///   projection   one sweep over all pairs.
+///   lagrange     the coupled system of the step, by iterations until it is solved (ImpulseIterations);
+///   projection   one step towards it.
 ///
 /// Release (Hughes, Taylor, Sackman, Curnier and Kanoknukulchai, Comp. Meths. Appl. Mech. Engrg. 8, 249-276, 1976): the
 /// first impulse of a contact acts on nodes of half an element, so that it is half of what a step of a steady contact
@@ -48,10 +49,11 @@ struct ImpulseResult {
 ///
 /// Energy: what the impulses take out is the work of their forces, counted as all work is (external_work.hpp).
 ///
-/// Friction (kernels/contact_friction.hpp): part of the coupled system, or, with projection, one sweep after that of
-/// the impulses. Its work is counted with that of the impulses.
+/// Friction (kernels/contact_friction.hpp): part of the coupled system, or, with projection, one step after that of the
+/// impulses. Its work is counted with that of the impulses.
 ///
-/// The rows are solved in double and in one order (RowOrder), so that results do not depend on the number of threads.
+/// Rows are solved in double, and every sum has an order of its own, so that results do not depend on the number of
+/// threads.
 template <class S>
 class ImpulseSolver {
  public:
@@ -144,27 +146,35 @@ class ImpulseSolver {
   bool has_friction() const { return has_friction_; }
   double friction_of(std::size_t i) const;
   void begin_friction(double velocity_step);
+  void build_system(double velocity_step);
+  double rate_scale(std::size_t i) const;
   void solve_coupled(ImpulseResult& result);
-  double largest_rate() const;
-  void finish_pack(const SurfaceSource<S>& source, std::int64_t pack, const StepLengths& step);
   void set_budget();
   /// Energy that a pair may give back in this step.
   double budget_of(const Pair& pair) const { return budget_share_ * std::max(0.0, pair.memory.lost); }
-  bool opens(std::int64_t pack, int lane) const;
-  bool share_release();
-  double shared_inverse_mass(std::int32_t i) const;
-  void release(std::int64_t pack, double velocity_step);
-  ExternalWork keep_friction(std::int64_t pack, int lane, const Vec3<double>& after, const StepLengths& step);
+  bool opens(std::int64_t k) const;
+  double shared_inverse_mass(std::int64_t k) const;
+  double released_by(std::int64_t k) const;
+  void release(double velocity_step);
+  Vec3<double> finish_row(std::int64_t k, const StepLengths& step);
+  ExternalWork keep_friction(std::int64_t k, const Vec3<double>& after, const StepLengths& step);
+  void give_forces(const SurfaceSource<S>& source, const StepLengths& step);
   void sum_up(ImpulseResult& result);
   void remember();
   void name_memory();
   void check(const StateArchive& archive, std::int32_t node_count) const;
-  /// Calls body(i) for all rows, in any order.
+  /// Rows from which on a second thread gains more than it has to wait for.
+  static constexpr std::size_t rows_worth_a_thread = 512;
+  /// Calls body(i) for i below count, of rows or their nodes, in any order.
   template <class Body>
-  void for_rows(const char* name, const Body& body) const;
-  /// The same for all nodes of the rows.
-  template <class Body>
-  void for_nodes(const char* name, const Body& body) const;
+  void for_all(const char* name, std::size_t count, const Body& body) const {
+    const auto end = static_cast<std::int64_t>(count);
+    if (rows_.size() < rows_worth_a_thread) {
+      parallel_for(name, RangePolicy<Serial>{0, end}, body);
+    } else {
+      parallel_for(name, RangePolicy<>{0, end}, body);
+    }
+  }
 
   void add_free_node(std::int32_t node, double weight);
 
@@ -173,14 +183,17 @@ class ImpulseSolver {
   PairRule friction_;                  ///< of rows without a pair
   const ContactPairs* contact_pairs_;  ///< or null
   bool has_friction_ = false;
-  std::vector<PairOf> pair_of_row_;       ///< one per row, only where there are pairs
-  ContactRows rows_;                      ///< of places in node_
-  std::vector<FrictionRow> frictions_;    ///< one per row, only where there is friction
-  std::vector<Pair> pairs_;               ///< one per row
-  std::vector<std::int32_t> active_;      ///< rows that take part
-  RowPacks packs_;                        ///< of the active rows
+  std::vector<PairOf> pair_of_row_;     ///< one per row, only where there are pairs
+  ContactRows rows_;                    ///< of places in node_
+  std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
+  std::vector<Pair> pairs_;             ///< one per row
+  std::vector<std::int32_t> active_;    ///< rows that take part
+  RowSystem system_;                    ///< of the active rows
+  ImpulseIterations iterations_;
   std::vector<ImpulseNode> nodes_;        ///< per entry of node_
   std::vector<double> release_share_;     ///< per entry of nodes_: sum of |w| F over the rows that open [force]
+  std::vector<double> released_;          ///< by the rows of system_ that open [mass length/time]
+  Array<double> force_;                   ///< records, of the rows of system_ [force]
   Array<double> velocity_;                ///< records of four numbers, per entry of node_
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
   std::vector<LastEntry> last_entry_;     ///< per entry of node_

@@ -108,11 +108,11 @@ StepPhases phases_of(const Solver<S>& solver) {
   phases.steps = solver.steps();
   const bool lists_last = solver.contact() != nullptr && solver.scene().skip.contact_search;
   phases.lists = lists_last ? solver.contact()->searches() : 0;
-  phases.sweeps = solver.counts().work().sweeps.mean();
+  phases.iterations = solver.counts().work().iterations.mean();
   return phases;
 }
 
-/// Of the steps after some; sweeps of all.
+/// Of the steps after some; iterations of all.
 StepPhases after(const StepPhases& some, StepPhases all) {
   all.elements -= some.elements;
   all.searches -= some.searches;

@@ -258,7 +258,8 @@ void expect_harmless(const std::vector<Wrong>& all, std::int32_t enforcement, bo
     EXPECT_STREQ(pinball_contact_message(contact), "");
     if (i == 0) {
       expected = c.force;
-      EXPECT_EQ(result.pairs, enforcement == PINBALL_CONTACT_PENALTY ? 1 : 4) << "two balls, or four corners";
+      EXPECT_EQ(result.pairs, enforcement == PINBALL_CONTACT_PENALTY ? 1 : 12)
+          << "two balls, or four corners by three rows";
       EXPECT_NE(c.force, Case().force);
     } else {
       EXPECT_EQ(c.force, expected) << all[i - 1].what;
