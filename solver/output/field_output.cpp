@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include <solver/base/error.hpp>
-#include <solver/scene/field_names.hpp>
+#include <solver/scene/schema/field_names.hpp>
 #include <solver/scene/units/units.hpp>
 
 #include "field_arrays.hpp"

@@ -8,6 +8,7 @@
 /// a missing key or a bad value. Whether a body exists is not checked.
 namespace pinball {
 
+PlaneConstraint read_symmetry(const SceneTable& table);
 FixedConstraint read_fixed_constraint(const SceneTable& table);
 /// `number`: of the wall in the file, for its default name.
 RigidWall read_rigid_wall(const SceneTable& table, std::size_t number);

@@ -1,104 +1,124 @@
+#include <solver/scene/schema/scene.hpp>
+
 #include "table.hpp"
+
+namespace pinball::schema {
+
+namespace {
+
+/// The names of the keys of a table. some: of which object; none: of all.
+template <class T>
+class KeyNames {
+ public:
+  KeyNames(std::vector<std::string_view>& names, const T* some) : names_(names), some_(some) {}
+
+  template <class Value>
+  void operator()(const FileKey<Value>& key) const {
+    add(key.name);
+  }
+  template <class Value>
+  void operator()(const Key<T, Value>& key) const {
+    if (some_ == nullptr || key.applies == nullptr || key.applies(*some_)) add(key.name);
+  }
+  template <class Part>
+  void operator()(const Group<T, Part>& group) const {
+    std::vector<std::string_view> names;
+    describe(Of<Part>{}, KeyNames<Part>(names, nullptr));
+    for (const std::string_view name : names) {
+      if (!is_among(name, group.left_out)) add(name);
+    }
+  }
+  template <class Value>
+  void operator()(const Field<T, Value>&) const {}
+  template <class Part>
+  void operator()(const Tables<T, Part>& tables) const {
+    add(tables.name);
+  }
+
+ private:
+  void add(std::string_view name) const {
+    if (!is_among(name, names_)) names_.push_back(name);
+  }
+
+  std::vector<std::string_view>& names_;
+  const T* some_;
+};
+
+template <class T>
+TableKeys keys(std::string_view kind, std::string_view shown, const T* some = nullptr) {
+  TableKeys table{kind, shown, {}};
+  describe(Of<T>{}, KeyNames<T>(table.keys, some));
+  return table;
+}
+
+/// A table that may be of several kinds, of which a key says which: all keys.
+TableKeys together(std::string_view kind, const std::vector<TableKeys>& kinds) {
+  TableKeys table{kind, kinds.front().shown, {}};
+  for (const TableKeys& one : kinds) {
+    for (const std::string_view key : one.keys) {
+      if (!is_among(key, table.keys)) table.keys.push_back(key);
+    }
+  }
+  return table;
+}
+
+std::vector<TableKeys> mesh_keys() {
+  constexpr const char* shown = "body.NAME.mesh";
+  std::vector<TableKeys> kinds{keys<BlockMesh>("block", shown), keys<RoundNosedRodMesh>("round_nosed_rod", shown),
+                               keys<CylinderMesh>("cylinder", shown), keys<SphereMesh>("sphere", shown)};
+  std::vector<TableKeys> by_ending;
+  for (const auto& choice : choices(Of<MeshFormat>{})) {
+    FileMesh mesh;
+    mesh.format = choice.value;
+    kinds.push_back(keys(choice.name, shown, &mesh));
+    if (choice.value != MeshFormat::gmsh) by_ending.push_back(kinds.back());
+  }
+  kinds.push_back(together("file", by_ending));
+  kinds.insert(kinds.begin(), together("mesh", kinds));
+  return kinds;
+}
+
+std::vector<TableKeys> all_kinds() {
+  std::vector<TableKeys> all{keys<Scene>("scene", ""),
+                             keys<TimeSettings>("time", "time"),
+                             keys<ElementSettings>("element", "element"),
+                             keys<ElementSettings>("element of a body", "body.NAME.element"),
+                             keys<ContactSettings>("contact", "contact"),
+                             keys<ContactPair>("contact_pair", "contact.pair.NAME"),
+                             keys<TiedContact>("contact_tied", "contact.tied.NAME"),
+                             keys<SideOfSet>("contact_side", "{ elements, faces or nodes }"),
+                             keys<SkipSettings>("skip", "skip"),
+                             keys<GuardSettings>("guard", "guard"),
+                             keys<OutputSettings>("output", "output"),
+                             keys<Material>("material", "material.NAME"),
+                             keys<OneYieldCurve>("yield_curve", "material.NAME.yield_curve"),
+                             keys<YieldCurve>("yield_curves", "material.NAME.yield_curves"),
+                             keys<Body>("body", "body.NAME")};
+  for (TableKeys& mesh : mesh_keys()) all.push_back(std::move(mesh));
+  const TableKeys symmetry = keys<PlaneConstraint>("symmetry", "constraint.NUMBER");
+  const TableKeys fixed = keys<FixedConstraint>("fixed", "constraint.NUMBER");
+  all.insert(
+      all.end(),
+      {together("constraint", {symmetry, fixed}), symmetry, fixed, keys<Plane>("plane", "plane"),
+       keys<Line>("line", "line"), keys<Box>("box", "box"), keys<RigidWall>("rigid_wall", "rigid_wall.NAME"),
+       keys<PrescribedVelocity>("prescribed_velocity", "prescribed_velocity.NUMBER"),
+       keys<NodalLoad>("load", "load.NUMBER"), keys<Pressure>("pressure", "pressure.NUMBER"),
+       keys<Gravity>("gravity", "gravity.NUMBER"), keys<InitialVelocity>("initial_velocity", "initial_velocity.NUMBER"),
+       keys<DampingSettings>("damping", "damping"), keys<Probe>("probe", "probe.NAME")});
+  return all;
+}
+
+const std::vector<TableKeys>& kinds() {
+  static const std::vector<TableKeys> all = all_kinds();
+  return all;
+}
+
+}  // namespace
+
+}  // namespace pinball::schema
 
 namespace pinball {
 
-const std::vector<TableKeys>& scene_keys() {
-  static const std::vector<TableKeys> keys{
-      {"scene", "", {"title",      "units",
-                     "precision",  "time",
-                     "element",    "contact",
-                     "skip",       "guard",
-                     "output",     "material",
-                     "body",       "constraint",
-                     "rigid_wall", "prescribed_velocity",
-                     "load",       "pressure",
-                     "gravity",    "initial_velocity",
-                     "damping",    "probe",
-                     "variant"}},
-      {"time", "time", {"end", "cfl", "steps", "subcycling", "smallest_step", "mass_scaling"}},
-      {"element",
-       "element",
-       {"hourglass", "hourglass_coefficient", "bulk_viscosity", "linear_viscosity", "quadratic_viscosity",
-        "negative_volume", "inside_out", "folding_resistance"}},
-      {"element of a body",
-       "body.NAME.element",
-       {"hourglass", "hourglass_coefficient", "bulk_viscosity", "linear_viscosity", "quadratic_viscosity",
-        "negative_volume", "inside_out", "folding_resistance"}},
-      {"contact",
-       "contact",
-       {"method", "enforcement", "gap", "beta", "damping", "friction", "static_friction", "radius", "radius_factor",
-        "self", "search", "overlap", "skin", "friction_decay", "pair", "tied"}},
-      {"contact_pair",
-       "contact.pair.NAME",
-       {"name", "first", "second", "friction", "static_friction", "friction_decay", "start", "end"}},
-      {"contact_tied", "contact.tied.NAME", {"name", "first", "second", "tolerance", "start", "end"}},
-      {"contact_side", "{ elements, faces or nodes }", {"elements", "faces", "nodes", "file"}},
-      {"skip", "skip", {"contact_search", "resting"}},
-      {"guard", "guard", {"energy_error", "time_step_collapse"}},
-      {"output", "output", {"interval", "field_interval", "field_times", "fields", "body_energies"}},
-      {"material",
-       "material.NAME",
-       {"name", "model", "density", "bulk_modulus", "shear_modulus", "young_modulus", "poisson_ratio", "yield_stress",
-        "plastic_modulus", "ultimate_stress", "erosion_strain", "isotropic_share", "yield_curve", "yield_curves",
-        "rate_interpolation", "strain_rate", "rate_constant", "rate_exponent", "rate_stress"}},
-      {"yield_curve", "material.NAME.yield_curve", {"plastic_strain", "stress"}},
-      {"yield_curves", "material.NAME.yield_curves", {"rate", "plastic_strain", "stress"}},
-      {"body",
-       "body.NAME",
-       {"name", "material", "mesh", "position", "axis", "velocity", "angular_velocity", "velocity_gradient",
-        "velocity_noise", "element"}},
-      {"mesh",
-       "body.NAME.mesh",
-       {"type", "size", "elements", "length", "radius", "half", "section", "angle", "core", "ring", "radial", "layers",
-        "grading", "file", "physical", "part", "case", "array", "scale"}},
-      {"block", "body.NAME.mesh", {"type", "size", "elements"}},
-      {"round_nosed_rod", "body.NAME.mesh", {"type", "length", "radius", "half", "core", "ring", "layers"}},
-      {"cylinder",
-       "body.NAME.mesh",
-       {"type", "radius", "length", "section", "angle", "core", "ring", "radial", "layers"}},
-      {"sphere", "body.NAME.mesh", {"type", "radius", "section", "angle", "core", "ring", "grading"}},
-      {"gmsh", "body.NAME.mesh", {"type", "file", "physical", "scale"}},
-      {"keyword", "body.NAME.mesh", {"type", "file", "part", "case", "scale"}},
-      {"exodus", "body.NAME.mesh", {"type", "file", "part", "scale"}},
-      {"vtk", "body.NAME.mesh", {"type", "file", "part", "array", "scale"}},
-      {"abaqus", "body.NAME.mesh", {"type", "file", "part", "scale"}},
-      {"file", "body.NAME.mesh", {"type", "file", "part", "case", "array", "scale"}},
-      {"constraint",
-       "constraint.NUMBER",
-       {"type", "name", "point", "normal", "directions", "frame", "axis", "start", "end", "body", "plane", "line",
-        "box", "nearest", "set", "nodes", "file", "without", "tolerance"}},
-      {"symmetry", "constraint.NUMBER", {"type", "name", "point", "normal", "body", "set", "tolerance"}},
-      {"fixed",
-       "constraint.NUMBER",
-       {"type", "name", "directions", "frame", "axis", "start", "end", "body", "plane", "line", "box", "nearest", "set",
-        "nodes", "file", "without", "tolerance"}},
-      {"plane", "plane", {"point", "normal"}},
-      {"line", "line", {"point", "direction"}},
-      {"box", "box", {"low", "high"}},
-      {"rigid_wall", "rigid_wall.NAME", {"name", "point", "normal", "friction", "sliding", "start",    "end",
-                                         "edge", "size",  "mass",   "speed",    "times",   "factors",  "body",
-                                         "box",  "set",   "nodes",  "file",     "without", "tolerance"}},
-      {"prescribed_velocity",
-       "prescribed_velocity.NUMBER",
-       {"name", "velocity", "direction", "speed", "quantity", "times", "factors", "start", "end", "body", "plane",
-        "line", "box", "nearest", "set", "nodes", "file", "without", "tolerance"}},
-      {"load",
-       "load.NUMBER",
-       {"force", "each", "times", "factors", "body", "plane", "line", "box", "nearest", "set", "nodes", "file",
-        "without", "tolerance"}},
-      {"pressure",
-       "pressure.NUMBER",
-       {"name", "pressure", "times", "factors", "start", "faces", "body", "plane", "line", "box", "nearest", "set",
-        "nodes", "file", "without", "tolerance"}},
-      {"gravity", "gravity.NUMBER", {"name", "acceleration", "times", "factors", "bodies"}},
-      {"initial_velocity",
-       "initial_velocity.NUMBER",
-       {"velocity", "angular_velocity", "centre", "components", "body", "plane", "line", "box", "nearest", "set",
-        "nodes", "file", "without", "tolerance"}},
-      {"damping", "damping", {"mass"}},
-      {"probe", "probe.NAME", {"name", "kind", "point", "node", "element", "body", "quantities"}},
-  };
-  return keys;
-}
+const std::vector<TableKeys>& scene_keys() { return schema::kinds(); }
 
 }  // namespace pinball

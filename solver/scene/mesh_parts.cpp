@@ -4,25 +4,22 @@
 #include <limits>
 
 #include <solver/mesh/mesh_format.hpp>
+#include <solver/scene/schema/choices.hpp>
+#include <solver/scene/schema/meshes.hpp>
 
 #include "machine.hpp"
 #include "parts.hpp"
+#include "read_keys.hpp"
 
 namespace pinball {
 
 namespace {
 
-/// Counts times `refine`, as int. Throws InputError if that overflows.
-std::vector<int> refined(const SceneTable& table, std::string_view key, const std::vector<std::int64_t>& counts,
-                         int refine) {
-  std::vector<int> result;
-  for (const auto count : counts) {
-    if (count > std::numeric_limits<int>::max() / refine) {
-      table.fail(key, fmt::format("{} elements in one direction are more than a mesh can hold",
-                                  static_cast<double>(count) * refine));
-    }
-    result.push_back(static_cast<int>(count) * refine);
-  }
+/// Times `refine`. Throws InputError if that is no int.
+int refined(const SceneTable& table, std::string_view key, std::int64_t count, int refine) {
+  if (count > std::numeric_limits<int>::max()) fail_too_many(table, key, static_cast<double>(count) * refine);
+  int result = static_cast<int>(count);
+  refine_count(table, key, refine, result);
   return result;
 }
 
@@ -40,7 +37,7 @@ void check_count(const SceneTable& table, std::string_view key, double elements,
 
 MeshSettings read_block(const SceneTable& table, const MeshScale& scale) {
   BlockMesh mesh;
-  const auto lengths = table.lists("size", positive);
+  const auto lengths = table.lists("size", schema::about<BlockMesh>("size").bound);
   const auto elements = table.integer_lists("elements", 1);
   double count = 1.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -48,12 +45,12 @@ MeshSettings read_block(const SceneTable& table, const MeshScale& scale) {
       table.fail("elements", fmt::format("expected as many sections as of size along {}, {}, got {}", "xyz"[k],
                                          lengths[k].size(), elements[k].size()));
     }
-    const std::vector<int> counts = refined(table, "elements", elements[k], scale.refine);
     double along = 0.0;
-    for (std::size_t s = 0; s < counts.size(); ++s) {
+    for (std::size_t s = 0; s < lengths[k].size(); ++s) {
+      const int sections = refined(table, "elements", elements[k][s], scale.refine);
       mesh.size[k] += lengths[k][s];
-      along += counts[s];
-      if (counts.size() > 1) mesh.sections[k].push_back({lengths[k][s], counts[s]});
+      along += sections;
+      if (lengths[k].size() > 1) mesh.sections[k].push_back({lengths[k][s], sections});
     }
     count *= along;
     check_count(table, "elements", count, scale);
@@ -64,91 +61,43 @@ MeshSettings read_block(const SceneTable& table, const MeshScale& scale) {
 
 MeshSettings read_rod(const SceneTable& table, const MeshScale& scale) {
   RoundNosedRodMesh mesh;
-  mesh.radius = table.number("radius", positive);
-  mesh.length = table.number("length", positive);
+  read_keys(table, mesh, scale.refine);
   if (mesh.length <= mesh.radius) {
     table.fail("length",
                fmt::format("expected a number > radius = {}, the depth of the nose, got {}", mesh.radius, mesh.length));
   }
-  mesh.half = table.boolean("half", mesh.half);
-  std::vector<std::int64_t> core(mesh.core.begin(), mesh.core.end());
-  if (table.has("core")) core = table.integers("core", 2, 1);
-  const auto core_counts = refined(table, "core", core, scale.refine);
-  std::copy_n(core_counts.begin(), 2, mesh.core.begin());
-  mesh.ring = refined(table, "ring", {table.integer("ring", 1, mesh.ring)}, scale.refine)[0];
-  mesh.layers = refined(table, "layers", {table.integer("layers", 1)}, scale.refine)[0];
   const double across = (static_cast<double>(mesh.core[0]) + 2.0 * mesh.ring) * (mesh.core[1] + 2.0 * mesh.ring);
   check_count(table, "layers", across * (static_cast<double>(mesh.layers) + mesh.ring), scale);
   return mesh;
 }
 
-int refined_count(const SceneTable& table, std::string_view key, int fallback, int refine) {
-  const std::int64_t count = fallback > 0 ? table.integer(key, 1, fallback) : table.integer(key, 1);
-  return refined(table, key, {count}, refine)[0];
-}
-
-Section read_section(const SceneTable& table) {
-  return table.choice<Section>(
-      "section",
-      {{"full", Section::full}, {"half", Section::half}, {"quarter", Section::quarter}, {"wedge", Section::wedge}},
-      Section::full);
-}
-
-/// Keys that only wedges or only the other sections have are an error elsewhere.
-void require_absent(const SceneTable& table, std::initializer_list<std::string_view> keys, std::string_view reason) {
-  for (const auto key : keys)
-    if (table.has(key)) table.fail(key, fmt::format("not used {}", reason));
-}
-
-double read_angle(const SceneTable& table) {
-  return table.number("angle", {.low = 0.0, .low_open = true, .high = largest_wedge_angle});
-}
-
-/// Elements along a side of the full core; a cut goes between two of them.
-int read_core(const SceneTable& table, Section section, int refine) {
-  const std::int64_t count = table.integer("core", 1);
-  if (section != Section::full && count % 2 != 0)
-    table.fail("core", fmt::format("expected an even integer, since the section is cut through it, got {}", count));
-  return refined(table, "core", {count}, refine)[0];
+/// A cut goes between two elements of the core, as it is without --refine.
+void check_core(const SceneTable& table, Section section, std::int64_t core) {
+  if (section != Section::full && section != Section::wedge && core % 2 != 0)
+    table.fail("core", fmt::format("expected an even integer, since the section is cut through it, got {}", core));
 }
 
 MeshSettings read_cylinder(const SceneTable& table, const MeshScale& scale) {
   CylinderMesh mesh;
-  mesh.radius = table.number("radius", positive);
-  mesh.length = table.number("length", positive);
-  mesh.section = read_section(table);
-  mesh.layers = refined_count(table, "layers", 0, scale.refine);
-  double section = 0.0;
-  if (mesh.section == Section::wedge) {
-    require_absent(table, {"core", "ring"}, "where section = \"wedge\", which has radial");
-    mesh.angle = read_angle(table);
-    mesh.radial = refined_count(table, "radial", 0, scale.refine);
-    section = mesh.radial;
-  } else {
-    require_absent(table, {"angle", "radial"}, "where section is not \"wedge\"");
-    mesh.core = read_core(table, mesh.section, scale.refine);
-    mesh.ring = refined_count(table, "ring", 1, scale.refine);
-    section = mesh.core * (mesh.core + 4.0 * mesh.ring);
-  }
+  read_keys(table, mesh, scale.refine);
+  check_core(table, mesh.section, mesh.core / scale.refine);
+  const double section = mesh.section == Section::wedge ? mesh.radial : mesh.core * (mesh.core + 4.0 * mesh.ring);
   check_count(table, "layers", section * mesh.layers, scale);
   return mesh;
 }
 
 MeshSettings read_sphere(const SceneTable& table, const MeshScale& scale) {
   SphereMesh mesh;
-  mesh.radius = table.number("radius", positive);
-  mesh.section = read_section(table);
-  mesh.ring = refined_count(table, "ring", 1, scale.refine);
-  mesh.grading = table.number("grading", {.low = 0.0, .low_open = true, .high = 1.0}, mesh.grading);
+  read_keys(table, mesh, scale.refine);
   double elements = 0.0;
   if (mesh.section == Section::wedge) {
-    mesh.angle = read_angle(table);
-    const auto core = refined(table, "core", table.integers("core", 2, 1), scale.refine);
-    std::copy_n(core.begin(), 2, mesh.core.begin());
+    const std::vector<std::int64_t> core = table.integers("core", 2, 1);
+    for (std::size_t k = 0; k < 2; ++k) mesh.core[k] = refined(table, "core", core[k], scale.refine);
     elements = (mesh.core[0] + static_cast<double>(mesh.ring)) * (mesh.core[1] + 2.0 * mesh.ring);
   } else {
-    require_absent(table, {"angle"}, "where section is not \"wedge\"");
-    const int core = read_core(table, mesh.section, scale.refine);
+    const std::int64_t given = table.integer("core", 1);
+    check_core(table, mesh.section, given);
+    const int core = refined(table, "core", given, scale.refine);
     mesh.core = {core, core};
     elements = static_cast<double>(core) * core * (core + 6.0 * mesh.ring);
   }
@@ -156,29 +105,15 @@ MeshSettings read_sphere(const SceneTable& table, const MeshScale& scale) {
   return mesh;
 }
 
-/// part_key: what the format calls a part.
-MeshSettings read_file(const SceneTable& table, const MeshScale& scale, MeshFormat format, std::string_view part_key) {
+MeshSettings read_file(const SceneTable& table, const MeshScale& scale, MeshFormat format) {
   FileMesh mesh;
   mesh.format = format;
-  mesh.file = table.text("file");
-  mesh.part = table.text(part_key, "");
-  mesh.scale = table.number("scale", positive, mesh.scale);
-  if (format == MeshFormat::keyword && table.has("case")) mesh.chosen_case = table.integer("case", 0);
-  if (format == MeshFormat::vtk) mesh.array = table.text("array", "");
+  read_keys(table, mesh);
   if (scale.refine > 1)
     table.fail("file", fmt::format("--refine {}: expected 1, a mesh from a file cannot be refined; Gmsh itself can "
                                    "(gmsh -refine)",
                                    scale.refine));
   return mesh;
-}
-
-MeshSettings read_gmsh(const SceneTable& table, const MeshScale& scale) {
-  return read_file(table, scale, MeshFormat::gmsh, "physical");
-}
-
-template <MeshFormat Format>
-MeshSettings read_parts(const SceneTable& table, const MeshScale& scale) {
-  return read_file(table, scale, Format, "part");
 }
 
 /// Any file, whose ending says what it is.
@@ -191,7 +126,7 @@ MeshSettings read_by_ending(const SceneTable& table, const MeshScale& scale) {
   }
   if (*format != MeshFormat::vtk && table.has("array")) table.fail("array", "is for files of VTK alone");
   if (*format != MeshFormat::keyword && table.has("case")) table.fail("case", "is for LS-DYNA keyword files alone");
-  return read_file(table, scale, *format, "part");
+  return read_file(table, scale, *format);
 }
 
 }  // namespace
@@ -211,20 +146,22 @@ double least_bytes_of_element(const Scene& scene, const ElementSettings& element
 MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale) {
   if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
   using Reader = MeshSettings (*)(const SceneTable&, const MeshScale&);
-  const std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},
-                                                            {"round_nosed_rod", read_rod},
-                                                            {"cylinder", read_cylinder},
-                                                            {"sphere", read_sphere},
-                                                            {"file", read_by_ending},
-                                                            {"gmsh", read_gmsh},
-                                                            {"keyword", read_parts<MeshFormat::keyword>},
-                                                            {"exodus", read_parts<MeshFormat::exodus>},
-                                                            {"vtk", read_parts<MeshFormat::vtk>},
-                                                            {"abaqus", read_parts<MeshFormat::abaqus>}};
+  std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},
+                                                      {"round_nosed_rod", read_rod},
+                                                      {"cylinder", read_cylinder},
+                                                      {"sphere", read_sphere},
+                                                      {"file", read_by_ending}};
+  for (const auto& format : schema::choices(schema::Of<MeshFormat>{})) readers.emplace_back(format.name, nullptr);
   const SceneTable any = body.table("mesh", "mesh");
   const Reader reader = any.choice<Reader>("type", readers);
   // Read again as that kind, so that the keys of the others are unknown.
-  return reader(body.table("mesh", any.text("type")), scale);
+  const std::string type = any.text("type");
+  const SceneTable table = body.table("mesh", type);
+  if (reader != nullptr) return reader(table, scale);
+  for (const auto& format : schema::choices(schema::Of<MeshFormat>{})) {
+    if (format.name == type) return read_file(table, scale, format.value);
+  }
+  return {};
 }
 
 }  // namespace pinball

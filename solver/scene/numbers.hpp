@@ -2,7 +2,7 @@
 
 #include <solver/scene.hpp>
 
-#include "bound.hpp"
+#include "schema/bound.hpp"
 
 /// The numbers of each kind of table, with what they may be. Reading a file and checking a scene that a host made go
 /// through the same lists: visit(key, value, bound[, need]) with a double& or a Point&.

@@ -6,6 +6,10 @@
 #include <limits>
 #include <string_view>
 
+#include <solver/scene/schema/scene.hpp>
+
+#include "read_keys.hpp"
+
 namespace pinball {
 
 namespace {
@@ -19,22 +23,21 @@ void read_moduli(const SceneTable& table, Material& material) {
                fmt::format("expected either bulk_modulus and shear_modulus or young_modulus and poisson_ratio, got {}",
                            young ? "keys of both" : "none of them"));
   }
+  const auto number = [&](const char* key) { return table.number(key, schema::about<Material>(key).bound); };
   if (bulk) {
-    material.bulk_modulus = table.number("bulk_modulus", positive);
-    material.shear_modulus = table.number("shear_modulus", positive);
+    material.bulk_modulus = number("bulk_modulus");
+    material.shear_modulus = number("shear_modulus");
     return;
   }
-  const double E = table.number("young_modulus", positive);
-  const double nu = table.number("poisson_ratio", {.low = -1.0, .low_open = true, .high = 0.5, .high_open = true});
+  const double E = number("young_modulus"), nu = number("poisson_ratio");
   material.bulk_modulus = E / (3.0 * (1.0 - 2.0 * nu));
   material.shear_modulus = E / (2.0 * (1.0 + nu));
 }
 
 YieldCurve read_yield_curve(const SceneTable& table, bool with_rate) {
   YieldCurve curve;
-  if (with_rate) curve.rate = table.number("rate", not_negative);
-  curve.plastic_strain = table.numbers("plastic_strain", not_negative);
-  curve.stress = table.numbers("stress", positive);
+  if (with_rate) curve.rate = table.number("rate", schema::about<YieldCurve>("rate").bound);
+  read_keys(table, curve);
   table.require_none(problem_of(curve));
   return curve;
 }
@@ -77,24 +80,13 @@ Point read_direction(const SceneTable& table, std::string_view key) {
 
 Material read_material(const SceneTable& table) {
   Material material;
-  material.name = table.name("name");
-  material.plastic = table.choice<bool>("model", {{"elastic", false}, {"von_mises", true}});
-  table.numbers_into(material);
+  material.ultimate_stress = std::numeric_limits<double>::infinity();
+  read_keys(table, material);
   read_moduli(table, material);
-
-  const double infinity = std::numeric_limits<double>::infinity();
   read_yield_curves(table, material);
-  const bool needs_yield_stress = material.plastic && material.yield_curves.empty();
-  material.yield_stress =
-      needs_yield_stress ? table.number("yield_stress", positive) : table.number("yield_stress", positive, 0.0);
-  material.ultimate_stress = table.number("ultimate_stress", positive, infinity);
-  material.rate_interpolation = table.choice<RateInterpolation>(
-      "rate_interpolation", {{"linear", RateInterpolation::linear}, {"logarithmic", RateInterpolation::logarithmic}},
-      material.rate_interpolation);
-  material.strain_rate = table.choice<StrainRate>(
-      "strain_rate",
-      {{"total", StrainRate::total}, {"deviatoric", StrainRate::deviatoric}, {"plastic", StrainRate::plastic}},
-      material.strain_rate);
+  if (material.plastic && material.yield_curves.empty() && !table.has("yield_stress")) {
+    table.fail_missing("yield_stress", schema::about<Material>("yield_stress").bound.describe());
+  }
   complete(material);
   table.require_none(problem_of(material));
   // An elastic material may carry these keys, so that model alone turns plasticity off; it does not use them.
@@ -104,27 +96,11 @@ Material read_material(const SceneTable& table) {
 
 Body read_body(const SceneTable& table, const Scene& scene) {
   Body body;
-  body.name = table.name("name");
-  body.material = table.text("material");
   if (table.has("element")) body.element = read_element(table.table("element", "element of a body"), scene.element);
   const ElementSettings& element = body.element ? *body.element : scene.element;
+  read_keys(table, body);
   body.mesh = read_mesh(table, {scene.refine, least_bytes_of_element(scene, element)});
-  table.numbers_into(body);
-  if (table.has("axis")) body.axis = read_direction(table, "axis");
-  body.velocity_gradient = table.matrix("velocity_gradient");
   return body;
-}
-
-PlaneConstraint read_constraint(const SceneTable& table) {
-  PlaneConstraint constraint;
-  table.choice<int>("type", {{"symmetry", 0}});
-  if (table.has("name")) constraint.name = table.name("name");
-  table.numbers_into(constraint);
-  constraint.normal = read_direction(table, "normal");
-  constraint.body = table.text("body", "");
-  constraint.set = table.text("set", "");
-  constraint.where = fmt::format("{}: {}", table.where(), table.path());
-  return constraint;
 }
 
 }  // namespace pinball

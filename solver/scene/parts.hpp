@@ -30,7 +30,4 @@ Body read_body(const SceneTable& table, const Scene& scene);
 /// The mesh of a body. Throws InputError for one that this machine's memory cannot hold.
 MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale);
 
-/// One [[constraint]] of type "symmetry", its normal a unit vector. Whether its body exists is not checked.
-PlaneConstraint read_constraint(const SceneTable& table);
-
 }  // namespace pinball

@@ -6,14 +6,15 @@
 #include <solver/base/error.hpp>
 #include <solver/keyword/input_file.hpp>
 #include <solver/scene.hpp>
+#include <solver/scene/schema/scene.hpp>
 #include <solver/scene/units/units.hpp>
 
 #include "boundary_parts.hpp"
 #include "contact/contact_parts.hpp"
-#include "field_names.hpp"
 #include "names.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
+#include "read_keys.hpp"
 #include "table.hpp"
 #include "text/key_depth.hpp"
 #include "text/repeated_key.hpp"
@@ -24,35 +25,14 @@ namespace {
 
 TimeSettings read_time(const SceneTable& table) {
   TimeSettings time;
-  table.numbers_into(time);
-  time.steps = table.integer("steps", -1, time.steps);
+  read_keys(table, time);
   table.require_none(problem_of(time));
-  time.subcycling = table.boolean("subcycling", time.subcycling);
-  time.mass_scaling = table.choice<MassScaling>(
-      "mass_scaling", {{"small", MassScaling::small}, {"all", MassScaling::all}}, time.mass_scaling);
   return time;
 }
 
 ContactSettings read_contact(const SceneTable& table) {
   ContactSettings contact;
-  contact.method = table.choice<ContactMethod>(
-      "method",
-      {{"none", ContactMethod::none}, {"pinball", ContactMethod::pinball}, {"slideline", ContactMethod::slideline}},
-      contact.method);
-  contact.enforcement = table.choice<Enforcement>(
-      "enforcement",
-      {{"penalty", Enforcement::penalty}, {"projection", Enforcement::projection}, {"lagrange", Enforcement::lagrange}},
-      contact.enforcement);
-  contact.gap =
-      table.choice<ContactGap>("gap", {{"pinball", ContactGap::pinball}, {"face", ContactGap::face}}, contact.gap);
-  table.numbers_into(contact);
-  contact.radius = table.choice<ContactRadius>(
-      "radius", {{"initial", ContactRadius::initial}, {"current", ContactRadius::current}}, contact.radius);
-  contact.self = table.boolean("self", contact.self);
-  contact.search = table.choice<ContactSearch>("search", {{"tree", ContactSearch::tree}, {"hash", ContactSearch::hash}},
-                                               contact.search);
-  contact.overlap = table.choice<ContactOverlap>(
-      "overlap", {{"keep", ContactOverlap::keep}, {"adjust", ContactOverlap::adjust}}, contact.overlap);
+  read_keys(table, contact);
   complete(contact);
   table.require_none(problem_of(contact));
   return contact;
@@ -61,13 +41,9 @@ ContactSettings read_contact(const SceneTable& table) {
 OutputSettings read_output(const SceneTable& table) {
   OutputSettings output;
   output.every_step = table.is_text("interval") && table.choice<bool>("interval", {{"step", true}});
-  visit_numbers(output, [&](std::string_view key, double& value, const Bound& bound) {
-    if (key != "interval" || !output.every_step) value = table.number(key, bound, value);
-  });
-  output.body_energies = table.boolean("body_energies", output.body_energies);
-  output.field_times = table.numbers("field_times", not_negative);
+  if (!output.every_step) output.interval = table.number("interval", not_negative, output.interval);
+  read_keys(table, output);
   std::sort(output.field_times.begin(), output.field_times.end());
-  if (table.has("fields")) output.fields = table.texts("fields", {field_names.begin(), field_names.end()});
   return output;
 }
 
@@ -111,7 +87,7 @@ void read_boundary(const SceneTable& top, Scene& scene) {
     const auto type = any.choice<std::string>("type", {{"symmetry", "symmetry"}, {"fixed", "fixed"}});
     const SceneTable table = any.as(type);
     if (type == "symmetry") {
-      scene.constraints.push_back(read_constraint(table));
+      scene.constraints.push_back(read_symmetry(table));
       forces.emplace_back(table, scene.constraints.back().name);
     } else {
       scene.fixed_constraints.push_back(read_fixed_constraint(table));
@@ -159,20 +135,14 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   scene.path = path;
   scene.name = std::filesystem::path(path).stem().string();
   scene.refine = overrides.refine;
-  scene.title = top.text("title", "");
-  scene.units = top.text("units", "");
+  read_keys(top, scene);
   top.require_none(units_problem(scene.units));
-  scene.precision = top.choice<Precision>("precision", {{"double", Precision::float64}, {"float", Precision::float32}},
-                                          scene.precision);
   if (overrides.precision) scene.precision = *overrides.precision;
   scene.time = read_time(top.table("time", "time"));
   scene.element = read_element(top.table("element", "element"), {});
   scene.contact = read_contact(top.table("contact", "contact"));
-  const SceneTable skip = top.table("skip", "skip");
-  scene.skip.contact_search = skip.boolean("contact_search", scene.skip.contact_search);
-  scene.skip.resting = skip.boolean("resting", scene.skip.resting);
-  const SceneTable guard = top.table("guard", "guard");
-  guard.numbers_into(scene.guard);
+  read_keys(top.table("skip", "skip"), scene.skip);
+  read_keys(top.table("guard", "guard"), scene.guard);
   scene.output = read_output(top.table("output", "output"));
 
   Names materials, body_names;
@@ -191,7 +161,7 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
     scene.bodies.push_back(body);
   }
   read_contact_parts(top.table("contact", "contact"), scene);
-  top.table("damping", "damping").numbers_into(scene.damping);
+  read_keys(top.table("damping", "damping"), scene.damping);
   read_boundary(top, scene);
   return scene;
 }

@@ -14,7 +14,7 @@
 #include <solver/mesh.hpp>
 #include <solver/scene_rules.hpp>
 
-#include "numbers.hpp"
+#include "schema/bound.hpp"
 
 /// Typed access to the tables of a scene file. Every error is an InputError that reads
 /// "FILE:LINE:COLUMN: KEY: expected ..., got ...", or "--set KEY=VALUE: expected ..., got ...", with --vary as with
@@ -69,17 +69,6 @@ class SceneTable {
   double number(std::string_view key, const Bound& bound) const;  ///< required
   std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t fallback) const;
   std::int64_t integer(std::string_view key, std::int64_t low) const;  ///< required
-  /// All numbers of a kind of table (scene_numbers.hpp); what is missing and not required stays as it is.
-  template <class Settings>
-  void numbers_into(Settings& settings) const {
-    visit_numbers(settings, [this](std::string_view key, auto& value, const Bound& bound, Need need = Need::optional) {
-      if constexpr (std::is_same_v<decltype(value), Point&>) {
-        value = need == Need::required ? point(key, bound) : point(key, bound, value);
-      } else {
-        value = need == Need::required ? number(key, bound) : number(key, bound, value);
-      }
-    });
-  }
   bool boolean(std::string_view key, bool fallback) const;
   std::string text(std::string_view key, const std::string& fallback) const;
   std::string text(std::string_view key) const;  ///< required

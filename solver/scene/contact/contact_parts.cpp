@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <solver/scene/read_keys.hpp>
+#include <solver/scene/schema/contact.hpp>
+
 namespace pinball {
 
 namespace {
@@ -32,27 +35,22 @@ ContactSide read_side(const SceneTable& table, std::string_view key, const Names
   return side;
 }
 
-/// When it begins and ends.
+/// Of pairs and ties: their place for messages, their name, and what their keys say.
 template <class Part>
-void read_times(const SceneTable& table, Part& part) {
-  if (table.has("end")) part.end = table.number("end", any_number);
-}
-
-std::string default_name(const SceneTable& table, const char* kind, std::size_t number) {
-  return table.has("name") ? table.name("name") : fmt::format("{}_{}", kind, number);
+void read_part(const SceneTable& table, const char* kind, std::size_t number, Part& part) {
+  part.where = fmt::format("{}: {}", table.where(), table.path());
+  part.name = fmt::format("{}_{}", kind, number);
+  read_keys(table, part);
 }
 
 }  // namespace
 
 ContactPair read_contact_pair(const SceneTable& table, const Scene& scene, const Names& bodies) {
   ContactPair pair;
-  pair.where = fmt::format("{}: {}", table.where(), table.path());
-  pair.name = default_name(table, "pair", scene.contact_pairs.size());
+  read_part(table, "pair", scene.contact_pairs.size(), pair);
   pair.first = read_side(table, "first", bodies);
   table.require_none(column_problem(pair.name, bodies));
   if (table.has("second")) pair.second = read_side(table, "second", bodies);
-  table.numbers_into(pair);
-  read_times(table, pair);
   complete(pair, scene.contact);
   table.require_none(problem_of(pair, scene.contact));
   return pair;
@@ -60,13 +58,9 @@ ContactPair read_contact_pair(const SceneTable& table, const Scene& scene, const
 
 TiedContact read_tied_contact(const SceneTable& table, const Scene& scene, const Names& bodies) {
   TiedContact tied;
-  tied.where = fmt::format("{}: {}", table.where(), table.path());
-  tied.name = default_name(table, "tied", scene.tied_contacts.size());
+  read_part(table, "tied", scene.tied_contacts.size(), tied);
   tied.first = read_side(table, "first", bodies);
   tied.second = read_side(table, "second", bodies);
-  table.numbers_into(tied);
-  if (table.has("tolerance")) tied.tolerance = table.number("tolerance", not_negative);
-  read_times(table, tied);
   table.require_none(problem_of(tied));
   return tied;
 }

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <solver/scene/schema/choices.hpp>
+#include <solver/scene/schema/selection.hpp>
+
+#include "table.hpp"
+
+/// From a table of a file to its object, by the description of its keys. What is missing and not required leaves the
+/// object as it is; keys that a table reads by hand are left to it.
+namespace pinball {
+
+/// Under a key that is there or required.
+void read_value(const SceneTable& table, const schema::AnyKey& key, double& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::int64_t& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, int& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, bool& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::string& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, Point& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::array<Point, 3>& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::array<int, 2>& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<double>& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<std::string>& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<std::int64_t>& value);
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<std::array<std::int64_t, 4>>& value);
+
+template <schema::HasChoices Value>
+void read_value(const SceneTable& table, const schema::AnyKey& key, Value& value) {
+  std::vector<std::pair<std::string, Value>> values;
+  for (const auto& choice : schema::choices(schema::Of<Value>{})) {
+    if (choice.in_files) values.emplace_back(choice.name, choice.value);
+  }
+  value = table.choice<Value>(key.name, values);
+}
+
+/// The name of a table within others, as the list of all keys has it.
+inline std::string_view kind_of(schema::Of<Plane>) { return "plane"; }
+inline std::string_view kind_of(schema::Of<Line>) { return "line"; }
+inline std::string_view kind_of(schema::Of<Box>) { return "box"; }
+
+template <class T>
+void read_keys(const SceneTable& table, T& object, int refine = 1);
+
+template <class Part>
+void read_value(const SceneTable& table, const schema::AnyKey& key, Part& value) requires requires {
+  kind_of(schema::Of<Part>{});
+}
+{
+  const SceneTable part = table.table(key.name, kind_of(schema::Of<Part>{}));
+  read_keys(part, value);
+  if constexpr (requires { problem_of(value); }) part.require_none(problem_of(value));
+}
+
+template <class Value>
+void read_value(const SceneTable& table, const schema::AnyKey& key, std::optional<Value>& value) requires
+    requires(Value& one) {
+  read_value(table, key, one);
+}
+{ read_value(table, key, value.emplace()); }
+
+[[noreturn]] void fail_too_many(const SceneTable& table, std::string_view key, double count);
+/// Times `refine`, as int. Throws InputError if that overflows.
+void refine_count(const SceneTable& table, std::string_view key, int refine, int& count);
+void refine_count(const SceneTable& table, std::string_view key, int refine, std::array<int, 2>& counts);
+
+template <class T>
+class KeyReader {
+ public:
+  KeyReader(const SceneTable& table, T& object, int refine) : table_(table), object_(object), refine_(refine) {}
+
+  template <class Value>
+  void operator()(const schema::FileKey<Value>&) const {}
+  template <class Value>
+  void operator()(const schema::Field<T, Value>&) const {}
+  template <class Value>
+  void operator()(const schema::Key<T, Value>& key) const {
+    if constexpr (requires(Value & value) { read_value(table_, key, value); }) {
+      if (key.about.done != schema::Done::by_visitors || is_left_out(key)) return;
+      Value& value = object_.*key.member;
+      if (table_.has(key.name) || key.required()) read_value(table_, key, value);
+      if constexpr (requires { refine_count(table_, key.name, refine_, value); }) {
+        if (key.about.form == schema::Form::count) refine_count(table_, key.name, refine_, value);
+      }
+    }
+  }
+  template <class Part>
+  void operator()(const schema::Group<T, Part>& group) const {
+    const KeyReader<Part> reader(table_, object_.*group.member, refine_);
+    describe(schema::Of<Part>{}, [&](const auto& key) {
+      if constexpr (requires { key.name; }) {
+        if (schema::is_among(key.name, group.left_out)) return;
+      }
+      reader(key);
+    });
+  }
+
+ private:
+  /// A key that this object has not.
+  template <class Value>
+  bool is_left_out(const schema::Key<T, Value>& key) const {
+    if (key.refused == nullptr || key.applies(object_)) return false;
+    if (table_.has(key.name)) table_.fail(key.name, fmt::format("not used {}", key.refused));
+    return true;
+  }
+
+  const SceneTable& table_;
+  T& object_;
+  int refine_;
+};
+
+/// refine: what multiplies counts of elements.
+template <class T>
+void read_keys(const SceneTable& table, T& object, int refine) {
+  describe(schema::Of<T>{}, KeyReader<T>(table, object, refine));
+}
+
+}  // namespace pinball

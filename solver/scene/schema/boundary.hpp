@@ -1,0 +1,207 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../../scene.hpp"
+#include "key.hpp"
+#include "selection.hpp"
+
+/// The keys of what acts on a scene from outside, and of what is watched in it.
+namespace pinball::schema {
+
+/// Of its force in history.csv.
+inline constexpr About name_of_force{.form = Form::name, .otherwise = "none"};
+inline constexpr std::array<std::string_view, 2> constraint_types{"symmetry", "fixed"};
+inline constexpr std::array<std::string_view, 3> component_names{"x", "y", "z"};
+inline constexpr std::array<std::string_view, 6> all_probe_quantities{"position", "displacement",     "velocity",
+                                                                      "stress",   "effective_stress", "plastic_strain"};
+/// A wall has a body and a plane of its own.
+inline constexpr std::array<std::string_view, 4> not_of_walls{"body", "plane", "line", "nearest"};
+
+/// What says the type of a constraint.
+template <class Visit>
+void describe_constraint_type(Visit&& visit, const std::string_view& type) {
+  visit(FileKey<std::string>{
+      "type", "what it is", {.need = Need::required, .texts = std::span<const std::string_view>(&type, 1)}});
+}
+
+template <class Visit>
+void describe(Of<PlaneConstraint>, Visit&& visit) {
+  using T = PlaneConstraint;
+  describe_constraint_type(visit, constraint_types[0]);
+  visit(Key{"name", &T::name, "of its force, see above", name_of_force});
+  visit(Key{"point", &T::point, "a point of the plane", {.unit = "L"}});
+  visit(Key{"normal",
+            &T::normal,
+            "nodes on the plane may not move along it",
+            {.unit = "-", .need = Need::required, .form = Form::direction}});
+  visit(Key{"body", &T::body, "only nodes of this body", {.otherwise = "all"}});
+  visit(
+      Key{"set", &T::set, "these nodes of the mesh file in the place of those on the plane", {.listed_always = false}});
+  visit(Key{"tolerance",
+            &T::tolerance,
+            "how far from the plane a node may lie; 0: by the mesh",
+            {.unit = "L", .bound = not_negative}});
+  visit(Field{"where", &T::where, "for messages"});
+}
+
+template <class Visit>
+void describe(Of<FixedConstraint>, Visit&& visit) {
+  using T = FixedConstraint;
+  describe_constraint_type(visit, constraint_types[1]);
+  visit(Key{"name", &T::name, "of its force, see above", name_of_force});
+  visit(Key{"frame", &T::frame,
+            "`\"cylindrical\"`: the directions are `\"radial\"`, `\"circumferential\"`, `\"axial\"`, or 3 numbers "
+            "along these, at the place that each node has at the start"});
+  visit(Key{"directions",
+            &T::directions,
+            "`\"all\"`, or an array of directions: `\"x\"`, `\"y\"`, `\"z\"` or 3 numbers of any non-zero length",
+            {.unit = "-", .need = Need::required, .done = Done::reading_by_hand}});
+  visit(Key{"axis",
+            &T::axis,
+            "`{ point = [...], direction = [...] }`",
+            {.unit = "L, -", .otherwise = "required if cylindrical", .done = Done::reading_by_hand}}
+            .only_where([](const FixedConstraint& fixed) { return fixed.frame == Frame::cylindrical; }));
+  visit(Group{"when", &T::when, "start, end"});
+  visit(Group{"nodes", &T::nodes, "which nodes"});
+}
+
+template <class Visit>
+void describe(Of<RigidWall>, Visit&& visit) {
+  using T = RigidWall;
+  visit(Key{"name",
+            &T::name,
+            "of the columns `NAME_force` and `NAME_impulse` in `history.csv`, counted from 0",
+            {.form = Form::name, .otherwise = "wall_NUMBER", .listed_always = false}});
+  visit(Group{"plane", &T::plane, "the normal points to the free side"});
+  visit(Key{"friction", &T::friction, "Coulomb coefficient", {.unit = "-", .bound = not_negative}});
+  visit(
+      Key{"sliding", &T::sliding, "`false`: nodes do not move along the wall while they touch it; then no `friction`"});
+  visit(Key{"edge",
+            &T::edge,
+            "of a rectangle with a corner in `point`: direction of its first side",
+            {.unit = "-", .form = Form::direction, .otherwise = "none"}});
+  visit(Key{"size",
+            &T::size,
+            "of that rectangle: lengths along `edge` and along normal x edge; 0: without end both ways",
+            {.unit = "L", .bound = not_negative, .otherwise = "without end", .done = Done::by_hand}});
+  visit(Key{"mass",
+            &T::mass,
+            "> 0: the nodes push it along its normal; it begins with `speed`",
+            {.unit = "M", .bound = not_negative}});
+  visit(Key{"speed", &T::speed, "at which it moves along the normal", {.unit = "L/T"}});
+  visit(Group{"table", &T::table, "of the speed"});
+  visit(Group{"when", &T::when, "when it acts"});
+  visit(Key{"body", &T::body, "only nodes of this body", {.otherwise = "all"}});
+  visit(Group{"nodes", &T::nodes, "only these nodes; nothing given: all", not_of_walls});
+  visit(Field{"where", &T::where, "for messages"});
+}
+
+template <class Visit>
+void describe(Of<PrescribedVelocity>, Visit&& visit) {
+  using T = PrescribedVelocity;
+  visit(Key{"name", &T::name, "of its force, see above", name_of_force});
+  visit(Key{"velocity",
+            &T::velocity,
+            "all three components",
+            {.unit = "L/T", .otherwise = "required, or the next two", .done = Done::reading_by_hand}});
+  visit(Key{"direction",
+            &T::direction,
+            "only the component along it; the others are free",
+            {.unit = "-", .form = Form::direction, .otherwise = "all three", .done = Done::reading_by_hand}});
+  visit(FileKey<double>{"speed", "along the direction", {.unit = "L/T", .otherwise = "required beside `direction`"}});
+  visit(Key{"quantity", &T::quantity,
+            "what the factors make of it: with `\"displacement\"` and `\"acceleration\"` `velocity` and `speed` are "
+            "lengths and accelerations"});
+  visit(Group{"table", &T::table, "factors"});
+  visit(Group{"when", &T::when, "nodes are free before and after; factors are of the time of the run"});
+  visit(Group{"nodes", &T::nodes, "which nodes"});
+}
+
+template <class Visit>
+void describe(Of<NodalLoad>, Visit&& visit) {
+  using T = NodalLoad;
+  visit(Key{"force", &T::force, "on all the nodes together", {.unit = "M L/T^2", .need = Need::required}});
+  visit(Key{"each", &T::each, "`true`: on each of the nodes"});
+  visit(Group{"table", &T::table, "factors"});
+  visit(Group{"nodes", &T::nodes, "which nodes"});
+}
+
+template <class Visit>
+void describe(Of<Pressure>, Visit&& visit) {
+  using T = Pressure;
+  visit(Key{"name",
+            &T::name,
+            "of the columns `NAME_force_x`, `_y`, `_z` and `NAME_work` in `history.csv`, counted from 0",
+            {.form = Form::name, .otherwise = "pressure_NUMBER", .listed_always = false}});
+  visit(Key{
+      "pressure", &T::pressure, "positive: it presses on the faces", {.unit = "M/(L T^2)", .need = Need::required}});
+  visit(Key{"start", &T::start, "before it there is none; times count from it", {.unit = "T"}});
+  visit(Group{"table", &T::table, "factors"});
+  visit(Key{"faces",
+            &T::corners,
+            "`[[1, 2, 6, 5], ...]`: their nodes by the numbers of the mesh file; of a triangle the last one twice",
+            {.bound = {.low = 0}, .field = "corners", .listed_always = false}});
+  visit(Group{"faces", &T::faces, "which faces: those of a set, or the exposed ones with all corners here"});
+}
+
+template <class Visit>
+void describe(Of<Gravity>, Visit&& visit) {
+  using T = Gravity;
+  visit(Key{"name", &T::name, "of its force, see above", name_of_force});
+  visit(Key{
+      "acceleration", &T::acceleration, "force over mass on every node", {.unit = "L/T^2", .need = Need::required}});
+  visit(Key{"bodies",
+            &T::bodies,
+            "names of those that feel it",
+            {.otherwise = "all", .done = Done::reading_by_hand, .listed_always = false}});
+  visit(Group{"table", &T::table, "factors"});
+}
+
+template <class Visit>
+void describe(Of<InitialVelocity>, Visit&& visit) {
+  using T = InitialVelocity;
+  visit(Key{"velocity",
+            &T::velocity,
+            "required, or the next one; the last table that selects a node counts",
+            {.unit = "L/T"}});
+  visit(Key{"angular_velocity", &T::angular_velocity, "adds a spin about an axis through `centre`", {.unit = "1/T"}});
+  visit(Key{"centre", &T::centre, "a point of that axis", {.unit = "L"}});
+  visit(FileKey<std::vector<std::string>>{"components",
+                                          "only these are set, the others stay as they were",
+                                          {.otherwise = "all", .texts = component_names}});
+  visit(Field{"components", &T::components, "those that are set"});
+  visit(Group{"nodes", &T::nodes, "which nodes"});
+}
+
+template <class Visit>
+void describe(Of<Probe>, Visit&& visit) {
+  using T = Probe;
+  visit(Key{"name",
+            &T::name,
+            "unique, also among the bodies",
+            {.need = Need::required, .form = Form::name, .listed_always = false}});
+  visit(Key{"kind", &T::kind, "what is watched"});
+  visit(Key{"point",
+            &T::point,
+            "the node, or the element whose centre, is nearest to this point at the start is watched",
+            {.unit = "L", .otherwise = "required, or the next one", .done = Done::reading_by_hand}}
+            .only_where([](const Probe& probe) { return !probe.number; }));
+  visit(FileKey<std::int64_t>{"node",
+                              "its number in the mesh file of `body`, which may be left out where there is "
+                              "only one file",
+                              {.bound = {.low = 0}, .otherwise = "required, or the one above"}});
+  visit(FileKey<std::int64_t>{"element", "the same", {.bound = {.low = 0}, .otherwise = "required, or those above"}});
+  visit(Field{"number", &T::number, "of the node or the element in the mesh file of its body"});
+  visit(Key{"body", &T::body, "only of this body", {.otherwise = "all"}});
+  visit(Key{"quantities",
+            &T::quantities,
+            "of nodes the first three, of elements the others",
+            {.otherwise = "all of the kind", .done = Done::by_hand, .texts = all_probe_quantities}});
+  visit(Field{"where", &T::where, "for messages"});
+}
+
+}  // namespace pinball::schema

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "bound.hpp"
+
+/// How a scene says what its tables hold: each key once, with all that is known of it. The files beside this one have a
+/// function for each kind of table,
+///
+///     template <class Visit>
+///     void describe(Of<TimeSettings>, Visit&& visit) {
+///       visit(Key{"cfl", &TimeSettings::cfl, "fraction of the stable time step", {.unit = "-", .bound = ...}});
+///
+/// and what reads, checks, lists, binds or documents scenes visits the keys. A visitor is called with a Key, a FileKey,
+/// a Group or a Field.
+namespace pinball::schema {
+
+/// In the place of an object of a type.
+template <class T>
+struct Of {};
+
+enum class Need { optional, required };
+
+/// What is more to a value than its type.
+enum class Form {
+  plain,
+  name,       ///< a text of letters, digits, "_" and "-"
+  direction,  ///< a vector of any non-zero length, which is brought to unit length
+  count,      ///< of elements: --refine multiplies it
+};
+
+/// Which numbers stand for none: a key that is not given leaves them.
+enum class Unset { never, negative, zero, infinite, zero_or_infinite };
+
+/// Who does it: the visitors for all keys, or the function of the table, whose rule is its own.
+enum class Done { by_visitors, reading_by_hand, by_hand };
+
+/// What is known of a key beside its name, its meaning and its place in memory.
+struct About {
+  const char* unit = "";  ///< of T, L and M, as in data/scenes/README.md: "L/T", "M/(L T^2)"; "-": a number without
+  Bound bound{};          ///< of a number, of each of several; of integers low alone
+  Need need = Need::optional;
+  Form form = Form::plain;
+  Unset unset = Unset::never;
+  const char* otherwise = "";  ///< what holds where it is not given and no value says that; of a required one: when
+  const char* field = "";      ///< its name in C++ and Python where that is another
+  Done done = Done::by_visitors;
+  bool listed_always = true;                  ///< false: where it is given
+  std::span<const std::string_view> texts{};  ///< which texts it may have; none: any
+  const char* also = "";                      ///< a text that may stand in the place of a number
+  const char* no = "";                        ///< of a bool that has names in files: that of false
+  const char* yes = "";                       ///< that of true
+};
+
+/// What all keys have in common.
+struct AnyKey {
+  const char* name;     ///< in files
+  const char* meaning;  ///< a sentence, or the rest of one; code in backticks
+  About about;
+
+  constexpr bool required() const { return about.need == Need::required; }
+};
+
+/// A key that has no member of its own: a function of its table makes something of it. Value: what it is in a file.
+template <class Value>
+struct FileKey : AnyKey {
+  constexpr FileKey(const char* name_, const char* meaning_, About about_ = {}) : AnyKey{name_, meaning_, about_} {}
+};
+
+/// A key that sets a member.
+template <class T, class Value>
+struct Key : FileKey<Value> {
+  Value T::*member;
+  bool (*applies)(const T&) = nullptr;  ///< which objects have it; none: all
+  const char* refused = nullptr;        ///< where another object is read that has it; none: it may have it
+
+  constexpr Key(const char* name_, Value T::*member_, const char* meaning_, About about_ = {})
+      : FileKey<Value>(name_, meaning_, about_), member(member_) {}
+  /// The same key, of some objects only. What was read before says of which.
+  constexpr Key only_where(bool (*applies_)(const T&), const char* refused_ = nullptr) const {
+    Key key = *this;
+    key.applies = applies_;
+    key.refused = refused_;
+    return key;
+  }
+  const char* field() const { return *this->about.field ? this->about.field : this->name; }
+};
+
+/// A member whose own keys stand in the same table, but for some.
+template <class T, class Part>
+struct Group {
+  const char* field;
+  Part T::*member;
+  const char* meaning;
+  std::span<const std::string_view> left_out{};
+
+  constexpr Group(const char* field_, Part T::*member_, const char* meaning_,
+                  std::span<const std::string_view> left_out_ = {})
+      : field(field_), member(member_), meaning(meaning_), left_out(left_out_) {}
+};
+
+/// A member that hosts see and no file sets.
+template <class T, class Value>
+struct Field {
+  const char* field;
+  Value T::*member;
+  const char* meaning;
+
+  constexpr Field(const char* field_, Value T::*member_, const char* meaning_)
+      : field(field_), member(member_), meaning(meaning_) {}
+};
+
+/// Whether a key is one of some.
+template <class Names>
+constexpr bool is_among(std::string_view name, const Names& names) {
+  for (const std::string_view one : names) {
+    if (one == name) return true;
+  }
+  return false;
+}
+
+/// What is known of a key of a table, for what is read by hand.
+template <class T>
+constexpr About about(std::string_view name) {
+  About found;
+  describe(Of<T>{}, [&](const auto& key) {
+    if constexpr (requires { key.about; }) {
+      if (key.name == name) found = key.about;
+    }
+  });
+  return found;
+}
+
+}  // namespace pinball::schema

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <vector>
+
+#include "../../scene.hpp"
+#include "key.hpp"
+
+/// The keys of materials.
+namespace pinball::schema {
+
+/// yield_curve: a curve without a rate.
+struct OneYieldCurve {};
+
+template <class Visit>
+void describe(Of<YieldCurve>, Visit&& visit) {
+  using T = YieldCurve;
+  visit(Key{"rate",
+            &T::rate,
+            "at which it holds",
+            {.unit = "1/T", .bound = not_negative, .need = Need::required, .done = Done::reading_by_hand}});
+  visit(Key{"plastic_strain", &T::plastic_strain, "from 0, ascending", {.unit = "-", .bound = not_negative}});
+  visit(Key{"stress", &T::stress, "one for each of them", {.unit = "M/(L T^2)", .bound = positive}});
+}
+
+template <class Visit>
+void describe(Of<OneYieldCurve>, Visit&& visit) {
+  visit(FileKey<std::vector<double>>{"plastic_strain", "from 0, ascending", {.unit = "-", .bound = not_negative}});
+  visit(FileKey<std::vector<double>>{"stress", "one for each of them", {.unit = "M/(L T^2)", .bound = positive}});
+}
+
+template <class Visit>
+void describe(Of<Material>, Visit&& visit) {
+  using T = Material;
+  const auto plastic = [](const Material& material) { return material.plastic; };
+  visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed_always = false}});
+  visit(Key{"model",
+            &T::plastic,
+            "neo-Hookean, for large strains, too; or von Mises plasticity",
+            {.need = Need::required, .field = "plastic", .no = "elastic", .yes = "von_mises"}});
+  visit(Key{"density", &T::density, "mass per volume", {.unit = "M/L^3", .bound = positive, .need = Need::required}});
+  visit(Key{"bulk_modulus",
+            &T::bulk_modulus,
+            "K, beside `shear_modulus`",
+            {.unit = "M/(L T^2)",
+             .bound = positive,
+             .otherwise = "required, or the two from young_modulus on",
+             .done = Done::reading_by_hand}});
+  visit(Key{"shear_modulus",
+            &T::shear_modulus,
+            "G, beside `bulk_modulus`",
+            {.unit = "M/(L T^2)", .bound = positive, .otherwise = "as bulk_modulus", .done = Done::reading_by_hand}});
+  visit(FileKey<double>{"young_modulus",
+                        "E, beside `poisson_ratio`",
+                        {.unit = "M/(L T^2)", .bound = positive, .otherwise = "required, or the two above"}});
+  visit(FileKey<double>{"poisson_ratio",
+                        "beside `young_modulus`",
+                        {.unit = "-",
+                         .bound = {.low = -1.0, .low_open = true, .high = 0.5, .high_open = true},
+                         .otherwise = "as young_modulus"}});
+  visit(Key{"yield_stress",
+            &T::yield_stress,
+            "where plastic strain begins",
+            {.unit = "M/(L T^2)", .bound = positive, .unset = Unset::zero, .otherwise = "required for `\"von_mises\"`"}}
+            .only_where(plastic));
+  visit(Key{"plastic_modulus",
+            &T::plastic_modulus,
+            "H, slope of the yield stress over the effective plastic strain",
+            {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"ultimate_stress",
+            &T::ultimate_stress,
+            "hardening ends at this yield stress, >= `yield_stress`",
+            {.unit = "M/(L T^2)", .bound = positive, .unset = Unset::zero_or_infinite, .otherwise = "infinite"}}
+            .only_where(plastic));
+  visit(Key{"erosion_strain",
+            &T::erosion_strain,
+            "effective plastic strain at which an element is eroded; 0: never",
+            {.unit = "-", .bound = not_negative}});
+  visit(Key{"isotropic_share",
+            &T::isotropic_share,
+            "beta: the yield surface grows by this part of H, and moves by the rest, as back stress: 1 isotropic, 0 "
+            "kinematic hardening",
+            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}});
+  visit(FileKey<OneYieldCurve>{
+      "yield_curve",
+      "`{ plastic_strain = [0, ...], stress = [...] }`, in the place of the three stresses above: yield stress over "
+      "effective plastic strain, as many points as one likes",
+      {.otherwise = "none"}});
+  visit(FileKey<std::vector<YieldCurve>>{
+      "yield_curves", "some of these, each with its `rate` [1/T], ascending", {.otherwise = "none"}});
+  visit(Field{"yield_curves", &T::yield_curves, "in the place of yield_stress, of ascending rates"});
+  visit(Key{"rate_interpolation", &T::rate_interpolation, "between `yield_curves`: in the rate, or in its logarithm"}
+            .only_where(plastic));
+  visit(Key{"strain_rate", &T::strain_rate,
+            "of which the yield stress depends: `\"total\"`, sqrt(D:D) of the rate of deformation D; `\"deviatoric\"`, "
+            "sqrt(2/3 D':D') of its deviator; `\"plastic\"`, rate of the effective plastic strain"}
+            .only_where(plastic));
+  visit(Key{"rate_constant",
+            &T::rate_constant,
+            "C of Cowper and Symonds: the yield stress is (1 + (rate/C)^(1/p)) times as large; 0: no such law",
+            {.unit = "1/T", .bound = not_negative}});
+  visit(Key{"rate_exponent", &T::rate_exponent, "p, > 0 beside `rate_constant`", {.unit = "-", .bound = not_negative}});
+  visit(Key{"rate_stress",
+            &T::rate_stress,
+            "the law adds this stress times (rate/C)^(1/p) instead; 0: none",
+            {.unit = "M/(L T^2)", .bound = not_negative}});
+}
+
+}  // namespace pinball::schema

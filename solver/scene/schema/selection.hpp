@@ -1,0 +1,78 @@
+#pragma once
+
+#include "../../scene.hpp"
+#include "key.hpp"
+
+/// The keys that tables of boundary conditions have in common: which nodes, and when.
+namespace pinball::schema {
+
+template <class Visit>
+void describe(Of<Plane>, Visit&& visit) {
+  visit(Key{"point", &Plane::point, "a point of it", {.unit = "L"}});
+  visit(Key{"normal", &Plane::normal, "across it", {.unit = "-", .need = Need::required, .form = Form::direction}});
+}
+
+template <class Visit>
+void describe(Of<Line>, Visit&& visit) {
+  visit(Key{"point", &Line::point, "a point of it", {.unit = "L"}});
+  visit(Key{"direction", &Line::direction, "along it", {.unit = "-", .need = Need::required, .form = Form::direction}});
+}
+
+template <class Visit>
+void describe(Of<Box>, Visit&& visit) {
+  visit(Key{"low", &Box::low, "a corner", {.unit = "L", .need = Need::required}});
+  visit(Key{
+      "high", &Box::high, "the opposite corner, no component < that of `low`", {.unit = "L", .need = Need::required}});
+}
+
+template <class Visit>
+void describe(Of<NodeSelection>, Visit&& visit) {
+  using T = NodeSelection;
+  visit(Key{"body", &T::body, "nodes of this body", {.otherwise = "all"}});
+  visit(Key{"plane",
+            &T::plane,
+            "`{ point = [...], normal = [...] }`: nodes on the plane",
+            {.unit = "L, -", .listed_always = false}});
+  visit(Key{"line",
+            &T::line,
+            "`{ point = [...], direction = [...] }`: nodes on the line",
+            {.unit = "L, -", .listed_always = false}});
+  visit(Key{"box",
+            &T::box,
+            "`{ low = [...], high = [...] }`: nodes in the box, its faces included",
+            {.unit = "L", .listed_always = false}});
+  visit(Key{
+      "nearest", &T::nearest, "of these nodes the one nearest to the point", {.unit = "L", .listed_always = false}});
+  visit(Key{"set",
+            &T::set,
+            "name or number of a set in the mesh file of the bodies; of faces, elements or a part: their nodes",
+            {.listed_always = false}});
+  visit(Key{"nodes",
+            &T::nodes,
+            "`[11, 12, ...]`: the numbers that the mesh file gives its nodes",
+            {.bound = {.low = 0}, .listed_always = false}});
+  visit(Key{
+      "file", &T::file, "the mesh file of sets and numbers, where bodies are from several", {.listed_always = false}});
+  visit(Key{"without", &T::without, "a set whose nodes are left out", {.listed_always = false}});
+  visit(Key{"tolerance",
+            &T::tolerance,
+            "how far from plane, line and box a node may lie; 0: by the mesh",
+            {.unit = "L", .bound = not_negative, .listed_always = false}});
+  visit(Field{"where", &T::where, "for messages"});
+}
+
+template <class Visit>
+void describe(Of<TimeTable>, Visit&& visit) {
+  using T = TimeTable;
+  visit(Key{"times", &T::times, "increasing", {.unit = "T", .listed_always = false}});
+  visit(Key{"factors", &T::factors, "one per time, linear between them", {.unit = "-", .otherwise = "1 at all times"}});
+}
+
+template <class Visit>
+void describe(Of<TimeSpan>, Visit&& visit) {
+  using T = TimeSpan;
+  visit(Key{"start", &T::start, "when it begins to act; not above 0: from the beginning", {.unit = "T"}});
+  visit(Key{"end", &T::end, "when it ends to act", {.unit = "T", .unset = Unset::infinite, .otherwise = "never"}});
+}
+
+}  // namespace pinball::schema
