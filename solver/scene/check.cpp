@@ -4,11 +4,12 @@
 #include <utility>
 
 #include <solver/base/error.hpp>
+#include <solver/scene/schema/scene.hpp>
+#include <solver/scene/schema/unset.hpp>
 #include <solver/scene/units/units.hpp>
 #include <solver/scene_rules.hpp>
 
 #include "names.hpp"
-#include "numbers.hpp"
 
 namespace pinball {
 
@@ -33,26 +34,83 @@ class Table {
   void number(std::string_view key, const Point& value, const Bound& bound) const {
     for (std::size_t k = 0; k < 3; ++k) number(fmt::format("{}[{}]", key, k), value[k], bound);
   }
-  template <class Settings>
-  void numbers(Settings& settings) const {
-    visit_numbers(settings, [this](std::string_view key, const auto& value, const Bound& bound, Need = Need::optional) {
-      number(key, value, bound);
-    });
-  }
+  /// All numbers and directions that the keys of a table set.
+  template <class T>
+  void keys(const T& object) const;
 
  private:
   std::string path_;
 };
 
+/// Whether what is set has the values that files may have.
+template <class T>
+class KeyChecker {
+ public:
+  KeyChecker(const Table& table, const T& object, std::string prefix = {})
+      : table_(table), object_(object), prefix_(std::move(prefix)) {}
+
+  template <class Value>
+  void operator()(const schema::FileKey<Value>&) const {}
+  template <class Value>
+  void operator()(const schema::Field<T, Value>&) const {}
+  template <class Value>
+  void operator()(const schema::Key<T, Value>& key) const {
+    const Value& value = object_.*key.member;
+    const bool applies = key.applies == nullptr || key.applies(object_);
+    if (applies && !schema::is_unset(value, key.about)) check(key, value);
+  }
+  template <class Part>
+  void operator()(const schema::Group<T, Part>& group) const {
+    visit_group(group, KeyChecker<Part>(table_, object_.*group.member, prefix_));
+  }
+
+ private:
+  template <class Value>
+  void check(const schema::AnyKey& key, const Value& value) const {
+    const std::string name = prefix_ + key.name;
+    if constexpr (std::is_same_v<Value, Point>) {
+      if (key.about.form == schema::Form::direction) {
+        table_.require_none(direction_problem(name, value));
+      } else {
+        table_.number(name, value, key.about.bound);
+      }
+    } else if constexpr (std::is_same_v<Value, double>) {
+      table_.number(name, value, key.about.bound);
+    } else if constexpr (std::is_same_v<Value, std::array<double, 2>>) {
+      for (const double one : value) table_.number(name, one, key.about.bound);
+    } else if constexpr (std::is_same_v<Value, std::array<Point, 3>>) {
+      for (const Point& row : value) table_.number(name, row, key.about.bound);
+    } else if constexpr (schema::HasOwnKeys<Value>) {
+      check_part(name, value);
+    } else if constexpr (requires { value.has_value(); }) {
+      check(key, *value);
+    }
+  }
+  template <class Part>
+  void check_part(const std::string& name, const Part& part) const {
+    describe(schema::Of<Part>{}, KeyChecker<Part>(table_, part, name + '.'));
+  }
+  template <class Part>
+  void check_part(const std::string& name, const std::optional<Part>& part) const {
+    check_part(name, *part);
+  }
+
+  const Table& table_;
+  const T& object_;
+  std::string prefix_;
+};
+
+template <class T>
+void Table::keys(const T& object) const {
+  describe(schema::Of<T>{}, KeyChecker<T>(*this, object));
+}
+
 void check_material(Material& material, Names& earlier) {
   const Table table("material", material.name);
   table.require_none(name_problem(material.name));
   table.require_none(earlier.add(material.name));
-  table.numbers(material);
-  table.number("bulk_modulus", material.bulk_modulus, positive);
-  table.number("shear_modulus", material.shear_modulus, positive);
+  table.keys(material);
   if (material.plastic) table.number("yield_stress", material.yield_stress, positive);
-  if (!(material.ultimate_stress >= 0)) table.fail("ultimate_stress", "expected a number > 0, or 0 for none");
   table.require_none(problem_of(material));
 }
 
@@ -61,10 +119,8 @@ void check_body(Body& body, const Names& materials, Names& earlier) {
   table.require_none(name_problem(body.name));
   table.require_none(earlier.add(body.name));
   table.require_none(materials.reference_problem("material", "material", body.material));
-  table.numbers(body);
-  for (const Point& row : body.velocity_gradient) table.number("velocity_gradient", row, any_number);
-  if (body.axis) table.require_none(direction_problem("axis", *body.axis));
-  if (body.element) Table(fmt::format("body.{}.element", body.name)).numbers(*body.element);
+  table.keys(body);
+  if (body.element) Table(fmt::format("body.{}.element", body.name)).keys(*body.element);
 }
 
 /// The names of the bodies, and what refers to them: keys `body` and selections of nodes.
@@ -81,10 +137,7 @@ class BodyNames {
   /// Of which nothing has to be given.
   void check_any(const Table& table, NodeSelection& nodes, const std::string& where) const {
     if (nodes.where.empty()) nodes.where = where;
-    table.number("tolerance", nodes.tolerance, not_negative);
     check_body(table, nodes.body);
-    if (nodes.plane) table.require_none(direction_problem("plane.normal", nodes.plane->normal));
-    if (nodes.line) table.require_none(direction_problem("line.direction", nodes.line->direction));
     if (nodes.box) table.require_none(problem_of(*nodes.box));
   }
   /// Names the selection in messages about its nodes, too.
@@ -98,24 +151,6 @@ class BodyNames {
   Names bodies_;
 };
 
-void check_time_span(const Table& table, const TimeSpan& when) {
-  table.number("start", when.start, any_number);
-  if (!std::isinf(when.end)) table.number("end", when.end, any_number);
-  table.require_none(problem_of(when));
-}
-
-void check_wall(const Table& table, RigidWall& wall) {
-  table.numbers(wall);
-  table.number("mass", wall.mass, not_negative);
-  table.number("speed", wall.speed, any_number);
-  for (const double side : wall.size) table.number("size", side, not_negative);
-  table.require_none(direction_problem("normal", wall.plane.normal));
-  if (wall.edge) table.require_none(direction_problem("edge", *wall.edge));
-  table.require_none(problem_of(wall.table));
-  table.require_none(problem_of(wall));
-  check_time_span(table, wall.when);
-}
-
 /// Each table of a list, with its name for messages.
 template <class Item, class Check>
 void for_each(std::vector<Item>& items, const char* kind, const Check& check) {
@@ -128,7 +163,7 @@ void check_sides(const Table& table, Sides& sides, const std::string& where, con
   if (sides.where.empty()) sides.where = where;
   table.require_none(name_problem(sides.name));
   table.require_none(earlier.add(sides.name));
-  table.numbers(sides);
+  table.keys(sides);
   for (const std::string& body : sides.first.bodies)
     table.require_none(bodies.reference_problem("first", "body", body));
   for (const std::string& body : sides.second.bodies)
@@ -152,22 +187,20 @@ void check_contact(Scene& scene) {
 void check_constraints(Scene& scene, const BodyNames& names) {
   for_each(scene.constraints, "symmetry constraint",
            [&](const Table& table, PlaneConstraint& plane, const auto& where) {
-             table.numbers(plane);
-             table.require_none(direction_problem("normal", plane.normal));
+             table.keys(plane);
              names.check_body(table, plane.body);
              table.require_none(force_name_problem(plane.name, scene));
              if (plane.where.empty()) plane.where = where;
            });
   for_each(scene.fixed_constraints, "fixed constraint",
            [&](const Table& table, FixedConstraint& fixed, const auto& where) {
+             table.keys(fixed);
              names.check(table, fixed.nodes, where);
              table.require_none(force_name_problem(fixed.name, scene));
-             check_time_span(table, fixed.when);
+             table.require_none(problem_of(fixed.when));
              if (fixed.directions.empty()) table.fail("directions", "expected at least one direction, got none");
              for (const Point& direction : fixed.directions)
                table.require_none(direction_problem("directions", direction));
-             if (fixed.frame == Frame::cylindrical)
-               table.require_none(direction_problem("axis.direction", fixed.axis.direction));
            });
 }
 
@@ -177,7 +210,10 @@ void check_walls(Scene& scene, const BodyNames& names) {
     if (wall.where.empty()) wall.where = where;
     table.require_none(name_problem(wall.name));
     table.require_none(walls.add(wall.name));
-    check_wall(table, wall);
+    table.keys(wall);
+    table.require_none(problem_of(wall.table));
+    table.require_none(problem_of(wall));
+    table.require_none(problem_of(wall.when));
     names.check_body(table, wall.body);
     names.check_any(table, wall.nodes, wall.where);
   });
@@ -186,24 +222,23 @@ void check_walls(Scene& scene, const BodyNames& names) {
 void check_motion(Scene& scene, const BodyNames& names) {
   for_each(scene.prescribed_velocities, "prescribed_velocity",
            [&](const Table& table, PrescribedVelocity& given, const auto& where) {
+             table.keys(given);
              names.check(table, given.nodes, where);
              table.require_none(force_name_problem(given.name, scene));
-             table.number("velocity", given.velocity, any_number);
-             if (given.direction) table.require_none(direction_problem("direction", *given.direction));
              table.require_none(problem_of(given.table));
-             check_time_span(table, given.when);
+             table.require_none(problem_of(given.when));
            });
   for_each(scene.initial_velocities, "initial_velocity",
            [&](const Table& table, InitialVelocity& given, const auto& where) {
              names.check(table, given.nodes, where);
-             table.numbers(given);
+             table.keys(given);
            });
 }
 
 void check_loads(Scene& scene, const BodyNames& names) {
   for_each(scene.loads, "load", [&](const Table& table, NodalLoad& load, const auto& where) {
     names.check(table, load.nodes, where);
-    table.numbers(load);
+    table.keys(load);
     table.require_none(problem_of(load.table));
   });
   Names pressures;
@@ -212,11 +247,11 @@ void check_loads(Scene& scene, const BodyNames& names) {
     table.require_none(pressures.add(pressure.name));
     if (pressure.corners.empty()) names.check(table, pressure.faces, where);
     names.check_any(table, pressure.faces, where);
-    table.numbers(pressure);
+    table.keys(pressure);
     table.require_none(problem_of(pressure.table));
   });
   for_each(scene.gravities, "gravity", [&](const Table& table, Gravity& gravity, const auto&) {
-    table.numbers(gravity);
+    table.keys(gravity);
     names.check_bodies(table, gravity.bodies);
     table.require_none(force_name_problem(gravity.name, scene));
     table.require_none(problem_of(gravity.table));
@@ -229,7 +264,7 @@ void check_probes(Scene& scene, const BodyNames& names) {
     if (probe.where.empty()) probe.where = where;
     table.require_none(name_problem(probe.name));
     table.require_none(taken.add(probe.name));
-    table.numbers(probe);
+    table.keys(probe);
     names.check_body(table, probe.body);
   });
 }
@@ -238,7 +273,7 @@ void check_probes(Scene& scene, const BodyNames& names) {
 
 Scene checked_scene(Scene scene) {
   complete_scene(scene);
-  const auto settings = [](const char* path, auto& table) { Table(path).numbers(table); };
+  const auto settings = [](const char* path, auto& table) { Table(path).keys(table); };
   Table("").require_none(units_problem(scene.units));
   settings("time", scene.time);
   Table("time").require_none(problem_of(scene.time));

@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "listing.hpp"
-#include "numbers.hpp"
 
 /// How the values of a scene are written, for listing.cpp and those beside it.
 namespace pinball {
@@ -52,33 +48,17 @@ class Entries {
   void add_words(std::string_view key, const std::string& words, bool is_default, const std::string& unit = {}) {
     push(key, words, unit, is_default);
   }
-  /// A name; empty: not given, which means what `without` says.
-  void add_name(std::string_view key, const std::string& name, const std::string& without) {
-    push(key, name.empty() ? without : toml_text(name), "", name.empty());
-  }
-  /// All numbers of a kind of table (numbers.hpp). `without`: what they are where none is given.
-  template <class Settings>
-  void add_numbers(Settings settings, Settings without) {
-    visit_numbers(without, [&](std::string_view key, auto& other, const Bound&, Need need = Need::optional) {
-      visit_numbers(settings, [&](std::string_view name, auto& value, const Bound&, Need = Need::optional) {
-        if constexpr (std::is_same_v<decltype(value), decltype(other)>) {
-          if (name == key) push(key, toml_text(value), unit_of(key), need == Need::optional && value == other);
-        }
-      });
-    });
-  }
 
  private:
   void push(std::string_view key, const std::string& value, const std::string& unit, bool is_default) {
     all_.push_back({table_, std::string(key), value, unit, is_default});
   }
-  /// Of the numbers that visit_numbers knows.
-  std::string unit_of(std::string_view key) const;
 
   std::vector<SceneEntry>& all_;
   std::string table_;
 };
 
+/// Of a body: [element] or body.NAME.element.
 void list_element(const ElementSettings& element, const std::string& name, std::vector<SceneEntry>& all);
 /// Pairs and tied contacts.
 void list_contact_parts(const Scene& scene, std::vector<SceneEntry>& all);

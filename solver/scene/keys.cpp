@@ -22,11 +22,7 @@ class KeyNames {
   }
   template <class Part>
   void operator()(const Group<T, Part>& group) const {
-    std::vector<std::string_view> names;
-    describe(Of<Part>{}, KeyNames<Part>(names, nullptr));
-    for (const std::string_view name : names) {
-      if (!is_among(name, group.left_out)) add(name);
-    }
+    visit_group(group, KeyNames<Part>(names_, nullptr));
   }
   template <class Value>
   void operator()(const Field<T, Value>&) const {}

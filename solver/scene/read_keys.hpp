@@ -40,20 +40,12 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, Value& value
   value = table.choice<Value>(key.name, values);
 }
 
-/// The name of a table within others, as the list of all keys has it.
-inline std::string_view kind_of(schema::Of<Plane>) { return "plane"; }
-inline std::string_view kind_of(schema::Of<Line>) { return "line"; }
-inline std::string_view kind_of(schema::Of<Box>) { return "box"; }
-
 template <class T>
 void read_keys(const SceneTable& table, T& object, int refine = 1);
 
-template <class Part>
-void read_value(const SceneTable& table, const schema::AnyKey& key, Part& value) requires requires {
-  kind_of(schema::Of<Part>{});
-}
-{
-  const SceneTable part = table.table(key.name, kind_of(schema::Of<Part>{}));
+template <schema::HasOwnKeys Part>
+void read_value(const SceneTable& table, const schema::AnyKey& key, Part& value) {
+  const SceneTable part = table.table(key.name, schema::kind_of(schema::Of<Part>{}));
   read_keys(part, value);
   if constexpr (requires { problem_of(value); }) part.require_none(problem_of(value));
 }
@@ -92,13 +84,7 @@ class KeyReader {
   }
   template <class Part>
   void operator()(const schema::Group<T, Part>& group) const {
-    const KeyReader<Part> reader(table_, object_.*group.member, refine_);
-    describe(schema::Of<Part>{}, [&](const auto& key) {
-      if constexpr (requires { key.name; }) {
-        if (schema::is_among(key.name, group.left_out)) return;
-      }
-      reader(key);
-    });
+    visit_group(group, KeyReader<Part>(table_, object_.*group.member, refine_));
   }
 
  private:

@@ -39,8 +39,10 @@ void describe(Of<PlaneConstraint>, Visit&& visit) {
             "nodes on the plane may not move along it",
             {.unit = "-", .need = Need::required, .form = Form::direction}});
   visit(Key{"body", &T::body, "only nodes of this body", {.otherwise = "all"}});
-  visit(
-      Key{"set", &T::set, "these nodes of the mesh file in the place of those on the plane", {.listed_always = false}});
+  visit(Key{"set",
+            &T::set,
+            "these nodes of the mesh file in the place of those on the plane",
+            {.listed = Listed::where_given}});
   visit(Key{"tolerance",
             &T::tolerance,
             "how far from the plane a node may lie; 0: by the mesh",
@@ -60,11 +62,12 @@ void describe(Of<FixedConstraint>, Visit&& visit) {
             &T::directions,
             "`\"all\"`, or an array of directions: `\"x\"`, `\"y\"`, `\"z\"` or 3 numbers of any non-zero length",
             {.unit = "-", .need = Need::required, .done = Done::reading_by_hand}});
-  visit(Key{"axis",
-            &T::axis,
-            "`{ point = [...], direction = [...] }`",
-            {.unit = "L, -", .otherwise = "required if cylindrical", .done = Done::reading_by_hand}}
-            .only_where([](const FixedConstraint& fixed) { return fixed.frame == Frame::cylindrical; }));
+  visit(
+      Key{"axis",
+          &T::axis,
+          "`{ point = [...], direction = [...] }`",
+          {.unit = "L, -", .need = Need::one_of, .otherwise = "required if cylindrical", .done = Done::reading_by_hand}}
+          .only_where([](const FixedConstraint& fixed) { return fixed.frame == Frame::cylindrical; }));
   visit(Group{"when", &T::when, "start, end"});
   visit(Group{"nodes", &T::nodes, "which nodes"});
 }
@@ -75,7 +78,7 @@ void describe(Of<RigidWall>, Visit&& visit) {
   visit(Key{"name",
             &T::name,
             "of the columns `NAME_force` and `NAME_impulse` in `history.csv`, counted from 0",
-            {.form = Form::name, .otherwise = "wall_NUMBER", .listed_always = false}});
+            {.form = Form::name, .otherwise = "wall_NUMBER", .listed = Listed::never}});
   visit(Group{"plane", &T::plane, "the normal points to the free side"});
   visit(Key{"friction", &T::friction, "Coulomb coefficient", {.unit = "-", .bound = not_negative}});
   visit(
@@ -104,15 +107,18 @@ template <class Visit>
 void describe(Of<PrescribedVelocity>, Visit&& visit) {
   using T = PrescribedVelocity;
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
-  visit(Key{"velocity",
-            &T::velocity,
-            "all three components",
-            {.unit = "L/T", .otherwise = "required, or the next two", .done = Done::reading_by_hand}});
+  visit(Key{
+      "velocity",
+      &T::velocity,
+      "all three components",
+      {.unit = "L/T", .need = Need::one_of, .otherwise = "required, or the next two", .done = Done::reading_by_hand}});
   visit(Key{"direction",
             &T::direction,
             "only the component along it; the others are free",
             {.unit = "-", .form = Form::direction, .otherwise = "all three", .done = Done::reading_by_hand}});
-  visit(FileKey<double>{"speed", "along the direction", {.unit = "L/T", .otherwise = "required beside `direction`"}});
+  visit(FileKey<double>{"speed",
+                        "along the direction",
+                        {.unit = "L/T", .need = Need::one_of, .otherwise = "required beside `direction`"}});
   visit(Key{"quantity", &T::quantity,
             "what the factors make of it: with `\"displacement\"` and `\"acceleration\"` `velocity` and `speed` are "
             "lengths and accelerations"});
@@ -136,7 +142,7 @@ void describe(Of<Pressure>, Visit&& visit) {
   visit(Key{"name",
             &T::name,
             "of the columns `NAME_force_x`, `_y`, `_z` and `NAME_work` in `history.csv`, counted from 0",
-            {.form = Form::name, .otherwise = "pressure_NUMBER", .listed_always = false}});
+            {.form = Form::name, .otherwise = "pressure_NUMBER", .listed = Listed::never}});
   visit(Key{
       "pressure", &T::pressure, "positive: it presses on the faces", {.unit = "M/(L T^2)", .need = Need::required}});
   visit(Key{"start", &T::start, "before it there is none; times count from it", {.unit = "T"}});
@@ -144,7 +150,7 @@ void describe(Of<Pressure>, Visit&& visit) {
   visit(Key{"faces",
             &T::corners,
             "`[[1, 2, 6, 5], ...]`: their nodes by the numbers of the mesh file; of a triangle the last one twice",
-            {.bound = {.low = 0}, .field = "corners", .listed_always = false}});
+            {.bound = {.low = 0}, .field = "corners", .listed = Listed::where_given}});
   visit(Group{"faces", &T::faces, "which faces: those of a set, or the exposed ones with all corners here"});
 }
 
@@ -157,7 +163,7 @@ void describe(Of<Gravity>, Visit&& visit) {
   visit(Key{"bodies",
             &T::bodies,
             "names of those that feel it",
-            {.otherwise = "all", .done = Done::reading_by_hand, .listed_always = false}});
+            {.otherwise = "all", .done = Done::reading_by_hand, .listed = Listed::where_given}});
   visit(Group{"table", &T::table, "factors"});
 }
 
@@ -183,18 +189,20 @@ void describe(Of<Probe>, Visit&& visit) {
   visit(Key{"name",
             &T::name,
             "unique, also among the bodies",
-            {.need = Need::required, .form = Form::name, .listed_always = false}});
+            {.need = Need::required, .form = Form::name, .listed = Listed::never}});
   visit(Key{"kind", &T::kind, "what is watched"});
-  visit(Key{"point",
-            &T::point,
-            "the node, or the element whose centre, is nearest to this point at the start is watched",
-            {.unit = "L", .otherwise = "required, or the next one", .done = Done::reading_by_hand}}
-            .only_where([](const Probe& probe) { return !probe.number; }));
+  visit(
+      Key{"point",
+          &T::point,
+          "the node, or the element whose centre, is nearest to this point at the start is watched",
+          {.unit = "L", .need = Need::one_of, .otherwise = "required, or the next one", .done = Done::reading_by_hand}}
+          .only_where([](const Probe& probe) { return !probe.number; }));
   visit(FileKey<std::int64_t>{"node",
                               "its number in the mesh file of `body`, which may be left out where there is "
                               "only one file",
-                              {.bound = {.low = 0}, .otherwise = "required, or the one above"}});
-  visit(FileKey<std::int64_t>{"element", "the same", {.bound = {.low = 0}, .otherwise = "required, or those above"}});
+                              {.bound = {.low = 0}, .need = Need::one_of, .otherwise = "required, or the one above"}});
+  visit(FileKey<std::int64_t>{
+      "element", "the same", {.bound = {.low = 0}, .need = Need::one_of, .otherwise = "required, or those above"}});
   visit(Field{"number", &T::number, "of the node or the element in the mesh file of its body"});
   visit(Key{"body", &T::body, "only of this body", {.otherwise = "all"}});
   visit(Key{"quantities",

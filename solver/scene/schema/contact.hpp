@@ -98,7 +98,7 @@ void describe(Of<ContactPair>, Visit&& visit) {
   visit(Key{"name",
             &T::name,
             "unique; of the columns in `history.csv`, counted from 0",
-            {.form = Form::name, .otherwise = "pair_NUMBER", .listed_always = false}});
+            {.form = Form::name, .otherwise = "pair_NUMBER", .listed = Listed::never}});
   visit(Key{"first",
             &T::first,
             "a body, a set, or an array of these (below): all of them together",
@@ -127,7 +127,7 @@ void describe(Of<ContactPair>, Visit&& visit) {
 template <class Visit>
 void describe(Of<TiedContact>, Visit&& visit) {
   using T = TiedContact;
-  visit(Key{"name", &T::name, "unique", {.form = Form::name, .otherwise = "tied_NUMBER", .listed_always = false}});
+  visit(Key{"name", &T::name, "unique", {.form = Form::name, .otherwise = "tied_NUMBER", .listed = Listed::never}});
   visit(Key{"first",
             &T::first,
             "as in `[[contact.pair]]`: whose nodes are tied; should have the finer mesh",

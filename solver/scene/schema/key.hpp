@@ -20,7 +20,8 @@ namespace pinball::schema {
 template <class T>
 struct Of {};
 
-enum class Need { optional, required };
+/// one_of: it or others in its place, which the function of the table sees to.
+enum class Need { optional, required, one_of };
 
 /// What is more to a value than its type.
 enum class Form {
@@ -36,6 +37,9 @@ enum class Unset { never, negative, zero, infinite, zero_or_infinite };
 /// Who does it: the visitors for all keys, or the function of the table, whose rule is its own.
 enum class Done { by_visitors, reading_by_hand, by_hand };
 
+/// Where a scene as it is run is shown.
+enum class Listed { always, where_given, never };
+
 /// What is known of a key beside its name, its meaning and its place in memory.
 struct About {
   const char* unit = "";  ///< of T, L and M, as in data/scenes/README.md: "L/T", "M/(L T^2)"; "-": a number without
@@ -46,7 +50,7 @@ struct About {
   const char* otherwise = "";  ///< what holds where it is not given and no value says that; of a required one: when
   const char* field = "";      ///< its name in C++ and Python where that is another
   Done done = Done::by_visitors;
-  bool listed_always = true;                  ///< false: where it is given
+  Listed listed = Listed::always;
   std::span<const std::string_view> texts{};  ///< which texts it may have; none: any
   const char* also = "";                      ///< a text that may stand in the place of a number
   const char* no = "";                        ///< of a bool that has names in files: that of false
@@ -118,6 +122,17 @@ constexpr bool is_among(std::string_view name, const Names& names) {
     if (one == name) return true;
   }
   return false;
+}
+
+/// The keys of a member, but for those that it leaves out.
+template <class T, class Part, class Visit>
+void visit_group(const Group<T, Part>& group, const Visit& visit) {
+  describe(Of<Part>{}, [&](const auto& key) {
+    if constexpr (requires { key.name; }) {
+      if (is_among(key.name, group.left_out)) return;
+    }
+    visit(key);
+  });
 }
 
 /// What is known of a key of a table, for what is read by hand.

@@ -32,7 +32,7 @@ template <class Visit>
 void describe(Of<Material>, Visit&& visit) {
   using T = Material;
   const auto plastic = [](const Material& material) { return material.plastic; };
-  visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed_always = false}});
+  visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});
   visit(Key{"model",
             &T::plastic,
             "neo-Hookean, for large strains, too; or von Mises plasticity",
@@ -43,24 +43,35 @@ void describe(Of<Material>, Visit&& visit) {
             "K, beside `shear_modulus`",
             {.unit = "M/(L T^2)",
              .bound = positive,
+             .need = Need::one_of,
              .otherwise = "required, or the two from young_modulus on",
              .done = Done::reading_by_hand}});
   visit(Key{"shear_modulus",
             &T::shear_modulus,
             "G, beside `bulk_modulus`",
-            {.unit = "M/(L T^2)", .bound = positive, .otherwise = "as bulk_modulus", .done = Done::reading_by_hand}});
-  visit(FileKey<double>{"young_modulus",
-                        "E, beside `poisson_ratio`",
-                        {.unit = "M/(L T^2)", .bound = positive, .otherwise = "required, or the two above"}});
+            {.unit = "M/(L T^2)",
+             .bound = positive,
+             .need = Need::one_of,
+             .otherwise = "as bulk_modulus",
+             .done = Done::reading_by_hand}});
+  visit(FileKey<double>{
+      "young_modulus",
+      "E, beside `poisson_ratio`",
+      {.unit = "M/(L T^2)", .bound = positive, .need = Need::one_of, .otherwise = "required, or the two above"}});
   visit(FileKey<double>{"poisson_ratio",
                         "beside `young_modulus`",
                         {.unit = "-",
                          .bound = {.low = -1.0, .low_open = true, .high = 0.5, .high_open = true},
+                         .need = Need::one_of,
                          .otherwise = "as young_modulus"}});
   visit(Key{"yield_stress",
             &T::yield_stress,
             "where plastic strain begins",
-            {.unit = "M/(L T^2)", .bound = positive, .unset = Unset::zero, .otherwise = "required for `\"von_mises\"`"}}
+            {.unit = "M/(L T^2)",
+             .bound = positive,
+             .need = Need::one_of,
+             .unset = Unset::zero,
+             .otherwise = "required for `\"von_mises\"`"}}
             .only_where(plastic));
   visit(Key{"plastic_modulus",
             &T::plastic_modulus,

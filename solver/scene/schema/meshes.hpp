@@ -121,7 +121,7 @@ void describe(Of<FileMesh>, Visit&& visit) {
   visit(Key{"case",
             &T::chosen_case,
             "number of a `*CASE`: its nodes, elements and sets are read, too",
-            {.bound = {.low = 0}, .field = "chosen_case", .listed_always = false}}
+            {.bound = {.low = 0}, .field = "chosen_case", .listed = Listed::where_given}}
             .only_where([](const FileMesh& mesh) { return mesh.format == MeshFormat::keyword; }));
   visit(Key{"array",
             &T::array,

@@ -17,9 +17,10 @@ namespace pinball::schema {
 template <class Visit>
 void describe(Of<Body>, Visit&& visit) {
   using T = Body;
-  visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed_always = false}});
+  visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});
   visit(Key{"material", &T::material, "name of a `[[material]]`", {.need = Need::required}});
-  visit(Key{"mesh", &T::mesh, "table, see below", {.need = Need::required, .done = Done::by_hand}});
+  visit(FileKey<MeshSettings>{"mesh", "table, see below", {.need = Need::required}});
+  visit(Field{"mesh", &T::mesh, "by a generator, from a file or of arrays"});
   visit(Key{"position", &T::position, "translation, after the rotation", {.unit = "L"}});
   visit(Key{"axis",
             &T::axis,

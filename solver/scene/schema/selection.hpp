@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "../../scene.hpp"
 #include "key.hpp"
 
@@ -25,6 +27,20 @@ void describe(Of<Box>, Visit&& visit) {
       "high", &Box::high, "the opposite corner, no component < that of `low`", {.unit = "L", .need = Need::required}});
 }
 
+/// Tables within others.
+constexpr const char* kind_of(Of<Plane>) { return "plane"; }
+constexpr const char* kind_of(Of<Line>) { return "line"; }
+constexpr const char* kind_of(Of<Box>) { return "box"; }
+template <class Part>
+constexpr const char* kind_of(Of<std::optional<Part>>) requires requires {
+  kind_of(Of<Part>{});
+}
+{ return kind_of(Of<Part>{}); }
+template <class Part>
+concept HasOwnKeys = requires {
+  kind_of(Of<Part>{});
+};
+
 template <class Visit>
 void describe(Of<NodeSelection>, Visit&& visit) {
   using T = NodeSelection;
@@ -32,39 +48,43 @@ void describe(Of<NodeSelection>, Visit&& visit) {
   visit(Key{"plane",
             &T::plane,
             "`{ point = [...], normal = [...] }`: nodes on the plane",
-            {.unit = "L, -", .listed_always = false}});
+            {.unit = "L, -", .listed = Listed::where_given}});
   visit(Key{"line",
             &T::line,
             "`{ point = [...], direction = [...] }`: nodes on the line",
-            {.unit = "L, -", .listed_always = false}});
+            {.unit = "L, -", .listed = Listed::where_given}});
   visit(Key{"box",
             &T::box,
             "`{ low = [...], high = [...] }`: nodes in the box, its faces included",
-            {.unit = "L", .listed_always = false}});
-  visit(Key{
-      "nearest", &T::nearest, "of these nodes the one nearest to the point", {.unit = "L", .listed_always = false}});
+            {.unit = "L", .listed = Listed::where_given}});
+  visit(Key{"nearest",
+            &T::nearest,
+            "of these nodes the one nearest to the point",
+            {.unit = "L", .listed = Listed::where_given}});
   visit(Key{"set",
             &T::set,
             "name or number of a set in the mesh file of the bodies; of faces, elements or a part: their nodes",
-            {.listed_always = false}});
+            {.listed = Listed::where_given}});
   visit(Key{"nodes",
             &T::nodes,
             "`[11, 12, ...]`: the numbers that the mesh file gives its nodes",
-            {.bound = {.low = 0}, .listed_always = false}});
-  visit(Key{
-      "file", &T::file, "the mesh file of sets and numbers, where bodies are from several", {.listed_always = false}});
-  visit(Key{"without", &T::without, "a set whose nodes are left out", {.listed_always = false}});
+            {.bound = {.low = 0}, .listed = Listed::where_given}});
+  visit(Key{"file",
+            &T::file,
+            "the mesh file of sets and numbers, where bodies are from several",
+            {.listed = Listed::where_given}});
+  visit(Key{"without", &T::without, "a set whose nodes are left out", {.listed = Listed::where_given}});
   visit(Key{"tolerance",
             &T::tolerance,
             "how far from plane, line and box a node may lie; 0: by the mesh",
-            {.unit = "L", .bound = not_negative, .listed_always = false}});
+            {.unit = "L", .bound = not_negative, .listed = Listed::where_given}});
   visit(Field{"where", &T::where, "for messages"});
 }
 
 template <class Visit>
 void describe(Of<TimeTable>, Visit&& visit) {
   using T = TimeTable;
-  visit(Key{"times", &T::times, "increasing", {.unit = "T", .listed_always = false}});
+  visit(Key{"times", &T::times, "increasing", {.unit = "T", .listed = Listed::where_given}});
   visit(Key{"factors", &T::factors, "one per time, linear between them", {.unit = "-", .otherwise = "1 at all times"}});
 }
 
