@@ -1,30 +1,15 @@
-# Manual page, and completion for bash and zsh. Both completions have their functions in common; the keys of scenes are
-# those that solver/scene/keys.cpp lists for tables of which a scene has one.
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solver/scene/keys.cpp
-             ${PROJECT_SOURCE_DIR}/packaging/completion/bash ${PROJECT_SOURCE_DIR}/packaging/completion/zsh)
-file(READ ${PROJECT_SOURCE_DIR}/solver/scene/keys.cpp text)
-string(REGEX MATCHALL "{\"[a-z_]+\",[ \n]*\"[a-z]+\",[ \n]*{[^}]*}" tables "${text}")
-set(keys title units precision variant)
-foreach(table IN LISTS tables)
-  string(REGEX MATCHALL "\"[a-z_]+\"" words "${table}")
-  string(REPLACE "\"" "" words "${words}")
-  list(POP_FRONT words name place)
-  if(name STREQUAL place AND NOT name MATCHES "^(plane|line|box)$")  # these are parts of others
-    list(TRANSFORM words PREPEND ${name}.)
-    list(APPEND keys ${words})
-  endif()
-endforeach()
-list(JOIN keys " " keys)
-
+# Manual page, and completion for bash and zsh. Both completions have their functions in common, and ask the program for its
+# verbs, options, scenes and keys.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+             ${PROJECT_SOURCE_DIR}/packaging/completion/bash ${PROJECT_SOURCE_DIR}/packaging/completion/zsh
+             ${PROJECT_SOURCE_DIR}/packaging/completion/help.sh)
 set(folder ${PROJECT_SOURCE_DIR}/packaging/completion)
 set(completions ${PROJECT_BINARY_DIR}/completions)
-foreach(shell bash zsh)
-  file(READ ${folder}/${shell} ${shell})
+foreach(part bash zsh help.sh)
+  file(READ ${folder}/${part} ${part})
 endforeach()
-file(READ ${folder}/help.sh.in help)
-string(CONFIGURE "${help}" help @ONLY)
-file(WRITE ${completions}/pinball "${help}\n${bash}")
-file(WRITE ${completions}/_pinball "#compdef pinball\n${help}\n${zsh}")
+file(WRITE ${completions}/pinball "${help.sh}\n${bash}")
+file(WRITE ${completions}/_pinball "#compdef pinball\n${help.sh}\n${zsh}")
 set(PINBALL_ZSH_COMPLETIONS share/zsh/site-functions CACHE STRING "Folder of completions for zsh, relative to the prefix")
 install(FILES ${completions}/pinball DESTINATION share/bash-completion/completions COMPONENT program)
 install(FILES ${completions}/_pinball DESTINATION ${PINBALL_ZSH_COMPLETIONS} COMPONENT program)

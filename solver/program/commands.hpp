@@ -62,6 +62,13 @@ struct NewOptions {
   bool force = false;  ///< may take the place of a file
 };
 
+struct SchemaOptions {
+  bool keys = false;  ///< the keys alone that --set takes
+};
+
+/// Prints what scene files may hold, as JSON Schema.
+PINBALL_API int schema_command(const SchemaOptions& options);
+
 /// Writes a first scene with comments, as a file of its own.
 PINBALL_API int new_command(const NewOptions& options);
 

@@ -186,6 +186,10 @@ int run_program(int argc, char** argv) {
   auto* create = app.add_subcommand("new", "write a first scene, with comments, to begin with");
   add_new_options(*create, first);
 
+  pinball::SchemaOptions schema;
+  auto* describe = app.add_subcommand("schema", "print what scene files may hold, as JSON Schema for editors");
+  describe->add_flag("--keys", schema.keys, "the keys alone that --set takes, of tables of which a scene has one");
+
   add_footer(app, "    pinball new impact\n    pinball run impact.toml\n");
   add_footer(*run,
              "    pinball run rod_plate --out out/finer --refine 2\n"
@@ -197,6 +201,8 @@ int run_program(int argc, char** argv) {
   add_footer(*verify, "    pinball verify two_blocks taylor_bar\n    pinball verify --json table.json\n");
   add_footer(*convert, "    pinball convert deck.k scene.toml\n    pinball convert deck.k low.toml --case 1 --force\n");
   add_footer(*create, "    pinball new impact\n    pinball new impact --out scenes --force\n");
+
+  add_footer(*describe, "    pinball schema > scene.schema.json\n    pinball schema --keys\n");
 
   try {
     app.parse(argc, argv);
@@ -216,6 +222,7 @@ int run_program(int argc, char** argv) {
   if (*view) return pinball::view_command(view->remaining());
   if (*convert) return pinball::convert_command(conversion);
   if (*create) return pinball::new_command(first);
+  if (*describe) return pinball::schema_command(schema);
   return pinball::compare_command(comparison);
 }
 

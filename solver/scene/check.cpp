@@ -80,7 +80,7 @@ class KeyChecker {
       for (const double one : value) table_.number(name, one, key.about.bound);
     } else if constexpr (std::is_same_v<Value, std::array<Point, 3>>) {
       for (const Point& row : value) table_.number(name, row, key.about.bound);
-    } else if constexpr (schema::HasOwnKeys<Value>) {
+    } else if constexpr (schema::InnerTable<Value>) {
       check_part(name, value);
     } else if constexpr (requires { value.has_value(); }) {
       check(key, *value);

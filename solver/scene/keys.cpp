@@ -1,4 +1,4 @@
-#include <solver/scene/schema/scene.hpp>
+#include <solver/scene/schema/kinds.hpp>
 
 #include "table.hpp"
 
@@ -41,15 +41,19 @@ class KeyNames {
 };
 
 template <class T>
-TableKeys keys(std::string_view kind, std::string_view shown, const T* some = nullptr) {
-  TableKeys table{kind, shown, {}};
+TableKeys keys(const Kind& kind, const T* some = nullptr) {
+  TableKeys table{kind.name, kind.shown, {}};
   describe(Of<T>{}, KeyNames<T>(table.keys, some));
   return table;
 }
+template <class... T>
+std::vector<TableKeys> keys_of() {
+  return {keys<T>(kind(Of<T>{}))...};
+}
 
 /// A table that may be of several kinds, of which a key says which: all keys.
-TableKeys together(std::string_view kind, const std::vector<TableKeys>& kinds) {
-  TableKeys table{kind, kinds.front().shown, {}};
+TableKeys together(std::string_view name, const std::vector<TableKeys>& kinds) {
+  TableKeys table{name, kinds.front().shown, {}};
   for (const TableKeys& one : kinds) {
     for (const std::string_view key : one.keys) {
       if (!is_among(key, table.keys)) table.keys.push_back(key);
@@ -59,48 +63,29 @@ TableKeys together(std::string_view kind, const std::vector<TableKeys>& kinds) {
 }
 
 std::vector<TableKeys> mesh_keys() {
-  constexpr const char* shown = "body.NAME.mesh";
-  std::vector<TableKeys> kinds{keys<BlockMesh>("block", shown), keys<RoundNosedRodMesh>("round_nosed_rod", shown),
-                               keys<CylinderMesh>("cylinder", shown), keys<SphereMesh>("sphere", shown)};
-  std::vector<TableKeys> by_ending;
-  for (const auto& choice : choices(Of<MeshFormat>{})) {
+  std::vector<TableKeys> kinds = keys_of<BlockMesh, RoundNosedRodMesh, CylinderMesh, SphereMesh>(), by_ending;
+  for (const auto& format : choices(Of<MeshFormat>{})) {
     FileMesh mesh;
-    mesh.format = choice.value;
-    kinds.push_back(keys(choice.name, shown, &mesh));
-    if (choice.value != MeshFormat::gmsh) by_ending.push_back(kinds.back());
+    mesh.format = format.value;
+    kinds.push_back(keys({format.name, kinds.front().shown.data()}, &mesh));
+    if (format.value != MeshFormat::gmsh) by_ending.push_back(kinds.back());
   }
   kinds.push_back(together("file", by_ending));
   kinds.insert(kinds.begin(), together("mesh", kinds));
   return kinds;
 }
 
+/// In the order in which the nearest key is looked for.
 std::vector<TableKeys> all_kinds() {
-  std::vector<TableKeys> all{keys<Scene>("scene", ""),
-                             keys<TimeSettings>("time", "time"),
-                             keys<ElementSettings>("element", "element"),
-                             keys<ElementSettings>("element of a body", "body.NAME.element"),
-                             keys<ContactSettings>("contact", "contact"),
-                             keys<ContactPair>("contact_pair", "contact.pair.NAME"),
-                             keys<TiedContact>("contact_tied", "contact.tied.NAME"),
-                             keys<SideOfSet>("contact_side", "{ elements, faces or nodes }"),
-                             keys<SkipSettings>("skip", "skip"),
-                             keys<GuardSettings>("guard", "guard"),
-                             keys<OutputSettings>("output", "output"),
-                             keys<Material>("material", "material.NAME"),
-                             keys<OneYieldCurve>("yield_curve", "material.NAME.yield_curve"),
-                             keys<YieldCurve>("yield_curves", "material.NAME.yield_curves"),
-                             keys<Body>("body", "body.NAME")};
-  for (TableKeys& mesh : mesh_keys()) all.push_back(std::move(mesh));
-  const TableKeys symmetry = keys<PlaneConstraint>("symmetry", "constraint.NUMBER");
-  const TableKeys fixed = keys<FixedConstraint>("fixed", "constraint.NUMBER");
-  all.insert(
-      all.end(),
-      {together("constraint", {symmetry, fixed}), symmetry, fixed, keys<Plane>("plane", "plane"),
-       keys<Line>("line", "line"), keys<Box>("box", "box"), keys<RigidWall>("rigid_wall", "rigid_wall.NAME"),
-       keys<PrescribedVelocity>("prescribed_velocity", "prescribed_velocity.NUMBER"),
-       keys<NodalLoad>("load", "load.NUMBER"), keys<Pressure>("pressure", "pressure.NUMBER"),
-       keys<Gravity>("gravity", "gravity.NUMBER"), keys<InitialVelocity>("initial_velocity", "initial_velocity.NUMBER"),
-       keys<DampingSettings>("damping", "damping"), keys<Probe>("probe", "probe.NAME")});
+  std::vector<TableKeys> all = keys_of<Scene, TimeSettings, ElementSettings>();
+  const auto add = [&all](const std::vector<TableKeys>& more) { all.insert(all.end(), more.begin(), more.end()); };
+  add({keys<ElementSettings>(element_of_body)});
+  add(keys_of<ContactSettings, ContactPair, TiedContact, SideOfSet, SkipSettings, GuardSettings, OutputSettings,
+              Material, OneYieldCurve, YieldCurve, Body>());
+  add(mesh_keys());
+  add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});
+  add(keys_of<PlaneConstraint, FixedConstraint, Plane, Line, Box, RigidWall, PrescribedVelocity, NodalLoad, Pressure,
+              Gravity, InitialVelocity, DampingSettings, Probe>());
   return all;
 }
 

@@ -54,7 +54,7 @@ class KeyLister {
     const Value& value = object_.*key.member;
     const bool unset = schema::is_unset(value, about), other = is_other(value, without_.*key.member, unset);
     if (!other && about.listed == schema::Listed::where_given) return;
-    if constexpr (schema::HasOwnKeys<Value>) {
+    if constexpr (schema::InnerTable<Value>) {
       list_part(key.name, value);
     } else {
       const bool is_default = !other && about.need == schema::Need::optional && prefix_.empty();

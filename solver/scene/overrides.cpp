@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <sstream>
 
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
+#include <solver/scene/schema/scene.hpp>
 
 #include "table.hpp"
 #include "text/key_depth.hpp"
@@ -50,18 +52,33 @@ std::vector<std::string> split_key(const std::string& key, const std::string& wh
   }
 }
 
-/// Whether a key of the top level stands for any number of tables.
-bool is_list(const std::string& key) {
-  static const std::vector<std::string> lists{
-      "material", "body", "constraint", "rigid_wall", "prescribed_velocity", "load", "initial_velocity", "probe"};
-  return std::find(lists.begin(), lists.end(), key) != lists.end();
+/// Of the tables of which a scene may have several, whether --set knows them by their names: each has one.
+class Lists {
+ public:
+  template <class Key>
+  void operator()(const Key&) {}
+  template <class Part>
+  void operator()(const schema::Tables<Scene, std::vector<Part>>& tables) {
+    named[tables.name] = schema::about<Part>("name").need == schema::Need::required;
+  }
+
+  std::map<std::string, bool, std::less<>> named;
+};
+
+const std::map<std::string, bool, std::less<>>& lists() {
+  static const auto all = [] {
+    Lists found;
+    describe(schema::Of<Scene>{}, found);
+    return found.named;
+  }();
+  return all;
 }
 
 /// The element of an array of tables that the second part of a key selects.
 toml::table& element(toml::node& node, const std::vector<std::string>& parts, const std::string& key,
                      const std::string& where) {
   const std::string& kind = parts[0];
-  const bool numbered = kind != "material" && kind != "body" && kind != "probe";
+  const bool numbered = !lists().at(kind);
   auto* array = node.as_array();
   if (!array) fail(location(node.source(), where), kind, fmt::format("expected tables [[{}]]", kind));
   if (parts.size() < 3) {
@@ -96,7 +113,7 @@ void assign(toml::table& scene, const std::string& key, toml::node& value, const
   const auto parts = split_key(key, where);
   toml::table* table = &scene;
   std::size_t next = 0;
-  if (parts.size() > 1 && is_list(parts[0])) {
+  if (parts.size() > 1 && lists().contains(parts[0])) {
     toml::node* elements = scene.get(parts[0]);
     if (!elements) fail(where, key, fmt::format("the scene has no [[{}]]", parts[0]));
     table = &element(*elements, parts, key, where);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <solver/scene/schema/choices.hpp>
-#include <solver/scene/schema/selection.hpp>
+#include <solver/scene/schema/kinds.hpp>
 
 #include "table.hpp"
 
@@ -43,9 +43,10 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, Value& value
 template <class T>
 void read_keys(const SceneTable& table, T& object, int refine = 1);
 
-template <schema::HasOwnKeys Part>
-void read_value(const SceneTable& table, const schema::AnyKey& key, Part& value) {
-  const SceneTable part = table.table(key.name, schema::kind_of(schema::Of<Part>{}));
+template <schema::InnerTable Part>
+requires(!requires(Part part) { part.has_value(); }) void read_value(const SceneTable& table, const schema::AnyKey& key,
+                                                                     Part& value) {
+  const SceneTable part = table.table(key.name, kind(schema::Of<Part>{}).name);
   read_keys(part, value);
   if constexpr (requires { problem_of(value); }) part.require_none(problem_of(value));
 }

@@ -19,8 +19,8 @@ void describe(Of<ContactSettings>, Visit&& visit) {
             {.otherwise = "pinball where bodies can meet"}});
   visit(Key{"enforcement", &T::enforcement,
             "`\"penalty\"`: springs between pinballs, as in the report; `\"lagrange\"`: the impulses that let no gap "
-            "close within the step, from the coupled system of all pairs; `\"projection\"`: one sweep over all pairs "
-            "for the same. The last two leave the time step alone and have no parameters but friction"});
+            "close within the step, from the coupled system of all pairs; `\"projection\"`: one step towards the "
+            "same. The last two leave the time step alone and have no parameters but friction"});
   visit(Key{"gap",
             &T::gap,
             "what the gap is measured between: `\"pinball\"`: the balls, which reach 0.12 h out of flat faces; "

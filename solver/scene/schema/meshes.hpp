@@ -14,6 +14,9 @@ namespace pinball::schema {
 template <class Number>
 struct ListsOf {};
 
+/// [p, q] of a wedge, else one number.
+struct OneOrTwoCounts {};
+
 inline constexpr std::array<std::string_view, 4> mesh_types{"block", "round_nosed_rod", "cylinder", "sphere"};
 inline constexpr std::array<std::string_view, 6> mesh_file_types{"gmsh", "keyword", "exodus", "vtk", "abaqus", "file"};
 
@@ -91,7 +94,7 @@ void describe(Of<SphereMesh>, Visit&& visit) {
   visit(Key{"radius", &T::radius, "of the sphere", length_of_mesh});
   visit(Key{"section", &T::section, "as of the cylinder; a wedge is about the body's z axis"});
   visit(Key{"angle", &T::angle, "of the wedge, and only there", angle_of_wedge}.only_where(is_wedge, only_in_wedge));
-  visit(FileKey<std::array<int, 2>>{
+  visit(FileKey<OneOrTwoCounts>{
       "core",
       "elements along each side of the full core, even in `half` and `quarter`; in a wedge `[p, q]`: along the radius "
       "and along the axis (of its whole height)",

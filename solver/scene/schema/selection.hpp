@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <type_traits>
 
 #include "../../scene.hpp"
 #include "key.hpp"
@@ -27,19 +28,14 @@ void describe(Of<Box>, Visit&& visit) {
       "high", &Box::high, "the opposite corner, no component < that of `low`", {.unit = "L", .need = Need::required}});
 }
 
-/// Tables within others.
-constexpr const char* kind_of(Of<Plane>) { return "plane"; }
-constexpr const char* kind_of(Of<Line>) { return "line"; }
-constexpr const char* kind_of(Of<Box>) { return "box"; }
+/// A table within others, whose keys are listed and checked with theirs.
 template <class Part>
-constexpr const char* kind_of(Of<std::optional<Part>>) requires requires {
-  kind_of(Of<Part>{});
-}
-{ return kind_of(Of<Part>{}); }
+struct IsInnerTable
+    : std::bool_constant<std::is_same_v<Part, Plane> || std::is_same_v<Part, Line> || std::is_same_v<Part, Box>> {};
 template <class Part>
-concept HasOwnKeys = requires {
-  kind_of(Of<Part>{});
-};
+struct IsInnerTable<std::optional<Part>> : IsInnerTable<Part> {};
+template <class Part>
+concept InnerTable = IsInnerTable<Part>::value;
 
 template <class Visit>
 void describe(Of<NodeSelection>, Visit&& visit) {

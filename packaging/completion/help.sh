@@ -1,5 +1,5 @@
 # Completion of the program's command line: verbs, options and their choices as `pinball --help` and `pinball VERB --help`
-# list them, scenes as the program knows them, and the keys of scene files.
+# list them, and scenes and their keys as the program knows them.
 # shellcheck shell=bash
 
 # What the help of a verb, or of the program without one, says; lines of text that is too long for one are left out.
@@ -35,5 +35,5 @@ _pinball_scenes() {
 }
 
 _pinball_keys() {
-  printf '%s\n' @keys@
+  "$program" schema --keys 2> /dev/null
 }
