@@ -1,4 +1,4 @@
-#include "bindings.hpp"
+#include "bind_keys.hpp"
 #include "interpreter_lock.hpp"
 #include "numpy_arrays.hpp"
 
@@ -65,54 +65,16 @@ void bind_array_mesh(py::module_& module) {
 }  // namespace
 
 void bind_meshes(py::module_& module) {
-  bind_choice<Section>(
-      module, "Section",
-      {{"full", Section::full}, {"half", Section::half}, {"quarter", Section::quarter}, {"wedge", Section::wedge}});
+  bind_choice<Section>(module, "Section");
   bind_data<BlockSection>(module, "BlockSection", "Layers of elements of one thickness across a block.")
       .def_readwrite("length", &BlockSection::length, "[length]")
       .def_readwrite("elements", &BlockSection::elements);
-  bind_data<BlockMesh>(module, "BlockMesh", "A regular block with a corner at the origin.")
-      .def_readwrite("size", &BlockMesh::size, "[length]")
-      .def_readwrite("elements", &BlockMesh::elements)
-      .def_readwrite("sections", &BlockMesh::sections, "per direction; empty: elements of one size");
-  bind_data<RoundNosedRodMesh>(module, "RoundNosedRodMesh", "A rod along -z with a hemispherical nose at the origin.")
-      .def_readwrite("length", &RoundNosedRodMesh::length, "[length]")
-      .def_readwrite("radius", &RoundNosedRodMesh::radius, "[length]")
-      .def_readwrite("half", &RoundNosedRodMesh::half, "only y >= 0")
-      .def_readwrite("core", &RoundNosedRodMesh::core, "elements along x and y (of the half section)")
-      .def_readwrite("ring", &RoundNosedRodMesh::ring, "layers of elements around the core")
-      .def_readwrite("layers", &RoundNosedRodMesh::layers, "layers of elements along the axis");
-  bind_data<CylinderMesh>(module, "CylinderMesh", "A cylinder along z from 0 to length, or a part of it.")
-      .def_readwrite("radius", &CylinderMesh::radius, "[length]")
-      .def_readwrite("length", &CylinderMesh::length, "[length]")
-      .def_readwrite("section", &CylinderMesh::section)
-      .def_readwrite("angle", &CylinderMesh::angle, "of the wedge [degree]")
-      .def_readwrite("core", &CylinderMesh::core, "elements along each side of the full core")
-      .def_readwrite("ring", &CylinderMesh::ring, "layers of elements around the core")
-      .def_readwrite("radial", &CylinderMesh::radial, "elements of the wedge along the radius")
-      .def_readwrite("layers", &CylinderMesh::layers, "layers of elements along the axis");
-  bind_data<SphereMesh>(module, "SphereMesh", "A sphere around the origin, or a part of it.")
-      .def_readwrite("radius", &SphereMesh::radius, "[length]")
-      .def_readwrite("section", &SphereMesh::section)
-      .def_readwrite("angle", &SphereMesh::angle, "of the wedge [degree]")
-      .def_readwrite("core", &SphereMesh::core, "elements along the sides of the core")
-      .def_readwrite("ring", &SphereMesh::ring, "layers of elements around the core")
-      .def_readwrite("grading", &SphereMesh::grading,
-                     "elements at the pole z = -radius are smaller by this factor [-]");
-  bind_choice<MeshFormat>(module, "MeshFormat",
-                          {{"gmsh", MeshFormat::gmsh},
-                           {"keyword", MeshFormat::keyword},
-                           {"exodus", MeshFormat::exodus},
-                           {"vtk", MeshFormat::vtk},
-                           {"abaqus", MeshFormat::abaqus}});
-  bind_data<FileMesh>(module, "FileMesh", "A mesh from a file.")
-      .def_readwrite("format", &FileMesh::format)
-      .def_readwrite("file", &FileMesh::file)
-      .def_readwrite("part", &FileMesh::part, "part or set of elements, Gmsh's physical volume; empty: all")
-      .def_readwrite("chosen_case", &FileMesh::chosen_case, "of a deck; None: what belongs to no case")
-      .def_readwrite("scale", &FileMesh::scale, "multiplies the coordinates [-]")
-      .def_readwrite("array", &FileMesh::array,
-                     "of vtk: integers of the cells that number the parts; empty: by its name");
+  bind_table<BlockMesh>(module, "BlockMesh", "A regular block with a corner at the origin.");
+  bind_table<RoundNosedRodMesh>(module, "RoundNosedRodMesh", "A rod along -z with a hemispherical nose at the origin.");
+  bind_table<CylinderMesh>(module, "CylinderMesh", "A cylinder along z from 0 to length, or a part of it.");
+  bind_table<SphereMesh>(module, "SphereMesh", "A sphere around the origin, or a part of it.");
+  bind_choice<MeshFormat>(module, "MeshFormat");
+  bind_table<FileMesh>(module, "FileMesh", "A mesh from a file.");
   bind_array_mesh(module);
 }
 

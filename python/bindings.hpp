@@ -64,18 +64,4 @@ void bind_list(py::module_& module, const char* name) {
   py::implicitly_convertible<py::list, List>();
 }
 
-/// An enumeration, for which the texts of a scene file do, too.
-template <class Enum>
-void bind_choice(py::module_& module, const char* name, const std::vector<std::pair<const char*, Enum>>& values) {
-  py::enum_<Enum> choice(module, name);
-  for (const auto& [text, value] : values) choice.value(text, value);
-  choice.def(py::init([values, name](const std::string& given) {
-    for (const auto& [text, value] : values) {
-      if (given == text) return value;
-    }
-    throw py::value_error(std::string(name) + ": unknown value \"" + given + "\"");
-  }));
-  py::implicitly_convertible<py::str, Enum>();
-}
-
 }  // namespace pinball::python

@@ -55,7 +55,8 @@ APART = [("contact/pinball", "contact/faces"), ("contact/pinball", "contact/slid
          ("contact/faces", "contact/slideline"), ("elements", "boundary"), ("program", "python")]
 
 # Hosts get these, and nothing else. They include by paths from where they lie, so that they hold wherever they are put.
-PUBLIC = re.compile(r"kernels/((boundary|elastic|exec|yield)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*")
+PUBLIC = re.compile(r"kernels/((boundary|elastic|exec|yield)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*|"
+                    r"solver/scene/schema/[a-z_]+\.hpp")
 ONLY_PUBLIC = ["python"]
 
 # Headers of the language, the system and other libraries. Kernels: formulas alone, no container, no stream. The execution
