@@ -17,7 +17,7 @@
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/model/stores.hpp>
 #include <solver/results/state_hash.hpp>
-#include <solver/scene/overrides.hpp>
+#include <solver/scene/toml/overrides.hpp>
 
 #include "output_file.hpp"
 

@@ -4,7 +4,6 @@
 
 #include <solver/mesh/generators.hpp>
 #include <solver/scene/machine.hpp>
-#include <solver/scene/parts.hpp>
 
 namespace pinball {
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <solver/scene/listing.hpp>
+#include <solver/scene/toml/listing.hpp>
 #include <tests/support/scene_fixture.hpp>
 
 /// [element], what a body has in its place, and mass scaling, as scene files have them.

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include <solver/scene/listing.hpp>
-#include <solver/scene/table.hpp>
+#include <solver/scene/toml/listing.hpp>
+#include <solver/scene/toml/table.hpp>
 #include <solver/scene_rules.hpp>
 
 namespace pinball {

@@ -8,7 +8,7 @@
 
 #include <solver/output/history.hpp>
 #include <solver/program/scene_input.hpp>
-#include <solver/scene/table.hpp>
+#include <solver/scene/toml/table.hpp>
 #include <solver/simulation.hpp>
 #include <solver/summary.hpp>
 #include <tests/support/changing_scene.hpp>

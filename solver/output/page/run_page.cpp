@@ -6,7 +6,7 @@
 #include <solver/output/run_files.hpp>
 #include <solver/results/energy_checks.hpp>
 #include <solver/run_page.hpp>
-#include <solver/scene/listing.hpp>
+#include <solver/scene/toml/listing.hpp>
 #include <solver/scene/units/units.hpp>
 #include <solver/summary.hpp>
 

@@ -115,7 +115,7 @@ void describe(Of<PrescribedVelocity>, Visit&& visit) {
   visit(Key{"direction",
             &T::direction,
             "only the component along it; the others are free",
-            {.unit = "-", .form = Form::direction, .otherwise = "all three", .done = Done::reading_by_hand}});
+            {.unit = "-", .form = Form::direction, .otherwise = "all three"}});
   visit(FileKey<double>{"speed",
                         "along the direction",
                         {.unit = "L/T", .need = Need::one_of, .otherwise = "required beside `direction`"}});

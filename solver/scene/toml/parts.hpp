@@ -7,9 +7,6 @@
 /// The tables that a scene holds any number of. Each function throws InputError on a missing key or a bad value.
 namespace pinball {
 
-/// The unit vector along the one under a required key. Throws InputError if that is zero.
-Point read_direction(const SceneTable& table, std::string_view key);
-
 /// One [[material]]. Moduli of either kind become K and G; an elastic material carries no yield or erosion data.
 Material read_material(const SceneTable& table);
 
@@ -18,8 +15,6 @@ struct MeshScale {
   int refine = 1;          ///< multiplies element counts
   double least_bytes = 0;  ///< memory that a run takes for an element with its nodes
 };
-/// What the tables of a scene besides its bodies say of that memory; element: settings of the body.
-double least_bytes_of_element(const Scene& scene, const ElementSettings& element);
 
 /// [element], or body.NAME.element. otherwise: where the table says nothing.
 ElementSettings read_element(const SceneTable& table, const ElementSettings& otherwise);

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <solver/scene/read_keys.hpp>
 #include <solver/scene/schema/contact.hpp>
+
+#include "read_keys.hpp"
 
 namespace pinball {
 

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 #include <string_view>
 
+#include <solver/scene/machine.hpp>
 #include <solver/scene/schema/scene.hpp>
 
 #include "read_keys.hpp"
@@ -69,14 +69,6 @@ void forget_plasticity(Material& material) {
 }
 
 }  // namespace
-
-Point read_direction(const SceneTable& table, std::string_view key) {
-  Point vector = table.point(key, any_number);
-  table.require_none(direction_problem(key, vector));
-  const double length = std::hypot(vector[0], vector[1], vector[2]);
-  for (double& component : vector) component /= length;
-  return vector;
-}
 
 Material read_material(const SceneTable& table) {
   Material material;

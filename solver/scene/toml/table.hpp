@@ -12,9 +12,8 @@
 #include <vector>
 
 #include <solver/mesh.hpp>
+#include <solver/scene/schema/bound.hpp>
 #include <solver/scene_rules.hpp>
-
-#include "schema/bound.hpp"
 
 /// Typed access to the tables of a scene file. Every error is an InputError that reads
 /// "FILE:LINE:COLUMN: KEY: expected ..., got ...", or "--set KEY=VALUE: expected ..., got ...", with --vary as with

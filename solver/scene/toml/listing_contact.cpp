@@ -1,7 +1,8 @@
-#include <solver/scene/entries.hpp>
-#include <solver/scene/list_keys.hpp>
 #include <solver/scene/schema/contact.hpp>
 #include <solver/scene_rules.hpp>
+
+#include "entries.hpp"
+#include "list_keys.hpp"
 
 namespace pinball {
 

@@ -4,10 +4,10 @@
 #include <limits>
 
 #include <solver/mesh/mesh_format.hpp>
+#include <solver/scene/machine.hpp>
 #include <solver/scene/schema/choices.hpp>
 #include <solver/scene/schema/meshes.hpp>
 
-#include "machine.hpp"
 #include "parts.hpp"
 #include "read_keys.hpp"
 
@@ -130,18 +130,6 @@ MeshSettings read_by_ending(const SceneTable& table, const MeshScale& scale) {
 }
 
 }  // namespace
-
-/// Peaks of memory of one step of an elastic cube of 10^6 elements (5 * 10^5 with contact), in single and double
-/// precision: 279 and 433 bytes per element with viscous hourglass forces and nothing else, 370 and 618 with stiffness,
-/// 573 and 850 with bulk viscosity and contact, too. What is assumed is a tenth less.
-double least_bytes_of_element(const Scene& scene, const ElementSettings& element) {
-  const double number = scene.precision == Precision::float32 ? sizeof(float) : sizeof(double);
-  const bool state = element.hourglass != HourglassControl::none && element.hourglass != HourglassControl::viscous;
-  const ContactMethod method = scene.contact.method;
-  const bool contact = method == ContactMethod::pinball || method == ContactMethod::slideline;
-  const double measured = 125 + 38 * number + (state ? 23 * number : 0) + (contact ? 165 + 6 * number : 0);
-  return 0.9 * measured;
-}
 
 MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale) {
   if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");

@@ -6,18 +6,18 @@
 #include <solver/base/error.hpp>
 #include <solver/keyword/input_file.hpp>
 #include <solver/scene.hpp>
+#include <solver/scene/names.hpp>
 #include <solver/scene/schema/scene.hpp>
 #include <solver/scene/units/units.hpp>
 
 #include "boundary_parts.hpp"
-#include "contact/contact_parts.hpp"
-#include "names.hpp"
+#include "contact_parts.hpp"
+#include "key_depth.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "read_keys.hpp"
+#include "repeated_key.hpp"
 #include "table.hpp"
-#include "text/key_depth.hpp"
-#include "text/repeated_key.hpp"
 
 namespace pinball {
 

@@ -2,7 +2,8 @@
 
 #include <solver/scene.hpp>
 #include <solver/scene/names.hpp>
-#include <solver/scene/table.hpp>
+
+#include "table.hpp"
 
 /// The tables of contact that a scene holds any number of. Each function throws InputError on a missing key, a bad
 /// value and a body that is not there. scene: as far as it is read; the contact settings are.

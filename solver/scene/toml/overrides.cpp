@@ -12,8 +12,8 @@
 #include <solver/base/text_distance.hpp>
 #include <solver/scene/schema/scene.hpp>
 
+#include "key_depth.hpp"
 #include "table.hpp"
-#include "text/key_depth.hpp"
 
 namespace pinball {
 

@@ -6,7 +6,6 @@
 
 #include <solver/scene/schema/boundary.hpp>
 
-#include "parts.hpp"
 #include "read_keys.hpp"
 
 namespace pinball {
@@ -82,7 +81,6 @@ PrescribedVelocity read_prescribed_velocity(const SceneTable& table) {
   if (table.has("direction") || table.has("speed")) {
     if (table.has("velocity")) table.fail("velocity", "expected either velocity or direction and speed, got both");
     if (!table.has("direction")) table.fail_missing("direction", "an array of 3 numbers");
-    result.direction = read_direction(table, "direction");
     const double speed = table.number("speed", any_number);
     for (std::size_t k = 0; k < 3; ++k) result.velocity[k] = speed * (*result.direction)[k];
   } else {

@@ -1,6 +1,7 @@
-#include <solver/scene/parts.hpp>
-#include <solver/scene/read_keys.hpp>
 #include <solver/scene/schema/settings.hpp>
+
+#include "parts.hpp"
+#include "read_keys.hpp"
 
 namespace pinball {
 
