@@ -13,7 +13,7 @@ enum class ContactSearch { automatic, tree, hash };
 enum class ContactOverlap { keep, adjust };
 
 /// As in the scene and in summary.json.
-inline const char* enforcement_name(Enforcement enforcement) {
+constexpr const char* enforcement_name(Enforcement enforcement) {
   return enforcement == Enforcement::penalty      ? "penalty"
          : enforcement == Enforcement::projection ? "projection"
                                                   : "lagrange";

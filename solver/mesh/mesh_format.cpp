@@ -18,11 +18,6 @@ const std::vector<std::pair<std::string, MeshFormat>> endings{
 
 }  // namespace
 
-const char* name_of(MeshFormat format) {
-  constexpr const char* names[] = {"gmsh", "keyword", "exodus", "vtk", "abaqus"};
-  return names[static_cast<std::size_t>(format)];
-}
-
 std::optional<MeshFormat> format_by_ending(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -7,9 +7,6 @@
 
 namespace pinball {
 
-/// What a scene calls the format.
-const char* name_of(MeshFormat format);
-
 /// What a file is by its ending, in capitals or not; none: an ending that is not known.
 std::optional<MeshFormat> format_by_ending(const std::string& file);
 /// ".msh, .k, ...", for messages.

@@ -47,8 +47,9 @@ constexpr auto choices(Of<ContactMethod>) {
                     Choice{"slideline", ContactMethod::slideline}, Choice{"not_set", ContactMethod::not_set, false}};
 }
 constexpr auto choices(Of<Enforcement>) {
-  return std::array{Choice{"penalty", Enforcement::penalty}, Choice{"projection", Enforcement::projection},
-                    Choice{"lagrange", Enforcement::lagrange}};
+  using enum Enforcement;
+  return std::array{Choice{enforcement_name(penalty), penalty}, Choice{enforcement_name(projection), projection},
+                    Choice{enforcement_name(lagrange), lagrange}};
 }
 constexpr auto choices(Of<ContactGap>) {
   return std::array{Choice{"pinball", ContactGap::pinball}, Choice{"face", ContactGap::face},

@@ -66,7 +66,7 @@ RigidWall read_rigid_wall(const SceneTable& table, std::size_t number) {
   read_keys(table, wall);
   table.require_none(problem_of(wall.when));
   if (table.has("size")) {
-    const std::vector<double> size = table.numbers("size", not_negative);
+    const std::vector<double> size = table.numbers("size", schema::about<RigidWall>("size").bound);
     if (size.size() != 2) table.fail("size", fmt::format("expected 2 numbers, got {}", size.size()));
     wall.size = {size[0], size[1]};
   }

@@ -11,7 +11,7 @@ namespace pinball {
 namespace {
 
 MeshSetName read_set(const SceneTable& table, std::string_view key) {
-  return {table.text(key), table.text("file", "")};
+  return {table.text(key), table.has("file") ? table.text("file") : ""};
 }
 
 ContactSide read_side(const SceneTable& table, std::string_view key, const Names& bodies) {

@@ -37,7 +37,7 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, bool& value)
   if (*key.about.yes) {
     value = table.choice<bool>(key.name, {{key.about.no, false}, {key.about.yes, true}});
   } else {
-    value = table.boolean(key.name, value);
+    value = table.boolean(key.name);
   }
 }
 

@@ -41,7 +41,9 @@ ContactSettings read_contact(const SceneTable& table) {
 OutputSettings read_output(const SceneTable& table) {
   OutputSettings output;
   output.every_step = table.is_text("interval") && table.choice<bool>("interval", {{"step", true}});
-  if (!output.every_step) output.interval = table.number("interval", not_negative, output.interval);
+  if (!output.every_step && table.has("interval")) {
+    output.interval = table.number("interval", schema::about<OutputSettings>("interval").bound);
+  }
   read_keys(table, output);
   std::sort(output.field_times.begin(), output.field_times.end());
   return output;

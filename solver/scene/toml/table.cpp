@@ -126,14 +126,14 @@ double SceneTable::number_of(const toml::node& node, const std::string& key, con
   return *value;
 }
 
-double SceneTable::number(std::string_view key, const Bound& bound, double fallback) const {
+const toml::node& SceneTable::find(std::string_view key, const std::string& expected) const {
   const toml::node* node = find(key);
-  return node ? number_of(*node, key_path(key), bound) : fallback;
+  if (!node) fail_missing(key, expected);
+  return *node;
 }
 
 double SceneTable::number(std::string_view key, const Bound& bound) const {
-  if (!has(key)) fail_missing(key, bound.describe());
-  return number(key, bound, 0.0);
+  return number_of(find(key, bound.describe()), key_path(key), bound);
 }
 
 std::int64_t SceneTable::integer_of(const toml::node& node, const std::string& key, std::int64_t low) const {
@@ -145,33 +145,20 @@ std::int64_t SceneTable::integer_of(const toml::node& node, const std::string& k
   return value->get();
 }
 
-std::int64_t SceneTable::integer(std::string_view key, std::int64_t low, std::int64_t fallback) const {
-  const toml::node* node = find(key);
-  return node ? integer_of(*node, key_path(key), low) : fallback;
-}
-
 std::int64_t SceneTable::integer(std::string_view key, std::int64_t low) const {
-  if (!has(key)) fail_missing(key, fmt::format("an integer >= {}", low));
-  return integer(key, low, low);
+  return integer_of(find(key, fmt::format("an integer >= {}", low)), key_path(key), low);
 }
 
-bool SceneTable::boolean(std::string_view key, bool fallback) const {
-  const toml::node* node = find(key);
-  if (!node) return fallback;
-  if (!node->is_boolean()) fail(key, "expected true or false, got " + pinball::describe(*node));
-  return node->as_boolean()->get();
-}
-
-std::string SceneTable::text(std::string_view key, const std::string& fallback) const {
-  const toml::node* node = find(key);
-  if (!node) return fallback;
-  if (!node->is_string()) fail(key, "expected a text in quotes, got " + pinball::describe(*node));
-  return node->as_string()->get();
+bool SceneTable::boolean(std::string_view key) const {
+  const toml::node& node = find(key, "true or false");
+  if (!node.is_boolean()) fail(key, "expected true or false, got " + pinball::describe(node));
+  return node.as_boolean()->get();
 }
 
 std::string SceneTable::text(std::string_view key) const {
-  if (!has(key)) fail_missing(key, "a text in quotes");
-  return text(key, "");
+  const toml::node& node = find(key, "a text in quotes");
+  if (!node.is_string()) fail(key, "expected a text in quotes, got " + pinball::describe(node));
+  return node.as_string()->get();
 }
 
 std::string SceneTable::name(std::string_view key) const {
@@ -197,21 +184,14 @@ Point SceneTable::point_of(const toml::node& node, const std::string& key, const
   return point;
 }
 
-Point SceneTable::point(std::string_view key, const Bound& bound, const Point& fallback) const {
-  const toml::node* node = find(key);
-  return node ? point_of(*node, key_path(key), bound) : fallback;
-}
-
 Point SceneTable::point(std::string_view key, const Bound& bound) const {
-  if (!has(key)) fail_missing(key, "an array of 3 numbers");
-  return point(key, bound, Point{});
+  return point_of(find(key, "an array of 3 numbers"), key_path(key), bound);
 }
 
 std::array<Point, 3> SceneTable::matrix(std::string_view key) const {
+  const std::string expected = "an array of 3 rows of 3 numbers";
+  const auto& rows = array_of(find(key, expected), key_path(key), expected, 3);
   std::array<Point, 3> matrix{};
-  const toml::node* node = find(key);
-  if (!node) return matrix;
-  const auto& rows = array_of(*node, key_path(key), "an array of 3 rows of 3 numbers", 3);
   for (std::size_t i = 0; i < 3; ++i) {
     matrix[i] = point_of(*rows.get(i), element_path(key_path(key), i), any_number);
   }
@@ -244,9 +224,7 @@ std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::int64_
 
 std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::size_t count, std::int64_t low) const {
   const std::string expected = fmt::format("an array of {} integers >= {}", count, low);
-  const toml::node* node = find(key);
-  if (!node) fail_missing(key, expected);
-  const auto& array = array_of(*node, key_path(key), expected, count);
+  const auto& array = array_of(find(key, expected), key_path(key), expected, count);
   std::vector<std::int64_t> values;
   for (std::size_t i = 0; i < count; ++i) {
     values.push_back(integer_of(*array.get(i), element_path(key_path(key), i), low));
@@ -257,9 +235,7 @@ std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::size_t
 template <class Value, class Read>
 std::array<std::vector<Value>, 3> SceneTable::lists_of(std::string_view key, const std::string& expected,
                                                        const Read& read) const {
-  const toml::node* node = find(key);
-  if (!node) fail_missing(key, expected);
-  const auto& array = array_of(*node, key_path(key), expected, 3);
+  const auto& array = array_of(find(key, expected), key_path(key), expected, 3);
   std::array<std::vector<Value>, 3> lists;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string path = element_path(key_path(key), i);
@@ -329,15 +305,11 @@ std::vector<TextOrTable> SceneTable::texts_or_tables(std::string_view key, std::
   return values;
 }
 
-std::size_t SceneTable::choice_index(std::string_view key, const toml::node& node,
-                                     const std::vector<std::string>& names,
-                                     const std::vector<std::string>& later) const {
+std::size_t SceneTable::choice_index(std::string_view key, const std::vector<std::string>& names) const {
+  const toml::node& node = find(key, alternatives(names));
   if (const auto* text = node.as_string()) {
     const auto found = std::find(names.begin(), names.end(), text->get());
     if (found != names.end()) return found - names.begin();
-    if (std::find(later.begin(), later.end(), text->get()) != later.end()) {
-      fail(key, fmt::format("\"{}\" is not available in this version, expected {}", text->get(), alternatives(names)));
-    }
   }
   fail(key, fmt::format("expected {}, got {}", alternatives(names), pinball::describe(node)));
 }

@@ -44,7 +44,7 @@ std::string alternatives(const std::vector<std::string>& texts);
 
 struct TextOrTable;
 
-/// One table of the scene. Optional keys take the fallback, required ones are an error where they are missing.
+/// One table of the scene. A key that is read and missing is an error, where nothing else is said.
 class SceneTable {
  public:
   /// `path` is the dotted name of the table, "" for the top level; `where` its location, used for missing keys.
@@ -64,19 +64,15 @@ class SceneTable {
   void require_none(const std::optional<Problem>& problem) const;
   [[noreturn]] void fail_missing(std::string_view key, const std::string& expected) const;
 
-  double number(std::string_view key, const Bound& bound, double fallback) const;
-  double number(std::string_view key, const Bound& bound) const;  ///< required
-  std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t fallback) const;
-  std::int64_t integer(std::string_view key, std::int64_t low) const;  ///< required
-  bool boolean(std::string_view key, bool fallback) const;
-  std::string text(std::string_view key, const std::string& fallback) const;
-  std::string text(std::string_view key) const;  ///< required
-  /// Required.
+  double number(std::string_view key, const Bound& bound) const;
+  std::int64_t integer(std::string_view key, std::int64_t low) const;
+  bool boolean(std::string_view key) const;
+  std::string text(std::string_view key) const;
   std::string name(std::string_view key) const;
+  Point point(std::string_view key, const Bound& bound) const;
+  std::array<Point, 3> matrix(std::string_view key) const;  ///< 3 x 3, rows
 
-  Point point(std::string_view key, const Bound& bound, const Point& fallback) const;
-  Point point(std::string_view key, const Bound& bound) const;  ///< required
-  std::array<Point, 3> matrix(std::string_view key) const;      ///< 3 x 3, rows; default zero
+  /// These are empty where the key is missing.
   std::vector<double> numbers(std::string_view key, const Bound& bound) const;
   std::vector<std::string> texts(std::string_view key, const std::vector<std::string>& allowed) const;
   /// Unit vectors, each given as one of the three names or by its components: ["x", [0, 1, 1]]; "all" stands for the
@@ -96,25 +92,12 @@ class SceneTable {
   /// The same of integers >= low.
   std::array<std::vector<std::int64_t>, 3> integer_lists(std::string_view key, std::int64_t low) const;
 
-  /// One of the named values; `later` names those that the format has and this version has not.
-  template <class Value>
-  Value choice(std::string_view key, const std::vector<std::pair<std::string, Value>>& values, const Value& fallback,
-               const std::vector<std::string>& later = {}) const {
-    const toml::node* node = find(key);
-    if (!node) return fallback;
-    std::vector<std::string> names;
-    for (const auto& value : values) names.push_back(value.first);
-    return values[choice_index(key, *node, names, later)].second;
-  }
-  /// The same for a required key.
+  /// One of the named values.
   template <class Value>
   Value choice(std::string_view key, const std::vector<std::pair<std::string, Value>>& values) const {
-    if (!has(key)) {
-      std::vector<std::string> names;
-      for (const auto& value : values) names.push_back(value.first);
-      fail_missing(key, alternatives(names));
-    }
-    return choice(key, values, values.front().second);
+    std::vector<std::string> names;
+    for (const auto& value : values) names.push_back(value.first);
+    return values[choice_index(key, names)].second;
   }
   /// This table, checked once more as one of a narrower kind.
   SceneTable as(std::string_view kind) const { return SceneTable(*table_, path_, where_, kind); }
@@ -125,8 +108,9 @@ class SceneTable {
 
  private:
   const toml::node* find(std::string_view key) const;
-  std::size_t choice_index(std::string_view key, const toml::node& node, const std::vector<std::string>& names,
-                           const std::vector<std::string>& later) const;
+  /// Fails where the key is missing.
+  const toml::node& find(std::string_view key, const std::string& expected) const;
+  std::size_t choice_index(std::string_view key, const std::vector<std::string>& names) const;
   double number_of(const toml::node& node, const std::string& key, const Bound& bound) const;
   std::int64_t integer_of(const toml::node& node, const std::string& key, std::int64_t low) const;
   Point point_of(const toml::node& node, const std::string& key, const Bound& bound) const;
