@@ -59,6 +59,8 @@ TEST_F(SceneOverrideTest, OverrideErrorsNameTheOverride) {
             "--set body.bar.mesh={ type = \"block\" }: body.bar.mesh.size: missing, expected an array of 3 numbers");
   EXPECT_EQ(set_error("body.bar=1"), "--set body.bar=1: expected body.NAME.KEY");
   EXPECT_EQ(set_error("constraint.0.normal=1"), "--set constraint.0.normal=1: the scene has no [[constraint]]");
+  EXPECT_EQ(set_error("pressure.0.pressure=1"), "--set pressure.0.pressure=1: the scene has no [[pressure]]");
+  EXPECT_EQ(set_error("gravity.0.name=g"), "--set gravity.0.name=g: the scene has no [[gravity]]");
   EXPECT_EQ(set_error("time.end.x=1"), "--set time.end.x=1: end is no table, it is 1");
   EXPECT_EQ(set_error("time.end"), "--set time.end: expected KEY=VALUE, as in contact.beta=2");
   EXPECT_EQ(set_error("time..end=1"), "--set time..end=1: expected a key such as contact.beta, got \"time..end\"");

@@ -6,6 +6,13 @@
 
 namespace pinball {
 
+void complete(ContactSettings& contact) {
+  if (contact.gap == ContactGap::not_set) {
+    contact.gap = contact.enforcement == Enforcement::penalty ? ContactGap::pinball : ContactGap::face;
+  }
+  if (contact.static_friction < 0) contact.static_friction = contact.friction;
+}
+
 void complete(ContactPair& pair, const ContactSettings& contact) {
   if (pair.friction < 0 && pair.static_friction < 0 && pair.friction_decay < 0) {
     pair.friction = contact.friction;
@@ -15,6 +22,31 @@ void complete(ContactPair& pair, const ContactSettings& contact) {
   if (pair.friction < 0) pair.friction = 0;
   if (pair.static_friction < 0) pair.static_friction = pair.friction;
   if (pair.friction_decay < 0) pair.friction_decay = 0;
+}
+
+std::optional<Problem> problem_of(const ContactSettings& contact) {
+  const bool penalty = contact.enforcement == Enforcement::penalty;
+  if (contact.method != ContactMethod::slideline && penalty && contact.gap == ContactGap::face) {
+    return Problem{"gap", "\"face\" needs enforcement = \"projection\" or \"lagrange\" in this version"};
+  }
+  const bool any_friction = contact.static_friction > 0 || contact.friction > 0;
+  if (contact.static_friction < contact.friction && !(contact.friction_decay > 0)) {
+    return Problem{"static_friction", fmt::format("expected a number >= friction = {:.6g}, got {:.6g}",
+                                                  contact.friction, contact.static_friction)};
+  }
+  if (contact.enforcement == Enforcement::projection && contact.static_friction > contact.friction) {
+    return Problem{"static_friction", "another value than friction needs enforcement = \"lagrange\""};
+  }
+  if (penalty && any_friction) {
+    return Problem{contact.friction > 0 ? "friction" : "static_friction",
+                   "expected 0: friction needs enforcement = \"projection\" or \"lagrange\""};
+  }
+  const bool balls = contact.method == ContactMethod::pinball || contact.method == ContactMethod::not_set;
+  if (balls && contact.gap == ContactGap::pinball && any_friction) {
+    return Problem{contact.friction > 0 ? "friction" : "static_friction",
+                   "expected 0: balls do not touch where elements do, friction needs gap = \"face\""};
+  }
+  return {};
 }
 
 namespace {

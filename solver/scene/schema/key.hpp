@@ -63,13 +63,15 @@ struct AnyKey {
   const char* meaning;  ///< a sentence, or the rest of one; code in backticks
   About about;
 
+  constexpr AnyKey(const char* name_, const char* meaning_, About about_)
+      : name(name_), meaning(meaning_), about(about_) {}
   constexpr bool required() const { return about.need == Need::required; }
 };
 
 /// A key that has no member of its own: a function of its table makes something of it. Value: what it is in a file.
 template <class Value>
 struct FileKey : AnyKey {
-  constexpr FileKey(const char* name_, const char* meaning_, About about_ = {}) : AnyKey{name_, meaning_, about_} {}
+  constexpr FileKey(const char* name_, const char* meaning_, About about_ = {}) : AnyKey(name_, meaning_, about_) {}
 };
 
 /// A key that sets a member.
