@@ -8,7 +8,7 @@
 #include "base/export.h"
 #include "scene.hpp"
 
-/// What a scene has to fulfil beyond the bounds of single numbers (scene_numbers.hpp), and the defaults that depend on
+/// What a scene has to fulfil beyond what each key says for itself (scene/schema), and the defaults that depend on
 /// other values: one place for scenes read from files and for those that a host makes.
 namespace pinball {
 
