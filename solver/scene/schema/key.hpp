@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -148,5 +149,8 @@ constexpr About about(std::string_view name) {
   });
   return found;
 }
+
+/// The least that an integer may be.
+constexpr std::int64_t lowest(const About& about) { return static_cast<std::int64_t>(about.bound.low); }
 
 }  // namespace pinball::schema

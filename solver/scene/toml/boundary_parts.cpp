@@ -132,7 +132,7 @@ void read_number(const SceneTable& table, Probe& probe) {
   if (!node && !element) return;
   const char* key = node ? "node" : "element";
   if ((node && element) || table.has("point")) table.fail(key, "expected only one of point, node and element");
-  probe.number = table.integer(key, 0);
+  probe.number = table.integer(key, schema::lowest(schema::about<Probe>(key)));
   probe.kind = node ? ProbeKind::node : ProbeKind::element;
 }
 

@@ -6,7 +6,7 @@
 #include <solver/mesh/mesh_format.hpp>
 #include <solver/scene/machine.hpp>
 #include <solver/scene/schema/choices.hpp>
-#include <solver/scene/schema/meshes.hpp>
+#include <solver/scene/schema/kinds.hpp>
 
 #include "parts.hpp"
 #include "read_keys.hpp"
@@ -38,7 +38,7 @@ void check_count(const SceneTable& table, std::string_view key, double elements,
 MeshSettings read_block(const SceneTable& table, const MeshScale& scale) {
   BlockMesh mesh;
   const auto lengths = table.lists("size", schema::about<BlockMesh>("size").bound);
-  const auto elements = table.integer_lists("elements", 1);
+  const auto elements = table.integer_lists("elements", schema::lowest(schema::about<BlockMesh>("elements")));
   double count = 1.0;
   for (std::size_t k = 0; k < 3; ++k) {
     if (lengths[k].size() != elements[k].size()) {
@@ -89,13 +89,14 @@ MeshSettings read_cylinder(const SceneTable& table, const MeshScale& scale) {
 MeshSettings read_sphere(const SceneTable& table, const MeshScale& scale) {
   SphereMesh mesh;
   read_keys(table, mesh, scale.refine);
+  const std::int64_t least = schema::lowest(schema::about<SphereMesh>("core"));
   double elements = 0.0;
   if (mesh.section == Section::wedge) {
-    const std::vector<std::int64_t> core = table.integers("core", 2, 1);
+    const std::vector<std::int64_t> core = table.integers("core", 2, least);
     for (std::size_t k = 0; k < 2; ++k) mesh.core[k] = refined(table, "core", core[k], scale.refine);
     elements = (mesh.core[0] + static_cast<double>(mesh.ring)) * (mesh.core[1] + 2.0 * mesh.ring);
   } else {
-    const std::int64_t given = table.integer("core", 1);
+    const std::int64_t given = table.integer("core", least);
     check_core(table, mesh.section, given);
     const int core = refined(table, "core", given, scale.refine);
     mesh.core = {core, core};
@@ -134,10 +135,10 @@ MeshSettings read_by_ending(const SceneTable& table, const MeshScale& scale) {
 MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale) {
   if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
   using Reader = MeshSettings (*)(const SceneTable&, const MeshScale&);
-  std::vector<std::pair<std::string, Reader>> readers{{"block", read_block},
-                                                      {"round_nosed_rod", read_rod},
-                                                      {"cylinder", read_cylinder},
-                                                      {"sphere", read_sphere},
+  std::vector<std::pair<std::string, Reader>> readers{{kind(schema::Of<BlockMesh>{}).name, read_block},
+                                                      {kind(schema::Of<RoundNosedRodMesh>{}).name, read_rod},
+                                                      {kind(schema::Of<CylinderMesh>{}).name, read_cylinder},
+                                                      {kind(schema::Of<SphereMesh>{}).name, read_sphere},
                                                       {"file", read_by_ending}};
   for (const auto& format : schema::choices(schema::Of<MeshFormat>{})) readers.emplace_back(format.name, nullptr);
   const SceneTable any = body.table("mesh", "mesh");

@@ -7,8 +7,6 @@ namespace pinball {
 
 namespace {
 
-std::int64_t lowest(const schema::AnyKey& key) { return static_cast<std::int64_t>(key.about.bound.low); }
-
 std::vector<std::string> texts_of(const schema::AnyKey& key) {
   return {key.about.texts.begin(), key.about.texts.end()};
 }
@@ -24,11 +22,11 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, double& valu
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, std::int64_t& value) {
-  value = table.integer(key.name, lowest(key));
+  value = table.integer(key.name, schema::lowest(key.about));
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, int& value) {
-  const std::int64_t read = table.integer(key.name, lowest(key));
+  const std::int64_t read = table.integer(key.name, schema::lowest(key.about));
   if (read > std::numeric_limits<int>::max()) fail_too_many(table, key.name, static_cast<double>(read));
   value = static_cast<int>(read);
 }
@@ -58,7 +56,7 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, std::array<P
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, std::array<int, 2>& value) {
-  const std::vector<std::int64_t> counts = table.integers(key.name, 2, lowest(key));
+  const std::vector<std::int64_t> counts = table.integers(key.name, 2, schema::lowest(key.about));
   for (std::size_t k = 0; k < 2; ++k) {
     if (counts[k] > std::numeric_limits<int>::max()) fail_too_many(table, key.name, static_cast<double>(counts[k]));
     value[k] = static_cast<int>(counts[k]);
@@ -74,7 +72,7 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<std::int64_t>& value) {
-  value = table.integers(key.name, lowest(key));
+  value = table.integers(key.name, schema::lowest(key.about));
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<std::array<std::int64_t, 4>>& value) {

@@ -7,7 +7,7 @@
 #include <solver/keyword/input_file.hpp>
 #include <solver/scene.hpp>
 #include <solver/scene/names.hpp>
-#include <solver/scene/schema/scene.hpp>
+#include <solver/scene/schema/kinds.hpp>
 #include <solver/scene/units/units.hpp>
 
 #include "boundary_parts.hpp"
@@ -85,10 +85,11 @@ void read_boundary(const SceneTable& top, Scene& scene) {
     return all;
   };
   std::vector<std::pair<SceneTable, std::string>> forces;
+  constexpr schema::Kind symmetry = kind(schema::Of<PlaneConstraint>{}), fixed = kind(schema::Of<FixedConstraint>{});
   for (const auto& any : tables("constraint")) {
-    const auto type = any.choice<std::string>("type", {{"symmetry", "symmetry"}, {"fixed", "fixed"}});
-    const SceneTable table = any.as(type);
-    if (type == "symmetry") {
+    const auto type = any.choice<schema::Kind>("type", {{symmetry.name, symmetry}, {fixed.name, fixed}});
+    const SceneTable table = any.as(type.name);
+    if (type.name == symmetry.name) {
       scene.constraints.push_back(read_symmetry(table));
       forces.emplace_back(table, scene.constraints.back().name);
     } else {
