@@ -57,9 +57,4 @@ std::vector<std::string_view> entries_of(std::string_view line) {
 
 bool goes_on(std::string_view line) { return trimmed(line).ends_with(','); }
 
-const Parameters& DataFields::no_parameters() {
-  static const Parameters none;
-  return none;
-}
-
 }  // namespace pinball

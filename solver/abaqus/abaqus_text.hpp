@@ -46,26 +46,16 @@ std::vector<std::string_view> entries_of(std::string_view line);
 /// Whether a line goes on in the next one: it ends in a comma.
 bool goes_on(std::string_view line);
 
-/// The fields of a data line by their places. Messages name the field and what was expected.
-class DataFields {
+/// The fields of a data line by their places, which follow one another between commas; a line without a comma is one
+/// field, however long.
+class DataFields : public LineFields {
  public:
-  explicit DataFields(const Card& card) : fields_(card, no_parameters(), whole_line) {}
-
-  std::string text(std::size_t field) const { return fields_.text(field); }
-  bool blank(std::size_t field) const { return fields_.blank(field); }
-  std::int64_t integer(std::size_t field, const char* name, std::optional<std::int64_t> otherwise = {}) const {
-    return fields_.integer(field, name, otherwise);
+  explicit DataFields(const Card& card) : LineFields(card, nullptr) {
+    if (!cut_at_commas(card.text) && !card.text.empty()) add(card.text);
   }
-  double number(std::size_t field, const char* name, std::optional<double> otherwise = {}) const {
-    return fields_.number(field, name, otherwise);
-  }
-  const DeckPlace& place() const { return fields_.place(); }
-
- private:
-  static const Parameters& no_parameters();
-  /// A line without a comma is one field, however long.
-  static constexpr std::array<int, 1> whole_line{1 << 30};
-  Fields fields_;
+  ~DataFields() { write_down(nullptr); }
+  DataFields(const DataFields&) = delete;
+  DataFields& operator=(const DataFields&) = delete;
 };
 
 }  // namespace pinball

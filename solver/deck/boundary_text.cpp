@@ -16,8 +16,8 @@ std::int64_t definition_number(const KeywordBlock& block, std::int64_t id) {
   return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define);
 }
 
-DeckSpan span_of(const Fields& f, std::size_t birth, std::size_t death) {
-  const DeckSpan span{f.number(birth, "birth", 0.0), f.number(death, "death", 0.0)};
+DeckSpan span_of(const Fields& f) {
+  const DeckSpan span{f.number("BIRTH"), f.number("DEATH")};
   constexpr double never = 1e19;  // the defaults are 1e20 and 1e28
   return {span.birth, span.death < never ? span.death : 0.0};
 }
@@ -25,10 +25,6 @@ DeckSpan span_of(const Fields& f, std::size_t birth, std::size_t death) {
 void write_span(const DeckSpan& span, TomlText& scene) {
   if (span.birth > 0) scene.key("start", span.birth);
   if (span.death > 0) scene.key("end", span.death);
-}
-
-Point point_of(const Fields& f, std::size_t first, const char* name) {
-  return {f.number(first, name, 0.0), f.number(first + 1, name, 0.0), f.number(first + 2, name, 0.0)};
 }
 
 void write_head(const char* table, const KeywordBlock& block, const DeckPlace& place, TomlText& scene) {
@@ -53,7 +49,7 @@ std::vector<std::string> bodies_of(const DeckData& data, const std::vector<std::
 }
 
 void write_selection(const DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
-  const std::int64_t set = f.integer(0, "nsid", 0), without = f.integer(1, "nsidex", 0), box = f.integer(2, "boxid", 0);
+  const std::int64_t set = f.integer("NSID"), without = f.integer("NSIDEX"), box = f.integer("BOXID");
   if (set != 0) scene.key("set", std::to_string(set_number(block, set)));
   if (without != 0) scene.key("without", std::to_string(set_number(block, without)));
   if (box == 0) return;

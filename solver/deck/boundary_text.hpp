@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include <solver/keyword/cards/boundary_cards.hpp>
 #include <solver/keyword/number_index.hpp>
 
 #include "deck_data.hpp"
@@ -18,7 +19,8 @@ struct DeckSpan {
   double birth = 0, death = 0;
   auto operator<=>(const DeckSpan&) const = default;
 };
-DeckSpan span_of(const Fields& f, std::size_t birth, std::size_t death);
+/// BIRTH and DEATH of a card.
+DeckSpan span_of(const Fields& f);
 void write_span(const DeckSpan& span, TomlText& scene);
 
 // Numbers of a deck, with what *INCLUDE_TRANSFORM adds to them.
@@ -26,9 +28,6 @@ std::int64_t set_number(const KeywordBlock& block, std::int64_t id);
 std::int64_t node_number(const KeywordBlock& block, std::int64_t id);
 /// Of a curve, a vector, a system or a box; 0 stays 0: none.
 std::int64_t definition_number(const KeywordBlock& block, std::int64_t id);
-
-/// Three numbers of a card, 0 where they are blank.
-Point point_of(const Fields& f, std::size_t first, const char* name);
 
 /// [[table]] for a card, which its comment names.
 void write_head(const char* table, const KeywordBlock& block, const DeckPlace& place, TomlText& scene);

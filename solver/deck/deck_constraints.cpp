@@ -29,15 +29,13 @@ void write_held(const DeckData& data, const Held& held, const DeckPlace& place, 
   write_span(held.when, scene);
 }
 
-/// What the numbers behind that of a node or a set say; nothing for rotations alone, which are told.
-Held held_of(const DeckData& data, const Fields& f, const KeywordBlock& block) {
+/// What the numbers behind that of a node or a set say; nothing for rotations alone.
+Held held_of(const Fields& f, const KeywordBlock& block) {
   Held held;
-  bool turns = false;
-  for (std::size_t k = 5; k < 8; ++k) turns |= f.integer(k, "dofr", 0) != 0;
-  if (turns) data.report.ignore(f.place(), block.star_name() + " of rotations of nodes of solids");
-  held.system = definition_number(block, f.integer(1, "cid", 0));
+  held.system = definition_number(block, f.integer("CID"));
   for (unsigned k = 0; k < 3; ++k) {
-    if (f.integer(2 + k, "dof", 0) != 0) held.directions |= 1U << k;
+    static constexpr std::array<const char*, 3> names{"DOFX", "DOFY", "DOFZ"};
+    if (f.integer(names[k]) != 0) held.directions |= 1U << k;
   }
   return held;
 }
@@ -78,19 +76,19 @@ void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Hel
     if (block.id && !cards.next()) return;
     const auto card = cards.next_filled();
     if (!card) return;
-    const Fields f = data.fields(*card);
-    Held held = held_of(data, f, block);
+    const Fields f = data.fields(*card, set ? layout::held_set : layout::held_node);
+    Held held = held_of(f, block);
     if (spans) {
       const Card span = cards.next_or_blank();
-      held.when = span_of(data.fields(span), 0, 1);
+      held.when = span_of(data.fields(span, layout::held_span));
     }
     if (held.directions == 0) continue;
     if (set) {
       write_head("constraint", block, card->place, scene);
       write_held(data, held, card->place, scene);
-      write_target(block, true, f.integer(0, "nsid"), scene);
+      write_target(block, true, f.integer("NSID"), scene);
     } else {
-      nodes.add(block, card->place, node_number(block, f.integer(0, "nid")), held);
+      nodes.add(block, card->place, node_number(block, f.integer("NID")), held);
     }
   }
 }

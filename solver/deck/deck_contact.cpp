@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include <solver/keyword/cards/contact_cards.hpp>
+
 #include "boundary_text.hpp"
 #include "deck_parts.hpp"
 
@@ -46,9 +48,11 @@ std::vector<std::string> all_but(const DeckData& data, const std::vector<std::st
 
 /// which: 0 the slave side, 1 the master side.
 DeckSide side_of(DeckData& data, const KeywordBlock& block, const Fields& f, std::size_t which) {
-  const std::int64_t id = f.integer(which, "ssid, msid", 0), kind = f.integer(2 + which, "sstyp, mstyp", 0);
+  const std::int64_t id = f.integer(which == 0 ? "SSID" : "MSID"), kind = f.integer(which == 0 ? "SSTYP" : "MSTYP");
   const std::int64_t set = id + offset_of(block, &DeckTransform::set);
   DeckSide side;
+  if (id == 0 && which == 0 && kind != 0 && kind != 5)
+    data.report.unused(f.place(), block.star_name() + ": SSTYP", "without SSID all parts touch");
   if ((id == 0 && which == 0) || kind == 5) {
     side.bodies = all_bodies(data);
   } else if (kind == 2) {
@@ -71,24 +75,38 @@ DeckSide side_of(DeckData& data, const KeywordBlock& block, const Fields& f, std
 }
 
 /// FS at rest, FD while sliding, DC the decay between both; all times FSF.
-void read_friction(DeckData& data, const KeywordBlock& block, const Fields& f, double factor, DeckContact& contact) {
-  const double fs = f.number(0, "fs", 0.0), fd = f.number(1, "fd", 0.0), dc = f.number(2, "dc", 0.0);
+void read_friction(DeckData& data, const KeywordBlock& block, const Fields& f, const Fields& scales,
+                   DeckContact& contact) {
+  const double fs = f.number("FS"), fd = f.number("FD");
+  if (fs == 0 && fd == 0) return;
   if (fs < 0 || fs == 2)
     data.report.refuse(f.place(),
                        fmt::format("{} with FS = {}, friction of parts or from a table", block.star_name(), fs));
-  if (f.number(3, "vc", 0.0) != 0 && (fs > 0 || fd > 0))
+  if (f.number("VC") != 0)
     data.report.refuse(f.place(), block.star_name() + " with a limit of the friction stress (VC)");
+  const double given = scales.number("FSF"), factor = given > 0 ? given : 1.0, dc = f.number("DC");
+  if (dc <= 0 && fd != 0 && fd != fs)
+    data.report.unused(f.place(), block.star_name() + ": FD", "without DC friction is FS, whatever the speed");
+  if (dc > 0 && fd == fs) data.report.unused(f.place(), block.star_name() + ": DC", "FD is FS, whatever the speed");
   contact.static_friction = factor * fs;
   contact.friction = factor * (dc > 0 ? fd : fs);
   contact.decay = dc > 0 && fd != fs ? dc : 0.0;
 }
 
 void read_times(DeckData& data, const KeywordBlock& block, const Fields& f, DeckContact& contact) {
-  contact.start = f.number(6, "bt", 0.0);
-  contact.end = f.number(7, "dt", 0.0);
+  contact.start = f.number("BT");
+  contact.end = f.number("DT");
   if (contact.start < 0 || contact.end < 0)
     data.report.refuse(f.place(), block.star_name() + " with a negative birth or death");
   if (contact.end >= 1e19) contact.end = 0;
+}
+
+/// What follows the three cards of each contact; nothing of it becomes anything, and all of it is told.
+void read_more(const DeckData& data, const KeywordBlock& block, Cards& cards) {
+  if (block.name.starts_with("CONTACT_ERODING")) data.fields(cards.next_or_blank(), layout::contact_eroding);
+  for (const CardLayout* optional : layout::contact_optional) {
+    if (const auto card = cards.next()) data.fields(*card, *optional);
+  }
 }
 
 DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
@@ -97,31 +115,31 @@ DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
   if (block.id || block.title) {
     Card number = cards.require("the number of the contact");
     number.log = nullptr;  // what follows it is a title
-    const std::int64_t id = data.fields(number).integer(0, "cid", 0);
+    const std::int64_t id = data.fields(number, layout::contact_number).integer("CID");
     if (id > 0) contact.name = fmt::format("contact_{}", id);
     if (id > 0) data.give_once(block, fmt::format("contact {}", id), block.place);
   }
   const Card first = cards.require("the surfaces of the contact"), second = cards.next_or_blank(),
              third = cards.next_or_blank();
-  const Fields f = data.fields(first), constants = data.fields(second), scales = data.fields(third);
+  read_more(data, block, cards);
+  const Fields f = data.fields(first, layout::contact_sides), constants = data.fields(second, layout::contact_friction),
+               scales = data.fields(third, layout::contact_scales);
   contact.heading = fmt::format("{} {}", block.star_name(), first.place.text());
   contact.single = block.name.ends_with("SINGLE_SURFACE") || block.name.ends_with("GENERAL");
   contact.tied = block.name.starts_with("CONTACT_TIED_");
-  if (f.integer(4, "sboxid", 0) != 0 || f.integer(5, "mboxid", 0) != 0)
-    data.report.refuse(first.place, block.star_name() + " with boxes");
   contact.slave = side_of(data, block, f, 0);
   if (!contact.single) contact.master = side_of(data, block, f, 1);
-  const double fsf = scales.number(6, "fsf", 0.0), thickness = scales.number(2, "sst", 0.0),
-               of_master = scales.number(3, "mst", 0.0);
   read_times(data, block, constants, contact);
   if (contact.tied) {
-    if (thickness < 0 || of_master < 0) contact.tolerance = 0.6 * std::abs(thickness + of_master);
+    const double thickness = scales.number("SST"), of_master = scales.number("MST");
+    if (thickness < 0 || of_master < 0) {
+      contact.tolerance = 0.6 * std::abs(thickness + of_master);
+    } else if (thickness > 0 || of_master > 0) {
+      data.report.unused(third.place, block.star_name() + ": SST, MST", "nodes are tied by them where one is negative");
+    }
     return contact;
   }
-  read_friction(data, block, constants, fsf > 0 ? fsf : 1.0, contact);
-  if (constants.number(4, "vdc", 0.0) != 0)
-    data.report.understood(
-        fmt::format("{}: damping of contact (VDC) is not used: impulses do not ring", contact.heading));
+  read_friction(data, block, constants, scales, contact);
   return contact;
 }
 

@@ -8,6 +8,8 @@
 #include <set>
 
 #include <solver/base/error.hpp>
+#include <solver/keyword/cards/definition_cards.hpp>
+#include <solver/keyword/cards/mesh_cards.hpp>
 #include <solver/keyword/keyword_scanner.hpp>
 
 #include "keyword_rules.hpp"
@@ -16,13 +18,17 @@ namespace pinball {
 
 namespace {
 
-constexpr std::array<int, 2> point_columns{20, 20};
-
 Point unit(Point d, const DeckPlace& place) {
   const double length = std::sqrt(dot(d, d));
   if (!(length > 0)) fail_at(place, "expected a direction, got a vector of no length");
   for (double& component : d) component /= length;
   return d;
+}
+
+/// A factor, for which 0 is 1.
+double factor_of(const Fields& f, const char* name) {
+  const double value = f.number(name);
+  return value == 0 ? 1.0 : value;
 }
 
 /// A title as a name in a scene: letters, digits, "_" and "-".
@@ -43,6 +49,12 @@ DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& 
     blocks_[block.name].push_back(&block);
     read(block);
   }
+  for (const bool sums : {false, true}) {  // *SET_PART_ADD may stand before the sets that it adds
+    for (const KeywordBlock& block : deck.blocks) {
+      const bool adds = block.name.ends_with("_ADD") || block.name.ends_with("_ADD_COLLECT");
+      if (block.name.starts_with("SET_PART") && adds == sums) read_part_set(block);
+    }
+  }
   name_bodies();
 }
 
@@ -61,7 +73,6 @@ void DeckData::read(const KeywordBlock& block) {
   if (block.name == "DEFINE_TABLE") read_table(block);
   if (block.name == "DEFINE_VECTOR") read_vector(block);
   if (block.name == "DEFINE_COORDINATE_SYSTEM" || block.name == "DEFINE_COORDINATE_VECTOR") read_system(block);
-  if (block.name.starts_with("SET_PART")) read_part_set(block);
   if (block.name == "DEFINE_BOX") read_box(block);
 }
 
@@ -76,37 +87,36 @@ void DeckData::require_one_of_a_kind(const KeywordBlock& block) {
 
 void DeckData::read_parts(const KeywordBlock& block) {
   const std::int64_t other = offset_of(block, &DeckTransform::other);
-  for_each_part(block, [&](const Card& title, const Card& card) {
-    const Fields f = fields(card);
-    const std::int64_t id = f.integer(0, "pid") + offset_of(block, &DeckTransform::part);
-    if (f.integer(3, "eosid", 0) != 0) report.refuse(card.place, "*PART with an equation of state");
-    if (f.integer(7, "tmid", 0) != 0) report.understood(fmt::format("part {}: heat (TMID) is not computed", id));
-    const std::int64_t hourglass_id = f.integer(4, "hgid", 0);
+  const auto read = [&](const Card& title, const Card& card) {
+    const Fields f = fields(card, layout::part);
+    const std::int64_t id = f.integer("PID") + offset_of(block, &DeckTransform::part);
+    const std::int64_t hourglass_id = f.integer("HGID");
     all_parts_[id] = {id,
-                      f.integer(1, "secid", 0) + other,
-                      f.integer(2, "mid", 0) + offset_of(block, &DeckTransform::material),
+                      f.integer("SECID") + other,
+                      f.integer("MID") + offset_of(block, &DeckTransform::material),
                       hourglass_id == 0 ? 0 : hourglass_id + other,
+                      f.integer("EOSID") != 0,
                       "",
                       card.place};
     titles_[id] = std::string(trimmed(title.text));
-  });
+  };
+  for_each_part(block, read, [&](const Card& card) { fields(card, layout::part_contact); });
 }
 
 void DeckData::read_section(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
-    const Fields f = fields(card);
-    const std::int64_t id = f.integer(0, "secid") + offset_of(block, &DeckTransform::other);
+    const Fields f = fields(card, layout::section_solid);
+    const std::int64_t id = f.integer("SECID") + offset_of(block, &DeckTransform::other);
     give_once(block, fmt::format("section {}", id), card.place);
-    section_form[id] = f.integer(1, "elform", 1);
+    section_form[id] = f.integer("ELFORM");
   });
 }
 
 void DeckData::read_hourglass(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
-    const Fields f = fields(card);
-    const DeckHourglass h{f.integer(1, "ihq", 0), f.number(2, "qm", 0.0), f.number(4, "q1", 0.0),
-                          f.number(5, "q2", 0.0)};
-    const std::int64_t id = f.integer(0, "hgid") + offset_of(block, &DeckTransform::other);
+    const Fields f = fields(card, layout::hourglass);
+    const DeckHourglass h{f.integer("IHQ"), f.number("QM"), f.number("Q1"), f.number("Q2")};
+    const std::int64_t id = f.integer("HGID") + offset_of(block, &DeckTransform::other);
     give_once(block, fmt::format("hourglass control {}", id), card.place);
     hourglass[id] = h;
   });
@@ -116,22 +126,20 @@ void DeckData::read_curve(const KeywordBlock& block) {
   Cards cards(block);
   if (block.title) cards.next();
   const Card head = cards.require("the number of the curve");
-  const Fields f = fields(head);
-  const auto factor = [&f](std::size_t field, const char* name) {
-    const double value = f.number(field, name, 1.0);
-    return value == 0 ? 1.0 : value;
-  };
-  const double sfa = factor(2, "sfa"), sfo = factor(3, "sfo");
-  const double offa = f.number(4, "offa", 0.0), offo = f.number(5, "offo", 0.0);
+  const Fields f = fields(head, layout::curve);
+  const double sfa = factor_of(f, "SFA"), sfo = factor_of(f, "SFO"), offa = f.number("OFFA"), offo = f.number("OFFO");
   DeckCurve curve;
   curve.units = units_of(block);
-  curve.relaxes = f.integer(1, "sidr", 0) == 1;
+  const std::int64_t relaxation = f.integer("SIDR");
+  curve.relaxes = relaxation == 1;
+  if (relaxation == 2)
+    report.unused(head.place, block.star_name() + ": SIDR", "there is no dynamic relaxation: it is for the run alone");
   while (const auto card = cards.next_filled()) {
-    const Fields point(*card, deck.parameters, point_columns);
-    curve.abscissa.push_back(sfa * (point.number(0, "abscissa", 0.0) + offa));
-    curve.ordinate.push_back(sfo * (point.number(1, "ordinate", 0.0) + offo));
+    const Fields point = fields(*card, layout::curve_point);
+    curve.abscissa.push_back(sfa * (point.number("A1") + offa));
+    curve.ordinate.push_back(sfo * (point.number("O1") + offo));
   }
-  const std::int64_t id = f.integer(0, "lcid") + offset_of(block, &DeckTransform::define);
+  const std::int64_t id = f.integer("LCID") + offset_of(block, &DeckTransform::define);
   give_once(block, fmt::format("curve or table {}", id), head.place);
   curves_[id] = std::move(curve);
 }
@@ -143,12 +151,14 @@ void DeckData::read_table(const KeywordBlock& block) {
   if (block.title) cards.next();
   const Card head = cards.require("the number of the table");
   const std::int64_t add = offset_of(block, &DeckTransform::define);
-  const std::int64_t number = fields(head).integer(0, "tbid") + add;
+  const Fields f = fields(head, layout::table);
+  const double scale = factor_of(f, "SFA"), offset = f.number("OFFA");
+  const std::int64_t number = f.integer("TBID") + add;
   give_once(block, fmt::format("curve or table {}", number), head.place);
   DeckTable& table = tables_[number] = {};
   while (const auto card = cards.next_filled()) {
-    const Fields point(*card, deck.parameters, point_columns);
-    table.curves.emplace_back(point.number(0, "value", 0.0), point.integer(1, "lcid", 0));
+    const Fields point = fields(*card, layout::table_value);
+    table.curves.emplace_back(scale * (point.number("VALUE") + offset), point.integer("LCID"));
   }
   table.logarithmic = !table.curves.empty() && table.curves.front().first < 0;
   auto next = static_cast<std::size_t>(&block - deck.blocks.data()) + 1;
@@ -163,32 +173,29 @@ void DeckData::read_table(const KeywordBlock& block) {
     Cards of_curve(deck.blocks[next]);
     if (deck.blocks[next].title) of_curve.next();
     const Card of_number = of_curve.require("the number of the curve");
-    id = fields(of_number).integer(0, "lcid") + add;
+    id = fields(of_number, layout::curve).integer("LCID") + add;
     ++next;
   }
 }
 
 void DeckData::read_vector(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
-    const Fields f = fields(card);
-    Point d{};
-    for (std::size_t k = 0; k < 3; ++k) d[k] = f.number(4 + k, "head", 0.0) - f.number(1 + k, "tail", 0.0);
-    const std::int64_t id = f.integer(0, "vid") + offset_of(block, &DeckTransform::define);
+    const Fields f = fields(card, layout::vector);
+    const std::int64_t id = f.integer("VID") + offset_of(block, &DeckTransform::define);
     give_once(block, fmt::format("vector {}", id), card.place);
-    vectors_[id] = unit(d, card.place);
+    vectors_[id] = unit(minus(f.point("XH"), f.point("XT")), card.place);
   });
 }
 
 void DeckData::read_box(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
-    const Fields f = fields(card);
+    const Fields f = fields(card, layout::box);
     Box box{};
-    const double length = units_of(block).length;
     for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = length * f.number(1 + 2 * k, "minimum", 0.0);
-      box.high[k] = length * f.number(2 + 2 * k, "maximum", 0.0);
+      box.low[k] = f.number(1 + 2 * k);
+      box.high[k] = f.number(2 + 2 * k);
     }
-    boxes_[f.integer(0, "boxid") + offset_of(block, &DeckTransform::define)] = box;
+    boxes_[f.integer("BOXID") + offset_of(block, &DeckTransform::define)] = box;
   });
 }
 
@@ -197,24 +204,20 @@ void DeckData::read_system(const KeywordBlock& block) {
   Cards cards(block);
   if (block.title) cards.next();
   const Card first = cards.require("the number of the system");
-  const Fields f = fields(first);
+  const bool vectors = block.name == "DEFINE_COORDINATE_VECTOR";
+  const Fields f = fields(first, vectors ? layout::system_vectors : layout::system);
   Point x{}, in_plane{};
-  if (block.name == "DEFINE_COORDINATE_VECTOR") {
-    for (std::size_t k = 0; k < 3; ++k) {
-      x[k] = f.number(1 + k, "x", 0.0);
-      in_plane[k] = f.number(4 + k, "v", 0.0);
-    }
+  if (vectors) {
+    x = f.point("XX");
+    in_plane = f.point("XV");
   } else {
     const Card second = cards.require("a point of the xy plane");
-    const Fields more = fields(second);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double origin = f.number(1 + k, "o", 0.0);
-      x[k] = f.number(4 + k, "l", 0.0) - origin;
-      in_plane[k] = more.number(k, "p", 0.0) - origin;
-    }
+    const Point origin = f.point("XO");
+    x = minus(f.point("XL"), origin);
+    in_plane = minus(fields(second, layout::system_plane).point("XP"), origin);
   }
   const Point e1 = unit(x, first.place), e3 = unit(cross(e1, in_plane), first.place);
-  const std::int64_t id = f.integer(0, "cid") + offset_of(block, &DeckTransform::define);
+  const std::int64_t id = f.integer("CID") + offset_of(block, &DeckTransform::define);
   give_once(block, fmt::format("local system {}", id), first.place);
   systems_[id] = {e1, cross(e3, e1), e3};
 }
@@ -230,7 +233,7 @@ void DeckData::read_part_set(const KeywordBlock& block) {
   Cards cards(block);
   if (block.title) cards.next();
   const Card head = cards.require("the number of the set");
-  const std::int64_t id = fields(head).integer(0, "sid") + offset_of(block, &DeckTransform::set);
+  const std::int64_t id = fields(head, layout::set_head).integer("SID") + offset_of(block, &DeckTransform::set);
   std::vector<std::int64_t> members;
   while (const auto card = cards.next_filled()) add_parts(block, *card, members);
   if (!collects) give_once(block, fmt::format("set of parts {}", id), head.place);
@@ -241,20 +244,24 @@ void DeckData::read_part_set(const KeywordBlock& block) {
 
 /// Parts, first and last ones, or sets: of the parts in between those that have solids.
 void DeckData::add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const {
-  const Fields f = fields(card);
-  const bool generate = block.name.ends_with("_GENERATE"), sums = block.name.ends_with("_ADD");
+  const bool generate = block.name.find("_GENERATE") != std::string::npos,
+             sums = block.name.find("_ADD") != std::string::npos;
+  const Fields f = fields(card, generate ? layout::set_ranges : layout::set_members);
   const std::int64_t add = offset_of(block, &DeckTransform::part);
   for (std::size_t i = 0; i < 8; i += generate ? 2 : 1) {
-    const std::int64_t first = f.integer(i, "part", 0);
+    const std::int64_t first = f.integer(i);
     if (first == 0) continue;
     if (sums) {
       const auto other = part_set(first + offset_of(block, &DeckTransform::set), card.place);
       members.insert(members.end(), other.begin(), other.end());
     } else if (generate) {
-      const std::int64_t last = f.integer(i + 1, "last part", first);
+      const std::int64_t last = f.blank(i + 1) ? first : f.integer(i + 1);
+      const std::size_t before = members.size();
       for (const MeshPart& part : mesh.parts) {
         if (part.id >= first + add && part.id <= last + add) members.push_back(part.id);
       }
+      if (members.size() == before)
+        fail_at(card.place, fmt::format("{}: no part from {} to {}", block.star_name(), first, last));
     } else {
       members.push_back(first + add);
     }
@@ -278,6 +285,7 @@ void DeckData::name_bodies() {
                                    mesh.parts[p].id));
     }
     parts.push_back(found->second);
+    if (found->second.has_state_equation) report.refuse(found->second.place, "*PART with an equation of state (EOSID)");
     materials_.insert(found->second.material);
   }
   std::ranges::sort(parts, {}, &DeckPart::id);  // whatever their order in the deck: the scene is the same
@@ -293,13 +301,13 @@ const DeckCurve& DeckData::find_curve(std::int64_t id, const DeckPlace& place) c
   const auto found = curves_.find(id);
   if (found == curves_.end()) fail_at(place, fmt::format("no *DEFINE_CURVE has the number {}", id));
   if (found->second.abscissa.empty()) fail_at(place, fmt::format("*DEFINE_CURVE {} has no points", id));
+  if (found->second.relaxes)
+    fail_at(place, fmt::format("*DEFINE_CURVE {} is for dynamic relaxation alone (SIDR 1), which is not there", id));
   return found->second;
 }
 
 const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const {
   const DeckCurve& found = find_curve(id, place);
-  if (found.relaxes)
-    fail_at(place, fmt::format("*DEFINE_CURVE {} is for dynamic relaxation alone (SIDR 1), which is not there", id));
   if (!found.units.are_own())
     fail_at(place, fmt::format("*DEFINE_CURVE {} stands in an included file of other units, where curves are those of "
                                "materials alone: move it into the deck",

@@ -22,7 +22,8 @@ namespace pinball {
 
 struct DeckPart {
   std::int64_t id, section, material, hourglass;
-  std::string body;  ///< name of the body that it becomes
+  bool has_state_equation;  ///< EOSID
+  std::string body;         ///< name of the body that it becomes
   DeckPlace place;
 };
 
@@ -102,7 +103,7 @@ class DeckData {
   /// The keywords of this name, in their order.
   const std::vector<const KeywordBlock*>& blocks_of(const std::string& name) const;
 
-  Fields fields(const Card& card) const { return Fields(card, deck.parameters); }
+  Fields fields(const Card& card, const CardLayout& layout) const { return Fields(card, deck.parameters, layout); }
 
  private:
   void read(const KeywordBlock& block);

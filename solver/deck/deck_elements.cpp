@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
+
+#include <solver/keyword/cards/control_cards.hpp>
 
 #include "deck_parts.hpp"
 
@@ -12,15 +15,15 @@ namespace {
 DeckHourglass defaults_of(DeckData& data) {
   DeckHourglass defaults{1, 0.1, 1.5, 0.06};
   if (const auto card = last_card(data, "CONTROL_HOURGLASS")) {
-    const Fields f = data.fields(*card);
-    if (const auto form = f.integer(0, "ihq", 0); form != 0) defaults.form = form;
-    if (const double coefficient = f.number(1, "qh", 0.1); coefficient != 0) defaults.coefficient = coefficient;
+    const Fields f = data.fields(*card, layout::control_hourglass);
+    if (const auto form = f.integer("IHQ"); form != 0) defaults.form = form;
+    if (const double coefficient = f.number("QH"); coefficient != 0) defaults.coefficient = coefficient;
   }
   if (const auto card = last_card(data, "CONTROL_BULK_VISCOSITY")) {
-    const Fields f = data.fields(*card);
-    defaults.quadratic = f.number(0, "q1", 1.5);
-    defaults.linear = f.number(1, "q2", 0.06);
-    if (const auto type = f.integer(2, "type", 1); type != 0 && type != 1 && type != -1)
+    const Fields f = data.fields(*card, layout::bulk_viscosity);
+    defaults.quadratic = f.number("Q1");
+    defaults.linear = f.number("Q2");
+    if (const auto type = f.integer("TYPE"); type != 0 && type != 1 && type != -1)
       data.report.understood(
           fmt::format("*CONTROL_BULK_VISCOSITY ({}): the standard one in place of TYPE {}", card->place.text(), type));
   }
@@ -60,10 +63,28 @@ DeckElement element_of(DeckData& data, const DeckPart& part, const DeckHourglass
   return element;
 }
 
+/// Of forms that are one here, which a deck asks for.
+void tell_forms(DeckData& data, const DeckHourglass& defaults) {
+  std::set<std::int64_t> forms;
+  for (const DeckPart& part : data.parts) {
+    if (!is_fully_integrated(data, part)) forms.insert(hourglass_of(data, part, defaults).form);
+  }
+  if (data.hourglass.empty() && !last_card(data, "CONTROL_HOURGLASS")) return;
+  for (const std::int64_t form : forms) {
+    if (form >= 1 && form <= 3)
+      data.report.understood(fmt::format("hourglass control IHQ {}: viscous, the same for 1 to 3", form));
+    if (form == 4 || form == 5)
+      data.report.understood(fmt::format("hourglass control IHQ {}: stiffness, the same for 4 and 5", form));
+    if (form == 6 || form == 7)
+      data.report.understood(fmt::format("hourglass control IHQ {}: assumed strains, the same for 6 and 7", form));
+  }
+}
+
 }  // namespace
 
 std::vector<DeckElement> deck_elements(DeckData& data) {
   const DeckHourglass defaults = defaults_of(data);
+  tell_forms(data, defaults);
   std::vector<DeckElement> elements;
   for (const DeckPart& part : data.parts) elements.push_back(element_of(data, part, defaults));
   return elements;

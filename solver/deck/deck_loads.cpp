@@ -10,20 +10,20 @@ namespace pinball {
 void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   const bool set = block.name.ends_with("_SET");
   for_each_card(block, [&](const Card& card) {
-    const Fields f = data.fields(card);
-    const std::int64_t degree = f.integer(1, "dof");
+    const Fields f = data.fields(card, set ? layout::load_node_set : layout::load_node);
+    const std::int64_t degree = f.integer("DOF");
     if (degree < 1 || degree > 3) {
       if (degree >= 5 && degree <= 7)
         return data.report.ignore(card.place, block.star_name() + " of moments on nodes of solids");
       data.report.refuse(card.place, fmt::format("{} with DOF {}", block.star_name(), degree));
       return;
     }
-    const auto axes = data.axes(definition_number(block, f.integer(4, "cid", 0)), card.place);
+    const auto axes = data.axes(definition_number(block, f.integer("CID")), card.place);
     write_head("load", block, card.place, scene);
     scene.key("force", axes[degree - 1]);
     scene.key("each", true);
-    write_curve(data, block, f.integer(2, "lcid"), f.number(3, "sf", 1.0), card.place, scene);
-    write_target(block, set, f.integer(0, "node or set"), scene);
+    write_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, scene);
+    write_target(block, set, f.integer(set ? "NSID" : "NID"), scene);
   });
 }
 
@@ -36,9 +36,7 @@ struct SegmentLoad {
   auto operator<=>(const SegmentLoad&) const = default;
 };
 
-SegmentLoad segment_load(const Fields& f, std::size_t first) {
-  return {f.integer(first, "lcid"), f.number(first + 1, "sf", 1.0), f.number(first + 2, "at", 0.0)};
-}
+SegmentLoad segment_load(const Fields& f) { return {f.integer("LCID"), f.number("SF"), f.number("AT")}; }
 
 /// The time of the curve counts from the arrival. Which way round the corners stand means nothing: the solid that has
 /// the face says where its outside is.
@@ -52,9 +50,10 @@ void write_pressure(const DeckData& data, const KeywordBlock& block, const DeckP
 
 /// N1 to N4; a triangle has no N4, or N3 once more.
 std::string face_text(const KeywordBlock& block, const Fields& f) {
+  constexpr std::size_t first = layout::load_segment.find("N1");
   std::vector<std::int64_t> corners;
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::int64_t node = f.integer(3 + i, "node", 0);
+    const std::int64_t node = f.integer(first + i);
     corners.push_back(i == 3 && node == 0 ? corners.back() : node_number(block, node));
   }
   return toml(corners);
@@ -65,8 +64,8 @@ std::string face_text(const KeywordBlock& block, const Fields& f) {
 void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   std::map<SegmentLoad, std::pair<std::vector<std::string>, DeckPlace>> faces;
   for_each_card(block, [&](const Card& card) {
-    const Fields f = data.fields(card);
-    auto& [corners, first] = faces[segment_load(f, 0)];
+    const Fields f = data.fields(card, layout::load_segment);
+    auto& [corners, first] = faces[segment_load(f)];
     if (corners.empty()) first = card.place;
     corners.push_back(face_text(block, f));
   });
@@ -78,9 +77,9 @@ void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText&
 
 void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   for_each_card(block, [&](const Card& card) {
-    const Fields f = data.fields(card);
-    write_pressure(data, block, card.place, segment_load(f, 1), scene);
-    write_target(block, true, f.integer(0, "ssid"), scene);
+    const Fields f = data.fields(card, layout::load_segment_set);
+    write_pressure(data, block, card.place, segment_load(f), scene);
+    write_target(block, true, f.integer("SSID"), scene);
   });
 }
 
@@ -92,7 +91,7 @@ std::vector<std::string> loaded_bodies(const DeckData& data) {
   for (const KeywordBlock* block : data.blocks_of("LOAD_BODY_PARTS")) {
     Cards cards(*block);
     const Card card = cards.require("the set of parts");
-    const std::int64_t set = set_number(*block, data.fields(card).integer(0, "psid"));
+    const std::int64_t set = set_number(*block, data.fields(card, layout::body_load_parts).integer("PSID"));
     for (const std::string& body : bodies_of(data, data.part_set(set, card.place), card.place)) bodies.push_back(body);
     if (bodies.empty()) fail_at(card.place, fmt::format("{}: no part of set {} has solids", block->star_name(), set));
   }
@@ -107,7 +106,7 @@ Point direction_of_frame(const DeckData& data, const KeywordBlock& block, Cards&
     return frame;
   }
   const Card vector = cards.require("the direction of the load");
-  frame = point_of(data.fields(vector), 0, "direction");
+  frame = data.fields(vector, layout::body_load_vector).point("V1");
   const double length = norm(frame);
   if (!(length > 0)) fail_at(vector.place, block.star_name() + ": expected a direction of some length");
   for (double& component : frame) component /= length;
@@ -119,13 +118,12 @@ Point direction_of_frame(const DeckData& data, const KeywordBlock& block, Cards&
 void translate_body_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   Cards cards(block);
   const Card card = cards.require("the curve of the load");
-  const Fields f = data.fields(card);
-  const Point frame =
-      in_system(data, block, f.integer(6, "cid", 0), direction_of_frame(data, block, cards), card.place);
+  const Fields f = data.fields(card, layout::body_load);
+  const Point frame = in_system(data, block, f.integer("CID"), direction_of_frame(data, block, cards), card.place);
   scene.entry("gravity", fmt::format("{} {}: the frame is accelerated, bodies the other way", block.star_name(),
                                      card.place.text()));
   scene.key("acceleration", minus({0, 0, 0}, frame));
-  write_curve(data, block, f.integer(0, "lcid"), f.number(1, "sf", 1.0), card.place, scene);
+  write_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, scene);
   if (const auto bodies = loaded_bodies(data); !bodies.empty()) scene.key("bodies", bodies);
 }
 

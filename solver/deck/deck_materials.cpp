@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <solver/keyword/cards/definition_cards.hpp>
+
 #include "deck_parts.hpp"
 #include "keyword_rules.hpp"
 
@@ -16,38 +18,40 @@ void write_head(std::int64_t id, const std::string& title, const KeywordBlock& b
   scene.from(block.star_name(), f.place().text());
   scene.key("name", fmt::format("mat_{}", id));
   scene.key("model", plastic ? "von_mises" : "elastic");
-  scene.key("density", f.number(1, "ro") * units_of(block).density());
-  scene.key("young_modulus", f.number(2, "e") * units_of(block).stress());
-  scene.key("poisson_ratio", f.number(3, "pr"));
+  scene.key("density", f.number("RO"));
+  scene.key("young_modulus", f.number("E"));
+  scene.key("poisson_ratio", f.number("PR"));
 }
 
-/// A value that is not used is told.
-void not_used(DeckData& data, const Fields& f, const std::string& what) {
-  data.report.understood(fmt::format("{}: {} is used", f.place().text(), what));
+const CardLayout& layout_of(const KeywordBlock& block) {
+  const std::string kind = keyword_alias(block.name);
+  if (kind == "MAT_ELASTIC") return layout::elastic;
+  return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
 
-/// SIGY, in the units of the deck.
-double yield_stress(const Fields& f, const DeckUnits& units) { return f.number(4, "sigy") * units.stress(); }
+/// Fields that have a value and no effect are told.
+void not_used(DeckData& data, const KeywordBlock& block, const Fields& f, const char* fields, const char* reason) {
+  data.report.unused(f.place(), fmt::format("{}: {}", block.star_name(), fields), reason);
+}
 
-/// E Et/(E - Et): slope over the plastic strain, in the units of the deck.
-double plastic_modulus(const Fields& f, const DeckUnits& units) {
-  const double young = f.number(2, "e"), tangent = f.number(5, "etan", 0.0);
-  if (tangent >= young)
-    fail_at(f.place(), fmt::format("etan: expected less than E = {:.6g}, got {:.6g}", young, tangent));
-  return young * tangent / (young - tangent) * units.stress();
+double yield_stress(const Fields& f) {
+  if (f.blank("SIGY")) f.fail("SIGY", "expected a number, got nothing");
+  return f.number("SIGY");
+}
+
+/// E Et/(E - Et): slope over the plastic strain.
+double plastic_modulus(const Fields& f) {
+  const double young = f.number("E"), tangent = f.number("ETAN");
+  if (tangent >= young) f.fail("ETAN", fmt::format("expected less than E = {:.6g}, got {:.6g}", young, tangent));
+  return young * tangent / (young - tangent);
 }
 
 struct DeckRate {
   double constant = 0, exponent = 0;  ///< C and P; 0: no such law
   int vp = 0;                         ///< VP
 
-  DeckRate(const Fields& f, const DeckUnits& units, const char* constant_name, const char* exponent_name,
-           std::size_t vp_field)
-      : constant(f.number(0, constant_name, 0.0) * units.rate()),
-        exponent(f.number(1, exponent_name, 0.0)),
-        vp(static_cast<int>(f.integer(vp_field, "vp", 0))) {
-    if (vp != 0 && vp != 1 && vp != -1) fail_at(f.place(), fmt::format("vp: expected 0, 1 or -1, got {}", vp));
-  }
+  DeckRate(const Fields& f, const char* constant_name, const char* exponent_name)
+      : constant(f.number(constant_name)), exponent(f.number(exponent_name)), vp(static_cast<int>(f.integer("VP"))) {}
   bool is_law() const { return constant != 0 && exponent != 0; }
 };
 
@@ -56,31 +60,32 @@ void write_strain_rate(const DeckRate& rate, TomlText& scene) {
 }
 
 /// Cowper and Symonds.
-void write_rate(DeckData& data, const Fields& f, const DeckRate& rate, TomlText& scene) {
+void write_rate(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckRate& rate, TomlText& scene) {
   if (!rate.is_law() && (rate.constant != 0 || rate.exponent != 0))
-    not_used(data, f, "only one of the two constants of the strain rate is given, so that none");
+    not_used(data, block, f, rate.constant != 0 ? f.name(0).data() : f.name(1).data(),
+             "a law of the strain rate has both of its constants");
   if (!rate.is_law()) return;
   scene.key("rate_constant", rate.constant);
   scene.key("rate_exponent", rate.exponent);
   write_strain_rate(rate, scene);
 }
 
-void write_failure(const Fields& f, const char* name, double strain, TomlText& scene) {
-  if (strain < 0) fail_at(f.place(), fmt::format("{}: expected a strain >= 0, got {}", name, strain));
+void write_failure(const Fields& f, const char* name, TomlText& scene) {
+  const double strain = f.number(name);
+  if (strain < 0) f.fail(name, fmt::format("expected a strain >= 0, got {}", strain));
   if (strain > 0 && strain < 1e19) scene.key("erosion_strain", strain);
 }
 
 /// *MAT_003
-void write_plastic_kinematic(DeckData& data, const DeckUnits& units, const Fields& f, Cards& cards, TomlText& scene) {
+void write_plastic_kinematic(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards,
+                             TomlText& scene) {
   const Card card = cards.next_or_blank();
-  const Fields more = data.fields(card);
-  scene.key("yield_stress", yield_stress(f, units));
-  scene.key("plastic_modulus", plastic_modulus(f, units));
-  const double beta = f.number(6, "beta", 0.0);
-  if (beta < 0 || beta > 1) fail_at(f.place(), fmt::format("beta: expected 0 to 1, got {}", beta));
-  scene.key("isotropic_share", beta);
-  write_rate(data, more, DeckRate(more, units, "src", "srp", 3), scene);
-  write_failure(more, "fs", more.number(2, "fs", 0.0), scene);
+  const Fields more = data.fields(card, layout::kinematic_rate);
+  scene.key("yield_stress", yield_stress(f));
+  scene.key("plastic_modulus", plastic_modulus(f));
+  scene.key("isotropic_share", f.number("BETA"));
+  write_rate(data, block, more, DeckRate(more, "SRC", "SRP"), scene);
+  write_failure(more, "FS", scene);
 }
 
 std::string curve_text(const DeckCurve& curve, const DeckPlace& place, double factor = 1.0, double rate = -1.0) {
@@ -95,11 +100,11 @@ std::string curve_text(const DeckCurve& curve, const DeckPlace& place, double fa
                      toml(strain), toml(stress));
 }
 
-std::vector<double> card_of_numbers(const DeckData& data, Cards& cards) {
+std::vector<double> card_of_numbers(const DeckData& data, Cards& cards, const CardLayout& layout) {
   const Card card = cards.next_or_blank();
-  const Fields f = data.fields(card);
+  const Fields f = data.fields(card, layout);
   std::vector<double> values;
-  for (std::size_t i = 0; i < 8; ++i) values.push_back(f.number(i, "value", 0.0));
+  for (std::size_t i = 0; i < layout.size(); ++i) values.push_back(f.number(i));
   return values;
 }
 
@@ -125,14 +130,14 @@ void write_scaled_curves(const DeckCurve& factors, const DeckCurve& curve, const
 
 /// EPS1 to EPS8 and ES1 to ES8: as many as ascend, in the units of the deck; none: all stresses are blank.
 std::optional<DeckCurve> curve_of_points(const std::vector<double>& eps, const std::vector<double>& es,
-                                         const DeckUnits& units, const DeckPlace& place) {
+                                         const DeckPlace& place) {
   const auto given = [](double value) { return value != 0; };
   if (std::ranges::none_of(es, given)) return {};
   DeckCurve curve;
   std::size_t i = 0;
   for (; i < eps.size() && (i == 0 || eps[i] > eps[i - 1]); ++i) {
     curve.abscissa.push_back(eps[i]);
-    curve.ordinate.push_back(es[i] * units.stress());
+    curve.ordinate.push_back(es[i]);
   }
   if (std::any_of(eps.begin() + static_cast<std::ptrdiff_t>(i), eps.end(), given) ||
       std::any_of(es.begin() + static_cast<std::ptrdiff_t>(i), es.end(), given))
@@ -141,58 +146,55 @@ std::optional<DeckCurve> curve_of_points(const std::vector<double>& eps, const s
 }
 
 /// SIGY and ETAN as a curve, whose slope goes on.
-DeckCurve linear_curve(const Fields& f, const DeckUnits& units) {
-  const double yield = yield_stress(f, units);
-  return {{0, 1}, {yield, yield + plastic_modulus(f, units)}};
+DeckCurve linear_curve(const Fields& f) {
+  const double yield = yield_stress(f);
+  return {{0, 1}, {yield, yield + plastic_modulus(f)}};
 }
 
 /// *MAT_024. Of several forms of hardening LCSS counts before EPS and ES, and these before SIGY and ETAN.
 void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards, TomlText& scene) {
   const Card card = cards.next_or_blank();
-  const Fields second = data.fields(card);
-  const DeckUnits units = units_of(block);
+  const Fields second = data.fields(card, layout::piecewise_rate);
   const auto to_curve = [&](std::int64_t id) { return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define); };
-  const std::int64_t lcss = to_curve(second.integer(2, "lcss", 0)), lcsr = to_curve(second.integer(3, "lcsr", 0));
-  const std::vector<double> eps = card_of_numbers(data, cards), es = card_of_numbers(data, cards);
-  const auto points = curve_of_points(eps, es, units, f.place());
+  const std::int64_t lcss = to_curve(second.integer("LCSS")), lcsr = to_curve(second.integer("LCSR"));
+  const std::vector<double> eps = card_of_numbers(data, cards, layout::piecewise_strains),
+                            es = card_of_numbers(data, cards, layout::piecewise_stresses);
+  const auto points = curve_of_points(eps, es, f.place());
   if (!points && std::ranges::any_of(eps, [](double strain) { return strain != 0; }))
-    not_used(data, f, "no point of EPS1 to EPS8, which have no stresses ES1 to ES8,");
-  const DeckRate rate(second, units, "c", "p", 4);
+    not_used(data, block, f, "EPS1 to EPS8", "they have no stresses ES1 to ES8");
+  const DeckRate rate(second, "C", "P");
   const bool is_table = data.table(lcss) != nullptr, by_curves = is_table || lcsr != 0;
-  if (lcss != 0 && points) not_used(data, f, "LCSS, and not the points EPS and ES,");
-  if ((lcss != 0 || points) && f.number(5, "etan", 0.0) != 0)
-    not_used(data, f, "the curve of hardening, and not ETAN,");
+  if (lcss != 0 && points) not_used(data, block, f, "EPS1 to EPS8, ES1 to ES8", "LCSS is used");
+  if ((lcss != 0 || points) && f.number("ETAN") != 0)
+    not_used(data, block, f, "ETAN", "hardening is that of the curve");
   if (is_table && lcsr != 0) data.report.refuse(f.place(), "*MAT_024 with a table (LCSS) and with LCSR");
   if (by_curves && rate.is_law())
     data.report.refuse(f.place(), "*MAT_024 with curves of the strain rate (LCSS, LCSR) and with C and P");
   if (is_table) {
     write_table(data, f, lcss, scene);
   } else if (lcsr != 0) {
-    const DeckCurve curve = lcss != 0 ? data.yield_curve(lcss, f.place()) : points ? *points : linear_curve(f, units);
+    const DeckCurve curve = lcss != 0 ? data.yield_curve(lcss, f.place()) : points ? *points : linear_curve(f);
     write_scaled_curves(data.rate_curve(lcsr, f.place()), curve, f, scene);
   } else if (lcss != 0) {
     scene.raw("yield_curve", curve_text(data.yield_curve(lcss, f.place()), f.place()));
   } else if (points) {
     scene.raw("yield_curve", curve_text(*points, f.place()));
   } else {
-    scene.key("yield_stress", yield_stress(f, units));
-    scene.key("plastic_modulus", plastic_modulus(f, units));
+    scene.key("yield_stress", yield_stress(f));
+    scene.key("plastic_modulus", plastic_modulus(f));
   }
   if (by_curves) {
     write_strain_rate(rate, scene);
   } else {
-    write_rate(data, second, rate, scene);
+    write_rate(data, block, second, rate, scene);
     // VP = 1: the law adds a multiple of SIGY; without SIGY, and with other VP, one of the static yield stress.
-    if (rate.is_law() && rate.vp == 1 && f.number(4, "sigy", 0.0) > 0) scene.key("rate_stress", yield_stress(f, units));
+    if (rate.is_law() && rate.vp == 1 && f.number("SIGY") > 0) scene.key("rate_stress", yield_stress(f));
   }
-  const double failure = f.number(6, "fail", 0.0);
-  if (failure < 0) {
+  if (f.number("FAIL") < 0) {
     data.report.refuse(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)");
   } else {
-    write_failure(f, "fail", failure, scene);
+    write_failure(f, "FAIL", scene);
   }
-  if (f.number(7, "tdel", 0.0) != 0)
-    data.report.understood(fmt::format("{}: TDEL (failure by the time step) is not used", f.place().text()));
 }
 
 }  // namespace
@@ -201,14 +203,14 @@ std::int64_t material_number(const DeckData& data, const KeywordBlock& block) {
   Cards cards(block);
   if (block.title) cards.next();
   const Card card = cards.require("the constants of the material");
-  return data.fields(card).integer(0, "mid") + offset_of(block, &DeckTransform::material);
+  return data.fields(card, layout_of(block)).integer("MID") + offset_of(block, &DeckTransform::material);
 }
 
 void translate_material(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   Cards cards(block);
   const std::string title = block.title ? std::string(trimmed(cards.require("a title").text)) : "";
   const Card card = cards.require("the constants of the material");
-  const Fields f = data.fields(card);
+  const Fields f = data.fields(card, layout_of(block));
   const std::int64_t id = material_number(data, block);
   if (!data.is_used(id)) {
     data.report.unused(block.place,
@@ -218,9 +220,7 @@ void translate_material(DeckData& data, const KeywordBlock& block, TomlText& sce
   }
   const std::string kind = keyword_alias(block.name);
   write_head(id, title, block, f, scene);
-  if (kind == "MAT_ELASTIC" && (f.number(4, "da", 0.0) != 0 || f.number(5, "db", 0.0) != 0))
-    data.report.understood(fmt::format("{}: DA and DB are for beams: they are not used", f.place().text()));
-  if (kind == "MAT_PLASTIC_KINEMATIC") write_plastic_kinematic(data, units_of(block), f, cards, scene);
+  if (kind == "MAT_PLASTIC_KINEMATIC") write_plastic_kinematic(data, block, f, cards, scene);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") write_piecewise_linear(data, block, f, cards, scene);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 /// Along which a card moves its nodes; DOF 4 and -4: along the vector VID.
 Point direction_of(const DeckData& data, const KeywordBlock& block, std::int64_t degree, const Fields& f) {
-  if (degree == 4 || degree == -4) return data.vector(definition_number(block, f.integer(5, "vid")), f.place());
+  if (degree == 4 || degree == -4) return data.vector(definition_number(block, f.integer("VID")), f.place());
   Point axis{};
   axis[degree - 1] = 1;
   return axis;
@@ -24,7 +24,7 @@ std::string refused_of(const KeywordBlock& block, std::int64_t degree, std::int6
 
 /// A set, a node, or all nodes of a part.
 void write_moved(DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
-  const std::int64_t id = f.integer(0, "node, set or part");
+  const std::int64_t id = f.integer(std::size_t{0});
   if (!block.name.ends_with("_RIGID")) return write_target(block, block.name.ends_with("_SET"), id, scene);
   const std::int64_t part = id + offset_of(block, &DeckTransform::part);
   const auto body = data.body_of(part, f.place());
@@ -39,9 +39,12 @@ void write_moved(DeckData& data, const KeywordBlock& block, const Fields& f, Tom
 
 void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   static const char* const quantities[] = {"velocity", "acceleration", "displacement"};
+  const CardLayout& layout = block.name.ends_with("_RIGID") ? layout::motion_part
+                             : block.name.ends_with("_SET") ? layout::motion_set
+                                                            : layout::motion_node;
   for_each_card(block, [&](const Card& card) {
-    const Fields f = data.fields(card);
-    const std::int64_t degree = f.integer(1, "dof"), quantity = f.integer(2, "vad", 0);
+    const Fields f = data.fields(card, layout);
+    const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
     if (degree >= 5 && degree <= 7 && !block.name.ends_with("_RIGID")) {
       data.report.understood(fmt::format("{} ({}): a rotation of nodes of solids (DOF {}) means nothing",
                                          block.star_name(), card.place.text(), degree));
@@ -62,8 +65,8 @@ void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, Toml
       scene.key("speed", 1.0);
     }
     scene.key("quantity", quantities[quantity]);
-    write_curve(data, block, f.integer(3, "lcid"), f.number(4, "sf", 1.0), card.place, scene);
-    write_span(span_of(f, 7, 6), scene);
+    write_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, scene);
+    write_span(span_of(f), scene);
     write_moved(data, block, f, scene);
   });
 }

@@ -22,9 +22,9 @@ class ProbeKeywords {
     Cards cards(block);
     while (auto card = cards.next_filled()) {
       if (block.id) card->log = nullptr;  // what follows the number is a title
-      const Fields f = data_.fields(*card);
+      const Fields f = data_.fields(*card, block.id ? layout::history_named : layout::history);
       for (std::size_t i = 0; i < (block.id ? 1U : 8U); ++i) {
-        const std::int64_t number = f.integer(i, kind_, 0);
+        const std::int64_t number = f.integer(i);
         if (number == 0) continue;
         if (block.name.ends_with("_SET")) {
           for (const std::int32_t place : members(block, set_number(block, number), card->place))

@@ -13,7 +13,9 @@ class DeckReport {
  public:
   void understood(const std::string& line) { understood_.push_back(line); }
   /// Something that stands in a keyword that is done, and has not become anything.
-  void unused(const DeckPlace& place, const std::string& what) { count(unused_, what, place, ""); }
+  void unused(const DeckPlace& place, const std::string& what, const std::string& reason = "") {
+    count(unused_, what, place, reason);
+  }
   void ignore(const KeywordBlock& block) { ignore(block.place, block.star_name()); }
   void ignore(const DeckPlace& place, const std::string& what) { count(ignored_, what, place, ""); }
   /// A node of no solid that a keyword names: it has no mass, and nothing moves with it.

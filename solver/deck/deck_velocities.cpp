@@ -23,13 +23,12 @@ void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlT
   Cards cards(block);
   const Card head = cards.require("the set of nodes");
   const Card card = cards.require("the velocity");
-  const Fields f = data.fields(head);
-  const auto velocity_of = [&](const Card& numbers) {
-    const Point velocity = point_of(data.fields(numbers), 0, "velocity");
-    return in_system(data, block, f.integer(4, "icid", 0), velocity, head.place);
+  const Fields f = data.fields(head, layout::velocity_nodes);
+  const auto velocity_of = [&](const Fields& numbers) {
+    return in_system(data, block, f.integer("ICID"), numbers.point(numbers.name(0)), head.place);
   };
-  const Point velocity = velocity_of(card);
-  if (f.integer(0, "nsid", 0) == 0 && f.integer(2, "boxid", 0) == 0) {
+  const Point velocity = velocity_of(data.fields(card, layout::velocity));
+  if (f.integer("NSID") == 0 && f.integer("BOXID") == 0) {
     for (const std::string& body : all_bodies(data)) {
       write_velocity(block, block.place, velocity, "body", body, scene);
       write_selection(data, block, f, scene);
@@ -39,18 +38,19 @@ void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlT
     scene.key("velocity", velocity);
     write_selection(data, block, f, scene);
   }
-  const std::int64_t others = f.integer(1, "nsidex", 0);
-  if (others == 0) return;
   const Card last = cards.next_or_blank();
-  write_velocity(block, block.place, velocity_of(last), "set", std::to_string(set_number(block, others)), scene);
+  const Fields exempt = data.fields(last, layout::velocity_exempt);
+  const std::int64_t others = f.integer("NSIDEX");
+  if (others == 0) return;
+  write_velocity(block, block.place, velocity_of(exempt), "set", std::to_string(set_number(block, others)), scene);
 }
 
 void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   NodesByKind<Point> nodes(data);
   for_each_card(block, [&](const Card& card) {
-    const Fields f = data.fields(card);
-    const Point velocity = in_system(data, block, f.integer(7, "icid", 0), point_of(f, 1, "velocity"), card.place);
-    nodes.add(block, card.place, node_number(block, f.integer(0, "nid")), velocity);
+    const Fields f = data.fields(card, layout::velocity_node);
+    const Point velocity = in_system(data, block, f.integer("ICID"), f.point("VX"), card.place);
+    nodes.add(block, card.place, node_number(block, f.integer("NID")), velocity);
   });
   for (const auto& [velocity, of_velocity] : nodes.all())
     write_velocity(block, block.place, velocity, "nodes", of_velocity.numbers, scene);
@@ -65,12 +65,12 @@ struct Motion {
 
 /// The axis of a spin: NX, NY, NZ, or, where NX is -999, from node NY to node NZ.
 Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, std::int64_t system) {
-  Point axis = point_of(f, 3, "axis");
+  Point axis = f.point("NX");
   if (axis[0] == -999) {
     const NumberIndex index(data.mesh.node_ids);
     Point ends[2];
     for (std::size_t i = 0; i < 2; ++i) {
-      const std::int64_t node = node_number(block, f.integer(4 + i, "node"));
+      const std::int64_t node = node_number(block, f.integer(i == 0 ? "NY" : "NZ"));
       const std::int32_t place = index.find(node);
       if (place < 0) fail_at(f.place(), fmt::format("{}: node {} is not there", block.star_name(), node));
       ends[i] = data.mesh.mesh.nodes[static_cast<std::size_t>(place)];
@@ -86,12 +86,12 @@ Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, 
 
 /// Of the two cards of a generation; the spin needs the second one.
 Motion motion_of(const DeckData& data, const KeywordBlock& block, const Fields& f, const Fields& spin) {
-  const std::int64_t system = f.integer(7, "icid", 0);
+  const std::int64_t system = f.integer("ICID");
   Motion motion;
-  motion.velocity = in_system(data, block, system, point_of(f, 3, "velocity"), f.place());
-  const double omega = f.number(2, "omega", 0.0);
+  motion.velocity = in_system(data, block, system, f.point("VX"), f.place());
+  const double omega = f.number("OMEGA");
   if (omega == 0) return motion;
-  motion.centre = point_of(spin, 0, "centre");
+  motion.centre = spin.point("XC");
   motion.angular_velocity = axis_of(data, block, spin, system);
   for (double& component : motion.angular_velocity) component *= omega;
   return motion;
@@ -112,13 +112,9 @@ void translate_velocity_generation(DeckData& data, const KeywordBlock& block, To
   Cards cards(block);
   while (const auto card = cards.next_filled()) {
     const Card second = cards.next_or_blank();
-    const Fields f = data.fields(*card), spin = data.fields(second);
-    if (spin.integer(6, "phase", 0) != 0) {
-      data.report.refuse(card->place, block.star_name() + " with PHASE 1");
-      continue;
-    }
+    const Fields f = data.fields(*card, layout::velocity_generation), spin = data.fields(second, layout::velocity_axis);
     const Motion motion = motion_of(data, block, f, spin);
-    const std::int64_t id = f.integer(0, "id", 0), kind = f.integer(1, "styp", 0);
+    const std::int64_t id = f.integer("ID"), kind = id == 0 ? 0 : f.integer("STYP");
     std::vector<std::string> bodies;
     if (id == 0) {
       bodies = all_bodies(data);
@@ -129,7 +125,7 @@ void translate_velocity_generation(DeckData& data, const KeywordBlock& block, To
     } else if (kind == 3) {
       write_motion(block, card->place, motion, "set", std::to_string(set_number(block, id)), scene);
     } else {
-      fail_at(card->place, fmt::format("{}: styp: expected 1, 2 or 3, got {}", block.star_name(), kind));
+      f.fail("STYP", fmt::format("expected 1, 2 or 3, got {}", kind));
     }
     for (const std::string& body : bodies) write_motion(block, card->place, motion, "body", body, scene);
   }

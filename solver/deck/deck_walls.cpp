@@ -9,23 +9,23 @@ namespace {
 
 /// A rectangle: head of its first side, and the lengths of both; 0: without end.
 void write_rectangle(const Fields& f, const Point& corner, TomlText& scene) {
-  const std::vector<double> size{f.number(3, "lenl", 0.0), f.number(4, "lenm", 0.0)};
+  const std::vector<double> size{f.number("LENL"), f.number("LENM")};
   if (size[0] == 0 && size[1] == 0) return;
-  scene.key("edge", minus(point_of(f, 0, "edge"), corner));
+  scene.key("edge", minus(f.point("XHEV"), corner));
   scene.key("size", size);
 }
 
 /// MASS and V0, along the normal.
-void write_mass(const Fields& f, const KeywordBlock& block, TomlText& scene) {
-  const double mass = f.number(0, "mass", 0.0);
-  if (!(mass > 0)) fail_at(f.place(), fmt::format("{}: mass: expected a number > 0, got {}", block.star_name(), mass));
+void write_mass(const Fields& f, TomlText& scene) {
+  const double mass = f.number("MASS");
+  if (!(mass > 0)) f.fail("MASS", fmt::format("expected a number > 0, got {}", mass));
   scene.key("mass", mass);
-  scene.key("speed", f.number(1, "v0", 0.0));
+  scene.key("speed", f.number("V0"));
 }
 
 /// FRIC: a coefficient below 1; 1: nodes do not slide; 2 and 3, nodes that stick, are not there.
 void write_friction(DeckData& data, const KeywordBlock& block, const Fields& plane, TomlText& scene) {
-  const double friction = plane.number(6, "fric", 0.0);
+  const double friction = plane.number("FRIC");
   if (friction == 1) {
     scene.key("sliding", false);
   } else if (friction < 1) {
@@ -42,25 +42,22 @@ void translate_rigid_wall(DeckData& data, const KeywordBlock& block, std::size_t
   if (block.id) cards.next();
   const Card head = cards.require("the nodes of the wall");
   const Card card = cards.require("the plane of the wall");
-  const Fields f = data.fields(head), plane = data.fields(card);
-  const Point point = point_of(plane, 0, "tail");
+  const Fields f = data.fields(head, layout::wall_nodes), plane = data.fields(card, layout::wall_plane);
+  const Point point = plane.point("XT");
   write_head("rigid_wall", block, block.place, scene);
   scene.key("name", fmt::format("wall_{}", number));
   scene.key("point", point);
-  scene.key("normal", minus(point_of(plane, 3, "head"), point));
+  scene.key("normal", minus(plane.point("XH"), point));
   write_friction(data, block, plane, scene);
   write_selection(data, block, f, scene);
-  write_span(span_of(f, 4, 5), scene);
-  if (f.number(3, "offset", 0.0) > 0)
-    data.report.understood(fmt::format("{} ({}): nodes further from the wall than OFFSET are looked at, too",
-                                       block.star_name(), head.place.text()));
+  write_span(span_of(f), scene);
   if (block.name.find("_FINITE") != std::string::npos) {
     const Card rectangle = cards.require("the rectangle of the wall");
-    write_rectangle(data.fields(rectangle), point, scene);
+    write_rectangle(data.fields(rectangle, layout::wall_rectangle), point, scene);
   }
   if (block.name.find("_MOVING") != std::string::npos) {
     const Card mass = cards.require("the mass of the wall");
-    write_mass(data.fields(mass), block, scene);
+    write_mass(data.fields(mass, layout::wall_mass), scene);
   }
 }
 

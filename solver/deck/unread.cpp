@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
+#include <solver/keyword/cards/card_field.hpp>
+
 #include "keyword_rules.hpp"
 
 namespace pinball {
@@ -16,6 +20,31 @@ std::string fields_text(std::uint32_t fields) {
   numbers.pop_back();
   return fmt::format("fields {} and {}", fmt::join(numbers, ", "), last);
 }
+
+namespace {
+
+/// The fields of a line by their names, those of one remark together: what the card says and nobody has asked for.
+void tell_fields(const KeywordBlock& block, const DeckPlace& place, const ReadingLog::Left& left, DeckReport& report) {
+  std::map<std::string_view, std::vector<std::string>> names;  // by the remark
+  for (std::size_t i = 0; i < 32; ++i) {
+    if ((left.fields >> i & 1U) == 0) continue;
+    const bool known = left.layout != nullptr && i < left.layout->size() && !(*left.layout)[i].name.empty();
+    if (!known) {
+      names[""].push_back(fmt::format("field {}", i + 1));
+      continue;
+    }
+    const CardField& field = (*left.layout)[i];
+    if (field.use == FieldUse::refused) {
+      report.refuse(place, fmt::format("{} with {}", block.star_name(), field.name), std::string(field.remark));
+    } else {
+      names[field.remark].emplace_back(field.name);
+    }
+  }
+  for (const auto& [remark, fields] : names)
+    report.unused(place, fmt::format("{}: {}", block.star_name(), fmt::join(fields, ", ")), std::string(remark));
+}
+
+}  // namespace
 
 void follow_reading(KeywordDeck& deck, ReadingLog& log) {
   for (KeywordBlock& block : deck.blocks) {
@@ -41,8 +70,7 @@ void tell_unread(const KeywordDeck& deck, const ReadingLog& log, DeckReport& rep
         if (!card->blank()) report.unused(card->place, block.star_name() + ": the rest of its lines");
         continue;
       }
-      if (const std::uint32_t left = log.left_of(card->text.data()); left != 0)
-        report.unused(card->place, fmt::format("{}: {}", block.star_name(), fields_text(left)));
+      tell_fields(block, card->place, log.left_of(card->text.data()), report);
     }
   }
 }

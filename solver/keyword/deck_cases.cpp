@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cards/mesh_cards.hpp"
 #include "fields.hpp"
 
 namespace pinball {
@@ -33,11 +34,11 @@ void DeckCases::begin_or_end(const KeywordBlock& block) {
 void DeckCases::read_case(const KeywordBlock& block, const Parameters& parameters) {
   Cards cards(block);
   const Card head = cards.require("the number of the case");
-  const std::int64_t number = Fields(head, parameters).integer(0, "caseid");
+  const std::int64_t number = Fields(head, parameters, layout::case_head).integer("CASEID");
   cards.next();
   Numbers& members = members_[number];
   while (const std::optional<Card> card = cards.next_filled()) {
-    const Fields fields(*card, parameters);
+    const Fields fields(*card, parameters, layout::case_members);
     for (std::size_t i = 0; i < 8; ++i) {
       if (const auto id = deck_integer(fields.text(i))) members.insert(*id);
     }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 namespace pinball {
 
@@ -65,80 +66,164 @@ std::optional<double> deck_number(std::string_view text) {
   return read_number(spelled);
 }
 
-Fields::Fields(const Card& card, const Parameters& parameters, std::span<const int> widths)
-    : parameters_(&parameters), place_(card.place), log_(card.log), line_(card.text.data()) {
-  std::string_view rest = card.text;
-  if (rest.find(',') != std::string_view::npos) {
-    cut_at_commas(rest);
-    return;
+LineFields::LineFields(const Card& card, const Parameters* parameters)
+    : parameters_(parameters), block_(card.block), place_(card.place), log_(card.log), line_(card.text.data()) {}
+
+bool LineFields::cut_at_commas(std::string_view line) {
+  if (line.find(',') == std::string_view::npos) return false;
+  while (count_ < most_fields) {
+    const std::size_t comma = line.find(',');
+    add(line.substr(0, comma));
+    if (comma == std::string_view::npos) return true;
+    line.remove_prefix(comma + 1);
   }
-  // Nobody knows what columns a tab stands for.
-  if (const std::size_t tab = rest.find('\t');
-      tab != std::string_view::npos && tab + 1 < rest.find_last_not_of(" \t") + 1)
-    fail_at(place_, "there is a tab in a card of columns: expected blanks, or commas between the fields");
-  for (const int width : widths) {
-    if (rest.empty()) break;
-    const std::size_t length = std::min<std::size_t>(static_cast<std::size_t>(width), rest.size());
-    fields_[count_++] = trimmed(rest.substr(0, length));
-    rest.remove_prefix(length);
-  }
+  if (line.find_first_not_of(", \t\r") != std::string_view::npos)
+    fail_at(place_, fmt::format("expected at most {} fields between commas, got more", most_fields));
+  return true;
 }
 
-Fields::~Fields() {
+namespace {
+
+/// Whether a field has anything but its default; 0 is a blank. known: null: nobody says what it is.
+bool says_something(std::string_view given, const CardField* known) {
+  if (given.empty()) return false;
+  if (known != nullptr && known->type == FieldType::text && upper_case(given) == known->word) return false;
+  const std::optional<double> number = deck_number(given);
+  return number != 0.0 && (known == nullptr || number != known->otherwise);
+}
+
+double factor_of(Dimension dimension, const DeckUnits& units) {
+  switch (dimension) {
+    case Dimension::none:
+      return 1;
+    case Dimension::mass:
+      return units.mass;
+    case Dimension::time:
+      return units.time;
+    case Dimension::length:
+      return units.length;
+    case Dimension::density:
+      return units.density();
+    case Dimension::stress:
+      return units.stress();
+    case Dimension::rate:
+      return units.rate();
+  }
+  return 1;
+}
+
+}  // namespace
+
+void LineFields::write_down(const CardLayout* layout) const {
   if (log_ == nullptr) return;
   std::uint32_t left = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    const bool is_open = (asked_ >> i & 1U) == 0 && !fields_[i].empty();
-    if (is_open && deck_number(fields_[i]) != 0.0) left |= 1U << i;  // 0 is a blank
+    const CardField* const known = layout != nullptr && i < layout->size() ? &(*layout)[i] : nullptr;
+    if ((asked_ >> i & 1U) == 0 && says_something(fields_[i], known)) left |= 1U << i;
   }
-  log_->left(line_, left);
+  log_->left(line_, left, layout);
 }
 
-void Fields::cut_at_commas(std::string_view rest) {
-  while (count_ < most_fields) {
-    const std::size_t comma = rest.find(',');
-    fields_[count_++] = trimmed(rest.substr(0, comma));
-    if (comma == std::string_view::npos) return;
-    rest.remove_prefix(comma + 1);
-  }
-  if (rest.find_first_not_of(", \t\r") != std::string_view::npos)
-    fail_at(place_, fmt::format("expected at most {} fields between commas, got more", most_fields));
-}
-
-std::string_view Fields::raw(std::size_t field) const {
+std::string_view LineFields::raw(std::size_t field) const {
   if (field >= count_) return {};
   asked_ |= 1U << field;
   return fields_[field];
 }
 
-std::string Fields::text(std::size_t field) const {
+std::string LineFields::text(std::size_t field) const {
   const std::string_view given = raw(field);
-  const bool parameter = given.starts_with('&') || given.starts_with("-&");
+  const bool parameter = parameters_ != nullptr && (given.starts_with('&') || given.starts_with("-&"));
   return parameter ? parameters_->value(given, place_) : std::string(given);
 }
 
-std::int64_t Fields::integer(std::size_t field, const char* name, std::optional<std::int64_t> otherwise) const {
+std::int64_t LineFields::integer(std::size_t field, std::string_view name,
+                                 std::optional<std::int64_t> otherwise) const {
   std::string_view given = raw(field);
-  if (given.empty()) return otherwise ? *otherwise : (fail(field, name, "a whole number"), 0);
+  if (given.empty() && otherwise) return *otherwise;
   std::string value;
   if (given.find('&') != std::string_view::npos) given = value = text(field);
   if (const std::optional<std::int64_t> number = deck_integer(given)) return *number;
-  fail(field, name, "a whole number");
+  fail_to_read(field, name, "a whole number");
 }
 
-double Fields::number(std::size_t field, const char* name, std::optional<double> otherwise) const {
+double LineFields::number(std::size_t field, std::string_view name, std::optional<double> otherwise) const {
   std::string_view given = raw(field);
-  if (given.empty()) return otherwise ? *otherwise : (fail(field, name, "a number"), 0.0);
+  if (given.empty() && otherwise) return *otherwise;
   std::string value;
   if (given.find('&') != std::string_view::npos) given = value = text(field);
   if (const std::optional<double> number = deck_number(given)) return *number;
-  fail(field, name, "a number");
+  fail_to_read(field, name, "a number");
 }
 
-void Fields::fail(std::size_t field, const char* name, const std::string& expected) const {
+void LineFields::fail(std::string_view name, const std::string& problem) const {
+  const std::string keyword = block_ == nullptr ? "" : block_->star_name() + ": ";
+  fail_at(place_, fmt::format("{}{}: {}", keyword, name, problem));
+}
+
+void LineFields::fail_to_read(std::size_t field, std::string_view name, const std::string& expected) const {
   const std::string_view given = raw(field);
-  fail_at(place_, fmt::format("{} (field {}): expected {}, got {}", name, field + 1, expected,
-                              given.empty() ? "nothing" : fmt::format("\"{}\"", given)));
+  fail(fmt::format("{} (field {})", name, field + 1),
+       fmt::format("expected {}, got {}", expected, given.empty() ? "nothing" : fmt::format("\"{}\"", given)));
+}
+
+Fields::Fields(const Card& card, const Parameters& parameters, const CardLayout& layout)
+    : LineFields(card, &parameters), layout_(&layout) {
+  if (!cut_at_commas(card.text)) cut_columns(card.text);
+}
+
+void Fields::cut_columns(std::string_view line) {
+  // Nobody knows what columns a tab stands for.
+  if (const std::size_t tab = line.find('\t');
+      tab != std::string_view::npos && tab + 1 < line.find_last_not_of(" \t") + 1)
+    fail_at(place(), "there is a tab in a card of columns: expected blanks, or commas between the fields");
+  for (int width = width_of(0); !line.empty() && width > 0; width = width_of(count_)) {
+    const std::size_t length = std::min(static_cast<std::size_t>(width), line.size());
+    add(line.substr(0, length));
+    line.remove_prefix(length);
+  }
+}
+
+/// Columns of a field; behind the last one that the manual has, up to eight of ten; 0: none.
+int Fields::width_of(std::size_t field) const {
+  if (field >= layout_->size()) return field < 8 ? 10 : 0;
+  const CardField& one = (*layout_)[field];
+  const bool is_number_of_mesh = one.type == FieldType::whole && one.width == 8;
+  return is_number_of_mesh && block() != nullptr && block()->wide ? 10 : one.width;
+}
+
+std::size_t Fields::place_of(std::string_view name) const {
+  const std::size_t place = layout_->find(name);
+  if (place == layout_->size()) throw std::logic_error(fmt::format("no field of this card is named {}", name));
+  return place;
+}
+
+std::int64_t Fields::integer(std::size_t field) const {
+  const CardField& one = (*layout_)[field];
+  if (blank(field) && !one.required) return static_cast<std::int64_t>(one.otherwise);
+  const std::int64_t value = LineFields::integer(field, one.name);
+  require_bounds(field, static_cast<double>(value));
+  return value;
+}
+
+double Fields::number(std::size_t field) const {
+  const CardField& one = (*layout_)[field];
+  if (blank(field) && !one.required) return one.otherwise;
+  const double value = LineFields::number(field, one.name);
+  require_bounds(field, value);
+  const bool converted = one.dimension != Dimension::none && block() != nullptr && block()->transform != nullptr;
+  return converted ? value * factor_of(one.dimension, block()->transform->units) : value;
+}
+
+Point Fields::point(std::string_view first) const {
+  const std::size_t at = place_of(first);
+  return {number(at), number(at + 1), number(at + 2)};
+}
+
+void Fields::require_bounds(std::size_t field, double value) const {
+  const CardField& one = (*layout_)[field];
+  if (value >= one.least && value <= one.most) return;
+  fail(one.name, std::isinf(one.most) ? fmt::format("expected at least {}, got {}", one.least, value)
+                                      : fmt::format("expected {} to {}, got {}", one.least, one.most, value));
 }
 
 }  // namespace pinball

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cards/mesh_cards.hpp"
 #include "fields.hpp"
 
 namespace pinball {
@@ -25,37 +26,34 @@ std::string file_name(Card card, Cards& cards) {
 /// Blank and 0 are 1; products of powers of the others have to be numbers. Temperatures are not computed, but one that
 /// is converted is meant to be.
 DeckUnits read_units(const Fields& fields) {
-  const auto factor = [&fields](std::size_t field, const char* name) {
-    const double value = fields.number(field, name, 1.0);
+  const auto factor = [&fields](const char* name) {
+    const double value = fields.number(name);
     if (value == 0) return 1.0;
     if (value < 1e-30 || value > 1e30)
-      fail_at(fields.place(),
-              fmt::format("*INCLUDE_TRANSFORM: {}: expected a number from 1e-30 to 1e30, got {:.6g}", name, value));
+      fields.fail(name, fmt::format("expected a number from 1e-30 to 1e30, got {:.6g}", value));
     return value;
   };
-  const auto temperature = deck_number(fields.text(3));
-  if (!fields.blank(3) && temperature != 0.0 && temperature != 1.0)
-    fail_at(fields.place(), fmt::format("*INCLUDE_TRANSFORM: fcttem: expected 1 or a blank, for heat is not computed, "
-                                        "got \"{}\"",
-                                        fields.text(3)));
-  return {factor(0, "fctmas"), factor(1, "fcttim"), factor(2, "fctlen")};
+  const auto temperature = deck_number(fields.text("FCTTEM"));
+  if (!fields.blank("FCTTEM") && temperature != 0.0 && temperature != 1.0)
+    fields.fail("FCTTEM",
+                fmt::format("expected 1 or a blank, for heat is not computed, got \"{}\"", fields.text("FCTTEM")));
+  return {factor("FCTMAS"), factor("FCTTIM"), factor("FCTLEN")};
 }
 
 std::shared_ptr<const DeckTransform> read_transform(Cards& cards, const Parameters& parameters) {
   auto transform = std::make_shared<DeckTransform>();
   const Card offsets = cards.next_or_blank(), more = cards.next_or_blank(), factors = cards.next_or_blank(),
              number = cards.next_or_blank();
-  const Fields ids(offsets, parameters), scales(factors, parameters);
-  const auto offset = [&ids](std::size_t field, const char* what) { return ids.integer(field, what, 0); };
-  transform->node = offset(0, "idnoff");
-  transform->element = offset(1, "ideoff");
-  transform->part = offset(2, "idpoff");
-  transform->material = offset(3, "idmoff");
-  transform->set = offset(4, "idsoff");
-  transform->define = offset(6, "iddoff");
-  transform->other = Fields(more, parameters).integer(0, "idroff", 0);
-  transform->units = read_units(scales);
-  transform->transformation = Fields(number, parameters).integer(0, "tranid", 0);
+  const Fields ids(offsets, parameters, layout::include_offsets);
+  transform->node = ids.integer("IDNOFF");
+  transform->element = ids.integer("IDEOFF");
+  transform->part = ids.integer("IDPOFF");
+  transform->material = ids.integer("IDMOFF");
+  transform->set = ids.integer("IDSOFF");
+  transform->define = ids.integer("IDDOFF");
+  transform->other = Fields(more, parameters, layout::include_other).integer("IDROFF");
+  transform->units = read_units(Fields(factors, parameters, layout::include_units));
+  transform->transformation = Fields(number, parameters, layout::include_transformation).integer("TRANID");
   return transform;
 }
 

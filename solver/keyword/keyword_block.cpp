@@ -15,7 +15,7 @@ std::optional<Card> Cards::next() {
     while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     if (!line.empty() && line.front() == '$') continue;
     ++lines_;
-    return Card{line, place_, block_->log};
+    return Card{line, place_, block_->log, block_};
   }
   return std::nullopt;
 }
@@ -33,7 +33,7 @@ Card Cards::require(const std::string& expected) {
 
 Card Cards::next_or_blank() {
   if (const std::optional<Card> card = next()) return *card;
-  return {{}, place_, nullptr};
+  return {{}, place_, nullptr, block_};
 }
 
 }  // namespace pinball

@@ -12,11 +12,14 @@
 
 namespace pinball {
 
+struct KeywordBlock;
+
 /// One line of data of a keyword.
 struct Card {
   std::string_view text;  ///< without the end of the line
   DeckPlace place;
-  ReadingLog* log = nullptr;  ///< where it is written down what of it is read; null: nowhere
+  ReadingLog* log = nullptr;            ///< where it is written down what of it is read; null: nowhere
+  const KeywordBlock* block = nullptr;  ///< that it is of; null: none of LS-DYNA
 
   bool blank() const { return text.find_first_not_of(" \t") == std::string_view::npos; }
 };
@@ -92,15 +95,16 @@ void for_each_card(const KeywordBlock& block, const Read& read) {
 }
 
 /// The same of *PART, each of which has a title, a card, and with _CONTACT one more.
-template <class Read>
-void for_each_part(const KeywordBlock& block, const Read& read) {
+template <class Read, class ReadContact>
+void for_each_part(const KeywordBlock& block, const Read& read, const ReadContact& read_contact) {
   Cards cards(block);
   while (const std::optional<Card> title = cards.next()) {
     const std::optional<Card> card = cards.next();
     if (title->blank() && (!card || card->blank())) continue;
     if (!card) fail_at(title->place, block.star_name() + ": expected a line of numbers after the title");
     read(*title, *card);
-    if (block.name == "PART_CONTACT") cards.next();
+    const std::optional<Card> contact = block.name == "PART_CONTACT" ? cards.next() : std::nullopt;
+    if (contact) read_contact(*contact);
   }
 }
 

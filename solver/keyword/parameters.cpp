@@ -10,6 +10,7 @@
 
 #include <solver/base/text_distance.hpp>
 
+#include "cards/mesh_cards.hpp"
 #include "expression.hpp"
 #include "fields.hpp"
 #include "keyword_scanner.hpp"
@@ -59,7 +60,7 @@ void Parameters::read(const KeywordBlock& block) {
 void Parameters::read_duplication(const KeywordBlock& block) {
   Cards cards(block);
   const Card card = cards.next_or_blank();
-  duplication_ = Fields(card, *this).integer(0, "dflag", 1);
+  duplication_ = Fields(card, *this, layout::parameter_duplication).integer("DFLAG");
 }
 
 void Parameters::read_expressions(Cards& cards) {
@@ -78,7 +79,7 @@ void Parameters::read_expressions(Cards& cards) {
 }
 
 void Parameters::read_values(const Card& card) {
-  const Fields fields(card, *this);
+  const Fields fields(card, *this, layout::parameters);
   for (std::size_t pair = 0; pair < 4; ++pair) {
     if (fields.blank(2 * pair)) continue;
     set(fields.text(2 * pair), fields.text(2 * pair + 1), card.place);

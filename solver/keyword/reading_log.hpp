@@ -6,6 +6,8 @@
 
 namespace pinball {
 
+class CardLayout;
+
 /// What of a deck somebody has asked for: lines, fields of lines and parameters of keywords. What is left when all is
 /// translated stands in the deck and has not become anything, which is told, whoever has forgotten it.
 class ReadingLog {
@@ -15,10 +17,15 @@ class ReadingLog {
     std::size_t& furthest = lines_[keyword];
     furthest = furthest < lines ? lines : furthest;
   }
-  /// Of the line whose text begins there these fields say something and were not asked for, by their bits.
-  void left(const char* line, std::uint32_t fields) {
-    const auto [found, is_new] = left_.try_emplace(line, fields);
-    if (!is_new) found->second &= fields;
+  /// Fields of a line by their bits, and what the line may have; null: nobody says.
+  struct Left {
+    std::uint32_t fields = 0;
+    const CardLayout* layout = nullptr;
+  };
+  /// Of the line whose text begins there these fields say something and were not asked for.
+  void left(const char* line, std::uint32_t fields, const CardLayout* layout = nullptr) {
+    const auto [found, is_new] = left_.try_emplace(line, Left{fields, layout});
+    if (!is_new) found->second.fields &= fields;
   }
   /// A parameter of a keyword, by its place, has been asked for.
   void asked(const void* keyword, std::size_t parameter) {
@@ -34,9 +41,9 @@ class ReadingLog {
     const auto found = lines_.find(keyword);
     return found == lines_.end() ? 0 : found->second;
   }
-  std::uint32_t left_of(const char* line) const {
+  Left left_of(const char* line) const {
     const auto found = left_.find(line);
-    return found == left_.end() ? 0 : found->second;
+    return found == left_.end() ? Left{} : found->second;
   }
   bool has_asked(const void* keyword, std::size_t parameter) const {
     const auto found = parameters_.find(keyword);
@@ -45,7 +52,7 @@ class ReadingLog {
 
  private:
   std::unordered_map<const void*, std::size_t> lines_;
-  std::unordered_map<const char*, std::uint32_t> left_;
+  std::unordered_map<const char*, Left> left_;
   std::unordered_map<const void*, std::uint32_t> parameters_;
 };
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include <solver/base/point.hpp>
+#include <solver/keyword/cards/mesh_cards.hpp>
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_deck.hpp>
@@ -37,14 +38,13 @@ class KeywordBoxes {
 
  private:
   void read(const KeywordDeck& deck, const KeywordBlock& block, const Card& card) {
-    const Fields fields(card, deck.parameters);
-    const std::int64_t id = fields.integer(0, "boxid") + offset_of(block, &DeckTransform::define);
+    const Fields fields(card, deck.parameters, layout::box);
+    const std::int64_t id = fields.integer("BOXID") + offset_of(block, &DeckTransform::define);
     given_.add("box " + std::to_string(id), card.place, block.of_case);
     KeywordBox& box = boxes_[id];
-    const double length = units_of(block).length;
     for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = length * fields.number(1 + 2 * k, "minimum", 0.0);
-      box.high[k] = length * fields.number(2 + 2 * k, "maximum", 0.0);
+      box.low[k] = fields.number(1 + 2 * k);
+      box.high[k] = fields.number(2 + 2 * k);
     }
   }
 
@@ -57,7 +57,7 @@ template <class Set>
 void read_set_head(const KeywordBlock& block, const Parameters& parameters, Cards& cards, Set& set) {
   if (block.title) set.name = std::string(trimmed(cards.require("a title").text));
   const Card head = cards.require("the number of the set");
-  set.id = Fields(head, parameters).integer(0, "sid") + offset_of(block, &DeckTransform::set);
+  set.id = Fields(head, parameters, layout::set_head).integer("SID") + offset_of(block, &DeckTransform::set);
   if (deck_integer(set.name)) set.name.clear();  // sets are found by their numbers, which no title takes away
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include <solver/base/error.hpp>
+#include <solver/keyword/cards/mesh_cards.hpp>
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/given_once.hpp>
 #include <solver/keyword/number_index.hpp>
@@ -17,10 +18,6 @@
 namespace pinball {
 
 namespace {
-
-constexpr std::array<int, 6> node_columns{8, 16, 16, 16, 8, 8}, wide_node_columns{10, 16, 16, 16, 10, 10};
-constexpr std::array<int, 10> solid_columns{8, 8, 8, 8, 8, 8, 8, 8, 8, 8},
-    wide_solid_columns{10, 10, 10, 10, 10, 10, 10, 10, 10, 10};
 
 class KeywordMeshReader {
  public:
@@ -46,6 +43,12 @@ class KeywordMeshReader {
   }
 
  private:
+  // Places in the layouts of lines of which there are many.
+  static constexpr std::size_t nid = layout::node.find("NID"), x_of = layout::node.find("X"),
+                               tc = layout::node.find("TC"), rc = layout::node.find("RC"),
+                               eid = layout::solid.find("EID"), pid = layout::solid.find("PID"),
+                               n1 = layout::solid.find("N1");
+
   struct Run {
     std::size_t first;
     const KeywordBlock* block;
@@ -60,19 +63,15 @@ class KeywordMeshReader {
   }
 
   void read_nodes(const KeywordBlock& block) {
-    const std::span<const int> columns(block.wide ? wide_node_columns : node_columns);
     const Transformation* moved = transformations_.of(block);
     const std::int64_t add = offset_of(block, &DeckTransform::node);
-    const double length = units_of(block).length;
     node_blocks_.push_back({file_.node_ids.size(), &block});
     Cards cards(block);
     while (const auto card = cards.next_filled()) {
-      const Fields fields(*card, deck_.parameters, columns);
-      file_.node_ids.push_back(fields.integer(0, "nid") + add);
-      Point x{fields.number(1, "x", 0.0), fields.number(2, "y", 0.0), fields.number(3, "z", 0.0)};
-      for (double& coordinate : x) coordinate *= length;
-      if (moved != nullptr) x = moved->apply(x);
-      file_.mesh.nodes.push_back(x);
+      const Fields fields(*card, deck_.parameters, layout::node);
+      file_.node_ids.push_back(fields.integer(nid) + add);
+      const Point given{fields.number(x_of), fields.number(x_of + 1), fields.number(x_of + 2)};
+      file_.mesh.nodes.push_back(moved != nullptr ? moved->apply(given) : given);
       hold(fields);
     }
   }
@@ -80,22 +79,23 @@ class KeywordMeshReader {
   /// TC: which directions of the node just read are held.
   void hold(const Fields& fields) {
     static constexpr std::uint8_t directions_of_code[8] = {0, 1, 2, 4, 3, 6, 5, 7};
-    if (fields.integer(5, "rc", 0) != 0) ++file_.held_rotations;
-    const std::int64_t code = fields.integer(4, "tc", 0);
-    if (code < 0 || code > 7) fail_at(fields.place(), fmt::format("*NODE: tc: expected 0 to 7, got {}", code));
+    if (fields.integer(rc) != 0) ++file_.held_rotations;
+    const std::int64_t code = fields.integer(tc);
     if (code == 0) return;
     file_.held.resize(file_.node_ids.size(), 0);
     file_.held.back() = directions_of_code[code];
   }
 
   void read_parts(const KeywordBlock& block) {
-    for_each_part(block, [&](const Card& title, const Card& card) {
-      const std::int64_t id = Fields(card, deck_.parameters).integer(0, "pid") + offset_of(block, &DeckTransform::part);
+    const auto read = [&](const Card& title, const Card& card) {
+      const std::int64_t id =
+          Fields(card, deck_.parameters, layout::part).integer("PID") + offset_of(block, &DeckTransform::part);
       given_.add(fmt::format("part {}", id), card.place, block.of_case);
       std::string_view name = trimmed(title.text);
       if (deck_integer(name)) name = {};  // parts are found by their numbers, which no title takes away
       file_.parts[static_cast<std::size_t>(part_of(id))].name = std::string(name);
-    });
+    };
+    for_each_part(block, read, [](const Card&) {});
   }
 
   std::int32_t part_of(std::int64_t id) {
@@ -106,7 +106,6 @@ class KeywordMeshReader {
 
   /// Number, part and eight nodes in one line; or the nodes, of which there may be ten, in the next one.
   void read_solids(const KeywordBlock& block) {
-    const std::span<const int> columns(block.wide ? wide_solid_columns : solid_columns);
     const std::int64_t to_node = offset_of(block, &DeckTransform::node),
                        to_element = offset_of(block, &DeckTransform::element),
                        to_part = offset_of(block, &DeckTransform::part);
@@ -115,18 +114,18 @@ class KeywordMeshReader {
     file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), *block.place.file});
     Cards cards(block);
     while (const auto card = cards.next_filled()) {
-      const Fields head(*card, deck_.parameters, columns);
-      file_.element_ids.push_back(head.integer(0, "eid") + to_element);
-      const std::int32_t part = part_of(head.integer(1, "pid") + to_part);
+      const Fields head(*card, deck_.parameters, layout::solid);
+      file_.element_ids.push_back(head.integer(eid) + to_element);
+      const std::int32_t part = part_of(head.integer(pid) + to_part);
       file_.part.push_back(part);
       file_.line.push_back(static_cast<std::int32_t>(card->place.line));
       bool one_line = false;
-      for (std::size_t i = 2; i < 10; ++i) one_line |= !head.blank(i);
+      for (std::size_t i = n1; i < 10; ++i) one_line |= !head.blank(i);
       if (one_line) {
-        add_solid(head, 2, to_node, mirrored);
+        add_solid(head, n1, to_node, mirrored);
       } else {
         const Card nodes = cards.require("the nodes of an element");
-        add_solid(Fields(nodes, deck_.parameters, columns), 0, to_node, mirrored);
+        add_solid(Fields(nodes, deck_.parameters, layout::solid_nodes), 0, to_node, mirrored);
       }
     }
   }
@@ -134,14 +133,13 @@ class KeywordMeshReader {
   void add_solid(const Fields& fields, std::size_t first, std::int64_t to_node, bool mirrored) {
     std::array<std::int32_t, 8> corners{};
     for (std::size_t i = 0; i < 8; ++i) {
-      const std::int64_t id = fields.integer(first + i, "node", 0);
+      const std::int64_t id = fields.integer(first + i);
       if (id == 0) fail_element(fields, "has fewer than eight nodes: a tetrahedron, which is not read yet");
       corners[i] = nodes_.find(id + to_node);
       if (corners[i] < 0) fail_element(fields, fmt::format("has node {}, which is not there", id + to_node));
     }
     for (std::size_t i = 8; first == 0 && i < 10; ++i) {
-      if (fields.integer(i, "node", 0) != 0)
-        fail_element(fields, "has ten nodes: a tetrahedron, which is not read yet");
+      if (fields.integer(i) != 0) fail_element(fields, "has ten nodes: a tetrahedron, which is not read yet");
     }
     if (different(corners) <= 4) fail_element(fields, "is a tetrahedron, which is not read yet");
     if (mirrored) std::swap_ranges(corners.begin(), corners.begin() + 4, corners.begin() + 4);

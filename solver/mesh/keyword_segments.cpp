@@ -62,7 +62,7 @@ class Segments {
     form.erase(0, std::string_view("SET_SEGMENT").size());
     if (form != "" && form != "_GENERAL") fail_at(block.place, block.star_name() + " is not read");
     while (const auto card = cards.next_filled()) {
-      const Fields fields(*card, deck_.parameters);
+      const Fields fields(*card, deck_.parameters, form.empty() ? layout::segment : layout::set_general);
       if (form.empty()) {
         faces.push_back(segment(block, fields, 0));
       } else {
@@ -75,7 +75,7 @@ class Segments {
   Face segment(const KeywordBlock& block, const Fields& fields, std::size_t first) const {
     Face face{};
     for (std::size_t i = 0; i < 4; ++i) {
-      const std::int64_t number = fields.integer(first + i, "node", 0);
+      const std::int64_t number = fields.integer(first + i);
       if (number == 0 && i == 3) {
         face[3] = face[2];
         continue;
@@ -89,7 +89,7 @@ class Segments {
 
   /// A line "OPTION number number ..."; with a D before it the option takes away.
   void add_general(const KeywordBlock& block, const Fields& fields, std::vector<Face>& faces) {
-    const std::string option = upper_case(fields.text(0));
+    const std::string option = upper_case(fields.text("OPTION"));
     const bool removes = option.starts_with('D');
     const std::vector<Face> some = faces_of(block, removes ? option.substr(1) : option, fields);
     if (!removes) {
@@ -106,10 +106,10 @@ class Segments {
     if (option == "SEG") return {segment(block, fields, 1)};
     if (option == "ALL") return of_surface([](const SurfaceFace&) { return true; });
     if (option != "PART" && option != "BOX")
-      fail_at(fields.place(), fmt::format("{}: option {} is not read", block.star_name(), fields.text(0)));
+      fail_at(fields.place(), fmt::format("{}: option {} is not read", block.star_name(), fields.text("OPTION")));
     std::vector<Face> faces;
     for (std::size_t i = 1; i < 8; ++i) {
-      const std::int64_t number = fields.integer(i, "number", 0);
+      const std::int64_t number = fields.integer(i);
       if (number == 0) continue;
       const auto more = option == "PART" ? of_part(block, number, fields) : in_box(block, number, fields);
       faces.insert(faces.end(), more.begin(), more.end());

@@ -27,6 +27,14 @@ std::string form_of(const KeywordBlock& block) {
   return form;
 }
 
+/// What the lines of a form have.
+const CardLayout& layout_of(const std::string& form) {
+  if (form == "_GENERAL") return layout::set_general;
+  if (form == "_COLUMN") return layout::set_column;
+  if (form == "_GENERATE") return layout::set_ranges;
+  return form == "_GENERATE_INCREMENT" ? layout::set_steps : layout::set_members;
+}
+
 void sort_and_keep_one_of_each(std::vector<std::int32_t>& places) {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
@@ -76,13 +84,13 @@ void KeywordSets::read_set(const KeywordBlock& block) {
 void KeywordSets::add_members(const KeywordBlock& block, Cards& cards, Places& members) {
   const std::string form = form_of(block);
   while (const auto card = cards.next_filled()) {
-    const Fields fields(*card, deck_.parameters);
+    const Fields fields(*card, deck_.parameters, layout_of(form));
     if (form == "_GENERAL") {
       add_general(block, fields, members);
     } else if (form == "_ADD") {
       add_other_sets(block, fields, members);
     } else if (form == "_COLUMN") {  // a number, and values that are for other keywords
-      members.push_back(place_of(block, fields.integer(0, "number") + offset(block), fields.place()));
+      members.push_back(place_of(block, fields.integer("ID") + offset(block), fields.place()));
     } else if (form.empty()) {
       add_listed(block, fields, members);
     } else {
@@ -93,7 +101,7 @@ void KeywordSets::add_members(const KeywordBlock& block, Cards& cards, Places& m
 
 void KeywordSets::add_listed(const KeywordBlock& block, const Fields& fields, Places& members) const {
   for (std::size_t i = 0; i < 8; ++i) {
-    const std::int64_t number = fields.integer(i, "number", 0);
+    const std::int64_t number = fields.integer(i);
     if (number != 0) members.push_back(place_of(block, number + offset(block), fields.place()));
   }
 }
@@ -102,12 +110,10 @@ void KeywordSets::add_listed(const KeywordBlock& block, const Fields& fields, Pl
 void KeywordSets::add_generated(const KeywordBlock& block, const Fields& fields, Places& members) {
   const bool steps = block.name.find("_INCREMENT") != std::string::npos;
   for (std::size_t i = 0; i < (steps ? 2U : 8U); i += 2) {
-    const std::int64_t first = fields.integer(i, "first number", 0);
+    const std::int64_t first = fields.integer(i);
     if (first == 0) continue;
-    const std::int64_t last = fields.integer(i + 1, "last number", first);
-    const std::int64_t step = steps ? fields.integer(2, "incr", 1) : 1;
-    if (step < 1)
-      fail_at(fields.place(), fmt::format("{}: incr: expected at least 1, got {}", block.star_name(), step));
+    const std::int64_t last = fields.blank(i + 1) ? first : fields.integer(i + 1);
+    const std::int64_t step = steps ? fields.integer("INCR") : 1;
     const std::size_t before = members.size();
     add_numbers(block, first + offset(block), last + offset(block), step, members);
     if (members.size() == before)
@@ -135,7 +141,7 @@ const KeywordSets::Numbered& KeywordSets::sorted(const KeywordBlock& block) {
 }
 
 void KeywordSets::add_general(const KeywordBlock& block, const Fields& fields, Places& members) const {
-  const std::string option = upper_case(fields.text(0));
+  const std::string option = upper_case(fields.text("OPTION"));
   const bool removes = option.starts_with('D');
   Places some = members_of(block, removes ? option.substr(1) : option, fields);
   if (!removes) return append(members, some);
@@ -148,7 +154,7 @@ KeywordSets::Places KeywordSets::members_of(const KeywordBlock& block, const std
   if (option == "ALL") return all(block);
   Places some;
   for (std::size_t i = 1; i < 8; ++i) {
-    const std::int64_t number = fields.integer(i, "number", 0);
+    const std::int64_t number = fields.integer(i);
     if (number != 0) append(some, members_of(block, option, number, fields));
   }
   return some;
@@ -159,12 +165,12 @@ KeywordSets::Places KeywordSets::members_of(const KeywordBlock& block, const std
   if (option == "PART") return of_part(block, number + offset_of(block, &DeckTransform::part), fields.place());
   if (option == "BOX") return in_box(block, boxes_.find(block, number, fields.place()));
   if (option == (of_nodes(block) ? "NODE" : "ELEM")) return {place_of(block, number + offset(block), fields.place())};
-  fail_at(fields.place(), fmt::format("{}: option {} is not read", block.star_name(), fields.text(0)));
+  fail_at(fields.place(), fmt::format("{}: option {} is not read", block.star_name(), fields.text("OPTION")));
 }
 
 void KeywordSets::add_other_sets(const KeywordBlock& block, const Fields& fields, Places& members) const {
   for (std::size_t i = 0; i < 8; ++i) {
-    const std::int64_t number = fields.integer(i, "set", 0);
+    const std::int64_t number = fields.integer(i);
     if (number == 0) continue;
     const std::int64_t id = number + offset_of(block, &DeckTransform::set);
     const auto found = std::ranges::find(sets(block), id, &MeshSet::id);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <solver/keyword/cards/mesh_cards.hpp>
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/given_once.hpp>
 
@@ -14,7 +15,7 @@ namespace {
 Transformation scaling(const Fields& fields) {
   Transformation t;
   for (std::size_t k = 0; k < 3; ++k) {
-    const double factor = fields.number(k + 1, "scale", 1.0);
+    const double factor = fields.number(k + 1);
     t.rows[k][k] = factor == 0 ? 1.0 : factor;
   }
   return t;
@@ -22,7 +23,7 @@ Transformation scaling(const Fields& fields) {
 
 Transformation translation(const Fields& fields) {
   Transformation t;
-  for (std::size_t k = 0; k < 3; ++k) t.shift[k] = fields.number(k + 1, "translation", 0.0);
+  for (std::size_t k = 0; k < 3; ++k) t.shift[k] = fields.number(k + 1);
   return t;
 }
 
@@ -35,14 +36,13 @@ Point unit(Point d, const DeckPlace& place) {
 
 /// A x with A = c I + (1 - c) a a^T + s [a]x (Rodrigues), about the axis a through a point.
 Transformation rotation(const Fields& fields) {
-  if (fields.number(4, "a4", 0.0) == 0 && fields.number(5, "a5", 0.0) == 0 && fields.number(6, "a6", 0.0) == 0 &&
-      fields.number(7, "angle", 0.0) == 0 && fields.number(3, "a3", 0.0) != 0 && fields.number(1, "a1", 0.0) >= 1)
+  if (fields.number("A4") == 0 && fields.number("A5") == 0 && fields.number("A6") == 0 && fields.number("A7") == 0 &&
+      fields.number("A3") != 0 && fields.number("A1") >= 1)
     fail_at(fields.place(),
             "*DEFINE_TRANSFORMATION: ROTATE about two nodes or points is not read; expected axis, point and angle");
-  const Point axis =
-      unit({fields.number(1, "a1", 0.0), fields.number(2, "a2", 0.0), fields.number(3, "a3", 0.0)}, fields.place());
-  const Point through{fields.number(4, "a4", 0.0), fields.number(5, "a5", 0.0), fields.number(6, "a6", 0.0)};
-  const double angle = fields.number(7, "angle", 0.0) * std::acos(-1.0) / 180;
+  const Point axis = unit(fields.point("A1"), fields.place());
+  const Point through = fields.point("A4");
+  const double angle = fields.number("A7") * std::acos(-1.0) / 180;
   const double c = std::cos(angle), s = std::sin(angle);
   Transformation t;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -58,8 +58,7 @@ Transformation rotation(const Fields& fields) {
 
 /// At the plane through the first point, normal to the way to the second.
 Transformation mirroring(const Fields& fields) {
-  const Point tail{fields.number(1, "a1", 0.0), fields.number(2, "a2", 0.0), fields.number(3, "a3", 0.0)};
-  const Point head{fields.number(4, "a4", 0.0), fields.number(5, "a5", 0.0), fields.number(6, "a6", 0.0)};
+  const Point tail = fields.point("A1"), head = fields.point("A4");
   const Point normal = unit(minus(head, tail), fields.place());
   Transformation t;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -70,7 +69,7 @@ Transformation mirroring(const Fields& fields) {
 }
 
 Transformation one_of(const Fields& fields) {
-  const std::string option = upper_case(fields.text(0));
+  const std::string option = upper_case(fields.text("OPTION"));
   if (option == "TRANSL") return translation(fields);
   if (option == "SCALE") return scaling(fields);
   if (option == "ROTATE") return rotation(fields);
@@ -107,9 +106,11 @@ Transformations::Transformations(const KeywordDeck& deck) {
       fail_at(block.place, "*DEFINE_TRANSFORMATION in an included file of other units is not read");
     Cards cards(block);
     if (block.title) cards.next();
-    const std::int64_t number = Fields(cards.require("its number"), deck.parameters).integer(0, "tranid");
+    const std::int64_t number =
+        Fields(cards.require("its number"), deck.parameters, layout::transformation).integer("TRANID");
     Transformation whole;
-    while (const auto card = cards.next_filled()) whole.then(one_of(Fields(*card, deck.parameters)));
+    while (const auto card = cards.next_filled())
+      whole.then(one_of(Fields(*card, deck.parameters, layout::transformation_step)));
     given.add(fmt::format("transformation {}", number + (block.transform ? block.transform->define : 0)), block.place,
               block.of_case);
     by_number_[number + (block.transform ? block.transform->define : 0)] = whole;

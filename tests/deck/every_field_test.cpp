@@ -3,148 +3,189 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
-#include <solver/deck/abaqus/translated_abaqus.hpp>
 #include <solver/deck/keyword_rules.hpp>
 #include <solver/deck/translated_deck.hpp>
 #include <solver/keyword/fields.hpp>
-#include <solver/keyword/keyword_scanner.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
-#include "own_deck.hpp"
+#include "card_decks.hpp"
 
-/// Each blank field of each card of the decks that come along, of every kind of keyword that is read, is filled in:
-/// that has to change the scene, to be refused, or to be told. So no field is lost without a word.
+/// Each field of each card that is read is set to something else than its default, in a small deck of its own
+/// (card_decks.hpp): that has to change the scene or the mesh, to be told by the name of the field, or to be an error.
+/// What the table of cards calls told or refused has to be so, by its name. So no field is lost without a word.
 namespace pinball::test {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// All that becomes of a deck.
+struct Outcome {
+  std::string made;            ///< scene and mesh
+  std::set<std::string> told;  ///< sentences
+  std::string error;
+
+  /// Whether a sentence that is in one of the two alone, or that says so of the keyword, has this word.
+  bool names(const Outcome& before, const std::string& keyword, const std::string& field) const {
+    const std::regex word("(^|[^A-Z0-9_])" + field + "($|[^A-Z0-9_])");
+    const auto has = [&](const std::string& line) { return std::regex_search(line, word); };
+    for (const std::string& line : told) {
+      if ((!before.told.contains(line) || line.starts_with("not used: *" + keyword)) && has(line)) return true;
+    }
+    for (const std::string& line : before.told) {
+      if (!told.contains(line) && has(line)) return true;
+    }
+    return has(error);
+  }
+};
+
 class EveryField : public FolderTest {
  protected:
   void SetUp() override {
     FolderTest::SetUp();
-    fs::copy(own_deck(""), folder_, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    std::ofstream(folder_ / "more.k") << "*KEYWORD\n*NODE\n"
+                                      << cube_lines(1) << "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n*END\n";
   }
 
-  static std::vector<std::string> lines_of(const fs::path& file) {
-    std::ifstream stream(file);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-  }
-  /// Nodes and sets of the mesh that the deck is.
   static std::string mesh_text(const fs::path& path) {
     FileMesh settings;
     settings.file = path.string();
-    settings.format = path.extension() == ".k" ? MeshFormat::keyword : MeshFormat::abaqus;
+    settings.format = MeshFormat::keyword;
     const MeshFile file = read_mesh_file(settings, {});
     std::string text;
-    for (const Point& x : file.mesh.nodes) text += fmt::format("{} {} {}\n", x[0], x[1], x[2]);
+    for (std::size_t n = 0; n < file.node_ids.size(); ++n)
+      text += fmt::format("{} {}\n", file.node_ids[n], fmt::join(file.mesh.nodes[n], " "));
+    for (std::size_t e = 0; e < file.element_ids.size(); ++e)
+      text += fmt::format("{} {} {}\n", file.element_ids[e], file.part[e], fmt::join(file.mesh.hexahedra[e], " "));
+    for (const MeshPart& part : file.parts) text += fmt::format("{} {}\n", part.id, part.name);
     for (const auto* sets : {&file.node_sets, &file.element_sets}) {
       for (const MeshSet& set : *sets)
         text += fmt::format("{}: {} {}\n", set.id, fmt::join(set.members, " "), set.problem);
     }
-    for (const FaceSet& set : file.face_sets) text += fmt::format("{}: {} {}\n", set.id, set.faces.size(), set.problem);
+    for (const FaceSet& set : file.face_sets) {
+      text += fmt::format("{}: {}\n", set.id, set.problem);
+      for (const auto& face : set.faces) text += fmt::format("{}\n", fmt::join(face, " "));
+    }
     return text;
   }
-  /// All that is said of a deck with this line in the place of another one.
-  template <class Translate>
-  std::string said(const fs::path& file, std::vector<std::string> lines, std::size_t at, const std::string& line,
-                   const Translate& translate) const {
-    lines[at] = line;
-    std::ofstream(file) << fmt::format("{}\n", fmt::join(lines, "\n"));
-    try {
-      const TranslatedDeck deck = translate(file.string());
-      return fmt::format("{}\n{}\n{}\n{}", deck.scene, fmt::join(deck.understood, "\n"), fmt::join(deck.ignored, "\n"),
-                         mesh_text(file));
-    } catch (const InputError& error) {
-      return error.what();
+
+  Outcome outcome(const CardDeck& deck, const std::vector<std::string>& lines) const {
+    const std::string own = fmt::format("*{}\n{}\n", deck.keyword, fmt::join(lines, "\n"));
+    std::string text = "*KEYWORD\n" + deck.others + own;
+    for (const auto& [name, body] : common_keywords()) {
+      if (("\n" + deck.others + own).find("\n*" + name + "\n") == std::string::npos) text += "*" + name + "\n" + body;
     }
+    const fs::path path = folder_ / "deck.k";
+    fs::remove(path);  // a file that is written over is put on the disk at once
+    std::ofstream(path) << text << "*END\n";
+    Outcome result;
+    try {
+      const TranslatedDeck made = translate_deck(path.string());
+      result.made = made.scene + mesh_text(path);
+      for (const auto* sentences : {&made.understood, &made.ignored})
+        result.told.insert(sentences->begin(), sentences->end());
+    } catch (const InputError& error) {
+      result.error = error.what();
+    }
+    return result;
   }
 
-  /// Fills each blank field of each card in turn. cut: a line as its fields, none where it is no card of numbers.
-  template <class Cut, class Translate>
-  void fill_all(const fs::path& file, const Cut& cut, const Translate& translate) {
-    const std::vector<std::string> lines = lines_of(file);
-    const std::string before = said(file, lines, 0, lines[0], translate);
-    std::string keyword;
-    for (std::size_t at = 0; at < lines.size(); ++at) {
-      if (lines[at].starts_with('*')) keyword = lines[at];
-      const std::string told_whole = fmt::format("{}: a data line", upper_case(keyword.substr(0, keyword.find(','))));
-      if (before.find(told_whole) != std::string::npos) continue;
-      const std::vector<std::string> fields = cut(keyword, lines[at]);
-      for (std::size_t i = 0; i < fields.size(); ++i) {
-        if (!fields[i].empty() && deck_number(fields[i]) != 0.0) continue;
-        bool is_told = false;
-        for (const char* value : {"1", "3", "0.37"}) {
-          std::vector<std::string> filled = fields;
-          filled[i] = value;
-          is_told = is_told || said(file, lines, at, fmt::format("{}", fmt::join(filled, ", ")), translate) != before;
-        }
-        EXPECT_TRUE(is_told) << file.filename() << ':' << at + 1 << ": " << keyword << ", field " << i + 1;
-        ++filled_;
+  static std::vector<std::string> cut(const std::string& line, std::size_t count) {
+    std::vector<std::string> fields;
+    std::stringstream stream(line);
+    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+    fields.resize(std::max(count, fields.size()));
+    return fields;
+  }
+
+  /// Other values than that of the deck and the default. Of a list of members none that it has.
+  static std::vector<std::string> others(const std::vector<std::string>& fields, std::size_t at,
+                                         const CardField& field) {
+    std::vector<std::string> values;
+    std::vector<const char*> some{"1", "2", "3", "7"};
+    if (field.type == FieldType::number) some = {"0.37", "2.0"};
+    if (field.type == FieldType::text) some = {"X"};
+    const bool is_member = field.name.starts_with("ID") || field.name.starts_with("E") || field.name.starts_with("B");
+    for (const char* value : some) {
+      const std::optional<double> number = deck_number(value), given = deck_number(fields[at]);
+      const bool is_same = number && (given ? *given == *number : *number == field.otherwise);
+      const bool is_there = is_member && std::ranges::find(fields, value) != fields.end();
+      if (!is_same && !is_there) values.emplace_back(value);
+    }
+    return values;
+  }
+
+  void set_each(const CardDeck& deck, const KeywordCards& cards) {
+    const Outcome before = outcome(deck, deck.lines);
+    ASSERT_EQ(before.error, "") << deck.keyword << ' ' << deck.form;
+    ASSERT_GE(deck.lines.size(), cards.lines.size()) << deck.keyword;
+    for (std::size_t line = 0; line < cards.lines.size(); ++line) {
+      if (cards.lines[line] == nullptr) continue;
+      const CardLayout& layout = *cards.lines[line];
+      const std::vector<std::string> fields = cut(deck.lines[line], layout.size());
+      for (std::size_t i = 0; i < layout.size(); ++i) {
+        if (layout[i].name.empty() || layout[i].name == deck.same) continue;
+        ++fields_;
+        for (const std::string& value : others(fields, i, layout[i]))
+          try_one(deck, before, line, fields, i, layout[i], value);
       }
     }
   }
 
-  static std::vector<std::string> cut_at_commas(const std::string& line, std::size_t least) {
-    std::vector<std::string> fields;
-    std::stringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) fields.emplace_back(trimmed(field));
-    if (fields.size() < least) fields.resize(least);
-    return fields;
-  }
-  static bool are_numbers(const std::vector<std::string>& fields) {
-    return std::ranges::all_of(fields, [](const std::string& field) { return field.empty() || deck_number(field); });
+  void try_one(const CardDeck& deck, const Outcome& before, std::size_t line, std::vector<std::string> fields,
+               std::size_t at, const CardField& field, const std::string& value) {
+    fields[at] = value;
+    std::vector<std::string> lines = deck.lines;
+    lines[line] = fmt::format("{}", fmt::join(fields, ","));
+    const Outcome after = outcome(deck, lines);
+    const std::string name(field.name);
+    const bool named = after.names(before, deck.keyword, name);
+    ++tried_;
+    const std::string where = fmt::format("*{} {}, line {}, {} = {}", deck.keyword, deck.form, line + 1, name, value);
+    if (field.use == FieldUse::told) {
+      EXPECT_TRUE(named && after.error.empty()) << where << " is not told: " << after.error;
+    } else if (field.use == FieldUse::refused) {
+      EXPECT_TRUE(named && !after.error.empty()) << where << " is not refused by name: " << after.error;
+    } else {
+      EXPECT_TRUE(named || !after.error.empty() || after.made != before.made) << where << " is silent";
+    }
   }
 
-  int filled_ = 0;
+  int fields_ = 0, tried_ = 0;
 };
 
-TEST_F(EveryField, OfEachCardOfADeckCountsOrIsTold) {
-  const auto cut = [](const std::string& keyword, const std::string& line) -> std::vector<std::string> {
-    static const std::set<std::string> no_cards{"*NODE", "*ELEMENT_SOLID", "*TITLE"};
-    const std::string name = upper_case(keyword.substr(0, keyword.find_first_of(" %-")));
-    if (line.empty() || line[0] == '*' || line[0] == '$' || no_cards.contains(name)) return {};
-    std::string plain = name.substr(name.empty() ? 0 : 1);
-    for (const char* option : {"_ID", "_TITLE"}) take_ending(plain, option);
-    const KeywordRule* rule = rule_of(keyword_alias(plain));
-    if (rule == nullptr || (rule->treatment != Treatment::done && rule->treatment != Treatment::mesh)) return {};
-    const bool points = name == "*DEFINE_CURVE" || name == "*DEFINE_TABLE";
-    std::vector<std::string> fields = cut_at_commas(line, points ? 2 : 8);
-    if (line.find(',') == std::string::npos) {
-      fields.clear();
-      for (std::size_t i = 0; i < 8; ++i)
-        fields.emplace_back(i * 10 < line.size() ? trimmed(std::string_view(line).substr(i * 10, 10)) : "");
-    }
-    const bool heads = name.ends_with("_ID");  // a number with its title
-    return are_numbers(fields) && !heads ? fields : std::vector<std::string>{};
-  };
-  for (const std::string& name : all_own_decks()) {
-    // Meshes, and keywords of cases that are not chosen.
-    if (fs::file_size(folder_ / name) > 20'000 || name == "cases.k" || name == "forms.k") continue;
-    fill_all(folder_ / name, cut, [](const std::string& path) { return translate_deck(path); });
-  }
-  EXPECT_GT(filled_, 300);
+std::vector<CardDeck> all_decks() {
+  std::vector<CardDeck> decks;
+  for (const auto& some : {decks_of_mesh(), decks_of_definitions(), decks_of_boundaries(), decks_of_controls()})
+    decks.insert(decks.end(), some.begin(), some.end());
+  return decks;
 }
 
-TEST_F(EveryField, OfEachDataLineOfAbaqusInputCountsOrIsTold) {
-  const auto cut = [](const std::string& keyword, const std::string& line) -> std::vector<std::string> {
-    static const std::set<std::string> no_cards{"*NODE", "*ELEMENT", "*HEADING"};
-    std::string name = upper_case(keyword.substr(0, keyword.find(',')));
-    if (line.empty() || line[0] == '*' || no_cards.contains(name)) return {};
-    return cut_at_commas(line, 8);
-  };
-  for (const auto& entry : fs::directory_iterator(folder_ / "abaqus")) {
-    if (entry.path().extension() != ".inp") continue;
-    fill_all(entry.path(), cut, [](const std::string& path) { return translate_abaqus(path); });
+TEST_F(EveryField, OfEachCardCountsOrIsToldByItsName) {
+  const std::vector<CardDeck> decks = all_decks();
+  for (const KeywordCards& cards : keyword_cards()) {
+    const auto same = [&](const CardDeck& deck) { return deck.keyword == cards.keyword && deck.form == cards.form; };
+    EXPECT_TRUE(std::ranges::any_of(decks, same)) << "no deck has *" << cards.keyword << ' ' << cards.form;
+    for (const CardDeck& deck : decks) {
+      if (same(deck)) set_each(deck, cards);
+    }
   }
-  EXPECT_GT(filled_, 100);
+  EXPECT_GT(fields_, 600);
+  fmt::print("{} fields, {} values\n", fields_, tried_);
+}
+
+TEST(KeywordCards, AreThoseOfEachKeywordThatIsDone) {
+  for (const KeywordRule& rule : keyword_rules()) {
+    const bool is_read = rule.treatment == Treatment::done || rule.treatment == Treatment::mesh;
+    if (!is_read || rule.name == std::string("TITLE")) continue;
+    const auto is_of = [&](const KeywordCards& cards) { return rule_of(cards.keyword) == &rule; };
+    EXPECT_TRUE(std::ranges::any_of(keyword_cards(), is_of)) << rule.name;
+  }
 }
 
 }  // namespace

@@ -46,27 +46,34 @@ TEST(DeckNumber, ReadsWholeNumbers) {
   for (const char* wrong : {"", "5.5", "x", "1e300"}) EXPECT_FALSE(deck_integer(wrong)) << wrong;
 }
 
+constexpr CardLayout some{layout::whole("MID").from(0, 2), layout::number("RO"), layout::number("E", 7),
+                          layout::number("PR").always(), layout::number("MORE", 1)};
+
 TEST(DeckFields, AreColumnsOrStandBetweenCommas) {
   const Parameters none;
   const DeckPlace place{std::make_shared<const std::string>("a.k"), 3};
   const Card columns{"         1 1.862E+01-1.170E+00      0.22", place};
-  EXPECT_EQ(Fields(columns, none).integer(0, "mid"), 1);
-  EXPECT_EQ(Fields(columns, none).number(2, "e"), -1.17);
+  EXPECT_EQ(Fields(columns, none, some).integer("MID"), 1);
+  EXPECT_EQ(Fields(columns, none, some).number("E"), -1.17);
   const Card commas{"1, 18.62 ,,0.22", place};
-  EXPECT_EQ(Fields(commas, none).number(1, "ro"), 18.62);
-  EXPECT_EQ(Fields(commas, none).number(2, "e", 7.0), 7.0);
-  EXPECT_EQ(Fields(commas, none).number(3, "pr"), 0.22);
-  EXPECT_EQ(Fields(commas, none).number(9, "more", 1.0), 1.0);
+  EXPECT_EQ(Fields(commas, none, some).number("RO"), 18.62);
+  EXPECT_EQ(Fields(commas, none, some).number("E"), 7.0);
+  EXPECT_EQ(Fields(commas, none, some).number("PR"), 0.22);
+  EXPECT_EQ(Fields(commas, none, some).number("MORE"), 1.0);
 }
 
 TEST(DeckFields, AnErrorNamesFileLineFieldAndText) {
   const Parameters none;
   const DeckPlace place{std::make_shared<const std::string>("a.k"), 3};
   const Card card{"         1      oops", place};
-  EXPECT_EQ(error_of([&] { Fields(card, none).number(1, "ro"); }),
-            "a.k:3: ro (field 2): expected a number, got \"oops\"");
-  EXPECT_EQ(error_of([&] { Fields(card, none).integer(2, "mid"); }),
-            "a.k:3: mid (field 3): expected a whole number, got nothing");
+  EXPECT_EQ(error_of([&] { Fields(card, none, some).number("RO"); }),
+            "a.k:3: RO (field 2): expected a number, got \"oops\"");
+  EXPECT_EQ(error_of([&] { Fields(card, none, some).number("PR"); }),
+            "a.k:3: PR (field 4): expected a number, got nothing");
+  EXPECT_EQ(error_of([&] {
+              Fields(Card{"3", place}, none, some).integer("MID");
+            }),
+            "a.k:3: MID: expected 0 to 2, got 3");
 }
 
 TEST(DeckNumber, AWholeNumberBeyondAllMeshesIsNone) {
@@ -78,11 +85,11 @@ TEST(DeckFields, ATabBetweenColumnsIsRefused) {
   const Parameters none;
   const DeckPlace place{std::make_shared<const std::string>("a.k"), 3};
   EXPECT_EQ(error_of([&] {
-              Fields(Card{"         1\t 7.85", place}, none);
+              Fields(Card{"         1\t 7.85", place}, none, some);
             }),
             "a.k:3: there is a tab in a card of columns: expected blanks, or commas between the fields");
-  EXPECT_EQ(Fields(Card{"         1 \t ", place}, none).integer(0, "mid"), 1) << "behind the last field";
-  EXPECT_EQ(Fields(Card{"1,\t2", place}, none).integer(1, "mid"), 2);
+  EXPECT_EQ(Fields(Card{"         1 \t ", place}, none, some).integer("MID"), 1) << "behind the last field";
+  EXPECT_EQ(Fields(Card{"1,\t2", place}, none, some).number("RO"), 2);
 }
 
 TEST(DeckExpression, FollowsTheRulesOfArithmetic) {
@@ -182,8 +189,8 @@ TEST(KeywordDeck, ParametersStandForNumbersAndTexts) {
   EXPECT_THAT(error_of([&] { deck.parameters.value("&sped", place); }),
               HasSubstr("a.k:1: no parameter is named sped, nearest is speed"));
   const Card card{"&speed,-&speed,&parts", place};
-  EXPECT_EQ(Fields(card, deck.parameters).number(1, "v"), -300.0);
-  EXPECT_EQ(Fields(card, deck.parameters).integer(2, "n"), 2);
+  EXPECT_EQ(Fields(card, deck.parameters, some).number("RO"), -300.0);
+  EXPECT_EQ(Fields(card, deck.parameters, some).number("E"), 2);
 }
 
 TEST(KeywordDeck, AnExpressionThatFailsIsNamedWithItsPlace) {

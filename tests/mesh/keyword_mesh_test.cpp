@@ -132,7 +132,7 @@ TEST_F(IncludedMesh, LinesOfElementsAreThoseOfTheirFile) {
 TEST(KeywordMesh, HoldsWhatTcSays) {
   EXPECT_THAT(read("*NODE\n1,0,0,0\n2,0,0,0,4\n3,0,0,0,7\n4,0,0,0\n").held, ElementsAre(0, 3, 7, 0));
   EXPECT_TRUE(read(nodes).held.empty());
-  EXPECT_EQ(error_of("*NODE\n1,0,0,0,8\n"), "a.k:2: *NODE: tc: expected 0 to 7, got 8");
+  EXPECT_EQ(error_of("*NODE\n1,0,0,0,8\n"), "a.k:2: *NODE: TC: expected 0 to 7, got 8");
 }
 
 TEST(KeywordMesh, ASetWithMembersThatAreNotThereIsAnErrorForItsUser) {

@@ -42,7 +42,7 @@ void tell_lines(const AbaqusBlock& block, const ReadingLog& log, DeckReport& rep
   for (std::size_t line = 0; const auto card = lines.next(); ++line) {
     if (line >= log.lines_of(&block)) {
       if (says_something(*card)) report.unused(card->place, block.star_name() + ": a data line");
-    } else if (const std::uint32_t left = log.left_of(card->text.data()); left != 0) {
+    } else if (const std::uint32_t left = log.left_of(card->text.data()).fields; left != 0) {
       report.unused(card->place, fmt::format("{}: {}", block.star_name(), fields_text(left)));
     }
   }

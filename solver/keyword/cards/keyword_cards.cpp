@@ -1,0 +1,135 @@
+#include "keyword_cards.hpp"
+
+#include "boundary_cards.hpp"
+#include "contact_cards.hpp"
+#include "control_cards.hpp"
+#include "definition_cards.hpp"
+#include "mesh_cards.hpp"
+
+namespace pinball {
+
+namespace {
+
+using Lines = std::vector<const CardLayout*>;
+using Table = std::vector<KeywordCards>;
+
+constexpr const CardLayout* title = nullptr;
+
+void add_mesh(Table& table) {
+  namespace l = layout;
+  table.push_back({"NODE", "", {&l::node}});
+  table.push_back({"ELEMENT_SOLID", "in one line", {&l::solid}});
+  table.push_back({"ELEMENT_SOLID", "in two lines", {&l::solid, &l::solid_nodes}});
+  table.push_back({"PART", "", {title, &l::part}});
+  table.push_back({"PART_CONTACT", "", {title, &l::part, &l::part_contact}});
+  table.push_back({"SECTION_SOLID", "", {&l::section_solid}});
+  table.push_back({"HOURGLASS", "", {&l::hourglass}});
+  for (const char* kind : {"SET_NODE", "SET_SOLID"}) {
+    const auto set = [&](const char* form, const CardLayout& line) {
+      table.push_back({std::string(kind) + form, "", {&l::set_head, &line}});
+    };
+    set("_LIST", l::set_members);
+    set("_LIST_GENERATE", l::set_ranges);
+    set("_LIST_GENERATE_INCREMENT", l::set_steps);
+    set("_GENERAL", l::set_general);
+    set("_ADD", l::set_members);
+    set("_COLUMN", l::set_column);
+  }
+  table.push_back({"SET_SEGMENT", "", {&l::set_head, &l::segment}});
+  table.push_back({"SET_SEGMENT_GENERAL", "", {&l::set_head, &l::set_general}});
+  table.push_back({"SET_PART_LIST", "", {&l::set_head, &l::set_members}});
+  table.push_back({"SET_PART_LIST_GENERATE", "", {&l::set_head, &l::set_ranges}});
+  table.push_back({"SET_PART_ADD", "", {&l::set_head, &l::set_members}});
+}
+
+void add_definitions(Table& table) {
+  namespace l = layout;
+  table.push_back({"DEFINE_BOX", "", {&l::box}});
+  table.push_back({"DEFINE_CURVE", "", {&l::curve, &l::curve_point}});
+  table.push_back({"DEFINE_TABLE", "", {&l::table, &l::table_value}});
+  table.push_back({"DEFINE_VECTOR", "", {&l::vector}});
+  table.push_back({"DEFINE_COORDINATE_SYSTEM", "", {&l::system, &l::system_plane}});
+  table.push_back({"DEFINE_COORDINATE_VECTOR", "", {&l::system_vectors}});
+  for (const char* option : {"TRANSL", "SCALE", "ROTATE", "MIRROR"})
+    table.push_back({"DEFINE_TRANSFORMATION", option, {&l::transformation, &l::transformation_step}});
+  table.push_back({"MAT_ELASTIC", "", {&l::elastic}});
+  table.push_back({"MAT_PLASTIC_KINEMATIC", "", {&l::kinematic, &l::kinematic_rate}});
+  table.push_back({"MAT_PIECEWISE_LINEAR_PLASTICITY", "SIGY and ETAN", {&l::piecewise, &l::piecewise_rate}});
+  table.push_back({"MAT_PIECEWISE_LINEAR_PLASTICITY", "LCSS", {&l::piecewise, &l::piecewise_rate}});
+  table.push_back({"MAT_PIECEWISE_LINEAR_PLASTICITY",
+                   "EPS and ES",
+                   {&l::piecewise, &l::piecewise_rate, &l::piecewise_strains, &l::piecewise_stresses}});
+}
+
+void add_boundaries(Table& table) {
+  namespace l = layout;
+  table.push_back({"BOUNDARY_SPC_NODE", "", {&l::held_node}});
+  table.push_back({"BOUNDARY_SPC_NODE_BIRTH_DEATH", "", {&l::held_node, &l::held_span}});
+  table.push_back({"BOUNDARY_SPC_SET", "", {&l::held_set}});
+  table.push_back({"BOUNDARY_SPC_SET_BIRTH_DEATH", "", {&l::held_set, &l::held_span}});
+  table.push_back({"BOUNDARY_PRESCRIBED_MOTION_NODE", "", {&l::motion_node}});
+  table.push_back({"BOUNDARY_PRESCRIBED_MOTION_SET", "", {&l::motion_set}});
+  table.push_back({"BOUNDARY_PRESCRIBED_MOTION_RIGID", "", {&l::motion_part}});
+  for (const char* name : {"INITIAL_VELOCITY", "INITIAL_VELOCITY_SET"})
+    table.push_back({name, "", {&l::velocity_nodes, &l::velocity, &l::velocity_exempt}});
+  table.push_back({"INITIAL_VELOCITY_NODE", "", {&l::velocity_node}});
+  table.push_back({"INITIAL_VELOCITY_GENERATION", "", {&l::velocity_generation, &l::velocity_axis}});
+  table.push_back({"RIGIDWALL_PLANAR", "", {&l::wall_nodes, &l::wall_plane}});
+  table.push_back({"RIGIDWALL_PLANAR_FINITE", "", {&l::wall_nodes, &l::wall_plane, &l::wall_rectangle}});
+  table.push_back({"RIGIDWALL_PLANAR_MOVING", "", {&l::wall_nodes, &l::wall_plane, &l::wall_mass}});
+  table.push_back(
+      {"RIGIDWALL_PLANAR_FINITE_MOVING", "", {&l::wall_nodes, &l::wall_plane, &l::wall_rectangle, &l::wall_mass}});
+  table.push_back({"LOAD_NODE_SET", "", {&l::load_node_set}});
+  table.push_back({"LOAD_NODE_POINT", "", {&l::load_node}});
+  table.push_back({"LOAD_SEGMENT", "", {&l::load_segment}});
+  table.push_back({"LOAD_SEGMENT_SET", "", {&l::load_segment_set}});
+  for (const char* name : {"LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z"}) table.push_back({name, "", {&l::body_load}});
+  table.push_back({"LOAD_BODY_VECTOR", "", {&l::body_load, &l::body_load_vector}});
+  table.push_back({"LOAD_BODY_PARTS", "", {&l::body_load_parts}});
+}
+
+void add_contacts(Table& table) {
+  for (const char* name :
+       {"AUTOMATIC_SINGLE_SURFACE", "AUTOMATIC_GENERAL", "AUTOMATIC_SURFACE_TO_SURFACE", "AUTOMATIC_NODES_TO_SURFACE",
+        "SINGLE_SURFACE", "SURFACE_TO_SURFACE", "NODES_TO_SURFACE", "ERODING_SINGLE_SURFACE",
+        "ERODING_SURFACE_TO_SURFACE", "ERODING_NODES_TO_SURFACE", "TIED_NODES_TO_SURFACE",
+        "TIED_NODES_TO_SURFACE_OFFSET", "TIED_SURFACE_TO_SURFACE", "TIED_SURFACE_TO_SURFACE_OFFSET"}) {
+    Lines lines{&layout::contact_sides, &layout::contact_friction, &layout::contact_scales};
+    if (std::string_view(name).starts_with("ERODING")) lines.push_back(&layout::contact_eroding);
+    lines.insert(lines.end(), layout::contact_optional.begin(), layout::contact_optional.end());
+    table.push_back({std::string("CONTACT_") + name, "", lines});
+  }
+}
+
+void add_controls(Table& table) {
+  namespace l = layout;
+  table.push_back({"CONTROL_BULK_VISCOSITY", "", {&l::bulk_viscosity}});
+  table.push_back({"CONTROL_CONTACT", "", Lines(l::control_contact.begin(), l::control_contact.end())});
+  table.push_back({"CONTROL_HOURGLASS", "", {&l::control_hourglass}});
+  table.push_back({"CONTROL_SOLUTION", "", {&l::solution}});
+  table.push_back({"CONTROL_TERMINATION", "", {&l::termination}});
+  table.push_back({"CONTROL_TIMESTEP", "", {&l::timestep, &l::timestep_scaling, &l::timestep_more}});
+  table.push_back({"DAMPING_GLOBAL", "", {&l::damping}});
+  for (const char* what : {"NODE", "NODE_SET", "SOLID", "SOLID_SET"})
+    table.push_back({std::string("DATABASE_HISTORY_") + what, "", {&l::history}});
+  table.push_back({"DATABASE_BINARY_D3PLOT", "", {&l::plot, &l::plot_more}});
+  for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"})
+    table.push_back({std::string("DATABASE_") + name, "", {&l::ascii}});
+}
+
+}  // namespace
+
+const std::vector<KeywordCards>& keyword_cards() {
+  static const Table table = [] {
+    Table all;
+    add_mesh(all);
+    add_definitions(all);
+    add_boundaries(all);
+    add_contacts(all);
+    add_controls(all);
+    return all;
+  }();
+  return table;
+}
+
+}  // namespace pinball

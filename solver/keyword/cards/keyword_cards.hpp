@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "card_field.hpp"
+
+namespace pinball {
+
+/// The lines of a keyword, in their order; the last may stand many times where the manual says so.
+struct KeywordCards {
+  std::string keyword;                   ///< without star
+  std::string form;                      ///< where a keyword has several: which one; else empty
+  std::vector<const CardLayout*> lines;  ///< null: a title
+};
+
+/// All cards that are read, by the layouts that read them, in the order of docs/cards.md.
+const std::vector<KeywordCards>& keyword_cards();
+
+}  // namespace pinball

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "card_field.hpp"
+
+/// *NODE, *ELEMENT_SOLID, *PART, *SECTION_SOLID, *HOURGLASS, *SET_... and what places an included file.
+namespace pinball::layout {
+
+inline constexpr CardLayout node{whole("NID").always().columns(8),
+                                 number("X").of(Dimension::length).columns(16),
+                                 number("Y").of(Dimension::length).columns(16),
+                                 number("Z").of(Dimension::length).columns(16),
+                                 whole("TC").from(0, 7).columns(8),
+                                 whole("RC").columns(8)};
+
+constexpr CardField solid_node(std::string_view name) { return whole(name).columns(8); }
+inline constexpr CardLayout solid{whole("EID").always().columns(8),
+                                  whole("PID").always().columns(8),
+                                  solid_node("N1"),
+                                  solid_node("N2"),
+                                  solid_node("N3"),
+                                  solid_node("N4"),
+                                  solid_node("N5"),
+                                  solid_node("N6"),
+                                  solid_node("N7"),
+                                  solid_node("N8")};
+inline constexpr CardLayout solid_nodes{solid_node("N1"), solid_node("N2"), solid_node("N3"), solid_node("N4"),
+                                        solid_node("N5"), solid_node("N6"), solid_node("N7"), solid_node("N8"),
+                                        solid_node("N9"), solid_node("N10")};
+
+inline constexpr CardLayout part{whole("PID").always(),
+                                 whole("SECID"),
+                                 whole("MID"),
+                                 whole("EOSID"),
+                                 whole("HGID"),
+                                 whole("GRAV").told("gravity acts on all parts that *LOAD_BODY_PARTS names"),
+                                 whole("ADPOPT").told("meshes stay as they are"),
+                                 whole("TMID").told("heat is not computed")};
+inline constexpr std::string_view of_parts = "friction and stiffness are those of *CONTACT_...: give them there";
+inline constexpr CardLayout part_contact{number("FS").told(of_parts),     number("FD").told(of_parts),
+                                         number("DC").told(of_parts),     number("VC").told(of_parts),
+                                         number("OPTT").told(of_parts),   number("SFT", 1).told(of_parts),
+                                         number("SSF", 1).told(of_parts), number("CPARM8").told(of_parts)};
+
+inline constexpr CardLayout section_solid{whole("SECID").always(),
+                                          whole("ELFORM", 1),
+                                          whole("AET").told("of materials that flow"),
+                                          gap,
+                                          gap,
+                                          gap,
+                                          number("COHOFF").told("of cohesive elements"),
+                                          number("GASKETT").told("of gaskets")};
+
+inline constexpr std::string_view of_shells = "of shells";
+inline constexpr CardLayout hourglass{whole("HGID").always(),
+                                      whole("IHQ"),
+                                      number("QM"),
+                                      whole("IBQ").told("the bulk viscosity is the standard one"),
+                                      number("Q1"),
+                                      number("Q2"),
+                                      number("QB", 0.1).told(of_shells),
+                                      number("QW", 0.1).told(of_shells)};
+
+inline constexpr std::string_view attribute = "attributes of sets are for keywords that are not read";
+inline constexpr CardLayout set_head{whole("SID").always(),
+                                     number("DA1").told(attribute),
+                                     number("DA2").told(attribute),
+                                     number("DA3").told(attribute),
+                                     number("DA4").told(attribute),
+                                     text("SOLVER", "MECH").told("there is one solver"),
+                                     text("ITS", "1").told("there is one scale")};
+inline constexpr CardLayout set_members{whole("ID1"), whole("ID2"), whole("ID3"), whole("ID4"),
+                                        whole("ID5"), whole("ID6"), whole("ID7"), whole("ID8")};
+inline constexpr CardLayout set_ranges{whole("B1BEG"), whole("B1END"), whole("B2BEG"), whole("B2END"),
+                                       whole("B3BEG"), whole("B3END"), whole("B4BEG"), whole("B4END")};
+inline constexpr CardLayout set_steps{whole("BBEG"), whole("BEND"), whole("INCR", 1).at_least(1)};
+inline constexpr CardLayout set_column{whole("ID").always(), number("A1").told(attribute), number("A2").told(attribute),
+                                       number("A3").told(attribute), number("A4").told(attribute)};
+inline constexpr CardLayout set_general{text("OPTION"), whole("E1"), whole("E2"), whole("E3"),
+                                        whole("E4"),    whole("E5"), whole("E6"), whole("E7")};
+inline constexpr CardLayout segment{whole("N1"),
+                                    whole("N2"),
+                                    whole("N3"),
+                                    whole("N4"),
+                                    number("A1").told(attribute),
+                                    number("A2").told(attribute),
+                                    number("A3").told(attribute),
+                                    number("A4").told(attribute)};
+
+inline constexpr CardLayout box{whole("BOXID").always(),
+                                number("XMN").of(Dimension::length),
+                                number("XMX").of(Dimension::length),
+                                number("YMN").of(Dimension::length),
+                                number("YMX").of(Dimension::length),
+                                number("ZMN").of(Dimension::length),
+                                number("ZMX").of(Dimension::length)};
+
+inline constexpr CardLayout transformation{whole("TRANID").always()};
+inline constexpr CardLayout transformation_step{text("OPTION"), number("A1"), number("A2"), number("A3"),
+                                                number("A4"),   number("A5"), number("A6"), number("A7")};
+
+inline constexpr CardLayout include_offsets{whole("IDNOFF"), whole("IDEOFF"),
+                                            whole("IDPOFF"), whole("IDMOFF"),
+                                            whole("IDSOFF"), whole("IDFOFF").told("there are no functions"),
+                                            whole("IDDOFF")};
+inline constexpr CardLayout include_other{whole("IDROFF")};
+inline constexpr CardLayout include_units{number("FCTMAS", 1), number("FCTTIM", 1), number("FCTLEN", 1), text("FCTTEM"),
+                                          whole("INCOUT1").told("nothing is written of it")};
+inline constexpr CardLayout include_transformation{whole("TRANID")};
+inline constexpr CardLayout case_head{whole("CASEID").always(), text("JOBID")};
+inline constexpr CardLayout case_members{text("SCID1"), text("SCID2"), text("SCID3"), text("SCID4"),
+                                         text("SCID5"), text("SCID6"), text("SCID7"), text("SCID8")};
+inline constexpr CardLayout parameter_duplication{whole("DFLAG", 1)};
+inline constexpr CardLayout parameters{text("PRMR1"), text("VAL1"), text("PRMR2"), text("VAL2"),
+                                       text("PRMR3"), text("VAL3"), text("PRMR4"), text("VAL4")};
+
+}  // namespace pinball::layout
