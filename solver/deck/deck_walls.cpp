@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "boundary_text.hpp"
 #include "deck_parts.hpp"
 
@@ -35,29 +37,41 @@ void write_friction(DeckData& data, const KeywordBlock& block, const Fields& pla
   }
 }
 
-}  // namespace
-
-void translate_rigid_wall(DeckData& data, const KeywordBlock& block, std::size_t number, TomlText& scene) {
-  Cards cards(block);
-  if (block.id) cards.next();
-  const Card head = cards.require("the nodes of the wall");
-  const Card card = cards.require("the plane of the wall");
+void write_wall(DeckData& data, const KeywordBlock& block, const Card& head, const Card& card, std::size_t number,
+                TomlText& scene) {
   const Fields f = data.fields(head, layout::wall_nodes), plane = data.fields(card, layout::wall_plane);
   const Point point = plane.point("XT");
-  write_head("rigid_wall", block, block.place, scene);
   scene.key("name", fmt::format("wall_{}", number));
   scene.key("point", point);
   scene.key("normal", minus(plane.point("XH"), point));
   write_friction(data, block, plane, scene);
   write_selection(data, block, f, scene);
   write_span(span_of(f), scene);
-  if (block.name.find("_FINITE") != std::string::npos) {
-    const Card rectangle = cards.require("the rectangle of the wall");
-    write_rectangle(data.fields(rectangle, layout::wall_rectangle), point, scene);
-  }
-  if (block.name.find("_MOVING") != std::string::npos) {
-    const Card mass = cards.require("the mass of the wall");
-    write_mass(data.fields(mass, layout::wall_mass), scene);
+}
+
+}  // namespace
+
+/// Two to four cards each, and with _ID one more before them. Blank ones at the end are no wall.
+void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, TomlText& scene) {
+  Cards cards(block);
+  for (bool is_first = true;; is_first = false) {
+    if (block.id && !cards.next()) return;
+    std::optional<Card> head = cards.next();
+    if (!head && !is_first) return;
+    if (!head) head = cards.require("the nodes of the wall");
+    const std::optional<Card> plane = cards.next();
+    if (!is_first && head->blank() && (!plane || plane->blank())) return;
+    write_head("rigid_wall", block, is_first ? block.place : head->place, scene);
+    write_wall(data, block, *head, plane ? *plane : cards.require("the plane of the wall"), count++, scene);
+    if (block.name.find("_FINITE") != std::string::npos) {
+      const Card rectangle = cards.require("the rectangle of the wall");
+      write_rectangle(data.fields(rectangle, layout::wall_rectangle),
+                      data.fields(*plane, layout::wall_plane).point("XT"), scene);
+    }
+    if (block.name.find("_MOVING") != std::string::npos) {
+      const Card mass = cards.require("the mass of the wall");
+      write_mass(data.fields(mass, layout::wall_mass), scene);
+    }
   }
 }
 

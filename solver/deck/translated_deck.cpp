@@ -129,7 +129,7 @@ TranslatedDeck translate_deck(const std::string& path, const DeckOptions& option
   translate_materials(data, scene);
   for (const KeywordBlock& block : deck.blocks) {
     const std::string name = keyword_alias(block.name);
-    if (name.starts_with("RIGIDWALL_PLANAR")) translate_rigid_wall(data, block, walls++, boundary);
+    if (name.starts_with("RIGIDWALL_PLANAR")) translate_rigid_walls(data, block, walls, boundary);
     const Translate translate = translation_of(name);
     if (translate != nullptr) translate(data, block, boundary);
   }

@@ -75,6 +75,11 @@ void KeywordScanner::read_name(KeywordBlock& block, std::string& after) {
   const std::size_t end = std::min(line.find_first_of(" \t\r,("), line.size());
   block.name = upper_case(line.substr(1, end - 1));
   after = upper_case(trimmed(line.substr(end)));
+  const bool has_width = after.find_first_of("%+-") == 0 && (after.size() == 1 || after[1] == ' ');  // "*NODE %"
+  if (has_width) {
+    block.name += after[0];
+    after = std::string(trimmed(after.substr(1)));
+  }
   read_options(block);
 }
 

@@ -1,0 +1,48 @@
+#include <gmock/gmock.h>
+
+#include "deck_case.hpp"
+
+/// What cards say beyond their fields: how often they stand, in which order, and with which lines.
+namespace pinball::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+class DeckCards : public DeckTest {
+ protected:
+  Scene scene_with(const std::string& more) { return scene(cube + elastic + ends + set_of_top + more); }
+  std::vector<std::string> told(const std::string& more) {
+    return translate(cube + elastic + ends + set_of_top + more).understood;
+  }
+};
+
+TEST_F(DeckCards, AKeywordOfWallsHasAsManyAsItsCards) {
+  const auto walls = scene_with("*RIGIDWALL_PLANAR\n3\n0,0,-1,0,0,0\n\n0,0,3,0,0,2,0.25\n\n\n").rigid_walls;
+  ASSERT_EQ(walls.size(), 2U);
+  EXPECT_EQ(walls[1].name, "wall_1");
+  EXPECT_EQ(walls[1].plane.point[2], 3);
+  EXPECT_EQ(walls[1].friction, 0.25);
+  const Scene finite = scene_with(
+      "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n1,floor\n0\n0,0,-1,0,0,0\n1,0,-1,2,3\n1,5\n2,roof\n0\n0,0,3,0,0,2\n1,0,3,4,"
+      "5\n2,6\n");
+  ASSERT_EQ(finite.rigid_walls.size(), 2U);
+  EXPECT_EQ(finite.rigid_walls[1].mass, 2);
+  EXPECT_THAT(error(cube + elastic + ends + "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0\n3\n"),
+              HasSubstr("expected the plane of the wall"));
+}
+
+TEST_F(DeckCards, TheWidthOfColumnsMayStandBehindABlank) {
+  std::string wide = "*NODE %\n";
+  for (int i = 1; i <= 8; ++i) {
+    const int corner = (i - 1) % 4;
+    wide += fmt::format("{:10d}{:16d}{:16d}{:16d}\n", i, corner == 1 || corner == 2 ? 1 : 0, corner >= 2 ? 1 : 0,
+                        i > 4 ? 1 : 0);
+  }
+  const std::string rest = cube.substr(cube.find("*ELEMENT"));
+  EXPECT_DOUBLE_EQ(build_model<double>(scene(wide + rest + elastic + ends)).element_mass[0], 7.85e-9);
+}
+
+}  // namespace
+}  // namespace pinball::test
