@@ -9,16 +9,17 @@
 namespace pinball {
 
 void DeckReport::count(std::vector<Count>& counts, const std::string& what, const DeckPlace& place,
-                       const std::string& reason) {
+                       const std::string& reason, int elements) {
   const auto same = [&](const Count& one) { return one.what == what && one.reason == reason; };
   auto found = std::ranges::find_if(counts, same);
-  if (found == counts.end()) found = counts.insert(counts.end(), {what, reason, place, 0});
-  ++found->times;
+  if (found == counts.end()) found = counts.insert(counts.end(), {what, reason, place, 0, elements >= 0});
+  found->times += elements >= 0 ? elements : 1;
 }
 
 std::string DeckReport::line(const Count& one) {
-  const std::string where =
-      one.times == 1 ? one.first.text() : fmt::format("{} times, first in {}", one.times, one.first.text());
+  const std::string where = one.times == 1 ? one.first.text()
+                                           : fmt::format("{} {}, first in {}", one.times,
+                                                         one.of_elements ? "elements" : "times", one.first.text());
   return fmt::format("{} ({}){}", one.what, where, one.reason.empty() ? "" : ": " + one.reason);
 }
 
@@ -26,6 +27,7 @@ void DeckReport::require_all_done(const std::string& file) const {
   if (refused_.empty()) return;
   std::string text = fmt::format("{}: cannot be run, for this version has not:", file);
   for (const Count& one : refused_) text += "\n  " + line(one);
+  for (const std::string& error : errors_) text += "\nand besides: " + error;
   throw InputError(text);
 }
 

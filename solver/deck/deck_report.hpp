@@ -22,13 +22,18 @@ class DeckReport {
   void ignore_node(const DeckPlace& place, const std::string& star_name) {
     ignore(place, star_name + " of a node of no solid");
   }
-  void refuse(const KeywordBlock& block, const std::string& reason = "") {
-    count(refused_, block.star_name(), block.place, reason);
+  /// elements: how many a keyword of elements has; -1: it is none.
+  void refuse(const KeywordBlock& block, const std::string& reason = "", int elements = -1) {
+    if (elements != 0) count(refused_, block.star_name(), block.place, reason, elements);
   }
   /// Something of a keyword that is done otherwise.
   void refuse(const DeckPlace& place, const std::string& what, const std::string& reason = "") {
     count(refused_, what, place, reason);
   }
+
+  bool refuses() const { return !refused_.empty(); }
+  /// What is wrong besides.
+  void add_error(const std::string& error) { errors_.push_back(error); }
 
   /// Throws InputError with all that is refused, if there is anything.
   void require_all_done(const std::string& file) const;
@@ -41,12 +46,13 @@ class DeckReport {
     std::string what, reason;
     DeckPlace first;
     int times = 0;
+    bool of_elements = false;
   };
   static void count(std::vector<Count>& counts, const std::string& what, const DeckPlace& place,
-                    const std::string& reason);
+                    const std::string& reason, int elements = -1);
   static std::string line(const Count& one);
 
-  std::vector<std::string> understood_;
+  std::vector<std::string> understood_, errors_;
   std::vector<Count> ignored_, unused_, refused_;
 };
 

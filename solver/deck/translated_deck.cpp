@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include <solver/base/error.hpp>
 #include <solver/keyword/given_once.hpp>
@@ -12,6 +13,7 @@
 #include "deck_data.hpp"
 #include "deck_parts.hpp"
 #include "keyword_rules.hpp"
+#include "sorted_keywords.hpp"
 #include "unread.hpp"
 
 namespace pinball {
@@ -41,30 +43,6 @@ Translate translation_of(const std::string& name) {
   };
   const auto found = table.find(name);
   return found == table.end() ? nullptr : found->second;
-}
-
-bool is_output_or_control(const std::string& name) {
-  return name.starts_with("CONTROL") || name.starts_with("DATABASE") || name.starts_with("PARAMETER");
-}
-
-/// What each keyword is: the deck is refused as a whole, before its mesh is read.
-void sort_keywords(const KeywordDeck& deck, bool lenient, DeckReport& report) {
-  for (const KeywordBlock& block : deck.blocks) {
-    const KeywordRule* rule = rule_of(keyword_alias(block.name));
-    if (rule == nullptr) {
-      if (lenient && is_output_or_control(block.name)) {
-        report.ignore(block);
-      } else {
-        report.refuse(block);
-      }
-    } else if (rule->treatment == Treatment::ignored) {
-      report.ignore(block);
-    } else if (rule->treatment == Treatment::refused) {
-      report.refuse(block, rule->remark);
-    } else if (!rule->in_other_units && !units_of(block).are_own()) {
-      report.refuse(block, "in an included file of other units");
-    }
-  }
 }
 
 void describe_mesh(const DeckData& data, DeckReport& report) {
@@ -99,23 +77,14 @@ std::string mesh_keys(const std::string& path, const DeckOptions& options) {
                      options.chosen_case ? fmt::format(", case = {}", *options.chosen_case) : std::string());
 }
 
-}  // namespace
-
-bool is_deck(const std::string& path) {
-  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
-  return ending == ".k" || ending == ".key" || ending == ".dyn";
-}
-
-TranslatedDeck translate_deck(const std::string& path, const DeckOptions& options) {
-  KeywordDeck deck = read_keyword_deck(path, options.chosen_case);
-  ReadingLog log;
-  follow_reading(deck, log);
-  DeckReport report;
-  sort_keywords(deck, options.lenient, report);
-  report.require_all_done(path);
+/// The scene; what is not done of it goes to the report. of_parts: what is not there; empty once it is known which
+/// parts have some of it.
+TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const DeckOptions& options,
+                        std::vector<KeywordBlock>& of_parts, DeckReport& report) {
   const MeshFile mesh = keyword_mesh(deck);
   if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT_SOLID), there are none");
   DeckData data(deck, mesh, report);
+  refuse_of_parts(std::exchange(of_parts, {}), &data, report);
 
   TomlText scene;
   scene.comment(fmt::format("{} as this program understands it.", std::filesystem::path(path).filename().string()));
@@ -139,11 +108,37 @@ TranslatedDeck translate_deck(const std::string& path, const DeckOptions& option
   if (deck.left_out_of_case > 0)
     report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}", deck.left_out_of_case,
                                   fmt::join(deck.cases, ", ")));
-  tell_unread(deck, log, report);
-  report.require_all_done(path);
   scene.append(bodies);
   scene.append(boundary);
-  return {scene.text(), report.understood(), report.ignored(), scene.origins(), contact_said};
+  return {scene.text(), {}, {}, scene.origins(), contact_said};
+}
+
+}  // namespace
+
+bool is_deck(const std::string& path) {
+  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
+  return ending == ".k" || ending == ".key" || ending == ".dyn";
+}
+
+TranslatedDeck translate_deck(const std::string& path, const DeckOptions& options) {
+  KeywordDeck deck = read_keyword_deck(path, options.chosen_case);
+  DeckReport report;
+  UnreadKeywords unread = sort_keywords(deck, options.lenient, report);
+  ReadingLog log;
+  follow_reading(deck, log);
+  TranslatedDeck translated;
+  try {
+    if (!unread.of_mesh) translated = scene_of(deck, path, options, unread.of_parts, report);
+    tell_unread(deck, log, report);
+  } catch (const InputError& error) {
+    if (!report.refuses() && unread.of_parts.empty()) throw;
+    report.add_error(error.what());
+  }
+  refuse_of_parts(unread.of_parts, nullptr, report);
+  report.require_all_done(path);
+  translated.understood = report.understood();
+  translated.ignored = report.ignored();
+  return translated;
 }
 
 }  // namespace pinball

@@ -35,6 +35,7 @@ class KeywordMeshReader {
     for (const KeywordBlock& block : deck_.blocks) {
       if (block.name == "ELEMENT_SOLID") read_solids(block);
     }
+    require_no_tetrahedra();
     check_element_numbers();
     if (!file_.held.empty()) file_.held.resize(file_.node_ids.size(), 0);
     KeywordSets(deck_, file_, nodes_).read();
@@ -134,16 +135,31 @@ class KeywordMeshReader {
     std::array<std::int32_t, 8> corners{};
     for (std::size_t i = 0; i < 8; ++i) {
       const std::int64_t id = fields.integer(first + i);
-      if (id == 0) fail_element(fields, "has fewer than eight nodes: a tetrahedron, which is not read yet");
+      if (id == 0) return add_tetrahedron(fields);
       corners[i] = nodes_.find(id + to_node);
       if (corners[i] < 0) fail_element(fields, fmt::format("has node {}, which is not there", id + to_node));
     }
     for (std::size_t i = 8; first == 0 && i < 10; ++i) {
-      if (fields.integer(i) != 0) fail_element(fields, "has ten nodes: a tetrahedron, which is not read yet");
+      if (fields.integer(i) != 0) return add_tetrahedron(fields);
     }
-    if (different(corners) <= 4) fail_element(fields, "is a tetrahedron, which is not read yet");
+    if (different(corners) <= 4) return add_tetrahedron(fields);
     if (mirrored) std::swap_ranges(corners.begin(), corners.begin() + 4, corners.begin() + 4);
     file_.mesh.hexahedra.push_back(corners);
+  }
+
+  /// All of them are counted before they are refused.
+  void add_tetrahedron(const Fields& fields) {
+    if (tetrahedra_++ == 0) first_tetrahedron_ = {fields.place(), file_.element_ids.back()};
+    file_.mesh.hexahedra.push_back({});
+  }
+
+  void require_no_tetrahedra() const {
+    if (tetrahedra_ == 0) return;
+    const auto& [place, number] = first_tetrahedron_;
+    fail_at(place,
+            fmt::format("*ELEMENT_SOLID: {} tetrahedr{} not read, the first is element {}: mesh these parts with "
+                        "hexahedra, wedges or pyramids",
+                        tetrahedra_, tetrahedra_ == 1 ? "on is" : "a are", number));
   }
 
   static std::size_t different(std::array<std::int32_t, 8> corners) {
@@ -187,6 +203,8 @@ class KeywordMeshReader {
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
   GivenOnce given_;
+  std::size_t tetrahedra_ = 0;
+  std::pair<DeckPlace, std::int64_t> first_tetrahedron_;
   std::vector<Run> node_blocks_;
 };
 

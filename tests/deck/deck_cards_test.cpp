@@ -33,6 +33,25 @@ TEST_F(DeckCards, AKeywordOfWallsHasAsManyAsItsCards) {
               HasSubstr("expected the plane of the wall"));
 }
 
+TEST_F(DeckCards, APartThatNothingUsesRefusesNothing) {
+  const std::string unused = "*PART\nshell\n9,9,9,9,9\n*SECTION_SHELL\n9,2\n*MAT_NULL\n9,1.\n*EOS_IDEAL_GAS\n9\n";
+  EXPECT_EQ(error(cube + elastic + ends + unused), no_error);
+  std::string with_state = cube;
+  with_state.replace(with_state.find("\n1,1,1\n"), 7, "\n1,1,1,9\n");
+  EXPECT_THAT(error(with_state + elastic + ends + "*EOS_IDEAL_GAS\n9\n"),
+              testing::AllOf(HasSubstr("equation of state (EOSID)"), HasSubstr("*EOS_IDEAL_GAS")));
+}
+
+TEST_F(DeckCards, TetrahedraAreRefusedWithAllElse) {
+  const std::string tetrahedra = "*ELEMENT_SOLID\n11,1,1,2,3,5,5,5,5,5\n12,1\n1,2,3,6\n";
+  EXPECT_EQ(
+      error(cube + elastic + ends + "*CONSTRAINED_NODE_SET\n" + tetrahedra),
+      "deck.k: cannot be run, for this version has not:\n"
+      "  *CONSTRAINED_NODE_SET (deck.k:22): nodes that parts have in common, or CONTACT_TIED_..., in its place\n"
+      "and besides: deck.k:24: *ELEMENT_SOLID: 2 tetrahedra are not read, the first is element 11: mesh these parts "
+      "with hexahedra, wedges or pyramids");
+}
+
 TEST_F(DeckCards, TheWidthOfColumnsMayStandBehindABlank) {
   std::string wide = "*NODE %\n";
   for (int i = 1; i <= 8; ++i) {

@@ -59,15 +59,19 @@ TEST(KeywordMesh, AWedgeIsACollapsedHexahedron) {
 TEST(KeywordMesh, WhatIsWrongIsNamedByItsNumberAndLine) {
   EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,15,16,17,99\n"),
             "a.k:11: *ELEMENT_SOLID: element 7 has node 99, which is not there");
-  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,14,14,14,14\n"),
-            "a.k:11: *ELEMENT_SOLID: element 7 is a tetrahedron, which is not read yet");
+  EXPECT_EQ(
+      error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,14,14,14,14\n"),
+      "a.k:11: *ELEMENT_SOLID: 1 tetrahedron is not read, the first is element 7: mesh these parts with hexahedra, "
+      "wedges or pyramids");
   EXPECT_EQ(error_of(nodes + one_line + one_line), "a.k:13: element 7 is given twice, first in a.k:11");
   EXPECT_EQ(error_of(nodes + nodes), "a.k:11: node 11 is given twice, first in a.k:2");
   EXPECT_EQ(error_of(nodes + "*NODE\n$\n19,0,0,0\n\n12,0,0,0\n"), "a.k:14: node 12 is given twice, first in a.k:3");
   EXPECT_EQ(error_of(nodes + "*PART\na\n1\n\n\nb\n1\n"), "a.k:16: part 1 is given twice, first in a.k:12");
   EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID_ORTHO\n"), "a.k:10: *ELEMENT_SOLID_ORTHO is not read");
-  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,12\n"),
-            "a.k:12: *ELEMENT_SOLID: element 7 has ten nodes: a tetrahedron, which is not read yet");
+  EXPECT_EQ(
+      error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,12\n"),
+      "a.k:12: *ELEMENT_SOLID: 1 tetrahedron is not read, the first is element 7: mesh these parts with hexahedra, "
+      "wedges or pyramids");
 }
 
 std::vector<std::int32_t> members(const MeshFile& file, const std::string& set) {
