@@ -33,6 +33,8 @@ void DeckReport::require_all_done(const std::string& file) const {
 
 std::vector<std::string> DeckReport::understood() const {
   std::vector<std::string> lines = understood_;
+  for (const Count& one : left_out_)
+    lines.push_back("left out, since --lenient says so, and may change the answer: " + line(one));
   for (const Count& one : unused_) lines.push_back("not used: " + line(one));
   return lines;
 }

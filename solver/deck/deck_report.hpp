@@ -23,6 +23,8 @@ class DeckReport {
     ignore(place, star_name + " of a node of no solid");
   }
   /// elements: how many a keyword of elements has; -1: it is none.
+  /// --lenient: not known, so that nobody knows whether it changes the answer.
+  void leave_out(const DeckPlace& place, const std::string& what) { count(left_out_, what, place, ""); }
   void refuse(const KeywordBlock& block, const std::string& reason = "", int elements = -1) {
     if (elements != 0) count(refused_, block.star_name(), block.place, reason, elements);
   }
@@ -53,7 +55,7 @@ class DeckReport {
   static std::string line(const Count& one);
 
   std::vector<std::string> understood_, errors_;
-  std::vector<Count> ignored_, unused_, refused_;
+  std::vector<Count> ignored_, unused_, refused_, left_out_;
 };
 
 }  // namespace pinball

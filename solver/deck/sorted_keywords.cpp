@@ -14,7 +14,7 @@ namespace pinball {
 
 namespace {
 
-/// Output and controls that --lenient leaves out.
+/// What --lenient leaves out; all output is known.
 bool is_output_or_control(const std::string& name) {
   return name.starts_with("CONTROL") || name.starts_with("DATABASE") || name.starts_with("PARAMETER");
 }
@@ -75,9 +75,10 @@ UnreadKeywords sort_keywords(KeywordDeck& deck, bool lenient, DeckReport& report
       read.push_back(std::move(block));
     } else if (is_read) {
       report.refuse(block, "in an included file of other units");
-    } else if ((rule == nullptr && lenient && is_output_or_control(block.name)) ||
-               (rule != nullptr && rule->treatment == Treatment::ignored)) {
+    } else if (rule != nullptr && rule->treatment == Treatment::ignored) {
       report.ignore(block);
+    } else if (rule == nullptr && lenient && is_output_or_control(block.name)) {
+      report.leave_out(block.place, block.star_name());
     } else {
       report.refuse(block, rule == nullptr ? "" : rule->remark, count_of(block));
       unread.of_mesh |= block.name.starts_with("ELEMENT_SOLID") || block.name.starts_with("NODE_");

@@ -362,6 +362,11 @@ TEST_F(Deck, LenientLeavesOutOutputAndControlsAlone) {
   EXPECT_THAT(error(cube + elastic + ends + "*CONSTRAINED_NODE_SET\n*CONTROL_UNHEARD_OF\n", lenient),
               testing::Not(HasSubstr("CONTROL")));
   EXPECT_EQ(error(cube + elastic + ends + "*CONTROL_UNHEARD_OF\n", lenient), "no error");
+  for (const char* control : {"ADAPTIVE", "ALE", "THERMAL_SOLVER", "SPH", "CONTACT"}) {
+    const TranslatedDeck deck = translate(cube + elastic + ends + "*CONTROL_" + control + "\n1.5\n", lenient);
+    EXPECT_TRUE(deck.ignored.empty()) << control;
+    EXPECT_THAT(deck.understood, Contains(HasSubstr(std::string("*CONTROL_") + control)));
+  }
 }
 
 TEST_F(Deck, IgnoresAreListed) {

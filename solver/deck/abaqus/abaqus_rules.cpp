@@ -180,7 +180,7 @@ void sort_abaqus_keyword(const AbaqusBlock& block, bool lenient, DeckReport& rep
     report.refuse(block.place, option);
   } else if (rule == nullptr) {
     if (lenient && is_output_or_control(block.name)) {
-      report.ignore(block.place, block.star_name());
+      report.leave_out(block.place, block.star_name());
     } else {
       report.refuse(block.place, block.star_name());
     }
