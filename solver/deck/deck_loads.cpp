@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 
 #include "boundary_text.hpp"
 #include "deck_parts.hpp"
+#include "reversed_faces.hpp"
 
 namespace pinball {
 
@@ -38,8 +41,19 @@ struct SegmentLoad {
 
 SegmentLoad segment_load(const Fields& f) { return {f.integer("LCID"), f.number("SF"), f.number("AT")}; }
 
-/// The time of the curve counts from the arrival. Which way round the corners stand means nothing: the solid that has
-/// the face says where its outside is.
+using FaceNumbers = std::array<std::int64_t, 4>;
+
+/// Which way round the corners stand means nothing, which is told: the solid that has the face says where its outside
+/// is.
+void tell_reversed(DeckData& data, const KeywordBlock& block, const DeckPlace& place,
+                   const std::vector<std::array<std::int32_t, 4>>& faces, const char* fields) {
+  if (const std::size_t count = count_reversed(data.mesh.mesh, faces); count > 0)
+    data.report.unused(
+        place, fmt::format("{}: {} of {} face{}", block.star_name(), fields, count, count == 1 ? "" : "s"),
+        "their normal points into the solid, where pressure would pull; here it presses on it all the same");
+}
+
+/// The time of the curve counts from the arrival.
 void write_pressure(const DeckData& data, const KeywordBlock& block, const DeckPlace& place, const SegmentLoad& load,
                     TomlText& scene) {
   write_head("pressure", block, place, scene);
@@ -49,26 +63,32 @@ void write_pressure(const DeckData& data, const KeywordBlock& block, const DeckP
 }
 
 /// N1 to N4; a triangle has no N4, or N3 once more.
-std::string face_text(const KeywordBlock& block, const Fields& f) {
+FaceNumbers corners_of(const KeywordBlock& block, const Fields& f) {
   constexpr std::size_t first = layout::load_segment.find("N1");
-  std::vector<std::int64_t> corners;
+  FaceNumbers corners{};
   for (std::size_t i = 0; i < 4; ++i) {
     const std::int64_t node = f.integer(first + i);
-    corners.push_back(i == 3 && node == 0 ? corners.back() : node_number(block, node));
+    corners[i] = i == 3 && node == 0 ? corners[2] : node_number(block, node);
   }
-  return toml(corners);
+  return corners;
 }
 
 }  // namespace
 
 void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   std::map<SegmentLoad, std::pair<std::vector<std::string>, DeckPlace>> faces;
+  std::vector<std::array<std::int32_t, 4>> all;
+  const NumberIndex index(data.mesh.node_ids);
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, layout::load_segment);
     auto& [corners, first] = faces[segment_load(f)];
     if (corners.empty()) first = card.place;
-    corners.push_back(face_text(block, f));
+    const FaceNumbers numbers = corners_of(block, f);
+    corners.push_back(toml(std::vector(numbers.begin(), numbers.end())));
+    auto& places = all.emplace_back();
+    std::ranges::transform(numbers, places.begin(), [&](std::int64_t number) { return index.find(number); });
   });
+  tell_reversed(data, block, block.place, all, "the order of N1 to N4");
   for (const auto& [load, listed] : faces) {
     write_pressure(data, block, listed.second, load, scene);
     scene.raw("faces", fmt::format("[{}]", fmt::join(listed.first, ", ")));
@@ -79,7 +99,10 @@ void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlT
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, layout::load_segment_set);
     write_pressure(data, block, card.place, segment_load(f), scene);
-    write_target(block, true, f.integer("SSID"), scene);
+    const std::int64_t set = f.integer("SSID");
+    write_target(block, true, set, scene);
+    const FaceSet* faces = find_set(data.mesh.face_sets, std::to_string(set_number(block, set)));
+    if (faces != nullptr) tell_reversed(data, block, card.place, faces->faces, "the order of the corners");
   });
 }
 

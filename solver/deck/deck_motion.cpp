@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "boundary_text.hpp"
 #include "deck_parts.hpp"
 
@@ -35,40 +37,56 @@ void write_moved(DeckData& data, const KeywordBlock& block, const Fields& f, Tom
                   block.star_name(), f.place().text(), part));
 }
 
+/// One card of the keyword.
+void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
+  static const char* const quantities[] = {"velocity", "acceleration", "displacement"};
+  const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
+  if (degree >= 5 && degree <= 7 && !block.name.ends_with("_RIGID")) {
+    data.report.understood(fmt::format("{} ({}): a rotation of nodes of solids (DOF {}) means nothing",
+                                       block.star_name(), f.place().text(), degree));
+    return;
+  }
+  if (const std::string refused = refused_of(block, degree, quantity); !refused.empty()) {
+    data.report.refuse(f.place(), refused);
+    return;
+  }
+  const Point direction = direction_of(data, block, degree, f);
+  write_head("prescribed_velocity", block, f.place(), scene);
+  ++data.motions;
+  if (last_card(data, "DATABASE_BNDOUT")) scene.key("name", fmt::format("motion_{}", data.motions));
+  if (degree == -4) {  // and held across it
+    scene.key("velocity", direction);
+  } else {
+    scene.key("direction", direction);
+    scene.key("speed", 1.0);
+  }
+  scene.key("quantity", quantities[quantity]);
+  write_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), scene);
+  write_span(span_of(f), scene);
+  write_moved(data, block, f, scene);
+}
+
+/// Whether a second line belongs to a card: of a motion about a node, or relative to another one, which are refused.
+bool has_second_line(const Fields& f) {
+  const std::int64_t degree = std::abs(f.integer("DOF"));
+  return (degree >= 9 && degree <= 11) || f.integer("VAD") == 4;
+}
+
 }  // namespace
 
 void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, TomlText& scene) {
-  static const char* const quantities[] = {"velocity", "acceleration", "displacement"};
   const CardLayout& layout = block.name.ends_with("_RIGID") ? layout::motion_part
                              : block.name.ends_with("_SET") ? layout::motion_set
                                                             : layout::motion_node;
-  for_each_card(block, [&](const Card& card) {
-    const Fields f = data.fields(card, layout);
-    const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
-    if (degree >= 5 && degree <= 7 && !block.name.ends_with("_RIGID")) {
-      data.report.understood(fmt::format("{} ({}): a rotation of nodes of solids (DOF {}) means nothing",
-                                         block.star_name(), card.place.text(), degree));
-      return;
-    }
-    if (const std::string refused = refused_of(block, degree, quantity); !refused.empty()) {
-      data.report.refuse(card.place, refused);
-      return;
-    }
-    const Point direction = direction_of(data, block, degree, f);
-    write_head("prescribed_velocity", block, card.place, scene);
-    ++data.motions;
-    if (last_card(data, "DATABASE_BNDOUT")) scene.key("name", fmt::format("motion_{}", data.motions));
-    if (degree == -4) {  // and held across it
-      scene.key("velocity", direction);
-    } else {
-      scene.key("direction", direction);
-      scene.key("speed", 1.0);
-    }
-    scene.key("quantity", quantities[quantity]);
-    write_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, scene);
-    write_span(span_of(f), scene);
-    write_moved(data, block, f, scene);
-  });
+  Cards cards(block);
+  while (true) {
+    if ((block.id || block.title) && !cards.next()) return;
+    const std::optional<Card> card = cards.next_filled();
+    if (!card) return;
+    const Fields f = data.fields(*card, layout);
+    if (has_second_line(f)) cards.next();
+    translate_motion(data, block, f, scene);
+  }
 }
 
 }  // namespace pinball

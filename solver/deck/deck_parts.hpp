@@ -32,6 +32,8 @@ void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, Toml
 void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlText& scene);
 void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, TomlText& scene);
 void translate_velocity_generation(DeckData& data, const KeywordBlock& block, TomlText& scene);
+/// Where there are several kinds of initial velocities.
+void tell_order_of_velocities(DeckData& data);
 /// count: how many there are so far, all of which have names.
 void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, TomlText& scene);
 void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& scene);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "boundary_text.hpp"
 #include "deck_parts.hpp"
 
@@ -17,6 +19,17 @@ void write_velocity(const KeywordBlock& block, const DeckPlace& place, const Poi
 }
 
 }  // namespace
+
+void tell_order_of_velocities(DeckData& data) {
+  std::vector<std::string> names;
+  for (const KeywordBlock& block : data.deck.blocks) {
+    if (block.name.starts_with("INITIAL_VELOCITY") && std::ranges::find(names, block.star_name()) == names.end())
+      names.push_back(block.star_name());
+  }
+  if (names.size() > 1)
+    data.report.understood(fmt::format("{}: of a node that several of them have, the last one in the deck counts",
+                                       fmt::join(names, ", ")));
+}
 
 /// Set, and then velocity; with NSIDEX that of the nodes that are left out, too.
 void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlText& scene) {

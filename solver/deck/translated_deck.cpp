@@ -102,6 +102,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
     const Translate translate = translation_of(name);
     if (translate != nullptr) translate(data, block, boundary);
   }
+  tell_order_of_velocities(data);
   translate_probes(data, boundary);
   describe_mesh(data, report);
   for (const std::string& note : deck.parameters.notes()) report.understood(note);

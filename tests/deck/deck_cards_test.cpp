@@ -52,6 +52,31 @@ TEST_F(DeckCards, TetrahedraAreRefusedWithAllElse) {
       "with hexahedra, wedges or pyramids");
 }
 
+TEST_F(DeckCards, FacesWhoseNormalPointsInwardsAreTold) {
+  const std::string curve = "*DEFINE_CURVE\n1\n0,1\n1,1\n";
+  const auto reversed =
+      Contains(testing::AllOf(HasSubstr("*LOAD_SEGMENT"), HasSubstr("of 1 face ("), HasSubstr("would pull")));
+  EXPECT_THAT(told(curve + "*LOAD_SEGMENT\n1,1.,0,5,6,7,8\n1,1.,0,1,4,3,2\n"), Not(reversed));
+  EXPECT_THAT(told(curve + "*LOAD_SEGMENT\n1,1.,0,5,6,7,8\n1,1.,0,1,2,3,4\n"), reversed);
+  EXPECT_THAT(told(curve + "*LOAD_SEGMENT_SET\n9,1\n*SET_SEGMENT\n9\n5,6,7,8\n8,7,3,4\n"), Not(reversed));
+  EXPECT_THAT(told(curve + "*LOAD_SEGMENT_SET\n9,1\n*SET_SEGMENT\n9\n5,6,7,8\n4,3,7,8\n"), reversed);
+}
+
+TEST_F(DeckCards, ASecondLineOfWhatIsRefusedIsNoOtherCard) {
+  const std::string curve = "*DEFINE_CURVE\n1\n0,1\n1,1\n";
+  EXPECT_THAT(
+      error(cube + elastic + ends + curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n5,9,0,1\n0.5,0.5\n5,1,4,1\n0.5\n"),
+      testing::AllOf(HasSubstr("with DOF 9"), HasSubstr("with VAD 4"), Not(HasSubstr("besides"))));
+}
+
+TEST_F(DeckCards, ThatTheLastInitialVelocityCountsIsTold) {
+  const std::string generated = "*INITIAL_VELOCITY_GENERATION\n1,2,0.,1.\n\n",
+                    of_node = "*INITIAL_VELOCITY_NODE\n1,2.\n";
+  const auto is_told = Contains(HasSubstr("the last one in the deck counts"));
+  EXPECT_THAT(told(generated + of_node), is_told);
+  EXPECT_THAT(told(of_node + of_node), Not(is_told));
+}
+
 TEST_F(DeckCards, TheWidthOfColumnsMayStandBehindABlank) {
   std::string wide = "*NODE %\n";
   for (int i = 1; i <= 8; ++i) {

@@ -14,14 +14,15 @@ inline constexpr CardLayout termination{
     number("ENDMAS", 1e8).told("the run goes on to ENDTIM; added mass is told"),
     whole("NOSOL").told("pinball info DECK checks a deck without running it")};
 inline constexpr std::string_view of_selective = "of selective mass scaling (IMSCL), which is not there";
-inline constexpr CardLayout timestep{number("DTINIT").told("the first step is the stable one, too"),
-                                     number("TSSFAC", 0.9),
-                                     whole("ISDO").told("of shells"),
-                                     number("TSLIMT").told("of shells"),
-                                     number("DT2MS"),
-                                     whole("LCTM").refused("leave it out: the step is TSSFAC times the stable one"),
-                                     whole("ERODE"),
-                                     whole("MS1ST")};
+inline constexpr CardLayout timestep{
+    number("DTINIT").told("the first step is the stable one, too"),
+    number("TSSFAC", 0.9),
+    whole("ISDO").told("of shells"),
+    number("TSLIMT").told("of shells"),
+    number("DT2MS"),
+    whole("LCTM").refused("leave it out: the step is TSSFAC times the stable one"),
+    whole("ERODE").told("elements stay, however small their step: give the material a failure strain"),
+    whole("MS1ST")};
 inline constexpr CardLayout timestep_scaling{number("DT2MSF").refused("give DT2MS in its place"),
                                              whole("DT2MSLC").refused("give DT2MS in its place"),
                                              whole("IMSCL"),
