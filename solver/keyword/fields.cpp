@@ -124,12 +124,6 @@ void LineFields::write_down(const CardLayout* layout) const {
   log_->left(line_, left, layout);
 }
 
-std::string_view LineFields::raw(std::size_t field) const {
-  if (field >= count_) return {};
-  asked_ |= 1U << field;
-  return fields_[field];
-}
-
 std::string LineFields::text(std::size_t field) const {
   const std::string_view given = raw(field);
   const bool parameter = parameters_ != nullptr && (given.starts_with('&') || given.starts_with("-&"));
@@ -138,20 +132,18 @@ std::string LineFields::text(std::size_t field) const {
 
 std::int64_t LineFields::integer(std::size_t field, std::string_view name,
                                  std::optional<std::int64_t> otherwise) const {
-  std::string_view given = raw(field);
+  const std::string_view given = raw(field);
   if (given.empty() && otherwise) return *otherwise;
-  std::string value;
-  if (given.find('&') != std::string_view::npos) given = value = text(field);
   if (const std::optional<std::int64_t> number = deck_integer(given)) return *number;
+  if (const std::optional<std::int64_t> number = deck_integer(text(field))) return *number;  // of a parameter
   fail_to_read(field, name, "a whole number");
 }
 
 double LineFields::number(std::size_t field, std::string_view name, std::optional<double> otherwise) const {
-  std::string_view given = raw(field);
+  const std::string_view given = raw(field);
   if (given.empty() && otherwise) return *otherwise;
-  std::string value;
-  if (given.find('&') != std::string_view::npos) given = value = text(field);
   if (const std::optional<double> number = deck_number(given)) return *number;
+  if (const std::optional<double> number = deck_number(text(field))) return *number;  // of a parameter
   fail_to_read(field, name, "a number");
 }
 
@@ -176,19 +168,14 @@ void Fields::cut_columns(std::string_view line) {
   if (const std::size_t tab = line.find('\t');
       tab != std::string_view::npos && tab + 1 < line.find_last_not_of(" \t") + 1)
     fail_at(place(), "there is a tab in a card of columns: expected blanks, or commas between the fields");
-  for (int width = width_of(0); !line.empty() && width > 0; width = width_of(count_)) {
-    const std::size_t length = std::min(static_cast<std::size_t>(width), line.size());
+  const bool is_wide = block() != nullptr && block()->wide;
+  // Behind the last field that the manual has there are up to eight of ten columns.
+  for (const std::size_t most = std::max<std::size_t>(layout_->size(), 8); !line.empty() && count_ < most;) {
+    const std::size_t length =
+        std::min(count_ < layout_->size() ? (*layout_)[count_].columns_of(is_wide) : std::size_t{10}, line.size());
     add(line.substr(0, length));
     line.remove_prefix(length);
   }
-}
-
-/// Columns of a field; behind the last one that the manual has, up to eight of ten; 0: none.
-int Fields::width_of(std::size_t field) const {
-  if (field >= layout_->size()) return field < 8 ? 10 : 0;
-  const CardField& one = (*layout_)[field];
-  const bool is_number_of_mesh = one.type == FieldType::whole && one.width == 8;
-  return is_number_of_mesh && block() != nullptr && block()->wide ? 10 : one.width;
 }
 
 std::size_t Fields::place_of(std::string_view name) const {
@@ -199,17 +186,21 @@ std::size_t Fields::place_of(std::string_view name) const {
 
 std::int64_t Fields::integer(std::size_t field) const {
   const CardField& one = (*layout_)[field];
-  if (blank(field) && !one.required) return static_cast<std::int64_t>(one.otherwise);
-  const std::int64_t value = LineFields::integer(field, one.name);
-  require_bounds(field, static_cast<double>(value));
+  const std::string_view given = raw(field);
+  if (given.empty() && !one.required) return static_cast<std::int64_t>(one.otherwise);
+  const std::optional<std::int64_t> plain = deck_integer(given);
+  const std::int64_t value = plain ? *plain : LineFields::integer(field, one.name);
+  require_bounds(one, static_cast<double>(value));
   return value;
 }
 
 double Fields::number(std::size_t field) const {
   const CardField& one = (*layout_)[field];
-  if (blank(field) && !one.required) return one.otherwise;
-  const double value = LineFields::number(field, one.name);
-  require_bounds(field, value);
+  const std::string_view given = raw(field);
+  if (given.empty() && !one.required) return one.otherwise;
+  const std::optional<double> plain = deck_number(given);
+  const double value = plain ? *plain : LineFields::number(field, one.name);
+  require_bounds(one, value);
   const bool converted = one.dimension != Dimension::none && block() != nullptr && block()->transform != nullptr;
   return converted ? value * factor_of(one.dimension, block()->transform->units) : value;
 }
@@ -219,8 +210,7 @@ Point Fields::point(std::string_view first) const {
   return {number(at), number(at + 1), number(at + 2)};
 }
 
-void Fields::require_bounds(std::size_t field, double value) const {
-  const CardField& one = (*layout_)[field];
+void Fields::require_bounds(const CardField& one, double value) const {
   if (value >= one.least && value <= one.most) return;
   fail(one.name, std::isinf(one.most) ? fmt::format("expected at least {}, got {}", one.least, value)
                                       : fmt::format("expected {} to {}, got {}", one.least, one.most, value));

@@ -54,12 +54,17 @@ class LineFields {
   /// Writes down those of which nobody has asked for what they say. layout: null: 0 says nothing, as a blank.
   void write_down(const CardLayout* layout) const;
   const KeywordBlock* block() const { return block_; }
+  /// As it stands, which is asking for it.
+  std::string_view raw(std::size_t field) const {
+    if (field >= count_) return {};
+    asked_ |= 1U << field;
+    return fields_[field];
+  }
 
   static constexpr std::size_t most_fields = 20;
   std::size_t count_ = 0;
 
  private:
-  std::string_view raw(std::size_t field) const;
   [[noreturn]] void fail_to_read(std::size_t field, std::string_view name, const std::string& expected) const;
 
   std::array<std::string_view, most_fields> fields_{};
@@ -96,9 +101,8 @@ class Fields : public LineFields {
 
  private:
   void cut_columns(std::string_view line);
-  int width_of(std::size_t field) const;
   std::size_t place_of(std::string_view name) const;
-  void require_bounds(std::size_t field, double value) const;
+  void require_bounds(const CardField& one, double value) const;
 
   const CardLayout* layout_;
 };
