@@ -168,11 +168,11 @@ void Fields::cut_columns(std::string_view line) {
   if (const std::size_t tab = line.find('\t');
       tab != std::string_view::npos && tab + 1 < line.find_last_not_of(" \t") + 1)
     fail_at(place(), "there is a tab in a card of columns: expected blanks, or commas between the fields");
-  const bool is_wide = block() != nullptr && block()->wide;
-  // Behind the last field that the manual has there are up to eight of ten columns.
+  const bool is_wide = block() != nullptr && block()->wide, is_twenty = block() != nullptr && block()->twenty;
+  // Behind the last field that the manual has there are up to eight of the same columns.
   for (const std::size_t most = std::max<std::size_t>(layout_->size(), 8); !line.empty() && count_ < most;) {
-    const std::size_t length =
-        std::min(count_ < layout_->size() ? (*layout_)[count_].columns_of(is_wide) : std::size_t{10}, line.size());
+    const CardField& field = count_ < layout_->size() ? (*layout_)[count_] : layout::gap;
+    const std::size_t length = std::min(field.columns_of(is_wide, is_twenty), line.size());
     add(line.substr(0, length));
     line.remove_prefix(length);
   }

@@ -38,6 +38,7 @@ struct KeywordBlock {
   bool title = false;     ///< _TITLE: the first card is one
   bool id = false;        ///< _ID: the first card has number and title
   bool wide = false;      ///< "%" behind the name: ten columns for the numbers of nodes and elements
+  bool twenty = false;    ///< "+" behind the name, LONG=Y: twenty columns for each field
   std::string_view body;  ///< lines, comments among them
   DeckPlace place;        ///< of the keyword itself
   std::shared_ptr<const DeckTransform> transform;  ///< none: numbers as they are

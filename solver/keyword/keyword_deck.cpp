@@ -28,7 +28,7 @@ class KeywordReader {
       : chosen_(chosen_case), cases_(chosen_case), included_(path) {}
 
   KeywordDeck read(std::shared_ptr<const std::string> text, const std::string& path) {
-    add_file(std::move(text), path, nullptr, false);
+    add_file(std::move(text), path, nullptr, {});
     keep_case();
     return std::move(deck_);
   }
@@ -40,11 +40,11 @@ class KeywordReader {
   };
 
   void add_file(std::shared_ptr<const std::string> text, const std::string& path,
-                const std::shared_ptr<const DeckTransform>& transform, bool wide) {
+                const std::shared_ptr<const DeckTransform>& transform, KeywordScanner::Widths widths) {
     deck_.texts.push_back(text);
     deck_.files.push_back(path);
     open_.push_back(path);
-    KeywordScanner scanner(*text, path, wide);
+    KeywordScanner scanner(*text, path, widths);
     KeywordBlock block;
     std::string after;
     while (scanner.next(block, after)) {
@@ -74,7 +74,8 @@ class KeywordReader {
       const std::string path = included_.find(file.name, open_.back());
       if (open_.size() > deepest_include || std::ranges::count(open_, path) != 0)
         fail_at(file.place, fmt::format("*INCLUDE {}: the file includes itself", file.name));
-      add_file(deck_text_of(files_.open(path, &file.place, "*INCLUDE")), path, file.transform, block.wide);
+      add_file(deck_text_of(files_.open(path, &file.place, "*INCLUDE")), path, file.transform,
+               {block.wide, block.twenty});
     }
   }
 

@@ -35,8 +35,8 @@ bool take_ending(std::string& name, std::string_view ending) {
   return true;
 }
 
-KeywordScanner::KeywordScanner(std::string_view text, const std::string& path, bool wide)
-    : rest_(text), place_{std::make_shared<const std::string>(path), 0}, wide_(wide) {
+KeywordScanner::KeywordScanner(std::string_view text, const std::string& path, Widths widths)
+    : rest_(text), place_{std::make_shared<const std::string>(path), 0}, widths_(widths) {
   skip_to_keyword();
 }
 
@@ -64,7 +64,7 @@ bool KeywordScanner::next(KeywordBlock& block, std::string& after) {
     block.body = take_body();
     if (block.name == "END") return false;
     if (block.name != "KEYWORD") return true;
-    read_formats(after, block.place);
+    read_formats(after);
   }
   return false;
 }
@@ -86,9 +86,9 @@ void KeywordScanner::read_name(KeywordBlock& block, std::string& after) {
 /// "%" and "-" say how wide the columns of this keyword alone are; "_TITLE" and "_ID" that it begins with a card more.
 void KeywordScanner::read_options(KeywordBlock& block) const {
   std::string& name = block.name;
-  if (take_ending(name, "+")) fail_at(block.place, '*' + name + "+: cards of twenty columns (LONG=Y) are not read");
   const bool standard = take_ending(name, "-");
-  block.wide = take_ending(name, "%") || (wide_ && !standard);
+  block.twenty = take_ending(name, "+") || (widths_.twenty && !standard);
+  block.wide = take_ending(name, "%") || (widths_.wide && !standard);
   bool more = true;
   while (more) {
     more = false;
@@ -104,16 +104,16 @@ std::string_view KeywordScanner::take_body() {
   return all.substr(0, all.size() - rest_.size());
 }
 
-void KeywordScanner::read_formats(const std::string& after, const DeckPlace& place) {
+/// LONG=S and LONG=K: of what another program writes; what it reads is as ever.
+void KeywordScanner::read_formats(const std::string& after) {
   std::string squeezed;
   for (const char c : after) {
     if (c != ' ' && c != '\t') squeezed += c;
   }
-  const std::size_t at = squeezed.find("LONG=");
-  if (at != std::string::npos && squeezed.substr(at, 6) != "LONG=S")
-    fail_at(place, "*KEYWORD LONG=" + squeezed.substr(at + 5, 1) + ": cards of twenty columns are not read");
-  if (squeezed.find("I10=Y") != std::string::npos) wide_ = true;
-  if (squeezed.find("I10=N") != std::string::npos) wide_ = false;
+  const auto has = [&](const char* format) { return squeezed.find(format) != std::string::npos; };
+  if (has("LONG=")) widths_.twenty = has("LONG=Y");
+  if (has("I10=Y")) widths_.wide = true;
+  if (has("I10=N")) widths_.wide = false;
 }
 
 }  // namespace pinball

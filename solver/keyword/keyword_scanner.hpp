@@ -18,15 +18,16 @@ bool take_ending(std::string& name, std::string_view ending);
 /// Cuts the text of one file into keywords with their lines.
 class KeywordScanner {
  public:
-  /// text has to stay. wide: whether the numbers of nodes and elements have ten columns until the file says otherwise.
-  /// Throws InputError where something else stands before the first keyword.
-  KeywordScanner(std::string_view text, const std::string& path, bool wide);
+  /// How wide columns are until the file says otherwise.
+  struct Widths {
+    bool wide = false, twenty = false;  ///< as of a KeywordBlock
+  };
+  /// text has to stay. Throws InputError where something else stands before the first keyword.
+  KeywordScanner(std::string_view text, const std::string& path, Widths widths);
 
   /// The next keyword, but for *KEYWORD itself; false: the file, or *END, ends here. after: what stands behind the
-  /// name. Throws InputError for cards of twenty columns.
+  /// name.
   bool next(KeywordBlock& block, std::string& after);
-  /// Of the keywords that come, as *KEYWORD of this file has it.
-  bool wide() const { return wide_; }
 
  private:
   void skip_to_keyword();
@@ -34,11 +35,11 @@ class KeywordScanner {
   void read_name(KeywordBlock& block, std::string& after);
   void read_options(KeywordBlock& block) const;
   std::string_view take_body();
-  void read_formats(const std::string& after, const DeckPlace& place);
+  void read_formats(const std::string& after);
 
   std::string_view rest_;
   DeckPlace place_;  ///< of the line before the rest
-  bool wide_;
+  Widths widths_;
 };
 
 }  // namespace pinball

@@ -74,11 +74,13 @@ class EveryField : public FolderTest {
     return text;
   }
 
-  Outcome outcome(const CardDeck& deck, const std::vector<std::string>& lines) const {
-    const std::string own = fmt::format("*{}\n{}\n", deck.keyword, fmt::join(lines, "\n"));
+  /// width: what says how wide columns are, behind the name.
+  Outcome outcome(const CardDeck& deck, const std::vector<std::string>& lines, const char* width = "") const {
+    const std::string own = fmt::format("*{}{}\n{}\n", deck.keyword, width, fmt::join(lines, "\n"));
     std::string text = "*KEYWORD\n" + deck.others + own;
     for (const auto& [name, body] : common_keywords()) {
-      if (("\n" + deck.others + own).find("\n*" + name + "\n") == std::string::npos) text += "*" + name + "\n" + body;
+      const bool is_other = name != deck.keyword && ("\n" + deck.others).find("\n*" + name + "\n") == std::string::npos;
+      if (is_other) text += "*" + name + "\n" + body;
     }
     const fs::path path = folder_ / "deck.k";
     fs::remove(path);  // a file that is written over is put on the disk at once
@@ -118,6 +120,31 @@ class EveryField : public FolderTest {
       if (!is_same && !is_there) values.emplace_back(value);
     }
     return values;
+  }
+
+  /// A line of commas in the columns of its layout.
+  static std::string in_columns(const std::string& line, const CardLayout& layout, bool wide, bool twenty) {
+    std::string text;
+    const std::vector<std::string> fields = cut(line, 0);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      text += fmt::format("{:>{}}", fields[i], i < layout.size() ? layout[i].columns_of(wide, twenty) : 10);
+    return text;
+  }
+
+  void expect_same_in_columns(const CardDeck& deck, const KeywordCards& cards) {
+    const Outcome expected = outcome(deck, deck.lines);
+    for (const char* width : {"", "%", "+"}) {
+      std::vector<std::string> lines = deck.lines;
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        const CardLayout* layout = cards.lines[i < cards.lines.size() ? i : i % cards.lines.size()];
+        const bool is_last = cards.keyword.starts_with("DEFINE_") && i >= cards.lines.size();
+        if (is_last) layout = cards.lines.back();
+        if (layout != nullptr) lines[i] = in_columns(lines[i], *layout, *width == '%', *width == '+');
+      }
+      const Outcome columns = outcome(deck, lines, width);
+      EXPECT_EQ(columns.error, expected.error) << deck.keyword << width;
+      EXPECT_EQ(columns.made, expected.made) << deck.keyword << width;
+    }
   }
 
   void set_each(const CardDeck& deck, const KeywordCards& cards) {
@@ -177,6 +204,14 @@ TEST_F(EveryField, OfEachCardCountsOrIsToldByItsName) {
   }
   EXPECT_GT(fields_, 600);
   fmt::print("{} fields, {} values\n", fields_, tried_);
+}
+
+TEST_F(EveryField, IsTheSameInColumnsOfAllWidths) {
+  for (const CardDeck& deck : all_decks()) {
+    const auto cards = std::ranges::find_if(
+        keyword_cards(), [&](const KeywordCards& one) { return one.keyword == deck.keyword && one.form == deck.form; });
+    expect_same_in_columns(deck, *cards);
+  }
 }
 
 TEST(KeywordCards, AreThoseOfEachKeywordThatIsDone) {

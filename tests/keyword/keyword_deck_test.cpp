@@ -163,10 +163,16 @@ TEST(KeywordDeck, AKeywordMayHaveOtherColumnsThanItsFile) {
   EXPECT_THAT(wide("*KEYWORD\n*NODE%\n*NODE \n"), ElementsAre(true, false));
 }
 
-TEST(KeywordDeck, RefusesLongCards) {
-  EXPECT_EQ(error_of([] { parse_keyword_deck("*KEYWORD LONG=Y\n", "a.k"); }),
-            "a.k:1: *KEYWORD LONG=Y: cards of twenty columns are not read");
-  EXPECT_THAT(error_of([] { parse_keyword_deck("*KEYWORD\n*NODE+\n", "a.k"); }), HasSubstr("a.k:2: *NODE+"));
+TEST(KeywordDeck, CardsOfTwentyColumnsAreThoseOfTheFileOrOfAKeyword) {
+  const auto twenty = [](const std::string& text) {
+    std::vector<bool> all;
+    for (const KeywordBlock& block : parse_keyword_deck(text, "a.k").blocks) all.push_back(block.twenty);
+    return all;
+  };
+  EXPECT_THAT(twenty("*KEYWORD LONG=Y\n*NODE\n*NODE-\n*NODE -\n"), ElementsAre(true, false, false));
+  EXPECT_THAT(twenty("*KEYWORD LONG=K\n*NODE\n*NODE+\n*NODE +\n"), ElementsAre(false, true, true));
+  const KeywordDeck deck = parse_keyword_deck("*KEYWORD LONG=Y\n*PARAMETER\nR speed             300.0\n*NODE\n", "a.k");
+  EXPECT_EQ(deck.parameters.value("&speed", deck.blocks[0].place), "300");
 }
 
 TEST(KeywordDeck, WhatIsNoDeckIsSaidToBeNone) {

@@ -34,8 +34,9 @@ struct CardField {
   double least = -std::numeric_limits<double>::infinity(), most = -least;
   std::string_view remark{};  ///< why it is not used, or what to do in its place
 
-  /// wide: numbers of nodes and elements have ten columns.
-  constexpr std::size_t columns_of(bool wide) const {
+  /// wide: numbers of nodes and elements have ten columns. twenty: all fields have twenty.
+  constexpr std::size_t columns_of(bool wide, bool twenty) const {
+    if (twenty) return 20;
     return static_cast<std::size_t>(wide && width == 8 && type == FieldType::whole ? 10 : width);
   }
   constexpr CardField told(std::string_view why = {}) const { return with(FieldUse::told, why); }
