@@ -66,11 +66,13 @@ DeckSide side_of(DeckData& data, const KeywordBlock& block, const Fields& f, std
     side.id = set;
     return side;
   } else {
-    data.report.refuse(f.place(), fmt::format("{} with SSTYP or MSTYP {}", block.star_name(), kind));
+    data.report.refuse(f.place(), fmt::format("{} with SSTYP or MSTYP {}", block.star_name(), kind),
+                       "give segments (0), parts (2, 3, 6) or, of NODES_TO_SURFACE, nodes (4)");
     return side;
   }
   if (side.bodies.empty())
-    data.report.refuse(f.place(), fmt::format("{} with a side that has no parts with solids", block.star_name()));
+    data.report.refuse(f.place(), fmt::format("{} with a side that has no parts with solids", block.star_name()),
+                       "give a side with solids, or leave the contact out");
   return side;
 }
 
@@ -81,9 +83,10 @@ void read_friction(DeckData& data, const KeywordBlock& block, const Fields& f, c
   if (fs == 0 && fd == 0) return;
   if (fs < 0 || fs == 2)
     data.report.refuse(f.place(),
-                       fmt::format("{} with FS = {}, friction of parts or from a table", block.star_name(), fs));
+                       fmt::format("{} with FS = {}, friction of parts or from a table", block.star_name(), fs),
+                       "give FS, FD and DC here");
   if (f.number("VC") != 0)
-    data.report.refuse(f.place(), block.star_name() + " with a limit of the friction stress (VC)");
+    data.report.refuse(f.place(), block.star_name() + " with a limit of the friction stress (VC)", "leave it 0");
   const double given = scales.number("FSF"), factor = given > 0 ? given : 1.0, dc = f.number("DC");
   if (dc <= 0 && fd != 0 && fd != fs)
     data.report.unused(f.place(), block.star_name() + ": FD", "without DC friction is FS, whatever the speed");
@@ -97,7 +100,7 @@ void read_times(DeckData& data, const KeywordBlock& block, const Fields& f, Deck
   contact.start = f.number("BT");
   contact.end = f.number("DT");
   if (contact.start < 0 || contact.end < 0)
-    data.report.refuse(f.place(), block.star_name() + " with a negative birth or death");
+    data.report.refuse(f.place(), block.star_name() + " with a negative birth or death", "give times (BT, DT)");
   if (contact.end >= 1e19) contact.end = 0;
 }
 

@@ -231,7 +231,7 @@ void DeckData::read_part_set(const KeywordBlock& block) {
   const bool collects = take_ending(form, "_COLLECT");
   form.erase(0, std::string_view("SET_PART").size());
   if (form != "" && form != "_LIST" && form != "_LIST_GENERATE" && form != "_ADD" && form != "_GENERATE") {
-    report.refuse(block, "a form of sets that is not read");
+    report.refuse(block, "give its parts as _LIST, _GENERATE or _ADD");
     return;
   }
   Cards cards(block);
@@ -288,8 +288,11 @@ void DeckData::name_bodies() {
                                    place_of_element(mesh, static_cast<std::int32_t>(first)), mesh.element_ids[first],
                                    mesh.parts[p].id));
     }
+    found->second.solids = elements[p];
     parts.push_back(found->second);
-    if (found->second.has_state_equation) report.refuse(found->second.place, "*PART with an equation of state (EOSID)");
+    if (found->second.has_state_equation)
+      report.refuse(found->second.place, "*PART with an equation of state (EOSID)",
+                    "leave it 0: materials have a bulk modulus", static_cast<int>(elements[p]));
     materials_.insert(found->second.material);
   }
   std::ranges::sort(parts, {}, &DeckPart::id);  // whatever their order in the deck: the scene is the same

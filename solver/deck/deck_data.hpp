@@ -25,6 +25,7 @@ struct DeckPart {
   bool has_state_equation;  ///< EOSID
   std::string body;         ///< name of the body that it becomes
   DeckPlace place;
+  std::int64_t solids = 0;
 };
 
 /// *HOURGLASS, or the defaults that *CONTROL_HOURGLASS and *CONTROL_BULK_VISCOSITY give it.

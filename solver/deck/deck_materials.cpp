@@ -167,9 +167,11 @@ void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fie
   if (lcss != 0 && points) not_used(data, block, f, "EPS1 to EPS8, ES1 to ES8", "LCSS is used");
   if ((lcss != 0 || points) && f.number("ETAN") != 0)
     not_used(data, block, f, "ETAN", "hardening is that of the curve");
-  if (is_table && lcsr != 0) data.report.refuse(f.place(), "*MAT_024 with a table (LCSS) and with LCSR");
+  if (is_table && lcsr != 0)
+    data.report.refuse(f.place(), "*MAT_024 with a table (LCSS) and with LCSR", "give one of both");
   if (by_curves && rate.is_law())
-    data.report.refuse(f.place(), "*MAT_024 with curves of the strain rate (LCSS, LCSR) and with C and P");
+    data.report.refuse(f.place(), "*MAT_024 with curves of the strain rate (LCSS, LCSR) and with C and P",
+                       "give one of both");
   if (is_table) {
     write_table(data, f, lcss, scene);
   } else if (lcsr != 0) {
@@ -191,7 +193,7 @@ void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fie
     if (rate.is_law() && rate.vp == 1 && f.number("SIGY") > 0) scene.key("rate_stress", yield_stress(f));
   }
   if (f.number("FAIL") < 0) {
-    data.report.refuse(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)");
+    data.report.refuse(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)", "give a strain");
   } else {
     write_failure(f, "FAIL", scene);
   }
@@ -241,7 +243,8 @@ void translate_parts(DeckData& data, const std::string& mesh, TomlText& scene) {
             "part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form->second));
         break;
       default:
-        data.report.refuse(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second));
+        data.report.refuse(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
+                           static_cast<int>(part.solids));
     }
     scene.entry("body");
     scene.from("*PART", part.place.text());

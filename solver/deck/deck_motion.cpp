@@ -47,7 +47,7 @@ void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f
     return;
   }
   if (const std::string refused = refused_of(block, degree, quantity); !refused.empty()) {
-    data.report.refuse(f.place(), refused);
+    data.report.refuse(f.place(), refused, "DOF 1 to 4 and -4 are read, and VAD 0 to 2");
     return;
   }
   const Point direction = direction_of(data, block, degree, f);

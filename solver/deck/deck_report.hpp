@@ -29,8 +29,8 @@ class DeckReport {
     if (elements != 0) count(refused_, block.star_name(), block.place, reason, elements);
   }
   /// Something of a keyword that is done otherwise.
-  void refuse(const DeckPlace& place, const std::string& what, const std::string& reason = "") {
-    count(refused_, what, place, reason);
+  void refuse(const DeckPlace& place, const std::string& what, const std::string& reason = "", int elements = -1) {
+    count(refused_, what, place, reason, elements);
   }
 
   bool refuses() const { return !refused_.empty(); }

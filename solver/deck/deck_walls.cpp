@@ -33,7 +33,7 @@ void write_friction(DeckData& data, const KeywordBlock& block, const Fields& pla
   } else if (friction < 1) {
     scene.key("friction", friction);
   } else {
-    data.report.refuse(plane.place(), block.star_name() + " with nodes that stick (FRIC > 1)");
+    data.report.refuse(plane.place(), block.star_name() + " with nodes that stick (FRIC > 1)", "1: nodes do not slide");
   }
 }
 

@@ -74,7 +74,7 @@ UnreadKeywords sort_keywords(KeywordDeck& deck, bool lenient, DeckReport& report
     } else if (is_read && (rule->in_other_units || units_of(block).are_own())) {
       read.push_back(std::move(block));
     } else if (is_read) {
-      report.refuse(block, "in an included file of other units");
+      report.refuse(block, "in an included file of other units: move it into a file of the deck's own");
     } else if (rule != nullptr && rule->treatment == Treatment::ignored) {
       report.ignore(block);
     } else if (rule == nullptr && lenient && is_output_or_control(block.name)) {

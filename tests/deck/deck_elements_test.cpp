@@ -77,7 +77,7 @@ TEST_F(DeckElements, OfAssumedStrainHaveTheirCoefficient) {
 
 TEST_F(DeckElements, OfAnUnknownFormAreRefusedOnce) {
   EXPECT_THAT(error(two_parts + "*HOURGLASS\n7,9\n"),
-              AllOf(HasSubstr("hourglass control of form 9 (deck.k:"), Not(HasSubstr("times"))));
+              AllOf(HasSubstr("hourglass control of form 9 (IHQ) (deck.k:"), Not(HasSubstr("times"))));
   EXPECT_THAT(error(two_parts), HasSubstr("no *HOURGLASS has the number 7"));
 }
 
