@@ -24,7 +24,7 @@ bool ImpulseSolver<S>::opens(std::int64_t k) const {
   const auto i = static_cast<std::size_t>(system_.original(k));
   const RowSystem::Row& row = system_.row(k);
   const double little = remainder * rows_.rows[i].impulse;
-  return pairs_[i].memory.force > 0 && dot(iterations_.impulse(k), row.direction) <= little &&
+  return pairs_[i].memory.force > 0 && system_.along(k, iterations_.impulse(k)) <= little &&
          pairs_[i].rate_free + row.rate <= little * row.inverse_mass;
 }
 
@@ -97,7 +97,7 @@ Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& ste
   Pair& pair = pairs_[system_.original(k)];
   const Vec3<double> a = system_.row(k).direction, after = system_.approach(k, velocity_.data());
   const double rate = dot(a, after);
-  pair.force = std::max(0.0, dot(a, iterations_.impulse(k))) / step.velocity();
+  pair.force = std::max(0.0, system_.along(k, iterations_.impulse(k))) / step.velocity();
   pair.lost = work_of(pair.force, pair.rate_before, rate, step);
   pair.taken = pair.lost.now + pair.lost.later;  // without friction
   pair.memory.lost += pair.taken;

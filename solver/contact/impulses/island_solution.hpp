@@ -209,7 +209,13 @@ class IslandSolution {
   void begin() {
     for_rows([&](std::int64_t k) {
       const Row& row = system_.row(k);
-      const Impulse b = allowed(k, seen_by(row, of_.impulse(k)));
+      Impulse begun;
+      if constexpr (friction) {
+        begun = of_.impulse(k);
+      } else {
+        begun = system_.along(k, of_.impulse(k));
+      }
+      const Impulse b = allowed(k, begun);
       put(of_.sought_, k, b);
       put(of_.step_, k, b);
       ImpulseIterations::put(of_.trial_, k, vector(row, b));

@@ -51,6 +51,11 @@ class RowSystem {
     const int nodes = first_entry_[static_cast<std::size_t>(k) + 1] - first_entry_[static_cast<std::size_t>(k)];
     return {&row(k).direction.x, nodes, node_of_.data() + first, weight_of_.data() + first};
   }
+  /// p of an impulse p a + q of a row. (The direction of balls is no unit vector.)
+  double along(std::int64_t k, const Vec3<double>& b) const {
+    const Vec3<double>& a = row(k).direction;
+    return dot(a, b) / dot(a, a);
+  }
   /// Whether there is friction.
   bool rubs() const { return rubs_; }
   std::span<const Island> islands() const { return islands_; }

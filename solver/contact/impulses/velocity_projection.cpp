@@ -42,10 +42,12 @@ void ImpulseIterations::project(const RowSystem& system, double* velocity) {
       sum += std::abs(entries.weight[e]) * record(change_.data(), entries.node[e])[0] * std::sqrt(dot(by, by));
     }
     const double p = closing > 0 ? closing / sum : 0.0;
-    const Vec3<double> before = get(impulse_, k), across = before - dot(row.direction, before) * row.direction;
-    put(impulse_, k, allowed_impulse(p * row.direction + across, row.direction, {row.coefficient, 0}));
+    const Vec3<double> before = get(impulse_, k), across = before - system.along(k, before) * row.direction;
+    const Vec3<double> b = p * row.direction;
+    put(impulse_, k, system.rubs() ? allowed_impulse(b + across, row.direction, {row.coefficient, 0}) : b);
   });
   move(impulse_);
+  if (!system.rubs()) return;
   parallel_for("friction", RangePolicy<>{0, rows}, [&](std::int64_t k) {
     const RowSystem::Row& row = system.row(k);
     const Vec3<double> b = get(impulse_, k), s = system.approach(k, velocity);
