@@ -25,6 +25,15 @@ Vec3<double> double_vector_of(const S* record) {
   return {static_cast<double>(record[0]), static_cast<double>(record[1]), static_cast<double>(record[2])};
 }
 
+/// Writes a vector to a record, and zero behind it.
+template <class S>
+void put_vector(S* record, const Vec3<S>& v) {
+  record[0] = v.x;
+  record[1] = v.y;
+  record[2] = v.z;
+  record[3] = 0;
+}
+
 /// Arrays of records of nodes, each aligned to four numbers, and the records of node n in them.
 template <class S>
 struct NodeRecords {

@@ -46,8 +46,12 @@ Eigen::VectorXd velocities(const ImpulseSystem& s) {
   return v;
 }
 
-/// The impulses, by a direct solution of the active rows for every choice of them.
-Eigen::VectorXd direct_solution(const ImpulseSystem& s) {
+struct DirectSolution {
+  Eigen::VectorXd impulses, velocities;
+};
+
+/// By a direct solution of the active rows for every choice of them.
+DirectSolution direct_solution(const ImpulseSystem& s) {
   const int rows = static_cast<int>(s.rows.size());
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(rows, 3 * node_count), sizes = Eigen::MatrixXd::Zero(rows, node_count);
   Eigen::MatrixXd mobility = Eigen::MatrixXd::Zero(3 * node_count, 3 * node_count);
@@ -85,23 +89,31 @@ Eigen::VectorXd direct_solution(const ImpulseSystem& s) {
       const Eigen::VectorXd of_some = some.ldlt().solve(Eigen::VectorXd(closing(chosen)));
       p(chosen) = of_some;
     }
-    if (p.minCoeff() > -1e-10 && (closing - system * p).maxCoeff() < 1e-10) return p;
+    if (p.minCoeff() > -1e-10 && (closing - system * p).maxCoeff() < 1e-10)
+      return {p, velocities(s) - mobility * G.transpose() * p};
   }
   ADD_FAILURE() << "no set of active rows solves the system";
-  return Eigen::VectorXd::Zero(rows);
+  return {Eigen::VectorXd::Zero(rows), velocities(s)};
+}
+
+/// Impulses are known from velocities but for what the compliance divides.
+void expect_solved(const ImpulseSystem& s, const DirectSolution& expected, int trial) {
+  EXPECT_LT((velocities(s) - expected.velocities).norm(), 1e-9) << "trial " << trial;
+  for (std::size_t i = 0; i < s.rows.size(); ++i) {
+    EXPECT_NEAR(s.impulse(i), expected.impulses[static_cast<Eigen::Index>(i)], 1e-9 / ImpulseIterations::softness)
+        << "trial " << trial << ", row " << i;
+    EXPECT_GE(s.impulse(i), 0);
+  }
 }
 
 TEST(ContactImpulse, IterationsFindTheDirectSolution) {
   std::mt19937 random(7);
   for (int trial = 0; trial < 200; ++trial) {
     ImpulseSystem s = random_system(random, 1 + trial % 6, trial % 3 == 0);
-    const Eigen::VectorXd expected = direct_solution(s);
+    const DirectSolution expected = direct_solution(s);
     s.build();
     EXPECT_TRUE(s.solve().converged);
-    for (std::size_t i = 0; i < s.rows.size(); ++i) {
-      EXPECT_NEAR(s.impulse(i), expected[static_cast<Eigen::Index>(i)], 1e-3) << "trial " << trial << ", row " << i;
-      EXPECT_GE(s.impulse(i), 0);
-    }
+    expect_solved(s, expected, trial);
   }
 }
 
@@ -109,12 +121,38 @@ TEST(ContactImpulse, IterationsDoNotMindWhereTheyBegin) {
   std::mt19937 random(8);
   for (int trial = 0; trial < 20; ++trial) {
     ImpulseSystem s = random_system(random, 5, true);
-    const Eigen::VectorXd expected = direct_solution(s);
+    const DirectSolution expected = direct_solution(s);
     for (ImpulseRow& row : s.rows.rows) row.impulse = 0.3 * trial;
     s.build();
     EXPECT_TRUE(s.solve().converged);
+    expect_solved(s, expected, trial);
+  }
+}
+
+/// The direction with which a row is added may have any length, as that of balls has: nodes move as they do otherwise.
+TEST(ContactImpulse, DirectionsMayHaveAnyLength) {
+  std::mt19937 random(13);
+  for (int trial = 0; trial < 60; ++trial) {
+    std::mt19937 same = random;
+    ImpulseSystem unit = random_system(same, 1 + trial % 6, trial % 3 == 0);
+    ImpulseSystem s = random_system(random, 1 + trial % 6, trial % 3 == 0);
     for (std::size_t i = 0; i < s.rows.size(); ++i) {
-      EXPECT_NEAR(s.impulse(i), expected[static_cast<Eigen::Index>(i)], 1e-3);
+      const double length = 0.2 + 0.7 * static_cast<double>(i);
+      ImpulseRow& row = s.rows.rows[i];
+      for (double& a : row.direction) a *= length;
+      row.position_rate *= length;
+    }
+    const double mu = trial % 2 == 0 ? -1 : 0.3;
+    for (ImpulseSystem* system : {&unit, &s}) system->build(mu);
+    if (trial % 4 < 2) {
+      for (ImpulseSystem* system : {&unit, &s}) system->solve();
+    } else {
+      for (ImpulseSystem* system : {&unit, &s}) system->iterations.project(system->system, system->velocities.data());
+    }
+    EXPECT_LT((velocities(s) - velocities(unit)).norm(), 1e-9) << "trial " << trial;
+    for (std::size_t i = 0; i < s.rows.size(); ++i) {
+      const double length = 0.2 + 0.7 * static_cast<double>(i);
+      EXPECT_NEAR(s.impulse(i) * length, unit.impulse(i), 1e-9 / ImpulseIterations::softness) << i;
     }
   }
 }

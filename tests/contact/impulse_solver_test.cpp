@@ -74,11 +74,12 @@ void solve_pair(ImpulseSolver<double>& solver, const Nodes& nodes, const Vec3<do
 }
 
 /// A node that is held along any direction moves across it alone: with the force that the solver gives, less what the
-/// constraint takes of it, the gap closes and no more.
+/// constraint takes of it, the gap closes and no more; also that of two balls, whose direction is longer than one.
 TEST(ImpulsesOfTwoNodes, ClosesTheGapOfANodeThatIsHeldObliquely) {
   for (const Vec3<double>& normal :
        {unit({1, 1, 0}), unit({0, 1, 1}), unit({1, 0, 1}), unit({1, -1, 0}), unit({3, 2, -1}), unit({-1, 2, 5})}) {
-    for (const Vec3<double>& direction : {unit({2, 1, 0}), unit({0, 2, 1}), unit({1, 0, 2}), unit({1, -3, 2})}) {
+    for (const Vec3<double>& direction :
+         {unit({2, 1, 0}), unit({0, 2, 1}), unit({1, 0, 2}), unit({1, -3, 2}), 1.3 * unit({2, 3, 1})}) {
       Nodes nodes({2.0, 3.0});
       nodes.set_velocity(0, -4.0 * direction);
       const std::vector<HeldDirection> held{{1, {normal.x, normal.y, normal.z}}};

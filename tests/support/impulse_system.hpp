@@ -54,7 +54,8 @@ struct ImpulseSystem {
     for (std::int32_t k = 0; k < system.size(); ++k) {
       RowSystem::Row& row = system.row(k);
       row.scale = std::abs(row.rate + dot(row.direction, system.approach(k, velocities.data())));
-      iterations.set_impulse(k, rows.rows[static_cast<std::size_t>(system.original(k))].impulse * row.direction);
+      const ImpulseRow& added = rows.rows[static_cast<std::size_t>(system.original(k))];
+      iterations.set_impulse(k, added.impulse * vector_of(added.direction));
     }
   }
   ImpulseIterations::Result solve() { return iterations.solve(system, velocities.data()); }
@@ -80,11 +81,11 @@ struct ImpulseSystem {
   /// p of a row, by its number as it was added.
   double impulse(std::size_t row) const {
     const std::int32_t k = number_of(row);
-    return dot(iterations.impulse(k), system.row(k).direction);
+    return system.impulse_as_added(k, iterations.impulse(k));
   }
   Vec3<double> friction(std::size_t row) const {
     const std::int32_t k = number_of(row);
-    return iterations.impulse(k) - impulse(row) * system.row(k).direction;
+    return iterations.impulse(k) - impulse(row) * vector_of(rows.rows[row].direction);
   }
   /// What still drives a row, with its compliance: zero where it is free, along q where it slides.
   Vec3<double> drive(std::size_t row) const {

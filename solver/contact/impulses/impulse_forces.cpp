@@ -22,16 +22,17 @@ constexpr double remainder = 2e-3;
 template <class S>
 bool ImpulseSolver<S>::opens(std::int64_t k) const {
   const auto i = static_cast<std::size_t>(system_.original(k));
-  const RowSystem::Row& row = system_.row(k);
-  const double little = remainder * rows_.rows[i].impulse;
-  return pairs_[i].memory.force > 0 && system_.along(k, iterations_.impulse(k)) <= little &&
-         pairs_[i].rate_free + row.rate <= little * row.inverse_mass;
+  const ImpulseRow& row = rows_.rows[i];
+  const double little = remainder * row.impulse;
+  return pairs_[i].memory.force > 0 && system_.impulse_as_added(k, iterations_.impulse(k)) <= little &&
+         pairs_[i].rate_free + row.position_rate <= little * row.inverse_mass;
 }
 
 /// Bound of the row sum of G M^-1 G^T over the rows that open, weighted by their last forces over that of row k
 /// [1/mass].
 template <class S>
 double ImpulseSolver<S>::shared_inverse_mass(std::int64_t k) const {
+  const std::int32_t i = system_.original(k);
   const RowView row = system_.entries(k);
   double alone = 0, shared = 0;
   for (int e = 0; e < row.nodes; ++e) {
@@ -40,18 +41,21 @@ double ImpulseSolver<S>::shared_inverse_mass(std::int64_t k) const {
     alone += most * std::abs(row.weight[e]);
     shared += most * release_share_[row.node[e]];
   }
-  const double inverse_mass = system_.row(k).inverse_mass;
-  return alone > 0 ? inverse_mass * shared / (alone * pairs_[system_.original(k)].memory.force) : inverse_mass;
+  const double inverse_mass = rows_.rows[i].inverse_mass;
+  return alone > 0 ? inverse_mass * shared / (alone * pairs_[i].memory.force) : inverse_mass;
 }
 
-/// Impulse that a row that opens gives: the largest for which 1/2 p (rate_before + rate - p inverse_mass) >= -lost, and
-/// at most half of the last.
+/// Impulse that a row that opens gives: half of the last, but no more than the largest for which
+/// 1/2 p (rate_before + rate - p inverse_mass) >= -lost.
 template <class S>
-double ImpulseSolver<S>::released_by(std::int64_t k) const {
-  const Pair& pair = pairs_[system_.original(k)];
+double ImpulseSolver<S>::released_by(std::int64_t k, double velocity_step) const {
+  const std::int32_t i = system_.original(k);
+  const Pair& pair = pairs_[i];
   const double inverse_mass = shared_inverse_mass(k);
-  const double sum = pair.rate_before + dot(system_.row(k).direction, system_.approach(k, velocity_.data()));
-  return (sum + std::sqrt(sum * sum + 8 * budget_of(pair) * inverse_mass)) / (2 * inverse_mass);
+  const double rate = dot(vector_of(rows_.rows[i].direction), system_.approach(k, velocity_.data()));
+  const double sum = pair.rate_before + rate;
+  const double root = std::sqrt(sum * sum + 8 * budget_of(pair) * inverse_mass);
+  return std::clamp((sum + root) / (2 * inverse_mass), 0.0, 0.5 * pair.memory.force * velocity_step);
 }
 
 /// Rows that open together move the same nodes: what one of them may give is measured by what all of them do, each by
@@ -67,37 +71,32 @@ void ImpulseSolver<S>::release(double velocity_step) {
       if (opens(k)) release_share_[place] += std::abs(weight) * pairs_[system_.original(k)].memory.force;
     });
   });
-  released_.assign(active_.size(), 0);
+  row_vector_.reset(4 * active_.size());
   for_all("release", active_.size(), [&](std::int64_t k) {
     if (!opens(k)) return;
-    const double half = 0.5 * pairs_[system_.original(k)].memory.force * velocity_step;
-    released_[k] = std::max(0.0, std::min(half, released_by(k)));
+    const double released = released_by(k, velocity_step);
+    const Vec3<double> a = vector_of(rows_.rows[system_.original(k)].direction);
+    if (released > 0) put_vector(record(row_vector_.data(), k), released * a);
   });
   for_all("release of nodes", nodes_.size(), [&](std::int64_t place) {
-    Vec3<double> impulse{0, 0, 0};
-    system_.for_rows_of(static_cast<std::int32_t>(place), [&](std::int32_t k, double weight) {
-      impulse = impulse + (weight * released_[k]) * system_.row(k).direction;
-    });
-    const Vec3<double> change = moved_by(nodes_[place], impulse);
-    double* const v = record(velocity_.data(), place);
-    v[0] -= change.x;
-    v[1] -= change.y;
-    v[2] -= change.z;
+    system_.move(static_cast<std::int32_t>(place), row_vector_.data(), velocity_.data());
   });
-  for (std::int32_t k = 0; k < system_.size(); ++k) {
-    if (!(released_[k] > 0)) continue;
-    iterations_.set_impulse(k, released_[k] * system_.row(k).direction);
+  for_all("what is released", active_.size(), [&](std::int64_t k) {
+    const Vec3<double> released = vector_of(record(row_vector_.data(), k));
+    if (!(dot(released, released) > 0)) return;
+    iterations_.set_impulse(k, released);
     pairs_[system_.original(k)].memory.force = -1;  // so that it does not count as a contact at the next step
-  }
+  });
 }
 
 /// What a row takes out. Returns its force on body 1, with that of friction.
 template <class S>
 Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& step) {
-  Pair& pair = pairs_[system_.original(k)];
-  const Vec3<double> a = system_.row(k).direction, after = system_.approach(k, velocity_.data());
+  const std::int32_t i = system_.original(k);
+  Pair& pair = pairs_[i];
+  const Vec3<double> a = vector_of(rows_.rows[i].direction), after = system_.approach(k, velocity_.data());
   const double rate = dot(a, after);
-  pair.force = std::max(0.0, system_.along(k, iterations_.impulse(k))) / step.velocity();
+  pair.force = std::max(0.0, system_.impulse_as_added(k, iterations_.impulse(k))) / step.velocity();
   pair.lost = work_of(pair.force, pair.rate_before, rate, step);
   pair.taken = pair.lost.now + pair.lost.later;  // without friction
   pair.memory.lost += pair.taken;
@@ -105,8 +104,7 @@ Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& ste
   if (has_friction()) pair.lost.join(keep_friction(k, after - rate * a, step));
   if (!(pair.force > 0)) return {0, 0, 0};
   const Vec3<double> force = pair.force * a;
-  if (!has_friction()) return force;
-  return force + Vec3<double>{pair.memory.friction[0], pair.memory.friction[1], pair.memory.friction[2]};
+  return has_friction() ? force + vector_of(pair.memory.friction) : force;
 }
 
 /// Force of the friction of a row, and its work. after: sliding velocity.
@@ -133,17 +131,11 @@ ExternalWork ImpulseSolver<S>::keep_friction(std::int64_t k, const Vec3<double>&
 /// Forces of the rows on their nodes: each node sums up those of its rows.
 template <class S>
 void ImpulseSolver<S>::give_forces(const SurfaceSource<S>& source, const StepLengths& step) {
-  force_.renew(4 * active_.size());
-  for_all("forces of rows", active_.size(), [&](std::int64_t k) {
-    const Vec3<double> force = finish_row(k, step);
-    double* const to = record(force_.data(), k);
-    to[0] = force.x;
-    to[1] = force.y;
-    to[2] = force.z;
-    to[3] = 0;
-  });
+  row_vector_.renew(4 * active_.size());
+  for_all("forces of rows", active_.size(),
+          [&](std::int64_t k) { put_vector(record(row_vector_.data(), k), finish_row(k, step)); });
   for_all("forces of rows on nodes", nodes_.size(), [&](std::int64_t place) {
-    const Vec3<double> sum = system_.impulse_at(static_cast<std::int32_t>(place), force_.data());
+    const Vec3<double> sum = system_.impulse_at(static_cast<std::int32_t>(place), row_vector_.data());
     S* const force = source.f(node_[place]);
     force[0] -= static_cast<S>(sum.x);
     force[1] -= static_cast<S>(sum.y);

@@ -12,7 +12,6 @@ namespace {
 constexpr std::int32_t rows_of_islands_to_share = 256;
 
 using island::IslandSolution;
-constexpr std::int32_t rows_to_share = IslandSolution<false>::rows_to_share;
 
 }  // namespace
 

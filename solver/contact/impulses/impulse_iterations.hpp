@@ -32,7 +32,7 @@ class IslandSolution;
 /// finds out which bounds hold; then conjugate residuals go on over what is free, until that is small beside what the
 /// bounds hold back, or an impulse would become negative. A row that slides is free to turn its friction, with the
 /// stiffness |t|/|q| of the circle that it is bound to. How long q may be follows p at the projections; where that goes
-/// to and fro for long, it follows slowly.
+/// to and fro, it follows by a part.
 ///
 /// It ends when the projected step is small: D |allowed(b - g / D) - b|, a velocity, below 1e-9 (with friction 1e-10)
 /// of the rates that the impulses of the island are to change.
@@ -72,13 +72,7 @@ class ImpulseIterations {
   using Records = Array<double>;  ///< of four numbers
 
   static Vec3<double> get(const Records& of, std::int64_t k) { return vector_of(record(of.data(), k)); }
-  static void put(Records& of, std::int64_t k, const Vec3<double>& b) {
-    double* const to = record(of.data(), k);
-    to[0] = b.x;
-    to[1] = b.y;
-    to[2] = b.z;
-    to[3] = 0;
-  }
+  static void put(Records& of, std::int64_t k, const Vec3<double>& b) { put_vector(record(of.data(), k), b); }
 
   Records impulse_;  ///< b, per row
   // Of an island while it is solved: vectors, or, without friction, numbers along the direction. Those of its rows lie

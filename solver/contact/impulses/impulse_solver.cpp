@@ -265,12 +265,10 @@ void ImpulseSolver<S>::build_system(double velocity_step) {
   iterations_.reset(system_);
   for_all("rows to begin with", active_.size(), [&](std::int64_t k) {
     const auto i = static_cast<std::size_t>(system_.original(k));
-    system_.row(k).scale = rate_scale(i);
-    Vec3<double> b = rows_.rows[i].impulse * system_.row(k).direction;
-    if (has_friction()) {
-      const double* q = frictions_[i].impulse;
-      b = b + Vec3<double>{q[0], q[1], q[2]};
-    }
+    const ImpulseRow& row = rows_.rows[i];
+    system_.row(k).scale = rate_scale(i) / system_.row(k).length;
+    Vec3<double> b = row.impulse * vector_of(row.direction);
+    if (has_friction()) b = b + vector_of(frictions_[i].impulse);
     iterations_.set_impulse(k, b);
   });
 }
@@ -351,9 +349,9 @@ void ImpulseSolver<S>::check(const StateArchive& archive, std::int32_t node_coun
 template <class S>
 std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + force_.bytes() + of(frictions_) +
-         of(pairs_) + of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) + of(release_share_) +
-         of(released_) + names_.bytes() + of(node_place_) + held_.bytes();
+  return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + row_vector_.bytes() +
+         of(frictions_) + of(pairs_) + of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) +
+         of(release_share_) + names_.bytes() + of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;

@@ -154,7 +154,7 @@ class ImpulseSolver {
   double budget_of(const Pair& pair) const { return budget_share_ * std::max(0.0, pair.memory.lost); }
   bool opens(std::int64_t k) const;
   double shared_inverse_mass(std::int64_t k) const;
-  double released_by(std::int64_t k) const;
+  double released_by(std::int64_t k, double velocity_step) const;
   void release(double velocity_step);
   Vec3<double> finish_row(std::int64_t k, const StepLengths& step);
   ExternalWork keep_friction(std::int64_t k, const Vec3<double>& after, const StepLengths& step);
@@ -192,8 +192,7 @@ class ImpulseSolver {
   ImpulseIterations iterations_;
   std::vector<ImpulseNode> nodes_;        ///< per entry of node_
   std::vector<double> release_share_;     ///< per entry of nodes_: sum of |w| F over the rows that open [force]
-  std::vector<double> released_;          ///< by the rows of system_ that open [mass length/time]
-  Array<double> force_;                   ///< records, of the rows of system_ [force]
+  Array<double> row_vector_;              ///< records, of the rows of system_: what they release, then their forces
   Array<double> velocity_;                ///< records of four numbers, per entry of node_
   std::vector<std::int32_t> node_;        ///< of the store, per entry of nodes_
   std::vector<LastEntry> last_entry_;     ///< per entry of node_

@@ -7,8 +7,11 @@
 
 namespace pinball {
 
-/// Loops over the rows and nodes of an island: of one thread, or shared by all, with the same bits, because sums are
-/// cut into pieces by their length alone, and because the machine code is the same (RangeOf).
+/// Rows from which on threads gain more by sharing a loop than they lose by waiting for each other.
+inline constexpr std::int32_t rows_to_share = 1024;
+
+/// Loops over rows and nodes, of an island or of all: of one thread, or shared by all, with the same bits, because sums
+/// are cut into pieces by their length alone, and because the machine code is the same (RangeOf).
 class IslandLoops {
  public:
   explicit IslandLoops(bool shared) : shared_(shared) {}

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
 #include "impulse_iterations.hpp"
 #include "island_loops.hpp"
+#include "island_sums.hpp"
 
 namespace pinball::island {
 
@@ -29,50 +29,10 @@ inline double dot(double a, double b) { return a * b; }
 inline double length(double a) { return std::abs(a); }
 inline double length(const Vec3<double>& a) { return std::sqrt(dot(a, a)); }
 
-struct Largest {
-  double value = 0;
-  void join(const Largest& other) { value = std::max(value, other.value); }
-};
-struct Sum {
-  double value = 0;
-  void join(const Sum& other) { value += other.value; }
-};
-struct Scales {
-  double rate = 0, speed = 0;
-  void join(const Scales& other) {
-    rate = std::max(rate, other.rate);
-    speed = std::max(speed, other.speed);
-  }
-};
-/// Along a direction of the search: r . P q and q . P q, and how far it goes until an impulse is none.
-struct Along {
-  double descent = 0, size = 0;
-  double room = std::numeric_limits<double>::infinity();
-  void join(const Along& other) {
-    descent += other.descent;
-    size += other.size;
-    room = std::min(room, other.room);
-  }
-};
-/// After a step of the search: squares of projected steps of what is free and of what is bound, the largest of the
-/// first, and whether friction has met its bound.
-struct Progress {
-  double free = 0, bound = 0, largest = 0;
-  bool strays = false;
-  void join(const Progress& other) {
-    free += other.free;
-    bound += other.bound;
-    largest = std::max(largest, other.largest);
-    strays = strays || other.strays;
-  }
-};
-
 /// One island, while it is solved. friction: some of its rows may rub.
 template <bool friction>
 class IslandSolution {
  public:
-  /// From so many rows on threads share the loops of an island.
-  static constexpr std::int32_t rows_to_share = 1024;
   using Impulse = std::conditional_t<friction, Vec3<double>, double>;
 
   IslandSolution(const RowSystem& system, ImpulseIterations& of, const Island& island, double* velocity)
@@ -149,6 +109,12 @@ class IslandSolution {
     loops_.for_each(island_.first_node, island_.end_node,
                     [&](std::int64_t i) { body(system_.nodes()[static_cast<std::size_t>(i)]); });
   }
+  template <class Result, class Body>
+  Result over_nodes(const Body& body) const {
+    return loops_.reduce<Result>(island_.first_node, island_.end_node, [&](std::int64_t i, Result& sum) {
+      body(system_.nodes()[static_cast<std::size_t>(i)], sum);
+    });
+  }
 
   FrictionBound bound(std::int64_t k) const {
     const double mu = system_.row(k).coefficient;
@@ -209,31 +175,25 @@ class IslandSolution {
   void begin() {
     for_rows([&](std::int64_t k) {
       const Row& row = system_.row(k);
-      Impulse begun;
-      if constexpr (friction) {
-        begun = of_.impulse(k);
-      } else {
-        begun = system_.along(k, of_.impulse(k));
-      }
-      const Impulse b = allowed(k, begun);
+      const Impulse b = allowed(k, seen_by(row, of_.impulse(k)));
       put(of_.sought_, k, b);
       put(of_.step_, k, b);
       ImpulseIterations::put(of_.trial_, k, vector(row, b));
       if (friction) of_.before_[static_cast<std::size_t>(k)] = along(row, b);
     });
     multiply();
-    const auto scales = over_rows<Scales>([&](std::int64_t k, Scales& scale) {
-      const Row& row = system_.row(k);
-      const Vec3<double> driven = system_.approach(k, velocity_) + row.rate * row.direction;
-      put(of_.gradient_, k, get(of_.of_step_, k) - seen_by(row, driven));
-      scale.rate = std::max({scale.rate, row.scale, row.inverse_mass * length(get(of_.sought_, k))});
-      const RowView entries = system_.entries(k);
-      for (int e = 0; e < entries.nodes; ++e) {
-        const double* const v = record(velocity_, entries.node[e]);
-        scale.speed = std::max({scale.speed, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-      }
-    });
-    result_.scale = std::max(scales.rate, least_scale * scales.speed);
+    const double rate = over_rows<Largest>([&](std::int64_t k, Largest& largest) {
+                          const Row& row = system_.row(k);
+                          const Vec3<double> driven = system_.approach(k, velocity_) + row.rate * row.direction;
+                          put(of_.gradient_, k, get(of_.of_step_, k) - seen_by(row, driven));
+                          const double by_impulse = row.inverse_mass * length(get(of_.sought_, k));
+                          largest.value = std::max({largest.value, row.scale, by_impulse});
+                        }).value;
+    const double speed = over_nodes<Largest>([&](std::int32_t place, Largest& largest) {
+                           const double* const v = record(velocity_, place);
+                           largest.value = std::max({largest.value, std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+                         }).value;
+    result_.scale = std::max(rate, least_scale * speed);
     enough_ = (friction ? tolerance_with_friction : tolerance) * result_.scale;
   }
 
@@ -266,8 +226,10 @@ class IslandSolution {
     return over_rows<Largest>([&](std::int64_t k, Largest& largest) {
              const Row& row = system_.row(k);
              const Impulse b = get(of_.sought_, k), wanted = b - (1 / row.bound) * get(of_.gradient_, k);
-             try_step(k, allowed(k, wanted) - b);
-             largest.value = std::max(largest.value, row.bound * length(allowed_at_last(k, wanted) - b));
+             const Impulse step = allowed(k, wanted) - b;
+             try_step(k, step);
+             const Impulse at_last = part_ < 1 ? allowed_at_last(k, wanted) - b : step;
+             largest.value = std::max(largest.value, row.bound * length(at_last));
            })
         .value;
   }
@@ -387,13 +349,7 @@ class IslandSolution {
     for_rows([&](std::int64_t k) {
       ImpulseIterations::put(of_.impulse_, k, vector(system_.row(k), allowed_at_last(k, get(of_.sought_, k))));
     });
-    for_nodes([&](std::int32_t place) {
-      const Vec3<double> change = moved_by(system_.node(place), system_.impulse_at(place, of_.impulse_.data()));
-      double* const v = record(velocity_, place);
-      v[0] -= change.x;
-      v[1] -= change.y;
-      v[2] -= change.z;
-    });
+    for_nodes([&](std::int32_t place) { system_.move(place, of_.impulse_.data(), velocity_); });
   }
 
   const RowSystem& system_;

@@ -125,9 +125,11 @@ void RowSystem::set_constants(const std::vector<FrictionRow>& frictions) {
     const ImpulseRow& own = rows_->rows[static_cast<std::size_t>(original(k))];
     const RowView row = entries(k);
     Row& constants = constants_[static_cast<std::size_t>(k)];
-    constants.direction = {own.direction[0], own.direction[1], own.direction[2]};
-    constants.rate = own.position_rate;
-    constants.inverse_mass = own.inverse_mass;
+    const Vec3<double> added{own.direction[0], own.direction[1], own.direction[2]};
+    constants.length = std::sqrt(dot(added, added));
+    constants.direction = (1 / constants.length) * added;
+    constants.rate = own.position_rate / constants.length;
+    constants.inverse_mass = own.inverse_mass / (constants.length * constants.length);
     constants.coefficient = 0;
     if (!frictions.empty()) {
       const FrictionRow& friction = frictions[static_cast<std::size_t>(original(k))];

@@ -7,6 +7,7 @@
 
 #include <kernels/contact_friction.hpp>
 #include <kernels/exec/array.hpp>
+#include <solver/base/records.hpp>
 
 #include "contact_rows.hpp"
 
@@ -24,9 +25,10 @@ struct Island {
 /// added; and for each node its rows. All of it follows from the rows alone.
 class RowSystem {
  public:
-  /// What a row is in a solution; numbers that rows share with all their nodes.
+  /// What a row is in a solution, along a direction of length one. (That of balls as they are added is longer.)
   struct Row {
     Vec3<double> direction;  ///< a
+    double length;           ///< of the direction with which it was added [-]
     double rate;             ///< r [length/time]
     double inverse_mass;     ///< G M^-1 G^T, of the row by itself [1/mass]
     double bound;            ///< at least the row sum of G M^-1 G^T, in whatever direction [1/mass]
@@ -51,10 +53,9 @@ class RowSystem {
     const int nodes = first_entry_[static_cast<std::size_t>(k) + 1] - first_entry_[static_cast<std::size_t>(k)];
     return {&row(k).direction.x, nodes, node_of_.data() + first, weight_of_.data() + first};
   }
-  /// p of an impulse p a + q of a row. (The direction of balls is no unit vector.)
-  double along(std::int64_t k, const Vec3<double>& b) const {
-    const Vec3<double>& a = row(k).direction;
-    return dot(a, b) / dot(a, a);
+  /// p of an impulse p a + q of row k, a being the direction with which it was added.
+  double impulse_as_added(std::int64_t k, const Vec3<double>& b) const {
+    return dot(row(k).direction, b) / row(k).length;
   }
   /// Whether there is friction.
   bool rubs() const { return rubs_; }
@@ -74,6 +75,14 @@ class RowSystem {
     const std::int32_t first = rows_of_node_[static_cast<std::size_t>(place)];
     return weighted_sum(rows_of_node_[static_cast<std::size_t>(place) + 1] - first, row_.data() + first,
                         weight_.data() + first, impulses);
+  }
+  /// Takes the impulses of its rows from the velocity of a node: records of four numbers both.
+  void move(std::int32_t place, const double* impulses, double* velocities) const {
+    const Vec3<double> change = moved_by(node(place), impulse_at(place, impulses));
+    double* const v = record(velocities, place);
+    v[0] -= change.x;
+    v[1] -= change.y;
+    v[2] -= change.z;
   }
   /// Calls body(k, w) for the rows of a node, in their order.
   template <class Body>
@@ -109,7 +118,7 @@ class RowSystem {
   Array<double> weight_;
   std::vector<double> weights_;  ///< of all rows at a place, without their signs
   // Only while this is built; kept for their memory.
-  std::vector<std::int32_t> parent_;  ///< of a place in the tree of its island; roots: their island, once there is one
+  std::vector<std::int32_t> parent_;  ///< of a place in the tree of its island
   std::vector<std::int32_t> island_, next_;
 };
 
