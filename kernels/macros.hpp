@@ -31,6 +31,11 @@
 #define PINBALL_ONE_COPY __attribute__((noinline, noclone))
 #endif
 
+/// At the beginning of the rounds of a loop of the host that may be cut anywhere: they are made one by one. Were
+/// several made at once, those left over at the ends of a part would be of other machine code, and this, too, may fuse
+/// other multiplications and additions.
+#define PINBALL_ONE_BY_ONE __asm__ volatile("")
+
 /// Loops over corners, modes and tensor components have constant bounds and are unrolled completely, so that their
 /// arrays live in registers.
 #if defined(PINBALL_DEVICE_COMPILER)

@@ -32,14 +32,18 @@ void parallel_for_coloured(const char* /*name*/, Serial /*space*/, const std::in
 using RangeWork = void (*)(const void* of, std::int64_t begin, std::int64_t end);
 
 /// Work on a range of indices. Its machine code is there once, whoever calls it: another copy might fuse other
-/// multiplications and additions, and one thread would make other bits than two. A type with a name: so has its code,
-/// which tools look for.
+/// multiplications and additions, and one thread would make other bits than two; so would a loop that makes several
+/// rounds at once, and a body that is to be vectorized works on a pack. A type with a name: so has its code, which
+/// tools look for.
 template <class Body>
 struct RangeOf {
   const Body& body;
   PINBALL_ONE_COPY static void work(const void* of, std::int64_t begin, std::int64_t end) {
     const Body& body = static_cast<const RangeOf*>(of)->body;
-    for (std::int64_t i = begin; i < end; ++i) body(i);
+    for (std::int64_t i = begin; i < end; ++i) {
+      PINBALL_ONE_BY_ONE;
+      body(i);
+    }
   }
 };
 
