@@ -11,7 +11,7 @@ namespace {
 
 constexpr double strain_share = 0.6, strain_of_impact = 3.5, most_strain = 3.72, wakes_within = 0.1;
 constexpr double cost_of_contact = 0.2, cost_of_folds = 0.7, cost_of_yielding = 0.25;
-constexpr double steps_of_lists = 20, usual_iterations = 5;
+constexpr double steps_of_lists = 20, usual_iterations = 10;
 /// What a solution costs besides, in iterations.
 constexpr double fixed_iterations = 3;
 /// Part of the run after which its own last steps say all.
