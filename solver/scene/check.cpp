@@ -56,12 +56,12 @@ class KeyChecker {
   template <class Value>
   void operator()(const schema::Key<T, Value>& key) const {
     const Value& value = object_.*key.member;
-    const bool applies = key.applies == nullptr || key.applies(object_);
-    if (applies && !schema::is_unset(value, key.about)) check(key, value);
+    if (key.may_be_of(object_) && !schema::is_unset(value, key.about)) check(key, value);
   }
+  /// All of them: a host can set what no file can.
   template <class Part>
   void operator()(const schema::Group<T, Part>& group) const {
-    visit_group(group, KeyChecker<Part>(table_, object_.*group.member, prefix_));
+    describe(schema::Of<Part>{}, KeyChecker<Part>(table_, object_.*group.member, prefix_));
   }
 
  private:

@@ -42,6 +42,8 @@ TEST(HostScene, HasTheBoundsOfFiles) {
             "material.steel.bulk_modulus: expected a number > 0, got 0");
   EXPECT_EQ(error_with([](Scene& scene) { scene.materials[0].erosion_strain = -1; }),
             "material.steel.erosion_strain: expected a number >= 0, got -1");
+  EXPECT_EQ(error_with([](Scene& scene) { scene.materials[0].ultimate_stress = -1; }),
+            "material.steel.ultimate_stress: expected a number > 0, got -1");
 }
 
 TEST(HostScene, MayLeaveOutWhatFilesMay) {
@@ -58,6 +60,19 @@ TEST(HostScene, HasDirectionsOfSomeLength) {
             "body.bar.axis: expected a vector of non-zero, finite length, got [0, 0, 0]");
   EXPECT_EQ(error_with([](Scene& scene) { scene.rigid_walls.emplace_back(); }),
             "rigid_wall.0.normal: expected a vector of non-zero, finite length, got [0, 0, 0]");
+  EXPECT_EQ(error_with([](Scene& scene) {
+              RigidWall& wall = scene.rigid_walls.emplace_back();
+              wall.plane.normal = {0, 0, 1};
+              wall.nodes.plane = Plane{};
+            }),
+            "rigid_wall.0.plane.normal: expected a vector of non-zero, finite length, got [0, 0, 0]");
+  EXPECT_EQ(error_with([](Scene& scene) {
+              FixedConstraint& fixed = scene.fixed_constraints.emplace_back();
+              fixed.directions = {{1, 0, 0}};
+              fixed.nodes.body = "bar";
+            }),
+            test::no_error)
+      << "only a cylindrical frame has an axis";
 }
 
 TEST(HostScene, HasNumbersInAllPlaces) {

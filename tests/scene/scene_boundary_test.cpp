@@ -238,6 +238,9 @@ TEST_F(SceneBoundaryTest, MissingAndWrongValues) {
   EXPECT_EQ(error(with({"[[constraint]]", "type = \"fixed\"", "body = \"bar\"", "directions = \"all\"",
                         "frame = \"cylindrical\""})),
             "15:1: constraint.0.axis: missing, expected a table { point = ..., direction = ... }");
+  EXPECT_EQ(error(with({"[[constraint]]", "type = \"fixed\"", "body = \"bar\"", "directions = \"all\"",
+                        "axis = { direction = [0, 0, 1] }"})),
+            "19:8: constraint.0.axis: not used where frame is not \"cylindrical\"");
   EXPECT_EQ(error(with({"[[constraint]]", "type = \"symmetry\"", "normal = [1, 0, 0]", "directions = \"all\""}))
                 .substr(0, 46),
             "18:1: constraint.0.directions: unknown key, ne");

@@ -67,7 +67,8 @@ void describe(Of<FixedConstraint>, Visit&& visit) {
           &T::axis,
           "`{ point = [...], direction = [...] }`",
           {.unit = "L, -", .need = Need::one_of, .otherwise = "required if cylindrical", .done = Done::reading_by_hand}}
-          .only_where([](const FixedConstraint& fixed) { return fixed.frame == Frame::cylindrical; }));
+          .only_where([](const FixedConstraint& fixed) { return fixed.frame == Frame::cylindrical; },
+                      "where frame is not \"cylindrical\""));
   visit(Group{"when", &T::when, "start, end"});
   visit(Group{"nodes", &T::nodes, "which nodes"});
 }

@@ -92,6 +92,8 @@ struct Key : FileKey<Value> {
     return key;
   }
   const char* field() const { return *this->about.field ? this->about.field : this->name; }
+  /// Also where it is of no use, unless that is refused.
+  bool may_be_of(const T& object) const { return refused == nullptr || applies(object); }
 };
 
 /// A member whose own keys stand in the same table, but for some.

@@ -51,8 +51,6 @@ FixedConstraint read_fixed_constraint(const SceneTable& table) {
   if (cylindrical) {
     if (!table.has("axis")) table.fail_missing("axis", "a table { point = ..., direction = ... }");
     read_keys(table.table("axis", "line"), constraint.axis);
-  } else if (table.has("axis")) {
-    table.fail("axis", "only a frame = \"cylindrical\" has an axis");
   }
   constraint.directions = table.directions(
       "directions", cylindrical ? std::array{"radial", "circumferential", "axial"} : std::array{"x", "y", "z"});

@@ -75,7 +75,7 @@ class KeyReader {
   template <class Value>
   void operator()(const schema::Key<T, Value>& key) const {
     if constexpr (requires(Value & value) { read_value(table_, key, value); }) {
-      if (key.about.done != schema::Done::by_visitors || is_left_out(key)) return;
+      if (is_left_out(key) || key.about.done != schema::Done::by_visitors) return;
       Value& value = object_.*key.member;
       if (table_.has(key.name) || key.required()) read_value(table_, key, value);
       if constexpr (requires { refine_count(table_, key.name, refine_, value); }) {
@@ -92,7 +92,7 @@ class KeyReader {
   /// A key that this object has not.
   template <class Value>
   bool is_left_out(const schema::Key<T, Value>& key) const {
-    if (key.refused == nullptr || key.applies(object_)) return false;
+    if (key.may_be_of(object_)) return false;
     if (table_.has(key.name)) table_.fail(key.name, fmt::format("not used {}", key.refused));
     return true;
   }
