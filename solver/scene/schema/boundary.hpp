@@ -21,17 +21,10 @@ inline constexpr std::array<std::string_view, 6> all_probe_quantities{"position"
 /// A wall has a body and a plane of its own.
 inline constexpr std::array<std::string_view, 4> not_of_walls{"body", "plane", "line", "nearest"};
 
-/// What says the type of a constraint.
-template <class Visit>
-void describe_constraint_type(Visit&& visit, const std::string_view& type) {
-  visit(FileKey<std::string>{
-      "type", "what it is", {.need = Need::required, .texts = std::span<const std::string_view>(&type, 1)}});
-}
-
 template <class Visit>
 void describe(Of<PlaneConstraint>, Visit&& visit) {
   using T = PlaneConstraint;
-  describe_constraint_type(visit, constraint_types[0]);
+  describe_type(visit, constraint_types[0]);
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
   visit(Key{"point", &T::point, "a point of the plane", {.unit = "L"}});
   visit(Key{"normal",
@@ -53,7 +46,7 @@ void describe(Of<PlaneConstraint>, Visit&& visit) {
 template <class Visit>
 void describe(Of<FixedConstraint>, Visit&& visit) {
   using T = FixedConstraint;
-  describe_constraint_type(visit, constraint_types[1]);
+  describe_type(visit, constraint_types[1]);
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
   visit(Key{"frame", &T::frame,
             "`\"cylindrical\"`: the directions are `\"radial\"`, `\"circumferential\"`, `\"axial\"`, or 3 numbers "

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "bound.hpp"
@@ -119,6 +120,13 @@ struct Field {
   constexpr Field(const char* field_, Value T::*member_, const char* meaning_)
       : field(field_), member(member_), meaning(meaning_) {}
 };
+
+/// What says which kind of table it is, where several may stand in its place.
+template <class Visit>
+void describe_type(Visit&& visit, const std::string_view& type) {
+  visit(FileKey<std::string>{
+      "type", "what it is", {.need = Need::required, .texts = std::span<const std::string_view>(&type, 1)}});
+}
 
 /// Whether a key is one of some.
 template <class Names>

@@ -18,13 +18,6 @@ struct ListsOf {};
 struct OneOrTwoCounts {};
 
 inline constexpr std::array<std::string_view, 4> mesh_types{"block", "round_nosed_rod", "cylinder", "sphere"};
-inline constexpr std::array<std::string_view, 6> mesh_file_types{"gmsh", "keyword", "exodus", "vtk", "abaqus", "file"};
-
-template <class Visit>
-void describe_mesh_type(Visit&& visit, const std::string_view& type) {
-  visit(FileKey<std::string>{
-      "type", "what it is", {.need = Need::required, .texts = std::span<const std::string_view>(&type, 1)}});
-}
 
 inline constexpr About count_of_elements{.unit = "-", .bound = {.low = 1}, .need = Need::required, .form = Form::count};
 inline constexpr About optional_count{.unit = "-", .bound = {.low = 1}, .form = Form::count};
@@ -47,7 +40,7 @@ constexpr bool is_no_wedge(const Mesh& mesh) {
 
 template <class Visit>
 void describe(Of<BlockMesh>, Visit&& visit) {
-  describe_mesh_type(visit, mesh_types[0]);
+  describe_type(visit, mesh_types[0]);
   visit(FileKey<ListsOf<double>>{"size", "`[lx, ly, lz]`", length_of_mesh});
   visit(FileKey<ListsOf<int>>{"elements", "`[nx, ny, nz]`", count_of_elements});
   visit(Field{"size", &BlockMesh::size, "[length]"});
@@ -58,7 +51,7 @@ void describe(Of<BlockMesh>, Visit&& visit) {
 template <class Visit>
 void describe(Of<RoundNosedRodMesh>, Visit&& visit) {
   using T = RoundNosedRodMesh;
-  describe_mesh_type(visit, mesh_types[1]);
+  describe_type(visit, mesh_types[1]);
   visit(Key{"length", &T::length, "over all, > `radius`", length_of_mesh});
   visit(Key{"radius", &T::radius, "of the rod and of the nose", length_of_mesh});
   visit(Key{"half", &T::half, "only y >= 0, with the flat cut in y = 0"});
@@ -70,7 +63,7 @@ void describe(Of<RoundNosedRodMesh>, Visit&& visit) {
 template <class Visit>
 void describe(Of<CylinderMesh>, Visit&& visit) {
   using T = CylinderMesh;
-  describe_mesh_type(visit, mesh_types[2]);
+  describe_type(visit, mesh_types[2]);
   visit(Key{"radius", &T::radius, "of the cylinder", length_of_mesh});
   visit(Key{"length", &T::length, "along its axis", length_of_mesh});
   visit(Key{"section", &T::section,
@@ -90,7 +83,7 @@ void describe(Of<CylinderMesh>, Visit&& visit) {
 template <class Visit>
 void describe(Of<SphereMesh>, Visit&& visit) {
   using T = SphereMesh;
-  describe_mesh_type(visit, mesh_types[3]);
+  describe_type(visit, mesh_types[3]);
   visit(Key{"radius", &T::radius, "of the sphere", length_of_mesh});
   visit(Key{"section", &T::section, "as of the cylinder; a wedge is about the body's z axis"});
   visit(Key{"angle", &T::angle, "of the wedge, and only there", angle_of_wedge}.only_where(is_wedge, only_in_wedge));
@@ -111,7 +104,7 @@ void describe(Of<SphereMesh>, Visit&& visit) {
 template <class Visit>
 void describe(Of<FileMesh>, Visit&& visit) {
   using T = FileMesh;
-  visit(FileKey<std::string>{"type", "what it is", {.need = Need::required, .texts = mesh_file_types}});
+  visit(FileKey<std::string>{"type", "what it is", {.need = Need::required}});
   visit(Field{"format", &T::format, "of the file"});
   visit(Key{"file", &T::file, "relative to the folder of the scene file", {.need = Need::required}});
   visit(Key{"physical",
