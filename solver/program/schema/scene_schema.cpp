@@ -96,8 +96,8 @@ SchemaJson definitions() {
       {"then", {{"anyOf", {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"})}}}}};
   define<Material>(
       all, either(required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"})), yield);
-  define<schema::OneYieldCurve>(all, required({"plastic_strain", "stress"}));
-  define<YieldCurve>(all, required({"plastic_strain", "stress"}));
+  define<schema::OneYieldCurve>(all);
+  define<YieldCurve>(all);
   define<Body>(all);
   all["mesh"] = mesh_definitions(all);
   define<Plane>(all);

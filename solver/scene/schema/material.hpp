@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "../../scene.hpp"
@@ -18,14 +19,19 @@ void describe(Of<YieldCurve>, Visit&& visit) {
             &T::rate,
             "at which it holds",
             {.unit = "1/T", .bound = not_negative, .need = Need::required, .done = Done::reading_by_hand}});
-  visit(Key{"plastic_strain", &T::plastic_strain, "from 0, ascending", {.unit = "-", .bound = not_negative}});
-  visit(Key{"stress", &T::stress, "one for each of them", {.unit = "M/(L T^2)", .bound = positive}});
+  visit(Key{"plastic_strain",
+            &T::plastic_strain,
+            "from 0, ascending",
+            {.unit = "-", .bound = not_negative, .need = Need::required}});
+  visit(Key{
+      "stress", &T::stress, "one for each of them", {.unit = "M/(L T^2)", .bound = positive, .need = Need::required}});
 }
 
 template <class Visit>
 void describe(Of<OneYieldCurve>, Visit&& visit) {
-  visit(FileKey<std::vector<double>>{"plastic_strain", "from 0, ascending", {.unit = "-", .bound = not_negative}});
-  visit(FileKey<std::vector<double>>{"stress", "one for each of them", {.unit = "M/(L T^2)", .bound = positive}});
+  describe(Of<YieldCurve>{}, [&visit](const auto& key) {
+    if (key.name != std::string_view("rate")) visit(key);
+  });
 }
 
 template <class Visit>
