@@ -220,6 +220,17 @@ TEST_F(SceneTest, MeshesOfNoSize) {
             "14:81: body.bar.mesh.ring: expected an integer >= 1, got 0");
   EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [2000, 2000, 2000] }")),
             "14:55: body.bar.mesh.elements: 8e+09 elements are more than a mesh can hold");
+  const std::string too_many = " elements in one direction are more than a mesh can hold";
+  EXPECT_EQ(error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [1, 2, 2147483648] }")),
+            "14:55: body.bar.mesh.elements: 2147483648" + too_many);
+  EXPECT_EQ(error(with(14, "mesh = { type = \"round_nosed_rod\", length = 1, radius = 0.5, layers = 2147483648 }")),
+            "14:71: body.bar.mesh.layers: 2147483648" + too_many);
+  EXPECT_EQ(error(with(14, "mesh = { type = \"round_nosed_rod\", length = 1, radius = 0.5, core = [2, 2147483648] }")),
+            "14:69: body.bar.mesh.core: 2147483648" + too_many);
+  EXPECT_EQ(error(with(14, "mesh = { type = \"sphere\", radius = 1, core = 2147483648 }")),
+            "14:46: body.bar.mesh.core: 2147483648" + too_many);
+  EXPECT_EQ(error(with(14, "mesh = { type = \"sphere\", radius = 1, core = 2147483646 }"), {.refine = 2}),
+            "14:46: body.bar.mesh.core: 4294967292" + too_many);
   if (memory_bytes() < 700 * 3.43e8) {
     EXPECT_THAT(
         error(with(14, "mesh = { type = \"block\", size = [1, 2, 3], elements = [700, 700, 700] }")),

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <limits>
+#include <functional>
 
 #include <solver/mesh/mesh_format.hpp>
 #include <solver/scene/machine.hpp>
@@ -17,8 +16,7 @@ namespace {
 
 /// Times `refine`. Throws InputError if that is no int.
 int refined(const SceneTable& table, std::string_view key, std::int64_t count, int refine) {
-  if (count > std::numeric_limits<int>::max()) fail_too_many(table, key, static_cast<double>(count) * refine);
-  int result = static_cast<int>(count);
+  int result = to_count(table, key, count);
   refine_count(table, key, refine, result);
   return result;
 }
@@ -134,23 +132,20 @@ MeshSettings read_by_ending(const SceneTable& table, const MeshScale& scale) {
 
 MeshSettings read_mesh(const SceneTable& body, const MeshScale& scale) {
   if (!body.has("mesh")) body.fail_missing("mesh", "a table such as { type = \"block\", size = ..., elements = ... }");
-  using Reader = MeshSettings (*)(const SceneTable&, const MeshScale&);
+  using Reader = std::function<MeshSettings(const SceneTable&, const MeshScale&)>;
   std::vector<std::pair<std::string, Reader>> readers{{kind(schema::Of<BlockMesh>{}).name, read_block},
                                                       {kind(schema::Of<RoundNosedRodMesh>{}).name, read_rod},
                                                       {kind(schema::Of<CylinderMesh>{}).name, read_cylinder},
                                                       {kind(schema::Of<SphereMesh>{}).name, read_sphere},
                                                       {"file", read_by_ending}};
-  for (const auto& format : schema::choices(schema::Of<MeshFormat>{})) readers.emplace_back(format.name, nullptr);
-  const SceneTable any = body.table("mesh", "mesh");
-  const Reader reader = any.choice<Reader>("type", readers);
-  // Read again as that kind, so that the keys of the others are unknown.
-  const std::string type = any.text("type");
-  const SceneTable table = body.table("mesh", type);
-  if (reader != nullptr) return reader(table, scale);
   for (const auto& format : schema::choices(schema::Of<MeshFormat>{})) {
-    if (format.name == type) return read_file(table, scale, format.value);
+    readers.emplace_back(format.name, [format](const SceneTable& table, const MeshScale& by) {
+      return read_file(table, by, format.value);
+    });
   }
-  return {};
+  const SceneTable any = body.table("mesh", "mesh");
+  const auto reader = any.choice<Reader>("type", readers);
+  return reader(any.as(any.text("type")), scale);
 }
 
 }  // namespace pinball

@@ -1,6 +1,5 @@
 #include "read_keys.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace pinball {
@@ -11,10 +10,15 @@ std::vector<std::string> texts_of(const schema::AnyKey& key) {
   return {key.about.texts.begin(), key.about.texts.end()};
 }
 
+[[noreturn]] void fail_too_many(const SceneTable& table, std::string_view key, double count) {
+  table.fail(key, fmt::format("{} elements in one direction are more than a mesh can hold", count));
+}
+
 }  // namespace
 
-void fail_too_many(const SceneTable& table, std::string_view key, double count) {
-  table.fail(key, fmt::format("{} elements in one direction are more than a mesh can hold", count));
+int to_count(const SceneTable& table, std::string_view key, std::int64_t count) {
+  if (count > std::numeric_limits<int>::max()) fail_too_many(table, key, static_cast<double>(count));
+  return static_cast<int>(count);
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, double& value) {
@@ -26,9 +30,7 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, std::int64_t
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, int& value) {
-  const std::int64_t read = table.integer(key.name, schema::lowest(key.about));
-  if (read > std::numeric_limits<int>::max()) fail_too_many(table, key.name, static_cast<double>(read));
-  value = static_cast<int>(read);
+  value = to_count(table, key.name, table.integer(key.name, schema::lowest(key.about)));
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, bool& value) {
@@ -57,10 +59,7 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, std::array<P
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, std::array<int, 2>& value) {
   const std::vector<std::int64_t> counts = table.integers(key.name, 2, schema::lowest(key.about));
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (counts[k] > std::numeric_limits<int>::max()) fail_too_many(table, key.name, static_cast<double>(counts[k]));
-    value[k] = static_cast<int>(counts[k]);
-  }
+  for (std::size_t k = 0; k < 2; ++k) value[k] = to_count(table, key.name, counts[k]);
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, std::vector<double>& value) {

@@ -58,7 +58,8 @@ void read_value(const SceneTable& table, const schema::AnyKey& key, std::optiona
 }
 { read_value(table, key, value.emplace()); }
 
-[[noreturn]] void fail_too_many(const SceneTable& table, std::string_view key, double count);
+/// As int. Throws InputError if it is none.
+int to_count(const SceneTable& table, std::string_view key, std::int64_t count);
 /// Times `refine`, as int. Throws InputError if that overflows.
 void refine_count(const SceneTable& table, std::string_view key, int refine, int& count);
 void refine_count(const SceneTable& table, std::string_view key, int refine, std::array<int, 2>& counts);
