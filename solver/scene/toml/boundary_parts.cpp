@@ -12,8 +12,6 @@ namespace pinball {
 
 namespace {
 
-std::string where_of(const SceneTable& table) { return fmt::format("{}: {}", table.where(), table.path()); }
-
 /// In which something has to be given.
 void require_selection(const SceneTable& table, const NodeSelection& nodes) {
   if (nodes.all()) table.fail_missing("body", "at least one of body, plane, line, box, nearest, set and nodes");
@@ -23,7 +21,7 @@ void require_selection(const SceneTable& table, const NodeSelection& nodes) {
 template <class Part>
 void read_with_nodes(const SceneTable& table, Part& part) {
   read_keys(table, part);
-  part.nodes.where = where_of(table);
+  part.nodes.where = table.place();
   require_selection(table, part.nodes);
   if constexpr (requires { part.when; }) table.require_none(problem_of(part.when));
   if constexpr (requires { part.table; }) table.require_none(problem_of(part.table));
@@ -40,7 +38,7 @@ const std::vector<std::string>& probe_quantities(ProbeKind kind) {
 PlaneConstraint read_symmetry(const SceneTable& table) {
   PlaneConstraint constraint;
   read_keys(table, constraint);
-  constraint.where = where_of(table);
+  constraint.where = table.place();
   return constraint;
 }
 
@@ -59,7 +57,7 @@ FixedConstraint read_fixed_constraint(const SceneTable& table) {
 
 RigidWall read_rigid_wall(const SceneTable& table, std::size_t number) {
   RigidWall wall;
-  wall.where = wall.nodes.where = where_of(table);
+  wall.where = wall.nodes.where = table.place();
   wall.name = fmt::format("wall_{}", number);
   read_keys(table, wall);
   table.require_none(problem_of(wall.when));
@@ -96,7 +94,7 @@ NodalLoad read_load(const SceneTable& table) {
 Pressure read_pressure(const SceneTable& table, std::size_t number) {
   Pressure pressure;
   pressure.name = fmt::format("pressure_{}", number);
-  pressure.faces.where = where_of(table);
+  pressure.faces.where = table.place();
   read_keys(table, pressure);
   if (pressure.corners.empty()) require_selection(table, pressure.faces);
   table.require_none(problem_of(pressure.table));
@@ -138,7 +136,7 @@ void read_number(const SceneTable& table, Probe& probe) {
 
 Probe read_probe(const SceneTable& table) {
   Probe probe;
-  probe.where = where_of(table);
+  probe.where = table.place();
   read_number(table, probe);
   read_keys(table, probe);
   if (probe.number && table.has(probe.kind == ProbeKind::node ? "element" : "node"))

@@ -39,7 +39,7 @@ ContactSide read_side(const SceneTable& table, std::string_view key, const Names
 /// Of pairs and ties: their place for messages, their name, and what their keys say.
 template <class Part>
 void read_part(const SceneTable& table, const char* kind, std::size_t number, Part& part) {
-  part.where = fmt::format("{}: {}", table.where(), table.path());
+  part.where = table.place();
   part.name = fmt::format("{}_{}", kind, number);
   read_keys(table, part);
 }

@@ -87,9 +87,9 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   std::vector<std::pair<SceneTable, std::string>> forces;
   constexpr schema::Kind symmetry = kind(schema::Of<PlaneConstraint>{}), fixed = kind(schema::Of<FixedConstraint>{});
   for (const auto& any : tables("constraint")) {
-    const auto type = any.choice<schema::Kind>("type", {{symmetry.name, symmetry}, {fixed.name, fixed}});
-    const SceneTable table = any.as(type.name);
-    if (type.name == symmetry.name) {
+    const bool is_fixed = any.choice<bool>("type", {{symmetry.name, false}, {fixed.name, true}});
+    const SceneTable table = any.as(is_fixed ? fixed.name : symmetry.name);
+    if (!is_fixed) {
       scene.constraints.push_back(read_symmetry(table));
       forces.emplace_back(table, scene.constraints.back().name);
     } else {

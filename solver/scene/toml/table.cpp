@@ -98,6 +98,8 @@ SceneTable::SceneTable(const toml::table& table, std::string path, std::string w
 
 std::string SceneTable::key_path(std::string_view key) const { return join(path_, key); }
 
+std::string SceneTable::place() const { return fmt::format("{}: {}", where_, path_); }
+
 const toml::node* SceneTable::find(std::string_view key) const { return table_->get(key); }
 
 std::string SceneTable::where(std::string_view key) const {

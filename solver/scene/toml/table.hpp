@@ -50,11 +50,11 @@ class SceneTable {
   /// Throws InputError if the table holds a key that its kind does not know.
   SceneTable(const toml::table& table, std::string path, std::string where, std::string_view kind);
 
-  const std::string& path() const { return path_; }
-  const std::string& where() const { return where_; }
   bool has(std::string_view key) const { return table_->contains(key); }
   bool is_text(std::string_view key) const { return has(key) && find(key)->is_string(); }
   std::string key_path(std::string_view key) const;
+  /// "FILE:LINE:COLUMN: PATH", for messages about what it says that come later.
+  std::string place() const;
 
   /// Location of the value of a key; of the table if the key is missing.
   std::string where(std::string_view key) const;
