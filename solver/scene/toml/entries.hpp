@@ -37,23 +37,15 @@ class Entries {
   Entries(std::vector<SceneEntry>& all, std::string table) : all_(all), table_(std::move(table)) {}
 
   template <class Value>
-  void add(std::string_view key, const Value& value, const std::string& unit = {}) {
-    push(key, toml_text(value), unit, false);
-  }
-  template <class Value>
-  void add(std::string_view key, const Value& value, const Value& without, const std::string& unit) {
-    push(key, toml_text(value), unit, value == without);
+  void add(std::string_view key, const Value& value) {
+    add_words(key, toml_text(value), false);
   }
   /// A text that is written as it stands, and not in quotes.
   void add_words(std::string_view key, const std::string& words, bool is_default, const std::string& unit = {}) {
-    push(key, words, unit, is_default);
+    all_.push_back({table_, std::string(key), words, unit, is_default});
   }
 
  private:
-  void push(std::string_view key, const std::string& value, const std::string& unit, bool is_default) {
-    all_.push_back({table_, std::string(key), value, unit, is_default});
-  }
-
   std::vector<SceneEntry>& all_;
   std::string table_;
 };

@@ -13,7 +13,7 @@ namespace {
 void list_top(const Scene& scene, std::vector<SceneEntry>& all) {
   Entries top(all, "");
   list_keys(top, scene);
-  top.add("--refine", scene.refine, 1, "");
+  top.add_words("--refine", toml_text(scene.refine), scene.refine == 1);
 }
 
 /// Of which a scene has one.
