@@ -29,11 +29,10 @@ std::vector<Point> SceneTable::directions(std::string_view key, const std::array
       continue;
     }
     Point d = point_of(element, fmt::format("{}[{}]", key_path(key), i), any_number);
-    const double length = std::hypot(d[0], d[1], d[2]);
-    if (!(length > 0) || !std::isfinite(length)) {
-      pinball::fail(location(element.source(), where_), key_path(key),
-                    "expected a vector of non-zero, finite length, got [0, 0, 0]");
+    if (const auto problem = direction_problem(key, d)) {
+      pinball::fail(location(element.source(), where_), key_path(key), problem->text);
     }
+    const double length = std::hypot(d[0], d[1], d[2]);
     for (double& c : d) c /= length;
     result.push_back(d);
   }
