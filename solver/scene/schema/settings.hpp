@@ -20,7 +20,7 @@ void describe(Of<TimeSettings>, Visit&& visit) {
             {.unit = "-", .bound = {.low = 0.0, .low_open = true, .high = 1.2}}});
   visit(Key{"steps",
             &T::steps,
-            "stop after so many steps; -1: no limit",
+            "stop after so many steps, at least 1; -1: no limit",
             {.bound = {.low = -1}, .unset = Unset::negative, .otherwise = "-1 (no limit)"}});
   visit(Key{"smallest_step",
             &T::smallest_step,
