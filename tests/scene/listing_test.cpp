@@ -112,6 +112,15 @@ TEST(SceneListing, TellsWhetherAProbeWatchesAllThatItMay) {
   }
 }
 
+TEST(SceneListing, HasWhatOnlyAHostCanGive) {
+  Scene scene = example();
+  scene.rigid_walls[0].nodes.plane = Plane{{1, 2, 3}, {0, 1, 0}};
+  std::vector<std::string> keys;
+  for (const SceneEntry& entry : in_table(list_scene(scene), "rigid_wall.wall_0")) keys.push_back(entry.key);
+  EXPECT_THAT(keys, testing::IsSupersetOf({"plane.point", "plane.normal"}));
+  EXPECT_EQ(std::count(keys.begin(), keys.end(), "body"), 1);
+}
+
 TEST(SceneListing, WritesValuesAsASceneHasThem) {
   EXPECT_EQ(entry_of("body.bar", "velocity").value, "[0, 0, 7]");
   EXPECT_EQ(entry_of("body.bar", "velocity").unit, "L/T");

@@ -61,9 +61,16 @@ class KeyLister {
       table_.add_words(prefix_ + key.name, unset ? about.otherwise : text_of(key, value), is_default, about.unit);
     }
   }
+  /// Also what no file can have in this table, where a host has given it.
   template <class Part>
   void operator()(const schema::Group<T, Part>& group) const {
-    visit_group(group, KeyLister<Part>(table_, object_.*group.member, without_.*group.member));
+    const KeyLister<Part> lister(table_, object_.*group.member, without_.*group.member);
+    describe(schema::Of<Part>{}, [&](const auto& key) {
+      if constexpr (requires { key.about; }) {
+        if (key.about.listed != schema::Listed::where_given && schema::is_among(key.name, group.left_out)) return;
+      }
+      lister(key);
+    });
   }
 
  private:
