@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <solver/base/error.hpp>
+#include <solver/base/face_corners.hpp>
 #include <solver/base/faces.hpp>
 #include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_scanner.hpp>
@@ -22,11 +23,6 @@ struct SurfaceFace {
   Face nodes;
   std::int32_t part;
 };
-
-Face sorted(Face face) {
-  std::sort(face.begin(), face.end());
-  return face;
-}
 
 class Segments {
  public:
@@ -97,9 +93,9 @@ class Segments {
       return;
     }
     std::vector<Face> taken;
-    for (const Face& face : some) taken.push_back(sorted(face));
+    for (const Face& face : some) taken.push_back(face_key(face));
     std::sort(taken.begin(), taken.end());
-    std::erase_if(faces, [&](const Face& f) { return std::binary_search(taken.begin(), taken.end(), sorted(f)); });
+    std::erase_if(faces, [&](const Face& f) { return std::binary_search(taken.begin(), taken.end(), face_key(f)); });
   }
 
   std::vector<Face> faces_of(const KeywordBlock& block, const std::string& option, const Fields& fields) {
@@ -148,9 +144,7 @@ class Segments {
     for (std::size_t e = 0; e < neighbours.size(); ++e) {
       for (std::size_t f = 0; f < 6; ++f) {
         if (neighbours[e][f] != -1) continue;
-        SurfaceFace face{{}, file_.part[e]};
-        for (std::size_t i = 0; i < 4; ++i) face.nodes[i] = file_.mesh.hexahedra[e][face_nodes[f][i]];
-        surface_.push_back(face);
+        surface_.push_back({face_of(file_.mesh.hexahedra[e], f), file_.part[e]});
       }
     }
   }

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include <solver/base/face_corners.hpp>
 #include <solver/model/contact/contact_sides.hpp>
 #include <tests/support/cube_text.hpp>
 #include <tests/support/folder_case.hpp>
@@ -74,6 +75,21 @@ TEST_F(ContactSides, MayBeSets) {
   const double half = impulse(s);
   EXPECT_GT(half, 0.05 * all);
   EXPECT_LT(half, 0.95 * all) << "two of four nodes, and the cube turns";
+}
+
+/// A wedge has another corner of its triangle twice than the set.
+TEST_F(ContactSides, OfATriangleAreFoundWhicheverCornerItHasTwice) {
+  std::ofstream file(path_);
+  file << "*KEYWORD\n*NODE\n" << cube_lines(1) << square_lines(9, 2) << square_lines(13, 2.01) << square_lines(17, 3);
+  file << "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n2,2,5,6,7,8,9,10,11,12\n3,3,13,13,14,15,17,17,18,19\n"
+          "*SET_SEGMENT\n6\n13,13,14,15\n*SET_SEGMENT\n7\n13,14,15\n*END\n";
+  file.close();
+  Scene s = scene_with({.bodies = {"part_2"}});
+  s.contact_pairs[0].first = {.faces = {{"6"}}};
+  const double as_the_solid_has_it = impulse(s);
+  EXPECT_GT(as_the_solid_has_it, 0);
+  s.contact_pairs[0].first = {.faces = {{"7"}}};
+  EXPECT_EQ(impulse(s), as_the_solid_has_it);
 }
 
 /// Part 2 shares four nodes with part 1: these belong to both.

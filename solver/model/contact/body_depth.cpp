@@ -7,8 +7,7 @@
 
 #include <kernels/face_projection.hpp>
 #include <kernels/hexahedron.hpp>
-
-#include "contact_sides.hpp"
+#include <solver/base/face_corners.hpp>
 
 namespace pinball {
 

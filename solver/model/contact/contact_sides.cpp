@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include <kernels/hexahedron.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/face_corners.hpp>
 #include <solver/base/text_distance.hpp>
 #include <solver/model/selection/named_nodes.hpp>
 
@@ -37,12 +37,6 @@ void require_some(const Members& members, const MeshSetName& name, const char* k
 }
 
 }  // namespace
-
-std::array<std::int32_t, 4> face_of(const std::array<std::int32_t, 8>& hexahedron, unsigned face) {
-  std::array<std::int32_t, 4> nodes{};
-  for (std::size_t k = 0; k < 4; ++k) nodes[k] = hexahedron[face_nodes[face][k]];
-  return nodes;
-}
 
 SideMembers find_members(const ModelMesh& mesh, const ContactSide& side, const std::string& where) {
   SideMembers members;

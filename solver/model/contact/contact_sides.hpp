@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -38,13 +37,5 @@ class TiedSides {
  private:
   std::vector<std::array<std::vector<bool>, 2>> nodes_;  ///< per tied contact and side: per node
 };
-
-/// Nodes of a face as what it is found by.
-inline std::array<std::int32_t, 4> face_key(std::array<std::int32_t, 4> nodes) {
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
-/// Nodes of face 0 to 5 of a hexahedron, in the order of face_nodes.
-std::array<std::int32_t, 4> face_of(const std::array<std::int32_t, 8>& hexahedron, unsigned face);
 
 }  // namespace pinball

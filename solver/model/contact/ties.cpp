@@ -7,6 +7,7 @@
 
 #include <kernels/face_projection.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/face_corners.hpp>
 #include <solver/base/faces.hpp>
 #include <solver/contact/search/box_pairs.hpp>
 #include <solver/model/element_checks.hpp>

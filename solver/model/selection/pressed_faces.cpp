@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include <kernels/hexahedron.hpp>
 #include <solver/base/error.hpp>
+#include <solver/base/face_corners.hpp>
 #include <solver/base/faces.hpp>
 #include <solver/model/exposed_faces.hpp>
 
@@ -19,22 +19,8 @@ namespace {
 
 using Corners = std::array<std::int32_t, 4>;
 
-Corners corners_of(const ModelMesh& mesh, std::size_t element, unsigned face) {
-  Corners corners{};
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = mesh.hexahedra[element][face_nodes[face][i]];
-  return corners;
-}
-
-/// The same for every order of the corners, and for every way to give a triangle four of them.
-Corners key_of(Corners corners) {
-  std::sort(corners.begin(), corners.end());
-  const auto end = std::unique(corners.begin(), corners.end());
-  std::fill(end, corners.end(), -2);
-  return corners;
-}
-
 /// A face that is a line or a point has no area.
-bool has_area(const Corners& corners) { return key_of(corners)[2] >= 0; }
+bool has_area(const Corners& corners) { return face_key(corners)[2] >= 0; }
 
 std::vector<bool> marks(const ModelMesh& mesh, const std::vector<std::int32_t>& nodes) {
   std::vector<bool> marked(mesh.nodes.size(), false);
@@ -65,7 +51,7 @@ struct Wanted {
 Wanted wanted_faces(const ModelMesh& mesh, const FaceSet& set) {
   Wanted wanted{{}, std::vector<bool>(mesh.nodes.size(), false)};
   for (const Corners& face : set.faces) {
-    wanted.found[key_of(face)] = 0;
+    wanted.found[face_key(face)] = 0;
     for (const std::int32_t n : face) wanted.nodes[n] = true;
   }
   return wanted;
@@ -85,9 +71,9 @@ std::vector<PressedFace> faces_of(const ModelMesh& mesh, const FaceSet& set, con
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     if (std::ranges::none_of(mesh.hexahedra[e], [&](std::int32_t n) { return wanted.nodes[n]; })) continue;
     for (unsigned f = 0; f < 6; ++f) {
-      const Corners corners = corners_of(mesh, e, f);
+      const Corners corners = face_of(mesh.hexahedra[e], f);
       if (!all_marked(corners, wanted.nodes) || !has_area(corners)) continue;
-      const auto found = wanted.found.find(key_of(corners));
+      const auto found = wanted.found.find(face_key(corners));
       if (found == wanted.found.end()) continue;
       ++found->second;
       faces.push_back({static_cast<std::int64_t>(e), corners});
@@ -111,7 +97,7 @@ std::vector<PressedFace> exposed_faces_of(const ModelMesh& mesh, const std::vect
   std::vector<PressedFace> faces;
   for (std::size_t e = 0; e < exposed.size(); ++e) {
     for (unsigned f = 0; f < 6; ++f) {
-      const Corners corners = corners_of(mesh, e, f);
+      const Corners corners = face_of(mesh.hexahedra[e], f);
       if ((exposed[e] >> f & 1U) != 0 && has_area(corners)) faces.push_back({static_cast<std::int64_t>(e), corners});
     }
   }
