@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <solver/keyword/cards/boundary_cards.hpp>
-#include <solver/keyword/number_index.hpp>
 
 #include "deck_data.hpp"
 #include "toml_text.hpp"
@@ -61,11 +60,11 @@ class NodesByKind {
     DeckPlace first;
   };
 
-  explicit NodesByKind(const DeckData& data) : data_(data), index_(data.mesh.node_ids) {}
+  explicit NodesByKind(const DeckData& data) : data_(data) {}
 
   /// Leaves out nodes of no solid. Throws InputError for one that is not there.
   void add(const KeywordBlock& block, const DeckPlace& place, std::int64_t number, const Kind& kind) {
-    const std::int32_t found = index_.find(number);
+    const std::int32_t found = data_.nodes.find(number);
     if (found < 0) fail_at(place, fmt::format("{}: node {} is not there", block.star_name(), number));
     if (!data_.used[static_cast<std::size_t>(found)]) return data_.report.ignore_node(place, block.star_name());
     Nodes& nodes = nodes_[kind];
@@ -76,7 +75,6 @@ class NodesByKind {
 
  private:
   const DeckData& data_;
-  NumberIndex index_;
   std::map<Kind, Nodes> nodes_;
 };
 

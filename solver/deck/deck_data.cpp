@@ -44,7 +44,7 @@ std::string name_of(const std::string& title) {
 }  // namespace
 
 DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& report_)
-    : deck(deck_), mesh(mesh_), report(report_) {
+    : deck(deck_), mesh(mesh_), report(report_), nodes(mesh_.node_ids) {
   for (const KeywordBlock& block : deck.blocks) {
     blocks_[block.name].push_back(&block);
     read(block);

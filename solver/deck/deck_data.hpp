@@ -13,10 +13,12 @@
 #include <solver/keyword/fields.hpp>
 #include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_deck.hpp>
+#include <solver/keyword/number_index.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/scene_boundary.hpp>
 
 #include "deck_report.hpp"
+#include "reversed_faces.hpp"
 
 namespace pinball {
 
@@ -65,12 +67,14 @@ class DeckData {
   const KeywordDeck& deck;
   const MeshFile& mesh;
   DeckReport& report;
+  const NumberIndex nodes;  ///< places of nodes in the mesh
 
   std::vector<DeckPart> parts;  ///< those with solids, by their numbers
   std::map<std::int64_t, std::int64_t> section_form;
   std::map<std::int64_t, DeckHourglass> hourglass;
   std::vector<DeckElement> part_elements;  ///< of each part, once the controls are translated
   int motions = 0;                         ///< prescribed ones that are translated
+  std::vector<DeckFaces> pressed;          ///< of each card of pressure
   std::vector<bool> used;                  ///< per node of the mesh: whether a solid of a part has it
 
   /// Of whatever; it has to stand in a file of the deck's own units.

@@ -6,7 +6,6 @@
 
 #include "boundary_text.hpp"
 #include "deck_parts.hpp"
-#include "reversed_faces.hpp"
 
 namespace pinball {
 
@@ -44,16 +43,6 @@ SegmentLoad segment_load(const Fields& f) { return {f.integer("LCID"), f.number(
 
 using FaceNumbers = std::array<std::int64_t, 4>;
 
-/// Which way round the corners stand means nothing, which is told: the solid that has the face says where its outside
-/// is.
-void tell_reversed(DeckData& data, const KeywordBlock& block, const DeckPlace& place,
-                   const std::vector<std::array<std::int32_t, 4>>& faces, const char* fields) {
-  if (const std::size_t count = count_reversed(data.mesh.mesh, faces); count > 0)
-    data.report.unused(
-        place, fmt::format("{}: {} of {} face{}", block.star_name(), fields, count, count == 1 ? "" : "s"),
-        "their normal points into the solid, where pressure would pull; here it presses on it all the same");
-}
-
 /// The time of the curve counts from the arrival.
 void write_pressure(const DeckData& data, const KeywordBlock& block, const DeckPlace& place, const SegmentLoad& load,
                     TomlText& scene) {
@@ -78,18 +67,17 @@ FaceNumbers corners_of(const KeywordBlock& block, const Fields& f) {
 
 void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
   std::map<SegmentLoad, std::pair<std::vector<std::string>, DeckPlace>> faces;
-  std::vector<std::array<std::int32_t, 4>> all;
-  const NumberIndex index(data.mesh.node_ids);
+  DeckFaces pressed{block.star_name() + ": the order of N1 to N4", block.place, {}};
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, layout::load_segment);
     auto& [corners, first] = faces[segment_load(f)];
     if (corners.empty()) first = card.place;
     const FaceNumbers numbers = corners_of(block, f);
     corners.push_back(toml(std::vector(numbers.begin(), numbers.end())));
-    auto& places = all.emplace_back();
-    std::ranges::transform(numbers, places.begin(), [&](std::int64_t number) { return index.find(number); });
+    auto& places = pressed.faces.emplace_back();
+    std::ranges::transform(numbers, places.begin(), [&](std::int64_t number) { return data.nodes.find(number); });
   });
-  tell_reversed(data, block, block.place, all, "the order of N1 to N4");
+  data.pressed.push_back(std::move(pressed));
   for (const auto& [load, listed] : faces) {
     write_pressure(data, block, listed.second, load, scene);
     scene.raw("faces", fmt::format("[{}]", fmt::join(listed.first, ", ")));
@@ -103,7 +91,8 @@ void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlT
     const std::int64_t set = f.integer("SSID");
     write_target(block, true, set, scene);
     const FaceSet* faces = find_set(data.mesh.face_sets, std::to_string(set_number(block, set)));
-    if (faces != nullptr) tell_reversed(data, block, card.place, faces->faces, "the order of the corners");
+    if (faces != nullptr)
+      data.pressed.push_back({block.star_name() + ": the order of the corners", card.place, faces->faces});
   });
 }
 

@@ -80,11 +80,10 @@ struct Motion {
 Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, std::int64_t system) {
   Point axis = f.point("NX");
   if (axis[0] == -999) {
-    const NumberIndex index(data.mesh.node_ids);
     Point ends[2];
     for (std::size_t i = 0; i < 2; ++i) {
       const std::int64_t node = node_number(block, f.integer(i == 0 ? "NY" : "NZ"));
-      const std::int32_t place = index.find(node);
+      const std::int32_t place = data.nodes.find(node);
       if (place < 0) fail_at(f.place(), fmt::format("{}: node {} is not there", block.star_name(), node));
       ends[i] = data.mesh.mesh.nodes[static_cast<std::size_t>(place)];
     }

@@ -1,9 +1,11 @@
 #include "reversed_faces.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
-#include <kernels/hexahedron.hpp>
+#include <solver/base/face_corners.hpp>
 #include <solver/base/point.hpp>
 
 namespace pinball {
@@ -12,10 +14,7 @@ namespace {
 
 using Face = std::array<std::int32_t, 4>;
 
-Face sorted(Face face) {
-  std::ranges::sort(face);
-  return face;
-}
+constexpr std::int32_t none = -1, several = -2;
 
 template <std::size_t size>
 Point centre_of(const Mesh& mesh, const std::array<std::int32_t, size>& corners) {
@@ -32,27 +31,43 @@ bool points_inwards(const Mesh& mesh, const Face& face, const std::array<std::in
   return dot(normal, minus(centre_of(mesh, face), centre_of(mesh, solid))) < 0;
 }
 
-}  // namespace
-
-std::size_t count_reversed(const Mesh& mesh, const std::vector<Face>& faces) {
-  constexpr std::int32_t none = -1, several = -2;
+/// The solid of each face, by its key, or none or several.
+std::map<Face, std::int32_t> solids_of(const Mesh& mesh, const std::vector<DeckFaces>& all) {
   std::map<Face, std::int32_t> solids;
-  for (const Face& face : faces) {
-    if (std::ranges::none_of(face, [](std::int32_t corner) { return corner < 0; })) solids[sorted(face)] = none;
+  std::vector<bool> has_face(mesh.nodes.size(), false);
+  for (const DeckFaces& listed : all) {
+    for (const Face& face : listed.faces) {
+      if (std::ranges::any_of(face, [](std::int32_t corner) { return corner < 0; })) continue;
+      solids[face_key(face)] = none;
+      for (const std::int32_t corner : face) has_face[static_cast<std::size_t>(corner)] = true;
+    }
   }
-  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    for (const auto& corners : face_nodes) {
-      Face face{};
-      for (std::size_t i = 0; i < 4; ++i) face[i] = mesh.hexahedra[e][static_cast<std::size_t>(corners[i])];
-      const auto found = solids.find(sorted(face));
+  for (std::size_t e = 0; !solids.empty() && e < mesh.hexahedra.size(); ++e) {
+    const auto& solid = mesh.hexahedra[e];
+    if (std::ranges::none_of(solid, [&](std::int32_t n) { return has_face[static_cast<std::size_t>(n)]; })) continue;
+    for (std::size_t f = 0; f < 6; ++f) {
+      const auto found = solids.find(face_key(face_of(solid, f)));
       if (found != solids.end()) found->second = found->second == none ? static_cast<std::int32_t>(e) : several;
     }
   }
-  return static_cast<std::size_t>(std::ranges::count_if(faces, [&](const Face& face) {
-    const auto found = solids.find(sorted(face));
+  return solids;
+}
+
+}  // namespace
+
+void tell_reversed(const Mesh& mesh, const std::vector<DeckFaces>& all, DeckReport& report) {
+  const std::map<Face, std::int32_t> solids = solids_of(mesh, all);
+  const auto is_reversed = [&](const Face& face) {
+    const auto found = solids.find(face_key(face));
     return found != solids.end() && found->second >= 0 &&
            points_inwards(mesh, face, mesh.hexahedra[static_cast<std::size_t>(found->second)]);
-  }));
+  };
+  for (const DeckFaces& listed : all) {
+    const auto count = std::ranges::count_if(listed.faces, is_reversed);
+    if (count == 0) continue;
+    report.unused(listed.place, fmt::format("{} of {} face{}", listed.what, count, count == 1 ? "" : "s"),
+                  "their normal points into the solid, where pressure would pull; here it presses on it all the same");
+  }
 }
 
 }  // namespace pinball

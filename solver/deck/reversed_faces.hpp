@@ -1,16 +1,26 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <solver/mesh/mesh_file.hpp>
 
+#include "deck_report.hpp"
+
 namespace pinball {
 
-/// How many of these faces, corners as places in the mesh, are of one solid and stand so that their normal, by the
-/// right hand, points into it.
-std::size_t count_reversed(const Mesh& mesh, const std::vector<std::array<std::int32_t, 4>>& faces);
+/// Faces that a card presses on, corners as places in the mesh; -1: a node that is not there.
+struct DeckFaces {
+  std::string what;  ///< the card and its fields that list the corners
+  DeckPlace place;
+  std::vector<std::array<std::int32_t, 4>> faces;
+};
+
+/// Which way round corners stand means nothing, for the one solid that has a face says where its outside is. Tells how
+/// many faces have a normal, by the right hand, that points into it. Of all cards at once: the mesh is gone through
+/// once.
+void tell_reversed(const Mesh& mesh, const std::vector<DeckFaces>& all, DeckReport& report);
 
 }  // namespace pinball

@@ -103,6 +103,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
     if (translate != nullptr) translate(data, block, boundary);
   }
   tell_order_of_velocities(data);
+  tell_reversed(data.mesh.mesh, data.pressed, report);
   translate_probes(data, boundary);
   describe_mesh(data, report);
   for (const std::string& note : deck.parameters.notes()) report.understood(note);

@@ -62,6 +62,20 @@ TEST_F(DeckCards, FacesWhoseNormalPointsInwardsAreTold) {
   EXPECT_THAT(told(curve + "*LOAD_SEGMENT_SET\n9,1\n*SET_SEGMENT\n9\n5,6,7,8\n4,3,7,8\n"), reversed);
 }
 
+/// A solid has another corner of its triangle twice than the card.
+TEST_F(DeckCards, TrianglesWhoseNormalPointsInwardsAreTold) {
+  std::string wedge = cube;
+  wedge.replace(wedge.find("10,1,1,2,3,4,5,6,7,8"), 20, "10,1,1,1,2,3,5,5,6,7");
+  const auto of = [&](const std::string& corners) {
+    return translate(wedge + elastic + ends + "*DEFINE_CURVE\n1\n0,1\n1,1\n*LOAD_SEGMENT\n1,1.,0," + corners + '\n')
+        .understood;
+  };
+  const auto reversed = Contains(HasSubstr("*LOAD_SEGMENT: the order of N1 to N4 of 1 face ("));
+  EXPECT_THAT(of("5,6,7"), Not(reversed));
+  EXPECT_THAT(of("7,6,5"), reversed);
+  EXPECT_THAT(of("1,2,3,3"), reversed);
+}
+
 TEST_F(DeckCards, ASecondLineOfWhatIsRefusedIsNoOtherCard) {
   const std::string curve = "*DEFINE_CURVE\n1\n0,1\n1,1\n";
   EXPECT_THAT(
