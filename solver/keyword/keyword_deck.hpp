@@ -21,8 +21,8 @@ struct KeywordDeck {
   std::vector<std::shared_ptr<const std::string>> texts;  ///< what the blocks refer to
 };
 
-/// Throws InputError "FILE:LINE: ..." for a file that is missing or includes itself, for LONG=Y and other formats that
-/// are not read here, for an unknown case and for what is no keyword deck.
+/// Throws InputError "FILE:LINE: ..." for a file that is missing or includes itself, for an unknown format or case and
+/// for what is no keyword deck.
 KeywordDeck read_keyword_deck(const std::string& path, std::optional<std::int64_t> chosen_case = {});
 
 /// The same for a text in memory; `name` stands for the path.

@@ -64,7 +64,7 @@ bool KeywordScanner::next(KeywordBlock& block, std::string& after) {
     block.body = take_body();
     if (block.name == "END") return false;
     if (block.name != "KEYWORD") return true;
-    read_formats(after);
+    read_formats(after, block.place);
   }
   return false;
 }
@@ -105,13 +105,15 @@ std::string_view KeywordScanner::take_body() {
 }
 
 /// LONG=S and LONG=K: of what another program writes; what it reads is as ever.
-void KeywordScanner::read_formats(const std::string& after) {
+void KeywordScanner::read_formats(const std::string& after, const DeckPlace& place) {
   std::string squeezed;
   for (const char c : after) {
     if (c != ' ' && c != '\t') squeezed += c;
   }
   const auto has = [&](const char* format) { return squeezed.find(format) != std::string::npos; };
   if (has("LONG=")) widths_.twenty = has("LONG=Y");
+  if (has("LONG=") && !has("LONG=Y") && !has("LONG=S") && !has("LONG=K"))
+    fail_at(place, "*KEYWORD: expected LONG=Y, LONG=S or LONG=K, got \"" + after + '"');
   if (has("I10=Y")) widths_.wide = true;
   if (has("I10=N")) widths_.wide = false;
 }

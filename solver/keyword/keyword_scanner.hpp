@@ -26,7 +26,7 @@ class KeywordScanner {
   KeywordScanner(std::string_view text, const std::string& path, Widths widths);
 
   /// The next keyword, but for *KEYWORD itself; false: the file, or *END, ends here. after: what stands behind the
-  /// name.
+  /// name. Throws InputError for a format of *KEYWORD that is none.
   bool next(KeywordBlock& block, std::string& after);
 
  private:
@@ -35,7 +35,7 @@ class KeywordScanner {
   void read_name(KeywordBlock& block, std::string& after);
   void read_options(KeywordBlock& block) const;
   std::string_view take_body();
-  void read_formats(const std::string& after);
+  void read_formats(const std::string& after, const DeckPlace& place);
 
   std::string_view rest_;
   DeckPlace place_;  ///< of the line before the rest
