@@ -29,11 +29,11 @@ std::pair<char, std::string> kind_and_name(std::string_view declaration, const D
   return {kind, name};
 }
 
-/// Ten columns, or up to a comma that is not one between the arguments of a function.
-std::size_t end_of_declaration(std::string_view text) {
+/// So many columns, or up to a comma that is not one between the arguments of a function.
+std::size_t end_of_declaration(std::string_view text, std::size_t columns) {
   const std::size_t comma = text.find(',');
   const bool free = comma != std::string_view::npos && text.find('(') > comma;
-  return free ? comma : std::min<std::size_t>(10, text.size());
+  return free ? comma : std::min(columns, text.size());
 }
 
 }  // namespace
@@ -67,13 +67,14 @@ void Parameters::read_expressions(Cards& cards) {
   std::optional<Card> card = cards.next_filled();
   while (card) {
     const std::string_view text = card->text;
-    const std::size_t end = end_of_declaration(text);
+    const std::size_t columns = layout::parameters[0].columns_of(card->block->wide, card->block->twenty);
+    const std::size_t end = end_of_declaration(text, columns);
     const std::string_view declaration = text.substr(0, end);
     const bool comma = end < text.size() && text[end] == ',';
     std::string expression(text.substr(std::min(end + (comma ? 1 : 0), text.size())));
     const DeckPlace place = card->place;
-    // A line whose first ten columns are blank goes on with the expression of the line before.
-    while ((card = cards.next_filled()) && trimmed(card->text.substr(0, 10)).empty()) expression += card->text;
+    // A line whose first columns are blank goes on with the expression of the line before.
+    while ((card = cards.next_filled()) && trimmed(card->text.substr(0, columns)).empty()) expression += card->text;
     read_expression(declaration, expression, place);
   }
 }

@@ -173,6 +173,9 @@ TEST(KeywordDeck, CardsOfTwentyColumnsAreThoseOfTheFileOrOfAKeyword) {
   EXPECT_THAT(twenty("*KEYWORD LONG=K\n*NODE\n*NODE+\n*NODE +\n"), ElementsAre(false, true, true));
   const KeywordDeck deck = parse_keyword_deck("*KEYWORD LONG=Y\n*PARAMETER\nR speed             300.0\n*NODE\n", "a.k");
   EXPECT_EQ(deck.parameters.value("&speed", deck.blocks[0].place), "300");
+  const KeywordDeck named = parse_keyword_deck(
+      "*KEYWORD LONG=Y\n*PARAMETER_EXPRESSION\nR speed_of_the_ball 2 +\n                    3\n*NODE\n", "a.k");
+  EXPECT_EQ(named.parameters.value("&speed_of_the_ball", named.blocks[0].place), "5");
   EXPECT_EQ(error_of([] { parse_keyword_deck("*KEYWORD LONG=X\n", "a.k"); }),
             "a.k:1: *KEYWORD: expected LONG=Y, LONG=S or LONG=K, got \"LONG=X\"");
 }
