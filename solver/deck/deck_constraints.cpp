@@ -71,26 +71,22 @@ namespace {
 /// Constraints of sets become tables at once, those of nodes are gathered.
 void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Held>& nodes, TomlText& scene) {
   const bool set = block.name.starts_with("BOUNDARY_SPC_SET"), spans = block.name.ends_with("_BIRTH_DEATH");
-  Cards cards(block);
-  while (true) {
-    if (block.id && !cards.next()) return;
-    const auto card = cards.next_filled();
-    if (!card) return;
-    const Fields f = data.fields(*card, set ? layout::held_set : layout::held_node);
+  for_each_card(block, [&](const Card& card, Cards& cards) {
+    const Fields f = data.fields(card, set ? layout::held_set : layout::held_node);
     Held held = held_of(f, block);
     if (spans) {
       const Card span = cards.next_or_blank();
       held.when = span_of(data.fields(span, layout::held_span));
     }
-    if (held.directions == 0) continue;
+    if (held.directions == 0) return;
     if (set) {
-      write_head("constraint", block, card->place, scene);
-      write_held(data, held, card->place, scene);
+      write_head("constraint", block, card.place, scene);
+      write_held(data, held, card.place, scene);
       write_target(block, true, f.integer("NSID"), scene);
     } else {
-      nodes.add(block, card->place, node_number(block, f.integer("NID")), held);
+      nodes.add(block, card.place, node_number(block, f.integer("NID")), held);
     }
-  }
+  });
 }
 
 }  // namespace

@@ -104,16 +104,13 @@ void DeckData::read_parts(const KeywordBlock& block) {
 }
 
 void DeckData::read_section(const KeywordBlock& block) {
-  Cards cards(block);
-  while (!block.title || cards.next()) {
-    const std::optional<Card> card = cards.next_filled();
-    if (!card) return;
-    const Fields f = fields(*card, layout::section_solid);
+  for_each_card(block, [&](const Card& card, Cards& cards) {
+    const Fields f = fields(card, layout::section_solid);
     const std::int64_t id = f.integer("SECID") + offset_of(block, &DeckTransform::other);
-    give_once(block, fmt::format("section {}", id), card->place);
+    give_once(block, fmt::format("section {}", id), card.place);
     section_form[id] = f.integer("ELFORM");
     if (section_form[id] >= 101 && section_form[id] <= 105) cards.next();  // of users' elements, which are refused
-  }
+  });
 }
 
 void DeckData::read_hourglass(const KeywordBlock& block) {

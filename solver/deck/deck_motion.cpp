@@ -78,15 +78,11 @@ void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, Toml
   const CardLayout& layout = block.name.ends_with("_RIGID") ? layout::motion_part
                              : block.name.ends_with("_SET") ? layout::motion_set
                                                             : layout::motion_node;
-  Cards cards(block);
-  while (true) {
-    if ((block.id || block.title) && !cards.next()) return;
-    const std::optional<Card> card = cards.next_filled();
-    if (!card) return;
-    const Fields f = data.fields(*card, layout);
+  for_each_card(block, [&](const Card& card, Cards& cards) {
+    const Fields f = data.fields(card, layout);
     if (has_second_line(f)) cards.next();
     translate_motion(data, block, f, scene);
-  }
+  });
 }
 
 }  // namespace pinball

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "deck_place.hpp"
@@ -84,6 +85,7 @@ class Cards {
 };
 
 /// The cards of a keyword that has one for each of its things, with one more before each where it has _TITLE or _ID.
+/// What reads a card may take the cards, too, and from them what follows it.
 template <class Read>
 void for_each_card(const KeywordBlock& block, const Read& read) {
   Cards cards(block);
@@ -91,7 +93,11 @@ void for_each_card(const KeywordBlock& block, const Read& read) {
   while (!headed || cards.next()) {
     const std::optional<Card> card = cards.next_filled();
     if (!card) return;
-    read(*card);
+    if constexpr (std::is_invocable_v<Read, const Card&, Cards&>) {
+      read(*card, cards);
+    } else {
+      read(*card);
+    }
   }
 }
 
