@@ -66,11 +66,11 @@ DeckElement element_of(DeckData& data, const DeckPart& part, const DeckHourglass
 
 /// Of forms that are one here, which a deck asks for.
 void tell_forms(DeckData& data, const DeckHourglass& defaults) {
+  if (data.hourglass.empty() && !last_card(data, "CONTROL_HOURGLASS")) return;
   std::set<std::int64_t> forms;
   for (const DeckPart& part : data.parts) {
     if (!is_fully_integrated(data, part)) forms.insert(hourglass_of(data, part, defaults).form);
   }
-  if (data.hourglass.empty() && !last_card(data, "CONTROL_HOURGLASS")) return;
   for (const std::int64_t form : forms) {
     if (form >= 1 && form <= 3)
       data.report.understood(fmt::format("hourglass control IHQ {}: viscous, the same for 1 to 3", form));

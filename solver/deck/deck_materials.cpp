@@ -30,7 +30,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
 }
 
 /// Fields that have a value and no effect are told.
-void not_used(DeckData& data, const KeywordBlock& block, const Fields& f, const char* fields, const char* reason) {
+void not_used(DeckData& data, const KeywordBlock& block, const Fields& f, std::string_view fields, const char* reason) {
   data.report.unused(f.place(), fmt::format("{}: {}", block.star_name(), fields), reason);
 }
 
@@ -62,7 +62,7 @@ void write_strain_rate(const DeckRate& rate, TomlText& scene) {
 /// Cowper and Symonds.
 void write_rate(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckRate& rate, TomlText& scene) {
   if (!rate.is_law() && (rate.constant != 0 || rate.exponent != 0))
-    not_used(data, block, f, rate.constant != 0 ? f.name(0).data() : f.name(1).data(),
+    not_used(data, block, f, rate.constant != 0 ? f.name(0) : f.name(1),
              "a law of the strain rate has both of its constants");
   if (!rate.is_law()) return;
   scene.key("rate_constant", rate.constant);

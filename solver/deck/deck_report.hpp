@@ -22,9 +22,9 @@ class DeckReport {
   void ignore_node(const DeckPlace& place, const std::string& star_name) {
     ignore(place, star_name + " of a node of no solid");
   }
-  /// elements: how many a keyword of elements has; -1: it is none.
   /// --lenient: not known, so that nobody knows whether it changes the answer.
   void leave_out(const DeckPlace& place, const std::string& what) { count(left_out_, what, place, ""); }
+  /// elements: how many of them that is; -1: it is none of elements.
   void refuse(const KeywordBlock& block, const std::string& reason = "", int elements = -1) {
     if (elements != 0) count(refused_, block.star_name(), block.place, reason, elements);
   }

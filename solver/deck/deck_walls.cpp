@@ -37,8 +37,9 @@ void write_friction(DeckData& data, const KeywordBlock& block, const Fields& pla
   }
 }
 
-void write_wall(DeckData& data, const KeywordBlock& block, const Card& head, const Card& card, std::size_t number,
-                TomlText& scene) {
+/// A point of the wall: a corner, where it is a rectangle.
+Point write_wall(DeckData& data, const KeywordBlock& block, const Card& head, const Card& card, std::size_t number,
+                 TomlText& scene) {
   const Fields f = data.fields(head, layout::wall_nodes), plane = data.fields(card, layout::wall_plane);
   const Point point = plane.point("XT");
   scene.key("name", fmt::format("wall_{}", number));
@@ -47,6 +48,7 @@ void write_wall(DeckData& data, const KeywordBlock& block, const Card& head, con
   write_friction(data, block, plane, scene);
   write_selection(data, block, f, scene);
   write_span(span_of(f), scene);
+  return point;
 }
 
 }  // namespace
@@ -62,11 +64,11 @@ void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_
     const std::optional<Card> plane = cards.next();
     if (!is_first && head->blank() && (!plane || plane->blank())) return;
     write_head("rigid_wall", block, is_first ? block.place : head->place, scene);
-    write_wall(data, block, *head, plane ? *plane : cards.require("the plane of the wall"), count++, scene);
+    const Point corner =
+        write_wall(data, block, *head, plane ? *plane : cards.require("the plane of the wall"), count++, scene);
     if (block.name.find("_FINITE") != std::string::npos) {
       const Card rectangle = cards.require("the rectangle of the wall");
-      write_rectangle(data.fields(rectangle, layout::wall_rectangle),
-                      data.fields(*plane, layout::wall_plane).point("XT"), scene);
+      write_rectangle(data.fields(rectangle, layout::wall_rectangle), corner, scene);
     }
     if (block.name.find("_MOVING") != std::string::npos) {
       const Card mass = cards.require("the mass of the wall");

@@ -6,7 +6,7 @@
 #include <array>
 
 #include <solver/base/error.hpp>
-#include <solver/keyword/cards/mesh_cards.hpp>
+#include <solver/keyword/cards/card_field.hpp>
 
 #include "keyword_rules.hpp"
 
@@ -44,12 +44,13 @@ int count_of(const KeywordBlock& block) {
 
 /// The number that begins its first card; none: nobody can read it.
 std::optional<std::int64_t> number_of(const KeywordBlock& block, const DeckData& data) {
+  static constexpr CardLayout numbered{layout::whole("ID").always()};
   try {
     Cards cards(block);
     if (block.title) cards.next();
     const std::optional<Card> card = cards.next();
     if (!card) return std::nullopt;
-    return data.fields(*card, layout::case_head).integer(std::size_t{0});
+    return data.fields(*card, numbered).integer("ID");
   } catch (const InputError&) {
     return std::nullopt;
   }
