@@ -29,11 +29,11 @@ OfParts kind_of(const KeywordBlock& block, const KeywordRule* rule) {
   return block.name.starts_with("EOS_") ? OfParts::state_equation : OfParts::no;
 }
 
-/// Elements of a keyword of which each has one line, or else its keyword as one.
+/// Elements of a keyword of which each has one line; -1: it is none of those.
 int count_of(const KeywordBlock& block) {
   static constexpr std::array<std::string_view, 6> of_one_line{"ELEMENT_SHELL",    "ELEMENT_BEAM", "ELEMENT_TSHELL",
                                                                "ELEMENT_DISCRETE", "ELEMENT_MASS", "ELEMENT_SEATBELT"};
-  if (std::ranges::find(of_one_line, block.name) == of_one_line.end()) return 1;
+  if (std::ranges::find(of_one_line, block.name) == of_one_line.end()) return -1;
   KeywordBlock silent = block;
   silent.log = nullptr;
   Cards cards(silent);

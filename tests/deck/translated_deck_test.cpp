@@ -324,15 +324,16 @@ TEST_F(Deck, RefusesContactThatWouldBeAnother) {
 TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
   const std::string message =
       error(cube + ends + "*ELEMENT_SHELL\n1,2,1,2,3,4\n2,2,1,2,3,4\n*ELEMENT_SHELL\n3,2,1,2,3,4\n*MAT_RIGID\n1,1\n" +
-            "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*CONTROL_UNHEARD_OF\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,3\n");
+            "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*CONTROL_UNHEARD_OF\n*CONTROL_UNHEARD_OF\n*CONTROL_TIMESTEP\n0,0.9,0,0,"
+            "0,3\n");
   EXPECT_EQ(
       message,
       "deck.k: cannot be run, for this version has not:\n"
       "  *ELEMENT_SHELL (3 elements, first in deck.k:20): shells: solids, one or more through the thickness, in their "
       "place\n"
-      "  *CONTROL_UNHEARD_OF (deck.k:31)\n"
+      "  *CONTROL_UNHEARD_OF (2 times, first in deck.k:31)\n"
       "  *MAT_RIGID (deck.k:25): rigid bodies: MAT_ELASTIC, moved by BOUNDARY_PRESCRIBED_MOTION_RIGID, in their place\n"
-      "  *CONTROL_TIMESTEP with LCTM (deck.k:33): leave it out: the step is TSSFAC times the stable one");
+      "  *CONTROL_TIMESTEP with LCTM (deck.k:34): leave it out: the step is TSSFAC times the stable one");
   EXPECT_THAT(translate(cube + elastic + ends + "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*EOS_GRUNEISEN\n7\n").understood,
               testing::IsSupersetOf({HasSubstr("not used: *MAT_NULL ("), HasSubstr("not used: *SECTION_SHELL ("),
                                      HasSubstr("not used: *EOS_GRUNEISEN (")}));
