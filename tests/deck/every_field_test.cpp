@@ -156,12 +156,26 @@ class EveryField : public FolderTest {
       const CardLayout& layout = *cards.lines[line];
       const std::vector<std::string> fields = cut(deck.lines[line], layout.size());
       for (std::size_t i = 0; i < layout.size(); ++i) {
-        if (layout[i].name.empty() || layout[i].name == deck.same) continue;
+        if (layout[i].name == deck.same) continue;
+        if (layout[i].name.empty()) {
+          set_unknown(deck, before, line, fields, i);
+          continue;
+        }
         ++fields_;
         for (const std::string& value : others(fields, i, layout[i]))
           try_one(deck, before, line, fields, i, layout[i], value);
       }
+      for (std::size_t i = layout.size(); i < 8; ++i) set_unknown(deck, before, line, fields, i);
     }
+  }
+
+  /// A field that the manual does not have: told by its number, but of nodes and solids, which are many.
+  void set_unknown(const CardDeck& deck, const Outcome& before, std::size_t line, std::vector<std::string> fields,
+                   std::size_t at) {
+    if (deck.keyword == "NODE" || deck.keyword == "ELEMENT_SOLID") return;
+    const std::string name = fmt::format("field {}", at + 1);
+    fields.resize(std::max(fields.size(), at + 1));
+    try_one(deck, before, line, fields, at, layout::number(name).told(), "3");
   }
 
   void try_one(const CardDeck& deck, const Outcome& before, std::size_t line, std::vector<std::string> fields,
@@ -202,14 +216,15 @@ TEST_F(EveryField, OfEachCardCountsOrIsToldByItsName) {
       if (same(deck)) set_each(deck, cards);
     }
   }
-  EXPECT_GT(fields_, 600);
-  fmt::print("{} fields, {} values\n", fields_, tried_);
+  EXPECT_GT(fields_, 3'800);
+  EXPECT_GT(tried_, 11'200);
 }
 
 TEST_F(EveryField, IsTheSameInColumnsOfAllWidths) {
   for (const CardDeck& deck : all_decks()) {
     const auto cards = std::ranges::find_if(
         keyword_cards(), [&](const KeywordCards& one) { return one.keyword == deck.keyword && one.form == deck.form; });
+    ASSERT_NE(cards, keyword_cards().end()) << deck.keyword << ' ' << deck.form;
     expect_same_in_columns(deck, *cards);
   }
 }

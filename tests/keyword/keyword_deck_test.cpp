@@ -46,7 +46,7 @@ TEST(DeckNumber, ReadsWholeNumbers) {
   for (const char* wrong : {"", "5.5", "x", "1e300"}) EXPECT_FALSE(deck_integer(wrong)) << wrong;
 }
 
-constexpr CardLayout some{layout::whole("MID").from(0, 2), layout::number("RO"), layout::number("E", 7),
+constexpr CardLayout some{layout::whole("MID").always().from(0, 2), layout::number("RO"), layout::number("E", 7),
                           layout::number("PR").always(), layout::number("MORE", 1)};
 
 TEST(DeckFields, AreColumnsOrStandBetweenCommas) {
@@ -70,6 +70,10 @@ TEST(DeckFields, AnErrorNamesFileLineFieldAndText) {
             "a.k:3: RO (field 2): expected a number, got \"oops\"");
   EXPECT_EQ(error_of([&] { Fields(card, none, some).number("PR"); }),
             "a.k:3: PR (field 4): expected a number, got nothing");
+  EXPECT_EQ(error_of([&] {
+              Fields(Card{" ,1", place}, none, some).integer("MID");
+            }),
+            "a.k:3: MID (field 1): expected a whole number, got nothing");
   EXPECT_EQ(error_of([&] {
               Fields(Card{"3", place}, none, some).integer("MID");
             }),
@@ -199,9 +203,9 @@ TEST(KeywordDeck, ParametersStandForNumbersAndTexts) {
   EXPECT_EQ(deck.parameters.value("&long", place), "301");
   EXPECT_THAT(error_of([&] { deck.parameters.value("&sped", place); }),
               HasSubstr("a.k:1: no parameter is named sped, nearest is speed"));
-  const Card card{"&speed,-&speed,&parts", place};
+  const Card card{"&parts,-&speed,&speed", place};
   EXPECT_EQ(Fields(card, deck.parameters, some).number("RO"), -300.0);
-  EXPECT_EQ(Fields(card, deck.parameters, some).number("E"), 2);
+  EXPECT_EQ(Fields(card, deck.parameters, some).integer("MID"), 2);
 }
 
 TEST(KeywordDeck, AnExpressionThatFailsIsNamedWithItsPlace) {
