@@ -247,7 +247,7 @@ void DeckData::read_part_set(const KeywordBlock& block) {
 void DeckData::add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const {
   const bool generate = block.name.find("_GENERATE") != std::string::npos,
              sums = block.name.find("_ADD") != std::string::npos;
-  const Fields f = fields(card, generate ? layout::set_ranges : layout::set_members);
+  const Fields f = fields(card, generate ? layout::set_ranges : layout::members);
   const std::int64_t add = offset_of(block, &DeckTransform::part);
   for (std::size_t i = 0; i < 8; i += generate ? 2 : 1) {
     const std::int64_t first = f.integer(i);

@@ -22,7 +22,7 @@ class ProbeKeywords {
     Cards cards(block);
     while (auto card = cards.next_filled()) {
       if (block.id) card->log = nullptr;  // what follows the number is a title
-      const Fields f = data_.fields(*card, block.id ? layout::history_named : layout::history);
+      const Fields f = data_.fields(*card, block.id ? layout::history_named : layout::members);
       for (std::size_t i = 0; i < (block.id ? 1U : 8U); ++i) {
         const std::int64_t number = f.integer(i);
         if (number == 0) continue;

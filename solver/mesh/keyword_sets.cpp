@@ -32,7 +32,7 @@ const CardLayout& layout_of(const std::string& form) {
   if (form == "_GENERAL") return layout::set_general;
   if (form == "_COLUMN") return layout::set_column;
   if (form == "_GENERATE") return layout::set_ranges;
-  return form == "_GENERATE_INCREMENT" ? layout::set_steps : layout::set_members;
+  return form == "_GENERATE_INCREMENT" ? layout::set_steps : layout::members;
 }
 
 void sort_and_keep_one_of_each(std::vector<std::int32_t>& places) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "card_field.hpp"
+#include "common_fields.hpp"
 
 /// *BOUNDARY_..., *INITIAL_VELOCITY..., *RIGIDWALL_PLANAR..., *LOAD_..., *DATABASE_HISTORY_...
 namespace pinball::layout {
 
-inline constexpr std::string_view no_rotations = "nodes of solids have no rotations",
-                                  no_rigid_bodies = "there are no rigid bodies";
+inline constexpr std::string_view no_rigid_bodies = "there are no rigid bodies";
 
 constexpr CardLayout held(std::string_view target) {
   return {whole(target).always(),
@@ -29,26 +28,12 @@ inline constexpr CardLayout motion_node = motion("NID"), motion_set = motion("NS
 
 inline constexpr CardLayout velocity_nodes{whole("NSID"), whole("NSIDEX"), whole("BOXID"),
                                            whole("IRIGID").told(no_rigid_bodies), whole("ICID")};
-inline constexpr CardLayout velocity{number("VX"),
-                                     number("VY"),
-                                     number("VZ"),
-                                     number("VXR").told(no_rotations),
-                                     number("VYR").told(no_rotations),
-                                     number("VZR").told(no_rotations)};
-inline constexpr CardLayout velocity_exempt{number("VXE"),
-                                            number("VYE"),
-                                            number("VZE"),
-                                            number("VXRE").told(no_rotations),
-                                            number("VYRE").told(no_rotations),
-                                            number("VZRE").told(no_rotations)};
-inline constexpr CardLayout velocity_node{whole("NID").always(),
-                                          number("VX"),
-                                          number("VY"),
-                                          number("VZ"),
-                                          number("VXR").told(no_rotations),
-                                          number("VYR").told(no_rotations),
-                                          number("VZR").told(no_rotations),
-                                          whole("ICID")};
+inline constexpr CardLayout velocity{number("VX"),    number("VY"),    number("VZ"),
+                                     rotation("VXR"), rotation("VYR"), rotation("VZR")};
+inline constexpr CardLayout velocity_exempt{number("VXE"),    number("VYE"),    number("VZE"),
+                                            rotation("VXRE"), rotation("VYRE"), rotation("VZRE")};
+inline constexpr CardLayout velocity_node{whole("NID").always(), number("VX"),    number("VY"),    number("VZ"),
+                                          rotation("VXR"),       rotation("VYR"), rotation("VZR"), whole("ICID")};
 inline constexpr CardLayout velocity_generation{whole("ID"),
                                                 whole("STYP"),
                                                 number("OMEGA"),
@@ -107,8 +92,6 @@ inline constexpr CardLayout body_load{whole("LCID").always(),
 inline constexpr CardLayout body_load_vector{number("V1"), number("V2"), number("V3")};
 inline constexpr CardLayout body_load_parts{whole("PSID").always()};
 
-inline constexpr CardLayout history{whole("ID1"), whole("ID2"), whole("ID3"), whole("ID4"),
-                                    whole("ID5"), whole("ID6"), whole("ID7"), whole("ID8")};
 inline constexpr CardLayout history_named{whole("ID").always(), text("HEADING").columns(70)};
 
 }  // namespace pinball::layout

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "card_field.hpp"
+#include "common_fields.hpp"
 
 /// *CONTACT_..., in the form of R11 of the manual: after the card of _ID cards 1 to 3, that of _ERODING, and the
 /// optional ones A to G.
@@ -11,15 +11,19 @@ inline constexpr std::string_view no_penalty = "contact has no penalty stiffness
                                   all_checked = "the search finds all pairs by itself",
                                   of_shells_and_beams = "of shells and beams", of_output = "of output",
                                   opened = "there is one rule for overlaps of the start",
-                                  of_thermal = "heat is not computed";
+                                  no_symmetry = "planes of symmetry do not change contact",
+                                  uncovered = "faces that erosion uncovers always touch",
+                                  put_on_faces = "nodes that are tied are put on their faces",
+                                  no_spot_welds = "there are no spot welds", of_users = "of what users program",
+                                  box_of_segments = "give the segments of the box as a set";
 
 inline constexpr CardLayout contact_number{whole("CID"), text("HEADING").columns(70)};
 inline constexpr CardLayout contact_sides{whole("SSID"),
                                           whole("MSID"),
                                           whole("SSTYP"),
                                           whole("MSTYP"),
-                                          whole("SBOXID").refused("give the segments of the box as a set"),
-                                          whole("MBOXID").refused("give the segments of the box as a set"),
+                                          whole("SBOXID").refused(box_of_segments),
+                                          whole("MBOXID").refused(box_of_segments),
                                           whole("SPR").told(of_output),
                                           whole("MPR").told(of_output)};
 inline constexpr CardLayout contact_friction{number("FS"),
@@ -38,21 +42,16 @@ inline constexpr CardLayout contact_scales{number("SFS", 1).told(no_penalty),
                                            number("SFMT", 1).told(no_thickness),
                                            number("FSF", 1),
                                            number("VSF", 1).told("friction has no limit of stress")};
-inline constexpr CardLayout contact_eroding{whole("ISYM").told("planes of symmetry do not change contact"),
-                                            whole("EROSOP").told("faces that erosion uncovers always touch"),
-                                            whole("IADJ").told("faces that erosion uncovers always touch")};
+inline constexpr CardLayout contact_eroding{whole("ISYM").told(no_symmetry), whole("EROSOP").told(uncovered),
+                                            whole("IADJ").told(uncovered)};
 inline constexpr CardLayout contact_a{whole("SOFT").told(no_penalty),      number("SOFSCL", 0.1).told(no_penalty),
                                       whole("LCIDAB").told("of airbags"),  number("MAXPAR", 1.025).told(all_checked),
                                       whole("SBOPT", 2).told(all_checked), whole("DEPTH", 2).told(all_checked),
                                       whole("BSORT").told(all_checked),    whole("FRCFRQ", 1).told(all_checked)};
-inline constexpr CardLayout contact_b{number("PENMAX").told(no_penalty),
-                                      whole("THKOPT").told(no_thickness),
-                                      whole("SHLTHK").told(no_thickness),
-                                      whole("SNLOG").told(all_checked),
-                                      whole("ISYM").told("planes of symmetry do not change contact"),
-                                      whole("I2D3D").told(all_checked),
-                                      number("SLDTHK").told(no_thickness),
-                                      number("SLDSTF").told(no_penalty)};
+inline constexpr CardLayout contact_b{number("PENMAX").told(no_penalty),   whole("THKOPT").told(no_thickness),
+                                      whole("SHLTHK").told(no_thickness),  whole("SNLOG").told(all_checked),
+                                      whole("ISYM").told(no_symmetry),     whole("I2D3D").told(all_checked),
+                                      number("SLDTHK").told(no_thickness), number("SLDSTF").told(no_penalty)};
 inline constexpr CardLayout contact_c{
     whole("IGAP", 1).told(no_penalty),          whole("IGNORE").told(opened),     number("DPRFAC").told(opened),
     number("DTSTIF").told(no_penalty),          number("EDGEK").told(no_penalty), gap,
@@ -90,47 +89,31 @@ inline constexpr CardLayout control_contact_1{number("SLSFAC", 0.1).told(no_pena
                                               whole("THKCHG").told(no_thickness),
                                               whole("ORIEN", 1).told("solids say where their outside is"),
                                               whole("ENMASS").told("there is one rule for nodes that erosion frees")};
-inline constexpr CardLayout control_contact_2{whole("USRSTR").told("of what users program"),
-                                              whole("USRFRC").told("of what users program"),
-                                              whole("NSBCS").told(all_checked),
-                                              whole("INTERM").told(all_checked),
-                                              number("XPENE", 4).told(opened),
-                                              whole("SSTHK").told(no_thickness),
-                                              whole("ECDT").told(of_output),
-                                              whole("TIEDPRJ").told("nodes that are tied are put on their faces")};
+inline constexpr CardLayout control_contact_2{whole("USRSTR").told(of_users),   whole("USRFRC").told(of_users),
+                                              whole("NSBCS").told(all_checked), whole("INTERM").told(all_checked),
+                                              number("XPENE", 4).told(opened),  whole("SSTHK").told(no_thickness),
+                                              whole("ECDT").told(of_output),    whole("TIEDPRJ").told(put_on_faces)};
 inline constexpr CardLayout control_contact_3{
     number("SFRIC").told(of_parts_friction), number("DFRIC").told(of_parts_friction),
     number("EDC").told(of_parts_friction),   number("VFC").told(of_parts_friction),
     number("TH").told(no_thickness),         number("TH_SF").told(no_thickness),
     number("PEN_SF").told(no_penalty),       number("PTSCL", 1).told(no_penalty)};
-inline constexpr CardLayout control_contact_4{whole("IGNORE").told(opened),
-                                              whole("FRCENG").told(of_output),
-                                              whole("SKIPRWG").told(of_output),
-                                              whole("OUTSEG").told(of_output),
-                                              whole("SPOTSTP").told("there are no spot welds"),
-                                              whole("SPOTDEL").told("there are no spot welds"),
-                                              number("SPOTHIN").told("there are no spot welds"),
-                                              whole("DIR_TIE").told("there are no spot welds")};
-inline constexpr CardLayout control_contact_5{whole("ISYM").told("planes of symmetry do not change contact"),
-                                              whole("NSEROD").told("faces that erosion uncovers always touch"),
-                                              whole("RWGAPS", 1).told(of_walls),
-                                              number("RWGDTH").told(of_walls),
-                                              number("RWKSF", 1).told(of_walls),
-                                              whole("ICOV").told(of_shells_and_beams),
-                                              number("SWRADF").told("there are no spot welds"),
-                                              whole("ITHOFF").told(of_thermal)};
-inline constexpr CardLayout control_contact_6{whole("SHLEDG").told(of_shells_and_beams),
-                                              whole("PSTIFF").told(no_penalty),
-                                              whole("ITHCNT").told(of_thermal),
-                                              whole("TDCNOF").told(of_thermal),
-                                              whole("FTALL").told(of_output),
-                                              gap,
-                                              number("SHLTRW").told(of_shells_and_beams),
-                                              whole("IGACTC").told("there are no splines")};
-inline constexpr CardLayout control_contact_7{whole("IREVSPT").told("there are no spot welds"),
+inline constexpr CardLayout control_contact_4{
+    whole("IGNORE").told(opened),          whole("FRCENG").told(of_output),      whole("SKIPRWG").told(of_output),
+    whole("OUTSEG").told(of_output),       whole("SPOTSTP").told(no_spot_welds), whole("SPOTDEL").told(no_spot_welds),
+    number("SPOTHIN").told(no_spot_welds), whole("DIR_TIE").told(no_spot_welds)};
+inline constexpr CardLayout control_contact_5{
+    whole("ISYM").told(no_symmetry),      whole("NSEROD").told(uncovered),   whole("RWGAPS", 1).told(of_walls),
+    number("RWGDTH").told(of_walls),      number("RWKSF", 1).told(of_walls), whole("ICOV").told(of_shells_and_beams),
+    number("SWRADF").told(no_spot_welds), whole("ITHOFF").told(of_thermal)};
+inline constexpr CardLayout control_contact_6{
+    whole("SHLEDG").told(of_shells_and_beams),  whole("PSTIFF").told(no_penalty), whole("ITHCNT").told(of_thermal),
+    whole("TDCNOF").told(of_thermal),           whole("FTALL").told(of_output),   gap,
+    number("SHLTRW").told(of_shells_and_beams), whole("IGACTC").told(no_splines)};
+inline constexpr CardLayout control_contact_7{whole("IREVSPT").told(no_spot_welds),
                                               gap,
                                               whole("COHTIEM").told("there are no cohesive elements"),
-                                              whole("TIEOPT").told("nodes that are tied are put on their faces"),
+                                              whole("TIEOPT").told(put_on_faces),
                                               whole("STROBJ").told(no_penalty),
                                               number("BEFBLK").told(all_checked)};
 inline constexpr std::array<const CardLayout*, 7> control_contact{

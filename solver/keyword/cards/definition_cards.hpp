@@ -1,6 +1,6 @@
 #pragma once
 
-#include "card_field.hpp"
+#include "common_fields.hpp"
 
 /// *DEFINE_... and *MAT_...
 namespace pinball::layout {
@@ -14,7 +14,7 @@ inline constexpr CardLayout curve{whole("LCID").always(),
                                   number("OFFA"),
                                   number("OFFO"),
                                   whole("DATTYP").told("all curves are those of functions"),
-                                  whole("LCINT").told("curves are taken as they are, at each of their points")};
+                                  whole("LCINT").told(as_they_are)};
 inline constexpr CardLayout curve_point{number("A1").columns(20), number("O1").columns(20)};
 inline constexpr CardLayout table{whole("TBID").always(), number("SFA", 1), number("OFFA")};
 inline constexpr CardLayout table_value{number("VALUE").columns(20), whole("LCID").columns(20)};
@@ -34,7 +34,6 @@ inline constexpr CardLayout system_vectors{
 constexpr CardField material_stress(std::string_view name) { return number(name).of(Dimension::stress); }
 inline constexpr CardField material_id = whole("MID").always(), density = number("RO").always().of(Dimension::density),
                            young = material_stress("E").always(), poisson = number("PR").always();
-inline constexpr std::string_view of_beams = "of beams";
 
 inline constexpr CardLayout elastic{material_id,
                                     density,

@@ -28,18 +28,18 @@ void add_mesh(Table& table) {
     const auto set = [&](const char* form, const CardLayout& line) {
       table.push_back({std::string(kind) + form, "", {&l::set_head, &line}});
     };
-    set("_LIST", l::set_members);
+    set("_LIST", l::members);
     set("_LIST_GENERATE", l::set_ranges);
     set("_LIST_GENERATE_INCREMENT", l::set_steps);
     set("_GENERAL", l::set_general);
-    set("_ADD", l::set_members);
+    set("_ADD", l::members);
     set("_COLUMN", l::set_column);
   }
   table.push_back({"SET_SEGMENT", "", {&l::set_head, &l::segment}});
   table.push_back({"SET_SEGMENT_GENERAL", "", {&l::set_head, &l::set_general}});
-  table.push_back({"SET_PART_LIST", "", {&l::set_head, &l::set_members}});
+  table.push_back({"SET_PART_LIST", "", {&l::set_head, &l::members}});
   table.push_back({"SET_PART_LIST_GENERATE", "", {&l::set_head, &l::set_ranges}});
-  table.push_back({"SET_PART_ADD", "", {&l::set_head, &l::set_members}});
+  table.push_back({"SET_PART_ADD", "", {&l::set_head, &l::members}});
 }
 
 void add_definitions(Table& table) {
@@ -111,7 +111,7 @@ void add_controls(Table& table) {
   table.push_back({"CONTROL_TIMESTEP", "", {&l::timestep, &l::timestep_scaling, &l::timestep_more}});
   table.push_back({"DAMPING_GLOBAL", "", {&l::damping}});
   for (const char* what : {"NODE", "NODE_SET", "SOLID", "SOLID_SET"})
-    table.push_back({std::string("DATABASE_HISTORY_") + what, "", {&l::history}});
+    table.push_back({std::string("DATABASE_HISTORY_") + what, "", {&l::members}});
   table.push_back({"DATABASE_BINARY_D3PLOT", "", {&l::plot, &l::plot_more}});
   for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"})
     table.push_back({std::string("DATABASE_") + name, "", {&l::ascii}});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "card_field.hpp"
+#include "common_fields.hpp"
 
 /// *NODE, *ELEMENT_SOLID, *PART, *SECTION_SOLID, *HOURGLASS, *SET_... and what places an included file.
 namespace pinball::layout {
@@ -34,7 +34,7 @@ inline constexpr CardLayout part{whole("PID").always(),
                                  whole("HGID"),
                                  whole("GRAV").told("gravity acts on all parts that *LOAD_BODY_PARTS names"),
                                  whole("ADPOPT").told("meshes stay as they are"),
-                                 whole("TMID").told("heat is not computed")};
+                                 whole("TMID").told(of_thermal)};
 inline constexpr std::string_view of_parts = "friction and stiffness are those of *CONTACT_...: give them there";
 inline constexpr CardLayout part_contact{number("FS").told(of_parts),     number("FD").told(of_parts),
                                          number("DC").told(of_parts),     number("VC").told(of_parts),
@@ -50,7 +50,6 @@ inline constexpr CardLayout section_solid{whole("SECID").always(),
                                           number("COHOFF").told("of cohesive elements"),
                                           number("GASKETT").told("of gaskets")};
 
-inline constexpr std::string_view of_shells = "of shells";
 inline constexpr CardLayout hourglass{whole("HGID").always(),
                                       whole("IHQ"),
                                       number("QM"),
@@ -60,31 +59,25 @@ inline constexpr CardLayout hourglass{whole("HGID").always(),
                                       number("QB", 0.1).told(of_shells),
                                       number("QW", 0.1).told(of_shells)};
 
-inline constexpr std::string_view attribute = "attributes of sets are for keywords that are not read";
+constexpr CardField attribute(std::string_view name) {
+  return number(name).told("attributes of sets are for keywords that are not read");
+}
 inline constexpr CardLayout set_head{whole("SID").always(),
-                                     number("DA1").told(attribute),
-                                     number("DA2").told(attribute),
-                                     number("DA3").told(attribute),
-                                     number("DA4").told(attribute),
+                                     attribute("DA1"),
+                                     attribute("DA2"),
+                                     attribute("DA3"),
+                                     attribute("DA4"),
                                      text("SOLVER", "MECH").told("there is one solver"),
                                      text("ITS", "1").told("there is one scale")};
-inline constexpr CardLayout set_members{whole("ID1"), whole("ID2"), whole("ID3"), whole("ID4"),
-                                        whole("ID5"), whole("ID6"), whole("ID7"), whole("ID8")};
 inline constexpr CardLayout set_ranges{whole("B1BEG"), whole("B1END"), whole("B2BEG"), whole("B2END"),
                                        whole("B3BEG"), whole("B3END"), whole("B4BEG"), whole("B4END")};
 inline constexpr CardLayout set_steps{whole("BBEG"), whole("BEND"), whole("INCR", 1).at_least(1)};
-inline constexpr CardLayout set_column{whole("ID").always(), number("A1").told(attribute), number("A2").told(attribute),
-                                       number("A3").told(attribute), number("A4").told(attribute)};
+inline constexpr CardLayout set_column{whole("ID").always(), attribute("A1"), attribute("A2"), attribute("A3"),
+                                       attribute("A4")};
 inline constexpr CardLayout set_general{text("OPTION"), whole("E1"), whole("E2"), whole("E3"),
                                         whole("E4"),    whole("E5"), whole("E6"), whole("E7")};
-inline constexpr CardLayout segment{whole("N1"),
-                                    whole("N2"),
-                                    whole("N3"),
-                                    whole("N4"),
-                                    number("A1").told(attribute),
-                                    number("A2").told(attribute),
-                                    number("A3").told(attribute),
-                                    number("A4").told(attribute)};
+inline constexpr CardLayout segment{whole("N1"),     whole("N2"),     whole("N3"),     whole("N4"),
+                                    attribute("A1"), attribute("A2"), attribute("A3"), attribute("A4")};
 
 inline constexpr CardLayout box{whole("BOXID").always(),
                                 number("XMN").of(Dimension::length),
