@@ -53,7 +53,7 @@ void write_selection(const DeckData& data, const KeywordBlock& block, const Fiel
   if (set != 0) scene.key("set", std::to_string(set_number(block, set)));
   if (without != 0) scene.key("without", std::to_string(set_number(block, without)));
   if (box == 0) return;
-  const Box& bounds = data.box(definition_number(block, box), f.place());
+  const KeywordBox& bounds = data.boxes.find(block, box, f.place());
   scene.raw("box", fmt::format("{{ low = {}, high = {} }}", toml(bounds.low), toml(bounds.high)));
 }
 

@@ -25,7 +25,7 @@ void write_span(const DeckSpan& span, TomlText& scene);
 // Numbers of a deck, with what *INCLUDE_TRANSFORM adds to them.
 std::int64_t set_number(const KeywordBlock& block, std::int64_t id);
 std::int64_t node_number(const KeywordBlock& block, std::int64_t id);
-/// Of a curve, a vector, a system or a box; 0 stays 0: none.
+/// Of a curve, a vector or a system; 0 stays 0: none.
 std::int64_t definition_number(const KeywordBlock& block, std::int64_t id);
 
 /// [[table]] for a card, which its comment names.

@@ -44,7 +44,7 @@ std::string name_of(const std::string& title) {
 }  // namespace
 
 DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& report_)
-    : deck(deck_), mesh(mesh_), report(report_), nodes(mesh_.node_ids) {
+    : deck(deck_), mesh(mesh_), report(report_), nodes(mesh_.node_ids), boxes(deck_) {
   for (const KeywordBlock& block : deck.blocks) {
     blocks_[block.name].push_back(&block);
     read(block);
@@ -73,7 +73,6 @@ void DeckData::read(const KeywordBlock& block) {
   if (block.name == "DEFINE_TABLE") read_table(block);
   if (block.name == "DEFINE_VECTOR") read_vector(block);
   if (block.name == "DEFINE_COORDINATE_SYSTEM" || block.name == "DEFINE_COORDINATE_VECTOR") read_system(block);
-  if (block.name == "DEFINE_BOX") read_box(block);
 }
 
 /// Controls, and files of output, have no numbers: a deck has one of each kind. Those that are ignored may stand as
@@ -185,18 +184,6 @@ void DeckData::read_vector(const KeywordBlock& block) {
     const std::int64_t id = f.integer("VID") + offset_of(block, &DeckTransform::define);
     give_once(block, fmt::format("vector {}", id), card.place);
     vectors_[id] = unit(minus(f.point("XH"), f.point("XT")), card.place);
-  });
-}
-
-void DeckData::read_box(const KeywordBlock& block) {
-  for_each_card(block, [&](const Card& card) {
-    const Fields f = fields(card, layout::box);
-    Box box{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = f.number(1 + 2 * k);
-      box.high[k] = f.number(2 + 2 * k);
-    }
-    boxes_[f.integer("BOXID") + offset_of(block, &DeckTransform::define)] = box;
   });
 }
 
@@ -334,12 +321,6 @@ DeckCurve DeckData::rate_curve(std::int64_t id, const DeckPlace& place) const {
 const DeckTable* DeckData::table(std::int64_t id) const {
   const auto found = tables_.find(id);
   return found == tables_.end() ? nullptr : &found->second;
-}
-
-const Box& DeckData::box(std::int64_t id, const DeckPlace& place) const {
-  const auto found = boxes_.find(id);
-  if (found == boxes_.end()) fail_at(place, fmt::format("no *DEFINE_BOX has the number {}", id));
-  return found->second;
 }
 
 Point DeckData::vector(std::int64_t id, const DeckPlace& place) const {

@@ -14,6 +14,7 @@
 #include <solver/keyword/given_once.hpp>
 #include <solver/keyword/keyword_deck.hpp>
 #include <solver/keyword/number_index.hpp>
+#include <solver/mesh/keyword_boxes.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/scene_boundary.hpp>
 
@@ -68,6 +69,7 @@ class DeckData {
   const MeshFile& mesh;
   DeckReport& report;
   const NumberIndex nodes;  ///< places of nodes in the mesh
+  const KeywordBoxes boxes;
 
   std::vector<DeckPart> parts;  ///< those with solids, by their numbers
   std::map<std::int64_t, std::int64_t> section_form;
@@ -86,7 +88,6 @@ class DeckData {
   bool is_curve(std::int64_t id) const { return curves_.contains(id); }
   /// Null: no *DEFINE_TABLE has this number.
   const DeckTable* table(std::int64_t id) const;
-  const Box& box(std::int64_t id, const DeckPlace& place) const;
   /// Unit vector of *DEFINE_VECTOR.
   Point vector(std::int64_t id, const DeckPlace& place) const;
   /// Unit vectors of a local system; those of the global one for 0.
@@ -118,7 +119,6 @@ class DeckData {
   void read_hourglass(const KeywordBlock& block);
   void read_curve(const KeywordBlock& block);
   void read_table(const KeywordBlock& block);
-  void read_box(const KeywordBlock& block);
   void read_vector(const KeywordBlock& block);
   void read_system(const KeywordBlock& block);
   void read_part_set(const KeywordBlock& block);
@@ -128,7 +128,6 @@ class DeckData {
 
   std::map<std::int64_t, DeckCurve> curves_;
   std::map<std::int64_t, DeckTable> tables_;
-  std::map<std::int64_t, Box> boxes_;
   std::map<std::int64_t, Point> vectors_;
   std::map<std::int64_t, std::array<Point, 3>> systems_;
   std::map<std::int64_t, std::vector<std::int64_t>> part_sets_;

@@ -32,7 +32,8 @@ class KeywordBoxes {
   /// Throws InputError where a block names one that is not there.
   const KeywordBox& find(const KeywordBlock& block, std::int64_t number, const DeckPlace& place) const {
     const auto found = boxes_.find(number + offset_of(block, &DeckTransform::define));
-    if (found == boxes_.end()) fail_at(place, block.star_name() + ": no box has the number " + std::to_string(number));
+    if (found == boxes_.end())
+      fail_at(place, block.star_name() + ": no *DEFINE_BOX has the number " + std::to_string(number));
     return found->second;
   }
 

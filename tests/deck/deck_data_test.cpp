@@ -63,8 +63,9 @@ TEST(DeckData, LocalSystemsHaveTheirAxesInSpace) {
 
 TEST(DeckData, BoxesHaveTheirBoundsInTheOrderOfTheCard) {
   const Data data("*DEFINE_BOX\n5,1,2,3,4,5,6\n");
-  expect_point(data->box(5, here).low, {1, 3, 5});
-  expect_point(data->box(5, here).high, {2, 4, 6});
+  const KeywordBox& box = data->boxes.find(data->deck.blocks.at(0), 5, here);
+  expect_point(box.low, {1, 3, 5});
+  expect_point(box.high, {2, 4, 6});
 }
 
 TEST(DeckData, SetsOfPartsHaveAllEightPlacesOfACard) {

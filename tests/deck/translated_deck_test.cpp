@@ -158,7 +158,7 @@ TEST_F(Deck, BeginsWithSpinsBoxesAndLocalSystems) {
   EXPECT_EQ(model.nodes.velocity_of(model.node_of_scene_node[1])[0], 5);
   EXPECT_EQ(model.nodes.velocity_of(model.node_of_scene_node[5])[1], 6);
   EXPECT_THAT(error(cube + elastic + ends + "*INITIAL_VELOCITY\n0,0,8\n1.\n"),
-              HasSubstr("deck.k:23: no *DEFINE_BOX has the number 8"));
+              HasSubstr("deck.k:23: *INITIAL_VELOCITY: no *DEFINE_BOX has the number 8"));
 }
 
 TEST_F(Deck, HasWallsOfSetsThatEndAndMove) {
