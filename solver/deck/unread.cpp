@@ -24,7 +24,8 @@ std::string fields_text(std::uint32_t fields) {
 namespace {
 
 /// The fields of a line by their names, those of one remark together: what the card says and nobody has asked for.
-void tell_fields(const KeywordBlock& block, const DeckPlace& place, const ReadingLog::Left& left, DeckReport& report) {
+void tell_fields(const std::string& star_name, const DeckPlace& place, const ReadingLog::Left& left,
+                 DeckReport& report) {
   std::map<std::string_view, std::vector<std::string>> names;  // by the remark
   for (std::size_t i = 0; i < 32; ++i) {
     if ((left.fields >> i & 1U) == 0) continue;
@@ -35,13 +36,13 @@ void tell_fields(const KeywordBlock& block, const DeckPlace& place, const Readin
     }
     const CardField& field = (*left.layout)[i];
     if (field.use == FieldUse::refused) {
-      report.refuse(place, fmt::format("{} with {}", block.star_name(), field.name), std::string(field.remark));
+      report.refuse(place, fmt::format("{} with {}", star_name, field.name), std::string(field.remark));
     } else {
       names[field.remark].emplace_back(field.name);
     }
   }
   for (const auto& [remark, fields] : names)
-    report.unused(place, fmt::format("{}: {}", block.star_name(), fmt::join(fields, ", ")), std::string(remark));
+    report.unused(place, fmt::format("{}: {}", star_name, fmt::join(fields, ", ")), std::string(remark));
 }
 
 }  // namespace
@@ -70,9 +71,10 @@ void tell_unread(const KeywordDeck& deck, const ReadingLog& log, DeckReport& rep
         if (!card->blank()) report.unused(card->place, block.star_name() + ": the rest of its lines");
         continue;
       }
-      tell_fields(block, card->place, log.left_of(card->text.data()), report);
+      tell_fields(block.star_name(), card->place, log.left_of(card->text.data()), report);
     }
   }
+  for (const UnreadLine& line : deck.unread) tell_fields(line.star_name, line.place, line.left, report);
 }
 
 }  // namespace pinball

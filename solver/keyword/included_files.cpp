@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "cards/mesh_cards.hpp"
 #include "fields.hpp"
@@ -40,10 +41,10 @@ DeckUnits read_units(const Fields& fields) {
   return {factor("FCTMAS"), factor("FCTTIM"), factor("FCTLEN")};
 }
 
-std::shared_ptr<const DeckTransform> read_transform(Cards& cards, const Parameters& parameters) {
+/// Of the four lines behind the name of the file.
+std::shared_ptr<const DeckTransform> transform_of(const std::array<Card, 4>& lines, const Parameters& parameters) {
   auto transform = std::make_shared<DeckTransform>();
-  const Card offsets = cards.next_or_blank(), more = cards.next_or_blank(), factors = cards.next_or_blank(),
-             number = cards.next_or_blank();
+  const auto& [offsets, more, factors, number] = lines;
   const Fields ids(offsets, parameters, layout::include_offsets);
   transform->node = ids.integer("IDNOFF");
   transform->element = ids.integer("IDEOFF");
@@ -54,6 +55,19 @@ std::shared_ptr<const DeckTransform> read_transform(Cards& cards, const Paramete
   transform->other = Fields(more, parameters, layout::include_other).integer("IDROFF");
   transform->units = read_units(Fields(factors, parameters, layout::include_units));
   transform->transformation = Fields(number, parameters, layout::include_transformation).integer("TRANID");
+  return transform;
+}
+
+std::shared_ptr<const DeckTransform> read_transform(Cards& cards, const Parameters& parameters,
+                                                    std::vector<UnreadLine>& unread) {
+  std::array<Card, 4> lines;
+  ReadingLog log;
+  for (Card& line : lines) {
+    line = cards.next_or_blank();
+    line.log = &log;
+  }
+  auto transform = transform_of(lines, parameters);
+  for (const Card& line : lines) unread.push_back({line.block->star_name(), line.place, log.left_of(line.text.data())});
   return transform;
 }
 
@@ -72,7 +86,7 @@ std::vector<IncludedFile> IncludedFiles::read(const KeywordBlock& block, const P
     if (!card) fail_at(block.place, "*INCLUDE_TRANSFORM: expected the name of a file");
     if (outer) fail_at(block.place, "*INCLUDE_TRANSFORM inside of another one is not read");
     const std::string name = file_name(*card, cards);
-    files.push_back({name, card->place, read_transform(cards, parameters)});
+    files.push_back({name, card->place, read_transform(cards, parameters, unread_)});
     return files;
   }
   while (const auto card = cards.next_filled()) {

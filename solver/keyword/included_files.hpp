@@ -17,6 +17,13 @@ struct IncludedFile {
   std::shared_ptr<const DeckTransform> transform;
 };
 
+/// A line that is read when the deck is put together, and the fields of it that say something and were not asked for.
+struct UnreadLine {
+  std::string star_name;  ///< of its keyword
+  DeckPlace place;
+  ReadingLog::Left left;
+};
+
 /// Where included files are looked for: *INCLUDE_PATH, and the folders of the including file and of the deck.
 class IncludedFiles {
  public:
@@ -30,10 +37,13 @@ class IncludedFiles {
   std::string find(const std::string& name, const std::string& including) const;
   /// Whether a keyword is one of those.
   static bool reads(const std::string& name);
+  /// Lines of *INCLUDE_TRANSFORM.
+  const std::vector<UnreadLine>& unread() const { return unread_; }
 
  private:
   std::filesystem::path folder_;
   std::vector<std::filesystem::path> paths_;
+  std::vector<UnreadLine> unread_;
 };
 
 }  // namespace pinball

@@ -30,6 +30,7 @@ class KeywordReader {
   KeywordDeck read(std::shared_ptr<const std::string> text, const std::string& path) {
     add_file(std::move(text), path, nullptr, {});
     keep_case();
+    deck_.unread = included_.unread();
     return std::move(deck_);
   }
 

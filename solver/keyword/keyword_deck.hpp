@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "included_files.hpp"
 #include "keyword_block.hpp"
 #include "parameters.hpp"
 
@@ -18,6 +19,7 @@ struct KeywordDeck {
   std::vector<std::string> files;                         ///< as opened, the deck itself first
   std::vector<std::int64_t> cases;                        ///< numbers that --case takes
   std::size_t left_out_of_case = 0;                       ///< keywords that belong to other cases
+  std::vector<UnreadLine> unread;                         ///< of what is done here
   std::vector<std::shared_ptr<const std::string>> texts;  ///< what the blocks refer to
 };
 

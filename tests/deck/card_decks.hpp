@@ -70,6 +70,11 @@ inline std::vector<CardDeck> decks_of_mesh() {
       {"PART", "", {"lower", "1,1,1", "upper", "2,1,1"}},
       {"PART_CONTACT", "", {"lower", "1,1,1", "", "upper", "2,1,1", ""}, "*PART\n"},
       {"SECTION_SOLID", "", {"1,1"}},
+      {"INCLUDE_TRANSFORM",
+       "",
+       {"part.k", "100,100,100,100,100,0,100", "100", "", "7"},
+       "*DEFINE_TRANSFORMATION\n7\nTRANSL,5.,5.,5.\n*INITIAL_VELOCITY\n0,0,101\n1.,2.,3.\n"
+       "*PART\nlower\n1,101,1\nupper\n2,1,1\n"},
       {"HOURGLASS", "", {"4,4,0.05,0,1.2,0.04"}, controlled},
       {"HOURGLASS", "", {"4,1"}, controlled},
       {"HOURGLASS", "", {"4,6"}, controlled},

@@ -50,6 +50,11 @@ class EveryField : public FolderTest {
     FolderTest::SetUp();
     std::ofstream(folder_ / "more.k") << "*KEYWORD\n*NODE\n"
                                       << cube_lines(1) << "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n*END\n";
+    std::ofstream(folder_ / "part.k") << "*KEYWORD\n*NODE\n"
+                                      << cube_lines(1)
+                                      << "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n*PART\nincluded\n1,1,1\n"
+                                         "*SECTION_SOLID\n1,2\n*MAT_ELASTIC\n1,7.85E-9,210000.,0.3\n"
+                                         "*SET_NODE_LIST\n1\n5,6\n*DEFINE_BOX\n1,-1.,2.,-1.,2.,-1.,1.2\n*END\n";
   }
 
   static std::string mesh_text(const fs::path& path) {

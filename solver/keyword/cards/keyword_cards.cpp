@@ -13,7 +13,7 @@ namespace {
 using Lines = std::vector<const CardLayout*>;
 using Table = std::vector<KeywordCards>;
 
-constexpr const CardLayout* title = nullptr;
+constexpr const CardLayout *title = nullptr, *file = nullptr;
 
 void add_mesh(Table& table) {
   namespace l = layout;
@@ -24,6 +24,9 @@ void add_mesh(Table& table) {
   table.push_back({"PART_CONTACT", "", {title, &l::part, &l::part_contact}});
   table.push_back({"SECTION_SOLID", "", {&l::section_solid}});
   table.push_back({"HOURGLASS", "", {&l::hourglass}});
+  table.push_back({"INCLUDE_TRANSFORM",
+                   "",
+                   {file, &l::include_offsets, &l::include_other, &l::include_units, &l::include_transformation}});
   for (const char* kind : {"SET_NODE", "SET_SOLID"}) {
     const auto set = [&](const char* form, const CardLayout& line) {
       table.push_back({std::string(kind) + form, "", {&l::set_head, &line}});

@@ -11,7 +11,7 @@ namespace pinball {
 struct KeywordCards {
   std::string keyword;                   ///< without star
   std::string form;                      ///< where a keyword has several: which one; else empty
-  std::vector<const CardLayout*> lines;  ///< null: a title
+  std::vector<const CardLayout*> lines;  ///< null: a title, or the name of a file
 };
 
 /// All cards that are read, by the layouts that read them, in the order of docs/cards.md.
