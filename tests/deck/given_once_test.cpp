@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "abaqus_case.hpp"
+#include <tests/deck/abaqus/abaqus_case.hpp>
+
 #include "deck_case.hpp"
 
 /// What has a number or a name of its own is given once; the message names both places.

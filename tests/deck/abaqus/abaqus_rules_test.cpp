@@ -1,6 +1,5 @@
 #include <solver/deck/abaqus/abaqus_rules.hpp>
-
-#include "rules_page.hpp"
+#include <tests/deck/rules_page.hpp>
 
 namespace pinball::test {
 namespace {

@@ -4,9 +4,8 @@
 #include <string>
 
 #include <solver/deck/abaqus/translated_abaqus.hpp>
+#include <tests/deck/deck_file_case.hpp>
 #include <tests/support/cube_text.hpp>
-
-#include "deck_file_case.hpp"
 
 /// Abaqus input of a few lines, written to a file of its own.
 namespace pinball::test {

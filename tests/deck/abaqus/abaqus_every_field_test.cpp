@@ -9,10 +9,9 @@
 #include <solver/deck/abaqus/translated_abaqus.hpp>
 #include <solver/keyword/fields.hpp>
 #include <solver/mesh/mesh_file.hpp>
+#include <tests/deck/own_deck.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
-
-#include "own_deck.hpp"
 
 /// Each blank field of each data line of the Abaqus input that comes along is filled in: that has to change the scene,
 /// to be refused, or to be told. So no field is lost without a word.
