@@ -13,57 +13,21 @@
 #include <solver/output/checkpoint.hpp>
 #include <tests/support/changing_scene.hpp>
 #include <tests/support/cube_text.hpp>
-#include <tests/support/output_case.hpp>
-#include <tests/support/program.hpp>
 #include <tests/support/scene_text.hpp>
 
-/// Checkpoints of the program: what a restart gives, what is rejected, and what a killed or failed run leaves.
+#include "checkpoint_case.hpp"
+
+/// Checkpoints of the program: what a restart gives, what is rejected, and what a killed run leaves.
 namespace pinball {
 namespace {
 
+using test::Checkpoints;
 using test::content;
 using test::cube_scene;
 using test::Finished;
 using test::replaced;
 using test::run;
 using testing::HasSubstr;
-
-class Checkpoints : public testing::Test {
- protected:
-  /// Runs and expects it to end well.
-  static void expect_done(const std::string& arguments) {
-    const Finished f = run("run --quiet " + arguments);
-    EXPECT_EQ(f.status, 0) << arguments << '\n' << f.text;
-  }
-  static void expect_input_error(const std::string& arguments, const std::string& message) {
-    const Finished f = run("run --quiet " + arguments);
-    EXPECT_EQ(f.status, 2) << arguments << '\n' << f.text;
-    EXPECT_THAT(f.text, HasSubstr(message));
-  }
-  /// summary.json but for times, threads and the memory that arrays happened to take.
-  static std::string result(const std::string& folder) {
-    auto json = nlohmann::json::parse(content(folder + "/summary.json"));
-    for (const char* key : {"wall_seconds", "phase_seconds", "element_steps_per_second", "skipped_seconds", "threads",
-                            "bytes_per_element", "started"}) {
-      json.erase(key);
-    }
-    return json.dump(1);
-  }
-  static void expect_same_results(const std::string& folder, const std::string& other) {
-    EXPECT_EQ(result(folder), result(other));
-    for (const char* name : {"/history.csv", "/fields.pvd"}) EXPECT_EQ(content(folder + name), content(other + name));
-  }
-  void expect_kills_without_harm(const std::vector<std::string>& run);
-  static bool exists(const std::string& path) { return std::filesystem::exists(path); }
-  /// The same scene stopped early: a checkpoint of its middle.
-  void leave_checkpoint(const std::string& scene, int steps) {
-    expect_done(scene + " --checkpoint-every 1000000 --set time.steps=" + std::to_string(steps) + " --out " + half_);
-  }
-
-  test::TemporaryFolder folder_{testing::UnitTest::GetInstance()->current_test_info()->name()};
-  std::string whole_ = folder_ / "whole", half_ = folder_ / "half", other_ = folder_ / "other";
-  std::string file_ = half_ + "/checkpoint.pinball";
-};
 
 TEST_F(Checkpoints, ARestartGoesOnInTheFolderOfItsCheckpoint) {
   const std::string scene = "two_blocks --set output.field_interval=3e-5";
@@ -302,8 +266,13 @@ pid_t start(const std::vector<std::string>& arguments) {
   ::_exit(127);
 }
 
+class KilledRuns : public Checkpoints {
+ protected:
+  void expect_kills_without_harm(const std::vector<std::string>& run);
+};
+
 /// Runs with these arguments, is killed at random moments, and comes to the results of a run without a break.
-void Checkpoints::expect_kills_without_harm(const std::vector<std::string>& run) {
+void KilledRuns::expect_kills_without_harm(const std::vector<std::string>& run) {
   std::vector<std::string> scene{"run"};
   std::string line;
   for (const std::string& word : run) {
@@ -352,59 +321,14 @@ void Checkpoints::expect_kills_without_harm(const std::vector<std::string>& run)
   EXPECT_FALSE(exists(file_ + ".part"));
 }
 
-TEST_F(Checkpoints, AKilledRunGoesOnFromItsLatestCheckpoint) {
+TEST_F(KilledRuns, GoOnFromTheirLatestCheckpoint) {
   expect_kills_without_harm({"rod_plate", "--set", "time.end=16e-6"});
 }
 
-TEST_F(Checkpoints, AKilledRunKnowsWhatHasBegunAndEnded) {
+TEST_F(KilledRuns, KnowWhatHasBegunAndEnded) {
   const std::string path = folder_ / "changing.toml";
   std::ofstream(path) << test::changing_scene;
   expect_kills_without_harm({path});
-}
-
-/// A cube alone, whose steps are unstable above a cfl of 1.
-class FailedRuns : public Checkpoints {
- protected:
-  void SetUp() override {
-    std::ofstream(folder_ / "scene.toml") << replaced(cube_scene, "end = 1e-4", "end = 1e-2\ncfl = 1.2");
-  }
-  /// Expects a run to fail, and its last good state to go on with these changes.
-  void expect_failure(const std::string& arguments, const std::string& message, const std::string& changes) {
-    const Finished f = run("run --quiet " + (folder_ / "scene.toml") + ' ' + arguments + " --out " + half_);
-    EXPECT_EQ(f.status, 1) << f.text;
-    EXPECT_THAT(f.text, HasSubstr(message));
-    EXPECT_THAT(f.text, HasSubstr("in step"));
-    EXPECT_THAT(f.text, HasSubstr(": try "));
-    EXPECT_THAT(f.text, HasSubstr("last_good.vtu and, for --restart, in " + half_ + "/last_good.pinball"));
-    EXPECT_TRUE(exists(half_ + "/last_good.vtu"));
-    const std::string last_good = "--restart " + half_ + "/last_good.pinball ";
-    const Finished again = run("run --quiet " + last_good + "--out " + other_);  // the same bits, the same failure
-    EXPECT_EQ(again.status, 1) << again.text;
-    EXPECT_EQ(again.text.substr(0, again.text.find(';')), f.text.substr(0, f.text.find(';')));
-    expect_done(last_good + changes);
-    EXPECT_FALSE(exists(half_ + "/last_good.vtu"));
-  }
-};
-
-TEST_F(FailedRuns, EnergyBalance) { expect_failure("", "energy balance", "--set time.cfl=0.9"); }
-TEST_F(FailedRuns, NegativeVolume) {
-  expect_failure("--set guard.energy_error=1e30", "no volume", "--set time.steps=9");
-}
-TEST_F(FailedRuns, NotFinite) {
-  const std::string load = R"(
-[[load]]
-body = "cube"
-force = [1e308, 0, 0]
-times = [1e-3, 1.1e-3]
-factors = [0, 1e10]
-)";
-  std::ofstream(folder_ / "scene.toml", std::ios::app) << load;
-  expect_failure("--set time.cfl=0.5 --set output.interval=3e-4",
-                 "a node of element 0 of body cube has a velocity that is not finite", "--set time.end=0.95e-3");
-}
-TEST_F(FailedRuns, CollapsedStep) {
-  expect_failure("--set time.cfl=0.5 --set guard.time_step_collapse=1", "collapsed",
-                 "--set guard.time_step_collapse=0");
 }
 
 }  // namespace
