@@ -1,11 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -389,68 +385,6 @@ TEST_F(Program, VerifyListsTheScenesItKnows) {
   EXPECT_EQ(f.status, 2);
   EXPECT_THAT(f.text, HasSubstr("nearest is two_blocks"));
   EXPECT_THAT(f.text, HasSubstr("spinning_block"));
-}
-
-/// Largest memory of a run in kB.
-long peak_memory(const std::string& folder, const char* refine, const std::string& scene = "rod_plate") {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    ::execl(PINBALL_PROGRAM, "pinball", "run", scene.c_str(), "--quiet", "--threads", "1", "--set", "time.steps=3",
-            "--refine", refine, "--out", folder.c_str(), nullptr);
-    ::_exit(127);
-  }
-  int status = 0;
-  rusage usage{};
-  ::wait4(child, &status, 0, &usage);
-  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-  return usage.ru_maxrss;
-}
-
-TEST_F(Program, MemoryPerElementIsBounded) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the sanitizer keeps what is freed, and has memory of its own";
-#endif
-  // The program and its libraries are in both; the difference is the stores, the mesh while it is made, and the last
-  // state.
-  const double kilobytes = static_cast<double>(peak_memory(folder_ / "out", "3") - peak_memory(folder_ / "out", "1"));
-  EXPECT_LT(kilobytes * 1024 / (26 * (414 + 1428)), 2000);
-}
-
-/// What is refused beforehand is what would not fit, and no less: a cube with little to store, and with contact.
-TEST_F(Program, MemoryThatIsAskedForBeforehandIsThatOfARun) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "the sanitizer keeps what is freed, and has memory of its own";
-#endif
-  const std::string cube = R"(
-units = "kg-m-s"
-time = { end = 1 }
-[[material]]
-name = "steel"
-model = "elastic"
-density = 7850
-young_modulus = 2e11
-poisson_ratio = 0.3
-[[body]]
-name = "cube"
-material = "steel"
-mesh = { type = "block", size = [1, 1, 1], elements = [10, 10, 10] }
-)";
-  const std::string path = folder_ / "cube.toml";
-  for (const char* settings :
-       {"precision = \"float\"\nelement = { hourglass = \"viscous\" }\n", "contact = { method = \"pinball\" }\n"}) {
-    std::ofstream(path) << settings << cube;
-    const Finished f = run("run --refine 79 " + path + " --out " + (folder_ / "out"));
-    const std::size_t said = f.text.find("expected at most");
-    if (f.status == 0 || said == std::string::npos) GTEST_SKIP() << "this machine holds any mesh: " << f.text;
-    double most = 0, gibibytes = 0;
-    ASSERT_EQ(std::sscanf(f.text.c_str() + said, "expected at most %lg for %lg", &most, &gibibytes), 2) << f.text;
-    const auto kilobytes =
-        static_cast<double>(peak_memory(folder_ / "out", "5", path) - peak_memory(folder_ / "out", "1", path));
-    const double measured = kilobytes * 1024 / (50 * 50 * 50 - 10 * 10 * 10);
-    const double assumed = gibibytes * 1073741824 / most;
-    EXPECT_LT(assumed, 1.05 * measured) << settings;
-    EXPECT_GT(assumed, 0.7 * measured) << settings;
-  }
 }
 
 }  // namespace
