@@ -13,6 +13,7 @@
 #include <string>
 #include <thread>
 
+#include <kernels/contact_friction.hpp>
 #include <kernels/exec.hpp>
 #include <tests/exec/with_threads.hpp>
 #include <tests/support/support.hpp>
@@ -250,6 +251,34 @@ TEST(ExecThreads, OneAndSeveralRunTheSameMachineCode) {
   with_threads(1, [&] { fill(one); });
   with_threads(3, [&] { fill(several); });
   EXPECT_EQ(one, several);
+}
+
+/// A thread's part may end anywhere, and what it makes of an index must not depend on that. Friction branches: a loop
+/// that makes several rounds at once fuses it in another way.
+TEST(ExecThreads, MakeTheSameBitsWhereverARangeIsCut) {
+  constexpr std::int64_t size = 61;
+  std::vector<Vec3<double>> wanted(size), normal(size), one(size), cut(size);
+  Random random(11);
+  for (std::int64_t i = 0; i < size; ++i) {
+    wanted[std::size_t(i)] = random_vector(random, 1);
+    normal[std::size_t(i)] = random_direction(random);
+  }
+  const auto fill = [&](std::vector<Vec3<double>>& result) {
+    return [&](std::int64_t i) {
+      const auto k = std::size_t(i);
+      result[k] = allowed_impulse(wanted[k], normal[k], {0.3, 0.01});
+    };
+  };
+  const auto work = [](const auto& body, std::int64_t begin, std::int64_t end) {
+    const RangeOf<std::decay_t<decltype(body)>> range{body};
+    range.work(&range, begin, end);
+  };
+  work(fill(one), 0, size);
+  for (std::int64_t end = 1; end < size; ++end) {
+    work(fill(cut), 0, end);
+    work(fill(cut), end, size);
+    for (std::size_t i = 0; i < size; ++i) ASSERT_EQ(norm(cut[i] - one[i]), 0) << i << " of a range cut at " << end;
+  }
 }
 
 TEST(ExecThreads, AreNotCalledForOnePieceOfWork) {
