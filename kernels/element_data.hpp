@@ -4,8 +4,8 @@
 
 #include "assumed_strain.hpp"
 #include "hourglass.hpp"
-#include "material.hpp"
-#include "yield/yield_curve.hpp"
+#include "material/von_mises.hpp"
+#include "material/yield_curve.hpp"
 
 /// What an element kernel (element_update.hpp) works on: arrays of elements and nodes, constants of their material, and
 /// the features for which it is compiled.
@@ -13,7 +13,7 @@ namespace pinball {
 
 enum class YieldLaw {
   linear,  ///< of MaterialConstants (material.hpp)
-  general  ///< of HardeningConstants, too: back stress, curves, rates (yield/general_yield.hpp)
+  general  ///< of HardeningConstants, too: back stress, curves, rates (material/general_yield.hpp)
 };
 
 struct ElementFeatures {

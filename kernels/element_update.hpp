@@ -3,16 +3,16 @@
 #include <cstdint>
 
 #include "bulk_viscosity.hpp"
-#include "elastic/neo_hookean.hpp"
 #include "element_data.hpp"
 #include "folding.hpp"
 #include "gather.hpp"
 #include "hexahedron.hpp"
 #include "kept_hourglass.hpp"
-#include "material.hpp"
+#include "material/general_yield.hpp"
+#include "material/neo_hookean.hpp"
+#include "material/von_mises.hpp"
 #include "rotation.hpp"
 #include "stable_time_step.hpp"
-#include "yield/general_yield.hpp"
 
 /// One pack of elements through one step: gather, strain, stress, erosion, forces, scatter (report figure 4, 3a-c).
 ///

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "assumed_strain.hpp"
+#include "material/bending_yield.hpp"
 #include "rotation.hpp"
-#include "yield/bending_yield.hpp"
 
 /// The two forms of hourglass control that keep a state, with the same functions for the element kernel: the state of
 /// one pack of elements over a step, elastic at first, then what yield leaves.

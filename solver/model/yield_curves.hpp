@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <kernels/yield/yield_curve.hpp>
+#include <kernels/material/yield_curve.hpp>
 #include <solver/scene.hpp>
 
 namespace pinball {

@@ -35,7 +35,7 @@ Matrix way_of_cube(double s) {
   return product({{{c, -n, 0}, {n, c, 0}, {0, 0, 1}}}, sheared);
 }
 
-/// The compressible neo-Hookean solid (kernels/elastic/neo_hookean.hpp) after a deformation gradient.
+/// The compressible neo-Hookean solid (kernels/material/neo_hookean.hpp) after a deformation gradient.
 struct NeoHookean {
   std::array<double, 6> stress;  ///< xx yy zz xy yz zx
   double energy;                 ///< per initial volume

@@ -1,5 +1,5 @@
 #include <kernels/assumed_strain.hpp>
-#include <kernels/material.hpp>
+#include <kernels/material/von_mises.hpp>
 #include <tests/support/support.hpp>
 
 namespace pinball {

@@ -1,5 +1,5 @@
 #include "element_fixture.hpp"
-#include "hardening_case.hpp"
+#include "material/hardening_case.hpp"
 
 /// What is switched off at run time, in the kernels that the program has (solver/elements/element_features.hpp), leaves
 /// the bits of a kernel that is compiled without it. Compiled without fused multiplication and addition, which the

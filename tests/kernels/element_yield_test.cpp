@@ -1,5 +1,5 @@
 #include "element_fixture.hpp"
-#include "hardening_case.hpp"
+#include "material/hardening_case.hpp"
 
 /// The element kernel with YieldLaw::general.
 namespace pinball {

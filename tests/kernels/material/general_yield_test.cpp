@@ -1,5 +1,5 @@
-#include <kernels/yield/general_yield.hpp>
-#include <tests/kernels/hardening_case.hpp>
+#include <kernels/material/general_yield.hpp>
+#include <tests/kernels/material/hardening_case.hpp>
 
 /// Back stress, curves and rates at one point of a material, against closed forms and independent integrations.
 namespace pinball {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <kernels/yield/general_yield.hpp>
+#include <kernels/material/general_yield.hpp>
 #include <tests/support/support.hpp>
 
 /// Materials of HardeningConstants with their arrays, and one point of such a material.

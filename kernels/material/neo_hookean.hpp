@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../material.hpp"
+#include "von_mises.hpp"
 
 /// Elasticity that gives back what it was given: the compressible neo-Hookean solid of Simo and Pister (1984; Bonet and
 /// Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, section 6.4), with the energy per initial volume

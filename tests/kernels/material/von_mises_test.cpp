@@ -1,4 +1,4 @@
-#include <kernels/material.hpp>
+#include <kernels/material/von_mises.hpp>
 #include <tests/support/support.hpp>
 
 namespace pinball {

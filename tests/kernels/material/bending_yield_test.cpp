@@ -1,4 +1,4 @@
-#include <kernels/yield/bending_yield.hpp>
+#include <kernels/material/bending_yield.hpp>
 #include <tests/support/support.hpp>
 
 namespace pinball {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../material.hpp"
+#include "von_mises.hpp"
 
 /// Yield of elements whose stress varies within them: radial return at two points beside the centre.
 ///

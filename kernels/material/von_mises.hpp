@@ -1,7 +1,7 @@
 #pragma once
 
-#include "simd.hpp"
-#include "tensor.hpp"
+#include "../simd.hpp"
+#include "../tensor.hpp"
 
 /// Isotropic hypoelasticity and von Mises plasticity with isotropic, piecewise-linear hardening up to the ultimate
 /// stress (report section 4: linear hardening, then perfectly plastic).

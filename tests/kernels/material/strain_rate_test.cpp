@@ -1,4 +1,4 @@
-#include <tests/kernels/hardening_case.hpp>
+#include <tests/kernels/material/hardening_case.hpp>
 
 /// Yield stresses that depend on the rate of strain.
 namespace pinball {
