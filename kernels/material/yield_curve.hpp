@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cmath>
-
 #include "../simd.hpp"
+#include "power.hpp"
 
 /// Yield stress over plastic strain and strain rate: curves of straight pieces, one for each of some rates, and the
 /// rate law of Cowper and Symonds (1957).
@@ -13,12 +12,6 @@
 /// above the highest, the curve is that of the nearest.
 namespace pinball {
 
-// What the processor has no instruction for: lane after lane, by the library of the scalar functions.
-
-PINBALL_FUNCTION double power(double base, double exponent) { return ::pow(base, exponent); }
-PINBALL_FUNCTION float power(float base, float exponent) { return ::powf(base, exponent); }
-PINBALL_FUNCTION double logarithm(double a) { return ::log(a); }
-PINBALL_FUNCTION float logarithm(float a) { return ::logf(a); }
 /// Entry number `index`, a whole number, of an array whose entries are `stride` apart.
 PINBALL_FUNCTION double look_up(const double* array, double index, int stride) {
   return array[static_cast<int>(index) * stride];
@@ -29,14 +22,6 @@ PINBALL_FUNCTION float look_up(const float* array, float index, int stride) {
 
 #if !defined(PINBALL_DEVICE_COMPILER)
 
-template <class T, class Abi>
-PINBALL_FUNCTION stdx::simd<T, Abi> power(const stdx::simd<T, Abi>& base, T exponent) {
-  return stdx::simd<T, Abi>([&](auto i) { return power(T(base[i]), exponent); });
-}
-template <class T, class Abi>
-PINBALL_FUNCTION stdx::simd<T, Abi> logarithm(const stdx::simd<T, Abi>& a) {
-  return stdx::simd<T, Abi>([&](auto i) { return logarithm(T(a[i])); });
-}
 template <class T, class Abi>
 PINBALL_FUNCTION stdx::simd<T, Abi> look_up(const T* array, const stdx::simd<T, Abi>& index, int stride) {
   return stdx::simd<T, Abi>([&](auto i) { return look_up(array, T(index[i]), stride); });
