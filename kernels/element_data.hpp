@@ -4,6 +4,9 @@
 
 #include "assumed_strain.hpp"
 #include "hourglass.hpp"
+#include "material/equation_of_state.hpp"
+#include "material/johnson_cook.hpp"
+#include "material/material_state.hpp"
 #include "material/von_mises.hpp"
 #include "material/yield_curve.hpp"
 
@@ -13,7 +16,7 @@ namespace pinball {
 
 enum class YieldLaw {
   linear,  ///< of MaterialConstants (material.hpp)
-  general  ///< of HardeningConstants, too: back stress, curves, rates (material/general_yield.hpp)
+  general  ///< and all else: back stress, curves, rates, heat, equations of state (material/general_material.hpp)
 };
 
 struct ElementFeatures {
@@ -37,11 +40,13 @@ struct ElementView {
   S* hourglass_state;          ///< N = 12, only where keeps_hourglass_state: of KeptHourglass [stress]
   S* viscous_stress;           ///< N = 1: bulk viscosity of the previous step, bulk_viscosity only [stress]
   S* internal_energy;          ///< N = 1, erosion only; may be missing where nothing erodes [energy]
-  S* back_stress =
-      nullptr;  ///< N = 5: xx yy xy yz zx, general yield only; may be missing there: no back stress [stress]
+  /// N = material_numbers: what laws of materials keep from step to step, each in its place (MaterialPlaces); general
+  /// yield only, and may be missing there
+  S* material_state = nullptr;
   /// N = 1: `mass` over the mass with which the element's nodes move; missing: they are the same [-]
   const S* mass_share = nullptr;
   const S* folding_onset = nullptr;  ///< N = 1: of its corners (folding.hpp); missing: folding_onset [-]
+  int material_numbers = 0;          ///< of one element in material_state
 };
 
 /// Node records of four scalars (gather.hpp).
@@ -66,6 +71,10 @@ struct ElementConstants {
   S folding_energy = S(0);                ///< M/(8 density) of corners that are about to turn over [energy/mass]
   bool erode_inside_out = false;          ///< an element with a corner that has turned over is eroded
   bool never_yields = false;              ///< elastic, also where the kernel is one of plasticity (with erosion)
+  // General yield only:
+  JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
+  EquationOfState<S> pressure{};
+  MaterialPlaces places{};
 };
 
 /// Without coefficients there is none: nothing of it is read, written or worked out. No kernel of its own for that, as

@@ -8,9 +8,8 @@
 #include "gather.hpp"
 #include "hexahedron.hpp"
 #include "kept_hourglass.hpp"
-#include "material/general_yield.hpp"
+#include "material/general_material.hpp"
 #include "material/neo_hookean.hpp"
-#include "material/von_mises.hpp"
 #include "rotation.hpp"
 #include "stable_time_step.hpp"
 
@@ -228,21 +227,17 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   T plastic_strain(0);
   [[maybe_unused]] LostHourglassEnergy<T> lost{T(0), T(0)};
   [[maybe_unused]] bool any_lost = false;
+  [[maybe_unused]] MaskOf<T> failed(false);  // for a reason of the material's own
+  [[maybe_unused]] const MaterialNumbers<T, L> numbers(elements, first, alive);
   if constexpr (features.plastic) {
     plastic_strain = state(elements.plastic_strain + first);
     if constexpr (features.yield == YieldLaw::general) {
-      S* const stored_back =
-          elements.back_stress == nullptr ? nullptr : elements.back_stress + place_in_rows<L>(first, 5);
-      Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
-      if (stored_back != nullptr) {
-        back = rotate(rotation, read_back_stress<T>([&](int c) { return state(stored_back + c * L); }));
-      }
-      // A step of no length strains nothing, and its rates are those of the next.
-      if (dt > S(0)) {
-        GeneralYield<T> law(material, constants.hardening, symmetric_part(gradient), dt);
-        any_lost = return_generally(law, kept, stress, back, plastic_strain, lost);
-      }
-      if (stored_back != nullptr) write_back_stress<T, L>(back, stored_back);
+      const Symmetric<T> deformation = symmetric_part(gradient);
+      const YieldOutcome<T> outcome =
+          yield_generally(constants, {deformation, rotation, dt, density}, numbers, kept, stress, plastic_strain);
+      lost = outcome.lost;
+      any_lost = outcome.any_lost;
+      failed = outcome.failed;
     } else if constexpr (keeps_hourglass) {
       const Symmetric<T> deviator = deviator_of(stress);
       const T mean = effective_square(deviator), variation = kept.variation();
@@ -256,6 +251,22 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   }
   if constexpr (features.plastic && keeps_hourglass) {
     if (any_lost) sums.hourglass_plastic += lost.stored - number<T>(0.5) * lost.work;
+  }
+  if constexpr (features.yield == YieldLaw::general) {
+    if (constants.pressure.law != PressureLaw::linear) {
+      // Of the work of the step, see below, what is none of the pressure's.
+      const Symmetric<T> sum = stress_old + stress;
+      const T half_volume = number<T>(0.5) * volume_mid;
+      T heat = half_volume * (contract(sum, strain) - number<T>(1.0 / 3.0) * trace(sum) * volumetric);
+      if (viscous) {
+        heat += half_volume * (state(elements.viscous_stress + first) + viscosity * dilatation) * volumetric;
+      }
+      if (any_lost) heat += lost.stored - number<T>(0.5) * lost.work;
+      const T bulk_modulus =
+          set_pressure(constants.pressure, numbers, constants.places.energy, whole, mass * T(constants.specific_volume),
+                       inverse_volume, volume_mid * volumetric, heat, stress_old, stress);
+      stable_rate = stable_rate_of(bulk_modulus - T(S(2.0 / 3.0) * material.mu), T(material.mu));
+    }
   }
   HourglassForce<T> hourglass{};
   if constexpr (keeps_hourglass) {
@@ -287,6 +298,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   auto inverted = alive && !has_volume;
   if constexpr (features.erosion) {
     fails = plastic_strain > T(material.erosion_strain) && alive;
+    if constexpr (features.yield == YieldLaw::general) fails = fails || (alive && failed);
     // A volume that is not a number is no reason to erode: it is counted, and stops the run.
     if (constants.erode_negative_volume) fails = fails || (alive && minimum(volume, volume_mid) <= T(0));
     if (constants.erode_inside_out) fails = fails || inside_out;

@@ -50,6 +50,8 @@ void bind_contact_parts(py::module_& module) {
 void bind_parts(py::module_& module) {
   bind_table<YieldCurve>(module, "YieldCurve", "Yield stress over plastic strain, at a strain rate.");
   bind_list<YieldCurve>(module, "YieldCurves");
+  bind_table<JohnsonCookSettings>(module, "JohnsonCook", "Strength and failure after Johnson and Cook.");
+  bind_table<EquationOfStateSettings>(module, "EquationOfState", "Pressure over compression and energy.");
   bind_table<Material>(module, "Material", "[[material]] of a scene, with bulk and shear modulus.");
   bind_table<Body>(module, "Body", "[[body]] of a scene");
   bind_list<Material>(module, "Materials");

@@ -135,6 +135,8 @@ struct FieldSnapshot {
   std::vector<std::array<std::int32_t, 8>> hexahedra;  ///< per element
   std::vector<std::array<double, 6>> stress;           ///< per element: xx yy zz xy yz zx [stress]
   std::vector<double> plastic_strain;                  ///< per element [-]
+  std::vector<double> temperature;                     ///< per element; empty: no material has one [temperature]
+  std::vector<double> damage;                          ///< per element, 1: failed; empty: none has one [-]
   std::vector<double> pinball_radius;                  ///< per element, 0 where it is no pinball [length]
   std::vector<std::uint8_t> alive;                     ///< per element: 0 once eroded
   std::vector<std::int32_t> body;                      ///< per element: index of its body

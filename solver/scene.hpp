@@ -10,6 +10,7 @@
 #include "mesh_settings.hpp"
 #include "scene_boundary.hpp"
 #include "scene_contact.hpp"
+#include "scene_material.hpp"
 
 /// A scene: plain data with defaults, read from a file or filled in by a host; no arrays of the size of the mesh.
 /// Every field carries the TOML key that sets it. Units are the scene's own consistent set. What is called "not set"
@@ -71,39 +72,6 @@ struct GuardSettings {
   double energy_error = 0.5;  ///< guard.energy_error: stop when |energy balance error| exceeds this [-]
   /// guard.time_step_collapse: stop when the stable step is smaller than this times the largest of the run [-]
   double time_step_collapse = 1e-6;
-};
-
-enum class StrainRate { total, deviatoric, plastic };
-enum class RateInterpolation { linear, logarithmic };
-
-/// Yield stress over effective plastic strain: straight between its points, beyond the last as between the last two,
-/// or as the last where it falls there.
-struct YieldCurve {
-  double rate = 0.0;                   ///< rate: at which it holds; of a single curve not used [1/time]
-  std::vector<double> plastic_strain;  ///< plastic_strain: from 0, ascending [-]
-  std::vector<double> stress;          ///< stress [stress]
-};
-
-/// One [[material]] table. model = "elastic" | "von_mises". What concerns plasticity and erosion is 0 if elastic.
-struct Material {
-  std::string name;
-  bool plastic = false;
-  double density = 0.0;          ///< density [mass/length^3]
-  double bulk_modulus = 0.0;     ///< bulk_modulus; both moduli also from young_modulus + poisson_ratio [stress]
-  double shear_modulus = 0.0;    ///< shear_modulus [stress]
-  double yield_stress = 0.0;     ///< yield_stress [stress]
-  double plastic_modulus = 0.0;  ///< plastic_modulus: H = d yield / d plastic strain [stress]
-  double ultimate_stress = 0.0;  ///< ultimate_stress: hardening ends here; default: infinite [stress]
-  double erosion_strain = 0.0;   ///< erosion_strain: effective plastic strain at which the element is eroded; 0: never
-  /// isotropic_share: beta, part of the plastic modulus by which the yield surface grows; it moves by the rest [-]
-  double isotropic_share = 1.0;
-  /// yield_curve, yield_curves: in the place of yield_stress, plastic_modulus and ultimate_stress; ascending rates
-  std::vector<YieldCurve> yield_curves;
-  RateInterpolation rate_interpolation = RateInterpolation::linear;  ///< rate_interpolation: between curves
-  StrainRate strain_rate = StrainRate::total;  ///< strain_rate: which rate the yield stress depends on
-  double rate_constant = 0.0;                  ///< rate_constant: C of Cowper and Symonds; 0: no such law [1/time]
-  double rate_exponent = 0.0;                  ///< rate_exponent: p of that law [-]
-  double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
 };
 
 /// One [[body]] table.

@@ -37,6 +37,12 @@ std::optional<Problem> problem_of(const TiedContact& tied);
 /// yield_stress is given for an elastic material, too, which does not use it; 0: not given.
 std::optional<Problem> problem_of(const Material& material);
 std::optional<Problem> problem_of(const YieldCurve& curve);
+std::optional<Problem> problem_of(const JohnsonCookSettings& law);
+std::optional<Problem> problem_of(const EquationOfStateSettings& eos);
+/// Whether its elements may be eroded for a reason of the material's.
+bool erodes(const Material& material);
+/// The slope of the pressure over the compression there [stress]; 0 of settings that are none.
+double bulk_modulus_at_rest(const EquationOfStateSettings& eos, double density);
 std::optional<Problem> problem_of(const TimeTable& table);
 std::optional<Problem> problem_of(const TimeSpan& when);
 std::optional<Problem> problem_of(const RigidWall& wall);

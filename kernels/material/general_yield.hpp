@@ -151,20 +151,21 @@ PINBALL_FUNCTION ScalarOf<T> half_return_modulus(const GeneralYield<T>& law) {
 }
 
 /// Returns the trial stress along the radius from the back stress; relative: deviator of the stress less back stress.
-template <class T>
-PINBALL_FUNCTION void radial_return(const GeneralYield<T>& law, const Symmetric<T>& relative, const T& q,
-                                    Symmetric<T>& stress, T& plastic_strain) {
+/// law: GeneralYield, or another with increment() and modulus().
+template <class T, class Law>
+PINBALL_FUNCTION void radial_return(const Law& law, const Symmetric<T>& relative, const T& q, Symmetric<T>& stress,
+                                    T& plastic_strain) {
   const T dl = law.increment(q, plastic_strain);
   const auto yields = dl > T(0);
   reduce(stress, select(yields, T(law.modulus()) * dl / select(yields, q, T(1)), T(0)), relative);
   plastic_strain += dl;
 }
 
-/// Returns the stress, and hourglass stresses that are kept, to the yield surface, and moves that. Whether any lane may
-/// have yielded.
-template <HourglassKind kind, class T>
-PINBALL_FUNCTION bool return_generally(GeneralYield<T>& law, KeptHourglass<T, kind>& kept, Symmetric<T>& stress,
-                                       Symmetric<T>& back, T& plastic_strain, LostHourglassEnergy<T>& lost) {
+/// law: GeneralYield, or another with its functions. Returns the stress, and hourglass stresses that are kept, to the
+/// yield surface, and moves that. Whether any lane may have yielded.
+template <HourglassKind kind, class T, class Law>
+PINBALL_FUNCTION bool return_generally(Law& law, KeptHourglass<T, kind>& kept, Symmetric<T>& stress, Symmetric<T>& back,
+                                       T& plastic_strain, LostHourglassEnergy<T>& lost) {
   const Symmetric<T> trial = stress, relative = deviator_of(stress) - back;
   const T square = effective_square(relative), yield = law.yield_stress(plastic_strain);
   [[maybe_unused]] T variation(0);
@@ -185,22 +186,6 @@ PINBALL_FUNCTION bool return_generally(GeneralYield<T>& law, KeptHourglass<T, ki
   stress = stress + moved;
   back = back + moved;
   return true;
-}
-
-/// Five numbers of a back stress: xx yy xy yz zx; its trace is zero.
-template <class T, class State>
-PINBALL_FUNCTION Symmetric<T> read_back_stress(const State& state) {
-  const T xx = state(0), yy = state(1);
-  return {xx, yy, -(xx + yy), state(2), state(3), state(4)};
-}
-/// L: of the rows (ElementView).
-template <class T, int L = width_of<T>>
-PINBALL_FUNCTION void write_back_stress(const Symmetric<T>& back, ScalarOf<T>* stored) {
-  store(back.xx, stored);
-  store(back.yy, stored + L);
-  store(back.xy, stored + 2 * L);
-  store(back.yz, stored + 3 * L);
-  store(back.zx, stored + 4 * L);
 }
 
 }  // namespace pinball

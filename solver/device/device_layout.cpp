@@ -93,6 +93,7 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   std::copy(tile_.begin(), tile_.end(), mesh.tile.data());
   mesh.mass_share = rows_of(model.elements.mass_share, 1);
   mesh.folding_onset = rows_of(model.elements.folding_onset, 1);
+  mesh.material_numbers = model.elements.material_numbers;
   mesh.inverse_mass = Array<S>(static_cast<std::size_t>(mesh.nodes));
   mesh.node_mass = Array<double>(static_cast<std::size_t>(mesh.nodes));
   std::copy_n(model.nodes.inverse_mass.data(), mesh.nodes, mesh.inverse_mass.data());
@@ -146,7 +147,7 @@ DeviceState<S> DeviceLayout<S>::state(const Model<S>& model) const {
   state.hourglass_state = rows_of(e.hourglass_state, 12);
   state.viscous_stress = rows_of(e.viscous_stress, 1);
   state.internal_energy = rows_of(e.internal_energy, 1);
-  state.back_stress = rows_of(e.back_stress, 5);
+  state.material_state = rows_of(e.material_state, e.material_numbers);
   return state;
 }
 
@@ -161,7 +162,7 @@ void DeviceLayout<S>::to_model(const DeviceState<S>& state, Model<S>& model) con
   rows_to(state.hourglass_state, 12, e.hourglass_state);
   rows_to(state.viscous_stress, 1, e.viscous_stress);
   rows_to(state.internal_energy, 1, e.internal_energy);
-  rows_to(state.back_stress, 5, e.back_stress);
+  rows_to(state.material_state, e.material_numbers, e.material_state);
 }
 
 template class DeviceLayout<double>;

@@ -33,6 +33,7 @@ struct DeviceMesh {
   Array<std::int32_t> tile;              ///< [places / widest_pack]: of the host, each of whole packs of that width
   Array<S> mass_share;                   ///< [places]; empty: nothing has added mass
   Array<S> folding_onset;                ///< [places]; empty: no corner is near turning over at the start
+  int material_numbers = 0;              ///< of an element in material_state
   Array<S> inverse_mass;                 ///< [nodes] [1/mass]
   Array<double> node_mass;               ///< [nodes] [mass]
   Array<std::uint32_t> first_of_node;    ///< [nodes + 1] (CornersOfNodes)
@@ -43,7 +44,7 @@ struct DeviceMesh {
 template <class S, class Memory = HostSpace>
 struct DeviceState {
   Array<S, Memory> position, velocity;  ///< [nodes x 4]
-  Array<S, Memory> mass, stress, plastic_strain, hourglass_state, viscous_stress, internal_energy, back_stress;
+  Array<S, Memory> mass, stress, plastic_strain, hourglass_state, viscous_stress, internal_energy, material_state;
 
   /// Calls visit(array of this, array of other) for each of the element arrays.
   template <class Other, class Visit>
@@ -54,7 +55,7 @@ struct DeviceState {
     visit(hourglass_state, other.hourglass_state);
     visit(viscous_stress, other.viscous_stress);
     visit(internal_energy, other.internal_energy);
-    visit(back_stress, other.back_stress);
+    visit(material_state, other.material_state);
   }
   /// Of all arrays.
   template <class Other, class Visit>
@@ -66,7 +67,7 @@ struct DeviceState {
 
   std::size_t bytes() const {
     return position.bytes() + velocity.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() +
-           hourglass_state.bytes() + viscous_stress.bytes() + internal_energy.bytes() + back_stress.bytes();
+           hourglass_state.bytes() + viscous_stress.bytes() + internal_energy.bytes() + material_state.bytes();
   }
 };
 

@@ -66,6 +66,7 @@ class SpaceStep final : public DeviceStep<S> {
   explicit SpaceStep(const DeviceMesh<S>& mesh)
       : nodes_(mesh.nodes),
         tiles_(mesh.tiles),
+        material_numbers_(mesh.material_numbers),
         tile_(copy_of(mesh.tile)),
         corner_(copy_of(mesh.corner)),
         mass_share_(copy_of(mesh.mass_share)),
@@ -174,9 +175,10 @@ class SpaceStep final : public DeviceStep<S> {
             state_.hourglass_state.data(),
             state_.viscous_stress.data(),
             state_.internal_energy.data(),
-            state_.back_stress.data(),
+            state_.material_state.data(),
             mass_share_.empty() ? nullptr : mass_share_.data(),
-            folding_onset_.empty() ? nullptr : folding_onset_.data()};
+            folding_onset_.empty() ? nullptr : folding_onset_.data(),
+            material_numbers_};
   }
 
   void add_part(const DevicePart<S>& part) {
@@ -201,6 +203,7 @@ class SpaceStep final : public DeviceStep<S> {
 
   std::int64_t nodes_;
   std::int32_t tiles_;
+  int material_numbers_;
   Array<std::int32_t, Memory> tile_;
   Array<std::int32_t, Memory> corner_;
   Array<S, Memory> mass_share_, folding_onset_, inverse_mass_;

@@ -51,7 +51,7 @@ std::int32_t whole_elements(const Model<S>& model, std::int64_t first_slot, std:
   return count;
 }
 
-/// Whether the elements of some slots carry no stress and have never yielded.
+/// Whether the elements of some slots carry no stress and are as they were at first.
 template <class S>
 bool untouched(const ElementStore<S>& elements, std::int64_t first_slot, std::int64_t last_slot) {
   const auto vanishes = [&](const Array<S>& array, std::int64_t components) {
@@ -60,7 +60,7 @@ bool untouched(const ElementStore<S>& elements, std::int64_t first_slot, std::in
   };
   return vanishes(elements.stress, 6) && vanishes(elements.plastic_strain, 1) &&
          vanishes(elements.hourglass_state, 12) && vanishes(elements.viscous_stress, 1) &&
-         vanishes(elements.back_stress, 5);
+         vanishes(elements.material_state, elements.material_numbers);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ class PackAhead {
       ask_for_state(elements_.mass, 1, 0, 1);
       if constexpr (features.plastic) ask_for_state(elements_.plastic_strain, 1, 0, 1);
       if constexpr (features.yield == YieldLaw::general) {
-        if (elements_.back_stress != nullptr) ask_for_state(elements_.back_stress, 5, 0, 5);
+        ask_for_state(elements_.material_state, elements_.material_numbers, 0, elements_.material_numbers);
       }
     }
     if (part == 7) {

@@ -25,6 +25,7 @@
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
 #include "material_held.hpp"
+#include "material_laws.hpp"
 #include "ordering.hpp"
 #include "step_levels.hpp"
 
@@ -55,7 +56,7 @@ ElementConstants<S> constants_of(const Material& material, const ElementSettings
     c.quadratic_viscosity = static_cast<S>(settings.quadratic_viscosity);
   }
   const NegativeVolume policy =
-      settings.negative_volume.value_or(material.erosion_strain > 0 ? NegativeVolume::erode : NegativeVolume::stop);
+      settings.negative_volume.value_or(erodes(material) ? NegativeVolume::erode : NegativeVolume::stop);
   c.erode_negative_volume = policy == NegativeVolume::erode;
   // What does not yield has hourglass forces that resist.
   if (material.plastic) {
@@ -80,10 +81,10 @@ HourglassKind hourglass_kind(HourglassControl control) {
   return HourglassKind::none;
 }
 
-/// erodes: also for a reason other than its material's.
-ElementFeatures features_of(const Material& material, const ElementSettings& settings, bool erodes) {
+/// erodes_anyway: for a reason other than its material's.
+ElementFeatures features_of(const Material& material, const ElementSettings& settings, bool erodes_anyway) {
   ElementFeatures f{};
-  f.erosion = erodes || (material.plastic && material.erosion_strain > 0);
+  f.erosion = erodes_anyway || erodes(material);
   f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
   f.bulk_viscosity = settings.bulk_viscosity;
   f.hourglass = hourglass_kind(settings.hourglass);
@@ -138,7 +139,11 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
     if (has_general_yield(material)) {
       model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
-      stored.back_stress |= material.isotropic_share < 1;
+      model.constants.back().johnson_cook = johnson_cook_constants<S>(material);
+      model.constants.back().pressure = pressure_constants<S>(material);
+      int numbers = 0;
+      model.constants.back().places = material_places(material, numbers);
+      stored.material_numbers = std::max(stored.material_numbers, numbers);
     }
     const ElementFeatures f = features_of(
         material, settings, model.constants.back().erode_negative_volume || model.constants.back().erode_inside_out);
@@ -322,7 +327,7 @@ void Model<S>::persist(StateArchive& archive) {
   archive.of_fixed_size(nodes.position);
   archive.of_fixed_size(nodes.velocity);
   for (Array<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_state,
-                          &elements.viscous_stress, &elements.internal_energy, &elements.back_stress}) {
+                          &elements.viscous_stress, &elements.internal_energy, &elements.material_state}) {
     archive.of_fixed_size(*array);
   }
   for (std::int64_t slot = 0; archive.reads() && slot < elements.slots; ++slot) {

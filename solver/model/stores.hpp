@@ -44,7 +44,7 @@ struct ElementStoreFeatures {
   bool erosion = false;
   bool bulk_viscosity = false;
   bool hourglass_state = false;
-  bool back_stress = false;
+  int material_numbers = 0;  ///< of an element in material_state
   bool mass_share = false;
   bool folding_onset = false;
 };
@@ -55,6 +55,7 @@ struct ElementStore {
   static constexpr int width = native_width<S>;
 
   std::int64_t slots = 0;
+  int material_numbers = 0;  ///< of an element in material_state
   Array<std::int32_t> corner;
   Array<S> mass;
   Array<S> stress;
@@ -62,7 +63,7 @@ struct ElementStore {
   Array<S> hourglass_state;
   Array<S> viscous_stress;
   Array<S> internal_energy;
-  Array<S> back_stress;
+  Array<S> material_state;
   Array<S> mass_share;     ///< never changes; only where mass is added
   Array<S> folding_onset;  ///< never changes; only where a corner is near turning over at the start
 
@@ -75,7 +76,8 @@ struct ElementStore {
     if (features.hourglass_state) hourglass_state = Array<S>(12 * slots);
     if (features.bulk_viscosity) viscous_stress = Array<S>(slots);
     if (features.erosion) internal_energy = Array<S>(slots);
-    if (features.back_stress) back_stress = Array<S>(5 * slots);
+    material_numbers = features.material_numbers;
+    material_state = Array<S>(material_numbers * slots);
     if (features.mass_share) mass_share = Array<S>(slots);
     if (features.folding_onset) folding_onset = Array<S>(slots);
   }
@@ -88,13 +90,14 @@ struct ElementStore {
             hourglass_state.data(),
             viscous_stress.data(),
             internal_energy.data(),
-            back_stress.data(),
+            material_state.data(),
             mass_share.empty() ? nullptr : mass_share.data(),
-            folding_onset.empty() ? nullptr : folding_onset.data()};
+            folding_onset.empty() ? nullptr : folding_onset.data(),
+            material_numbers};
   }
   std::size_t bytes() const {
     return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_state.bytes() +
-           viscous_stress.bytes() + internal_energy.bytes() + back_stress.bytes() + mass_share.bytes() +
+           viscous_stress.bytes() + internal_energy.bytes() + material_state.bytes() + mass_share.bytes() +
            folding_onset.bytes();
   }
 
@@ -106,6 +109,9 @@ struct ElementStore {
   std::array<S, 6> stress_of(std::int64_t slot) const { return components_of<6>(stress, slot); }
   S& stress_of(std::int64_t slot, int c) { return stress[at(slot, c, 6)]; }
   const S& stress_of(std::int64_t slot, int c) const { return stress[at(slot, c, 6)]; }
+
+  /// Number of those in material_state that a material has at a place (MaterialPlaces).
+  S material_number(std::int64_t slot, int place) const { return material_state[at(slot, place, material_numbers)]; }
 
   /// Place of component c of slot s in an array of n components.
   static std::size_t at(std::int64_t s, int c, int n) { return place_in_packs<width>(s, c, n); }

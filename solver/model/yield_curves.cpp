@@ -53,7 +53,14 @@ std::vector<double> all_strains(const std::vector<YieldCurve>& curves) {
 }  // namespace
 
 bool has_general_yield(const Material& m) {
-  return m.plastic && (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty());
+  return m.plastic && (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.johnson_cook ||
+                       m.equation_of_state);
+}
+
+StrainRateMeasure strain_rate_measure(StrainRate rate) {
+  return rate == StrainRate::total        ? StrainRateMeasure::total
+         : rate == StrainRate::deviatoric ? StrainRateMeasure::deviatoric
+                                          : StrainRateMeasure::plastic;
 }
 
 template <class S>
@@ -88,9 +95,7 @@ HardeningConstants<S> hardening_constants(const Material& m, const YieldCurves<S
   h.rate = curves.rate.data();
   h.logarithmic = m.rate_interpolation == RateInterpolation::logarithmic;
   const bool depends = m.rate_constant > 0 || h.curves > 1;
-  h.measure = !depends || m.strain_rate == StrainRate::total ? StrainRateMeasure::total
-              : m.strain_rate == StrainRate::deviatoric      ? StrainRateMeasure::deviatoric
-                                                             : StrainRateMeasure::plastic;
+  h.measure = depends ? strain_rate_measure(m.strain_rate) : StrainRateMeasure::total;
   h.rate_constant = static_cast<S>(m.rate_constant);
   h.rate_exponent = static_cast<S>(m.rate_exponent);
   h.rate_share = m.rate_stress > 0 ? S(0) : S(1);

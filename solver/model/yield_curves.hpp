@@ -16,6 +16,8 @@ struct YieldCurves {
 /// Whether a material needs more than MaterialConstants say (YieldLaw::general).
 bool has_general_yield(const Material& material);
 
+StrainRateMeasure strain_rate_measure(StrainRate rate);
+
 /// The curves of a material, all of them at the plastic strains of any; linear hardening is a curve, too.
 template <class S>
 YieldCurves<S> yield_curves(const Material& material);

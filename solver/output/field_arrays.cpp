@@ -54,6 +54,12 @@ double von_mises(const std::array<double, 6>& s) {
 /// Positive in compression.
 double pressure(const std::array<double, 6>& s) { return -(s[0] + s[1] + s[2]) / 3; }
 
+/// Mean stress, positive in tension, over the effective stress; 0 without stress [-].
+double triaxiality(const std::array<double, 6>& s) {
+  const double effective = von_mises(s);
+  return effective > 0 ? -pressure(s) / effective : 0.0;
+}
+
 /// The least Jacobian of a corner over the mean volume: not above 0 where a corner has turned over, 1 in a
 /// parallelepiped, 0 where the element has no volume [-].
 double corner_share(const FieldSnapshot& s, std::size_t element) {
@@ -117,6 +123,7 @@ void list_stress_arrays(const FieldSnapshot& s, const Wanted& wanted, std::vecto
     invariant("von_mises", von_mises);
   }
   if (wanted("pressure", "stress")) invariant("pressure", pressure);
+  if (wanted("triaxiality")) invariant("triaxiality", triaxiality);
 }
 
 void list_element_arrays(const FieldSnapshot& s, const FieldBase& base, const Wanted& wanted,
@@ -126,6 +133,8 @@ void list_element_arrays(const FieldSnapshot& s, const FieldBase& base, const Wa
   if (wanted("plastic_strain") && !s.plastic_strain.empty()) {
     to.push_back(scalar_field("plastic_strain", s.plastic_strain));
   }
+  if (wanted("temperature") && !s.temperature.empty()) to.push_back(scalar_field("temperature", s.temperature));
+  if (wanted("damage") && !s.damage.empty()) to.push_back(scalar_field("damage", s.damage));
   if (wanted("pinball_radius") && !s.pinball_radius.empty()) {
     to.push_back(scalar_field("pinball_radius", s.pinball_radius));
   }
@@ -182,6 +191,8 @@ void check_sizes(const std::string& path, const FieldSnapshot& s, const FieldBas
   check_size(path, "contact_force", s.contact_force.size(), nodes);
   check_size(path, "stress", s.stress.size(), elements);
   check_size(path, "plastic_strain", s.plastic_strain.size(), elements);
+  check_size(path, "temperature", s.temperature.size(), elements);
+  check_size(path, "damage", s.damage.size(), elements);
   check_size(path, "pinball_radius", s.pinball_radius.size(), elements);
   check_size(path, "alive", s.alive.size(), elements);
   check_size(path, "body", s.body.size(), elements);

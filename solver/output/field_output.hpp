@@ -13,11 +13,12 @@ namespace pinball {
 /// times. The list is renewed after every write and each file appears complete, so ParaView opens a running job.
 ///
 /// Point data: velocity (3 components) with displacement (3), contact_force (3). Cell data: stress (xx yy zz xy yz zx)
-/// with von_mises and pressure (positive in compression), plastic_strain, pinball_radius, and always alive (UInt8) and
-/// body (Int32): eroded elements stay in the file, with alive = 0, and are hidden with a threshold on it. Where mesh
-/// files give numbers, node_number and element_number (Int64; -1: from no file). Positions are Float64, fields Float32.
-/// The scene's unit names are in a comment at the head of each file, the names of the bodies in its field data: strings
-/// `body_names`, of which that of body i is number i.
+/// with von_mises and pressure (positive in compression), plastic_strain, pinball_radius, where asked for
+/// triaxiality, temperature and damage, and always alive (UInt8) and body (Int32): eroded elements stay in the file,
+/// with alive = 0, and are hidden with a threshold on it. Where mesh files give numbers, node_number and element_number
+/// (Int64; -1: from no file). Positions are Float64, fields Float32. The scene's unit names are in a comment at the
+/// head of each file, the names of the bodies in its field data: strings `body_names`, of which that of body i is
+/// number i.
 class FieldWriter {
  public:
   using Written = std::vector<std::pair<double, std::string>>;  ///< time, file name

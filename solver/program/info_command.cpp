@@ -192,6 +192,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     if (material.plastic && material.erosion_strain > 0) {
       fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
     }
+    if (material.johnson_cook && !material.johnson_cook->failure.empty()) fmt::print(", erosion at damage 1");
     if (model.constants[p].erode_negative_volume) fmt::print(", erosion of inverted elements");
     if (f.hourglass != HourglassKind::none)
       fmt::print(", {}", hourglass_text(settings.hourglass_coefficient, f.hourglass));

@@ -15,6 +15,8 @@ void complete(ElementSettings& element) {
 }
 
 void complete(Material& material) {
+  if (const auto& eos = material.equation_of_state)
+    material.bulk_modulus = bulk_modulus_at_rest(*eos, material.density);
   if (material.yield_curves.empty() || material.yield_curves.front().stress.empty()) return;
   material.yield_stress = material.yield_curves.front().stress.front();
 }

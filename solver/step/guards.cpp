@@ -38,7 +38,7 @@ std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
   if (bad(e.hourglass_state, 12)) return "hourglass force";
   if (bad(e.viscous_stress, 1)) return "bulk viscosity";
   if (bad(e.internal_energy, 1)) return "internal energy";
-  if (bad(e.back_stress, 5)) return "back stress";
+  if (bad(e.material_state, e.material_numbers)) return "state of the material";
   return "";
 }
 

@@ -83,6 +83,29 @@ ProgressState progress_state(const Solver<S>& solver) {
           solver.contact() != nullptr ? solver.counts().pairs() : -1};
 }
 
+/// Temperatures and damage, where any material has them.
+template <class S>
+void take_material_numbers(const Model<S>& model, FieldSnapshot& s) {
+  const auto take = [&](std::vector<double>& field, int MaterialPlaces::*kept, const auto& at_rest) {
+    const auto has = [&](const ElementConstants<S>& constants) { return constants.places.*kept >= 0; };
+    if (std::none_of(model.constants.begin(), model.constants.end(), has)) return;
+    field.resize(s.hexahedra.size());
+    for (std::size_t t = 0; t + 1 < model.tile_packs.size(); ++t) {
+      const auto part = static_cast<std::size_t>(model.tile_part[t]);
+      const int place = model.constants[part].places.*kept;
+      const double rest = at_rest(model.scene.materials[static_cast<std::size_t>(model.parts[part].material)]);
+      for (const std::int64_t slot : model.slots_of(t)) {
+        const std::int32_t element = model.element_of_slot[slot];
+        if (element < 0) continue;
+        field[element] = rest + (place < 0 ? 0.0 : static_cast<double>(model.elements.material_number(slot, place)));
+      }
+    }
+  };
+  take(s.temperature, &MaterialPlaces::temperature,
+       [](const Material& m) { return m.johnson_cook ? m.johnson_cook->room_temperature : 0.0; });
+  take(s.damage, &MaterialPlaces::damage, [](const Material&) { return 0.0; });
+}
+
 template <class S>
 FieldSnapshot snapshot(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
@@ -106,6 +129,7 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   }
   s.stress.resize(elements);
   s.plastic_strain.assign(elements, 0.0);
+  take_material_numbers(model, s);
   s.pinball_radius.assign(elements, 0.0);
   s.alive.resize(elements);
   for (std::size_t e = 0; e < elements; ++e) {

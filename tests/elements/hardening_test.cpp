@@ -32,8 +32,27 @@ Material with_rate(StrainRate rate, double isotropic_share = 1) {
   return m;
 }
 
+/// Johnson and Cook beside an equation of state: heat and energy are kept.
+Material with_heat(StrainRate rate) {
+  Material m = steel();
+  m.plastic_modulus = 0;
+  m.strain_rate = rate;
+  m.johnson_cook = JohnsonCookSettings{5e8, 0.4, 0.02, 1, 1.1, 1000, 300, 450, 1, {}};
+  m.equation_of_state.emplace();
+  m.equation_of_state->sound_speed = std::sqrt(m.bulk_modulus / m.density);
+  m.equation_of_state->slopes = {1.5, 0, 0};
+  m.equation_of_state->gamma = 2;
+  return m;
+}
+
 std::vector<Material> materials() {
-  return {steel(0), steel(0.5), with_curves(), with_rate(StrainRate::total), with_rate(StrainRate::plastic, 0.3)};
+  return {steel(0),
+          steel(0.5),
+          with_curves(),
+          with_rate(StrainRate::total),
+          with_rate(StrainRate::plastic, 0.3),
+          with_heat(StrainRate::deviatoric),
+          with_heat(StrainRate::plastic)};
 }
 
 /// A bar that strikes a wall with its edge first: it yields, bends and springs back.
@@ -64,12 +83,12 @@ TEST(Hardening, KeepsTheBalanceOfEnergy) {
 
 TEST(Hardening, StoresBackStressWhereASurfaceMoves) {
   for (const Material& material : {steel(), with_curves(), with_rate(StrainRate::plastic)}) {
-    EXPECT_TRUE(Solver<double>(bar_at_wall(material)).model().elements.back_stress.empty());
+    EXPECT_TRUE(Solver<double>(bar_at_wall(material)).model().elements.material_state.empty());
   }
   Solver<double> solver(bar_at_wall(steel(0.5)));
   run(solver);
   double largest = 0;
-  const auto& back = std::as_const(solver).model().elements.back_stress;
+  const auto& back = std::as_const(solver).model().elements.material_state;
   for (std::size_t i = 0; i < back.size(); ++i) largest = std::max(largest, std::abs(back[i]));
   EXPECT_GT(largest, 1e7);
   EXPECT_LT(largest, 0.5 * 4e9);
@@ -118,6 +137,40 @@ TEST(Hardening, IsTheSameInSinglePrecisionAndWithSubcycling) {
     scene.time.subcycling = true;
     EXPECT_NEAR(height_of_bar<double>(scene), height, 1e-2 * height);
   }
+}
+
+TEST(Hardening, HeatsByPlasticWork) {
+  const Scene scene = bar_at_wall(with_heat(StrainRate::plastic));
+  Solver<double> solver(scene);
+  run(solver);
+  const FieldSnapshot end = snapshot(solver);
+  double heat = 0, internal = 0;
+  for (std::size_t e = 0; e < end.temperature.size(); ++e) {
+    EXPECT_GE(end.temperature[e], 300);
+    heat += (end.temperature[e] - 300) * 450 * solver.model().element_mass[e];
+  }
+  RunSummary summary;
+  fill_summary(solver, summary);
+  internal = summary.energy.internal;
+  // All of the internal energy but what is elastic and what hourglass modes lost.
+  EXPECT_LT(heat, internal);
+  EXPECT_GT(heat, 0.7 * internal);
+  EXPECT_TRUE(end.damage.empty());
+}
+
+TEST(Hardening, ErodesByDamage) {
+  Material material = with_heat(StrainRate::plastic);
+  material.johnson_cook->failure = {0.01, 0.02, -1.5, 0, 0};
+  Solver<double> solver(bar_at_wall(material));
+  EXPECT_LT(worst_balance_of_run(solver), 2e-2);
+  EXPECT_GT(solver.counts().eroded_elements(), 0);
+  const FieldSnapshot end = snapshot(solver);
+  double largest = 0;
+  for (std::size_t e = 0; e < end.damage.size(); ++e) {
+    if (end.alive[e] == 1) largest = std::max(largest, end.damage[e]);
+  }
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(largest, 1);
 }
 
 TEST(Hardening, Erodes) {

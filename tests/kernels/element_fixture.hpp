@@ -6,6 +6,10 @@
 /// Elements and nodes in plain double precision, and one step of the element kernel over them in any number type.
 namespace pinball::test {
 
+/// All that a material may keep, in this order.
+inline constexpr int material_numbers = 8;
+inline constexpr MaterialPlaces material_places{.back_stress = 0, .temperature = 5, .energy = 6, .damage = 7};
+
 struct ElementState {
   double mass = 0;
   Symmetric<double> stress{0, 0, 0, 0, 0, 0};
@@ -13,7 +17,11 @@ struct ElementState {
   std::array<Vec3<double>, 4> hourglass_state{};  ///< twelve numbers, by threes
   double viscous_stress = 0;
   double internal_energy = 0;
-  std::array<double, 5> back_stress{};
+  std::array<double, material_numbers> material{};  ///< of material_places
+
+  double temperature() const { return material[material_places.temperature]; }
+  double energy() const { return material[material_places.energy]; }
+  double damage() const { return material[material_places.damage]; }
 };
 
 struct ElementScene {
@@ -22,7 +30,7 @@ struct ElementScene {
   std::vector<ElementState> element;
   ElementConstants<double> constants{};
   double dt = 0.01;
-  bool has_back_stress = true, has_viscous_stress = true, has_internal_energy = true;
+  bool has_material_state = true, has_viscous_stress = true, has_internal_energy = true;
   double padding = std::numeric_limits<double>::quiet_NaN();  ///< what the state of padding elements holds
 
   void add(const Corners& x, const Corners& v, const ElementState& state) {
@@ -49,6 +57,7 @@ inline ElementConstants<double> element_constants() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ElementConstants<double> c{};
   c.material = {150, 80, infinity, 10, infinity, infinity, 3, std::sqrt(310.0 / 3)};
+  c.places = material_places;
   return c;
 }
 
@@ -68,6 +77,11 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
                          S(1) / S(m.density),
                          hardening};
   to.never_yields = c.never_yields;
+  to.places = c.places;
+  if constexpr (std::is_same_v<S, double>) {
+    to.johnson_cook = c.johnson_cook;
+    to.pressure = c.pressure;
+  }
   return to;
 }
 
@@ -91,7 +105,7 @@ ElementOutcome advance(const ElementScene& scene) {
   AlignedVector<std::int32_t> corner(8 * packs * W);
   AlignedVector<S> mass(packs * W, S(0)), stress(6 * packs * W, padding), plastic_strain(packs * W, padding);
   AlignedVector<S> hourglass(12 * packs * W, padding), viscous(packs * W, padding), energy(packs * W, padding);
-  AlignedVector<S> back(5 * packs * W, padding);
+  AlignedVector<S> material(material_numbers * packs * W, padding);
   const auto place = [](std::size_t e, std::size_t c, std::size_t n) { return ((e / W) * n + c) * W + e % W; };
   for (std::size_t e = 0; e < packs * W; ++e) {
     const std::size_t real = e < count ? e : 0;
@@ -102,7 +116,7 @@ ElementOutcome advance(const ElementScene& scene) {
     viscous[e] = S(s.viscous_stress), energy[e] = S(s.internal_energy);
     const double components[6] = {s.stress.xx, s.stress.yy, s.stress.zz, s.stress.xy, s.stress.yz, s.stress.zx};
     for (std::size_t c = 0; c < 6; ++c) stress[place(e, c, 6)] = S(components[c]);
-    for (std::size_t c = 0; c < 5; ++c) back[place(e, c, 5)] = S(s.back_stress[c]);
+    for (std::size_t c = 0; c < material_numbers; ++c) material[place(e, c, material_numbers)] = S(s.material[c]);
     for (std::size_t a = 0; a < 4; ++a) {
       hourglass[place(e, 3 * a, 12)] = S(s.hourglass_state[a].x);
       hourglass[place(e, 3 * a + 1, 12)] = S(s.hourglass_state[a].y);
@@ -117,12 +131,17 @@ ElementOutcome advance(const ElementScene& scene) {
                                 hourglass.data(),
                                 scene.has_viscous_stress ? viscous.data() : nullptr,
                                 scene.has_internal_energy ? energy.data() : nullptr,
-                                scene.has_back_stress ? back.data() : nullptr};
+                                scene.has_material_state ? material.data() : nullptr,
+                                nullptr,
+                                nullptr,
+                                scene.has_material_state ? material_numbers : 0};
+  ElementConstants<S> constants = converted<S>(scene.constants);
+  if (!scene.has_material_state) constants.places = {};
   const NodeView<S> nodes{position.data(), velocity.data(), force.data()};
   ElementSums<T> sums;
   for (std::size_t p = 0; p < packs; ++p) {
-    update_element_pack<T, features>(elements, nodes, converted<S>(scene.constants), ElementStep<S>{S(scene.dt)},
-                                     std::int64_t(p), int(p), sums, AddedToNodes<S>{nodes.force});
+    update_element_pack<T, features>(elements, nodes, constants, ElementStep<S>{S(scene.dt)}, std::int64_t(p), int(p),
+                                     sums, AddedToNodes<S>{nodes.force});
   }
 
   ElementOutcome out;
@@ -136,7 +155,7 @@ ElementOutcome advance(const ElementScene& scene) {
     s.internal_energy = energy[e];
     s.stress = {stress[place(e, 0, 6)], stress[place(e, 1, 6)], stress[place(e, 2, 6)],
                 stress[place(e, 3, 6)], stress[place(e, 4, 6)], stress[place(e, 5, 6)]};
-    for (std::size_t c = 0; c < 5; ++c) s.back_stress[c] = back[place(e, c, 5)];
+    for (std::size_t c = 0; c < material_numbers; ++c) s.material[c] = material[place(e, c, material_numbers)];
     for (std::size_t a = 0; a < 4; ++a) {
       s.hourglass_state[a] = {hourglass[place(e, 3 * a, 12)], hourglass[place(e, 3 * a + 1, 12)],
                               hourglass[place(e, 3 * a + 2, 12)]};

@@ -18,7 +18,7 @@ ElementScene hardening_scene(const HardeningCase& hardening) {
   Random random(45);
   for (ElementState& state : scene.element) {
     if (state.mass == 0) continue;  // eroded
-    for (double& component : state.back_stress) component = uniform(random, -1, 1);
+    for (std::size_t c = 0; c < 5; ++c) state.material[c] = uniform(random, -1, 1);
   }
   scene.constants.hardening = hardening.constants;
   return scene;
@@ -32,7 +32,7 @@ void expect_isotropic_as_linear() {
   const ElementOutcome expected = advance<double, linear<kind>>(scene), found = advance<double, general<kind>>(scene);
   expect_equal(found, expected, linear<kind>, 1e-13);
   for (const ElementState& state : found.element) {
-    for (const double component : state.back_stress) EXPECT_EQ(component, 0);
+    for (const double number : state.material) EXPECT_EQ(number, 0);
   }
 }
 
@@ -51,8 +51,8 @@ void expect_packs_as_lanes(const HardeningCase& hardening) {
   expect_equal(found, expected, general<kind>, 1e-13);
   bool moved = false;
   for (std::size_t e = 0; e < expected.element.size(); ++e) {
-    for (std::size_t c = 0; c < 5; ++c) {
-      EXPECT_NEAR(found.element[e].back_stress[c], expected.element[e].back_stress[c], 1e-13);
+    for (std::size_t c = 0; c < material_numbers; ++c) {
+      EXPECT_NEAR(found.element[e].material[c], expected.element[e].material[c], 1e-13);
     }
     moved = moved || expected.element[e].plastic_strain > scene.element[e].plastic_strain;
   }
@@ -77,7 +77,7 @@ TEST(GeneralYieldOfElements, MayHaveNoBackStress) {
   ElementScene scene = random_element_scene();
   scene.constants.hardening = hardening.constants;
   const ElementOutcome with = advance<double, general<HourglassKind::assumed_strain>>(scene);
-  scene.has_back_stress = false;
+  scene.has_material_state = false;
   expect_equal(advance<double, general<HourglassKind::assumed_strain>>(scene), with,
                general<HourglassKind::assumed_strain>, 0);
 }
@@ -94,7 +94,7 @@ TEST(BackStress, TurnsWithARigidRotation) {
   ElementState state;
   state.mass = 3 * quadrature_gradient(x0).volume;
   state.stress = random_symmetric(random, 100);
-  state.back_stress = {3, -5, 2, 7, -4};
+  state.material = {3, -5, 2, 7, -4};
   scene.add(x0, still, state);
   scene.constants = element_constants();
   scene.constants.hardening = hardening.constants;
@@ -112,7 +112,7 @@ TEST(BackStress, TurnsWithARigidRotation) {
   }
   const Symmetric<double> back{3, -5, 2, 2, 7, -4};
   const Symmetric<double> expected = rotate(Rotation<double>{rotation_matrix(axis, 50 * angle)}, back);
-  const std::array<double, 5>& found = out.element[0].back_stress;
+  const std::array<double, material_numbers>& found = out.element[0].material;
   EXPECT_SYMMETRIC_NEAR((Symmetric<double>{found[0], found[1], -(found[0] + found[1]), found[2], found[3], found[4]}),
                         expected, 1e-11);
   EXPECT_SYMMETRIC_NEAR(out.element[0].stress,
@@ -134,7 +134,7 @@ TEST(GeneralYieldOfElements, AStepOfNoLengthChangesNothing) {
     if (now.mass == 0) continue;  // eroded
     EXPECT_SYMMETRIC_NEAR(now.stress, before.stress, 0);
     EXPECT_EQ(now.plastic_strain, before.plastic_strain);
-    for (std::size_t c = 0; c < 5; ++c) EXPECT_NEAR(now.back_stress[c], before.back_stress[c], 1e-15);
+    for (std::size_t c = 0; c < 5; ++c) EXPECT_NEAR(now.material[c], before.material[c], 1e-15);
   }
 }
 

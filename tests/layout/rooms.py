@@ -30,7 +30,7 @@ ROOMS = {
     "abaqus": ["solver/abaqus/"],
     "mesh": ["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"],
     "scene": ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_contact.hpp",
-              "solver/scene_rules.hpp"],
+              "solver/scene_material.hpp", "solver/scene_rules.hpp"],
     "deck": ["solver/deck/"],
     "deck/abaqus": ["solver/deck/abaqus/"],
     "model": ["solver/model/"],

@@ -311,7 +311,8 @@ TEST_F(SceneTest, ChoicesListWhatIsAllowed) {
   EXPECT_EQ(error(with(1, "precision = \"half\"")), "1:13: precision: expected \"double\" or \"float\", got \"half\"");
   EXPECT_EQ(error(with({"[output]", "fields = [\"stress\", \"stres\"]"})),
             "16:21: output.fields[1]: expected \"velocity\", \"contact_force\", \"stress\", \"plastic_strain\", "
-            "\"pinball_radius\", \"alive\", \"displacement\", \"pressure\" or \"corner_share\", got \"stres\"");
+            "\"pinball_radius\", \"alive\", \"displacement\", \"pressure\", \"corner_share\", \"triaxiality\", "
+            "\"temperature\" or \"damage\", got \"stres\"");
 }
 
 TEST_F(SceneTest, AMisspeltContactIsRejected) {

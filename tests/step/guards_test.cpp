@@ -150,7 +150,8 @@ TEST(Guards, EveryNumberOfAnElementIsLookedAt) {
   for (const Part& part :
        {Part{&Store::stress, 6, "stress"}, Part{&Store::plastic_strain, 1, "plastic strain"},
         Part{&Store::hourglass_state, 12, "hourglass force"}, Part{&Store::viscous_stress, 1, "bulk viscosity"},
-        Part{&Store::internal_energy, 1, "internal energy"}, Part{&Store::back_stress, 5, "back stress"}}) {
+        Part{&Store::internal_energy, 1, "internal energy"},
+        Part{&Store::material_state, 5, "state of the material"}}) {
     for (int component = 0; component < part.components; ++component) {
       const std::size_t element = static_cast<std::size_t>(component) % 2 == 0 ? 0 : 19;  // the first and the last
       Model<double> model = build_model<double>(with_all_of_an_element());

@@ -47,6 +47,35 @@ void print_rates(const Material& m, const Units& units) {
   }
 }
 
+void print_johnson_cook(const Material& m, const Units& units) {
+  const JohnsonCookSettings& law = *m.johnson_cook;
+  fmt::print("    Johnson-Cook: A {}, B {}, n {:.4g}", with_unit(m.yield_stress, units.stress),
+             with_unit(law.hardening_coefficient, units.stress), law.hardening_exponent);
+  if (law.rate_coefficient > 0) {
+    fmt::print(", C {:.4g} above the rate {:.6g} of the {}", law.rate_coefficient, law.reference_rate,
+               rate_name(m.strain_rate));
+  }
+  if (law.melting_temperature > 0) {
+    fmt::print(", m {:.4g} from {:.6g} to {:.6g} K", law.softening_exponent, law.room_temperature,
+               law.melting_temperature);
+  }
+  fmt::print("\n");
+  if (law.failure.empty()) return;
+  const auto& d = law.failure;
+  fmt::print("    failure: D1 to D5 {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}\n", d[0], d[1], d[2], d[3], d[4]);
+}
+
+void print_equation_of_state(const EquationOfStateSettings& eos, const Units& units) {
+  if (eos.form == EquationOfStateForm::polynomial) {
+    fmt::print("    equation of state: polynomial, c1 {}", with_unit(eos.coefficients[1], units.stress));
+  } else {
+    fmt::print("    equation of state: Mie-Grueneisen, u_s = {} + {:.4g} u_p, Gamma {:.4g}",
+               with_unit(eos.sound_speed, units.velocity), eos.slopes[0], eos.gamma);
+  }
+  if (eos.tension_limit > 0) fmt::print(", no tension beyond {}", with_unit(eos.tension_limit, units.stress));
+  fmt::print("\n");
+}
+
 }  // namespace
 
 std::string with_unit(double value, const std::string& unit) {
@@ -54,7 +83,10 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 void print_hardening(const Material& m, const Units& units) {
-  if (m.yield_curves.empty()) {
+  if (m.equation_of_state) print_equation_of_state(*m.equation_of_state, units);
+  if (m.johnson_cook) {
+    print_johnson_cook(m, units);
+  } else if (m.yield_curves.empty()) {
     print_linear_hardening(m, units);
   } else {
     print_yield_curves(m, units);

@@ -94,10 +94,15 @@ SchemaJson definitions() {
   const SchemaJson yield{
       {"if", where("model", "von_mises")},
       {"then", {{"anyOf", {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"})}}}}};
-  define<Material>(
-      all, either(required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"})), yield);
+  define<Material>(all,
+                   {{"oneOf",
+                     {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
+                      required({"equation_of_state", "shear_modulus"})}}},
+                   yield);
   define<schema::OneYieldCurve>(all);
   define<YieldCurve>(all);
+  define<JohnsonCookSettings>(all);
+  define<EquationOfStateSettings>(all);
   define<Body>(all);
   all["mesh"] = mesh_definitions(all);
   define<Plane>(all);

@@ -28,6 +28,29 @@ std::optional<Problem> problem_of_hardening(const Material& m) {
   return {};
 }
 
+/// What stands beside a law that has its own hardening and rates, and the part that is wrong in itself.
+std::optional<Problem> problem_of_johnson_cook(const Material& m) {
+  const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
+  const char* const other = !m.yield_curves.empty() ? "yield_curves"
+                            : m.plastic_modulus > 0 ? "plastic_modulus"
+                            : ends                  ? "ultimate_stress"
+                            : m.isotropic_share < 1 ? "isotropic_share"
+                            : m.rate_constant > 0   ? "rate_constant"
+                                                    : nullptr;
+  if (other != nullptr) return Problem{other, "expected none beside johnson_cook"};
+  if (const auto problem = problem_of(*m.johnson_cook)) {
+    return Problem{fmt::format("johnson_cook.{}", problem->key), problem->text};
+  }
+  return {};
+}
+
+std::optional<Problem> problem_of_equation_of_state(const Material& m) {
+  if (const auto problem = problem_of(*m.equation_of_state)) {
+    return Problem{fmt::format("equation_of_state.{}", problem->key), problem->text};
+  }
+  return {};
+}
+
 std::optional<Problem> problem_of_rates(const Material& m) {
   if (m.rate_constant > 0 && !(m.rate_exponent > 0)) {
     return Problem{"rate_exponent", "expected a number > 0 beside rate_constant"};
@@ -78,7 +101,15 @@ std::optional<Problem> problem_of(const Material& material) {
   for (std::size_t c = 0; c < material.yield_curves.size(); ++c) {
     if (const auto problem = problem_of_curve(material, c)) return problem;
   }
-  return problem_of_rates(material);
+  if (const auto problem = problem_of_rates(material)) return problem;
+  if (material.johnson_cook) {
+    if (const auto problem = problem_of_johnson_cook(material)) return problem;
+  }
+  return material.equation_of_state ? problem_of_equation_of_state(material) : std::nullopt;
+}
+
+bool erodes(const Material& m) {
+  return m.plastic && (m.erosion_strain > 0 || (m.johnson_cook && !m.johnson_cook->failure.empty()));
 }
 
 std::optional<Problem> problem_of(const YieldCurve& curve) {

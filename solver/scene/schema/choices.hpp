@@ -27,6 +27,10 @@ constexpr auto choices(Of<Device>) {
   return std::array{Choice{"none", Device::none}, Choice{"mock", Device::mock}, Choice{"cuda", Device::cuda},
                     Choice{"hip", Device::hip}};
 }
+constexpr auto choices(Of<EquationOfStateForm>) {
+  return std::array{Choice{"mie_grueneisen", EquationOfStateForm::mie_grueneisen},
+                    Choice{"polynomial", EquationOfStateForm::polynomial}};
+}
 constexpr auto choices(Of<MassScaling>) {
   return std::array{Choice{"small", MassScaling::small}, Choice{"all", MassScaling::all}};
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "bound.hpp"
 
@@ -21,6 +23,14 @@ namespace pinball::schema {
 /// In the place of an object of a type.
 template <class T>
 struct Of {};
+
+/// A table within others, whose keys are listed and checked with theirs.
+template <class Part>
+struct IsInnerTable : std::false_type {};
+template <class Part>
+struct IsInnerTable<std::optional<Part>> : IsInnerTable<Part> {};
+template <class Part>
+concept InnerTable = IsInnerTable<Part>::value;
 
 /// one_of: it or others in its place, which the function of the table sees to.
 enum class Need { optional, required, one_of };

@@ -34,6 +34,69 @@ void describe(Of<OneYieldCurve>, Visit&& visit) {
   });
 }
 
+template <>
+struct IsInnerTable<JohnsonCookSettings> : std::true_type {};
+template <>
+struct IsInnerTable<EquationOfStateSettings> : std::true_type {};
+
+template <class Visit>
+void describe(Of<JohnsonCookSettings>, Visit&& visit) {
+  using T = JohnsonCookSettings;
+  visit(Key{"hardening_coefficient", &T::hardening_coefficient, "B", {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"hardening_exponent", &T::hardening_exponent, "n", {.unit = "-", .bound = positive}});
+  visit(Key{"rate_coefficient", &T::rate_coefficient, "C", {.unit = "-", .bound = not_negative}});
+  visit(Key{"reference_rate",
+            &T::reference_rate,
+            "at which r = 1; > 0 beside `rate_coefficient` and D4",
+            {.unit = "1/T", .bound = not_negative}});
+  visit(Key{"softening_exponent", &T::softening_exponent, "m", {.unit = "-", .bound = positive}});
+  visit(Key{"melting_temperature",
+            &T::melting_temperature,
+            "> `room_temperature`; 0: heat does not soften",
+            {.unit = "K", .bound = not_negative}});
+  visit(Key{
+      "room_temperature", &T::room_temperature, "of the undeformed material", {.unit = "K", .bound = not_negative}});
+  visit(Key{"specific_heat",
+            &T::specific_heat,
+            "per mass; > 0 beside `melting_temperature`",
+            {.unit = "L^2/(T^2 K)", .bound = not_negative}});
+  visit(Key{"heat_share",
+            &T::heat_share,
+            "part of the plastic work that heats",
+            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}});
+  visit(Key{"failure",
+            &T::failure,
+            "`[D1, D2, D3, D4, D5]`: an element whose damage reaches 1 is eroded",
+            {.unit = "-", .otherwise = "none"}});
+}
+
+template <class Visit>
+void describe(Of<EquationOfStateSettings>, Visit&& visit) {
+  using T = EquationOfStateSettings;
+  const auto shock = [](const T& eos) { return eos.form == EquationOfStateForm::mie_grueneisen; };
+  const auto polynomial = [](const T& eos) { return eos.form == EquationOfStateForm::polynomial; };
+  visit(Key{"form", &T::form, "of A and B in p = A + B e"});
+  visit(Key{"sound_speed",
+            &T::sound_speed,
+            "c, of the bulk: of a shock u_s = c + s1 u_p",
+            {.unit = "L/T", .bound = positive, .need = Need::required}}
+            .only_where(shock, "with form = \"polynomial\""));
+  visit(Key{"slopes", &T::slopes, "`[s1, s2, s3]`", {.unit = "-"}}.only_where(shock, "with form = \"polynomial\""));
+  visit(Key{"gamma", &T::gamma, "Gamma_0 of Grueneisen", {.unit = "-", .bound = not_negative}}.only_where(
+      shock, "with form = \"polynomial\""));
+  visit(Key{"gamma_slope", &T::gamma_slope, "a, of its change with the density", {.unit = "-"}}.only_where(
+      shock, "with form = \"polynomial\""));
+  visit(Key{"coefficients",
+            &T::coefficients,
+            "`[c0, c1, c2, c3, c4, c5, c6]`, the last three without a unit",
+            {.unit = "M/(L T^2)", .need = Need::required}}
+            .only_where(polynomial, "with form = \"mie_grueneisen\""));
+  visit(Key{"tension_limit",
+            &T::tension_limit,
+            "the pressure is never below minus this; 0: no limit",
+            {.unit = "M/(L T^2)", .bound = not_negative}});
+}
+
 template <class Visit>
 void describe(Of<Material>, Visit&& visit) {
   using T = Material;
@@ -120,6 +183,16 @@ void describe(Of<Material>, Visit&& visit) {
             &T::rate_stress,
             "the law adds this stress times (rate/C)^(1/p) instead; 0: none",
             {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"johnson_cook",
+            &T::johnson_cook,
+            "table (below), in the place of the laws of hardening and rate above; `yield_stress` is its A",
+            {.otherwise = "none"}}
+            .only_where(plastic));
+  visit(Key{"equation_of_state",
+            &T::equation_of_state,
+            "table (below), in the place of the bulk modulus, beside `shear_modulus`",
+            {.otherwise = "none"}}
+            .only_where(plastic));
 }
 
 }  // namespace pinball::schema

@@ -28,14 +28,12 @@ void describe(Of<Box>, Visit&& visit) {
       "high", &Box::high, "the opposite corner, no component < that of `low`", {.unit = "L", .need = Need::required}});
 }
 
-/// A table within others, whose keys are listed and checked with theirs.
-template <class Part>
-struct IsInnerTable
-    : std::bool_constant<std::is_same_v<Part, Plane> || std::is_same_v<Part, Line> || std::is_same_v<Part, Box>> {};
-template <class Part>
-struct IsInnerTable<std::optional<Part>> : IsInnerTable<Part> {};
-template <class Part>
-concept InnerTable = IsInnerTable<Part>::value;
+template <>
+struct IsInnerTable<Plane> : std::true_type {};
+template <>
+struct IsInnerTable<Line> : std::true_type {};
+template <>
+struct IsInnerTable<Box> : std::true_type {};
 
 template <class Visit>
 void describe(Of<NodeSelection>, Visit&& visit) {

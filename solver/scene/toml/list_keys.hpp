@@ -55,7 +55,11 @@ class KeyLister {
     const bool unset = schema::is_unset(value, about), other = is_other(value, without_.*key.member, unset);
     if (!other && about.listed == schema::Listed::where_given) return;
     if constexpr (schema::InnerTable<Value>) {
-      list_part(key.name, value);
+      if (unset) {
+        table_.add_words(prefix_ + key.name, about.otherwise, true);
+      } else {
+        list_part(key.name, value);
+      }
     } else {
       const bool is_default = !other && about.need == schema::Need::optional && prefix_.empty();
       table_.add_words(prefix_ + key.name, unset ? about.otherwise : text_of(key, value), is_default, about.unit);

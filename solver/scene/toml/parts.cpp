@@ -16,6 +16,14 @@ namespace {
 
 /// K and G, given as they are or by E and nu.
 void read_moduli(const SceneTable& table, Material& material) {
+  const auto number = [&](const char* key) { return table.number(key, schema::about<Material>(key).bound); };
+  if (material.equation_of_state) {  // K is that of its pressure
+    for (const char* key : {"bulk_modulus", "young_modulus", "poisson_ratio"}) {
+      if (table.has(key)) table.fail(key, "expected none beside equation_of_state, but shear_modulus");
+    }
+    material.shear_modulus = number("shear_modulus");
+    return;
+  }
   const bool young = table.has("young_modulus") || table.has("poisson_ratio");
   const bool bulk = table.has("bulk_modulus") || table.has("shear_modulus");
   if (young == bulk) {
@@ -23,7 +31,6 @@ void read_moduli(const SceneTable& table, Material& material) {
                fmt::format("expected either bulk_modulus and shear_modulus or young_modulus and poisson_ratio, got {}",
                            young ? "keys of both" : "none of them"));
   }
-  const auto number = [&](const char* key) { return table.number(key, schema::about<Material>(key).bound); };
   if (bulk) {
     material.bulk_modulus = number("bulk_modulus");
     material.shear_modulus = number("shear_modulus");

@@ -1,0 +1,110 @@
+#pragma once
+
+#include "von_mises.hpp"
+
+/// Equations of state: the pressure of a material that is compressed too far for a constant bulk modulus,
+///
+///     p = A(mu) + B(mu) e ,   mu = rho/rho_0 - 1 ,
+///
+/// with the internal energy e per volume of the undeformed material, zero at rest. What belongs to a form are A,
+/// B and their slopes; all else follows:
+///
+///     rho c^2 = (1 + mu) (A' + B' e + B p/(1 + mu)^2)          at constant entropy: de = p dmu/(1 + mu)^2
+///     e_new = e_old + w - 1/2 (p_old + p_new) dV/V_0           w: work of deviator and bulk viscosity, over V_0
+///
+/// and p_new, which is linear in e_new, from one division. (Wilkins, Methods in Computational Physics 3, 1964.)
+///
+/// Mie and Grueneisen, about a shock whose speed is u_s = c + s_1 u_p + s_2 (u_p/u_s) u_p + s_3 (u_p/u_s)^2 u_p, with
+/// Gamma rho = Gamma_0 rho_0 + a (rho - rho_0) (Steinberg, UCRL-MA-106439, 1996):
+///
+///     A = rho_0 c^2 mu (1 + (1 - Gamma_0/2) mu - a/2 mu^2) / (1 - (s_1 - 1) mu - s_2 mu^2/(1+mu) - s_3
+///     mu^3/(1+mu)^2)^2 A = rho_0 c^2 mu  where mu < 0 ,      B = Gamma_0 + a mu .
+///
+/// Polynomial: A = c_0 + c_1 mu + c_2 mu^2 + c_3 mu^3, B = c_4 + c_5 mu + c_6 mu^2; where mu < 0 without c_2 and c_6.
+/// At rest p = 0.
+namespace pinball {
+
+enum class PressureLaw { linear, mie_grueneisen, polynomial };
+
+template <class S>
+struct EquationOfState {
+  PressureLaw law = PressureLaw::linear;  ///< linear: that of MaterialConstants, without any of this
+  S modulus = S(0);                       ///< rho_0 c^2 of Mie and Grueneisen [stress]
+  S slope[3] = {};                        ///< s_1, s_2, s_3 [-]
+  S gamma = S(0), gamma_slope = S(0);     ///< Gamma_0, a [-]
+  S polynomial[7] = {};                   ///< c_0 ... c_3 [stress], c_4 ... c_6 [-]
+  S tension_limit = S(0);                 ///< the pressure is never below minus this; infinity: no such limit [stress]
+};
+
+/// A and B of a pressure that is linear in the energy, and their slopes over mu.
+template <class T>
+struct PressureParts {
+  T cold, cold_slope;        ///< A, A' [stress]
+  T thermal, thermal_slope;  ///< B, B' [-]
+};
+
+template <class T>
+PINBALL_FUNCTION PressureParts<T> mie_grueneisen(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
+  using S = ScalarOf<T>;
+  const T modulus(eos.modulus), a(eos.gamma_slope), linear(S(1) - S(0.5) * eos.gamma);
+  const T numerator = modulus * mu * (T(1) + mu * (linear - T(S(0.5)) * a * mu));
+  const T numerator_slope = modulus * (T(1) + mu * (T(2) * linear - T(S(1.5)) * a * mu));
+  const T x = mu / (T(1) + mu);  // u_p/u_s
+  const T s1(eos.slope[0]), s2(eos.slope[1]), s3(eos.slope[2]);
+  // Beyond the compression that no shock exceeds the pressure grows no further than by what was left of it there.
+  const T denominator = maximum(number<T>(1e-2), T(1) - (s1 - T(1)) * mu - x * mu * (s2 + s3 * x));
+  // d(mu^2/(1+mu)) = x (2 - x) dmu and d(mu^3/(1+mu)^2) = x^2 (3 - 2 x) dmu
+  const T denominator_slope = T(1) - s1 - x * (s2 * (T(2) - x) + s3 * x * (T(3) - T(2) * x));
+  const T inverse = T(1) / denominator, inverse2 = inverse * inverse;
+  const T shocked = numerator * inverse2;
+  const T shocked_slope = (numerator_slope - T(2) * numerator * inverse * denominator_slope) * inverse2;
+  const auto compressed = mu > T(0);
+  return {select(compressed, shocked, modulus * mu), select(compressed, shocked_slope, modulus), T(eos.gamma) + a * mu,
+          a};
+}
+
+template <class T>
+PINBALL_FUNCTION PressureParts<T> polynomial_pressure(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
+  using S = ScalarOf<T>;
+  const auto& c = eos.polynomial;
+  const auto compressed = mu > T(0);
+  const T c2 = select(compressed, T(c[2]), T(0)), c6 = select(compressed, T(c[6]), T(0));
+  return {T(c[0]) + mu * (T(c[1]) + mu * (c2 + mu * T(c[3]))), T(c[1]) + mu * (T(2) * c2 + mu * T(S(3) * c[3])),
+          T(c[4]) + mu * (T(c[5]) + mu * c6), T(c[5]) + T(2) * mu * c6};
+}
+
+template <class T>
+PINBALL_FUNCTION PressureParts<T> pressure_parts(const EquationOfState<ScalarOf<T>>& eos, const T& mu) {
+  return eos.law == PressureLaw::polynomial ? polynomial_pressure(eos, mu) : mie_grueneisen(eos, mu);
+}
+
+/// What a step does to the pressure.
+template <class T>
+struct PressureStep {
+  T compression;   ///< mu at its end [-]
+  T volumetric;    ///< dV/V_0 [-]
+  T work;          ///< w: of deviator and bulk viscosity, per volume of the undeformed material [stress]
+  T pressure_old;  ///< [stress]
+};
+
+template <class T>
+struct PressureState {
+  T value, energy, bulk_modulus;  ///< p, e, rho c^2 [stress]
+};
+
+/// energy_old: e at its beginning [stress].
+template <class T>
+PINBALL_FUNCTION PressureState<T> pressure_after(const EquationOfState<ScalarOf<T>>& eos, const PressureStep<T>& step,
+                                                 const T& energy_old) {
+  using S = ScalarOf<T>;
+  const PressureParts<T> at = pressure_parts(eos, step.compression);
+  const T half = T(S(0.5)) * step.volumetric;
+  const T before = energy_old + step.work - half * step.pressure_old;  // all but the work of p_new
+  const T energy = (before - half * at.cold) / (T(1) + half * at.thermal);
+  const T pressure = maximum(at.cold + at.thermal * energy, T(-eos.tension_limit));
+  const T density = T(1) + step.compression;  // over that at rest
+  const T stiffness = density * (at.cold_slope + at.thermal_slope * energy) + at.thermal * pressure / density;
+  return {pressure, before - half * pressure, stiffness};
+}
+
+}  // namespace pinball

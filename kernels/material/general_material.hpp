@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../element_data.hpp"
+#include "../rotation.hpp"
+#include "general_yield.hpp"
+
+/// What the element kernel asks of a material beyond MaterialConstants (YieldLaw::general): which law of strength an
+/// element has, what it keeps, whether it has failed, and its pressure where an equation of state gives it.
+namespace pinball {
+
+/// The numbers that a pack's elements keep (MaterialPlaces). L: of the rows (ElementView).
+template <class T, int L>
+class MaterialNumbers {
+  using S = ScalarOf<T>;
+
+ public:
+  PINBALL_FUNCTION MaterialNumbers(const ElementView<S>& elements, std::int64_t first, const MaskOf<T>& alive)
+      : base_(elements.material_state + place_in_rows<L>(first, elements.material_numbers)), alive_(alive) {}
+  /// Of padding and eroded elements: zero.
+  PINBALL_FUNCTION T get(int place) const { return select(alive_, load<T>(base_ + place * L), T(0)); }
+  PINBALL_FUNCTION void set(int place, const T& value) const { store(value, base_ + place * L); }
+
+ private:
+  S* base_;
+  MaskOf<T> alive_;
+};
+
+/// Five numbers of a back stress: xx yy xy yz zx; its trace is zero.
+template <class T, int L>
+PINBALL_FUNCTION Symmetric<T> back_stress(const MaterialNumbers<T, L>& numbers, int place) {
+  const T xx = numbers.get(place), yy = numbers.get(place + 1);
+  return {xx, yy, -(xx + yy), numbers.get(place + 2), numbers.get(place + 3), numbers.get(place + 4)};
+}
+template <class T, int L>
+PINBALL_FUNCTION void set_back_stress(const Symmetric<T>& back, const MaterialNumbers<T, L>& numbers, int place) {
+  numbers.set(place, back.xx);
+  numbers.set(place + 1, back.yy);
+  numbers.set(place + 2, back.xy);
+  numbers.set(place + 3, back.yz);
+  numbers.set(place + 4, back.zx);
+}
+
+/// How an element moves in a step.
+template <class T>
+struct ElementMotion {
+  const Symmetric<T>& deformation;  ///< rate of it in the middle of the step [1/time]
+  const Rotation<T>& rotation;
+  ScalarOf<T> dt;    ///< [time]
+  const T& density;  ///< [mass/length^3]
+};
+
+/// What a material makes of a trial stress.
+template <class T>
+struct YieldOutcome {
+  LostHourglassEnergy<T> lost{T(0), T(0)};
+  bool any_lost = false;    ///< whether any lane may have yielded
+  MaskOf<T> failed{false};  ///< elements that the material lets go
+};
+
+/// Johnson and Cook: heat, and damage where the material fails.
+template <HourglassKind kind, class T, int L>
+PINBALL_FUNCTION void yield_with_heat(const ElementConstants<ScalarOf<T>>& constants, const ElementMotion<T>& motion,
+                                      const MaterialNumbers<T, L>& numbers, KeptHourglass<T, kind>& kept,
+                                      Symmetric<T>& stress, T& plastic_strain, YieldOutcome<T>& outcome) {
+  const JohnsonCookConstants<ScalarOf<T>>& law = constants.johnson_cook;
+  const MaterialPlaces& places = constants.places;
+  const T temperature = places.temperature < 0 ? T(0) : numbers.get(places.temperature);
+  JohnsonCookYield<T> strength(constants.material, law, motion.deformation, motion.dt, plastic_strain, temperature);
+  Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
+  const Symmetric<T> trial = stress;
+  const T strain_before = plastic_strain;
+  outcome.any_lost = return_generally(strength, kept, stress, back, plastic_strain, outcome.lost);
+  if (!outcome.any_lost) return;
+  if (places.temperature >= 0) {
+    // s : de_p, of what the return has taken of the stress: 2 mu de_p
+    const T work = contract(stress, trial - stress) * T(ScalarOf<T>(0.5) / constants.material.mu);
+    const auto there = motion.density > T(0);
+    const T heating = select(there, T(law.heating) * work / select(there, motion.density, T(1)), T(0));
+    numbers.set(places.temperature, temperature + heating);
+  }
+  if (places.damage >= 0) {
+    const T increment = plastic_strain - strain_before;
+    const T rate = law.measure == StrainRateMeasure::plastic ? increment * T(1 / motion.dt)
+                                                             : strain_rate(law.measure, motion.deformation);
+    const T damage = numbers.get(places.damage) + damage_increment(law, stress, increment, rate, temperature);
+    numbers.set(places.damage, damage);
+    outcome.failed = damage >= T(1);
+  }
+}
+
+/// Yield of a step, with what is kept. In a step of no length nothing strains, and its rates are those of the next.
+template <HourglassKind kind, class T, int L>
+PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf<T>>& constants,
+                                                 const ElementMotion<T>& motion, const MaterialNumbers<T, L>& numbers,
+                                                 KeptHourglass<T, kind>& kept, Symmetric<T>& stress,
+                                                 T& plastic_strain) {
+  YieldOutcome<T> outcome;
+  if (constants.johnson_cook.used) {
+    if (motion.dt > 0) yield_with_heat(constants, motion, numbers, kept, stress, plastic_strain, outcome);
+    return outcome;
+  }
+  const int place = constants.places.back_stress;
+  Symmetric<T> back{T(0), T(0), T(0), T(0), T(0), T(0)};
+  if (place >= 0) back = rotate(motion.rotation, back_stress(numbers, place));
+  if (motion.dt > 0) {
+    GeneralYield<T> law(constants.material, constants.hardening, motion.deformation, motion.dt);
+    outcome.any_lost = return_generally(law, kept, stress, back, plastic_strain, outcome.lost);
+  }
+  if (place >= 0) set_back_stress(back, numbers, place);
+  return outcome;
+}
+
+/// Gives a stress the pressure of the equation of state; returns rho c^2 [stress]. volume: of the undeformed element;
+/// inverse_volume: of the one at the end of the step; change: of the volume in the step; old: the stress before it;
+/// work: of deviator and bulk viscosity [energy]; there: elements that have a volume.
+template <class T, int L>
+PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const MaterialNumbers<T, L>& numbers,
+                                int place, const MaskOf<T>& there, const T& volume, const T& inverse_volume,
+                                const T& change, const T& work, const Symmetric<T>& old, Symmetric<T>& stress) {
+  const T third = number<T>(1.0 / 3.0), inverse = select(there, T(1) / select(there, volume, T(1)), T(0));
+  const PressureStep<T> step{select(there, volume * inverse_volume - T(1), T(0)), inverse * change, inverse * work,
+                             -third * trace(old)};
+  const PressureState<T> now = pressure_after(eos, step, numbers.get(place));
+  numbers.set(place, select(there, now.energy, T(0)));
+  const T difference = -now.value - third * trace(stress);
+  stress.xx += difference;
+  stress.yy += difference;
+  stress.zz += difference;
+  return now.bulk_modulus;
+}
+
+}  // namespace pinball

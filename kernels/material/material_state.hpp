@@ -1,0 +1,16 @@
+#pragma once
+
+/// What the laws of a material keep of an element beside stress and plastic strain. All of it lies in one array
+/// (ElementView::material_state), so that a law that keeps something more has to be known by nothing that stores,
+/// copies or checks a state. All of it is zero at rest.
+namespace pinball {
+
+/// Where a material has its numbers among those of an element; negative: it has none such.
+struct MaterialPlaces {
+  int back_stress = -1;  ///< five: xx yy xy yz zx [stress]
+  int temperature = -1;  ///< above that of the undeformed material [temperature]
+  int energy = -1;       ///< e of equation_of_state.hpp [stress]
+  int damage = -1;       ///< 1: has failed [-]
+};
+
+}  // namespace pinball

@@ -1,0 +1,74 @@
+#include "material_laws.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "yield_curves.hpp"
+
+namespace pinball {
+
+template <class S>
+JohnsonCookConstants<S> johnson_cook_constants(const Material& material) {
+  JohnsonCookConstants<S> law;
+  if (!material.johnson_cook) return law;
+  const JohnsonCookSettings& given = *material.johnson_cook;
+  law.used = true;
+  law.hardening = static_cast<S>(given.hardening_coefficient);
+  law.exponent = static_cast<S>(given.hardening_exponent);
+  law.rate_sensitivity = static_cast<S>(given.rate_coefficient);
+  law.inverse_rate = static_cast<S>(given.reference_rate > 0 ? 1 / given.reference_rate : 0);
+  if (given.melting_temperature > 0) {
+    law.inverse_melting = static_cast<S>(1 / (given.melting_temperature - given.room_temperature));
+  }
+  law.softening_exponent = static_cast<S>(given.softening_exponent);
+  law.heating = static_cast<S>(given.specific_heat > 0 ? given.heat_share / given.specific_heat : 0);
+  law.measure = strain_rate_measure(material.strain_rate);
+  std::transform(given.failure.begin(), given.failure.end(), law.failure,
+                 [](double one) { return static_cast<S>(one); });
+  return law;
+}
+
+template <class S>
+EquationOfState<S> pressure_constants(const Material& material) {
+  EquationOfState<S> eos;
+  if (!material.equation_of_state) return eos;
+  const EquationOfStateSettings& given = *material.equation_of_state;
+  eos.tension_limit =
+      given.tension_limit > 0 ? static_cast<S>(given.tension_limit) : std::numeric_limits<S>::infinity();
+  if (given.form == EquationOfStateForm::polynomial) {
+    eos.law = PressureLaw::polynomial;
+    std::transform(given.coefficients.begin(), given.coefficients.end(), eos.polynomial,
+                   [](double one) { return static_cast<S>(one); });
+    return eos;
+  }
+  eos.law = PressureLaw::mie_grueneisen;
+  eos.modulus = static_cast<S>(material.density * given.sound_speed * given.sound_speed);
+  std::transform(given.slopes.begin(), given.slopes.end(), eos.slope, [](double one) { return static_cast<S>(one); });
+  eos.gamma = static_cast<S>(given.gamma);
+  eos.gamma_slope = static_cast<S>(given.gamma_slope);
+  return eos;
+}
+
+MaterialPlaces material_places(const Material& material, int& numbers) {
+  MaterialPlaces places;
+  numbers = 0;
+  const auto keep = [&numbers](int& place, int count) {
+    place = numbers;
+    numbers += count;
+  };
+  if (!material.plastic) return places;
+  if (material.isotropic_share < 1) keep(places.back_stress, 5);
+  if (const auto& law = material.johnson_cook) {
+    if (law->specific_heat > 0) keep(places.temperature, 1);
+    if (!law->failure.empty()) keep(places.damage, 1);
+  }
+  if (material.equation_of_state) keep(places.energy, 1);
+  return places;
+}
+
+template JohnsonCookConstants<double> johnson_cook_constants<double>(const Material&);
+template JohnsonCookConstants<float> johnson_cook_constants<float>(const Material&);
+template EquationOfState<double> pressure_constants<double>(const Material&);
+template EquationOfState<float> pressure_constants<float>(const Material&);
+
+}  // namespace pinball

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <kernels/element_data.hpp>
+#include <solver/scene.hpp>
+
+namespace pinball {
+
+/// Johnson and Cook's law of a material that has it, and none used of others.
+template <class S>
+JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
+
+/// The linear pressure of a material without an equation of state.
+template <class S>
+EquationOfState<S> pressure_constants(const Material& material);
+
+/// What the elements of a material keep beside stress and plastic strain, and where. numbers: how many of an element
+/// that is then; materials may use the same places, as each element is of one.
+MaterialPlaces material_places(const Material& material, int& numbers);
+
+}  // namespace pinball

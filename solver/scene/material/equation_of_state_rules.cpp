@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+
+namespace {
+
+constexpr std::size_t coefficients = 7;  ///< c0 ... c6
+
+std::optional<Problem> problem_of_polynomial(const std::vector<double>& c) {
+  if (c.size() != coefficients) {
+    return Problem{"coefficients", fmt::format("expected seven numbers, c0 to c6, got {}", c.size())};
+  }
+  for (const double one : c) {
+    if (!std::isfinite(one)) return Problem{"coefficients", fmt::format("expected finite numbers, got {}", one)};
+  }
+  if (c[0] != 0) {
+    return Problem{"coefficients",
+                   fmt::format("expected c0 = 0, a body at rest that presses on nothing, got {}", c[0])};
+  }
+  if (!(c[1] > 0)) {
+    return Problem{"coefficients", fmt::format("expected c1 > 0, the bulk modulus at rest, got {}", c[1])};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Problem> problem_of(const EquationOfStateSettings& eos) {
+  if (eos.form == EquationOfStateForm::polynomial) return problem_of_polynomial(eos.coefficients);
+  for (const double slope : eos.slopes) {
+    if (!std::isfinite(slope)) return Problem{"slopes", fmt::format("expected finite numbers, got {}", slope)};
+  }
+  return {};
+}
+
+double bulk_modulus_at_rest(const EquationOfStateSettings& eos, double density) {
+  if (eos.form == EquationOfStateForm::mie_grueneisen) return density * eos.sound_speed * eos.sound_speed;
+  return eos.coefficients.size() == coefficients ? eos.coefficients[1] : 0.0;
+}
+
+}  // namespace pinball

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/point.hpp"
+
+/// The materials of a scene. Units are those of the scene; temperatures are in kelvin, or any other with its step.
+namespace pinball {
+
+enum class StrainRate { total, deviatoric, plastic };
+enum class RateInterpolation { linear, logarithmic };
+
+/// Yield stress over effective plastic strain: straight between its points, beyond the last as between the last two,
+/// or as the last where it falls there.
+struct YieldCurve {
+  double rate = 0.0;                   ///< rate: at which it holds; of a single curve not used [1/time]
+  std::vector<double> plastic_strain;  ///< plastic_strain: from 0, ascending [-]
+  std::vector<double> stress;          ///< stress [stress]
+};
+
+/// johnson_cook of a material (Johnson and Cook 1983, 1985): Y = (A + B e^n) (1 + C ln r) (1 - h^m), A its
+/// yield_stress.
+struct JohnsonCookSettings {
+  double hardening_coefficient = 0.0;  ///< hardening_coefficient: B [stress]
+  double hardening_exponent = 1.0;     ///< hardening_exponent: n [-]
+  double rate_coefficient = 0.0;       ///< rate_coefficient: C [-]
+  double reference_rate = 0.0;         ///< reference_rate: at which r = 1; needed for C and D4 [1/time]
+  double softening_exponent = 1.0;     ///< softening_exponent: m [-]
+  double melting_temperature = 0.0;    ///< melting_temperature; 0: no softening [temperature]
+  double room_temperature = 0.0;       ///< room_temperature: that of the undeformed material [temperature]
+  double specific_heat = 0.0;          ///< specific_heat; needed for softening and D5 [energy/(mass temperature)]
+  double heat_share = 1.0;             ///< heat_share: part of the plastic work that heats [-]
+  std::vector<double> failure;         ///< failure: D1 ... D5; none: it does not fail so [-]
+
+  bool operator==(const JohnsonCookSettings&) const = default;
+};
+
+enum class EquationOfStateForm { mie_grueneisen, polynomial };
+
+/// equation_of_state of a material: p = A(mu) + B(mu) e (kernels/material/equation_of_state.hpp).
+struct EquationOfStateSettings {
+  EquationOfStateForm form = EquationOfStateForm::mie_grueneisen;
+  double sound_speed = 0.0;          ///< sound_speed: c of u_s = c + s1 u_p; Mie and Grueneisen [length/time]
+  Point slopes{};                    ///< slopes: s1, s2, s3; the same [-]
+  double gamma = 0.0;                ///< gamma: Gamma_0; the same [-]
+  double gamma_slope = 0.0;          ///< gamma_slope: a; the same [-]
+  std::vector<double> coefficients;  ///< coefficients: c0 ... c3 [stress], c4 ... c6 [-]; polynomial
+  double tension_limit = 0.0;        ///< tension_limit: pressure is never below minus this; 0: no limit [stress]
+
+  bool operator==(const EquationOfStateSettings&) const = default;
+};
+
+/// One [[material]] table. model = "elastic" | "von_mises". What concerns plasticity and erosion is 0 if elastic.
+struct Material {
+  std::string name;
+  bool plastic = false;
+  double density = 0.0;          ///< density [mass/length^3]
+  double bulk_modulus = 0.0;     ///< bulk_modulus; both moduli also from young_modulus + poisson_ratio [stress]
+  double shear_modulus = 0.0;    ///< shear_modulus [stress]
+  double yield_stress = 0.0;     ///< yield_stress [stress]
+  double plastic_modulus = 0.0;  ///< plastic_modulus: H = d yield / d plastic strain [stress]
+  double ultimate_stress = 0.0;  ///< ultimate_stress: hardening ends here; default: infinite [stress]
+  double erosion_strain = 0.0;   ///< erosion_strain: effective plastic strain at which the element is eroded; 0: never
+  /// isotropic_share: beta, part of the plastic modulus by which the yield surface grows; it moves by the rest [-]
+  double isotropic_share = 1.0;
+  /// yield_curve, yield_curves: in the place of yield_stress, plastic_modulus and ultimate_stress; ascending rates
+  std::vector<YieldCurve> yield_curves;
+  RateInterpolation rate_interpolation = RateInterpolation::linear;  ///< rate_interpolation: between curves
+  StrainRate strain_rate = StrainRate::total;  ///< strain_rate: which rate the yield stress depends on
+  double rate_constant = 0.0;                  ///< rate_constant: C of Cowper and Symonds; 0: no such law [1/time]
+  double rate_exponent = 0.0;                  ///< rate_exponent: p of that law [-]
+  double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
+  std::optional<JohnsonCookSettings> johnson_cook;           ///< in the place of hardening and rate laws above
+  std::optional<EquationOfStateSettings> equation_of_state;  ///< in the place of the bulk modulus, which follows
+};
+
+}  // namespace pinball

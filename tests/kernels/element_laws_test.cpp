@@ -1,0 +1,222 @@
+#include "element_fixture.hpp"
+
+/// The element kernel with laws of kernels/material that have their own state: heat, damage, equations of state.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+template <HourglassKind kind>
+constexpr ElementFeatures general{true, true, true, kind, YieldLaw::general};
+
+/// random_element_scene of a material that has it all, near its failure.
+ElementScene scene_of_laws(StrainRateMeasure measure) {
+  ElementScene scene = random_element_scene();
+  Random random(51);
+  for (ElementState& state : scene.element) {
+    if (state.mass == 0) continue;  // eroded
+    state.material[material_places.temperature] = uniform(random, 0, 300);
+    state.material[material_places.energy] = uniform(random, -1, 5);
+    state.material[material_places.damage] = uniform(random, 0, 1);
+  }
+  ElementConstants<double>& c = scene.constants;
+  JohnsonCookConstants<double>& law = c.johnson_cook;
+  law.used = true, law.measure = measure;
+  law.hardening = 3, law.exponent = 0.3, law.rate_sensitivity = 0.02, law.inverse_rate = 10;
+  law.inverse_melting = 1e-3, law.softening_exponent = 1.1, law.heating = 2;
+  const double d[5] = {0.05, 0.3, -1.5, 0.01, 0.5};
+  std::copy(d, d + 5, law.failure);
+  EquationOfState<double>& eos = c.pressure;
+  eos.law = PressureLaw::mie_grueneisen;
+  eos.modulus = c.material.lambda + 2 * c.material.mu / 3;
+  eos.slope[0] = 1.5, eos.gamma = 2, eos.gamma_slope = 0.4;
+  eos.tension_limit = 40;
+  return scene;
+}
+
+template <HourglassKind kind>
+void expect_packs_as_lanes(StrainRateMeasure measure) {
+  const ElementScene scene = scene_of_laws(measure);
+  const ElementOutcome expected = advance<double, general<kind>>(scene);
+  const ElementOutcome found = advance<Pack<double, 8>, general<kind>>(scene);
+  expect_equal(found, expected, general<kind>, 1e-12);
+  bool heated = false, damaged = false;
+  for (std::size_t e = 0; e < expected.element.size(); ++e) {
+    const ElementState &one = found.element[e], &other = expected.element[e], &before = scene.element[e];
+    for (std::size_t c = 0; c < material_numbers; ++c) {
+      EXPECT_NEAR(one.material[c], other.material[c], 1e-11 * std::max(1.0, std::abs(other.material[c]))) << c;
+    }
+    heated = heated || other.temperature() > before.temperature();
+    damaged = damaged || other.damage() > before.damage();
+  }
+  EXPECT_TRUE(heated && damaged);
+  EXPECT_GT(expected.eroded_count, 0);
+}
+
+TEST(LawsOfElements, PacksGiveWhatTheirLanesGive) {
+  for (const StrainRateMeasure measure : {StrainRateMeasure::total, StrainRateMeasure::plastic}) {
+    expect_packs_as_lanes<HourglassKind::none>(measure);
+    expect_packs_as_lanes<HourglassKind::viscous>(measure);
+    expect_packs_as_lanes<HourglassKind::stiffness>(measure);
+    expect_packs_as_lanes<HourglassKind::assumed_strain>(measure);
+  }
+}
+
+/// A unit cube of density 3 that is strained by one rate, from the last step to the next; positions are those of the
+/// end of the step.
+class StrainedCube {
+ public:
+  static constexpr ElementFeatures features{true, true, true, HourglassKind::none, YieldLaw::general};
+
+  explicit StrainedCube(const ElementConstants<double>& constants) : constants_(constants) { state_.mass = 3; }
+
+  /// diagonal: logarithmic rates along the axes; shear: dv_x/dy.
+  void strain(const Vec3<double>& diagonal, double shear, double dt) {
+    ElementScene scene;
+    scene.constants = constants_;
+    scene.dt = dt;
+    const Vec3<double> before = stretch_;
+    const double sheared = shear_;
+    stretch_ = {before.x * std::exp(diagonal.x * dt), before.y * std::exp(diagonal.y * dt),
+                before.z * std::exp(diagonal.z * dt)};
+    shear_ += shear * dt;
+    Corners x, v;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const Vec3<double> corner = unit_corner(i);
+      x[i] = at(corner, stretch_, shear_);
+      v[i] = (1 / dt) * (x[i] - at(corner, before, sheared));
+    }
+    scene.add(x, v, state_);
+    const ElementOutcome out = advance<double, features>(scene);
+    internal_ += out.internal;
+    viscous_ += out.viscous;
+    eroded_ += out.eroded_count;
+    time_step_ = out.time_step;
+    state_ = out.element[0];
+  }
+  const ElementState& state() const { return state_; }
+  double internal() const { return internal_; }
+  double viscous() const { return viscous_; }
+  double volume() const { return stretch_.x * stretch_.y * stretch_.z; }
+  double time_step() const { return time_step_; }
+  int eroded() const { return eroded_; }
+  double pressure() const { return -trace(state_.stress) / 3; }
+
+ private:
+  static Vec3<double> unit_corner(std::size_t i) {
+    return {i == 1 || i == 2 || i == 5 || i == 6 ? 1.0 : 0.0, i == 2 || i == 3 || i == 6 || i == 7 ? 1.0 : 0.0,
+            i > 3 ? 1.0 : 0.0};
+  }
+  static Vec3<double> at(const Vec3<double>& corner, const Vec3<double>& stretch, double shear) {
+    return {stretch.x * corner.x + shear * corner.y, stretch.y * corner.y, stretch.z * corner.z};
+  }
+
+  ElementConstants<double> constants_;
+  ElementState state_;
+  Vec3<double> stretch_{1, 1, 1};
+  double shear_ = 0, internal_ = 0, viscous_ = 0, time_step_ = 0;
+  int eroded_ = 0;
+};
+
+ElementConstants<double> with_equation_of_state() {
+  ElementConstants<double> c = element_constants();
+  c.specific_volume = 1.0 / 3;
+  c.material.yield_stress = 0.5;
+  c.material.plastic_modulus = 0;
+  c.hardening = HardeningConstants<double>{};
+  c.pressure.law = PressureLaw::mie_grueneisen;
+  c.pressure.modulus = 200;
+  c.pressure.slope[0] = 1.4, c.pressure.gamma = 1.8;
+  c.pressure.tension_limit = std::numeric_limits<double>::infinity();
+  return c;
+}
+
+/// A law with a constant yield stress needs no curve of the general kernel.
+void use_constant_strength(ElementConstants<double>& c) {
+  c.johnson_cook.used = true;
+  c.places.damage = -1;
+}
+
+TEST(EquationOfStateOfElements, KeepsAllWorkAsEnergyAndFollowsItsCurve) {
+  ElementConstants<double> c = with_equation_of_state();
+  use_constant_strength(c);
+  for (const double viscosity : {0.0, 0.5}) {
+    c.linear_viscosity = viscosity, c.quadratic_viscosity = 2 * viscosity;
+    StrainedCube cube(c);
+    for (int i = 0; i < 400; ++i) cube.strain({0, 0, -0.5}, 0, 1e-3);
+    // All of the work has become e, whatever it was of: the pressure, the deviator or the bulk viscosity.
+    EXPECT_NEAR(cube.state().energy(), cube.internal() + cube.viscous(), 1e-10 * cube.internal());
+    EXPECT_EQ(cube.viscous() > 0, viscosity > 0);
+    const double mu = 1 / cube.volume() - 1;
+    const PressureParts<double> at = pressure_parts(c.pressure, mu);
+    EXPECT_NEAR(cube.pressure(), at.cold + at.thermal * cube.state().energy(), 1e-9 * cube.pressure());
+    if (viscosity > 0) continue;
+    // The step is that of the present stiffness (stable_time_step.hpp): of S_ij two are 1/2, the third 1/2 over a^2.
+    const double a = cube.volume(), stiffness = (1 + mu) * (at.cold_slope + at.thermal_slope * cube.state().energy()) +
+                                                at.thermal * cube.pressure() / (1 + mu);
+    const double lambda = stiffness - 2.0 / 3 * 80;
+    const double square = 8 * a / 3 * (2 * 80 * 0.5 / (a * a) + lambda * (1 + 0.5 / (a * a)));
+    EXPECT_GT(stiffness, 2 * 200);
+    EXPECT_NEAR(cube.time_step(), 2 / std::sqrt(square), 1e-6 * cube.time_step());
+  }
+}
+
+TEST(JohnsonCookOfElements, IsHeatedByPlasticWorkAndSoftens) {
+  ElementConstants<double> c = element_constants();
+  c.specific_volume = 1.0 / 3;
+  c.material.yield_stress = 0.8;
+  JohnsonCookConstants<double>& law = c.johnson_cook;
+  law.used = true;
+  law.hardening = 0.6, law.exponent = 0.4, law.rate_sensitivity = 0.05, law.inverse_rate = 1 / 0.01;
+  law.inverse_melting = 1.0 / 1000, law.softening_exponent = 1.2, law.heating = 900;  // chi/c_p
+  law.measure = StrainRateMeasure::plastic;
+  c.places.damage = -1;
+  const double rate = 2, dt = 1e-4;
+  StrainedCube cube(c);
+  for (int i = 0; i < 5000; ++i) cube.strain({0, 0, 0}, rate, dt);
+  // Adiabatic shear with rigid-plastic strain e: rho c_p dT = Y de, integrated finely; elastic strain is Y/(3 mu).
+  const double factor = 1 + 0.05 * std::log(rate / std::sqrt(3.0) / 0.01);
+  double strain = 0, heat = 0;
+  const double end = rate * 5000 * dt / std::sqrt(3.0);
+  const int steps = 200000;
+  const auto yield = [&](double e, double temperature) {
+    return (0.8 + 0.6 * std::pow(e, 0.4)) * factor * (1 - std::pow(temperature / 1000, 1.2));
+  };
+  double elastic = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double middle = (i + 0.5) * end / steps;
+    if (middle - yield(strain, heat) / (3 * 80) < strain) continue;  // still elastic
+    const double next = middle - yield(strain, heat) / (3 * 80);
+    heat += 900.0 / 3 * yield(0.5 * (strain + next), heat) * (next - strain);
+    strain = next;
+    elastic = yield(strain, heat);
+  }
+  const double found = std::sqrt(3.0) * std::hypot(cube.state().stress.xy, 0.5 * cube.state().stress.xx);
+  EXPECT_NEAR(cube.state().plastic_strain, strain, 1e-3 * strain);
+  EXPECT_NEAR(cube.state().temperature(), heat, 3e-3 * heat);
+  EXPECT_GT(heat, 100);
+  EXPECT_NEAR(found, elastic, 5e-3 * elastic);
+}
+
+TEST(JohnsonCookOfElements, FailsWhenItsDamageIsOne) {
+  ElementConstants<double> c = element_constants();
+  c.specific_volume = 1.0 / 3;
+  c.material.yield_stress = 0.8;
+  c.johnson_cook.used = true;
+  c.johnson_cook.failure[0] = 0.02, c.johnson_cook.failure[1] = 0.1;  // 0.12 in pure shear
+  c.johnson_cook.failure[2] = -1.5;
+  StrainedCube cube(c);
+  double before = 0;
+  int steps = 0;
+  while (cube.eroded() == 0 && steps < 10000) {
+    before = cube.state().plastic_strain;
+    cube.strain({0, 0, 0}, 1, 1e-4);
+    ++steps;
+  }
+  EXPECT_NEAR(before, 0.12, 1e-3);
+  EXPECT_GE(cube.state().damage(), 1);
+  EXPECT_EQ(cube.state().mass, 0);
+}
+
+}  // namespace
+}  // namespace pinball

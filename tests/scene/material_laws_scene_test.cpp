@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+
+#include <solver/scene_rules.hpp>
+#include <tests/support/scene_fixture.hpp>
+
+/// johnson_cook and equation_of_state of a material.
+namespace pinball {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+class MaterialLawsScene : public SceneTest {
+ protected:
+  /// The minimal scene with these lines in the place of the moduli and the yield stress, lines 8 to 10.
+  std::vector<std::string> lines(const std::string& text) {
+    std::vector<std::string> all = with(10, "yield_stress = 4e8\n" + text);
+    all[7] = "", all[8] = "shear_modulus = 45e9";
+    return all;
+  }
+  std::vector<std::string> with_law(const std::string& text) { return with(10, "yield_stress = 4e8\n" + text); }
+  std::string problem_of_law(const std::string& text) { return error(with_law("johnson_cook = { " + text + " }")); }
+  std::string problem_of_pressure(const std::string& text) {
+    return error(lines("equation_of_state = { " + text + " }"));
+  }
+};
+
+constexpr const char* copper = "equation_of_state = { sound_speed = 3940.0, slopes = [1.489, 0, 0], gamma = 2.0 }";
+
+TEST_F(MaterialLawsScene, ReadsJohnsonAndCook) {
+  const Material m = read(with_law("strain_rate = \"plastic\"\n"
+                                   "johnson_cook = { hardening_coefficient = 2.9e8, hardening_exponent = 0.31, "
+                                   "rate_coefficient = 0.025, reference_rate = 1.0, softening_exponent = 1.09, "
+                                   "melting_temperature = 1356, room_temperature = 298, specific_heat = 383, "
+                                   "heat_share = 0.9, failure = [0.54, 4.89, -3.03, 0.014, 1.12] }"))
+                         .materials.at(0);
+  ASSERT_TRUE(m.johnson_cook);
+  const JohnsonCookSettings expected{2.9e8, 0.31, 0.025, 1.0, 1.09,
+                                     1356,  298,  383,   0.9, {0.54, 4.89, -3.03, 0.014, 1.12}};
+  EXPECT_EQ(*m.johnson_cook, expected);
+  EXPECT_EQ(m.yield_stress, 4e8);
+  EXPECT_TRUE(erodes(m));
+  EXPECT_FALSE(m.equation_of_state);
+}
+
+TEST_F(MaterialLawsScene, ReadsEquationsOfState) {
+  const Material m = read(lines(copper)).materials.at(0);
+  EXPECT_EQ(m.equation_of_state->sound_speed, 3940);
+  EXPECT_EQ(m.equation_of_state->slopes, (Point{1.489, 0, 0}));
+  EXPECT_DOUBLE_EQ(m.bulk_modulus, m.density * 3940 * 3940);
+  EXPECT_FALSE(erodes(m));
+  const Material polynomial =
+      read(lines("equation_of_state = { form = \"polynomial\", coefficients = [0, 72e9, 172e9, 40e9, 1.9, 0.6, 0], "
+                 "tension_limit = 1e9 }"))
+          .materials.at(0);
+  EXPECT_EQ(polynomial.bulk_modulus, 72e9);
+  EXPECT_EQ(polynomial.equation_of_state->tension_limit, 1e9);
+}
+
+TEST_F(MaterialLawsScene, OverridesReachIntoThem) {
+  const Scene scene = read(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }"),
+                           {.set = {"material.copper.johnson_cook.hardening_exponent=0.5"}});
+  EXPECT_EQ(scene.materials[0].johnson_cook->hardening_exponent, 0.5);
+}
+
+TEST_F(MaterialLawsScene, AnElasticMaterialKeepsNothingOfThem) {
+  const Scene scene = read(lines(copper), {.set = {"material.copper.model=elastic"}});
+  EXPECT_FALSE(scene.materials[0].equation_of_state);
+  EXPECT_GT(scene.materials[0].bulk_modulus, 1e11);
+}
+
+TEST_F(MaterialLawsScene, RefusesLawsThatLackSomething) {
+  EXPECT_THAT(problem_of_law("rate_coefficient = 0.02"),
+              HasSubstr("johnson_cook.reference_rate: expected a number > 0 beside rate_coefficient"));
+  EXPECT_THAT(problem_of_law("melting_temperature = 1000, room_temperature = 1200"),
+              HasSubstr("johnson_cook.melting_temperature: expected a number > room_temperature = 1200, got 1000"));
+  EXPECT_THAT(problem_of_law("melting_temperature = 1000"),
+              HasSubstr("johnson_cook.specific_heat: expected a number > 0 beside melting_temperature"));
+  EXPECT_THAT(problem_of_law("failure = [1, 2]"),
+              HasSubstr("johnson_cook.failure: expected five numbers, D1 to D5, got 2"));
+  EXPECT_THAT(problem_of_law("failure = [-1, 0.5, 0, 0, 0]"), HasSubstr("expected D1 + D2 > 0"));
+  EXPECT_THAT(problem_of_law("failure = [1, 0, 0, 0.1, 0]"),
+              HasSubstr("johnson_cook.reference_rate: expected a number > 0 beside D4"));
+  EXPECT_THAT(problem_of_law("failure = [1, 0, 0, 0, 0.1]"),
+              HasSubstr("johnson_cook.melting_temperature: expected a number > 0 beside D5"));
+  EXPECT_THAT(problem_of_law("hardening_exponent = 0"), HasSubstr("hardening_exponent: expected a number > 0, got 0"));
+}
+
+TEST_F(MaterialLawsScene, RefusesWhatStandsBesideThem) {
+  for (const char* other : {"plastic_modulus = 1e9", "ultimate_stress = 5e8", "isotropic_share = 0.5",
+                            "rate_constant = 40\nrate_exponent = 5"}) {
+    EXPECT_THAT(error(with_law(std::string(other) + "\njohnson_cook = { hardening_coefficient = 1e8 }")),
+                HasSubstr("expected none beside johnson_cook"))
+        << other;
+  }
+  EXPECT_THAT(error(with_law(copper)),
+              HasSubstr("bulk_modulus: expected none beside equation_of_state, but shear_modulus"));
+}
+
+TEST_F(MaterialLawsScene, RefusesPressuresThatAreNone) {
+  EXPECT_THAT(problem_of_pressure("gamma = 2"), HasSubstr("equation_of_state.sound_speed: missing"));
+  EXPECT_THAT(problem_of_pressure("form = \"polynomial\", coefficients = [0, 1]"),
+              HasSubstr("equation_of_state.coefficients: expected seven numbers, c0 to c6, got 2"));
+  EXPECT_THAT(problem_of_pressure("form = \"polynomial\", coefficients = [1, 1, 0, 0, 0, 0, 0]"),
+              HasSubstr("expected c0 = 0, a body at rest that presses on nothing, got 1"));
+  EXPECT_THAT(problem_of_pressure("form = \"polynomial\", coefficients = [0, -1, 0, 0, 0, 0, 0]"),
+              HasSubstr("expected c1 > 0, the bulk modulus at rest, got -1"));
+  EXPECT_THAT(problem_of_pressure("sound_speed = 1, coefficients = [0, 1, 0, 0, 0, 0, 0]"),
+              HasSubstr("equation_of_state.coefficients: not used with form = \"mie_grueneisen\""));
+}
+
+TEST_F(MaterialLawsScene, HostsAreToldTheSame) {
+  Scene scene = read(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }"));
+  scene.materials[0].johnson_cook->failure = {1, 2};
+  EXPECT_THROW(checked_scene(scene), InputError);
+}
+
+}  // namespace
+}  // namespace pinball
