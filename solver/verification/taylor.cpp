@@ -139,4 +139,19 @@ std::vector<VerificationRow> verify_taylor_plate(const Scene& scene) {
   return rows;
 }
 
+std::vector<VerificationRow> verify_taylor_johnson_cook(const Scene& scene) {
+  const CylinderMesh& mesh = std::get<CylinderMesh>(scene.bodies[0].mesh);
+  std::vector<VerificationRow> rows;
+  Solver<double> solver(scene);
+  const BarHistory bar = run_bar(solver, mesh.radius, mesh.length);
+  RunSummary summary;
+  fill_summary(solver, summary);
+  const std::string programs = "DynELA and Abaqus: 26.52 to 26.56 mm", foot = "DynELA and Abaqus: 11.15 to 11.22 mm",
+                    strain = "DynELA and Abaqus: 1.78 to 1.84";
+  rows.push_back(compare("length after 80 us [mm]", bar.length.back(), 26.54, 0.02 / 26.54, programs));
+  rows.push_back(compare("diameter of the foot after 80 us [mm]", 2 * bar.radius.back(), 11.185, 0.035 / 11.185, foot));
+  rows.push_back(compare("largest plastic strain", summary.bodies[0].max_plastic_strain, 1.81, 0.03 / 1.81, strain));
+  return rows;
+}
+
 }  // namespace pinball

@@ -21,16 +21,28 @@ VerificationRow compare_with_zero(const std::string& quantity, double value, dou
 
 const std::vector<VerificationCase>& verification_cases() {
   static const std::vector<VerificationCase> cases{
-      {"patch_test", verify_patch_test},         {"uniaxial_strain", verify_uniaxial_strain},
-      {"cyclic_shear", verify_cyclic_shear},     {"elastic_cycles", verify_elastic_cycles},
-      {"spinning_block", verify_spinning_block}, {"block", verify_block},
-      {"plate_impact", verify_plate_impact},     {"coarse_impact", verify_coarse_impact},
-      {"cantilever", verify_cantilever},         {"plastic_cantilever", verify_plastic_cantilever},
-      {"two_blocks", verify_two_blocks},         {"taylor_bar", verify_taylor_bar},
-      {"taylor_plate", verify_taylor_plate},     {"two_bars", verify_two_bars},
-      {"sphere_wall", verify_sphere_wall},       {"sphere_wall_full", verify_sphere_wall_full},
-      {"sphere_sphere", verify_sphere_sphere},   {"rod_plate", verify_rod_plate},
-      {"rod_oblique", verify_rod_oblique},       {"refined_layer", verify_refined_layer},
+      {"patch_test", verify_patch_test},
+      {"uniaxial_strain", verify_uniaxial_strain},
+      {"cyclic_shear", verify_cyclic_shear},
+      {"elastic_cycles", verify_elastic_cycles},
+      {"spinning_block", verify_spinning_block},
+      {"block", verify_block},
+      {"plate_impact", verify_plate_impact},
+      {"hugoniot", verify_hugoniot},
+      {"coarse_impact", verify_coarse_impact},
+      {"cantilever", verify_cantilever},
+      {"plastic_cantilever", verify_plastic_cantilever},
+      {"two_blocks", verify_two_blocks},
+      {"taylor_bar", verify_taylor_bar},
+      {"taylor_johnson_cook", verify_taylor_johnson_cook},
+      {"taylor_plate", verify_taylor_plate},
+      {"two_bars", verify_two_bars},
+      {"sphere_wall", verify_sphere_wall},
+      {"sphere_wall_full", verify_sphere_wall_full},
+      {"sphere_sphere", verify_sphere_sphere},
+      {"rod_plate", verify_rod_plate},
+      {"rod_oblique", verify_rod_oblique},
+      {"refined_layer", verify_refined_layer},
   };
   return cases;
 }
