@@ -66,15 +66,19 @@ function(pinball_objects target)
   endif()
 endfunction()
 
-# Two translation units for each room of these sources, one of its folder and one of all folders in that: for rooms whose
-# sources take longer to read what they include than to compile. Not for those that work in the steps: with PINBALL_CONTRACT
+# Two translation units for each room of these sources, one of its folder and one of all folders in that, and one for each
+# folder of a format: for rooms whose sources take longer to read what they include than to compile. Not for those that work in the steps: with PINBALL_CONTRACT
 # what the compiler fuses depends on what it sees together. A source with flags of its own is compiled by itself.
 function(pinball_unite_rooms)
   foreach(source IN LISTS ARGN)
     file(RELATIVE_PATH source_in_room ${CMAKE_CURRENT_SOURCE_DIR} ${source})
-    string(REGEX REPLACE "^([^/]+)/.*" "\\1" unit ${source_in_room})
-    if(source_in_room MATCHES "/.*/")
-      string(APPEND unit "_folders")
+    if(source_in_room MATCHES "^formats/(.+)/")
+      string(REPLACE "/" "_" unit formats_${CMAKE_MATCH_1})
+    else()
+      string(REGEX REPLACE "^([^/]+)/.*" "\\1" unit ${source_in_room})
+      if(source_in_room MATCHES "/.*/")
+        string(APPEND unit "_folders")
+      endif()
     endif()
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${unit})
   endforeach()

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include <solver/base/error.hpp>
 
 #include "array_mesh.hpp"
-#include "mesh_file.hpp"
 
 namespace pinball {
 namespace {
@@ -45,7 +45,7 @@ Mesh generate(const MeshSettings& settings) {
     Mesh operator()(const CylinderMesh& cylinder) const { return generate_cylinder(cylinder); }
     Mesh operator()(const SphereMesh& sphere) const { return generate_sphere(sphere); }
     Mesh operator()(const ArrayMesh& arrays) const { return copy_mesh(arrays); }
-    Mesh operator()(const FileMesh& file) const { return read_mesh_file(file, {file.part}).mesh; }
+    Mesh operator()(const FileMesh&) const { throw std::logic_error("a mesh from a file is read, not generated"); }
   };
   return std::visit(Generator{}, settings);
 }

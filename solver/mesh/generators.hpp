@@ -40,7 +40,8 @@ Mesh generate_cylinder(const CylinderMesh& settings);
 /// grading that is not within 0 ... 1.
 Mesh generate_sphere(const SphereMesh& settings);
 
-/// Calls the generator of the settings' type, reads the mesh of a whole file, or copies the host's arrays.
+/// Calls the generator of the settings' type, or copies the host's arrays. Throws std::logic_error for a mesh from a
+/// file, which is read (formats/mesh_reader.hpp).
 Mesh generate(const MeshSettings& settings);
 
 /// Turns the mesh so that its z axis points along the axis (if there is one), then moves it by the position.

@@ -8,13 +8,6 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
-#include <solver/keyword/number_index.hpp>
-
-#include "abaqus/abaqus_mesh.hpp"
-#include "exodus/exodus_reader.hpp"
-#include "gmsh/gmsh_reader.hpp"
-#include "keyword_mesh.hpp"
-#include "vtk/vtk_reader.hpp"
 
 namespace pinball {
 
@@ -61,38 +54,6 @@ void add_names(const std::vector<Named>& items, std::vector<std::string>& names)
       known.empty() ? std::string("there are none") : fmt::format("nearest is \"{}\"", nearest(name, known))));
 }
 
-MeshFile read_format(const FileMesh& settings, const std::vector<std::string>& parts) {
-  switch (settings.format) {
-    case MeshFormat::gmsh:
-      return read_gmsh(settings.file, parts);
-    case MeshFormat::keyword:
-      return keyword_mesh(read_keyword_deck(settings.file, settings.chosen_case));
-    case MeshFormat::exodus:
-      return read_exodus(settings.file, parts);
-    case MeshFormat::vtk:
-      return read_vtk(settings.file, settings.array, parts);
-    case MeshFormat::abaqus:
-      return abaqus_mesh(read_abaqus_deck(settings.file)).file;
-  }
-  return {};
-}
-
-/// Numbers may stand twice where what they number is the same.
-void check_numbers(const MeshFile& file) {
-  const auto fail = [&](const char* what, std::int64_t id) {
-    throw InputError(fmt::format("{}: {} {} is given twice, and not the same", file.path, what, id));
-  };
-  const NumberIndex nodes(file.node_ids);
-  for (std::size_t n = 0; nodes.repeated() >= 0 && n < file.node_ids.size(); ++n) {
-    if (file.mesh.nodes[nodes.find(file.node_ids[n])] != file.mesh.nodes[n]) fail("node", file.node_ids[n]);
-  }
-  const NumberIndex elements(file.element_ids);
-  for (std::size_t e = 0; elements.repeated() >= 0 && e < file.element_ids.size(); ++e) {
-    if (file.mesh.hexahedra[elements.find(file.element_ids[e])] != file.mesh.hexahedra[e])
-      fail("element", file.element_ids[e]);
-  }
-}
-
 template <class Set>
 void add_groups(const std::vector<Set>& sets, MeshGroup::Kind kind, std::vector<MeshGroup>& groups) {
   for (const Set& set : sets) {
@@ -107,17 +68,6 @@ void add_groups(const std::vector<Set>& sets, MeshGroup::Kind kind, std::vector<
 }
 
 }  // namespace
-
-MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts) {
-  std::vector<std::string> wanted = parts;
-  if (std::ranges::count(wanted, "") > 0) wanted.clear();
-  MeshFile file = read_format(settings, wanted);
-  check_numbers(file);
-  for (Point& node : file.mesh.nodes) {
-    for (double& coordinate : node) coordinate *= settings.scale;
-  }
-  return file;
-}
 
 std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::string& part) {
   std::vector<std::int32_t> elements;
@@ -232,14 +182,6 @@ std::vector<std::string> set_names(const std::vector<FaceSet>& sets) {
   std::vector<std::string> names;
   add_names(sets, names);
   return names;
-}
-
-std::vector<std::string> files_of(const FileMesh& settings) {
-  if (settings.format == MeshFormat::keyword) {
-    return read_keyword_deck(settings.file, settings.chosen_case).files;
-  }
-  if (settings.format == MeshFormat::abaqus) return read_abaqus_deck(settings.file).files;
-  return {settings.file};
 }
 
 }  // namespace pinball

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <solver/mesh.hpp>
-#include <solver/mesh_settings.hpp>
 
 namespace pinball {
 
@@ -69,10 +68,6 @@ struct MeshFile {
   std::vector<std::string> notes{};  ///< what was left out, in sentences
 };
 
-/// Reads the file of a mesh, with its coordinates scaled. parts: which are needed ("": all). Throws InputError for a
-/// number that two nodes, or two elements, of different content have.
-MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts);
-
 /// Elements of a part: that of this name or number, or else the set of elements of it; all for "". Throws InputError
 /// where there is none, of which it names the nearest, or a name of several.
 std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::string& part);
@@ -109,8 +104,5 @@ std::int64_t number_of(const std::vector<std::int64_t>& ids, std::int32_t place)
 
 /// What a message calls an element: by the file's own number and, where they are known, its line.
 std::string element_name(const MeshFile& file, std::int32_t element);
-
-/// The file itself, and those that it includes.
-std::vector<std::string> files_of(const FileMesh& settings);
 
 }  // namespace pinball

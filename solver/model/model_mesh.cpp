@@ -8,6 +8,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/point.hpp>
+#include <solver/formats/mesh_reader.hpp>
 #include <solver/mesh/array_mesh.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>

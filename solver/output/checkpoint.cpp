@@ -13,8 +13,8 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/version.h>
-#include <solver/keyword/input_file.hpp>
-#include <solver/mesh/mesh_file.hpp>
+#include <solver/formats/mesh_reader.hpp>
+#include <solver/mesh/file/input_file.hpp>
 #include <solver/model/stores.hpp>
 #include <solver/results/state_hash.hpp>
 #include <solver/scene/toml/overrides.hpp>

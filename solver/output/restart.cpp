@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include <solver/base/error.hpp>
-#include <solver/deck/translated_deck.hpp>
+#include <solver/formats/deck/translated_deck.hpp>
 #include <solver/restart.hpp>
 
 #include "recorder.hpp"

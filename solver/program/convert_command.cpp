@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include <solver/base/error.hpp>
-#include <solver/deck/translated_deck.hpp>
+#include <solver/formats/deck_reader.hpp>
 #include <solver/output/output_file.hpp>
 #include <solver/scene.hpp>
 

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <system_error>
+#include <string_view>
+#include <utility>
 
 #include <solver/base/error.hpp>
-#include <solver/deck/abaqus/translated_abaqus.hpp>
-#include <solver/deck/translated_deck.hpp>
-#include <solver/keyword/input_file.hpp>
+#include <solver/formats/deck_reader.hpp>
+#include <solver/mesh/file/text_lines.hpp>
 #include <solver/mesh/mesh_format.hpp>
 
 namespace pinball {
@@ -19,10 +18,9 @@ namespace pinball {
 namespace {
 
 /// A scene whose text begins as a deck does, and the other way round.
-void require_scene(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  while (std::getline(file, line)) {
+void require_scene(std::string_view text, const std::string& path) {
+  std::string_view line;
+  while (next_line(text, line)) {
     if (line.empty() || line.front() == '$' || line.front() == '\r') continue;
     if (line.front() != '*') return;
     throw InputError(path +
@@ -31,76 +29,39 @@ void require_scene(const std::string& path) {
   }
 }
 
-/// Whether the first line that says something could be one of TOML: a table, or a key with a value. A scene that comes
-/// through a pipe has no ending, and cannot be looked at before it is read.
-bool may_be_toml(const std::string& path) {
-  std::error_code problem;
-  if (!std::filesystem::is_regular_file(path, problem)) return true;
-  std::ifstream file(path, std::ios::binary);
-  std::string line;
-  while (std::getline(file, line)) {
-    if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+/// Whether the first line that says something could be one of TOML: a table, or a key with a value.
+bool may_be_toml(std::string_view text) {
+  std::string_view line;
+  while (next_line(text, line)) {
+    if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     if (std::any_of(line.begin(), line.end(), [](char c) { return c >= 0 && c < '\t'; })) return false;  // no text
     const std::size_t begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos || line[begin] == '#') continue;
-    return line[begin] == '[' || line.find('=') != std::string::npos;
+    if (begin == std::string_view::npos || line[begin] == '#') continue;
+    return line[begin] == '[' || line.find('=') != std::string_view::npos;
   }
   return true;  // empty, which the reader says
 }
 
-/// Neither a scene by its ending nor by what it holds: meshes, and what other programs read.
-void require_known_format(const std::string& path) {
-  if (std::filesystem::path(path).extension() == ".toml") return;
-  if (format_by_ending(path)) {
-    throw InputError(
-        fmt::format("{}: expected a scene or a deck, this is a mesh by its ending: a body of a scene names it, "
-                    "mesh = {{type = \"file\", file = \"{}\"}}",
-                    path, std::filesystem::path(path).filename().string()));
-  }
-  if (!may_be_toml(path)) {
-    throw InputError(
-        path +
-        ": expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp); meshes of "
-        "a scene's bodies end in " +
-        known_endings() + ". This file is none of these: another program may convert it, gmsh or meshio");
-  }
+/// A mesh by its ending is none.
+void require_no_mesh(const std::string& path) {
+  if (!format_by_ending(path)) return;
+  throw InputError(
+      fmt::format("{}: expected a scene or a deck, this is a mesh by its ending: a body of a scene names it, "
+                  "mesh = {{type = \"file\", file = \"{}\"}}, and pinball info lists what it holds",
+                  path, std::filesystem::path(path).filename().string()));
 }
 
-/// A scene by another name: it begins with a table, a comment or a key.
-void require_no_scene(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  while (std::getline(file, line) && line.find_first_not_of(" \t\r") == std::string::npos) {
-  }
-  const bool is_key = line.find(" = ") != std::string::npos && !line.starts_with('*') && !line.starts_with('$');
-  if (line.starts_with('[') || line.starts_with('#') || is_key)
-    throw InputError(path + ": expected a deck of keywords, this is a scene: name it .toml");
-}
-
-/// Abaqus input by another name: comments of two stars, or parameters behind a keyword.
-void require_no_abaqus_input(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  for (int lines = 0; lines < 100 && std::getline(file, line);) {
-    if (line.empty() || line.front() == '$' || line.front() == '\r') continue;
-    if (line.starts_with("**") || (line.front() == '*' && !line.starts_with("*KEYWORD") &&
-                                   line.find(',') < line.find('=') && line.find('=') < line.size()))
-      throw InputError(path + ": expected an LS-DYNA keyword file, this is Abaqus input: name it .inp");
-    ++lines;
-  }
+/// What other programs read.
+void require_toml(std::string_view text, const std::string& path) {
+  if (std::filesystem::path(path).extension() == ".toml" || may_be_toml(text)) return;
+  throw InputError(
+      path +
+      ": expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp); meshes of "
+      "a scene's bodies end in " +
+      known_endings() + ". This file is none of these: another program may convert it, gmsh or meshio");
 }
 
 }  // namespace
-
-bool is_any_deck(const std::string& path) { return is_deck(path) || is_abaqus_deck(path); }
-
-TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options) {
-  require_file(path);
-  require_no_scene(path);
-  if (is_abaqus_deck(path)) return translate_abaqus(path, options);
-  require_no_abaqus_input(path);
-  return translate_deck(path, options);
-}
 
 void print_deck(const TranslatedDeck& deck, const std::string& path) {
   fmt::print("{}, as this program understands it:\n", path);
@@ -145,10 +106,11 @@ SceneInput scene_input(const SceneOptions& options) {
     if (options.chosen_case || options.lenient) {
       throw InputError(options.scene + ": --case and --lenient are for decks (.k, .key, .dyn, .inp)");
     }
-    require_file(path);
-    require_scene(path);
-    require_known_format(path);
-    return {read_scene_source(path, options.overrides), {}};
+    require_no_mesh(path);
+    SceneSource source = read_scene_source(path, options.overrides);
+    require_scene(source.text, path);
+    require_toml(source.text, path);
+    return {std::move(source), {}};
   }
   TranslatedDeck deck = translate_any_deck(path, {options.chosen_case, options.lenient, ""});
   if (!options.quiet) print_deck(deck, path);

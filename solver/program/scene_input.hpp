@@ -3,19 +3,13 @@
 #include <optional>
 
 #include <solver/base/error.hpp>
-#include <solver/deck/translated_deck.hpp>
+#include <solver/formats/deck/translated_deck.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/scene.hpp>
 
 #include "commands.hpp"
 
 namespace pinball {
-
-/// Whether a path is that of a deck of another program by its ending: .k, .key, .dyn, .inp.
-bool is_any_deck(const std::string& path);
-
-/// The deck as a scene, whatever program it is of. Throws InputError.
-TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options);
 
 /// What was made of a deck, and what of it is ignored.
 void print_deck(const TranslatedDeck& deck, const std::string& path);

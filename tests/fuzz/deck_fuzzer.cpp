@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "../deck/deck_trial.hpp"
+#include "../formats/lsdyna/deck_trial.hpp"
 
 /// A target of libFuzzer: any bytes as a deck.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -26,13 +26,16 @@ ROOMS = {
     "contact/slideline": ["solver/contact/slideline/"],
     "contact": ["solver/contact/make_contact.cpp"],
     "contact/host": ["solver/contact/host/"],
-    "keyword": ["solver/keyword/"],
-    "abaqus": ["solver/abaqus/"],
     "mesh": ["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"],
     "scene": ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_contact.hpp",
               "solver/scene_material.hpp", "solver/scene_rules.hpp"],
-    "deck": ["solver/deck/"],
-    "deck/abaqus": ["solver/deck/abaqus/"],
+    "formats/deck": ["solver/formats/deck/"],
+    "formats/abaqus": ["solver/formats/abaqus/"],
+    "formats/exodus": ["solver/formats/exodus/"],
+    "formats/gmsh": ["solver/formats/gmsh/"],
+    "formats/lsdyna": ["solver/formats/lsdyna/"],
+    "formats/vtk": ["solver/formats/vtk/"],
+    "formats": ["solver/formats/"],
     "model": ["solver/model/"],
     "results": ["solver/results/", "solver/results.hpp", "solver/field_base.hpp"],
     "elements": ["solver/elements/"],
@@ -53,6 +56,8 @@ ORDER = {room: number for number, room in enumerate(ROOMS)}
 # Side by side: neither includes the other, although one stands before the other above.
 APART = [("contact/pinball", "contact/faces"), ("contact/pinball", "contact/slideline"),
          ("contact/faces", "contact/slideline"), ("elements", "boundary"), ("program", "python")]
+FORMATS = [room for room in ROOMS if room.startswith("formats/") and room != "formats/deck"]
+APART += [(one, other) for one in FORMATS for other in FORMATS if one < other]
 
 # Hosts get these, and nothing else. They include by paths from where they lie, so that they hold wherever they are put.
 PUBLIC = re.compile(r"kernels/((boundary|elastic|exec|yield)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*|"

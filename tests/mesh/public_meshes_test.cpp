@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include <solver/mesh/mesh_file.hpp>
+#include <solver/formats/mesh_reader.hpp>
 #include <solver/mesh/mesh_format.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/simulation.hpp>

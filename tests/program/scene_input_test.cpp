@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <solver/program/scene_input.hpp>
-#include <tests/deck/deck_case.hpp>
+#include <tests/formats/lsdyna/deck_case.hpp>
 #include <tests/support/error_of.hpp>
 
 namespace pinball::test {

@@ -11,7 +11,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
-#include <solver/mesh/gmsh/gmsh_reader.hpp>
+#include <solver/formats/gmsh/gmsh_reader.hpp>
 #include <solver/scene.hpp>
 #include <solver/step/solver.hpp>
 

@@ -4,8 +4,8 @@
 #include <set>
 
 #include <solver/base/error.hpp>
-#include <solver/deck/abaqus/translated_abaqus.hpp>
-#include <solver/deck/translated_deck.hpp>
+#include <solver/formats/abaqus/cards/abaqus_scene.hpp>
+#include <solver/formats/lsdyna/cards/keyword_scene.hpp>
 #include <solver/step/solver.hpp>
 
 /// Scenes and decks that are sound raise no alarm at the start: those that come along, and public ones.

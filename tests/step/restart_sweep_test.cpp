@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include <solver/formats/deck_reader.hpp>
 #include <solver/output/history.hpp>
 #include <solver/program/scene_input.hpp>
 #include <solver/scene/toml/table.hpp>

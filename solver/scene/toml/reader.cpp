@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include <solver/base/error.hpp>
-#include <solver/keyword/input_file.hpp>
+#include <solver/mesh/file/input_file.hpp>
 #include <solver/scene.hpp>
 #include <solver/scene/names.hpp>
 #include <solver/scene/schema/kinds.hpp>

@@ -1,0 +1,253 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include <solver/base/error.hpp>
+
+#include "abaqus_parts.hpp"
+
+namespace pinball {
+
+void write_abaqus_head(const char* table, const AbaqusBlock& block, const DeckPlace& place, TomlText& scene) {
+  scene.entry(table, fmt::format("{} {}", block.star_name(), place.text()));
+}
+
+void write_abaqus_nodes(const AbaqusNodes& nodes, TomlText& scene) {
+  if (nodes.set.empty()) {
+    scene.key("nodes", std::vector<std::int64_t>{nodes.number});
+  } else {
+    scene.key("set", nodes.set);
+  }
+}
+
+bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree) {
+  if (degree >= 4 && degree <= 6) data.report.ignore(place, block.star_name() + " of rotations of nodes of solids");
+  if (degree < 1 || degree > 6)
+    data.report.refuse(place, fmt::format("{} with degree of freedom {}", block.star_name(), degree));
+  return degree >= 1 && degree <= 3;
+}
+
+namespace {
+
+/// One data line of *BOUNDARY: directions by their bits x, y, z.
+struct Held {
+  unsigned directions = 0;
+  double magnitude = 0;
+};
+
+unsigned named_directions(const std::string& name, const DeckPlace& place) {
+  static const std::map<std::string, unsigned> names{{"ENCASTRE", 7}, {"PINNED", 7}, {"XSYMM", 1},  {"YSYMM", 2},
+                                                     {"ZSYMM", 4},    {"XASYMM", 6}, {"YASYMM", 5}, {"ZASYMM", 3}};
+  const auto found = names.find(name);
+  if (found == names.end()) fail_at(place, fmt::format("*BOUNDARY: expected degrees of freedom, got \"{}\"", name));
+  return found->second;
+}
+
+Held held_of(AbaqusData& data, const AbaqusBlock& block, const DataFields& f) {
+  if (!f.blank(1) && !deck_integer(f.text(1))) return {named_directions(squeezed(f.text(1)), f.place()), 0.0};
+  Held held{0, f.number(3, "magnitude", 0.0)};
+  const std::int64_t first = f.integer(1, "first degree of freedom"), last = f.integer(2, "last one", first);
+  if (last < first)
+    fail_at(f.place(),
+            fmt::format("*BOUNDARY: expected the first degree of freedom before the last, got {} and {}", first, last));
+  for (std::int64_t degree = std::clamp<std::int64_t>(first, 1, 7); degree <= std::min<std::int64_t>(last, 6);
+       ++degree) {
+    if (is_translation(data, block, f.place(), degree)) held.directions |= 1U << (degree - 1);
+  }
+  if (first < 1 || first > 6) is_translation(data, block, f.place(), first);
+  if (last > 6 && last != first) is_translation(data, block, f.place(), last);
+  return held;
+}
+
+std::string directions_text(unsigned directions) {
+  std::vector<std::string> names;
+  for (unsigned k = 0; k < 3; ++k) {
+    if ((directions >> k & 1U) != 0) names.push_back(fmt::format("\"{}\"", "xyz"[k]));
+  }
+  return fmt::format("[{}]", fmt::join(names, ", "));
+}
+
+/// A line of *BOUNDARY and when it acts.
+struct BoundaryLine {
+  const AbaqusBlock* block;
+  DeckPlace place;
+  AbaqusNodes nodes;
+  Held held;
+  bool moves = false;
+  AbaqusCurve curve;
+  double start = 0;
+  std::optional<double> end{};
+};
+
+class Boundary {
+ public:
+  Boundary(AbaqusData& data, TomlText& scene) : data_(data), scene_(scene) {}
+
+  void translate() {
+    for (int step = 0; step <= static_cast<int>(data_.steps.size()); ++step) read_step(step);
+    for (const BoundaryLine& line : lines_) write(line);
+    for (const auto& [kind, singles] : singles_) {
+      write_fixed(*singles.first);
+      scene_.key("nodes", singles.numbers);
+    }
+  }
+
+ private:
+  /// Nodes of no set that are held alike.
+  struct Singles {
+    const BoundaryLine* first;
+    std::vector<std::int64_t> numbers;
+  };
+
+  /// Step 0: what stands before all steps.
+  void read_step(int step) {
+    const std::size_t before = lines_.size();
+    std::vector<const AbaqusBlock*> blocks;
+    for (const AbaqusBlock& block : data_.deck.blocks) {
+      if (block.name == "BOUNDARY" && block.step == step) blocks.push_back(&block);
+    }
+    const auto is_new = [](const AbaqusBlock* block) { return block->option("OP") == "NEW"; };
+    if (step > 0 && std::ranges::any_of(blocks, is_new)) end_all(data_.step_of(*blocks.front()).start);
+    for (const AbaqusBlock* block : blocks) {
+      DataLines lines(*block);
+      while (const auto card = lines.next()) add(*block, *card);
+    }
+    if (step == 0) return;
+    for (std::size_t i = before, after = lines_.size(); i < after; ++i) replace(BoundaryLine(lines_[i]));
+  }
+
+  void end_all(double time) {
+    const AbaqusBlock* last = nullptr;
+    for (BoundaryLine& line : lines_) {
+      if (line.end) continue;
+      line.end = time;
+      if (line.block != last)
+        data_.report.understood(
+            fmt::format("*BOUNDARY ({}): ends where the step begins (OP=NEW)", line.block->place.text()));
+      last = line.block;
+    }
+  }
+
+  void add(const AbaqusBlock& block, const DataLine& card) {
+    const DataFields f(card);
+    const Held held = held_of(data_, block, f);
+    if (held.directions == 0) return;
+    const AbaqusNodes nodes = data_.nodes(f.text(0), card.place);
+    if (nodes.set.empty() && !data_.used[static_cast<std::size_t>(nodes.members[0])])
+      return data_.report.ignore_node(card.place, "*BOUNDARY");
+    BoundaryLine line{&block, card.place, nodes, held, false, {}, block.step > 0 ? data_.step_of(block).start : 0.0};
+    if (block.step > 0) line.curve = data_.curve(block);
+    line.moves = held.magnitude != 0 || line.curve.absolute || block.option("TYPE") == "ACCELERATION";
+    if (!line.moves || may_move(line)) lines_.push_back(line);
+  }
+
+  /// What a line in a step says of nodes that one of an earlier step holds or moves counts from the step on; that both
+  /// hold them is nothing new.
+  void replace(const BoundaryLine& later) {
+    const auto of_later = [&](std::int32_t node) { return std::ranges::binary_search(later.nodes.members, node); };
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const unsigned common = lines_[i].held.directions & later.held.directions;
+      if (lines_[i].block->step >= later.block->step || lines_[i].end) continue;
+      if (common == 0 || (!lines_[i].moves && !later.moves)) continue;
+      if (std::ranges::none_of(lines_[i].nodes.members, of_later)) continue;
+      BoundaryLine ended = lines_[i], rest = lines_[i];
+      ended.held.directions = rest.held.directions = common;
+      ended.end = later.start;
+      std::erase_if(ended.nodes.members, std::not_fn(of_later));
+      std::erase_if(rest.nodes.members, of_later);
+      lines_[i].held.directions &= ~common;
+      if (!rest.nodes.members.empty()) {
+        ended.nodes.set = rest.nodes.set = "";
+        lines_.push_back(rest);
+      }
+      lines_.push_back(ended);
+    }
+  }
+
+  bool may_move(const BoundaryLine& line) {
+    const std::string quantity = quantity_of(line);
+    std::string refused;
+    if (line.block->step == 0) refused = "*BOUNDARY that moves nodes before the step";
+    if (line.block->step > 1 && quantity != "velocity") refused = "*BOUNDARY: a later step may give velocities alone";
+    if (quantity == "displacement" && line.curve.times.empty())
+      refused = "*BOUNDARY: a displacement at once, without AMPLITUDE";
+    if (!refused.empty()) data_.report.refuse(line.place, refused);
+    return refused.empty();
+  }
+
+  static std::string quantity_of(const BoundaryLine& line) {
+    const std::string quantity = lower_case(line.block->option("TYPE"));
+    return quantity.empty() ? "displacement" : quantity;
+  }
+
+  void write(const BoundaryLine& line) {
+    if (line.held.directions == 0 || (line.end && *line.end <= line.start)) return;
+    if (line.nodes.set.empty() && numbers_of(line).empty()) return;
+    if (line.moves) {
+      write_motion(line);
+    } else if (line.nodes.set.empty()) {
+      Singles& singles =
+          singles_.try_emplace({line.held.directions, line.start, line.end}, Singles{&line, {}}).first->second;
+      for (const std::int64_t number : numbers_of(line)) singles.numbers.push_back(number);
+    } else {
+      write_fixed(line);
+      scene_.key("set", line.nodes.set);
+    }
+  }
+
+  /// Of nodes that an element has.
+  std::vector<std::int64_t> numbers_of(const BoundaryLine& line) const {
+    std::vector<std::int64_t> numbers;
+    for (const std::int32_t node : line.nodes.members) {
+      const auto at = static_cast<std::size_t>(node);
+      if (data_.used[at]) numbers.push_back(data_.mesh.file.node_ids[at]);
+    }
+    return numbers;
+  }
+
+  void write_fixed(const BoundaryLine& line) {
+    write_abaqus_head("constraint", *line.block, line.place, scene_);
+    scene_.key("type", "fixed");
+    scene_.raw("directions", directions_text(line.held.directions));
+    write_times(line);
+  }
+
+  void write_motion(const BoundaryLine& line) {
+    for (unsigned k = 0; k < 3; ++k) {
+      if ((line.held.directions >> k & 1U) == 0) continue;
+      Point direction{};
+      direction[k] = 1;
+      write_abaqus_head("prescribed_velocity", *line.block, line.place, scene_);
+      scene_.key("direction", direction);
+      scene_.key("speed", line.curve.times.empty() ? line.held.magnitude : 1.0);
+      scene_.key("quantity", quantity_of(line));
+      write_curve(line.curve, line.held.magnitude, scene_);
+      write_times(line);
+      if (line.nodes.set.empty()) {
+        scene_.key("nodes", numbers_of(line));
+      } else {
+        scene_.key("set", line.nodes.set);
+      }
+    }
+  }
+
+  void write_times(const BoundaryLine& line) {
+    if (line.start > 0) scene_.key("start", line.start);
+    if (line.end) scene_.key("end", *line.end);
+  }
+
+  AbaqusData& data_;
+  TomlText& scene_;
+  std::vector<BoundaryLine> lines_;
+  std::map<std::tuple<unsigned, double, std::optional<double>>, Singles> singles_;
+};
+
+}  // namespace
+
+void translate_abaqus_boundary(AbaqusData& data, TomlText& scene) { Boundary(data, scene).translate(); }
+
+}  // namespace pinball

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "abaqus_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+void write_title(const AbaqusData& data, TomlText& scene) {
+  std::string title;
+  if (const AbaqusBlock* heading = data.last("HEADING")) {
+    DataLines lines(*heading);
+    if (const auto card = lines.next()) title = std::string(card->text);
+  }
+  scene.key("title", title);
+  scene.key("units", "");
+}
+
+/// DT is the stable increment that elements get mass for; the step is SCALE FACTOR times it.
+void write_mass_scaling(AbaqusData& data, double factor, TomlText& scene) {
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name != "FIXEDMASSSCALING") continue;
+    const double step = block.number("DT", 0.0);
+    if (!(step > 0)) fail_at(block.place, "*FIXED MASS SCALING: DT: expected more than 0");
+    if (data.whole_bodies(block.value("ELSET").value_or(""), block.place).size() != data.bodies.size())
+      data.report.refuse(block.place, "*FIXED MASS SCALING of some elements");
+    scene.key("smallest_step", factor * step);
+    if (block.option("TYPE") == "SETEQUALDT") scene.key("mass_scaling", "all");
+  }
+}
+
+/// The part of the stable increment that steps are, which is one for all of them.
+double scale_factor(AbaqusData& data) {
+  const AbaqusBlock& last = *data.last("DYNAMIC");
+  const double factor = last.number("SCALEFACTOR", 1.0);
+  if (!(factor > 0)) fail_at(last.place, "*DYNAMIC: SCALE FACTOR: expected more than 0");
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name == "DYNAMIC" && block.number("SCALEFACTOR", 1.0) != factor)
+      data.report.refuse(last.place, "*DYNAMIC: another SCALE FACTOR than in a step before");
+  }
+  return factor;
+}
+
+void write_time(AbaqusData& data, TomlText& scene) {
+  const AbaqusBlock& dynamic = *data.last("DYNAMIC");
+  DataLines lines(dynamic);
+  const DataLine card = lines.require("the period of the step");
+  const DataFields f(card);
+  scene.table("time");
+  scene.key("end", data.end());
+  const double factor = scale_factor(data);
+  scene.key("cfl", 0.9 * factor);
+  write_mass_scaling(data, factor, scene);
+  if (f.number(3, "largest increment", 0.0) > 0)
+    data.report.understood(
+        fmt::format("*DYNAMIC ({}): the largest increment is not used, steps are the stable ones", card.place.text()));
+}
+
+/// Fields at so many equal intervals of the step, 20 where nothing is said; rows of history.csv 200. Of several
+/// requests the one that is more.
+void write_output(const AbaqusData& data, TomlText& scene) {
+  scene.table("output");
+  const auto interval = [&](const AbaqusBlock& block) {
+    const double intervals = block.number("NUMBERINTERVAL", 0.0), time = block.number("TIMEINTERVAL", 0.0);
+    return time > 0 ? time : intervals > 0 ? data.step_of(block).period / intervals : 0.0;
+  };
+  const auto smaller = [](double so_far, double given) { return so_far > 0 ? std::min(so_far, given) : given; };
+  double fields = 0, rows = 0;
+  bool of_bodies = false;
+  for (const AbaqusBlock& block : data.deck.blocks) {
+    if (block.name == "ENERGYOUTPUT" && block.has("ELSET")) of_bodies = true;
+    if (block.name != "OUTPUT") continue;
+    const double given = interval(block);
+    if (block.has("FIELD")) fields = smaller(fields, given > 0 ? given : data.step_of(block).period / 20);
+    if (block.has("HISTORY") && given > 0) rows = smaller(rows, given);
+  }
+  if (rows > 0) scene.key("interval", rows);
+  if (fields > 0) scene.key("field_interval", fields);
+  if (of_bodies) scene.key("body_energies", true);
+}
+
+}  // namespace
+
+void translate_abaqus_controls(AbaqusData& data, TomlText& scene) {
+  write_title(data, scene);
+  write_time(data, scene);
+  if (!data.bodies.empty()) write_element(data.body_elements.front(), scene);
+  write_output(data, scene);
+}
+
+void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, TomlText& scene) {
+  for (const AbaqusBody& body : data.bodies) {
+    scene.entry("body");
+    scene.key("name", body.name);
+    scene.key("material", data.material_name(body.material));
+    const DeckElement& element = data.body_elements[static_cast<std::size_t>(&body - data.bodies.data())];
+    if (element != data.body_elements.front()) write_body_element(element, scene);
+    scene.raw("mesh", fmt::format("{{ type = \"abaqus\", file = {}, part = {} }}", toml(mesh_file), toml(body.part)));
+  }
+}
+
+}  // namespace pinball

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
+#include <solver/formats/deck/deck_element.hpp>
+#include <solver/formats/deck/deck_report.hpp>
+#include <solver/formats/deck/given_once.hpp>
+#include <solver/mesh/number_index.hpp>
+
+namespace pinball {
+
+/// A body of the scene: a section of an instance that has elements.
+struct AbaqusBody {
+  std::string name;      ///< in the scene
+  std::string part;      ///< name of its elements in the mesh
+  std::string material;  ///< key of the label
+  std::size_t section;   ///< place in the sections of the mesh
+};
+
+/// An amplitude as a factor over time.
+struct AbaqusCurve {
+  std::vector<double> times, factors;
+  bool absolute = false;    ///< VALUE=ABSOLUTE: the factors are the values themselves
+  bool total_time = false;  ///< TIME=TOTAL TIME: of the run and not of the step
+};
+
+/// A *STEP: when it begins, and how long it takes [time].
+struct AbaqusStep {
+  double start = 0, period = 0;
+  bool ramps = false;  ///< AMPLITUDE=RAMP
+};
+
+/// Nodes that a label of the deck means.
+struct AbaqusNodes {
+  std::string set;                    ///< name in the mesh; empty: a single node
+  std::int64_t number = 0;            ///< of the single node, in the mesh
+  std::vector<std::int32_t> members;  ///< places in the mesh
+};
+
+/// What keywords of Abaqus input refer to by label.
+class AbaqusData {
+ public:
+  /// deck, mesh and report have to stay.
+  AbaqusData(const AbaqusDeck& deck, const AbaqusMesh& mesh, DeckReport& report);
+
+  const AbaqusDeck& deck;
+  const AbaqusMesh& mesh;
+  DeckReport& report;
+
+  std::vector<AbaqusBody> bodies;
+  std::vector<DeckElement> body_elements;  ///< per body, when they are known
+  std::vector<AbaqusStep> steps;           ///< one after the other, at least one
+  std::vector<bool> used;                  ///< per node of the mesh: whether an element has it
+
+  /// The nodes of a set, or one by its number, as the assembly calls them. Throws InputError where they are not there.
+  AbaqusNodes nodes(const std::string& label, const DeckPlace& place) const;
+  /// Places of the elements of a set, of the one with a number, or of all for an empty label. Throws InputError where
+  /// they are not there.
+  std::vector<std::int32_t> elements(const std::string& label, const DeckPlace& place) const;
+  /// Bodies of a set of elements, or of all for an empty label. Throws InputError for one that is not there; returns
+  /// none for a set that is not made of whole bodies.
+  std::vector<std::string> whole_bodies(const std::string& label, const DeckPlace& place) const;
+  /// Name of a surface of faces. Throws InputError where it is not there.
+  std::string faces(const std::string& label, const DeckPlace& place) const;
+  /// A surface of faces; null: there is none of this label.
+  const FaceSet* find_faces(const std::string& label) const;
+  /// A surface as a side of a contact: { faces = "NAME" } or { nodes = "NAME" }. Throws InputError where it is not
+  /// there.
+  std::string surface(const std::string& label, const DeckPlace& place) const;
+  /// The step that a keyword stands in; of those before all steps the first one.
+  const AbaqusStep& step_of(const AbaqusBlock& block) const;
+  /// When the last step ends [time].
+  double end() const { return steps.back().start + steps.back().period; }
+  /// The amplitude that a block in a step names, or that of the step, over the time of the run: when its step ends, it
+  /// stays what it is. No times: a factor of 1. Throws InputError for one that is not there.
+  AbaqusCurve curve(const AbaqusBlock& block) const;
+  /// The last keyword of a name, without case and blanks, which is the one that counts; null: none.
+  const AbaqusBlock* last(const std::string& name) const;
+  /// Throws InputError where the deck gives this ("material STEEL") already.
+  void give_once(const std::string& what, const DeckPlace& place) { given_.add(what, place); }
+  /// Name of a material, or the like, in the scene.
+  std::string material_name(const std::string& key) const { return "mat_" + plain_name(key); }
+  static std::string plain_name(const std::string& label);
+
+ private:
+  void name_bodies();
+  void require_sections() const;
+  [[noreturn]] void throw_at_element(std::size_t e, const std::string& part) const;
+  void read_steps();
+  void read_amplitude(const AbaqusBlock& block);
+  const AbaqusRange* range_of(const std::string& instance) const;
+
+  void require_once(const AbaqusBlock& block);
+
+  NumberIndex numbers_;  ///< of nodes
+  GivenOnce given_;
+  std::map<std::string, std::size_t> node_sets_, element_sets_, face_sets_, components_;
+  std::map<std::string, AbaqusCurve> amplitudes_;
+};
+
+/// times and factors of a curve, times a magnitude; nothing for a factor of 1.
+void write_curve(const AbaqusCurve& curve, double magnitude, TomlText& scene);
+
+}  // namespace pinball

@@ -1,0 +1,234 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <solver/formats/deck/given_once.hpp>
+
+#include "abaqus_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+struct Curve {
+  double rate = 0;
+  std::vector<double> strain, stress;
+  DeckPlace place{};
+};
+
+/// *MATERIAL and what belongs to it, up to the next one.
+struct AbaqusMaterial {
+  const AbaqusBlock* head = nullptr;
+  std::vector<const AbaqusBlock*> options;
+  GivenOnce given{};
+
+  /// Options of a material stand once, but for *PLASTIC at another rate.
+  void add(const AbaqusBlock& block) {
+    static const std::set<std::string> once{"DENSITY",       "ELASTIC",      "PLASTIC",
+                                            "RATEDEPENDENT", "SHEARFAILURE", "DAMPING"};
+    const std::string rate = block.name == "PLASTIC" ? fmt::format(" at the rate {}", block.number("RATE", 0.0)) : "";
+    if (!once.contains(block.name)) return;
+    given.add(block.star_name() + rate + " of one material", block.place);
+    options.push_back(&block);
+  }
+  const AbaqusBlock* option(const char* name) const {
+    const AbaqusBlock* found = nullptr;
+    for (const AbaqusBlock* block : options) {
+      if (block->name == name) found = block;
+    }
+    return found;
+  }
+};
+
+std::map<std::string, AbaqusMaterial> materials_of(const AbaqusDeck& deck) {
+  std::map<std::string, AbaqusMaterial> materials;
+  AbaqusMaterial* current = nullptr;
+  for (const AbaqusBlock& block : deck.blocks) {
+    if (block.name == "MATERIAL") {
+      current = &materials[label_key(block.require("NAME"))];
+      current->head = &block;
+    } else if (block.step > 0 || block.name == "ASSEMBLY" || block.name == "PART") {
+      current = nullptr;
+    } else if (current != nullptr) {
+      current->add(block);
+    }
+  }
+  return materials;
+}
+
+/// The one line of constants.
+DataLine only_card(const AbaqusBlock& block, const char* what) {
+  DataLines lines(block);
+  return lines.require(what);
+}
+
+const AbaqusBlock& required(const AbaqusMaterial& material, const char* name, const char* title) {
+  if (const AbaqusBlock* block = material.option(name)) return *block;
+  fail_at(material.head->place, fmt::format("*MATERIAL {}: expected {}", *material.head->value("NAME"), title));
+}
+
+std::vector<Curve> curves_of(const AbaqusMaterial& material) {
+  std::vector<Curve> curves;
+  for (const AbaqusBlock* block : material.options) {
+    if (block->name != "PLASTIC") continue;
+    Curve curve{block->number("RATE", 0.0), {}, {}, block->place};
+    DataLines lines(*block);
+    while (const auto card = lines.next()) {
+      const DataFields f(*card);
+      curve.stress.push_back(f.number(0, "yield stress"));
+      curve.strain.push_back(f.number(1, "plastic strain", 0.0));
+    }
+    if (curve.stress.empty()) fail_at(block->place, "*PLASTIC: expected yield stresses and plastic strains");
+    if (curve.strain.front() != 0)
+      fail_at(block->place,
+              fmt::format("*PLASTIC: expected a first plastic strain of 0, got {}", curve.strain.front()));
+    curves.push_back(std::move(curve));
+  }
+  std::ranges::stable_sort(curves, {}, &Curve::rate);
+  return curves;
+}
+
+/// Behind its last point a table of Abaqus goes on without hardening.
+std::string curve_text(Curve curve, double factor, std::optional<double> rate) {
+  const std::size_t points = curve.stress.size();
+  if (points > 1 && curve.stress[points - 1] != curve.stress[points - 2]) {
+    curve.strain.push_back(curve.strain.back() + 1.0);
+    curve.stress.push_back(curve.stress.back());
+  }
+  for (double& stress : curve.stress) stress *= factor;
+  return fmt::format("{{ {}plastic_strain = {}, stress = {} }}", rate ? fmt::format("rate = {}, ", toml(*rate)) : "",
+                     toml(curve.strain), toml(curve.stress));
+}
+
+/// Of one or two points as a line that ends, of more as a curve.
+void write_curve(const Curve& curve, TomlText& scene) {
+  if (curve.stress.size() > 2) {
+    scene.raw("yield_curve", curve_text(curve, 1.0, {}));
+    return;
+  }
+  scene.key("yield_stress", curve.stress[0]);
+  if (curve.stress.size() == 1) return;
+  const double strain = curve.strain[1] - curve.strain[0];
+  if (!(strain > 0)) fail_at(curve.place, "*PLASTIC: expected plastic strains that increase");
+  scene.key("plastic_modulus", (curve.stress[1] - curve.stress[0]) / strain);
+  scene.key("ultimate_stress", curve.stress[1]);
+}
+
+/// Two points, the slope between which moves the yield surface.
+void write_kinematic(const Curve& curve, TomlText& scene) {
+  if (curve.stress.size() != 2 || !(curve.strain[1] > 0))
+    fail_at(curve.place, "*PLASTIC, HARDENING=KINEMATIC: expected two lines, of plastic strain 0 and more");
+  scene.key("yield_stress", curve.stress[0]);
+  scene.key("plastic_modulus", (curve.stress[1] - curve.stress[0]) / curve.strain[1]);
+  scene.key("isotropic_share", 0.0);
+}
+
+/// Yield stresses over the rate of the plastic strain: factors on one curve, or a law.
+void write_rate(const AbaqusBlock& block, const Curve& curve, TomlText& scene) {
+  if (block.option("TYPE") != "YIELDRATIO") {
+    const DataLine card = only_card(block, "multiplier and exponent");
+    const DataFields f(card);
+    write_curve(curve, scene);
+    scene.key("rate_constant", f.number(0, "D"));
+    scene.key("rate_exponent", f.number(1, "n"));
+    return;
+  }
+  std::vector<std::string> curves;
+  DataLines lines(block);
+  while (const auto card = lines.next()) {
+    const DataFields f(*card);
+    curves.push_back(curve_text(curve, f.number(0, "ratio"), f.number(1, "rate", 0.0)));
+  }
+  scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
+}
+
+void write_plasticity(AbaqusData& data, const AbaqusMaterial& material, TomlText& scene) {
+  const std::vector<Curve> curves = curves_of(material);
+  const AbaqusBlock* rate = material.option("RATEDEPENDENT");
+  if (material.option("PLASTIC")->option("HARDENING") == "KINEMATIC") {
+    write_kinematic(curves.front(), scene);
+    if (rate != nullptr || curves.size() > 1)
+      data.report.refuse(material.head->place, "*PLASTIC, HARDENING=KINEMATIC that depends on the rate");
+  } else if (curves.size() > 1) {
+    std::vector<std::string> texts;
+    for (const Curve& curve : curves) texts.push_back(curve_text(curve, 1.0, curve.rate));
+    scene.raw("yield_curves", fmt::format("[{}]", fmt::join(texts, ", ")));
+    scene.key("strain_rate", "plastic");
+    if (rate != nullptr) data.report.refuse(rate->place, "*RATE DEPENDENT beside *PLASTIC, RATE=");
+  } else if (rate != nullptr) {
+    write_rate(*rate, curves.front(), scene);
+    scene.key("strain_rate", "plastic");
+  } else {
+    write_curve(curves.front(), scene);
+  }
+  if (const AbaqusBlock* failure = material.option("SHEARFAILURE")) {
+    const DataLine card = only_card(*failure, "the plastic strain at failure");
+    scene.key("erosion_strain", DataFields(card).number(0, "plastic strain at failure"));
+  }
+}
+
+void write_material(AbaqusData& data, const std::string& key, const AbaqusMaterial& material, TomlText& scene) {
+  const DataLine density = only_card(required(material, "DENSITY", "*DENSITY"), "the density"),
+                 elastic = only_card(required(material, "ELASTIC", "*ELASTIC"), "Young's modulus and Poisson's ratio");
+  const DataFields of_density(density), f(elastic);
+  const bool plastic = material.option("PLASTIC") != nullptr;
+  scene.entry("material", fmt::format("*MATERIAL {}", material.head->place.text()));
+  scene.key("name", data.material_name(key));
+  scene.key("model", plastic ? "von_mises" : "elastic");
+  scene.key("density", of_density.number(0, "density"));
+  scene.key("young_modulus", f.number(0, "Young's modulus"));
+  scene.key("poisson_ratio", f.number(1, "Poisson's ratio", 0.0));
+  if (plastic) write_plasticity(data, material, scene);
+}
+
+/// ALPHA of all materials, which has to be one.
+void write_damping(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& materials, TomlText& scene) {
+  std::set<double> factors;
+  const AbaqusBlock* last = nullptr;
+  for (const AbaqusBody& body : data.bodies) {
+    const AbaqusBlock* damping = materials.at(body.material).option("DAMPING");
+    factors.insert(damping == nullptr ? 0.0 : damping->number("ALPHA", 0.0));
+    if (damping == nullptr) continue;
+    last = damping;
+  }
+  if (factors.size() > 1) data.report.refuse(last->place, "*DAMPING, ALPHA of some materials alone");
+  if (last == nullptr || *factors.begin() == 0) return;
+  scene.table("damping");
+  scene.key("mass", *factors.begin());
+}
+
+/// Materials of no section, with their options.
+void tell_unused(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& materials) {
+  std::set<std::string> used;
+  for (const AbaqusBody& body : data.bodies) used.insert(body.material);
+  for (const auto& [key, material] : materials) {
+    if (used.contains(key)) continue;
+    data.report.unused(material.head->place, fmt::format("*MATERIAL {}, which no section with elements has", key));
+    for (const AbaqusBlock* block : material.options) {
+      if (block->log != nullptr) block->log->done(block);
+    }
+  }
+}
+
+}  // namespace
+
+void translate_abaqus_materials(AbaqusData& data, TomlText& scene) {
+  const std::map<std::string, AbaqusMaterial> materials = materials_of(data.deck);
+  std::set<std::string> written;
+  for (const AbaqusBody& body : data.bodies) {
+    const auto found = materials.find(body.material);
+    const AbaqusBlock& section = *data.mesh.sections[body.section].block;
+    if (found == materials.end())
+      fail_at(section.place, fmt::format("there is no *MATERIAL {}", section.require("MATERIAL")));
+  }
+  tell_unused(data, materials);
+  write_damping(data, materials, scene);
+  for (const AbaqusBody& body : data.bodies) {
+    if (written.insert(body.material).second) write_material(data, body.material, materials.at(body.material), scene);
+  }
+}
+
+}  // namespace pinball

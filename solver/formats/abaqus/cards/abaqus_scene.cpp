@@ -1,0 +1,102 @@
+#include "abaqus_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include <solver/base/error.hpp>
+#include <solver/mesh/file/input_file.hpp>
+
+#include "abaqus_parts.hpp"
+#include "abaqus_rules.hpp"
+#include "abaqus_unread.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// Whether a data line has more than so many fields, or there is another one.
+bool depends_on_more(const AbaqusBlock& block, std::size_t fields, bool one_line) {
+  DataLines lines(block);
+  for (int count = 0; const auto card = lines.next(); ++count) {
+    if (!DataFields(*card).blank(fields) || (one_line && count > 0)) return true;
+  }
+  return false;
+}
+
+/// The first kind of load of *DLOAD or *DSLOAD that is not done; empty: none.
+std::string refused_load(const AbaqusBlock& block) {
+  DataLines lines(block);
+  while (const auto card = lines.next()) {
+    const std::string kind = squeezed(DataFields(*card).text(1));
+    const bool face = kind.size() == 2 && kind[0] == 'P' && kind[1] >= '1' && kind[1] <= '6';
+    if (block.name == "DSLOAD" ? kind != "P" : kind != "GRAV" && !face) return block.star_name() + ", " + kind;
+  }
+  return "";
+}
+
+/// What of the data lines of a keyword is not done; empty: nothing.
+std::string refused_data(const AbaqusBlock& block) {
+  const std::string& name = block.name;
+  if (name == "ELEMENT" && abaqus_corners(block.option("TYPE")) == 0) return "*ELEMENT, TYPE=" + block.option("TYPE");
+  const bool depends = (name == "DENSITY" && depends_on_more(block, 1, true)) ||
+                       (name == "ELASTIC" && depends_on_more(block, 2, true)) ||
+                       (name == "SHEARFAILURE" && depends_on_more(block, 1, true)) ||
+                       ((name == "PLASTIC" || name == "RATEDEPENDENT") && depends_on_more(block, 2, false));
+  if (depends) return block.star_name() + " that depends on temperature or fields";
+  if (name == "DLOAD" || name == "DSLOAD") return refused_load(block);
+  if (name == "DAMPING" && block.number("BETA", 0.0) != 0) return "*DAMPING, BETA";
+  return "";
+}
+
+/// What each keyword is: the deck is refused as a whole, before its mesh is read.
+void sort_keywords(const AbaqusDeck& deck, bool lenient, DeckReport& report) {
+  for (const AbaqusBlock& block : deck.blocks) {
+    sort_abaqus_keyword(block, lenient, report);
+    if (const std::string what = refused_data(block); !what.empty()) report.refuse(block.place, what);
+  }
+}
+
+}  // namespace
+
+bool is_abaqus_deck(const std::string& path) {
+  return lower_case(std::filesystem::path(path).extension().string()) == ".inp";
+}
+
+TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& options) {
+  return translate_abaqus_text(bytes_of_file(path), path, options);
+}
+
+TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, const DeckOptions& options) {
+  if (options.chosen_case) throw InputError(path + ": --case is for LS-DYNA decks (.k, .key, .dyn)");
+  AbaqusDeck deck = parse_abaqus_deck(std::move(text), path);
+  ReadingLog log;
+  follow_reading(deck, log);
+  DeckReport report;
+  sort_keywords(deck, options.lenient, report);
+  report.require_all_done(path);
+  const AbaqusMesh mesh = abaqus_mesh(deck);
+  if (mesh.file.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT), there are none");
+  AbaqusData data(deck, mesh, report);
+
+  const std::string own_name = std::filesystem::path(path).filename().string();
+  TomlText scene, bodies, boundary;
+  scene.comment(fmt::format("{} as this program understands it.", own_name));
+  data.body_elements = abaqus_elements(data);
+  translate_abaqus_controls(data, scene);
+  const bool contact_said = translate_abaqus_contact(data, scene);
+  translate_abaqus_materials(data, scene);
+  translate_abaqus_bodies(data, options.name_in_scene.empty() ? own_name : options.name_in_scene, bodies);
+  translate_abaqus_boundary(data, boundary);
+  translate_abaqus_initial_velocities(data, boundary);
+  translate_abaqus_loads(data, boundary);
+  translate_abaqus_probes(data, boundary);
+  tell_unread(deck, log, report);
+  report.require_all_done(path);
+  scene.append(bodies);
+  scene.append(boundary);
+  return {scene.text(), report.understood(), report.ignored(), scene.origins(), contact_said};
+}
+
+}  // namespace pinball

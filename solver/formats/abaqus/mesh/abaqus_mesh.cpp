@@ -1,0 +1,245 @@
+#include "abaqus_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <solver/mesh/number_index.hpp>
+
+#include "abaqus_sets.hpp"
+
+namespace pinball {
+
+int abaqus_corners(const std::string& type) {
+  static const std::map<std::string, int> types{{"C3D8", 8}, {"C3D8R", 8}, {"C3D8I", 8},  {"C3D8H", 8}, {"C3D8S", 8},
+                                                {"C3D6", 6}, {"C3D6R", 6}, {"C3D8RH", 8}, {"C3D8IH", 8}};
+  const auto found = types.find(type);
+  return found == types.end() ? 0 : found->second;
+}
+
+namespace {
+
+/// Keywords that make nodes or elements in a way that is not read.
+bool makes_mesh(const std::string& name) {
+  static const std::set<std::string> names{"NGEN",   "NFILL",  "NCOPY",  "NMAP",      "ELGEN",
+                                           "ELCOPY", "SYSTEM", "IMPORT", "PARAMETER", "SUBMODEL"};
+  return names.contains(name);
+}
+
+std::size_t lines_of(const AbaqusBlock& block) {
+  std::size_t lines = 0;
+  for (const DataText& data : block.data) lines += std::ranges::count(data.text, '\n') + 1;
+  return lines;
+}
+
+class AbaqusMeshReader {
+ public:
+  explicit AbaqusMeshReader(const AbaqusDeck& deck) {
+    mesh_.components = abaqus_components(deck);
+    mesh_.sections = abaqus_sections(mesh_.components);
+    file_.path = deck.files.front();
+  }
+
+  AbaqusMesh read() {
+    reserve();
+    for (std::size_t c = 0; c < mesh_.components.size(); ++c) read_component(c);
+    AbaqusSets sets(mesh_.components, mesh_.ranges, file_, std::move(nodes_), std::move(elements_));
+    for (const NamedRange& set : named_) sets.add_range(set.component, set.of_nodes, set.name, set.first, set.last);
+    sets.read();
+    assign_parts(sets);
+    mesh_.keys = sets.name_all();
+    shift_numbers();
+    mesh_.file = std::move(file_);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Nodes or elements to which a keyword gives a name.
+  struct NamedRange {
+    std::size_t component;
+    bool of_nodes;
+    std::string name;
+    std::size_t first, last;
+  };
+
+  void reserve() {
+    std::size_t nodes = 0, elements = 0;
+    for (const AbaqusComponent& component : mesh_.components) {
+      for (const AbaqusBlock* block : component.blocks) {
+        if (block->name == "NODE") nodes += lines_of(*block);
+        if (block->name == "ELEMENT") elements += lines_of(*block);
+      }
+    }
+    file_.mesh.nodes.reserve(nodes);
+    file_.node_ids.reserve(nodes);
+    file_.mesh.hexahedra.reserve(elements);
+    file_.element_ids.reserve(elements);
+    file_.line.reserve(elements);
+  }
+
+  void read_component(std::size_t c) {
+    const AbaqusComponent& component = mesh_.components[c];
+    AbaqusRange range{file_.node_ids.size(), 0, file_.element_ids.size(), 0, 0};
+    for (const AbaqusBlock* block : component.blocks) {
+      if (makes_mesh(block->name)) fail_at(block->place, block->star_name() + " is not read");
+      if (block->name == "NODE") read_nodes(*block, c);
+    }
+    range.nodes = file_.node_ids.size() - range.first_node;
+    nodes_.push_back(index_of(file_.node_ids, range.first_node));
+    if (const std::int32_t twice = nodes_.back().repeated(); twice >= 0)
+      fail_twice(component, "NODE", "node", file_.node_ids[range.first_node + static_cast<std::size_t>(twice)]);
+    for (const AbaqusBlock* block : component.blocks) {
+      if (block->name == "ELEMENT") read_elements(*block, c, range.first_node);
+    }
+    range.elements = file_.element_ids.size() - range.first_element;
+    elements_.push_back(index_of(file_.element_ids, range.first_element));
+    if (const std::int32_t twice = elements_.back().repeated(); twice >= 0)
+      fail_twice(component, "ELEMENT", "element",
+                 file_.element_ids[range.first_element + static_cast<std::size_t>(twice)]);
+    mesh_.ranges.push_back(range);
+  }
+
+  static NumberIndex index_of(const std::vector<std::int64_t>& numbers, std::size_t first) {
+    if (first == 0) return NumberIndex(numbers);
+    return NumberIndex({numbers.begin() + static_cast<std::ptrdiff_t>(first), numbers.end()});
+  }
+
+  /// The line of the second one is looked for only now.
+  [[noreturn]] static void fail_twice(const AbaqusComponent& component, const char* keyword, const char* what,
+                                      std::int64_t number) {
+    std::optional<DeckPlace> first;
+    for (const AbaqusBlock* block : component.blocks) {
+      if (block->name != keyword) continue;
+      DataLines lines(*block);
+      while (const auto card = lines.next()) {
+        if (DataFields(*card).integer(0, "number") != number) continue;
+        if (first) fail_at(card->place, fmt::format("{} {} is given twice, first in {}", what, number, first->text()));
+        first = card->place;
+      }
+    }
+    fail_at(component.place, fmt::format("{} {} is given twice", what, number));
+  }
+
+  void read_nodes(const AbaqusBlock& block, std::size_t c) {
+    if (const std::string system = block.option("SYSTEM"); !system.empty() && system != "R")
+      fail_at(block.place, "*NODE with SYSTEM=" + system + " is not read");
+    const std::size_t first = file_.node_ids.size();
+    DataLines lines(block);
+    while (const auto card = lines.next()) {
+      const DataFields f(*card);
+      file_.node_ids.push_back(f.integer(0, "node"));
+      const Point x{f.number(1, "x", 0.0), f.number(2, "y", 0.0), f.number(3, "z", 0.0)};
+      file_.mesh.nodes.push_back(mesh_.components[c].placement.apply(x));
+    }
+    if (const auto name = block.value("NSET")) named_.push_back({c, true, *name, first, file_.node_ids.size()});
+  }
+
+  void read_elements(const AbaqusBlock& block, std::size_t c, std::size_t first_node) {
+    const std::string type = squeezed(block.require("TYPE"));
+    const int corners = abaqus_corners(type);
+    if (corners == 0)
+      fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6", type));
+    const std::size_t first = file_.element_ids.size();
+    mesh_.types.push_back({first, type});
+    DataLines lines(block);
+    while (const auto card = lines.next()) read_element(*card, lines, static_cast<std::size_t>(corners), first_node);
+    if (const auto name = block.value("ELSET")) named_.push_back({c, false, *name, first, file_.element_ids.size()});
+  }
+
+  /// Number and nodes, which may take several lines; those but the last end in a comma.
+  void read_element(DataLine card, DataLines& lines, std::size_t corners, std::size_t first_node) {
+    const DeckPlace place = card.place;
+    std::array<std::int64_t, 9> numbers{};
+    std::size_t count = 0;
+    while (true) {
+      const DataFields f(card);
+      for (std::size_t i = 0; i < 20 && !f.blank(i); ++i) {
+        if (count == corners + 1)
+          fail_at(card.place, fmt::format("element {}: expected {} nodes, got more", numbers[0], corners));
+        numbers[count++] = f.integer(i, "number");
+      }
+      if (count == corners + 1 || !goes_on(card.text)) break;
+      card = lines.require("the rest of an element");
+    }
+    if (count != corners + 1)
+      fail_at(place, fmt::format("element {}: expected {} nodes, got {}", numbers[0], corners, count - 1));
+    add_element(numbers, corners, first_node, place);
+  }
+
+  void add_element(const std::array<std::int64_t, 9>& numbers, std::size_t corners, std::size_t first_node,
+                   const DeckPlace& place) {
+    static constexpr std::array<std::size_t, 8> of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_wedge{0, 1, 2, 2, 3, 4, 5, 5};
+    std::array<std::int32_t, 8> hexahedron{};
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::int64_t number = numbers[1 + (corners == 8 ? of_hexahedron : of_wedge)[i]];
+      const std::int32_t node = nodes_.back().find(number);
+      if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
+      hexahedron[i] = node + static_cast<std::int32_t>(first_node);
+    }
+    file_.element_ids.push_back(numbers[0]);
+    file_.line.push_back(static_cast<std::int32_t>(place.line));
+    file_.mesh.hexahedra.push_back(hexahedron);
+  }
+
+  /// Sections first; what is in none belongs to its instance as such.
+  void assign_parts(AbaqusSets& sets) {
+    file_.part.assign(file_.element_ids.size(), -1);
+    for (const AbaqusSection& section : mesh_.sections) {
+      const auto part = static_cast<std::int32_t>(file_.parts.size());
+      file_.parts.push_back({0, section.part});
+      const std::string set = section.block->require("ELSET");
+      for (const std::int32_t e : sets.members(section.component, false, set, section.block->place)) {
+        if (file_.part[e] >= 0 && file_.part[e] != part)
+          fail_at(section.block->place,
+                  fmt::format("*SOLID SECTION: element {} is in that of {}, too, {}", file_.element_ids[e],
+                              file_.parts[file_.part[e]].name, mesh_.sections[file_.part[e]].block->place.text()));
+        file_.part[e] = part;
+      }
+    }
+    for (std::size_t c = 0; c < mesh_.components.size(); ++c) {
+      std::int32_t rest = -1;
+      const AbaqusRange& range = mesh_.ranges[c];
+      for (std::size_t e = range.first_element; e < range.first_element + range.elements; ++e) {
+        if (file_.part[e] >= 0) continue;
+        if (rest < 0) {
+          rest = static_cast<std::int32_t>(file_.parts.size());
+          file_.parts.push_back({0, mesh_.components[c].name});
+        }
+        file_.part[e] = rest;
+      }
+    }
+  }
+
+  void shift_numbers() {
+    std::int64_t largest = 0, unit = 10;
+    std::size_t filled = 0;
+    for (const AbaqusRange& range : mesh_.ranges) filled += range.nodes > 0 ? 1 : 0;
+    if (filled < 2) return;
+    for (const auto* numbers : {&file_.node_ids, &file_.element_ids}) {
+      for (const std::int64_t number : *numbers) largest = std::max(largest, number);
+    }
+    while (unit <= largest && unit < 1'000'000'000'000'000) unit *= 10;
+    std::int64_t added = 0;
+    for (AbaqusRange& range : mesh_.ranges) {
+      if (range.nodes == 0) continue;
+      range.added = added;
+      for (std::size_t n = 0; n < range.nodes; ++n) file_.node_ids[range.first_node + n] += added;
+      for (std::size_t e = 0; e < range.elements; ++e) file_.element_ids[range.first_element + e] += added;
+      added += unit;
+    }
+  }
+
+  AbaqusMesh mesh_;
+  MeshFile file_;
+  std::vector<NumberIndex> nodes_, elements_;  ///< per component, places counted from its first
+  std::vector<NamedRange> named_;
+};
+
+}  // namespace
+
+AbaqusMesh abaqus_mesh(const AbaqusDeck& deck) { return AbaqusMeshReader(deck).read(); }
+
+}  // namespace pinball

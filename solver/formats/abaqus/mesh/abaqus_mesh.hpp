@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <solver/formats/abaqus/scan/abaqus_assembly.hpp>
+#include <solver/formats/abaqus/scan/abaqus_deck.hpp>
+#include <solver/mesh/mesh_file.hpp>
+
+namespace pinball {
+
+/// Where the nodes and elements of a component are in the mesh, and what its numbers become there.
+struct AbaqusRange {
+  std::size_t first_node = 0, nodes = 0, first_element = 0, elements = 0;
+  std::int64_t added = 0;  ///< to its numbers: those of several instances are told apart
+};
+
+/// Elements of one type that stand together, up to the first of the next.
+struct AbaqusElements {
+  std::size_t first = 0;
+  std::string type;  ///< without case and blanks: "C3D8R"
+};
+
+/// Labels of the sets of a mesh, one per set, as label_key has them.
+struct AbaqusKeys {
+  std::vector<std::string> node_sets, element_sets, face_sets;
+};
+
+/// The mesh of Abaqus input, and what is needed to find things in it by the deck's own labels.
+struct AbaqusMesh {
+  MeshFile file;
+  std::vector<AbaqusComponent> components;
+  std::vector<AbaqusSection> sections;  ///< as the first of `file.parts`
+  std::vector<AbaqusRange> ranges;      ///< per component
+  std::vector<AbaqusElements> types;
+  AbaqusKeys keys;
+};
+
+/// NODE, ELEMENT (C3D8 and its kin; C3D6 as collapsed hexahedra), NSET, ELSET, SURFACE, in parts, instances and the
+/// assembly. Parts of the mesh are sections of instances; elements of no section are a part named for the instance.
+/// Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing else is named so; labels that are
+/// written alike but for quotes by their keys. With more than
+/// one component numbers of the second begin behind a power of ten, and so on. Throws InputError "FILE:LINE: ...".
+AbaqusMesh abaqus_mesh(const AbaqusDeck& deck);
+
+/// Corners of a C3D8 or C3D6 element; 0: not such a type. type: without case and blanks.
+int abaqus_corners(const std::string& type);
+
+/// Face of a hexahedron, as face_nodes of kernels/hexahedron.hpp numbers them, that Abaqus calls S1 to S6 (of a wedge
+/// S1 to S5); -1: none.
+int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, int number);
+
+/// Its corners, counterclockwise from outside; of a triangle the last one stands twice.
+std::array<std::int32_t, 4> corners_of_face(const std::array<std::int32_t, 8>& hexahedron, int face);
+
+}  // namespace pinball

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "toml_text.hpp"
+
+namespace pinball {
+
+/// Hourglass control and bulk viscosity of a part, as a scene has them.
+struct DeckElement {
+  std::string hourglass;
+  double coefficient = 0, quadratic_viscosity = 0, linear_viscosity = 0;
+
+  bool operator==(const DeckElement&) const = default;
+};
+
+/// [element] of the scene, and that of a body which has its own.
+void write_element(const DeckElement& element, TomlText& scene);
+void write_body_element(const DeckElement& element, TomlText& scene);
+
+}  // namespace pinball

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include <solver/formats/deck/translated_deck.hpp>
+
+/// Decks of other programs, whichever.
+namespace pinball {
+
+/// Whether a path is that of a deck by its ending: .k, .key, .dyn, .inp.
+bool is_any_deck(const std::string& path);
+
+/// The deck as a scene; its file is read once. Throws InputError, also for a scene, or the deck of another program, by
+/// the name of a deck.
+TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options);
+
+}  // namespace pinball

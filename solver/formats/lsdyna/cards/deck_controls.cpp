@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <solver/formats/lsdyna/layouts/contact_cards.hpp>
+#include <solver/formats/lsdyna/layouts/control_cards.hpp>
+
+#include "deck_parts.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// DT2MS < 0: elements whose stable step is below its amount get mass; > 0: mass is added to all and taken from all, so
+/// that this is the step of each. The step of the run is TSSFAC times it.
+void write_mass_scaling(DeckData& data, const Fields& f, double factor, TomlText& scene) {
+  const double dt2ms = f.number("DT2MS");
+  const auto second = last_card(data, "CONTROL_TIMESTEP", 1), third = last_card(data, "CONTROL_TIMESTEP", 2);
+  if (third) data.fields(*third, layout::timestep_more);
+  if (second) {
+    const Fields more = data.fields(*second, layout::timestep_scaling);
+    if (dt2ms != 0 && more.integer("IMSCL") != 0)
+      data.report.refuse(second->place, "*CONTROL_TIMESTEP with selective mass scaling (IMSCL)",
+                         "leave it 0: mass is added to nodes");
+  }
+  if (dt2ms == 0) return;
+  scene.key("smallest_step", factor * std::abs(dt2ms));
+  if (dt2ms > 0) scene.key("mass_scaling", "all");
+  if (dt2ms < 0 && f.integer("MS1ST") == 0)
+    data.report.understood(
+        fmt::format("*CONTROL_TIMESTEP ({}): mass is added at the start, and not again where "
+                    "elements become smaller (as with MS1ST = 1)",
+                    f.place().text()));
+}
+
+void write_time(DeckData& data, TomlText& scene) {
+  const auto termination = last_card(data, "CONTROL_TERMINATION");
+  if (!termination)
+    fail_at({std::make_shared<const std::string>(data.mesh.path), 1},
+            "expected *CONTROL_TERMINATION with the time of the end");
+  const Fields end = data.fields(*termination, layout::termination);
+  scene.table("time");
+  scene.from("*CONTROL_TERMINATION", termination->place.text());
+  scene.key("end", end.number("ENDTIM"));
+  if (const std::int64_t cycles = end.integer("ENDCYC"); cycles > 0) scene.key("steps", cycles);
+  const auto step = last_card(data, "CONTROL_TIMESTEP");
+  if (!step) return;
+  const Fields f = data.fields(*step, layout::timestep);
+  const double given = f.number("TSSFAC"), factor = given == 0 ? 0.9 : given;
+  scene.from("*CONTROL_TIMESTEP", step->place.text());
+  scene.key("cfl", factor);
+  write_mass_scaling(data, f, factor, scene);
+}
+
+void write_damping(DeckData& data, TomlText& scene) {
+  const auto card = last_card(data, "DAMPING_GLOBAL");
+  if (!card) return;
+  const Fields f = data.fields(*card, layout::damping);
+  const Point factors = f.point("STX");
+  if (factors[1] != factors[0] || factors[2] != factors[0]) {
+    data.report.refuse(card->place, "*DAMPING_GLOBAL with STX, STY and STZ that differ",
+                       "damping has no direction: give one factor for all");
+    return;
+  }
+  const double value = f.number("VALDMP");
+  scene.table("damping");
+  scene.key("mass", factors[0] == 0 ? value : factors[0] * value);  // all blank: 1
+}
+
+void write_output(DeckData& data, TomlText& scene) {
+  double rows = std::numeric_limits<double>::infinity();
+  for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"}) {
+    const auto card = last_card(data, std::string("DATABASE_") + name);
+    if (!card) continue;
+    const double interval = data.fields(*card, layout::ascii).number("DT");
+    if (interval > 0) rows = std::min(rows, interval);
+  }
+  scene.table("output");
+  if (std::isfinite(rows)) scene.key("interval", rows);
+  if (last_card(data, "DATABASE_MATSUM")) scene.key("body_energies", true);
+  if (const auto card = last_card(data, "DATABASE_BINARY_D3PLOT")) {
+    if (const auto more = last_card(data, "DATABASE_BINARY_D3PLOT", 1)) data.fields(*more, layout::plot_more);
+    const double interval = data.fields(*card, layout::plot).number("DT");
+    if (interval > 0) scene.key("field_interval", interval);
+  }
+}
+
+}  // namespace
+
+void translate_controls(DeckData& data, TomlText& scene) {
+  const auto title = last_card(data, "TITLE");
+  scene.key("title", title ? std::string(trimmed(title->text)) : std::string());
+  scene.key("units", "");
+  for (int i = 0; i < static_cast<int>(layout::control_contact.size()); ++i) {
+    if (const auto card = last_card(data, "CONTROL_CONTACT", i))
+      data.fields(*card, *layout::control_contact[static_cast<std::size_t>(i)]);
+  }
+  if (const auto card = last_card(data, "CONTROL_SOLUTION")) data.fields(*card, layout::solution);
+  write_time(data, scene);
+  data.part_elements = deck_elements(data);
+  write_element(data.part_elements.front(), scene);
+  write_damping(data, scene);
+  write_output(data, scene);
+}
+
+}  // namespace pinball

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <solver/formats/deck/toml_text.hpp>
+
+#include "deck_data.hpp"
+
+/// Keywords of a deck as tables of a scene, one function per kind. What cannot be done goes to data.report; what is
+/// wrong is an InputError "FILE:LINE: ...".
+namespace pinball {
+
+/// Of each of data.parts; those of the first are [element] of the scene.
+std::vector<DeckElement> deck_elements(DeckData& data);
+
+/// A card of the last keyword of a name, which is the one that counts: the first, or one `number` after it; none: the
+/// deck has none.
+std::optional<Card> last_card(const DeckData& data, const std::string& name, int number = 0);
+
+/// Number of a *MAT_... .
+std::int64_t material_number(const DeckData& data, const KeywordBlock& block);
+/// *MAT_...: a [[material]] each, named mat_NUMBER; those that no part has are left out.
+void translate_material(DeckData& data, const KeywordBlock& block, TomlText& scene);
+
+/// A [[body]] for each part that has solids; mesh: keys that say where the mesh is.
+void translate_parts(DeckData& data, const std::string& mesh, TomlText& scene);
+
+/// *NODE: constraints of TC, all nodes of one code together.
+void translate_node_codes(DeckData& data, TomlText& scene);
+/// *BOUNDARY_SPC_NODE, _SET: those with the same directions together.
+void translate_single_point_constraints(DeckData& data, TomlText& scene);
+void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_velocity_generation(DeckData& data, const KeywordBlock& block, TomlText& scene);
+/// Where there are several kinds of initial velocities.
+void tell_order_of_velocities(DeckData& data);
+/// count: how many there are so far, all of which have names.
+void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, TomlText& scene);
+void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
+/// *LOAD_SEGMENT: faces of the same load together; and of a set.
+void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_body_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
+
+/// All contact keywords together: [contact]. Returns whether any says what touches.
+bool translate_contact(DeckData& data, TomlText& scene);
+/// CONTROL, DAMPING, DATABASE: title, [time], [element], [damping], [output].
+void translate_controls(DeckData& data, TomlText& scene);
+/// *DATABASE_HISTORY_NODE, _SOLID and sets of these: a [[probe]] each.
+void translate_probes(DeckData& data, TomlText& scene);
+
+}  // namespace pinball

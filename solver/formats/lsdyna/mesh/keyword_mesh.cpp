@@ -1,0 +1,215 @@
+#include "keyword_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include <solver/base/error.hpp>
+#include <solver/formats/deck/given_once.hpp>
+#include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
+#include <solver/formats/lsdyna/scan/fields.hpp>
+#include <solver/mesh/number_index.hpp>
+
+#include "keyword_segments.hpp"
+#include "keyword_sets.hpp"
+#include "keyword_transformation.hpp"
+
+namespace pinball {
+
+namespace {
+
+class KeywordMeshReader {
+ public:
+  explicit KeywordMeshReader(const KeywordDeck& deck) : deck_(deck), transformations_(deck) {}
+
+  MeshFile read() {
+    file_.path = deck_.files.front();
+    for (const KeywordBlock& block : deck_.blocks) {
+      require_readable(block);
+      if (block.name == "NODE") read_nodes(block);
+      if (is_part(block)) read_parts(block);
+    }
+    check_node_numbers();
+    nodes_ = NumberIndex(file_.node_ids);
+    for (const KeywordBlock& block : deck_.blocks) {
+      if (block.name == "ELEMENT_SOLID") read_solids(block);
+    }
+    require_no_tetrahedra();
+    check_element_numbers();
+    if (!file_.held.empty()) file_.held.resize(file_.node_ids.size(), 0);
+    KeywordSets(deck_, file_, nodes_).read();
+    read_keyword_segments(deck_, nodes_, file_);
+    return std::move(file_);
+  }
+
+ private:
+  // Places in the layouts of lines of which there are many.
+  static constexpr std::size_t nid = layout::node.find("NID"), x_of = layout::node.find("X"),
+                               tc = layout::node.find("TC"), rc = layout::node.find("RC"),
+                               eid = layout::solid.find("EID"), pid = layout::solid.find("PID"),
+                               n1 = layout::solid.find("N1");
+
+  struct Run {
+    std::size_t first;
+    const KeywordBlock* block;
+  };
+
+  /// What would make another mesh, if it were passed over.
+  static void require_readable(const KeywordBlock& block) {
+    const std::string& name = block.name;
+    const bool readable = name == "ELEMENT_SOLID" || name == "NODE";
+    if (!readable && (name.starts_with("ELEMENT_SOLID") || name.starts_with("NODE_") || name.starts_with("INCLUDE")))
+      fail_at(block.place, block.star_name() + " is not read");
+  }
+
+  void read_nodes(const KeywordBlock& block) {
+    const Transformation* moved = transformations_.of(block);
+    const std::int64_t add = offset_of(block, &DeckTransform::node);
+    node_blocks_.push_back({file_.node_ids.size(), &block});
+    Cards cards(block);
+    while (const auto card = cards.next_filled()) {
+      const Fields fields(*card, deck_.parameters, layout::node);
+      file_.node_ids.push_back(fields.integer(nid) + add);
+      const Point given{fields.number(x_of), fields.number(x_of + 1), fields.number(x_of + 2)};
+      file_.mesh.nodes.push_back(moved != nullptr ? moved->apply(given) : given);
+      hold(fields);
+    }
+  }
+
+  /// TC: which directions of the node just read are held.
+  void hold(const Fields& fields) {
+    static constexpr std::uint8_t directions_of_code[8] = {0, 1, 2, 4, 3, 6, 5, 7};
+    if (fields.integer(rc) != 0) ++file_.held_rotations;
+    const std::int64_t code = fields.integer(tc);
+    if (code == 0) return;
+    file_.held.resize(file_.node_ids.size(), 0);
+    file_.held.back() = directions_of_code[code];
+  }
+
+  void read_parts(const KeywordBlock& block) {
+    const auto read = [&](const Card& title, const Card& card) {
+      const std::int64_t id =
+          Fields(card, deck_.parameters, layout::part).integer("PID") + offset_of(block, &DeckTransform::part);
+      given_.add(fmt::format("part {}", id), card.place, block.of_case);
+      std::string_view name = trimmed(title.text);
+      if (deck_integer(name)) name = {};  // parts are found by their numbers, which no title takes away
+      file_.parts[static_cast<std::size_t>(part_of(id))].name = std::string(name);
+    };
+    for_each_part(block, read, [](const Card&) {});
+  }
+
+  std::int32_t part_of(std::int64_t id) {
+    const auto [found, is_new] = part_places_.try_emplace(id, static_cast<std::int32_t>(file_.parts.size()));
+    if (is_new) file_.parts.push_back({id, ""});
+    return found->second;
+  }
+
+  /// Number, part and eight nodes in one line; or the nodes, of which there may be ten, in the next one.
+  void read_solids(const KeywordBlock& block) {
+    const std::int64_t to_node = offset_of(block, &DeckTransform::node),
+                       to_element = offset_of(block, &DeckTransform::element),
+                       to_part = offset_of(block, &DeckTransform::part);
+    const Transformation* moved = transformations_.of(block);
+    const bool mirrored = moved != nullptr && moved->determinant() < 0;
+    file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), *block.place.file});
+    Cards cards(block);
+    while (const auto card = cards.next_filled()) {
+      const Fields head(*card, deck_.parameters, layout::solid);
+      file_.element_ids.push_back(head.integer(eid) + to_element);
+      const std::int32_t part = part_of(head.integer(pid) + to_part);
+      file_.part.push_back(part);
+      file_.line.push_back(static_cast<std::int32_t>(card->place.line));
+      bool one_line = false;
+      for (std::size_t i = n1; i < 10; ++i) one_line |= !head.blank(i);
+      if (one_line) {
+        add_solid(head, n1, to_node, mirrored);
+      } else {
+        const Card nodes = cards.require("the nodes of an element");
+        add_solid(Fields(nodes, deck_.parameters, layout::solid_nodes), 0, to_node, mirrored);
+      }
+    }
+  }
+
+  void add_solid(const Fields& fields, std::size_t first, std::int64_t to_node, bool mirrored) {
+    std::array<std::int32_t, 8> corners{};
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::int64_t id = fields.integer(first + i);
+      if (id == 0) return add_tetrahedron(fields);
+      corners[i] = nodes_.find(id + to_node);
+      if (corners[i] < 0) fail_element(fields, fmt::format("has node {}, which is not there", id + to_node));
+    }
+    for (std::size_t i = 8; first == 0 && i < 10; ++i) {
+      if (fields.integer(i) != 0) return add_tetrahedron(fields);
+    }
+    if (different(corners) <= 4) return add_tetrahedron(fields);
+    if (mirrored) std::swap_ranges(corners.begin(), corners.begin() + 4, corners.begin() + 4);
+    file_.mesh.hexahedra.push_back(corners);
+  }
+
+  /// All of them are counted before they are refused.
+  void add_tetrahedron(const Fields& fields) {
+    if (tetrahedra_++ == 0) first_tetrahedron_ = {fields.place(), file_.element_ids.back()};
+    file_.mesh.hexahedra.push_back({});
+  }
+
+  void require_no_tetrahedra() const {
+    if (tetrahedra_ == 0) return;
+    const auto& [place, number] = first_tetrahedron_;
+    fail_at(place,
+            fmt::format("*ELEMENT_SOLID: {} tetrahedr{} not read, the first is element {}: mesh these parts with "
+                        "hexahedra, wedges or pyramids",
+                        tetrahedra_, tetrahedra_ == 1 ? "on is" : "a are", number));
+  }
+
+  static std::size_t different(std::array<std::int32_t, 8> corners) {
+    std::sort(corners.begin(), corners.end());
+    return static_cast<std::size_t>(std::unique(corners.begin(), corners.end()) - corners.begin());
+  }
+
+  [[noreturn]] void fail_element(const Fields& fields, const std::string& problem) const {
+    fail_at(fields.place(), fmt::format("*ELEMENT_SOLID: element {} {}", file_.element_ids.back(), problem));
+  }
+
+  void check_element_numbers() const {
+    const std::int32_t repeated = NumberIndex(file_.element_ids).repeated();
+    if (repeated < 0) return;
+    const std::int64_t number = file_.element_ids[static_cast<std::size_t>(repeated)];
+    const auto first = std::ranges::find(file_.element_ids, number) - file_.element_ids.begin();
+    throw InputError(fmt::format("{}: element {} is given twice, first in {}", place_of_element(file_, repeated),
+                                 number, place_of_element(file_, static_cast<std::int32_t>(first))));
+  }
+
+  void check_node_numbers() const {
+    const std::int32_t repeated = NumberIndex(file_.node_ids).repeated();
+    if (repeated < 0) return;
+    const std::int64_t number = file_.node_ids[static_cast<std::size_t>(repeated)];
+    const auto first = static_cast<std::size_t>(std::ranges::find(file_.node_ids, number) - file_.node_ids.begin());
+    fail_at(place_of_node(static_cast<std::size_t>(repeated)),
+            fmt::format("node {} is given twice, first in {}", number, place_of_node(first).text()));
+  }
+
+  DeckPlace place_of_node(std::size_t node) const {
+    const auto is_later = [node](const Run& run) { return run.first > node; };
+    const Run& run = *(std::ranges::find_if(node_blocks_, is_later) - 1);
+    Cards cards(*run.block);
+    for (auto i = run.first; i < node; ++i) cards.next_filled();
+    return cards.next_filled()->place;
+  }
+
+  const KeywordDeck& deck_;
+  Transformations transformations_;
+  MeshFile file_;
+  NumberIndex nodes_;
+  std::map<std::int64_t, std::int32_t> part_places_;
+  GivenOnce given_;
+  std::size_t tetrahedra_ = 0;
+  std::pair<DeckPlace, std::int64_t> first_tetrahedron_;
+  std::vector<Run> node_blocks_;
+};
+
+}  // namespace
+
+MeshFile keyword_mesh(const KeywordDeck& deck) { return KeywordMeshReader(deck).read(); }
+
+}  // namespace pinball

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <solver/formats/lsdyna/scan/keyword_deck.hpp>
+#include <solver/mesh/mesh_file.hpp>
+
+namespace pinball {
+
+/// The mesh of a keyword deck: NODE, ELEMENT_SOLID (both layouts; wedges and pyramids as collapsed hexahedra), PART,
+/// and the sets of nodes, solids and segments. Keywords that say nothing of a mesh are passed over. Throws InputError
+/// "FILE:LINE: ..." for a number that is given twice, a node that is not there, a tetrahedron.
+MeshFile keyword_mesh(const KeywordDeck& deck);
+
+}  // namespace pinball

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <solver/mesh/mesh_file.hpp>
+#include <solver/mesh_settings.hpp>
+
+namespace pinball {
+
+/// Reads the file of a mesh, with its coordinates scaled. parts: which are needed ("": all). Throws InputError for a
+/// number that two nodes, or two elements, of different content have.
+MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts);
+
+/// The file itself, and those that it includes.
+std::vector<std::string> files_of(const FileMesh& settings);
+
+}  // namespace pinball

@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include <solver/formats/abaqus/cards/abaqus_scene.hpp>
+#include <tests/support/solver_case.hpp>
+
+/// The decks in data/decks/abaqus, one per group of keywords, against what is known of each.
+namespace pinball::test {
+namespace {
+
+class AbaqusDecks : public testing::Test {
+ protected:
+  /// A deck that has run to its end.
+  const Solver<double>& run_of(const std::string& name) {
+    const std::string path = PINBALL_SOURCE_DIR "/data/decks/abaqus/" + name + ".inp";
+    solver_.emplace(read_scene(SceneSource{path, translate_abaqus(path).scene, {}}));
+    run_to_end(*solver_);
+    return *solver_;
+  }
+  static double stress(const Solver<double>& solver, std::size_t element) {
+    const auto s = stress_of(solver, element);
+    return s[2] - (s[0] + s[1]) / 2;  // drawn along z
+  }
+  static RunSummary summarize(const Solver<double>& solver) {
+    RunSummary summary;
+    fill_summary(solver, summary);
+    return summary;
+  }
+  static Point velocity(const Solver<double>& solver, std::size_t body) {
+    return summarize(solver).bodies[body].velocity;
+  }
+
+  std::optional<Solver<double>> solver_;
+};
+
+/// The strain is the logarithm of the length; what of it is not elastic is plastic, and the stress is that of the
+/// table.
+TEST_F(AbaqusDecks, TensionFollowsTheTable) {
+  const Solver<double>& solver = run_of("tension");
+  const double strain = summarize(solver).bodies[0].max_plastic_strain;
+  EXPECT_NEAR(strain, std::log(1.1) - stress(solver, 0) / 210000, 2e-5);
+  EXPECT_NEAR(stress(solver, 0), 400 + 30 * (strain - 0.08) / 0.12, 0.5);
+}
+
+/// One rate in all: 100 over the length, which has become 1.05.
+TEST_F(AbaqusDecks, RatesRaiseTheYieldStress) {
+  const Solver<double>& solver = run_of("rates");
+  const double rate = 100 / 1.05;
+  const auto strain = [&](std::size_t body) { return summarize(solver).bodies[body].max_plastic_strain; };
+  EXPECT_NEAR(stress(solver, 0) / (1e6 * (1 + std::pow(rate / 40, 0.2))), 1, 0.01);
+  EXPECT_NEAR(stress(solver, 1) / (1e6 * (1 + rate / 200)), 1, 0.01);
+  EXPECT_NEAR(stress(solver, 2) / (1e6 + 2e6 * rate / 200 + 1e7 * strain(2)), 1, 0.01);
+  EXPECT_NEAR(stress(solver, 3) / (1e6 + 1e7 * strain(3)), 1, 0.01);
+}
+
+/// What acts on a free body, integrated over time, over its mass.
+TEST_F(AbaqusDecks, LoadsGiveTheirMomentum) {
+  const Solver<double>& solver = run_of("loads");
+  const Point expected[3] = {{0.06, 0, -0.1}, {2, -1, -0.1}, {0, -0.04, -0.1}};
+  for (std::size_t body = 0; body < 3; ++body) {
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(velocity(solver, body)[k], expected[body][k], 1e-9) << body << k;
+  }
+}
+
+/// Both move as one, damped by exp(-alpha t); wedges have half of a cube each.
+TEST_F(AbaqusDecks, SectionsStayJoined) {
+  const Solver<double>& solver = run_of("sections");
+  EXPECT_NEAR(summarize(solver).bodies[0].mass_initial, 8e-9, 1e-20);
+  EXPECT_NEAR(summarize(solver).bodies[1].mass_initial, 2e-9, 1e-20);
+  EXPECT_EQ(solver.mesh().nodes.size(), 12u);
+  for (const std::size_t body : {0, 1}) EXPECT_NEAR(velocity(solver, body)[2], 1000 * std::exp(-0.1), 1e-3) << body;
+}
+
+/// Equal bars exchange their velocities, but for what the front of the wave loses to viscosity.
+TEST_F(AbaqusDecks, ImpactExchangesVelocities) {
+  const Solver<double>& solver = run_of("impact");
+  EXPECT_NEAR(velocity(solver, 0)[2] + velocity(solver, 1)[2], -10000, 1e-6);
+  EXPECT_NEAR(velocity(solver, 0)[2], -10000, 400);
+}
+
+/// The same by a pair of surfaces, while a third bar goes through one of them.
+TEST_F(AbaqusDecks, PairsTouchAndOthersDoNot) {
+  const Solver<double>& solver = run_of("pairs");
+  EXPECT_NEAR(velocity(solver, 0)[2] + velocity(solver, 1)[2], -10000, 1e-6);
+  EXPECT_NEAR(velocity(solver, 0)[2], -10000, 400);
+  EXPECT_NEAR(velocity(solver, 2)[2], 10000, 1e-6);
+}
+
+/// And by general contact, where one pair of bars is excluded.
+TEST_F(AbaqusDecks, WhatIsExcludedGoesThrough) {
+  const Solver<double>& solver = run_of("exclusions");
+  EXPECT_NEAR(velocity(solver, 0)[2] + velocity(solver, 1)[2], -10000, 1e-6);
+  EXPECT_NEAR(velocity(solver, 0)[2], -10000, 400);
+  EXPECT_NEAR(velocity(solver, 2)[2], 10000, 1e-6);
+}
+
+/// Nodes and an element by their instances.
+TEST_F(AbaqusDecks, HistoryWatchesNodesAndElements) {
+  const std::vector<ProbeResult> probes = summarize(run_of("history")).probes;
+  ASSERT_EQ(probes.size(), 3u);
+  const auto value = [](const ProbeResult& probe, const std::string& quantity) {
+    for (const ProbeValue& one : probe.values) {
+      if (one.quantity == quantity) return one.value;
+    }
+    return std::nan("");
+  };
+  EXPECT_EQ(probes[0].name, "node_A_7");
+  EXPECT_NEAR(value(probes[0], "displacement_x"), 0.02, 1e-12);
+  EXPECT_EQ(probes[1].name, "node_B_2");
+  EXPECT_NEAR(value(probes[1], "displacement_z"), -0.04, 1e-12);
+  EXPECT_EQ(probes[2].name, "element_B_1");
+  EXPECT_EQ(value(probes[2], "plastic_strain"), 0);
+}
+
+/// What the second step lets go goes on as it was, and what it moves follows its amplitude, which begins with it.
+TEST_F(AbaqusDecks, StepsFollowEachOther) {
+  const Solver<double>& solver = run_of("steps");
+  EXPECT_NEAR(velocity(solver, 0)[0], 3, 1e-9);
+  EXPECT_NEAR(velocity(solver, 0)[2], 4, 1e-9);
+  EXPECT_NEAR(position_of(solver, 0)[0], 3 * 0.02 / 2, 1e-3);
+  EXPECT_NEAR(position_of(solver, 0)[2], 4 * 0.03, 1e-9);
+}
+
+/// What is tied stays together, and keeps its momentum.
+TEST_F(AbaqusDecks, TiedBarsStayTogether) {
+  const Solver<double>& solver = run_of("tied");
+  EXPECT_NEAR(velocity(solver, 0)[2] + velocity(solver, 1)[2], 10000, 1e-6);
+  const std::size_t tip = 80, base = 84;  // the first nodes of the last layer of one, and of the first of the other
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(position_of(solver, tip + i)[2], position_of(solver, base + i)[2], 1e-9) << i;
+  EXPECT_GT(position_of(solver, base)[2], 10.01) << "both have been drawn";
+}
+
+/// Pressure times area over time, against the outward normal.
+TEST_F(AbaqusDecks, PressureGivesItsMomentum) {
+  const Solver<double>& solver = run_of("pressure");
+  const Point expected[3] = {{0, 0, -0.015}, {-0.02, 0, 0}, {0, 0, -0.1}};
+  for (std::size_t body = 0; body < 3; ++body) {
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(velocity(solver, body)[k], expected[body][k], 1e-7) << body << k;
+  }
+}
+
+}  // namespace
+}  // namespace pinball::test

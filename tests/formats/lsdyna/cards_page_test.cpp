@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <solver/formats/lsdyna/layouts/keyword_cards.hpp>
+
+/// docs/cards.md shows the table of cards. PINBALL_FIX_PAGES=1 in the environment writes it anew.
+namespace pinball::test {
+namespace {
+
+/// "`SFA` = 1 (20 columns)"
+std::string field_text(const CardField& field) {
+  std::string text = fmt::format("`{}`", field.name);
+  if (field.type == FieldType::number || field.type == FieldType::whole) {
+    if (field.otherwise != 0) text += fmt::format(" = {:g}", field.otherwise);
+  } else if (!field.word.empty()) {
+    text += fmt::format(" = {}", field.word);
+  }
+  if (field.width != 10) text += fmt::format(" ({})", field.width);
+  return text;
+}
+
+std::string fields_of(const CardLayout& layout, FieldUse use) {
+  std::string text;
+  for (const CardField& field : layout) {
+    if (!field.name.empty() && field.use == use) text += (text.empty() ? "" : ", ") + field_text(field);
+  }
+  return text;
+}
+
+std::string row_of(const std::string& keywords, std::size_t line, const CardLayout& layout) {
+  return fmt::format("| {} | {} | {} | {} | {} |\n", keywords, line, fields_of(layout, FieldUse::used),
+                     fields_of(layout, FieldUse::told), fields_of(layout, FieldUse::refused));
+}
+
+std::string page_text() {
+  std::string text =
+      "# Fields of the cards of LS-DYNA decks\n\n"
+      "All cards that are read, by the table that reads them (`solver/formats/lsdyna/layouts/`);\n"
+      "`tests/formats/lsdyna/cards_page_test.cpp` makes this page. Behind a field stands its default "
+      "where that is not 0 or blank,\n"
+      "in parentheses how many columns it has where those are not 10. What a card says other than the "
+      "default of a field that is\n"
+      "not used is told by the name of the field, with the reason, and of one that is refused it ends "
+      "the program with all else\n"
+      "that is refused. `tests/formats/lsdyna/every_field_test.cpp` sets each field to something else:"
+      " the scene or the mesh\n"
+      "changes, or a sentence names it.\n"
+      "\n"
+      "| keyword | line | used | told | refused |\n|---|---|---|---|---|\n";
+  const auto& table = keyword_cards();
+  for (std::size_t first = 0, next = 0; first < table.size(); first = next) {
+    std::string keywords;
+    for (next = first; next < table.size() && table[next].lines == table[first].lines; ++next) {
+      const std::string form = table[next].form.empty() ? "" : fmt::format(" ({})", table[next].form);
+      keywords += fmt::format("{}`{}`{}", next == first ? "" : ", ", table[next].keyword, form);
+    }
+    for (std::size_t line = 0; line < table[first].lines.size(); ++line) {
+      const CardLayout* layout = table[first].lines[line];
+      if (layout == nullptr) continue;
+      text += row_of(keywords, line + 1, *layout);
+      keywords.clear();
+    }
+  }
+  return text;
+}
+
+TEST(KeywordCards, AreThoseOfThePage) {
+  const std::string path = PINBALL_SOURCE_DIR "/docs/cards.md";
+  if (std::getenv("PINBALL_FIX_PAGES") != nullptr) std::ofstream(path) << page_text();
+  std::ifstream file(path);
+  std::ostringstream page;
+  page << file.rdbuf();
+  EXPECT_EQ(page.str(), page_text());
+}
+
+}  // namespace
+}  // namespace pinball::test
