@@ -6,7 +6,9 @@
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
+#include <solver/formats/deck_reader.hpp>
 #include <solver/mesh/generators.hpp>
+#include <solver/mesh/mesh_format.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/results/warnings.hpp>
 #include <solver/scene/units/units.hpp>
@@ -256,6 +258,10 @@ int info_command(const InfoOptions& options) {
   if (options.scene.empty()) {
     if (options.devices) return 0;
     throw InputError("info: expected a SCENE, or --device");
+  }
+  if (const auto format = format_by_ending(options.scene); format && !is_any_deck(options.scene)) {
+    print_mesh_file(options.scene, *format);
+    return 0;
   }
   const SceneInput input = scene_input(options);
   input.with_places([&] {

@@ -158,7 +158,7 @@ int run_program(int argc, char** argv) {
   auto* run = app.add_subcommand("run", "run a scene");
   add_run_options(*run, options);
   pinball::InfoOptions asked;
-  auto* info = app.add_subcommand("info", "what a scene holds, what will run, what is skipped");
+  auto* info = app.add_subcommand("info", "what a scene or a mesh file holds, what will run, what is skipped");
   add_info_options(*info, asked);
 
   pinball::VerifyOptions verification;
@@ -194,7 +194,7 @@ int run_program(int argc, char** argv) {
   add_footer(*run,
              "    pinball run rod_plate --out out/finer --refine 2\n"
              "    pinball run impact.toml --set time.end=0.1 --set contact.friction=0\n");
-  add_footer(*info, "    pinball info rod_plate\n    pinball info impact.toml --refine 2\n");
+  add_footer(*info, "    pinball info rod_plate\n    pinball info impact.toml --refine 2\n    pinball info part.msh\n");
   add_footer(*compare,
              "    pinball compare two_blocks --vary time.cfl=0.9,0.45\n"
              "    pinball compare impact.toml --vary contact.friction=0,0.2 --repeat 1 --json table.json\n");

@@ -2,6 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
+#include <solver/formats/mesh_reader.hpp>
+#include <solver/mesh/quality.hpp>
+#include <solver/scene/schema/choices.hpp>
+
 namespace pinball {
 
 namespace {
@@ -14,10 +20,10 @@ std::string name_of(const MeshGroup& group) {
   return group.id == 0 ? group.name : fmt::format("{} ({})", group.name, group.id);
 }
 
-void print_groups(const FileNodes& file, MeshGroup::Kind kind, const char* plural, const char* members) {
+void print_groups(const std::vector<MeshGroup>& groups, MeshGroup::Kind kind, const char* plural, const char* members) {
   std::string list;
   std::size_t count = 0;
-  for (const MeshGroup& group : file.groups) {
+  for (const MeshGroup& group : groups) {
     if (group.kind != kind) continue;
     if (count++ < most_listed) list += fmt::format("{}{}: {}", list.empty() ? "" : ", ", name_of(group), group.members);
   }
@@ -26,18 +32,57 @@ void print_groups(const FileNodes& file, MeshGroup::Kind kind, const char* plura
   fmt::print("    {}, with their {}: {}\n", plural, members, list);
 }
 
+void print_all_groups(const std::vector<MeshGroup>& groups) {
+  print_groups(groups, MeshGroup::Kind::part, "parts", "elements");
+  print_groups(groups, MeshGroup::Kind::elements, "sets of elements", "elements");
+  print_groups(groups, MeshGroup::Kind::nodes, "sets of nodes", "nodes");
+  print_groups(groups, MeshGroup::Kind::faces, "sets of faces", "faces");
+}
+
+/// The smallest box that holds all nodes.
+Box bounds_of(const std::vector<Point>& nodes) {
+  Box box{nodes.front(), nodes.front()};
+  for (const Point& node : nodes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], node[k]);
+      box.high[k] = std::max(box.high[k], node[k]);
+    }
+  }
+  return box;
+}
+
+void print_shape(const Mesh& mesh) {
+  const Box box = bounds_of(mesh.nodes);
+  const MeshQuality q = measure_quality(mesh);
+  fmt::print("  from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}), volume {:.10g}\n", box.low[0], box.low[1],
+             box.low[2], box.high[0], box.high[1], box.high[2], q.volume);
+  fmt::print(
+      "  edges {:.4g} to {:.4g}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on average\n",
+      q.min_edge, q.max_edge, q.max_aspect_ratio, q.min_scaled_jacobian, q.mean_scaled_jacobian);
+}
+
 }  // namespace
 
 void print_mesh_files(const ModelMesh& mesh) {
   if (!mesh.files.empty()) fmt::print("mesh files\n");
   for (const FileNodes& file : mesh.files) {
     fmt::print("  {}\n", file.path);
-    print_groups(file, MeshGroup::Kind::part, "parts", "elements");
-    print_groups(file, MeshGroup::Kind::elements, "sets of elements", "elements");
-    print_groups(file, MeshGroup::Kind::nodes, "sets of nodes", "nodes");
-    print_groups(file, MeshGroup::Kind::faces, "sets of faces", "faces");
+    print_all_groups(file.groups);
   }
   for (const std::string& warning : mesh.warnings) fmt::print("  warning: {}\n", warning);
+}
+
+void print_mesh_file(const std::string& path, MeshFormat format) {
+  FileMesh settings;
+  settings.file = path;
+  settings.format = format;
+  const MeshFile file = read_mesh_file(settings, {});
+  fmt::print("{}: a mesh ({}) of {} hexahedra and {} nodes\n", path, schema::name_of(format),
+             file.mesh.hexahedra.size(), file.mesh.nodes.size());
+  if (!file.mesh.hexahedra.empty()) print_shape(file.mesh);
+  print_all_groups(groups_of(file));
+  for (const std::string& note : file.notes) fmt::print("  note: {}\n", note);
+  fmt::print("  a body of a scene takes it: mesh = {{ type = \"file\", file = \"{}\" }}\n", path);
 }
 
 }  // namespace pinball

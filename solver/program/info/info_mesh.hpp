@@ -1,10 +1,16 @@
 #pragma once
 
+#include <string>
+
+#include <solver/mesh_settings.hpp>
 #include <solver/model/model.hpp>
 
 namespace pinball {
 
 /// Parts and sets of the mesh files, and what is told of them at the start.
 void print_mesh_files(const ModelMesh& mesh);
+
+/// What a mesh file holds, which is no scene and no deck. Throws InputError.
+void print_mesh_file(const std::string& path, MeshFormat format);
 
 }  // namespace pinball

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include <solver/base/error.hpp>
+#include <solver/formats/mesh_reader.hpp>
+#include <solver/program/commands.hpp>
+
+namespace pinball {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(InfoMesh, ListsWhatAMeshFileHolds) {
+  InfoOptions options;
+  options.scene = PINBALL_SOURCE_DIR "/data/scenes/crushed_tube.msh";
+  testing::internal::CaptureStdout();
+  info_command(options);
+  const std::string text = testing::internal::GetCapturedStdout();
+  const MeshFile file = read_mesh_file(
+      [&] {
+        FileMesh settings;
+        settings.file = options.scene;
+        return settings;
+      }(),
+      {});
+  EXPECT_THAT(text, HasSubstr(fmt::format("a mesh (gmsh) of {} hexahedra and {} nodes", file.mesh.hexahedra.size(),
+                                          file.mesh.nodes.size())));
+  for (const MeshGroup& group : groups_of(file)) EXPECT_THAT(text, HasSubstr(group.name)) << text;
+}
+
+TEST(InfoMesh, NoFormatsOfOthersAreTakenForScenes) {
+  for (const char* ending : {"rad", "bdf", "cdb", "unv", "med", "gz"}) {
+    const std::string path = testing::TempDir() + "some." + ending;
+    std::FILE* file = std::fopen(path.c_str(), "wb");
+    std::fputs("SOME BULK\n", file);
+    std::fclose(file);
+    InfoOptions options;
+    options.scene = path;
+    try {
+      info_command(options);
+      ADD_FAILURE() << path;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(),
+                  HasSubstr("expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn) or Abaqus"));
+      EXPECT_THAT(error.what(), HasSubstr(".msh, .k, .key, .dyn, .g, .e, .exo, .ex2, .gen, .vtk, .vtu, .inp"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pinball
