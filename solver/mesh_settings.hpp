@@ -74,6 +74,8 @@ struct SphereMesh {
 /// vtk: legacy files (.vtk) and those of XML (.vtu), which the first bytes tell apart.
 enum class MeshFormat { gmsh, keyword, exodus, vtk, abaqus };
 
+class HeldMesh;  // solver/mesh/held_mesh.hpp: not for hosts
+
 /// mesh = { type = "gmsh", file = "part.msh", physical = "name", scale = 1 }, or of another type, with part in the
 /// place of physical. Bodies of one file with the same case, scale, axis and position share the nodes that their
 /// elements have in common.
@@ -83,7 +85,8 @@ struct FileMesh {
   std::string part;    ///< part, physical: name or number of a part or of a set of elements; default: all elements
   double scale = 1.0;  ///< multiplies the coordinates
   std::optional<std::int64_t> chosen_case{};  ///< case: of a deck; none: what belongs to no case
-  std::string array{};  ///< of vtk: the integers of the cells that number the parts; default: by its name
+  std::string array{};               ///< of vtk: the integers of the cells that number the parts; default: by its name
+  std::shared_ptr<HeldMesh> held{};  ///< of a deck that is being run: what was read with it; null: the file is read
 };
 
 /// The mesh of a body in the memory of a host. It is read, and copied once, while the model is built: elements are

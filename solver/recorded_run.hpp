@@ -13,16 +13,9 @@ namespace pinball {
 
 struct Checkpoint;  // solver/output/checkpoint.hpp: not for hosts
 
-/// What is known of the deck of another program that a scene is made of: for summary.json, messages and checkpoints.
+/// What is known of the deck of another program that a scene is made of: for summary.json and checkpoints.
 struct DeckNotes {
-  /// Of which card some lines of the scene's text are.
-  struct Card {
-    std::uint64_t line;   ///< from which on the text of the scene says what the card says
-    std::string place;    ///< "deck.k:12"; empty: no card
-    std::string keyword;  ///< "*MAT_ELASTIC"; empty: no card
-  };
   std::vector<std::string> lines;  ///< what was made of what, and what of it is ignored
-  std::vector<Card> cards;         ///< in the order of their lines
 };
 
 /// What a recorded run writes, and from what it goes on.

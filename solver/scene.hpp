@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -168,11 +169,14 @@ struct SceneOverrides {
 /// Reads, overrides and checks a scene. Throws InputError naming file, line, key and what was expected.
 PINBALL_API Scene read_scene(const std::string& path, const SceneOverrides& overrides = {});
 
+struct GivenScene;  // solver/scene/given/given_scene.hpp: not for hosts
+
 /// What a scene is read from, mesh files apart: enough to read the same scene again when its file has changed.
 struct SceneSource {
   std::string path;  ///< for messages and the name; mesh files are named relative to its folder
   std::string text;  ///< of the file
   SceneOverrides overrides;
+  std::shared_ptr<const GivenScene> given{};  ///< what a deck of another program gives, in place of a text; null: none
 };
 /// Throws InputError where there is no such file.
 PINBALL_API SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides = {});

@@ -13,8 +13,8 @@ from .rules import ARCHIVE, candidates
 SWITCH = "bench/faults_parts/switch.hpp"  # below the root, as all of the tree includes
 LEFT_OUT = ("build", "out", ".git", "__pycache__")
 # Rooms whose results a user gets; devices, and what only prints or measures, are not among them.
-ROOMS = ("kernels", "abaqus", "boundary", "contact", "deck", "elements", "keyword", "mesh", "model", "output", "results", "scene",
-         "simulation", "step")
+ROOMS = ("kernels", "boundary", "contact", "elements", "formats", "mesh", "model", "output", "results", "scene", "simulation",
+         "step")
 MOST = 4000
 
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <solver/base/error.hpp>
 #include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
@@ -10,6 +12,7 @@
 #include <solver/formats/gmsh/gmsh_reader.hpp>
 #include <solver/formats/lsdyna/mesh/keyword_mesh.hpp>
 #include <solver/formats/vtk/vtk_reader.hpp>
+#include <solver/mesh/held_mesh.hpp>
 #include <solver/mesh/number_index.hpp>
 
 namespace pinball {
@@ -53,7 +56,8 @@ void check_numbers(const MeshFile& file) {
 MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts) {
   std::vector<std::string> wanted = parts;
   if (std::ranges::count(wanted, "") > 0) wanted.clear();
-  MeshFile file = read_format(settings, wanted);
+  std::optional<MeshFile> held = settings.held ? settings.held->take(settings) : std::nullopt;
+  MeshFile file = held ? std::move(*held) : read_format(settings, wanted);
   check_numbers(file);
   for (Point& node : file.mesh.nodes) {
     for (double& coordinate : node) coordinate *= settings.scale;

@@ -17,6 +17,7 @@
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/model/stores.hpp>
 #include <solver/results/state_hash.hpp>
+#include <solver/scene/given/given_archive.hpp>
 #include <solver/scene/toml/overrides.hpp>
 
 #include "output_file.hpp"
@@ -26,7 +27,7 @@ namespace pinball {
 namespace {
 
 constexpr std::array<char, 8> magic{'P', 'I', 'N', 'B', 'A', 'L', 'L', '\n'};
-constexpr std::uint64_t format_version = 10;  ///< to be raised with every change of what is persistent
+constexpr std::uint64_t format_version = 11;  ///< to be raised with every change of what is persistent
 
 struct FileHeader {
   std::array<char, 8> magic{};
@@ -80,11 +81,7 @@ void CheckpointHead::persist(StateArchive& archive) {
   std::int32_t precision = source.overrides.precision ? static_cast<std::int32_t>(*source.overrides.precision) : -1;
   archive(source.path, source.text, source.overrides.set, source.overrides.refine, precision, source.overrides.vary,
           mesh_files, fingerprint, simd_width, version, deck.lines);
-  std::uint64_t cards = deck.cards.size();
-  archive(cards);
-  archive.require(cards <= archive.left());
-  deck.cards.resize(cards);
-  for (DeckNotes::Card& card : deck.cards) archive(card.line, card.place, card.keyword);
+  pinball::persist(archive, source.given);
   source.overrides.precision.reset();
   if (precision >= 0) source.overrides.precision = static_cast<Precision>(precision);
 }

@@ -1,7 +1,6 @@
 #include <filesystem>
 
 #include <solver/base/error.hpp>
-#include <solver/formats/deck/translated_deck.hpp>
 #include <solver/restart.hpp>
 
 #include "recorder.hpp"
@@ -15,15 +14,6 @@ SceneSource source_of(const Checkpoint& checkpoint, const std::vector<std::strin
   change_scene(source, set);
   check_mesh_files(checkpoint.head);
   return source;
-}
-
-/// As far as messages need it.
-TranslatedDeck deck_of(const DeckNotes& notes) {
-  TranslatedDeck deck;
-  for (const DeckNotes::Card& card : notes.cards) {
-    deck.origins.push_back({static_cast<std::size_t>(card.line), card.place, card.keyword});
-  }
-  return deck;
 }
 
 }  // namespace
@@ -63,15 +53,9 @@ RunSummary restart_recorded(const std::string& path, const std::vector<std::stri
   from_here.restart = &checkpoint;
   from_here.deck = checkpoint.head.deck;
   if (options.out.empty()) from_here.out = folder_of_checkpoint(path);
-  const TranslatedDeck deck = deck_of(checkpoint.head.deck);
-  try {
-    Scene scene = read_scene(source);
-    deck.name_parts(scene, source.path);
-    scene.device = options.device;
-    return run_recorded(scene, from_here);
-  } catch (const InputError& error) {
-    throw InputError(deck.in_cards(error.what(), source.path));
-  }
+  Scene scene = read_scene(source);
+  scene.device = options.device;
+  return run_recorded(scene, from_here);
 }
 
 }  // namespace pinball

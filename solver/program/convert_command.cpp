@@ -7,6 +7,7 @@
 #include <solver/formats/deck_reader.hpp>
 #include <solver/output/output_file.hpp>
 #include <solver/scene.hpp>
+#include <solver/scene/given/toml_file.hpp>
 
 #include "commands.hpp"
 #include "scene_input.hpp"
@@ -23,13 +24,11 @@ int convert_command(const ConvertOptions& options) {
   const fs::path folder = fs::absolute(options.scene).parent_path();
   const std::string deck = fs::absolute(options.deck).lexically_proximate(folder).string();
   const TranslatedDeck translated = translate_any_deck(options.deck, {options.chosen_case, options.lenient, deck});
-  try {
-    read_scene({options.scene, translated.scene, {}});  // what would not be read is not written
-  } catch (const InputError& error) {
-    throw InputError(translated.in_cards(error.what(), options.scene));
-  }
+  read_scene(translated.source(options.scene));  // what would not be read is not written
+  const std::string text = write_toml(translated.given->table);
+  parse_toml(text, options.scene);  // of bytes that no text can have
   OutputFile file(options.scene);
-  file.write(translated.scene);
+  file.write(text);
   file.commit();
   print_deck(translated, options.deck);
   fmt::print("{} is the scene; its meshes are read from {}\n", options.scene, deck);

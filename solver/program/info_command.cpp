@@ -264,13 +264,11 @@ int info_command(const InfoOptions& options) {
     return 0;
   }
   const SceneInput input = scene_input(options);
-  input.with_places([&] {
-    const Scene scene = input.read();
-    const bool single = scene.precision == Precision::float32;
-    const Scene decided =
-        single ? print_info<float>(scene, options.threads, spent) : print_info<double>(scene, options.threads, spent);
-    if (options.devices) print_missing_on_devices(decided);
-  });
+  const Scene scene = input.read();
+  const bool single = scene.precision == Precision::float32;
+  const Scene decided =
+      single ? print_info<float>(scene, options.threads, spent) : print_info<double>(scene, options.threads, spent);
+  if (options.devices) print_missing_on_devices(decided);
   return 0;
 }
 

@@ -94,14 +94,12 @@ int run_command(const RunOptions& options) {
   if (!options.restart.empty()) return restart_command(options);
   if (options.scene.empty()) throw InputError("run: expected a SCENE, or --restart FILE");
   const SceneInput input = scene_input(options);
-  return input.with_places([&] {
-    Scene scene = input.read();
-    scene.device = options.device;
-    RecordOptions record = record_options(options, options.out.empty() ? "out/" + scene.name : options.out);
-    record.source = &input.source;
-    record.deck = input.notes();
-    return print_end(run_recorded(scene, record), record);
-  });
+  Scene scene = input.read();
+  scene.device = options.device;
+  RecordOptions record = record_options(options, options.out.empty() ? "out/" + scene.name : options.out);
+  record.source = &input.source;
+  record.deck = input.notes;
+  return print_end(run_recorded(scene, record), record);
 }
 
 }  // namespace pinball

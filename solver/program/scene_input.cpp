@@ -84,21 +84,16 @@ std::string path_of(const std::string& name) {
 
 }  // namespace
 
-Scene SceneInput::read() const {
-  Scene scene = read_scene(source);
-  scene.of_deck = deck && !deck->contact_said;
-  if (deck) deck->name_parts(scene, source.path);
-  return scene;
-}
+namespace {
 
-DeckNotes SceneInput::notes() const {
+DeckNotes notes_of(const TranslatedDeck& deck) {
   DeckNotes notes;
-  if (!deck) return notes;
-  notes.lines = deck->understood;
-  for (const std::string& line : deck->ignored) notes.lines.push_back("ignored: " + line);
-  for (const TextOrigin& origin : deck->origins) notes.cards.push_back({origin.line, origin.place, origin.keyword});
+  notes.lines = deck.understood;
+  for (const std::string& line : deck.ignored) notes.lines.push_back("ignored: " + line);
   return notes;
 }
+
+}  // namespace
 
 SceneInput scene_input(const SceneOptions& options) {
   const std::string path = path_of(options.scene);
@@ -112,11 +107,10 @@ SceneInput scene_input(const SceneOptions& options) {
     require_toml(source.text, path);
     return {std::move(source), {}};
   }
-  TranslatedDeck deck = translate_any_deck(path, {options.chosen_case, options.lenient, ""});
+  const TranslatedDeck deck = translate_any_deck(path, {options.chosen_case, options.lenient, ""});
   if (!options.quiet) print_deck(deck, path);
   std::fflush(stdout);  // before the progress, in a log that both go to
-  SceneSource source{path + " as a scene", deck.scene, options.overrides};
-  return {std::move(source), std::move(deck)};
+  return {deck.source(path + " as a scene", options.overrides), notes_of(deck)};
 }
 
 }  // namespace pinball

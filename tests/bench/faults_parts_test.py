@@ -105,7 +105,7 @@ class Planting(unittest.TestCase):
 
     def test_choice_is_the_same_each_time_and_no_two_overlap(self):
         class Options:
-            count, seed, files, rooms, only = 60, 5, 4, ["deck", "contact", "mesh"], ""
+            count, seed, files, rooms, only = 60, 5, 4, ["formats", "contact", "mesh"], ""
         first, second = planting.choose(Options), planting.choose(Options)
         self.assertEqual(first, second)
         by_rule = [fault for fault in first.values() if fault.rule != "named"]
@@ -151,7 +151,7 @@ class Tests(unittest.TestCase):
             self.assertEqual((name, said, whole), ("t", how, True))
 
     def test_only_tests_that_come_by_a_fault_run_short_ones_and_those_of_its_room_first(self):
-        near, far, short, other = (self.made(n, room=r) for n, r in (("near", "mesh"), ("far", "deck"), ("short", "deck"), ("other", "mesh")))
+        near, far, short, other = (self.made(n, room=r) for n, r in (("near", "mesh"), ("far", "formats"), ("short", "formats"), ("other", "mesh")))
         near.seen = far.seen = short.seen = frozenset({7})
         near.seconds, far.seconds, short.seconds = 4, 1, 0.5
         self.assertEqual([some[0].name for _, some in quick_tests.batches(7, "mesh", [far, other, near, short])], ["short", "near", "far"])

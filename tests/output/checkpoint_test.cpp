@@ -5,12 +5,15 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <vector>
 
 #include <solver/base/error.hpp>
 #include <solver/output/checkpoint.hpp>
+#include <solver/scene/given/given_scene.hpp>
+#include <solver/scene/given/toml_file.hpp>
 #include <tests/support/changing_scene.hpp>
 #include <tests/support/cube_text.hpp>
 #include <tests/support/scene_text.hpp>
@@ -156,6 +159,22 @@ cube
   expect_same_results(half_, whole_);
 }
 
+/// A value of each kind, one with its place.
+std::shared_ptr<const GivenScene> some_of_each() {
+  auto given = std::make_shared<GivenScene>();
+  given->contact_said = false;
+  given->table.comment = "a deck";
+  GivenTable time;
+  time.set("end", GivenValue(0.1, GivenPlace("deck.k:7: *CONTROL_TERMINATION (endtim)")));
+  time.set("steps", GivenValue(std::int64_t{-3}));
+  time.set("list", GivenValue(GivenArray{GivenValue(true), GivenValue(std::string("text"))}));
+  GivenValue inner(time);
+  inner.is_inline = true;
+  time.set("inner", inner);
+  given->table.set("time", GivenValue(time));
+  return given;
+}
+
 TEST_F(Checkpoints, AFileHasAllThatWasWritten) {
   CheckpointHead head;
   head.source.path = "/a/scene.toml";
@@ -168,7 +187,7 @@ TEST_F(Checkpoints, AFileHasAllThatWasWritten) {
   head.simd_width = 14;
   head.version = "9.8.7";
   head.deck.lines = {"one", "two"};
-  head.deck.cards = {{15, "deck.k:3", "*PART"}, {16, "deck.k:7", "*MAT_ELASTIC"}};
+  head.source.given = some_of_each();
   StateBytes state(5);
   for (std::size_t i = 0; i < 5; ++i) state[i] = static_cast<std::byte>(17 + i);
   for (const std::optional<Precision> precision :
@@ -188,12 +207,13 @@ TEST_F(Checkpoints, AFileHasAllThatWasWritten) {
     EXPECT_EQ(read.head.simd_width, 14);
     EXPECT_EQ(read.head.version, "9.8.7");
     EXPECT_EQ(read.head.deck.lines, head.deck.lines);
-    ASSERT_EQ(read.head.deck.cards.size(), 2U);
-    for (std::size_t i = 0; i < 2; ++i) {
-      EXPECT_EQ(read.head.deck.cards[i].line, head.deck.cards[i].line);
-      EXPECT_EQ(read.head.deck.cards[i].place, head.deck.cards[i].place);
-      EXPECT_EQ(read.head.deck.cards[i].keyword, head.deck.cards[i].keyword);
-    }
+    ASSERT_NE(read.head.source.given, nullptr);
+    EXPECT_FALSE(read.head.source.given->contact_said);
+    const GivenTable& table = read.head.source.given->table;
+    EXPECT_EQ(write_toml(table), write_toml(head.source.given->table));
+    const GivenTable& time = *table.find("time")->as<GivenTable>();
+    EXPECT_EQ(time.find("end")->place.text(""), "deck.k:7: *CONTROL_TERMINATION (endtim)");
+    EXPECT_EQ(table.find("time")->place.text("unknown"), "unknown");
     EXPECT_EQ(std::vector<std::byte>(read.state.begin(), read.state.end()),
               std::vector<std::byte>(state.data(), state.data() + 5));
   }

@@ -47,8 +47,7 @@ std::size_t check_decks(const fs::path& folder, const std::string& but = "") {
     try {
       const TranslatedDeck deck =
           is_abaqus_deck(path.string()) ? translate_abaqus(path.string()) : translate_deck(path.string());
-      scene = read_scene(SceneSource{path.string(), deck.scene, {}});
-      scene.of_deck = !deck.contact_said;
+      scene = read_scene(deck.source(path.string()));
     } catch (const InputError&) {
       continue;
     }
@@ -69,7 +68,7 @@ TEST(NoAlarm, OfPublicDecks) {
   EXPECT_GE(check_decks(folder, "projectile.k"), 2U);
   // Without the frame that adds its contact, its rod goes through the plate.
   const std::string path = folder / "projectile.k";
-  Scene scene = read_scene(SceneSource{path, translate_deck(path).scene, {}});
+  Scene scene = read_scene(translate_deck(path).source(path));
   scene.of_deck = true;
   EXPECT_THAT(
       Solver<double>(scene).look().unlikely,

@@ -1,22 +1,25 @@
 #include "deck_element.hpp"
 
-#include <fmt/format.h>
-
 namespace pinball {
 
-void write_element(const DeckElement& element, TomlText& scene) {
-  scene.table("element");
-  scene.key("hourglass", element.hourglass);
-  scene.key("hourglass_coefficient", element.coefficient);
-  scene.key("quadratic_viscosity", element.quadratic_viscosity);
-  scene.key("linear_viscosity", element.linear_viscosity);
+namespace {
+
+template <class Keys>
+void set_keys(const DeckElement& element, Keys& keys) {
+  keys.set("hourglass", element.hourglass);
+  keys.set("hourglass_coefficient", element.coefficient);
+  keys.set("quadratic_viscosity", element.quadratic_viscosity);
+  keys.set("linear_viscosity", element.linear_viscosity);
 }
 
-void write_body_element(const DeckElement& element, TomlText& scene) {
-  scene.raw("element", fmt::format("{{ hourglass = {}, hourglass_coefficient = {}, quadratic_viscosity = {}, "
-                                   "linear_viscosity = {} }}",
-                                   toml(element.hourglass), toml(element.coefficient),
-                                   toml(element.quadratic_viscosity), toml(element.linear_viscosity)));
+}  // namespace
+
+void set_element(const DeckElement& element, const DeckKeys<ElementSettings>& keys) { set_keys(element, keys); }
+
+void set_body_element(const DeckElement& element, const DeckKeys<Body>& keys) {
+  InnerKeys<ElementSettings> inner;
+  set_keys(element, inner);
+  keys.set("element", inner.value());
 }
 
 }  // namespace pinball

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "toml_text.hpp"
+#include "deck_scene.hpp"
 
 namespace pinball {
 
@@ -15,7 +15,7 @@ struct DeckElement {
 };
 
 /// [element] of the scene, and that of a body which has its own.
-void write_element(const DeckElement& element, TomlText& scene);
-void write_body_element(const DeckElement& element, TomlText& scene);
+void set_element(const DeckElement& element, const DeckKeys<ElementSettings>& keys);
+void set_body_element(const DeckElement& element, const DeckKeys<Body>& keys);
 
 }  // namespace pinball

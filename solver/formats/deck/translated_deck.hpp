@@ -1,15 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <solver/scene.hpp>
-
-#include "toml_text.hpp"
+#include <solver/scene/given/given_scene.hpp>
 
 namespace pinball {
+
+class DeckScene;
 
 /// How a deck is to be understood.
 struct DeckOptions {
@@ -21,17 +23,17 @@ struct DeckOptions {
 
 /// A deck of another program as a scene of this one.
 struct TranslatedDeck {
-  std::string scene;                    ///< text of a scene file; mesh files are named relative to its folder
-  std::vector<std::string> understood;  ///< lines that say what was made of what, and where they differ
-  std::vector<std::string> ignored;     ///< keywords that cannot change the answer, with how many and where
-  std::vector<TextOrigin> origins;      ///< which lines of the scene are of which cards
-  bool contact_said = true;             ///< whether any card says what touches
+  std::shared_ptr<GivenScene> given{};    ///< what it says as keys of a scene, each with its card
+  std::vector<std::string> understood{};  ///< lines that say what was made of what, and where they differ
+  std::vector<std::string> ignored{};     ///< keywords that cannot change the answer, with how many and where
 
-  /// A message that names lines of the scene, as "NAME:LINE:COLUMN: KEY", with the cards in their place: "deck.k:12:
-  /// *MAT_ELASTIC (ro)". name: that by which the scene was read.
-  std::string in_cards(const std::string& message, const std::string& name) const;
-  /// Of the scene that was read by that name: gives each part, for messages and warnings, the name of its card.
-  void name_parts(Scene& read, const std::string& name) const;
+  /// From which the scene is read. path: in the folder of the deck.
+  SceneSource source(const std::string& path, const SceneOverrides& overrides = {}) const {
+    return {path, "", overrides, given};
+  }
 };
+
+/// With what its keywords give; nothing is understood yet. path: of the deck.
+TranslatedDeck given_deck(DeckScene&& scene, const std::string& path, bool contact_said);
 
 }  // namespace pinball

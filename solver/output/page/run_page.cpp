@@ -6,6 +6,8 @@
 #include <solver/output/run_files.hpp>
 #include <solver/results/energy_checks.hpp>
 #include <solver/run_page.hpp>
+#include <solver/scene/given/given_scene.hpp>
+#include <solver/scene/given/toml_file.hpp>
 #include <solver/scene/toml/listing.hpp>
 #include <solver/scene/units/units.hpp>
 #include <solver/summary.hpp>
@@ -56,7 +58,7 @@ Json scene_json(const Scene& scene, const Units& units, const RunPageSettings& s
   Json json{{"keys", keys}};
   if (settings.source != nullptr) {
     json["path"] = settings.source->path;
-    json["text"] = settings.source->text;
+    json["text"] = settings.source->given ? write_toml(settings.source->given->table) : settings.source->text;
     json["command"] = command_of(*settings.source, summary);
   }
   return json;

@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 6> all_probe_quantities{"position"
 inline constexpr std::array<std::string_view, 4> not_of_walls{"body", "plane", "line", "nearest"};
 
 template <class Visit>
-void describe(Of<PlaneConstraint>, Visit&& visit) {
+constexpr void describe(Of<PlaneConstraint>, Visit&& visit) {
   using T = PlaneConstraint;
   describe_type(visit, constraint_types[0]);
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
@@ -44,7 +44,7 @@ void describe(Of<PlaneConstraint>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<FixedConstraint>, Visit&& visit) {
+constexpr void describe(Of<FixedConstraint>, Visit&& visit) {
   using T = FixedConstraint;
   describe_type(visit, constraint_types[1]);
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
@@ -67,7 +67,7 @@ void describe(Of<FixedConstraint>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<RigidWall>, Visit&& visit) {
+constexpr void describe(Of<RigidWall>, Visit&& visit) {
   using T = RigidWall;
   visit(Key{"name",
             &T::name,
@@ -98,7 +98,7 @@ void describe(Of<RigidWall>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<PrescribedVelocity>, Visit&& visit) {
+constexpr void describe(Of<PrescribedVelocity>, Visit&& visit) {
   using T = PrescribedVelocity;
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
   visit(Key{
@@ -122,7 +122,7 @@ void describe(Of<PrescribedVelocity>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<NodalLoad>, Visit&& visit) {
+constexpr void describe(Of<NodalLoad>, Visit&& visit) {
   using T = NodalLoad;
   visit(Key{"force", &T::force, "on all the nodes together", {.unit = "M L/T^2", .need = Need::required}});
   visit(Key{"each", &T::each, "`true`: on each of the nodes"});
@@ -131,7 +131,7 @@ void describe(Of<NodalLoad>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<Pressure>, Visit&& visit) {
+constexpr void describe(Of<Pressure>, Visit&& visit) {
   using T = Pressure;
   visit(Key{"name",
             &T::name,
@@ -149,7 +149,7 @@ void describe(Of<Pressure>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<Gravity>, Visit&& visit) {
+constexpr void describe(Of<Gravity>, Visit&& visit) {
   using T = Gravity;
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
   visit(Key{
@@ -162,7 +162,7 @@ void describe(Of<Gravity>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<InitialVelocity>, Visit&& visit) {
+constexpr void describe(Of<InitialVelocity>, Visit&& visit) {
   using T = InitialVelocity;
   visit(Key{"velocity",
             &T::velocity,
@@ -178,7 +178,7 @@ void describe(Of<InitialVelocity>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<Probe>, Visit&& visit) {
+constexpr void describe(Of<Probe>, Visit&& visit) {
   using T = Probe;
   visit(Key{"name",
             &T::name,

@@ -10,7 +10,7 @@
 namespace pinball::schema {
 
 template <class Visit>
-void describe(Of<ContactSettings>, Visit&& visit) {
+constexpr void describe(Of<ContactSettings>, Visit&& visit) {
   using T = ContactSettings;
   visit(Key{"method",
             &T::method,
@@ -85,7 +85,7 @@ void describe(Of<ContactSettings>, Visit&& visit) {
 struct SideOfSet {};
 
 template <class Visit>
-void describe(Of<SideOfSet>, Visit&& visit) {
+constexpr void describe(Of<SideOfSet>, Visit&& visit) {
   visit(FileKey<std::string>{"elements", "a set of elements: their surface, also what erosion uncovers of it"});
   visit(FileKey<std::string>{"faces", "a set of faces"});
   visit(FileKey<std::string>{"nodes", "a set of nodes, alone"});
@@ -93,7 +93,7 @@ void describe(Of<SideOfSet>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<ContactPair>, Visit&& visit) {
+constexpr void describe(Of<ContactPair>, Visit&& visit) {
   using T = ContactPair;
   visit(Key{"name",
             &T::name,
@@ -125,7 +125,7 @@ void describe(Of<ContactPair>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<TiedContact>, Visit&& visit) {
+constexpr void describe(Of<TiedContact>, Visit&& visit) {
   using T = TiedContact;
   visit(Key{"name", &T::name, "unique", {.form = Form::name, .otherwise = "tied_NUMBER", .listed = Listed::never}});
   visit(Key{"first",

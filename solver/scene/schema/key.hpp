@@ -13,7 +13,7 @@
 /// function for each kind of table,
 ///
 ///     template <class Visit>
-///     void describe(Of<TimeSettings>, Visit&& visit) {
+///     constexpr void describe(Of<TimeSettings>, Visit&& visit) {
 ///       visit(Key{"cfl", &TimeSettings::cfl, "fraction of the stable time step", {.unit = "-", .bound = ...}});
 ///
 /// and what reads, checks, lists, binds or documents scenes visits the keys. A visitor is called with a Key, a FileKey,
@@ -133,7 +133,7 @@ struct Field {
 
 /// What says which kind of table it is, where several may stand in its place.
 template <class Visit>
-void describe_type(Visit&& visit, const std::string_view& type) {
+constexpr void describe_type(Visit&& visit, const std::string_view& type) {
   visit(FileKey<std::string>{
       "type", "what it is", {.need = Need::required, .texts = std::span<const std::string_view>(&type, 1)}});
 }
@@ -149,7 +149,7 @@ constexpr bool is_among(std::string_view name, const Names& names) {
 
 /// The keys of a member, but for those that it leaves out.
 template <class T, class Part, class Visit>
-void visit_group(const Group<T, Part>& group, const Visit& visit) {
+constexpr void visit_group(const Group<T, Part>& group, const Visit& visit) {
   describe(Of<Part>{}, [&](const auto& key) {
     if constexpr (requires { key.name; }) {
       if (is_among(key.name, group.left_out)) return;
@@ -167,6 +167,48 @@ constexpr About about(std::string_view name) {
       if (key.name == name) found = key.about;
     }
   });
+  return found;
+}
+
+/// Finds a key by its name, also in the members whose keys stand in the same table.
+struct KeyFinder {
+  std::string_view name;
+  bool* found;
+
+  template <class Any>
+  constexpr void operator()(const Any& key) const {
+    if constexpr (requires { key.left_out; }) {
+      visit_group(key, *this);
+    } else if constexpr (requires { key.name; }) {
+      if (key.name == name) *found = true;
+    }
+  }
+};
+
+/// Whether a table has a key of this name.
+template <class T>
+constexpr bool has_key(std::string_view name) {
+  bool found = false;
+  describe(Of<T>{}, KeyFinder{name, &found});
+  return found;
+}
+
+/// Whether the keys of a part stand in the table of a whole.
+template <class Part>
+struct GroupFinder {
+  bool* found;
+
+  template <class Any>
+  constexpr void operator()(const Any&) const {}
+  template <class T>
+  constexpr void operator()(const Group<T, Part>&) const {
+    *found = true;
+  }
+};
+template <class T, class Part>
+constexpr bool has_group() {
+  bool found = false;
+  describe(Of<T>{}, GroupFinder<Part>{&found});
   return found;
 }
 

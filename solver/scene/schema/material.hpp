@@ -13,7 +13,7 @@ namespace pinball::schema {
 struct OneYieldCurve {};
 
 template <class Visit>
-void describe(Of<YieldCurve>, Visit&& visit) {
+constexpr void describe(Of<YieldCurve>, Visit&& visit) {
   using T = YieldCurve;
   visit(Key{"rate",
             &T::rate,
@@ -28,7 +28,7 @@ void describe(Of<YieldCurve>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<OneYieldCurve>, Visit&& visit) {
+constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
   describe(Of<YieldCurve>{}, [&visit](const auto& key) {
     if (key.name != std::string_view("rate")) visit(key);
   });
@@ -40,7 +40,7 @@ template <>
 struct IsInnerTable<EquationOfStateSettings> : std::true_type {};
 
 template <class Visit>
-void describe(Of<JohnsonCookSettings>, Visit&& visit) {
+constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
   using T = JohnsonCookSettings;
   visit(Key{"hardening_coefficient", &T::hardening_coefficient, "B", {.unit = "M/(L T^2)", .bound = not_negative}});
   visit(Key{"hardening_exponent", &T::hardening_exponent, "n", {.unit = "-", .bound = positive}});
@@ -71,7 +71,7 @@ void describe(Of<JohnsonCookSettings>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<EquationOfStateSettings>, Visit&& visit) {
+constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
   using T = EquationOfStateSettings;
   const auto shock = [](const T& eos) { return eos.form == EquationOfStateForm::mie_grueneisen; };
   const auto polynomial = [](const T& eos) { return eos.form == EquationOfStateForm::polynomial; };
@@ -98,7 +98,7 @@ void describe(Of<EquationOfStateSettings>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<Material>, Visit&& visit) {
+constexpr void describe(Of<Material>, Visit&& visit) {
   using T = Material;
   const auto plastic = [](const Material& material) { return material.plastic; };
   visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});

@@ -39,7 +39,7 @@ constexpr bool is_no_wedge(const Mesh& mesh) {
 }
 
 template <class Visit>
-void describe(Of<BlockMesh>, Visit&& visit) {
+constexpr void describe(Of<BlockMesh>, Visit&& visit) {
   describe_type(visit, mesh_types[0]);
   visit(FileKey<ListsOf<double>>{"size", "`[lx, ly, lz]`", length_of_mesh});
   visit(FileKey<ListsOf<int>>{"elements", "`[nx, ny, nz]`", count_of_elements});
@@ -49,7 +49,7 @@ void describe(Of<BlockMesh>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<RoundNosedRodMesh>, Visit&& visit) {
+constexpr void describe(Of<RoundNosedRodMesh>, Visit&& visit) {
   using T = RoundNosedRodMesh;
   describe_type(visit, mesh_types[1]);
   visit(Key{"length", &T::length, "over all, > `radius`", length_of_mesh});
@@ -61,7 +61,7 @@ void describe(Of<RoundNosedRodMesh>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<CylinderMesh>, Visit&& visit) {
+constexpr void describe(Of<CylinderMesh>, Visit&& visit) {
   using T = CylinderMesh;
   describe_type(visit, mesh_types[2]);
   visit(Key{"radius", &T::radius, "of the cylinder", length_of_mesh});
@@ -81,7 +81,7 @@ void describe(Of<CylinderMesh>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<SphereMesh>, Visit&& visit) {
+constexpr void describe(Of<SphereMesh>, Visit&& visit) {
   using T = SphereMesh;
   describe_type(visit, mesh_types[3]);
   visit(Key{"radius", &T::radius, "of the sphere", length_of_mesh});
@@ -102,7 +102,7 @@ void describe(Of<SphereMesh>, Visit&& visit) {
 
 /// Of any format; `type` names it, or is "file" where the ending of the file does.
 template <class Visit>
-void describe(Of<FileMesh>, Visit&& visit) {
+constexpr void describe(Of<FileMesh>, Visit&& visit) {
   using T = FileMesh;
   visit(FileKey<std::string>{"type", "what it is", {.need = Need::required}});
   visit(Field{"format", &T::format, "of the file"});

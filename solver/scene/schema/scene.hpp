@@ -15,7 +15,7 @@
 namespace pinball::schema {
 
 template <class Visit>
-void describe(Of<Body>, Visit&& visit) {
+constexpr void describe(Of<Body>, Visit&& visit) {
   using T = Body;
   visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});
   visit(Key{"material", &T::material, "name of a `[[material]]`", {.need = Need::required}});
@@ -56,7 +56,7 @@ struct Tables : Field<T, Part> {
 };
 
 template <class Visit>
-void describe(Of<Scene>, Visit&& visit) {
+constexpr void describe(Of<Scene>, Visit&& visit) {
   using T = Scene;
   visit(Field{"name", &T::name, "of the file, without folder and ending"});
   visit(Field{"path", &T::path, "the file it was read from"});

@@ -10,19 +10,19 @@
 namespace pinball::schema {
 
 template <class Visit>
-void describe(Of<Plane>, Visit&& visit) {
+constexpr void describe(Of<Plane>, Visit&& visit) {
   visit(Key{"point", &Plane::point, "a point of it", {.unit = "L"}});
   visit(Key{"normal", &Plane::normal, "across it", {.unit = "-", .need = Need::required, .form = Form::direction}});
 }
 
 template <class Visit>
-void describe(Of<Line>, Visit&& visit) {
+constexpr void describe(Of<Line>, Visit&& visit) {
   visit(Key{"point", &Line::point, "a point of it", {.unit = "L"}});
   visit(Key{"direction", &Line::direction, "along it", {.unit = "-", .need = Need::required, .form = Form::direction}});
 }
 
 template <class Visit>
-void describe(Of<Box>, Visit&& visit) {
+constexpr void describe(Of<Box>, Visit&& visit) {
   visit(Key{"low", &Box::low, "a corner", {.unit = "L", .need = Need::required}});
   visit(Key{
       "high", &Box::high, "the opposite corner, no component < that of `low`", {.unit = "L", .need = Need::required}});
@@ -36,7 +36,7 @@ template <>
 struct IsInnerTable<Box> : std::true_type {};
 
 template <class Visit>
-void describe(Of<NodeSelection>, Visit&& visit) {
+constexpr void describe(Of<NodeSelection>, Visit&& visit) {
   using T = NodeSelection;
   visit(Key{"body", &T::body, "nodes of this body", {.otherwise = "all"}});
   visit(Key{"plane",
@@ -76,14 +76,14 @@ void describe(Of<NodeSelection>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<TimeTable>, Visit&& visit) {
+constexpr void describe(Of<TimeTable>, Visit&& visit) {
   using T = TimeTable;
   visit(Key{"times", &T::times, "increasing", {.unit = "T", .listed = Listed::where_given}});
   visit(Key{"factors", &T::factors, "one per time, linear between them", {.unit = "-", .otherwise = "1 at all times"}});
 }
 
 template <class Visit>
-void describe(Of<TimeSpan>, Visit&& visit) {
+constexpr void describe(Of<TimeSpan>, Visit&& visit) {
   using T = TimeSpan;
   visit(Key{"start", &T::start, "when it begins to act; not above 0: from the beginning", {.unit = "T"}});
   visit(Key{"end", &T::end, "when it ends to act", {.unit = "T", .unset = Unset::infinite, .otherwise = "never"}});

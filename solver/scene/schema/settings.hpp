@@ -8,7 +8,7 @@
 namespace pinball::schema {
 
 template <class Visit>
-void describe(Of<TimeSettings>, Visit&& visit) {
+constexpr void describe(Of<TimeSettings>, Visit&& visit) {
   using T = TimeSettings;
   visit(Key{"end",
             &T::end,
@@ -34,7 +34,7 @@ void describe(Of<TimeSettings>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<ElementSettings>, Visit&& visit) {
+constexpr void describe(Of<ElementSettings>, Visit&& visit) {
   using T = ElementSettings;
   visit(Key{"hourglass", &T::hourglass,
             "hourglass control; `\"assumed_strain\"` resists as the material does in bending and twisting"});
@@ -70,7 +70,7 @@ void describe(Of<ElementSettings>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<SkipSettings>, Visit&& visit) {
+constexpr void describe(Of<SkipSettings>, Visit&& visit) {
   using T = SkipSettings;
   visit(Key{"contact_search", &T::contact_search,
             "lists of what may touch last while `contact.skin` allows it; `false`: search at every step"});
@@ -80,7 +80,7 @@ void describe(Of<SkipSettings>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<GuardSettings>, Visit&& visit) {
+constexpr void describe(Of<GuardSettings>, Visit&& visit) {
   using T = GuardSettings;
   visit(Key{"energy_error",
             &T::energy_error,
@@ -94,7 +94,7 @@ void describe(Of<GuardSettings>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<DampingSettings>, Visit&& visit) {
+constexpr void describe(Of<DampingSettings>, Visit&& visit) {
   visit(Key{"mass",
             &DampingSettings::mass,
             "a in the force -a m v on every node: for quasi-static problems; a = 2 w damps motion of circular "
@@ -103,7 +103,7 @@ void describe(Of<DampingSettings>, Visit&& visit) {
 }
 
 template <class Visit>
-void describe(Of<OutputSettings>, Visit&& visit) {
+constexpr void describe(Of<OutputSettings>, Visit&& visit) {
   using T = OutputSettings;
   visit(Key{"interval",
             &T::interval,

@@ -6,35 +6,18 @@
 #include <charconv>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
+#include <solver/scene/given/key_depth.hpp>
+#include <solver/scene/given/toml_file.hpp>
 #include <solver/scene/schema/scene.hpp>
 
-#include "key_depth.hpp"
 #include "table.hpp"
 
 namespace pinball {
 
 namespace {
-
-std::optional<toml::table> parse_value(const std::string& text, const std::string& source) {
-  require_short_keys(text, source);
-  try {
-    // The line break ends a comment that the value may carry; a second key can only come from a line break inside it.
-    toml::table table = toml::parse("value = " + text + "\n", source);
-    if (table.size() == 1 && table.contains("value")) return table;
-  } catch (const toml::parse_error&) {
-  }
-  return std::nullopt;
-}
-
-std::string quoted(const std::string& text) {
-  std::ostringstream out;
-  out << toml::value<std::string>(text);
-  return out.str();
-}
 
 /// "a.b.c" as its parts. Throws InputError if one is empty.
 std::vector<std::string> split_key(const std::string& key, const std::string& where) {
@@ -75,20 +58,22 @@ const std::map<std::string, bool, std::less<>>& lists() {
 }
 
 /// The element of an array of tables that the second part of a key selects.
-toml::table& element(toml::node& node, const std::vector<std::string>& parts, const std::string& key,
-                     const std::string& where) {
+GivenTable& element(GivenValue& value, const std::vector<std::string>& parts, const std::string& key,
+                    const std::string& where) {
   const std::string& kind = parts[0];
   const bool numbered = !lists().at(kind);
-  auto* array = node.as_array();
-  if (!array) fail(location(node.source(), where), kind, fmt::format("expected tables [[{}]]", kind));
+  auto* array = value.as<GivenArray>();
+  if (!array) fail(value.place.text(where), kind, fmt::format("expected tables [[{}]]", kind));
   if (parts.size() < 3) {
     fail(where, key, fmt::format("expected {}.{}.KEY", kind, numbered ? "NUMBER" : "NAME"));
   }
   std::vector<std::string> names;
   for (std::size_t i = 0; i < array->size(); ++i) {
-    auto* table = array->get_as<toml::table>(i);
+    auto* table = (*array)[i].as<GivenTable>();
     if (!table) continue;
-    names.push_back(numbered ? std::to_string(i) : (*table)["name"].value_or(std::string()));
+    const GivenValue* named = table->find("name");
+    const auto* name = named ? named->as<std::string>() : nullptr;
+    names.push_back(numbered ? std::to_string(i) : name ? *name : "");
     if (names.back() == parts[1]) return *table;
   }
   if (names.empty()) fail(where, key, fmt::format("the scene has no [[{}]]", kind));
@@ -99,64 +84,60 @@ toml::table& element(toml::node& node, const std::vector<std::string>& parts, co
 }
 
 /// The table of a list that a number selects.
-toml::table& numbered(toml::array& array, const std::string& part, const std::string& key, const std::string& where) {
+GivenTable& numbered(GivenArray& array, const std::string& part, const std::string& key, const std::string& where) {
   for (std::size_t i = 0; i < array.size(); ++i) {
-    auto* table = array.get_as<toml::table>(i);
+    auto* table = array[i].as<GivenTable>();
     if (table && part == std::to_string(i)) return *table;
   }
   fail(where, key, fmt::format("expected a number from 0 to {}, got {}", static_cast<int>(array.size()) - 1, part));
 }
 
-/// Moves the value to its key. `where` names the change, `source` goes to tables and keys that are made on the way.
-void assign(toml::table& scene, const std::string& key, toml::node& value, const std::string& where,
-            const toml::source_region& source) {
+/// Puts the value under its key. `where` names the change, `source` goes to tables and keys that are made on the way.
+void assign(GivenTable& scene, const std::string& key, const GivenValue& value, const std::string& where,
+            const GivenPlace& source) {
   const auto parts = split_key(key, where);
-  toml::table* table = &scene;
+  GivenTable* table = &scene;
   std::size_t next = 0;
   if (parts.size() > 1 && lists().contains(parts[0])) {
-    toml::node* elements = scene.get(parts[0]);
+    GivenValue* elements = scene.find(parts[0]);
     if (!elements) fail(where, key, fmt::format("the scene has no [[{}]]", parts[0]));
     table = &element(*elements, parts, key, where);
     next = 2;
   }
   for (; next + 1 < parts.size(); ++next) {
-    toml::node* node = table->get(parts[next]);
-    if (!node) {
-      node = &table->insert_or_assign(toml::key(parts[next], source), toml::table{}).first->second;
-    } else if (node->is_array() && next + 2 < parts.size()) {  // contact.pair.NUMBER.KEY
-      table = &numbered(*node->as_array(), parts[++next], key, where);
+    GivenValue* inner = table->find(parts[next]);
+    if (!inner) {
+      inner = &table->set(parts[next], GivenValue(GivenTable{}, source), source);
+    } else if (inner->as<GivenArray>() && next + 2 < parts.size()) {  // contact.pair.NUMBER.KEY
+      table = &numbered(*inner->as<GivenArray>(), parts[++next], key, where);
       continue;
-    } else if (!node->is_table()) {
-      fail(where, key, fmt::format("{} is no table, it is {}", parts[next], describe(*node)));
+    } else if (!inner->is_table()) {
+      fail(where, key, fmt::format("{} is no table, it is {}", parts[next], describe(*inner)));
     }
-    table = node->as_table();
+    table = inner->as<GivenTable>();
   }
-  // Moved, not copied: a copy would forget where the value was written.
-  value.visit([&](auto& typed) { table->insert_or_assign(toml::key(parts.back(), source), std::move(typed)); });
+  table->set(parts.back(), value, source);
 }
 
 struct VariantKey {
   std::string key;
-  toml::source_region source;
-  toml::node* value;
+  GivenPlace place;
+  GivenValue value;
 };
 
 /// A variant's keys are quoted dotted keys; unquoted ones make nested tables, which mean the same.
-void collect(toml::table& table, const std::string& prefix, std::vector<VariantKey>& keys) {
-  for (auto&& [key, value] : table) {
-    const std::string path = prefix.empty() ? std::string(key.str()) : fmt::format("{}.{}", prefix, key.str());
-    auto* nested = value.as_table();
-    if (nested && !nested->is_inline()) {
-      collect(*nested, path, keys);
+void collect(const GivenTable& table, const std::string& prefix, std::vector<VariantKey>& keys) {
+  for (const auto& [key, place, value] : table.entries()) {
+    const std::string path = prefix.empty() ? key : fmt::format("{}.{}", prefix, key);
+    if (value.is_table() && !value.is_inline) {
+      collect(*value.as<GivenTable>(), path, keys);
     } else {
-      keys.push_back({path, key.source(), &value});
+      keys.push_back({path, place, value});
     }
   }
 }
 
 }  // namespace
-
-std::string Override::where() const { return *value.get("value")->source().path; }
 
 Override parse_override(const std::string& option, const std::string& key_value) {
   const std::string where = option + " " + key_value;
@@ -165,54 +146,44 @@ Override parse_override(const std::string& option, const std::string& key_value)
   const std::string key = key_value.substr(0, equals);
   const std::string text = key_value.substr(equals + 1);
   split_key(key, where);
-  auto value = parse_value(text, where);
+  auto value = parse_toml_value(text, where);
   if (!value && !text.empty() && text.find_first_not_of("0123456789+-.eE") == std::string::npos) {
     // TOML wants digits on both sides of the point.
     double number = 0.0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (problem == std::errc() && end == text.data() + text.size())
-      value = parse_value(fmt::format("{:e}", number), where);
+      value = parse_toml_value(fmt::format("{:e}", number), where);
   }
-  if (!value) value = parse_value(quoted(text), where);
-  if (!value) fail(where, "", "the value cannot be read");
-  return {key, std::move(*value)};
+  return {key, value ? std::move(*value) : GivenValue(text, GivenPlace(where)), where};
 }
 
-void apply_override(toml::table& scene, Override change) {
-  toml::node& value = *change.value.get("value");
-  const toml::source_region source = value.source();
-  const std::string where = change.where();
-  assign(scene, change.key, value, where, source);
+void apply_override(GivenTable& scene, const Override& change) {
+  assign(scene, change.key, change.value, change.where, GivenPlace(change.where));
 }
 
-void apply_variant(toml::table& scene, const std::string& name, const std::string& where) {
+void apply_variant(GivenTable& scene, const std::string& name, const std::string& where) {
   const auto names = variant_names(scene, where);
   if (names.empty()) fail(where, "variant", fmt::format("the scene has no variants, got \"{}\"", name));
   if (std::find(names.begin(), names.end(), name) == names.end()) {
     fail(where, "variant", fmt::format("expected {}, got \"{}\"", alternatives(names), name));
   }
   std::vector<VariantKey> keys;
-  collect(*scene["variant"][name].as_table(), "", keys);
-  std::sort(keys.begin(), keys.end(),
-            [](const VariantKey& a, const VariantKey& b) { return a.source.begin < b.source.begin; });
-  for (const auto& [key, source, value] : keys) assign(scene, key, *value, location(source, where), source);
+  collect(*scene.find("variant")->as<GivenTable>()->find(name)->as<GivenTable>(), "", keys);
+  std::ranges::stable_sort(keys, [](const VariantKey& a, const VariantKey& b) { return a.place.before(b.place); });
+  for (const auto& [key, place, value] : keys) assign(scene, key, value, place.text(where), place);
 }
 
-std::vector<std::string> variant_names(const toml::table& scene, const std::string& file) {
-  std::vector<std::pair<toml::source_position, std::string>> found;
-  const toml::node* variants = scene.get("variant");
+std::vector<std::string> variant_names(const GivenTable& scene, const std::string& file) {
+  const GivenValue* variants = scene.find("variant");
   if (!variants) return {};
   const auto expected = "expected tables [variant.NAME], got ";
-  if (!variants->is_table()) fail(location(variants->source(), file), "variant", expected + describe(*variants));
-  for (const auto& [key, value] : *variants->as_table()) {
-    if (!value.is_table()) {
-      fail(location(value.source(), file), fmt::format("variant.{}", key.str()), expected + describe(value));
-    }
-    found.emplace_back(key.source().begin, key.str());
-  }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto* tables = variants->as<GivenTable>();
+  if (!tables) fail(variants->place.text(file), "variant", expected + describe(*variants));
   std::vector<std::string> names;
-  for (auto& [position, name] : found) names.push_back(name);
+  for (const auto& [key, place, value] : tables->entries()) {
+    if (!value.is_table()) fail(value.place.text(file), fmt::format("variant.{}", key), expected + describe(value));
+    names.push_back(key);
+  }
   return names;
 }
 

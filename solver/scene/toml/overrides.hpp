@@ -1,11 +1,11 @@
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <string>
 #include <vector>
 
-/// Changes to the tables of a scene file before they are read: variants and --set. Nothing here knows which keys exist:
+#include <solver/scene/given/given.hpp>
+
+/// Changes to a scene as it is given, before it is read: variants and --set. Nothing here knows which keys exist:
 /// a wrong key or value is found when the tables are read, with the location of the change.
 namespace pinball {
 
@@ -13,8 +13,8 @@ namespace pinball {
 /// without quotes.
 struct Override {
   std::string key;
-  toml::table value;          ///< the value under the key "value", its source path being where()
-  std::string where() const;  ///< "--set KEY=VALUE"
+  GivenValue value;   ///< which says where it is from
+  std::string where;  ///< "--set KEY=VALUE"
 };
 
 /// Throws InputError if there is no KEY or no "=".
@@ -22,12 +22,12 @@ Override parse_override(const std::string& option, const std::string& key_value)
 
 /// Sets a key, making the tables on the way to it. Elements of [[material]] and [[body]] are named after their
 /// `name`, those of [[constraint]] are numbered from 0. Throws InputError if there is no such element.
-void apply_override(toml::table& scene, Override change);
+void apply_override(GivenTable& scene, const Override& change);
 
 /// Applies the keys of [variant.NAME] in the order of the file. `where` is named if there is no such variant.
-void apply_variant(toml::table& scene, const std::string& name, const std::string& where);
+void apply_variant(GivenTable& scene, const std::string& name, const std::string& where);
 
 /// Names of the variants, in the order of the file. Throws InputError if `variant` holds anything but tables.
-std::vector<std::string> variant_names(const toml::table& scene, const std::string& file);
+std::vector<std::string> variant_names(const GivenTable& scene, const std::string& file);
 
 }  // namespace pinball

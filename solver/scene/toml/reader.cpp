@@ -6,17 +6,17 @@
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/scene.hpp>
+#include <solver/scene/given/given_scene.hpp>
+#include <solver/scene/given/toml_file.hpp>
 #include <solver/scene/names.hpp>
 #include <solver/scene/schema/kinds.hpp>
 #include <solver/scene/units/units.hpp>
 
 #include "boundary_parts.hpp"
 #include "contact_parts.hpp"
-#include "key_depth.hpp"
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "read_keys.hpp"
-#include "repeated_key.hpp"
 #include "table.hpp"
 
 namespace pinball {
@@ -132,8 +132,16 @@ void read_boundary(const SceneTable& top, Scene& scene) {
   }
 }
 
-Scene read_tables(const toml::table& root, const std::string& path, const SceneOverrides& overrides) {
-  const SceneTable top(root, "", path + ":1:1", "scene");
+/// What a scene is read from.
+struct Given {
+  const GivenTable& table;
+  std::string path;
+  std::string where;  ///< of what is missing
+};
+
+Scene read_tables(const GivenTable& root, const Given& given, const SceneOverrides& overrides) {
+  const SceneTable top(root, "", given.where, "scene");
+  const std::string& path = given.path;
   Scene scene;
   scene.path = path;
   scene.name = std::filesystem::path(path).stem().string();
@@ -169,17 +177,6 @@ Scene read_tables(const toml::table& root, const std::string& path, const SceneO
   return scene;
 }
 
-toml::table parse(const std::string& text, const std::string& path) {
-  require_short_keys(text, path);
-  try {
-    return toml::parse(text, path);
-  } catch (const toml::parse_error& error) {
-    const std::int64_t first = line_of_first(text, error);
-    throw InputError(fmt::format("{}: not valid TOML: {}{}", location(error.source(), path), error.description(),
-                                 first > 0 ? fmt::format("; the first is in line {}", first) : ""));
-  }
-}
-
 /// A change that the command line asks for.
 struct Change {
   std::string option;
@@ -196,42 +193,41 @@ void sort_changes(const std::string& option, const std::vector<std::string>& tex
     const Override change = parse_override(option, text);
     if (change.key != "variant") {
       changes.keys.push_back({option, text});
-    } else if (const auto name = change.value["value"].value_exact<std::string>()) {
+    } else if (const auto* name = change.value.as<std::string>()) {
       const auto same = [&name](const Change& earlier) { return earlier.text == *name; };
       if (std::none_of(changes.variants.begin(), changes.variants.end(), same)) {
         changes.variants.push_back({option, *name});
       }
     } else {
-      fail(change.where(), "variant", "expected the name of a variant");
+      fail(change.where, "variant", "expected the name of a variant");
     }
   }
 }
 
-/// The text with variants and keys applied, read and checked.
-Scene read_changed(const std::string& text, const std::string& path, const Changes& changes,
-                   const SceneOverrides& overrides) {
-  // Parsed anew each time: tables cannot be copied without losing where their values were written.
-  toml::table root = parse(text, path);
+/// With variants and keys applied, read and checked.
+Scene read_changed(const Given& given, const Changes& changes, const SceneOverrides& overrides) {
+  GivenTable root = given.table;
   for (const auto& [option, name] : changes.variants) {
     apply_variant(root, name, fmt::format("{} variant={}", option, name));
   }
   for (const auto& [option, key_value] : changes.keys) apply_override(root, parse_override(option, key_value));
-  return read_tables(root, path, overrides);
+  return read_tables(root, given, overrides);
 }
 
 /// A variant must fit the scene even if nobody asks for it now. A file that is complete only with some keys of the
 /// command line is checked with these.
-void check_variants(const std::string& text, const std::string& path, const std::vector<std::string>& names,
-                    const std::vector<Change>& keys) {
+void check_variants(const Given& given, const std::vector<Change>& keys) {
+  const std::vector<std::string> names = variant_names(given.table, given.path);
+  if (names.empty()) return;
   std::vector<Change> needed;
   try {
-    read_changed(text, path, {}, {});
+    read_changed(given, {}, {});
   } catch (const InputError&) {
     needed = keys;
   }
   for (const auto& name : names) {
     try {
-      read_changed(text, path, {{{"--set", name}}, needed}, {});
+      read_changed(given, {{{"--set", name}}, needed}, {});
     } catch (const InputError& error) {
       throw InputError(fmt::format("{} (in variant {})", error.what(), name));
     }
@@ -241,23 +237,39 @@ void check_variants(const std::string& text, const std::string& path, const std:
 }  // namespace
 
 SceneSource read_scene_source(const std::string& path, const SceneOverrides& overrides) {
-  return {path, bytes_of_file(path), overrides};
+  return {path, bytes_of_file(path), overrides, {}};
 }
 
 Scene read_scene(const std::string& path, const SceneOverrides& overrides) {
   return read_scene(read_scene_source(path, overrides));
 }
 
+namespace {
+
+/// What a deck has beside its keys.
+void take_from_deck(const GivenScene& deck, Scene& scene) {
+  scene.of_deck = !deck.contact_said;
+  for (Body& body : scene.bodies) {
+    if (auto* file = std::get_if<FileMesh>(&body.mesh)) file->held = deck.mesh;
+  }
+}
+
+}  // namespace
+
 Scene read_scene(const SceneSource& source) {
-  const auto& [path, text, overrides] = source;
+  const SceneOverrides& overrides = source.overrides;
   if (overrides.refine < 1) {
     throw InputError(fmt::format("--refine {}: expected an integer >= 1, got {}", overrides.refine, overrides.refine));
   }
   Changes changes;
   sort_changes("--set", overrides.set, changes);
   sort_changes("--vary", overrides.vary, changes);
-  Scene scene = read_changed(text, path, changes, overrides);
-  check_variants(text, path, variant_names(parse(text, path), path), changes.keys);
+  const GivenTable table = source.given ? GivenTable() : parse_toml(source.text, source.path);
+  const Given given{source.given ? source.given->table : table, source.path,
+                    source.given ? source.path : source.path + ":1:1"};
+  Scene scene = read_changed(given, changes, overrides);
+  check_variants(given, changes.keys);
+  if (source.given) take_from_deck(*source.given, scene);
   return scene;
 }
 

@@ -49,27 +49,10 @@ std::string element_path(const std::string& key, std::size_t index) { return fmt
 
 }  // namespace
 
-std::string location(const toml::source_region& source, const std::string& fallback) {
-  if (!source.path || !source.begin) return fallback;
-  if (source.path->starts_with("--")) return *source.path;  // of the command line
-  return fmt::format("{}:{}:{}", *source.path, source.begin.line, source.begin.column);
-}
-
 void fail(const std::string& where, const std::string& key, const std::string& problem) {
   const bool named = where.starts_with("--set " + key + "=") || where.starts_with("--vary " + key + "=");
   if (key.empty() || named) throw InputError(where + ": " + problem);
   throw InputError(where + ": " + key + ": " + problem);
-}
-
-std::string describe(const toml::node& node) {
-  if (const auto* text = node.as_string()) return fmt::format("\"{}\"", text->get());
-  if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
-  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
-  if (const auto* boolean = node.as_boolean()) return boolean->get() ? "true" : "false";
-  if (const auto* array = node.as_array()) {
-    return fmt::format("an array of {} value{}", array->size(), array->size() == 1 ? "" : "s");
-  }
-  return node.is_table() ? "a table" : "a date or time";
 }
 
 std::string alternatives(const std::vector<std::string>& texts) {
@@ -81,18 +64,12 @@ std::string alternatives(const std::vector<std::string>& texts) {
   return joined;
 }
 
-SceneTable::SceneTable(const toml::table& table, std::string path, std::string where, std::string_view kind)
+SceneTable::SceneTable(const GivenTable& table, std::string path, std::string where, std::string_view kind)
     : table_(&table), path_(std::move(path)), where_(std::move(where)) {
   const TableKeys& known = keys_of(kind);
-  // The first unknown key in the file's order, not in the alphabet's.
-  const toml::key* unknown = nullptr;
-  for (const auto& [key, value] : table) {
-    if (std::find(known.keys.begin(), known.keys.end(), key.str()) != known.keys.end()) continue;
-    if (!unknown || key.source().begin < unknown->source().begin) unknown = &key;
-  }
-  if (unknown) {
-    pinball::fail(location(unknown->source(), where_), key_path(unknown->str()),
-                  "unknown key, nearest is " + nearest_key(unknown->str(), path_, known));
+  for (const auto& [key, place, value] : table.entries()) {
+    if (std::find(known.keys.begin(), known.keys.end(), key) != known.keys.end()) continue;
+    pinball::fail(place.text(where_), key_path(key), "unknown key, nearest is " + nearest_key(key, path_, known));
   }
 }
 
@@ -100,11 +77,11 @@ std::string SceneTable::key_path(std::string_view key) const { return join(path_
 
 std::string SceneTable::place() const { return fmt::format("{}: {}", where_, path_); }
 
-const toml::node* SceneTable::find(std::string_view key) const { return table_->get(key); }
+const GivenValue* SceneTable::find(std::string_view key) const { return table_->find(key); }
 
 std::string SceneTable::where(std::string_view key) const {
-  const toml::node* node = find(key);
-  return node ? location(node->source(), where_) : where_;
+  const GivenValue* node = find(key);
+  return node ? node->place.text(where_) : where_;
 }
 
 void SceneTable::fail(std::string_view key, const std::string& problem) const {
@@ -119,17 +96,17 @@ void SceneTable::fail_missing(std::string_view key, const std::string& expected)
   fail(key, "missing, expected " + expected);
 }
 
-double SceneTable::number_of(const toml::node& node, const std::string& key, const Bound& bound) const {
-  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+double SceneTable::number_of(const GivenValue& node, const std::string& key, const Bound& bound) const {
+  const std::optional<double> value = node.number();
   if (!value || !bound.holds(*value)) {
-    pinball::fail(location(node.source(), where_), key,
+    pinball::fail(node.place.text(where_), key,
                   fmt::format("expected {}, got {}", bound.describe(), pinball::describe(node)));
   }
   return *value;
 }
 
-const toml::node& SceneTable::find(std::string_view key, const std::string& expected) const {
-  const toml::node* node = find(key);
+const GivenValue& SceneTable::find(std::string_view key, const std::string& expected) const {
+  const GivenValue* node = find(key);
   if (!node) fail_missing(key, expected);
   return *node;
 }
@@ -138,13 +115,13 @@ double SceneTable::number(std::string_view key, const Bound& bound) const {
   return number_of(find(key, bound.describe()), key_path(key), bound);
 }
 
-std::int64_t SceneTable::integer_of(const toml::node& node, const std::string& key, std::int64_t low) const {
-  const auto* value = node.as_integer();
-  if (!value || value->get() < low) {
-    pinball::fail(location(node.source(), where_), key,
+std::int64_t SceneTable::integer_of(const GivenValue& node, const std::string& key, std::int64_t low) const {
+  const auto* value = node.as<std::int64_t>();
+  if (!value || *value < low) {
+    pinball::fail(node.place.text(where_), key,
                   fmt::format("expected an integer >= {}, got {}", low, pinball::describe(node)));
   }
-  return value->get();
+  return *value;
 }
 
 std::int64_t SceneTable::integer(std::string_view key, std::int64_t low) const {
@@ -152,15 +129,17 @@ std::int64_t SceneTable::integer(std::string_view key, std::int64_t low) const {
 }
 
 bool SceneTable::boolean(std::string_view key) const {
-  const toml::node& node = find(key, "true or false");
-  if (!node.is_boolean()) fail(key, "expected true or false, got " + pinball::describe(node));
-  return node.as_boolean()->get();
+  const GivenValue& node = find(key, "true or false");
+  const bool* value = node.as<bool>();
+  if (!value) fail(key, "expected true or false, got " + pinball::describe(node));
+  return *value;
 }
 
 std::string SceneTable::text(std::string_view key) const {
-  const toml::node& node = find(key, "a text in quotes");
-  if (!node.is_string()) fail(key, "expected a text in quotes, got " + pinball::describe(node));
-  return node.as_string()->get();
+  const GivenValue& node = find(key, "a text in quotes");
+  const auto* value = node.as<std::string>();
+  if (!value) fail(key, "expected a text in quotes, got " + pinball::describe(node));
+  return *value;
 }
 
 std::string SceneTable::name(std::string_view key) const {
@@ -169,20 +148,19 @@ std::string SceneTable::name(std::string_view key) const {
   return name;
 }
 
-const toml::array& SceneTable::array_of(const toml::node& node, const std::string& key, const std::string& expected,
-                                        std::optional<std::size_t> count) const {
-  const auto* array = node.as_array();
+const GivenArray& SceneTable::array_of(const GivenValue& node, const std::string& key, const std::string& expected,
+                                       std::optional<std::size_t> count) const {
+  const auto* array = node.as<GivenArray>();
   if (!array || (count && array->size() != *count)) {
-    pinball::fail(location(node.source(), where_), key,
-                  fmt::format("expected {}, got {}", expected, pinball::describe(node)));
+    pinball::fail(node.place.text(where_), key, fmt::format("expected {}, got {}", expected, pinball::describe(node)));
   }
   return *array;
 }
 
-Point SceneTable::point_of(const toml::node& node, const std::string& key, const Bound& bound) const {
+Point SceneTable::point_of(const GivenValue& node, const std::string& key, const Bound& bound) const {
   const auto& array = array_of(node, key, "an array of 3 numbers", 3);
   Point point{};
-  for (std::size_t i = 0; i < 3; ++i) point[i] = number_of(*array.get(i), element_path(key, i), bound);
+  for (std::size_t i = 0; i < 3; ++i) point[i] = number_of(array[i], element_path(key, i), bound);
   return point;
 }
 
@@ -195,31 +173,31 @@ std::array<Point, 3> SceneTable::matrix(std::string_view key) const {
   const auto& rows = array_of(find(key, expected), key_path(key), expected, 3);
   std::array<Point, 3> matrix{};
   for (std::size_t i = 0; i < 3; ++i) {
-    matrix[i] = point_of(*rows.get(i), element_path(key_path(key), i), any_number);
+    matrix[i] = point_of(rows[i], element_path(key_path(key), i), any_number);
   }
   return matrix;
 }
 
 std::vector<double> SceneTable::numbers(std::string_view key, const Bound& bound) const {
   std::vector<double> values;
-  const toml::node* node = find(key);
+  const GivenValue* node = find(key);
   if (!node) return values;
   const auto& array = array_of(*node, key_path(key), "an array of numbers", std::nullopt);
   for (std::size_t i = 0; i < array.size(); ++i) {
-    values.push_back(number_of(*array.get(i), element_path(key_path(key), i), bound));
+    values.push_back(number_of(array[i], element_path(key_path(key), i), bound));
   }
   return values;
 }
 
 std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::int64_t low) const {
-  const toml::node* node = find(key);
+  const GivenValue* node = find(key);
   if (!node) return {};
   const std::string expected = fmt::format("an array of integers >= {}", low);
   const auto& array = array_of(*node, key_path(key), expected, std::nullopt);
   std::vector<std::int64_t> values;
   values.reserve(array.size());
   for (std::size_t i = 0; i < array.size(); ++i) {
-    values.push_back(integer_of(*array.get(i), element_path(key_path(key), i), low));
+    values.push_back(integer_of(array[i], element_path(key_path(key), i), low));
   }
   return values;
 }
@@ -229,7 +207,7 @@ std::vector<std::int64_t> SceneTable::integers(std::string_view key, std::size_t
   const auto& array = array_of(find(key, expected), key_path(key), expected, count);
   std::vector<std::int64_t> values;
   for (std::size_t i = 0; i < count; ++i) {
-    values.push_back(integer_of(*array.get(i), element_path(key_path(key), i), low));
+    values.push_back(integer_of(array[i], element_path(key_path(key), i), low));
   }
   return values;
 }
@@ -241,19 +219,19 @@ std::array<std::vector<Value>, 3> SceneTable::lists_of(std::string_view key, con
   std::array<std::vector<Value>, 3> lists;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string path = element_path(key_path(key), i);
-    const auto* list = array.get(i)->as_array();
+    const auto* list = array[i].as<GivenArray>();
     if (!list) {
-      lists[i].push_back(read(*array.get(i), path));
+      lists[i].push_back(read(array[i], path));
       continue;
     }
-    if (list->empty()) pinball::fail(location(list->source(), where_), path, "expected at least one number, got none");
-    for (std::size_t j = 0; j < list->size(); ++j) lists[i].push_back(read(*list->get(j), element_path(path, j)));
+    if (list->empty()) pinball::fail(array[i].place.text(where_), path, "expected at least one number, got none");
+    for (std::size_t j = 0; j < list->size(); ++j) lists[i].push_back(read((*list)[j], element_path(path, j)));
   }
   return lists;
 }
 
 std::array<std::vector<double>, 3> SceneTable::lists(std::string_view key, const Bound& bound) const {
-  return lists_of<double>(key, "an array of 3 numbers", [&](const toml::node& node, const std::string& path) {
+  return lists_of<double>(key, "an array of 3 numbers", [&](const GivenValue& node, const std::string& path) {
     return number_of(node, path, bound);
   });
 }
@@ -261,19 +239,19 @@ std::array<std::vector<double>, 3> SceneTable::lists(std::string_view key, const
 std::array<std::vector<std::int64_t>, 3> SceneTable::integer_lists(std::string_view key, std::int64_t low) const {
   return lists_of<std::int64_t>(
       key, fmt::format("an array of 3 integers >= {}", low),
-      [&](const toml::node& node, const std::string& path) { return integer_of(node, path, low); });
+      [&](const GivenValue& node, const std::string& path) { return integer_of(node, path, low); });
 }
 
 std::vector<std::string> SceneTable::texts(std::string_view key, const std::vector<std::string>& allowed) const {
   std::vector<std::string> values;
-  const toml::node* node = find(key);
+  const GivenValue* node = find(key);
   if (!node) return values;
   const auto& array = array_of(*node, key_path(key), "an array of texts", std::nullopt);
   for (std::size_t i = 0; i < array.size(); ++i) {
-    const toml::node& element = *array.get(i);
-    const auto value = element.value_exact<std::string>();
+    const GivenValue& element = array[i];
+    const auto* value = element.as<std::string>();
     if (!value || std::find(allowed.begin(), allowed.end(), *value) == allowed.end()) {
-      pinball::fail(location(element.source(), where_), element_path(key_path(key), i),
+      pinball::fail(element.place.text(where_), element_path(key_path(key), i),
                     fmt::format("expected {}, got {}", alternatives(allowed), pinball::describe(element)));
     }
     values.push_back(*value);
@@ -283,61 +261,61 @@ std::vector<std::string> SceneTable::texts(std::string_view key, const std::vect
 
 std::vector<TextOrTable> SceneTable::texts_or_tables(std::string_view key, std::string_view kind,
                                                      const std::string& expected) const {
-  const toml::node* node = find(key);
+  const GivenValue* node = find(key);
   if (!node) fail_missing(key, expected);
   std::vector<TextOrTable> values;
-  const auto take = [&](const toml::node& one, const std::string& path) {
-    const auto text = one.value_exact<std::string>();
+  const auto take = [&](const GivenValue& one, const std::string& path) {
+    const auto* text = one.as<std::string>();
     if (text && !text->empty()) {
       values.push_back({*text, {}});
     } else if (one.is_table()) {
-      values.push_back({"", SceneTable(*one.as_table(), path, location(one.source(), where_), kind)});
+      values.push_back({"", SceneTable(*one.as<GivenTable>(), path, one.place.text(where_), kind)});
     } else {
-      pinball::fail(location(one.source(), where_), path,
-                    fmt::format("expected {}, got {}", expected, pinball::describe(one)));
+      pinball::fail(one.place.text(where_), path, fmt::format("expected {}, got {}", expected, pinball::describe(one)));
     }
   };
-  if (!node->is_array()) {
+  if (node->as<GivenArray>() == nullptr) {
     take(*node, key_path(key));
     return values;
   }
-  const toml::array& array = *node->as_array();
-  for (std::size_t i = 0; i < array.size(); ++i) take(*array.get(i), element_path(key_path(key), i));
+  const GivenArray& array = *node->as<GivenArray>();
+  for (std::size_t i = 0; i < array.size(); ++i) take(array[i], element_path(key_path(key), i));
   if (values.empty()) fail(key, fmt::format("expected {}, got none", expected));
   return values;
 }
 
 std::size_t SceneTable::choice_index(std::string_view key, const std::vector<std::string>& names) const {
-  const toml::node& node = find(key, alternatives(names));
-  if (const auto* text = node.as_string()) {
-    const auto found = std::find(names.begin(), names.end(), text->get());
+  const GivenValue& node = find(key, alternatives(names));
+  if (const auto* text = node.as<std::string>()) {
+    const auto found = std::find(names.begin(), names.end(), *text);
     if (found != names.end()) return found - names.begin();
   }
   fail(key, fmt::format("expected {}, got {}", alternatives(names), pinball::describe(node)));
 }
 
 SceneTable SceneTable::table(std::string_view key, std::string_view kind) const {
-  static const toml::table empty;
-  const toml::node* node = find(key);
+  static const GivenTable empty;
+  const GivenValue* node = find(key);
   if (node && !node->is_table()) fail(key, "expected a table, got " + pinball::describe(*node));
-  return SceneTable(node ? *node->as_table() : empty, key_path(key), where(key), kind);
+  return SceneTable(node ? *node->as<GivenTable>() : empty, key_path(key), where(key), kind);
 }
 
 std::vector<SceneTable> SceneTable::tables(std::string_view key, std::string_view kind) const {
   std::vector<SceneTable> tables;
-  const toml::node* node = find(key);
+  const GivenValue* node = find(key);
   if (!node) return tables;
   const std::string expected = fmt::format("tables [[{}]]", key);
   const auto& array = array_of(*node, key_path(key), expected, std::nullopt);
   for (std::size_t i = 0; i < array.size(); ++i) {
-    const auto* element = array.get_as<toml::table>(i);
+    const auto* element = array[i].as<GivenTable>();
     if (!element) {
-      pinball::fail(location(array.get(i)->source(), where_), element_path(key_path(key), i),
-                    fmt::format("expected {}, got {}", expected, pinball::describe(*array.get(i))));
+      pinball::fail(array[i].place.text(where_), element_path(key_path(key), i),
+                    fmt::format("expected {}, got {}", expected, pinball::describe(array[i])));
     }
-    const auto name = (*element)["name"].value_exact<std::string>();
+    const GivenValue* named = element->find("name");
+    const auto* name = named ? named->as<std::string>() : nullptr;
     tables.emplace_back(*element, fmt::format("{}.{}", key_path(key), name ? *name : std::to_string(i)),
-                        location(element->source(), where_), kind);
+                        array[i].place.text(where_), kind);
   }
   return tables;
 }

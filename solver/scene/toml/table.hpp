@@ -1,7 +1,5 @@
 #pragma once
 
-#include <toml++/toml.h>
-
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -11,12 +9,13 @@
 #include <vector>
 
 #include <solver/mesh.hpp>
+#include <solver/scene/given/given.hpp>
 #include <solver/scene/schema/bound.hpp>
 #include <solver/scene_rules.hpp>
 
-/// Typed access to the tables of a scene file. Every error is an InputError that reads
+/// Typed access to the tables of a scene as it is given. Every error is an InputError that reads
 /// "FILE:LINE:COLUMN: KEY: expected ..., got ...", or "--set KEY=VALUE: expected ..., got ...", with --vary as with
-/// --set.
+/// --set, or names a card of a deck in their place.
 namespace pinball {
 
 /// The keys that one kind of table may hold.
@@ -29,14 +28,8 @@ struct TableKeys {
 /// All kinds of tables of the scene format: the one list against which unknown keys are found.
 const std::vector<TableKeys>& scene_keys();
 
-/// Where something was written: "FILE:LINE:COLUMN", or "--set KEY=VALUE"; `fallback` if the source is not known.
-std::string location(const toml::source_region& source, const std::string& fallback);
-
 /// Throws InputError "WHERE: KEY: PROBLEM". A KEY that WHERE, being "--set KEY=...", already names is left out.
 [[noreturn]] void fail(const std::string& where, const std::string& key, const std::string& problem);
-
-/// A value as a message shows it after "got": -1, "text", true, an array of 2 values, a table.
-std::string describe(const toml::node& node);
 
 /// The texts in quotes, joined as in: "a", "b" or "c".
 std::string alternatives(const std::vector<std::string>& texts);
@@ -48,10 +41,10 @@ class SceneTable {
  public:
   /// `path` is the dotted name of the table, "" for the top level; `where` its location, used for missing keys.
   /// Throws InputError if the table holds a key that its kind does not know.
-  SceneTable(const toml::table& table, std::string path, std::string where, std::string_view kind);
+  SceneTable(const GivenTable& table, std::string path, std::string where, std::string_view kind);
 
   bool has(std::string_view key) const { return table_->contains(key); }
-  bool is_text(std::string_view key) const { return has(key) && find(key)->is_string(); }
+  bool is_text(std::string_view key) const { return has(key) && find(key)->as<std::string>() != nullptr; }
   std::string key_path(std::string_view key) const;
   /// "FILE:LINE:COLUMN: PATH", for messages about what it says that come later.
   std::string place() const;
@@ -106,19 +99,19 @@ class SceneTable {
   std::vector<SceneTable> tables(std::string_view key, std::string_view kind) const;
 
  private:
-  const toml::node* find(std::string_view key) const;
+  const GivenValue* find(std::string_view key) const;
   /// Fails where the key is missing.
-  const toml::node& find(std::string_view key, const std::string& expected) const;
+  const GivenValue& find(std::string_view key, const std::string& expected) const;
   std::size_t choice_index(std::string_view key, const std::vector<std::string>& names) const;
-  double number_of(const toml::node& node, const std::string& key, const Bound& bound) const;
-  std::int64_t integer_of(const toml::node& node, const std::string& key, std::int64_t low) const;
-  Point point_of(const toml::node& node, const std::string& key, const Bound& bound) const;
+  double number_of(const GivenValue& node, const std::string& key, const Bound& bound) const;
+  std::int64_t integer_of(const GivenValue& node, const std::string& key, std::int64_t low) const;
+  Point point_of(const GivenValue& node, const std::string& key, const Bound& bound) const;
   template <class Value, class Read>
   std::array<std::vector<Value>, 3> lists_of(std::string_view key, const std::string& expected, const Read& read) const;
-  const toml::array& array_of(const toml::node& node, const std::string& key, const std::string& expected,
-                              std::optional<std::size_t> count) const;
+  const GivenArray& array_of(const GivenValue& node, const std::string& key, const std::string& expected,
+                             std::optional<std::size_t> count) const;
 
-  const toml::table* table_;
+  const GivenTable* table_;
   std::string path_;
   std::string where_;
 };

@@ -15,7 +15,7 @@ class AbaqusDecks : public testing::Test {
   /// A deck that has run to its end.
   const Solver<double>& run_of(const std::string& name) {
     const std::string path = PINBALL_SOURCE_DIR "/data/decks/abaqus/" + name + ".inp";
-    solver_.emplace(read_scene(SceneSource{path, translate_abaqus(path).scene, {}}));
+    solver_.emplace(read_scene(translate_abaqus(path).source(path)));
     run_to_end(*solver_);
     return *solver_;
   }

@@ -9,6 +9,7 @@
 #include <solver/formats/abaqus/cards/abaqus_scene.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
 #include <solver/formats/mesh_reader.hpp>
+#include <solver/scene/given/toml_file.hpp>
 #include <tests/formats/lsdyna/own_deck.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
@@ -56,8 +57,8 @@ class EveryFieldOfAbaqus : public FolderTest {
     std::ofstream(file) << fmt::format("{}\n", fmt::join(lines, "\n"));
     try {
       const TranslatedDeck deck = translate(file.string());
-      return fmt::format("{}\n{}\n{}\n{}", deck.scene, fmt::join(deck.understood, "\n"), fmt::join(deck.ignored, "\n"),
-                         mesh_text(file));
+      return fmt::format("{}\n{}\n{}\n{}", write_toml(deck.given->table), fmt::join(deck.understood, "\n"),
+                         fmt::join(deck.ignored, "\n"), mesh_text(file));
     } catch (const InputError& error) {
       return error.what();
     }

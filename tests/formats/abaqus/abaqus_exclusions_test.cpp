@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <solver/scene/given/toml_file.hpp>
+
 #include "abaqus_case.hpp"
 
 namespace pinball::test {
@@ -58,7 +60,7 @@ TEST_F(AbaqusExclusions, OfABodyWithItselfOrWithAll) {
 
 TEST_F(AbaqusExclusions, MayLeaveNothing) {
   const TranslatedDeck deck = translate(with(all_but(",\n")));
-  EXPECT_THAT(deck.scene, HasSubstr("[contact]  # all of which is excluded\nmethod = \"none\"\n"));
+  EXPECT_THAT(write_toml(deck.given->table), HasSubstr("[contact]  # all of which is excluded\nmethod = \"none\"\n"));
   EXPECT_THAT(deck.understood, testing::Contains("contact: none, all of it is excluded"));
 }
 

@@ -67,7 +67,7 @@ TEST(AbaqusFuzz, DamagedDecksAreReadOrRejected) {
       const std::string text = damaged(deck, random);
       std::ofstream(path, std::ios::binary) << text;
       try {
-        read_scene(SceneSource{path, translate_abaqus(path).scene, {}});
+        read_scene(translate_abaqus(path).source(path));
         ++read;
       } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()), "");

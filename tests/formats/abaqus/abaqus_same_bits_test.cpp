@@ -116,7 +116,7 @@ TEST_F(SameBits, OfAnLsDynaDeckAndAbaqusInput) {
       "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0.1\n*END\n";
   const std::string path = (folder_ / "deck.k").string();
   std::ofstream(path) << k_deck;
-  const Scene as_scene = read_scene(SceneSource{path, translate_deck(path).scene, {}});
+  const Scene as_scene = read_scene(translate_deck(path).source(path));
   EXPECT_EQ(hash_of_abaqus(abaqus_deck()), hash_of(as_scene));
 }
 

@@ -364,10 +364,14 @@ TEST_F(Abaqus, WhatCannotBeDoneIsRefusedInOneMessageBeforeTheMeshIsRead) {
 TEST_F(Abaqus, ErrorsOfItsSceneNameItsLines) {
   const TranslatedDeck deck =
       translate(abaqus_cube + abaqus_steel + "*INITIAL CONDITIONS, TYPE=VELOCITY\ntop, 3, 1.\n" + abaqus_step());
-  const std::size_t at = deck.scene.find("velocity = ");
-  const auto line = 1 + std::count(deck.scene.begin(), deck.scene.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-  EXPECT_THAT(deck.in_cards(fmt::format("a:{}:1: initial_velocity.0.velocity: expected more", line), "a"),
+  SceneSource source = deck.source(path_);
+  EXPECT_THAT(read_scene(source).initial_velocities.at(0).nodes.where,
               testing::AllOf(HasSubstr("deck.inp:24"), HasSubstr("*INITIAL CONDITIONS")));
+  source.overrides.set = {"initial_velocity.0.set=5"};  // which is no text
+  EXPECT_EQ(error_of([&] { read_scene(source); }), "--set initial_velocity.0.set=5: expected a text in quotes, got 5");
+  const std::string light = "*MATERIAL, NAME=steel\n*DENSITY\n-1.\n*ELASTIC\n210000., 0.3\n";
+  EXPECT_THAT(error(abaqus_cube + light + abaqus_step()),
+              HasSubstr("deck.inp:20: *DENSITY: material.mat_STEEL.density: expected a number > 0, got -1"));
 }
 
 TEST_F(Abaqus, LenientLeavesOutOutputAndControlsAlone) {

@@ -35,9 +35,7 @@ class DeckTest : public DeckFileTest {
   /// The error of the scene, or of its model, as the program has it.
   std::string error_in_cards(const std::string& text) {
     const TranslatedDeck deck = translate(text);
-    const std::string name = path_ + " as a scene";
-    const auto build = [&] { build_model<double>(read_scene(SceneSource{name, deck.scene, {}})); };
-    return without_folder(deck.in_cards(error_of(build), name));
+    return without_folder(error_of([&] { build_model<double>(read_scene(deck.source(path_ + " as a scene"))); }));
   }
 };
 

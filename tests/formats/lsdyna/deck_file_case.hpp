@@ -22,7 +22,7 @@ class DeckFileTest : public FolderTest {
   TranslatedDeck translate(const std::string& text) { return translate(text, DeckOptions{}); }
 
   Scene scene(const std::string& text, const DeckOptions& options = {}) {
-    return read_scene(SceneSource{path_, translate(text, options).scene, {}});
+    return read_scene(translate(text, options).source(path_));
   }
   /// The text of the error without the folder; no_error if there is none.
   std::string error(const std::string& text, const DeckOptions& options = {}) {

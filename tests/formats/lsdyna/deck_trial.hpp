@@ -16,7 +16,7 @@ enum class TrialEnd { model, refused };
 inline TrialEnd try_deck(const std::string& path) {
   try {
     const TranslatedDeck deck = translate_deck(path);
-    build_model<double>(read_scene({path, deck.scene, {}}));
+    build_model<double>(read_scene(deck.source(path)));
     return TrialEnd::model;
   } catch (const InputError&) {
     return TrialEnd::refused;

@@ -11,6 +11,7 @@
 #include <solver/formats/lsdyna/cards/keyword_scene.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
 #include <solver/formats/mesh_reader.hpp>
+#include <solver/scene/given/toml_file.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
@@ -93,7 +94,7 @@ class EveryField : public FolderTest {
     Outcome result;
     try {
       const TranslatedDeck made = translate_deck(path.string());
-      result.made = made.scene + mesh_text(path);
+      result.made = write_toml(made.given->table) + mesh_text(path);
       for (const auto* sentences : {&made.understood, &made.ignored})
         result.told.insert(sentences->begin(), sentences->end());
     } catch (const InputError& error) {

@@ -14,7 +14,7 @@ namespace pinball::test {
 inline std::string own_deck(const std::string& name) { return PINBALL_SOURCE_DIR "/data/decks/" + name; }
 
 inline Scene scene_of_deck(const std::string& path, const DeckOptions& options = {}) {
-  return read_scene(SceneSource{path, translate_deck(path, options).scene, {}});
+  return read_scene(translate_deck(path, options).source(path));
 }
 
 inline Simulation run_deck(const std::string& name, const DeckOptions& options = {}) {

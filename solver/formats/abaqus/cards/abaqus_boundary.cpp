@@ -12,15 +12,11 @@
 
 namespace pinball {
 
-void write_abaqus_head(const char* table, const AbaqusBlock& block, const DeckPlace& place, TomlText& scene) {
-  scene.entry(table, fmt::format("{} {}", block.star_name(), place.text()));
-}
-
-void write_abaqus_nodes(const AbaqusNodes& nodes, TomlText& scene) {
+void set_nodes(const AbaqusNodes& nodes, const DeckKeys<NodeSelection>& keys) {
   if (nodes.set.empty()) {
-    scene.key("nodes", std::vector<std::int64_t>{nodes.number});
+    keys.set("nodes", std::vector<std::int64_t>{nodes.number});
   } else {
-    scene.key("set", nodes.set);
+    keys.set("set", nodes.set);
   }
 }
 
@@ -63,12 +59,12 @@ Held held_of(AbaqusData& data, const AbaqusBlock& block, const DataFields& f) {
   return held;
 }
 
-std::string directions_text(unsigned directions) {
+std::vector<std::string> names_of(unsigned directions) {
   std::vector<std::string> names;
   for (unsigned k = 0; k < 3; ++k) {
-    if ((directions >> k & 1U) != 0) names.push_back(fmt::format("\"{}\"", "xyz"[k]));
+    if ((directions >> k & 1U) != 0) names.emplace_back(1, "xyz"[k]);
   }
-  return fmt::format("[{}]", fmt::join(names, ", "));
+  return names;
 }
 
 /// A line of *BOUNDARY and when it acts.
@@ -85,14 +81,13 @@ struct BoundaryLine {
 
 class Boundary {
  public:
-  Boundary(AbaqusData& data, TomlText& scene) : data_(data), scene_(scene) {}
+  Boundary(AbaqusData& data, DeckScene& scene) : data_(data), scene_(scene) {}
 
   void translate() {
     for (int step = 0; step <= static_cast<int>(data_.steps.size()); ++step) read_step(step);
     for (const BoundaryLine& line : lines_) write(line);
     for (const auto& [kind, singles] : singles_) {
-      write_fixed(*singles.first);
-      scene_.key("nodes", singles.numbers);
+      begin_fixed(*singles.first).set("nodes", singles.numbers);
     }
   }
 
@@ -194,8 +189,7 @@ class Boundary {
           singles_.try_emplace({line.held.directions, line.start, line.end}, Singles{&line, {}}).first->second;
       for (const std::int64_t number : numbers_of(line)) singles.numbers.push_back(number);
     } else {
-      write_fixed(line);
-      scene_.key("set", line.nodes.set);
+      begin_fixed(line).set("set", line.nodes.set);
     }
   }
 
@@ -209,11 +203,12 @@ class Boundary {
     return numbers;
   }
 
-  void write_fixed(const BoundaryLine& line) {
-    write_abaqus_head("constraint", *line.block, line.place, scene_);
-    scene_.key("type", "fixed");
-    scene_.raw("directions", directions_text(line.held.directions));
-    write_times(line);
+  DeckKeys<FixedConstraint> begin_fixed(const BoundaryLine& line) {
+    auto keys = scene_.entry<FixedConstraint>("constraint", card_of(*line.block, line.place));
+    keys.set("type", "fixed");
+    keys.set("directions", names_of(line.held.directions));
+    set_times(line, keys);
+    return keys;
   }
 
   void write_motion(const BoundaryLine& line) {
@@ -221,33 +216,33 @@ class Boundary {
       if ((line.held.directions >> k & 1U) == 0) continue;
       Point direction{};
       direction[k] = 1;
-      write_abaqus_head("prescribed_velocity", *line.block, line.place, scene_);
-      scene_.key("direction", direction);
-      scene_.key("speed", line.curve.times.empty() ? line.held.magnitude : 1.0);
-      scene_.key("quantity", quantity_of(line));
-      write_curve(line.curve, line.held.magnitude, scene_);
-      write_times(line);
+      const auto keys = scene_.entry<PrescribedVelocity>("prescribed_velocity", card_of(*line.block, line.place));
+      keys.set("direction", direction);
+      keys.set("speed", line.curve.times.empty() ? line.held.magnitude : 1.0);
+      keys.set("quantity", quantity_of(line));
+      set_curve(line.curve, line.held.magnitude, keys);
+      set_times(line, keys);
       if (line.nodes.set.empty()) {
-        scene_.key("nodes", numbers_of(line));
+        keys.set("nodes", numbers_of(line));
       } else {
-        scene_.key("set", line.nodes.set);
+        keys.set("set", line.nodes.set);
       }
     }
   }
 
-  void write_times(const BoundaryLine& line) {
-    if (line.start > 0) scene_.key("start", line.start);
-    if (line.end) scene_.key("end", *line.end);
+  static void set_times(const BoundaryLine& line, const DeckKeys<TimeSpan>& keys) {
+    if (line.start > 0) keys.set("start", line.start);
+    if (line.end) keys.set("end", *line.end);
   }
 
   AbaqusData& data_;
-  TomlText& scene_;
+  DeckScene& scene_;
   std::vector<BoundaryLine> lines_;
   std::map<std::tuple<unsigned, double, std::optional<double>>, Singles> singles_;
 };
 
 }  // namespace
 
-void translate_abaqus_boundary(AbaqusData& data, TomlText& scene) { Boundary(data, scene).translate(); }
+void translate_abaqus_boundary(AbaqusData& data, DeckScene& scene) { Boundary(data, scene).translate(); }
 
 }  // namespace pinball

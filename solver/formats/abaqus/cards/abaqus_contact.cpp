@@ -30,10 +30,12 @@ Friction read_friction(AbaqusData& data, const AbaqusBlock& block) {
   return {first, first, 0.0};
 }
 
-void write_friction(const Friction& friction, TomlText& scene) {
-  scene.key("friction", friction.sliding);
-  if (friction.at_rest > friction.sliding) scene.key("static_friction", friction.at_rest);
-  if (friction.at_rest > friction.sliding && friction.decay > 0) scene.key("friction_decay", friction.decay);
+/// Of all that touches, or of a pair.
+template <class Keys>
+void set_friction(const Friction& friction, const Keys& keys) {
+  keys.set("friction", friction.sliding);
+  if (friction.at_rest > friction.sliding) keys.set("static_friction", friction.at_rest);
+  if (friction.at_rest > friction.sliding && friction.decay > 0) keys.set("friction_decay", friction.decay);
 }
 
 /// What may touch what; no second side: the first touches itself.
@@ -49,7 +51,7 @@ class Contact {
   explicit Contact(AbaqusData& data) : data_(data), exclusions_(data) {}
 
   /// Returns whether anything says what touches, be it nothing.
-  bool translate(TomlText& scene) {
+  bool translate(DeckScene& scene) {
     read_interactions();
     for (const AbaqusBlock& block : data_.deck.blocks) {
       if (block.name == "CONTACTINCLUSIONS") read_inclusions(block);
@@ -62,14 +64,15 @@ class Contact {
     exclusions_.report_idle();
     if (touching.empty()) {
       if (!pairs_.empty()) data_.report.understood("contact: none, all of it is excluded");
-      scene.table("contact", pairs_.empty() ? "of which no keyword says anything" : "all of which is excluded");
-      scene.key("method", "none");
+      const auto keys = scene.table<ContactSettings>("contact", {});
+      keys.comment(pairs_.empty() ? "of which no keyword says anything" : "all of which is excluded");
+      keys.set("method", "none");
       return !pairs_.empty();
     }
     const AbaqusBlock& head = *pairs_.front().block;
-    scene.table("contact", fmt::format("{} {}", head.star_name(), head.place.text()));
-    scene.key("method", "pinball");
-    write_friction(common_, scene);
+    const auto keys = scene.table<ContactSettings>("contact", card_of(head, head.place));
+    keys.set("method", "pinball");
+    set_friction(common_, keys);
     write_pairs(touching, scene);
     data_.report.understood("contact: exact, of faces and edges, without penalties");
     return true;
@@ -152,14 +155,14 @@ class Contact {
     return touching;
   }
 
-  void write_pairs(const std::vector<Touching>& touching, TomlText& scene) {
+  void write_pairs(const std::vector<Touching>& touching, DeckScene& scene) {
     const bool all = touching.size() == 1 && touching[0].pair->block == all_;
     if (all && touching[0].sides == exclusions_.all_of("", "", all_->place)) return;
     for (const auto& [pair, sides] : touching) {
-      write_abaqus_head("contact.pair", *pair->block, pair->place, scene);
-      scene.raw("first", sides.first);
-      if (!sides.second.empty()) scene.raw("second", sides.second);
-      if (pair->friction) write_friction(*pair->friction, scene);
+      const auto keys = scene.entry<ContactPair>("contact.pair", card_of(*pair->block, pair->place));
+      keys.set("first", sides.first.given());
+      if (!sides.second.empty()) keys.set("second", sides.second.given());
+      if (pair->friction) set_friction(*pair->friction, keys);
     }
   }
 
@@ -176,20 +179,20 @@ class Contact {
 namespace {
 
 /// *TIE: pairs of surfaces.
-void write_ties(const AbaqusData& data, const AbaqusBlock& block, TomlText& scene) {
+void write_ties(const AbaqusData& data, const AbaqusBlock& block, DeckScene& scene) {
   DataLines lines(block);
   while (const auto card = lines.next()) {
     const DataFields f(*card);
-    write_abaqus_head("contact.tied", block, card->place, scene);
-    scene.raw("first", data.surface(f.text(0), card->place));
-    scene.raw("second", data.surface(f.text(1), card->place));
-    if (block.has("POSITIONTOLERANCE")) scene.key("tolerance", block.number("POSITIONTOLERANCE", 0.0));
+    const auto keys = scene.entry<TiedContact>("contact.tied", card_of(block, card->place));
+    keys.set("first", data.surface(f.text(0), card->place).given());
+    keys.set("second", data.surface(f.text(1), card->place).given());
+    if (block.has("POSITIONTOLERANCE")) keys.set("tolerance", block.number("POSITIONTOLERANCE", 0.0));
   }
 }
 
 }  // namespace
 
-bool translate_abaqus_contact(AbaqusData& data, TomlText& scene) {
+bool translate_abaqus_contact(AbaqusData& data, DeckScene& scene) {
   const bool said = Contact(data).translate(scene);
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name == "TIE") write_ties(data, block, scene);

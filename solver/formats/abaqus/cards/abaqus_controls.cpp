@@ -8,26 +8,27 @@ namespace pinball {
 
 namespace {
 
-void write_title(const AbaqusData& data, TomlText& scene) {
+void write_title(const AbaqusData& data, DeckScene& scene) {
   std::string title;
   if (const AbaqusBlock* heading = data.last("HEADING")) {
     DataLines lines(*heading);
     if (const auto card = lines.next()) title = std::string(card->text);
   }
-  scene.key("title", title);
-  scene.key("units", "");
+  scene.top().set("title", title);
+  scene.top().set("units", "");
 }
 
 /// DT is the stable increment that elements get mass for; the step is SCALE FACTOR times it.
-void write_mass_scaling(AbaqusData& data, double factor, TomlText& scene) {
+void set_mass_scaling(AbaqusData& data, double factor, DeckKeys<TimeSettings> keys) {
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name != "FIXEDMASSSCALING") continue;
     const double step = block.number("DT", 0.0);
     if (!(step > 0)) fail_at(block.place, "*FIXED MASS SCALING: DT: expected more than 0");
     if (data.whole_bodies(block.value("ELSET").value_or(""), block.place).size() != data.bodies.size())
       data.report.refuse(block.place, "*FIXED MASS SCALING of some elements");
-    scene.key("smallest_step", factor * step);
-    if (block.option("TYPE") == "SETEQUALDT") scene.key("mass_scaling", "all");
+    keys.from(card_of(block, block.place));
+    keys.set("smallest_step", factor * step);
+    if (block.option("TYPE") == "SETEQUALDT") keys.set("mass_scaling", "all");
   }
 }
 
@@ -43,16 +44,17 @@ double scale_factor(AbaqusData& data) {
   return factor;
 }
 
-void write_time(AbaqusData& data, TomlText& scene) {
+void write_time(AbaqusData& data, DeckScene& scene) {
   const AbaqusBlock& dynamic = *data.last("DYNAMIC");
   DataLines lines(dynamic);
   const DataLine card = lines.require("the period of the step");
   const DataFields f(card);
-  scene.table("time");
-  scene.key("end", data.end());
+  const auto keys = scene.table<TimeSettings>("time", card_of(dynamic, card.place));
+  keys.comment("");
+  keys.set("end", data.end());
   const double factor = scale_factor(data);
-  scene.key("cfl", 0.9 * factor);
-  write_mass_scaling(data, factor, scene);
+  keys.set("cfl", 0.9 * factor);
+  set_mass_scaling(data, factor, keys);
   if (f.number(3, "largest increment", 0.0) > 0)
     data.report.understood(
         fmt::format("*DYNAMIC ({}): the largest increment is not used, steps are the stable ones", card.place.text()));
@@ -60,8 +62,8 @@ void write_time(AbaqusData& data, TomlText& scene) {
 
 /// Fields at so many equal intervals of the step, 20 where nothing is said; rows of history.csv 200. Of several
 /// requests the one that is more.
-void write_output(const AbaqusData& data, TomlText& scene) {
-  scene.table("output");
+void write_output(const AbaqusData& data, DeckScene& scene) {
+  const auto keys = scene.table<OutputSettings>("output", {});
   const auto interval = [&](const AbaqusBlock& block) {
     const double intervals = block.number("NUMBERINTERVAL", 0.0), time = block.number("TIMEINTERVAL", 0.0);
     return time > 0 ? time : intervals > 0 ? data.step_of(block).period / intervals : 0.0;
@@ -76,28 +78,34 @@ void write_output(const AbaqusData& data, TomlText& scene) {
     if (block.has("FIELD")) fields = smaller(fields, given > 0 ? given : data.step_of(block).period / 20);
     if (block.has("HISTORY") && given > 0) rows = smaller(rows, given);
   }
-  if (rows > 0) scene.key("interval", rows);
-  if (fields > 0) scene.key("field_interval", fields);
-  if (of_bodies) scene.key("body_energies", true);
+  if (rows > 0) keys.set("interval", rows);
+  if (fields > 0) keys.set("field_interval", fields);
+  if (of_bodies) keys.set("body_energies", true);
 }
 
 }  // namespace
 
-void translate_abaqus_controls(AbaqusData& data, TomlText& scene) {
+void translate_abaqus_controls(AbaqusData& data, DeckScene& scene) {
   write_title(data, scene);
   write_time(data, scene);
-  if (!data.bodies.empty()) write_element(data.body_elements.front(), scene);
+  if (!data.bodies.empty()) set_element(data.body_elements.front(), scene.table<ElementSettings>("element", {}));
   write_output(data, scene);
 }
 
-void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, TomlText& scene) {
+void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, DeckScene& scene) {
   for (const AbaqusBody& body : data.bodies) {
-    scene.entry("body");
-    scene.key("name", body.name);
-    scene.key("material", data.material_name(body.material));
+    const AbaqusBlock& section = *data.mesh.sections[body.section].block;
+    const auto keys = scene.entry<Body>("body", card_of(section, section.place));
+    keys.comment("");
+    keys.set("name", body.name);
+    keys.set("material", data.material_name(body.material));
     const DeckElement& element = data.body_elements[static_cast<std::size_t>(&body - data.bodies.data())];
-    if (element != data.body_elements.front()) write_body_element(element, scene);
-    scene.raw("mesh", fmt::format("{{ type = \"abaqus\", file = {}, part = {} }}", toml(mesh_file), toml(body.part)));
+    if (element != data.body_elements.front()) set_body_element(element, keys);
+    InnerKeys<FileMesh> mesh;
+    mesh.set("type", "abaqus");
+    mesh.set("file", mesh_file);
+    mesh.set("part", body.part);
+    keys.set("mesh", mesh.value());
   }
 }
 

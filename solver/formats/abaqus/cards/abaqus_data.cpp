@@ -258,10 +258,9 @@ std::string AbaqusData::faces(const std::string& label, const DeckPlace& place) 
   return set->name;
 }
 
-std::string AbaqusData::surface(const std::string& label, const DeckPlace& place) const {
-  if (find_faces(label) != nullptr || !node_sets_.contains(label_key(label)))
-    return fmt::format("{{ faces = {} }}", toml(faces(label, place)));
-  return fmt::format("{{ nodes = {} }}", toml(nodes(label, place).set));
+DeckSide AbaqusData::surface(const std::string& label, const DeckPlace& place) const {
+  if (find_faces(label) != nullptr || !node_sets_.contains(label_key(label))) return {{}, "faces", faces(label, place)};
+  return {{}, "nodes", nodes(label, place).set};
 }
 
 std::vector<std::int32_t> AbaqusData::elements(const std::string& label, const DeckPlace& place) const {
@@ -305,12 +304,12 @@ std::vector<std::string> AbaqusData::whole_bodies(const std::string& label, cons
   return names;
 }
 
-void write_curve(const AbaqusCurve& curve, double magnitude, TomlText& scene) {
+void set_curve(const AbaqusCurve& curve, double magnitude, const DeckKeys<TimeTable>& keys) {
   if (curve.times.empty()) return;
   std::vector<double> factors = curve.factors;
   for (double& factor : factors) factor *= curve.absolute ? 1.0 : magnitude;
-  scene.key("times", curve.times);
-  scene.key("factors", factors);
+  keys.set("times", curve.times);
+  keys.set("factors", factors);
 }
 
 }  // namespace pinball

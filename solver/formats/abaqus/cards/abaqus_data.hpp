@@ -7,6 +7,7 @@
 #include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
 #include <solver/formats/deck/deck_element.hpp>
 #include <solver/formats/deck/deck_report.hpp>
+#include <solver/formats/deck/deck_side.hpp>
 #include <solver/formats/deck/given_once.hpp>
 #include <solver/mesh/number_index.hpp>
 
@@ -67,9 +68,8 @@ class AbaqusData {
   std::string faces(const std::string& label, const DeckPlace& place) const;
   /// A surface of faces; null: there is none of this label.
   const FaceSet* find_faces(const std::string& label) const;
-  /// A surface as a side of a contact: { faces = "NAME" } or { nodes = "NAME" }. Throws InputError where it is not
-  /// there.
-  std::string surface(const std::string& label, const DeckPlace& place) const;
+  /// A surface as a side of a contact: faces or nodes. Throws InputError where it is not there.
+  DeckSide surface(const std::string& label, const DeckPlace& place) const;
   /// The step that a keyword stands in; of those before all steps the first one.
   const AbaqusStep& step_of(const AbaqusBlock& block) const;
   /// When the last step ends [time].
@@ -102,6 +102,6 @@ class AbaqusData {
 };
 
 /// times and factors of a curve, times a magnitude; nothing for a factor of 1.
-void write_curve(const AbaqusCurve& curve, double magnitude, TomlText& scene);
+void set_curve(const AbaqusCurve& curve, double magnitude, const DeckKeys<TimeTable>& keys);
 
 }  // namespace pinball

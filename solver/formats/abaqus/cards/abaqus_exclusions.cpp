@@ -42,21 +42,21 @@ void AbaqusExclusions::read(const AbaqusBlock& block) {
   while (const auto card = lines.next()) {
     const DataFields f(*card);
     const std::string first = f.text(0), second = touches_itself(first, f.text(1)) ? first : f.text(1);
-    for (const std::string& label : {first, second}) text_of(label, card->place);  // they have to be there
+    for (const std::string& label : {first, second}) side_of(label, card->place);  // they have to be there
     exclusions_.push_back({card->place, first, second});
   }
 }
 
-std::string AbaqusExclusions::text_of(const std::string& label, const DeckPlace& place) const {
+DeckSide AbaqusExclusions::side_of(const std::string& label, const DeckPlace& place) const {
   if (!label.empty()) return data_.surface(label, place);
   std::vector<std::string> names;
   for (const AbaqusBody& body : data_.bodies) names.push_back(body.name);
-  return toml(names);
+  return {names};
 }
 
 AbaqusExclusions::Side AbaqusExclusions::side(const std::string& label, const DeckPlace& place) {
   if (!outside_) outside_.emplace(data_);
-  Side side{&outside_->faces(label, place), {}, text_of(label, place)};
+  Side side{&outside_->faces(label, place), {}, side_of(label, place)};
   for (std::size_t b = 0; b < data_.bodies.size(); ++b) {
     if (label.empty() || !side.faces->of_body[b].empty()) side.bodies.push_back(b);
   }
@@ -65,7 +65,7 @@ AbaqusExclusions::Side AbaqusExclusions::side(const std::string& label, const De
 
 AbaqusSides AbaqusExclusions::all_of(const std::string& first, const std::string& second,
                                      const DeckPlace& place) const {
-  return {text_of(first, place), touches_itself(first, second) ? "" : text_of(second, place)};
+  return {side_of(first, place), touches_itself(first, second) ? DeckSide{} : side_of(second, place)};
 }
 
 std::vector<AbaqusSides> AbaqusExclusions::left_of(const std::string& first, const std::string& second,
@@ -129,7 +129,7 @@ std::vector<AbaqusSides> AbaqusExclusions::among(const Side& side, const Table& 
     for (const std::size_t h : together) {
       for (const std::size_t k : together) may[h][k] = false;
     }
-    sides.push_back({part_of(side, members(groups, together)), ""});
+    sides.push_back({part_of(side, members(groups, together)), {}});
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
     Places others;
@@ -155,8 +155,8 @@ std::vector<AbaqusSides> AbaqusExclusions::between(const Side& first, const Side
   return sides;
 }
 
-std::string AbaqusExclusions::part_of(const Side& side, const Places& places) {
-  if (places.size() == side.bodies.size()) return side.text;
+DeckSide AbaqusExclusions::part_of(const Side& side, const Places& places) {
+  if (places.size() == side.bodies.size()) return side.whole;
   std::vector<std::string> names;
   for (const std::size_t place : places) {
     const std::size_t body = side.bodies[place];
@@ -166,7 +166,7 @@ std::string AbaqusExclusions::part_of(const Side& side, const Places& places) {
     }
     names.push_back(data_.bodies[body].name);
   }
-  return toml(names);
+  return {names};
 }
 
 void AbaqusExclusions::refuse(const Exclusion& exclusion) {

@@ -8,9 +8,9 @@
 
 namespace pinball {
 
-/// The sides of a contact pair as TOML; an empty second one: the first touches itself.
+/// The sides of a contact pair; an empty second one: the first touches itself.
 struct AbaqusSides {
-  std::string first, second;
+  DeckSide first{}, second{};
   bool operator==(const AbaqusSides&) const = default;
 };
 
@@ -40,12 +40,12 @@ class AbaqusExclusions {
   struct Side {
     const AbaqusFaces* faces;
     std::vector<std::size_t> bodies;
-    std::string text;
+    DeckSide whole;
   };
   /// Per body of one side and of the other.
   using Table = std::vector<std::vector<Share>>;
 
-  std::string text_of(const std::string& label, const DeckPlace& place) const;
+  DeckSide side_of(const std::string& label, const DeckPlace& place) const;
   Side side(const std::string& label, const DeckPlace& place);
   /// How much of what two sides have of their bodies is left out.
   Table left_out(const Side& first, const Side& second);
@@ -53,7 +53,7 @@ class AbaqusExclusions {
   std::vector<AbaqusSides> among(const Side& side, const Table& out);
   std::vector<AbaqusSides> between(const Side& first, const Side& second, const Table& out);
   /// Some of the bodies of a side, by their places among them.
-  std::string part_of(const Side& side, const std::vector<std::size_t>& places);
+  DeckSide part_of(const Side& side, const std::vector<std::size_t>& places);
   void refuse(const Exclusion& exclusion);
 
   AbaqusData& data_;

@@ -6,7 +6,7 @@ namespace pinball {
 
 namespace {
 
-void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, TomlText& scene) {
+void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
   const DataFields f(card);
   const std::int64_t degree = f.integer(1, "degree of freedom");
   if (!is_translation(data, block, card.place, degree)) return;
@@ -14,15 +14,15 @@ void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& car
   const AbaqusCurve curve = data.curve(block);
   Point force{};
   force[static_cast<std::size_t>(degree - 1)] = curve.times.empty() ? magnitude : 1.0;
-  write_abaqus_head("load", block, card.place, scene);
-  scene.key("force", force);
-  scene.key("each", true);
-  write_curve(curve, magnitude, scene);
-  write_abaqus_nodes(data.nodes(f.text(0), card.place), scene);
+  const auto keys = scene.entry<NodalLoad>("load", card_of(block, card.place));
+  keys.set("force", force);
+  keys.set("each", true);
+  set_curve(curve, magnitude, keys);
+  set_nodes(data.nodes(f.text(0), card.place), keys);
 }
 
 /// Magnitude and direction of an acceleration.
-void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, TomlText& scene) {
+void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
   const DataFields f(card);
   const std::vector<std::string> bodies = data.whole_bodies(f.text(0), card.place);
   if (bodies.empty()) {
@@ -34,23 +34,24 @@ void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& c
   if (!(length > 0)) fail_at(card.place, "*DLOAD, GRAV: expected a direction");
   const AbaqusCurve curve = data.curve(block);
   for (double& component : direction) component *= (curve.times.empty() ? magnitude : 1.0) / length;
-  write_abaqus_head("gravity", block, card.place, scene);
-  scene.key("acceleration", direction);
-  if (bodies.size() != data.bodies.size()) scene.key("bodies", bodies);
-  write_curve(curve, magnitude, scene);
+  const auto keys = scene.entry<Gravity>("gravity", card_of(block, card.place));
+  keys.set("acceleration", direction);
+  if (bodies.size() != data.bodies.size()) keys.set("bodies", bodies);
+  set_curve(curve, magnitude, keys);
 }
 
-void write_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, TomlText& scene) {
+DeckKeys<Pressure> begin_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
   const double magnitude = DataFields(card).number(2, "magnitude", 0.0);
   const AbaqusCurve curve = data.curve(block);
-  write_abaqus_head("pressure", block, card.place, scene);
-  scene.key("pressure", curve.times.empty() ? magnitude : 1.0);
-  write_curve(curve, magnitude, scene);
+  auto keys = scene.entry<Pressure>("pressure", card_of(block, card.place));
+  keys.set("pressure", curve.times.empty() ? magnitude : 1.0);
+  set_curve(curve, magnitude, keys);
+  return keys;
 }
 
 /// P1 to P6: on the faces of elements that have these numbers.
 void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, int number,
-                         TomlText& scene) {
+                         DeckScene& scene) {
   std::vector<std::vector<std::int64_t>> faces;
   for (const std::int32_t e : data.elements(DataFields(card).text(0), card.place)) {
     const auto& hexahedron = data.mesh.file.mesh.hexahedra[static_cast<std::size_t>(e)];
@@ -60,16 +61,15 @@ void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataL
     for (const std::int32_t node : corners_of_face(hexahedron, face))
       faces.back().push_back(data.mesh.file.node_ids[static_cast<std::size_t>(node)]);
   }
-  write_pressure(data, block, card, scene);
-  scene.key("faces", faces);
+  begin_pressure(data, block, card, scene).set("faces", faces);
 }
 
-void write_surface_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, TomlText& scene) {
-  write_pressure(data, block, card, scene);
-  scene.key("set", data.faces(DataFields(card).text(0), card.place));
+void write_surface_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
+  const auto keys = begin_pressure(data, block, card, scene);
+  keys.set("set", data.faces(DataFields(card).text(0), card.place));
 }
 
-void write_distributed(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, TomlText& scene) {
+void write_distributed(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
   const std::string kind = squeezed(DataFields(card).text(1));
   if (kind == "GRAV") {
     write_gravity(data, block, card, scene);
@@ -82,7 +82,7 @@ void write_distributed(AbaqusData& data, const AbaqusBlock& block, const DataLin
 
 }  // namespace
 
-void translate_abaqus_loads(AbaqusData& data, TomlText& scene) {
+void translate_abaqus_loads(AbaqusData& data, DeckScene& scene) {
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name != "CLOAD" && block.name != "DLOAD" && block.name != "DSLOAD") continue;
     DataLines lines(block);

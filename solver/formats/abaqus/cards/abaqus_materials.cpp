@@ -91,101 +91,111 @@ std::vector<Curve> curves_of(const AbaqusMaterial& material) {
   return curves;
 }
 
+using MaterialKeys = DeckKeys<Material>;
+
 /// Behind its last point a table of Abaqus goes on without hardening.
-std::string curve_text(Curve curve, double factor, std::optional<double> rate) {
+GivenValue given_curve(Curve curve, double factor, std::optional<double> rate) {
   const std::size_t points = curve.stress.size();
   if (points > 1 && curve.stress[points - 1] != curve.stress[points - 2]) {
     curve.strain.push_back(curve.strain.back() + 1.0);
     curve.stress.push_back(curve.stress.back());
   }
   for (double& stress : curve.stress) stress *= factor;
-  return fmt::format("{{ {}plastic_strain = {}, stress = {} }}", rate ? fmt::format("rate = {}, ", toml(*rate)) : "",
-                     toml(curve.strain), toml(curve.stress));
+  InnerKeys<YieldCurve> keys;
+  if (rate) keys.set("rate", *rate);
+  keys.set("plastic_strain", curve.strain);
+  keys.set("stress", curve.stress);
+  return keys.value();
 }
 
 /// Of one or two points as a line that ends, of more as a curve.
-void write_curve(const Curve& curve, TomlText& scene) {
+void set_curve(const Curve& curve, const MaterialKeys& keys) {
   if (curve.stress.size() > 2) {
-    scene.raw("yield_curve", curve_text(curve, 1.0, {}));
+    keys.set("yield_curve", given_curve(curve, 1.0, {}));
     return;
   }
-  scene.key("yield_stress", curve.stress[0]);
+  keys.set("yield_stress", curve.stress[0]);
   if (curve.stress.size() == 1) return;
   const double strain = curve.strain[1] - curve.strain[0];
   if (!(strain > 0)) fail_at(curve.place, "*PLASTIC: expected plastic strains that increase");
-  scene.key("plastic_modulus", (curve.stress[1] - curve.stress[0]) / strain);
-  scene.key("ultimate_stress", curve.stress[1]);
+  keys.set("plastic_modulus", (curve.stress[1] - curve.stress[0]) / strain);
+  keys.set("ultimate_stress", curve.stress[1]);
 }
 
 /// Two points, the slope between which moves the yield surface.
-void write_kinematic(const Curve& curve, TomlText& scene) {
+void set_kinematic(const Curve& curve, const MaterialKeys& keys) {
   if (curve.stress.size() != 2 || !(curve.strain[1] > 0))
     fail_at(curve.place, "*PLASTIC, HARDENING=KINEMATIC: expected two lines, of plastic strain 0 and more");
-  scene.key("yield_stress", curve.stress[0]);
-  scene.key("plastic_modulus", (curve.stress[1] - curve.stress[0]) / curve.strain[1]);
-  scene.key("isotropic_share", 0.0);
+  keys.set("yield_stress", curve.stress[0]);
+  keys.set("plastic_modulus", (curve.stress[1] - curve.stress[0]) / curve.strain[1]);
+  keys.set("isotropic_share", 0.0);
 }
 
 /// Yield stresses over the rate of the plastic strain: factors on one curve, or a law.
-void write_rate(const AbaqusBlock& block, const Curve& curve, TomlText& scene) {
+void set_rate(const AbaqusBlock& block, const Curve& curve, const MaterialKeys& keys) {
   if (block.option("TYPE") != "YIELDRATIO") {
     const DataLine card = only_card(block, "multiplier and exponent");
     const DataFields f(card);
-    write_curve(curve, scene);
-    scene.key("rate_constant", f.number(0, "D"));
-    scene.key("rate_exponent", f.number(1, "n"));
+    set_curve(curve, keys);
+    keys.set("rate_constant", f.number(0, "D"), "D");
+    keys.set("rate_exponent", f.number(1, "n"), "n");
     return;
   }
-  std::vector<std::string> curves;
+  GivenArray curves;
   DataLines lines(block);
   while (const auto card = lines.next()) {
     const DataFields f(*card);
-    curves.push_back(curve_text(curve, f.number(0, "ratio"), f.number(1, "rate", 0.0)));
+    curves.push_back(given_curve(curve, f.number(0, "ratio"), f.number(1, "rate", 0.0)));
   }
-  scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
+  keys.set("yield_curves", curves);
 }
 
-void write_plasticity(AbaqusData& data, const AbaqusMaterial& material, TomlText& scene) {
+void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKeys keys) {
   const std::vector<Curve> curves = curves_of(material);
   const AbaqusBlock* rate = material.option("RATEDEPENDENT");
   if (material.option("PLASTIC")->option("HARDENING") == "KINEMATIC") {
-    write_kinematic(curves.front(), scene);
+    set_kinematic(curves.front(), keys);
     if (rate != nullptr || curves.size() > 1)
       data.report.refuse(material.head->place, "*PLASTIC, HARDENING=KINEMATIC that depends on the rate");
   } else if (curves.size() > 1) {
-    std::vector<std::string> texts;
-    for (const Curve& curve : curves) texts.push_back(curve_text(curve, 1.0, curve.rate));
-    scene.raw("yield_curves", fmt::format("[{}]", fmt::join(texts, ", ")));
-    scene.key("strain_rate", "plastic");
+    GivenArray of_rates;
+    for (const Curve& curve : curves) of_rates.push_back(given_curve(curve, 1.0, curve.rate));
+    keys.set("yield_curves", of_rates);
+    keys.set("strain_rate", "plastic");
     if (rate != nullptr) data.report.refuse(rate->place, "*RATE DEPENDENT beside *PLASTIC, RATE=");
   } else if (rate != nullptr) {
-    write_rate(*rate, curves.front(), scene);
-    scene.key("strain_rate", "plastic");
+    set_rate(*rate, curves.front(), keys);
+    keys.set("strain_rate", "plastic");
   } else {
-    write_curve(curves.front(), scene);
+    set_curve(curves.front(), keys);
   }
   if (const AbaqusBlock* failure = material.option("SHEARFAILURE")) {
     const DataLine card = only_card(*failure, "the plastic strain at failure");
-    scene.key("erosion_strain", DataFields(card).number(0, "plastic strain at failure"));
+    keys.from(card_of(*failure, card.place));
+    keys.set("erosion_strain", DataFields(card).number(0, "plastic strain at failure"));
   }
 }
 
-void write_material(AbaqusData& data, const std::string& key, const AbaqusMaterial& material, TomlText& scene) {
+void write_material(AbaqusData& data, const std::string& key, const AbaqusMaterial& material, DeckScene& scene) {
   const DataLine density = only_card(required(material, "DENSITY", "*DENSITY"), "the density"),
                  elastic = only_card(required(material, "ELASTIC", "*ELASTIC"), "Young's modulus and Poisson's ratio");
   const DataFields of_density(density), f(elastic);
   const bool plastic = material.option("PLASTIC") != nullptr;
-  scene.entry("material", fmt::format("*MATERIAL {}", material.head->place.text()));
-  scene.key("name", data.material_name(key));
-  scene.key("model", plastic ? "von_mises" : "elastic");
-  scene.key("density", of_density.number(0, "density"));
-  scene.key("young_modulus", f.number(0, "Young's modulus"));
-  scene.key("poisson_ratio", f.number(1, "Poisson's ratio", 0.0));
-  if (plastic) write_plasticity(data, material, scene);
+  auto keys = scene.entry<Material>("material", {"*MATERIAL", material.head->place});
+  keys.set("name", data.material_name(key));
+  keys.set("model", plastic ? "von_mises" : "elastic");
+  keys.from({"*DENSITY", density.place});
+  keys.set("density", of_density.number(0, "density"));
+  keys.from({"*ELASTIC", elastic.place});
+  keys.set("young_modulus", f.number(0, "Young's modulus"));
+  keys.set("poisson_ratio", f.number(1, "Poisson's ratio", 0.0));
+  if (!plastic) return;
+  keys.from(card_of(*material.option("PLASTIC"), material.option("PLASTIC")->place));
+  set_plasticity(data, material, keys);
 }
 
 /// ALPHA of all materials, which has to be one.
-void write_damping(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& materials, TomlText& scene) {
+void write_damping(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& materials, DeckScene& scene) {
   std::set<double> factors;
   const AbaqusBlock* last = nullptr;
   for (const AbaqusBody& body : data.bodies) {
@@ -196,8 +206,9 @@ void write_damping(AbaqusData& data, const std::map<std::string, AbaqusMaterial>
   }
   if (factors.size() > 1) data.report.refuse(last->place, "*DAMPING, ALPHA of some materials alone");
   if (last == nullptr || *factors.begin() == 0) return;
-  scene.table("damping");
-  scene.key("mass", *factors.begin());
+  const auto keys = scene.table<DampingSettings>("damping", card_of(*last, last->place));
+  keys.comment("");
+  keys.set("mass", *factors.begin());
 }
 
 /// Materials of no section, with their options.
@@ -215,7 +226,7 @@ void tell_unused(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& 
 
 }  // namespace
 
-void translate_abaqus_materials(AbaqusData& data, TomlText& scene) {
+void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   const std::map<std::string, AbaqusMaterial> materials = materials_of(data.deck);
   std::set<std::string> written;
   for (const AbaqusBody& body : data.bodies) {

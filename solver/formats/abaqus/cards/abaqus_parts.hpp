@@ -10,32 +10,32 @@ namespace pinball {
 std::vector<DeckElement> abaqus_elements(AbaqusData& data);
 
 /// HEADING, DYNAMIC, FIXED MASS SCALING, OUTPUT: title, [time], [element], [output].
-void translate_abaqus_controls(AbaqusData& data, TomlText& scene);
+void translate_abaqus_controls(AbaqusData& data, DeckScene& scene);
 
 /// A [[material]] for each that a body has, of MATERIAL and its options.
-void translate_abaqus_materials(AbaqusData& data, TomlText& scene);
+void translate_abaqus_materials(AbaqusData& data, DeckScene& scene);
 
 /// A [[body]] for each section of an instance; mesh_file: as the scene names it.
-void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, TomlText& scene);
+void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, DeckScene& scene);
 
 /// BOUNDARY: [[constraint]] and [[prescribed_velocity]].
-void translate_abaqus_boundary(AbaqusData& data, TomlText& scene);
-void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene);
+void translate_abaqus_boundary(AbaqusData& data, DeckScene& scene);
+void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene);
 /// CLOAD, DLOAD: [[load]], [[gravity]].
-void translate_abaqus_loads(AbaqusData& data, TomlText& scene);
+void translate_abaqus_loads(AbaqusData& data, DeckScene& scene);
 /// CONTACT and its options: [contact]. Returns whether anything says what touches.
-bool translate_abaqus_contact(AbaqusData& data, TomlText& scene);
+bool translate_abaqus_contact(AbaqusData& data, DeckScene& scene);
 
 /// NODE OUTPUT and ELEMENT OUTPUT of HISTORY: a [[probe]] each.
-void translate_abaqus_probes(AbaqusData& data, TomlText& scene);
+void translate_abaqus_probes(AbaqusData& data, DeckScene& scene);
 
 /// Whether a degree of freedom is a translation, 1 to 3. Rotations, 4 to 6, which nodes of solids do not have, are
 /// told; others are refused.
 bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree);
 
-/// The line of a table that says which keyword it is of.
-void write_abaqus_head(const char* table, const AbaqusBlock& block, const DeckPlace& place, TomlText& scene);
+/// A keyword at the place of one of its lines.
+inline DeckCard card_of(const AbaqusBlock& block, const DeckPlace& place) { return {block.star_name(), place}; }
 /// set or nodes.
-void write_abaqus_nodes(const AbaqusNodes& nodes, TomlText& scene);
+void set_nodes(const AbaqusNodes& nodes, const DeckKeys<NodeSelection>& keys);
 
 }  // namespace pinball

@@ -14,7 +14,7 @@ namespace {
 class Probes {
  public:
   /// kind: the key of a probe.
-  Probes(const AbaqusData& data, const char* kind, TomlText& scene) : data_(data), kind_(kind), scene_(scene) {}
+  Probes(const AbaqusData& data, KeyOf<Probe> kind, DeckScene& scene) : data_(data), kind_(kind), scene_(scene) {}
 
   void add_nodes(const AbaqusBlock& block) {
     for (const std::int32_t node : data_.nodes(block.require("NSET"), block.place).members) {
@@ -39,12 +39,12 @@ class Probes {
   void add(const AbaqusBlock& block, std::int64_t id, std::size_t component) {
     if (!watched_.insert(id).second) return;
     const std::string& instance = data_.mesh.components[component].name;
-    std::string name = fmt::format("{}_{}{}{}", kind_, AbaqusData::plain_name(instance), instance.empty() ? "" : "_",
-                                   id - data_.mesh.ranges[component].added);
+    std::string name = fmt::format("{}_{}{}{}", kind_.name, AbaqusData::plain_name(instance),
+                                   instance.empty() ? "" : "_", id - data_.mesh.ranges[component].added);
     while (!names_.insert(name).second) name += '_';  // plain names of two instances may be one
-    write_abaqus_head("probe", block, block.place, scene_);
-    scene_.key("name", name);
-    scene_.key(kind_, id);
+    const auto keys = scene_.entry<Probe>("probe", card_of(block, block.place));
+    keys.set("name", name);
+    keys.set(kind_, id);
   }
 
   /// Whose range a place in the mesh is in.
@@ -58,15 +58,15 @@ class Probes {
   }
 
   const AbaqusData& data_;
-  const char* kind_;
-  TomlText& scene_;
+  KeyOf<Probe> kind_;
+  DeckScene& scene_;
   std::set<std::int64_t> watched_;
   std::set<std::string> names_;
 };
 
 }  // namespace
 
-void translate_abaqus_probes(AbaqusData& data, TomlText& scene) {
+void translate_abaqus_probes(AbaqusData& data, DeckScene& scene) {
   Probes nodes(data, "node", scene), elements(data, "element", scene);
   bool history = false;
   for (const AbaqusBlock& block : data.deck.blocks) {

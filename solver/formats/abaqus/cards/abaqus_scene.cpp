@@ -7,6 +7,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/input_file.hpp>
+#include <solver/mesh/held_mesh.hpp>
 
 #include "abaqus_parts.hpp"
 #include "abaqus_rules.hpp"
@@ -76,13 +77,12 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   DeckReport report;
   sort_keywords(deck, options.lenient, report);
   report.require_all_done(path);
-  const AbaqusMesh mesh = abaqus_mesh(deck);
+  AbaqusMesh mesh = abaqus_mesh(deck);
   if (mesh.file.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT), there are none");
   AbaqusData data(deck, mesh, report);
 
   const std::string own_name = std::filesystem::path(path).filename().string();
-  TomlText scene, bodies, boundary;
-  scene.comment(fmt::format("{} as this program understands it.", own_name));
+  DeckScene scene, bodies, boundary;
   data.body_elements = abaqus_elements(data);
   translate_abaqus_controls(data, scene);
   const bool contact_said = translate_abaqus_contact(data, scene);
@@ -94,9 +94,16 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   translate_abaqus_probes(data, boundary);
   tell_unread(deck, log, report);
   report.require_all_done(path);
-  scene.append(bodies);
-  scene.append(boundary);
-  return {scene.text(), report.understood(), report.ignored(), scene.origins(), contact_said};
+  scene.append(std::move(bodies));
+  scene.append(std::move(boundary));
+  TranslatedDeck translated = given_deck(std::move(scene), path, contact_said);
+  FileMesh settings;
+  settings.format = MeshFormat::abaqus;
+  settings.file = path;
+  translated.given->mesh = std::make_shared<HeldMesh>(std::move(mesh.file), settings);
+  translated.understood = report.understood();
+  translated.ignored = report.ignored();
+  return translated;
 }
 
 }  // namespace pinball

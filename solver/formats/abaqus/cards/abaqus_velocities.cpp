@@ -30,7 +30,7 @@ bool overlap(const std::vector<Moving>& all, std::size_t nodes) {
 }
 
 /// Each node by itself: later lines replace the components that they give.
-void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const AbaqusBlock& block, TomlText& scene) {
+void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const AbaqusBlock& block, DeckScene& scene) {
   std::map<std::int32_t, Point> of_node;
   for (const Moving& one : all) {
     for (const std::int32_t node : one.nodes.members) {
@@ -49,15 +49,15 @@ void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const
     }
   }
   for (const auto& [velocity, numbers] : nodes) {
-    write_abaqus_head("initial_velocity", block, block.place, scene);
-    scene.key("velocity", velocity);
-    scene.key("nodes", numbers);
+    const auto keys = scene.entry<InitialVelocity>("initial_velocity", card_of(block, block.place));
+    keys.set("velocity", velocity);
+    keys.set("nodes", numbers);
   }
 }
 
 }  // namespace
 
-void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene) {
+void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
   std::vector<Moving> all;
   std::map<std::string, std::size_t> known;
   const AbaqusBlock* last = nullptr;
@@ -82,9 +82,9 @@ void translate_abaqus_initial_velocities(AbaqusData& data, TomlText& scene) {
     return;
   }
   for (const Moving& one : all) {
-    write_abaqus_head("initial_velocity", *last, one.place, scene);
-    scene.key("velocity", one.velocity);
-    write_abaqus_nodes(one.nodes, scene);
+    const auto keys = scene.entry<InitialVelocity>("initial_velocity", card_of(*last, one.place));
+    keys.set("velocity", one.velocity);
+    set_nodes(one.nodes, keys);
   }
 }
 

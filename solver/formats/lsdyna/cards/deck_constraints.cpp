@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
 namespace pinball {
@@ -16,17 +16,17 @@ struct Held {
 };
 
 /// The keys of a constraint, but for its nodes.
-void write_held(const DeckData& data, const Held& held, const DeckPlace& place, TomlText& scene) {
+void set_held(const DeckData& data, const Held& held, const DeckPlace& place, const DeckKeys<FixedConstraint>& keys) {
   const std::array<Point, 3> axes = data.axes(held.system, place);
-  std::vector<std::string> directions;
+  GivenArray directions;
   for (unsigned k = 0; k < 3; ++k) {
     if ((held.directions >> k & 1U) == 0) continue;
-    directions.push_back(held.system == 0 ? fmt::format("\"{}\"", "xyz"[k]) : toml(axes[k]));
+    directions.push_back(held.system == 0 ? given(std::string(1, "xyz"[k])) : given(axes[k]));
   }
-  scene.key("type", "fixed");
-  if (last_card(data, "DATABASE_SPCFORC")) scene.key("name", "spc");
-  scene.raw("directions", fmt::format("[{}]", fmt::join(directions, ", ")));
-  write_span(held.when, scene);
+  keys.set("type", "fixed");
+  if (last_card(data, "DATABASE_SPCFORC")) keys.set("name", "spc");
+  keys.set("directions", directions);
+  set_span(held.when, keys);
 }
 
 /// What the numbers behind that of a node or a set say; nothing for rotations alone.
@@ -42,7 +42,7 @@ Held held_of(const Fields& f, const KeywordBlock& block) {
 
 }  // namespace
 
-void translate_node_codes(DeckData& data, TomlText& scene) {
+void translate_node_codes(DeckData& data, DeckScene& scene) {
   std::map<unsigned, std::vector<std::int64_t>> nodes;
   LeftOut left_out;
   for (std::size_t n = 0; n < data.mesh.held.size(); ++n) {
@@ -60,16 +60,17 @@ void translate_node_codes(DeckData& data, TomlText& scene) {
     data.report.understood(fmt::format("*NODE: RC of {} node{} is not used: nodes of solids have no rotations",
                                        data.mesh.held_rotations, data.mesh.held_rotations == 1 ? "" : "s"));
   for (const auto& [directions, numbers] : nodes) {
-    scene.entry("constraint", "TC of *NODE");
-    write_held(data, {directions, 0, {}}, {}, scene);
-    scene.key("nodes", numbers);
+    const auto keys = scene.entry<FixedConstraint>("constraint", {});
+    keys.comment("TC of *NODE");
+    set_held(data, {directions, 0, {}}, {}, keys);
+    keys.set("nodes", numbers);
   }
 }
 
 namespace {
 
 /// Constraints of sets become tables at once, those of nodes are gathered.
-void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Held>& nodes, TomlText& scene) {
+void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Held>& nodes, DeckScene& scene) {
   const bool set = block.name.starts_with("BOUNDARY_SPC_SET"), spans = block.name.ends_with("_BIRTH_DEATH");
   for_each_card(block, [&](const Card& card, Cards& cards) {
     const Fields f = data.fields(card, set ? layout::held_set : layout::held_node);
@@ -80,9 +81,9 @@ void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Hel
     }
     if (held.directions == 0) return;
     if (set) {
-      write_head("constraint", block, card.place, scene);
-      write_held(data, held, card.place, scene);
-      write_target(block, true, f.integer("NSID"), scene);
+      const auto keys = scene.entry<FixedConstraint>("constraint", card_of(block, card.place));
+      set_held(data, held, card.place, keys);
+      set_target(block, true, f.integer("NSID"), keys);
     } else {
       nodes.add(block, card.place, node_number(block, f.integer("NID")), held);
     }
@@ -91,15 +92,15 @@ void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Hel
 
 }  // namespace
 
-void translate_single_point_constraints(DeckData& data, TomlText& scene) {
+void translate_single_point_constraints(DeckData& data, DeckScene& scene) {
   NodesByKind<Held> nodes(data);
   for (const KeywordBlock& block : data.deck.blocks) {
     if (block.name.starts_with("BOUNDARY_SPC_")) read_constraints(data, block, nodes, scene);
   }
   for (const auto& [held, of_kind] : nodes.all()) {
-    scene.entry("constraint", "*BOUNDARY_SPC_NODE " + of_kind.first.text());
-    write_held(data, held, of_kind.first, scene);
-    scene.key("nodes", of_kind.numbers);
+    const auto keys = scene.entry<FixedConstraint>("constraint", {"*BOUNDARY_SPC_NODE", of_kind.first});
+    set_held(data, held, of_kind.first, keys);
+    keys.set("nodes", of_kind.numbers, "node");
   }
 }
 

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <set>
 
+#include <solver/formats/deck/deck_side.hpp>
 #include <solver/formats/lsdyna/layouts/contact_cards.hpp>
 
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
 /// *CONTACT_...: in the form of R11 of the manual: cards 1 to 3 as SSID MSID SSTYP MSTYP SBOXID MBOXID SPR MPR, FS FD
@@ -15,20 +16,10 @@ namespace pinball {
 
 namespace {
 
-/// One side of a contact, as the key of a scene.
-struct DeckSide {
-  std::vector<std::string> bodies;
-  std::string set;  ///< "faces" or "nodes": kind of a set, in the place of bodies
-  std::int64_t id = 0;
-
-  std::string text() const {
-    return set.empty() ? toml(bodies) : fmt::format("{{ {} = {} }}", set, toml(std::to_string(id)));
-  }
-};
-
 /// One contact keyword.
 struct DeckContact {
-  std::string name, heading;  ///< heading: keyword and place
+  std::string name;
+  DeckCard card;
   bool single = false, tied = false;
   DeckSide slave, master;
   double friction = 0, static_friction = 0, decay = 0;
@@ -62,9 +53,7 @@ DeckSide side_of(DeckData& data, const KeywordBlock& block, const Fields& f, std
   } else if (kind == 6) {
     side.bodies = all_but(data, bodies_of(data, data.part_set(set, f.place()), f.place()));
   } else if (kind == 0 || (kind == 4 && which == 0 && block.name.find("NODES_TO_SURFACE") != std::string::npos)) {
-    side.set = kind == 0 ? "faces" : "nodes";
-    side.id = set;
-    return side;
+    return {{}, kind == 0 ? "faces" : "nodes", std::to_string(set)};
   } else {
     data.report.refuse(f.place(), fmt::format("{} with SSTYP or MSTYP {}", block.star_name(), kind),
                        "give segments (0), parts (2, 3, 6) or, of NODES_TO_SURFACE, nodes (4)");
@@ -127,7 +116,7 @@ DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
   read_more(data, block, cards);
   const Fields f = data.fields(first, layout::contact_sides), constants = data.fields(second, layout::contact_friction),
                scales = data.fields(third, layout::contact_scales);
-  contact.heading = fmt::format("{} {}", block.star_name(), first.place.text());
+  contact.card = {block.star_name(), first.place};
   contact.single = block.name.ends_with("SINGLE_SURFACE") || block.name.ends_with("GENERAL");
   contact.tied = block.name.starts_with("CONTACT_TIED_");
   contact.slave = side_of(data, block, f, 0);
@@ -154,62 +143,62 @@ void name_contacts(std::vector<DeckContact>& contacts) {
   }
 }
 
-void write_friction(const DeckContact& contact, TomlText& scene) {
-  scene.key("friction", contact.friction);
-  if (contact.static_friction != contact.friction) scene.key("static_friction", contact.static_friction);
-  if (contact.decay > 0) scene.key("friction_decay", contact.decay);
+/// Of all that touches, or of a pair.
+template <class Keys>
+void set_friction(const DeckContact& contact, const Keys& keys) {
+  keys.set("friction", contact.friction, "fd");
+  if (contact.static_friction != contact.friction) keys.set("static_friction", contact.static_friction, "fs");
+  if (contact.decay > 0) keys.set("friction_decay", contact.decay, "dc");
 }
 
-void write_times(const DeckContact& contact, TomlText& scene) {
-  if (contact.start > 0) scene.key("start", contact.start);
-  if (contact.end > 0) scene.key("end", contact.end);
-}
-
-void write_sides(const DeckContact& contact, TomlText& scene) {
-  if (!contact.name.empty()) scene.key("name", contact.name);
-  scene.raw("first", contact.slave.text());
-  if (!contact.single) scene.raw("second", contact.master.text());
+/// Of a pair, or of what is tied.
+template <class Keys>
+void set_sides(const DeckContact& contact, const Keys& keys) {
+  if (!contact.name.empty()) keys.set("name", contact.name, "cid");
+  keys.set("first", contact.slave.given());
+  if (!contact.single) keys.set("second", contact.master.given());
+  if (contact.start > 0) keys.set("start", contact.start, "bt");
+  if (contact.end > 0) keys.set("end", contact.end, "dt");
 }
 
 /// A lone single surface of all parts needs no pairs.
 bool is_contact_of_all(const DeckData& data, const std::vector<const DeckContact*>& touching) {
   const DeckContact& only = *touching.front();
-  return touching.size() == 1 && only.single && only.slave.set.empty() && only.slave.bodies == all_bodies(data) &&
+  return touching.size() == 1 && only.single && only.slave.kind.empty() && only.slave.bodies == all_bodies(data) &&
          only.start == 0 && only.end == 0;
 }
 
-void write_touching(DeckData& data, const std::vector<const DeckContact*>& touching, TomlText& scene) {
-  scene.table("contact", touching.front()->heading);
-  scene.key("method", "pinball");
+void write_touching(DeckData& data, const std::vector<const DeckContact*>& touching, DeckScene& scene) {
+  const auto all = scene.table<ContactSettings>("contact", touching.front()->card);
+  all.set("method", "pinball");
   if (is_contact_of_all(data, touching)) {
-    write_friction(*touching.front(), scene);
+    set_friction(*touching.front(), all);
   } else {
     for (const DeckContact* contact : touching) {
-      scene.entry("contact.pair", contact->heading);
-      write_sides(*contact, scene);
-      write_friction(*contact, scene);
-      write_times(*contact, scene);
+      const auto pair = scene.entry<ContactPair>("contact.pair", contact->card);
+      set_sides(*contact, pair);
+      set_friction(*contact, pair);
     }
   }
   for (const DeckContact* contact : touching)
-    data.report.understood(fmt::format("{}: exact contact of faces and edges, without penalties", contact->heading));
+    data.report.understood(
+        fmt::format("{}: exact contact of faces and edges, without penalties", contact->card.text()));
   if (touching.size() > 1)
     data.report.understood("where several contacts name the same two surfaces, the last one counts");
 }
 
-void write_tied(DeckData& data, const DeckContact& contact, TomlText& scene) {
-  scene.entry("contact.tied", contact.heading);
-  write_sides(contact, scene);
-  if (contact.tolerance >= 0) scene.key("tolerance", contact.tolerance);
-  write_times(contact, scene);
-  const bool offset = contact.heading.find("_OFFSET") != std::string::npos;
+void write_tied(DeckData& data, const DeckContact& contact, DeckScene& scene) {
+  const auto keys = scene.entry<TiedContact>("contact.tied", contact.card);
+  set_sides(contact, keys);
+  if (contact.tolerance >= 0) keys.set("tolerance", contact.tolerance, "sst, mst");
+  const bool offset = contact.card.keyword.find("_OFFSET") != std::string::npos;
   data.report.understood(fmt::format("{}: nodes of the first side are tied to faces of the second, and put on them{}",
-                                     contact.heading, offset ? ", offset or not" : ""));
+                                     contact.card.text(), offset ? ", offset or not" : ""));
 }
 
 }  // namespace
 
-bool translate_contact(DeckData& data, TomlText& scene) {
+bool translate_contact(DeckData& data, DeckScene& scene) {
   std::vector<DeckContact> contacts;
   for (const KeywordBlock& block : data.deck.blocks) {
     if (is_contact(block.name)) contacts.push_back(read_contact(data, block));
@@ -220,8 +209,9 @@ bool translate_contact(DeckData& data, TomlText& scene) {
     if (!contact.tied) touching.push_back(&contact);
   }
   if (touching.empty()) {
-    scene.table("contact", "of which no card says anything");
-    scene.key("method", "none");
+    const auto keys = scene.table<ContactSettings>("contact", {});
+    keys.comment("of which no card says anything");
+    keys.set("method", "none");
   } else {
     write_touching(data, touching, scene);
   }

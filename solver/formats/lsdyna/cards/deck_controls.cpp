@@ -15,7 +15,7 @@ namespace {
 
 /// DT2MS < 0: elements whose stable step is below its amount get mass; > 0: mass is added to all and taken from all, so
 /// that this is the step of each. The step of the run is TSSFAC times it.
-void write_mass_scaling(DeckData& data, const Fields& f, double factor, TomlText& scene) {
+void set_mass_scaling(DeckData& data, const Fields& f, double factor, const DeckKeys<TimeSettings>& keys) {
   const double dt2ms = f.number("DT2MS");
   const auto second = last_card(data, "CONTROL_TIMESTEP", 1), third = last_card(data, "CONTROL_TIMESTEP", 2);
   if (third) data.fields(*third, layout::timestep_more);
@@ -26,8 +26,8 @@ void write_mass_scaling(DeckData& data, const Fields& f, double factor, TomlText
                          "leave it 0: mass is added to nodes");
   }
   if (dt2ms == 0) return;
-  scene.key("smallest_step", factor * std::abs(dt2ms));
-  if (dt2ms > 0) scene.key("mass_scaling", "all");
+  keys.set("smallest_step", factor * std::abs(dt2ms), "dt2ms");
+  if (dt2ms > 0) keys.set("mass_scaling", "all", "dt2ms");
   if (dt2ms < 0 && f.integer("MS1ST") == 0)
     data.report.understood(
         fmt::format("*CONTROL_TIMESTEP ({}): mass is added at the start, and not again where "
@@ -35,26 +35,26 @@ void write_mass_scaling(DeckData& data, const Fields& f, double factor, TomlText
                     f.place().text()));
 }
 
-void write_time(DeckData& data, TomlText& scene) {
+void write_time(DeckData& data, DeckScene& scene) {
   const auto termination = last_card(data, "CONTROL_TERMINATION");
   if (!termination)
     fail_at({std::make_shared<const std::string>(data.mesh.path), 1},
             "expected *CONTROL_TERMINATION with the time of the end");
   const Fields end = data.fields(*termination, layout::termination);
-  scene.table("time");
-  scene.from("*CONTROL_TERMINATION", termination->place.text());
-  scene.key("end", end.number("ENDTIM"));
-  if (const std::int64_t cycles = end.integer("ENDCYC"); cycles > 0) scene.key("steps", cycles);
+  auto keys = scene.table<TimeSettings>("time", {"*CONTROL_TERMINATION", termination->place});
+  keys.comment("");
+  keys.set("end", end.number("ENDTIM"), "endtim");
+  if (const std::int64_t cycles = end.integer("ENDCYC"); cycles > 0) keys.set("steps", cycles, "endcyc");
   const auto step = last_card(data, "CONTROL_TIMESTEP");
   if (!step) return;
   const Fields f = data.fields(*step, layout::timestep);
   const double given = f.number("TSSFAC"), factor = given == 0 ? 0.9 : given;
-  scene.from("*CONTROL_TIMESTEP", step->place.text());
-  scene.key("cfl", factor);
-  write_mass_scaling(data, f, factor, scene);
+  keys.from({"*CONTROL_TIMESTEP", step->place});
+  keys.set("cfl", factor, "tssfac");
+  set_mass_scaling(data, f, factor, keys);
 }
 
-void write_damping(DeckData& data, TomlText& scene) {
+void write_damping(DeckData& data, DeckScene& scene) {
   const auto card = last_card(data, "DAMPING_GLOBAL");
   if (!card) return;
   const Fields f = data.fields(*card, layout::damping);
@@ -65,34 +65,40 @@ void write_damping(DeckData& data, TomlText& scene) {
     return;
   }
   const double value = f.number("VALDMP");
-  scene.table("damping");
-  scene.key("mass", factors[0] == 0 ? value : factors[0] * value);  // all blank: 1
+  const auto keys = scene.table<DampingSettings>("damping", {"*DAMPING_GLOBAL", card->place});
+  keys.comment("");
+  keys.set("mass", factors[0] == 0 ? value : factors[0] * value, "valdmp");  // all blank: 1
 }
 
-void write_output(DeckData& data, TomlText& scene) {
+void write_output(DeckData& data, DeckScene& scene) {
   double rows = std::numeric_limits<double>::infinity();
+  DeckCard of_rows;
   for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"}) {
     const auto card = last_card(data, std::string("DATABASE_") + name);
     if (!card) continue;
     const double interval = data.fields(*card, layout::ascii).number("DT");
-    if (interval > 0) rows = std::min(rows, interval);
+    if (!(interval > 0 && interval < rows)) continue;
+    rows = interval;
+    of_rows = {std::string("*DATABASE_") + name, card->place};
   }
-  scene.table("output");
-  if (std::isfinite(rows)) scene.key("interval", rows);
-  if (last_card(data, "DATABASE_MATSUM")) scene.key("body_energies", true);
+  auto keys = scene.table<OutputSettings>("output", of_rows);
+  keys.comment("");
+  if (std::isfinite(rows)) keys.set("interval", rows, "dt");
+  if (last_card(data, "DATABASE_MATSUM")) keys.set("body_energies", true);
   if (const auto card = last_card(data, "DATABASE_BINARY_D3PLOT")) {
     if (const auto more = last_card(data, "DATABASE_BINARY_D3PLOT", 1)) data.fields(*more, layout::plot_more);
     const double interval = data.fields(*card, layout::plot).number("DT");
-    if (interval > 0) scene.key("field_interval", interval);
+    keys.from({"*DATABASE_BINARY_D3PLOT", card->place});
+    if (interval > 0) keys.set("field_interval", interval, "dt");
   }
 }
 
 }  // namespace
 
-void translate_controls(DeckData& data, TomlText& scene) {
+void translate_controls(DeckData& data, DeckScene& scene) {
   const auto title = last_card(data, "TITLE");
-  scene.key("title", title ? std::string(trimmed(title->text)) : std::string());
-  scene.key("units", "");
+  scene.top().set("title", title ? std::string(trimmed(title->text)) : std::string());
+  scene.top().set("units", "");
   for (int i = 0; i < static_cast<int>(layout::control_contact.size()); ++i) {
     if (const auto card = last_card(data, "CONTROL_CONTACT", i))
       data.fields(*card, *layout::control_contact[static_cast<std::size_t>(i)]);
@@ -100,7 +106,7 @@ void translate_controls(DeckData& data, TomlText& scene) {
   if (const auto card = last_card(data, "CONTROL_SOLUTION")) data.fields(*card, layout::solution);
   write_time(data, scene);
   data.part_elements = deck_elements(data);
-  write_element(data.part_elements.front(), scene);
+  set_element(data.part_elements.front(), scene.table<ElementSettings>("element", {}));
   write_damping(data, scene);
   write_output(data, scene);
 }

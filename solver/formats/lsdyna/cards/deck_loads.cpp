@@ -4,12 +4,12 @@
 #include <array>
 #include <map>
 
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
 namespace pinball {
 
-void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_node_load(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   const bool set = block.name.ends_with("_SET");
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, set ? layout::load_node_set : layout::load_node);
@@ -22,11 +22,11 @@ void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& sc
       return;
     }
     const auto axes = data.axes(definition_number(block, f.integer("CID")), card.place);
-    write_head("load", block, card.place, scene);
-    scene.key("force", axes[degree - 1]);
-    scene.key("each", true);
-    write_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, scene);
-    write_target(block, set, f.integer(set ? "NSID" : "NID"), scene);
+    const auto keys = scene.entry<NodalLoad>("load", card_of(block, card.place));
+    keys.set("force", axes[degree - 1]);
+    keys.set("each", true);
+    set_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, keys);
+    set_target(block, set, f.integer(set ? "NSID" : "NID"), keys);
   });
 }
 
@@ -44,12 +44,13 @@ SegmentLoad segment_load(const Fields& f) { return {f.integer("LCID"), f.number(
 using FaceNumbers = std::array<std::int64_t, 4>;
 
 /// The time of the curve counts from the arrival.
-void write_pressure(const DeckData& data, const KeywordBlock& block, const DeckPlace& place, const SegmentLoad& load,
-                    TomlText& scene) {
-  write_head("pressure", block, place, scene);
-  scene.key("pressure", 1.0);
-  write_curve(data, block, load.curve, load.scale, place, scene);
-  if (load.arrival > 0) scene.key("start", load.arrival);
+DeckKeys<Pressure> begin_pressure(const DeckData& data, const KeywordBlock& block, const DeckPlace& place,
+                                  const SegmentLoad& load, DeckScene& scene) {
+  auto keys = scene.entry<Pressure>("pressure", card_of(block, place));
+  keys.set("pressure", 1.0);
+  set_curve(data, block, load.curve, load.scale, place, keys);
+  if (load.arrival > 0) keys.set("start", load.arrival, "at");
+  return keys;
 }
 
 /// N1 to N4; a triangle has no N4, or N3 once more.
@@ -65,31 +66,30 @@ FaceNumbers corners_of(const KeywordBlock& block, const Fields& f) {
 
 }  // namespace
 
-void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
-  std::map<SegmentLoad, std::pair<std::vector<std::string>, DeckPlace>> faces;
+void translate_segment_load(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
+  std::map<SegmentLoad, std::pair<std::vector<FaceNumbers>, DeckPlace>> faces;
   DeckFaces pressed{block.star_name() + ": the order of N1 to N4", block.place, {}};
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, layout::load_segment);
     auto& [corners, first] = faces[segment_load(f)];
     if (corners.empty()) first = card.place;
     const FaceNumbers numbers = corners_of(block, f);
-    corners.push_back(toml(std::vector(numbers.begin(), numbers.end())));
+    corners.push_back(numbers);
     auto& places = pressed.faces.emplace_back();
     std::ranges::transform(numbers, places.begin(), [&](std::int64_t number) { return data.nodes.find(number); });
   });
   data.pressed.push_back(std::move(pressed));
   for (const auto& [load, listed] : faces) {
-    write_pressure(data, block, listed.second, load, scene);
-    scene.raw("faces", fmt::format("[{}]", fmt::join(listed.first, ", ")));
+    begin_pressure(data, block, listed.second, load, scene).set("faces", listed.first, "n1 to n4");
   }
 }
 
-void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_segment_set_load(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, layout::load_segment_set);
-    write_pressure(data, block, card.place, segment_load(f), scene);
+    const auto keys = begin_pressure(data, block, card.place, segment_load(f), scene);
     const std::int64_t set = f.integer("SSID");
-    write_target(block, true, set, scene);
+    set_target(block, true, set, keys);
     const FaceSet* faces = find_set(data.mesh.face_sets, std::to_string(set_number(block, set)));
     if (faces != nullptr)
       data.pressed.push_back({block.star_name() + ": the order of the corners", card.place, faces->faces});
@@ -128,16 +128,16 @@ Point direction_of_frame(const DeckData& data, const KeywordBlock& block, Cards&
 
 }  // namespace
 
-void translate_body_load(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_body_load(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   Cards cards(block);
   const Card card = cards.require("the curve of the load");
   const Fields f = data.fields(card, layout::body_load);
   const Point frame = in_system(data, block, f.integer("CID"), direction_of_frame(data, block, cards), card.place);
-  scene.entry("gravity", fmt::format("{} {}: the frame is accelerated, bodies the other way", block.star_name(),
-                                     card.place.text()));
-  scene.key("acceleration", minus({0, 0, 0}, frame));
-  write_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, scene);
-  if (const auto bodies = loaded_bodies(data); !bodies.empty()) scene.key("bodies", bodies);
+  const auto keys = scene.entry<Gravity>("gravity", card_of(block, card.place));
+  keys.comment(card_of(block, card.place).text() + ": the frame is accelerated, bodies the other way");
+  keys.set("acceleration", minus({0, 0, 0}, frame));
+  set_curve(data, block, f.integer("LCID"), f.number("SF"), card.place, keys);
+  if (const auto bodies = loaded_bodies(data); !bodies.empty()) keys.set("bodies", bodies, "psid");
 }
 
 }  // namespace pinball

@@ -11,16 +11,19 @@ namespace pinball {
 
 namespace {
 
-void write_head(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
-                TomlText& scene) {
+using MaterialKeys = DeckKeys<Material>;
+
+MaterialKeys begin_material(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
+                            DeckScene& scene) {
   const bool plastic = keyword_alias(block.name) != "MAT_ELASTIC";
-  scene.entry("material", title);
-  scene.from(block.star_name(), f.place().text());
-  scene.key("name", fmt::format("mat_{}", id));
-  scene.key("model", plastic ? "von_mises" : "elastic");
-  scene.key("density", f.number("RO"));
-  scene.key("young_modulus", f.number("E"));
-  scene.key("poisson_ratio", f.number("PR"));
+  auto keys = scene.entry<Material>("material", {block.star_name(), f.place()});
+  keys.comment(title);
+  keys.set("name", fmt::format("mat_{}", id));
+  keys.set("model", plastic ? "von_mises" : "elastic");
+  keys.set("density", f.number("RO"), "ro");
+  keys.set("young_modulus", f.number("E"), "e");
+  keys.set("poisson_ratio", f.number("PR"), "pr");
+  return keys;
 }
 
 const CardLayout& layout_of(const KeywordBlock& block) {
@@ -49,46 +52,53 @@ double plastic_modulus(const Fields& f) {
 struct DeckRate {
   double constant = 0, exponent = 0;  ///< C and P; 0: no such law
   int vp = 0;                         ///< VP
+  std::string constant_name, exponent_name;
 
-  DeckRate(const Fields& f, const char* constant_name, const char* exponent_name)
-      : constant(f.number(constant_name)), exponent(f.number(exponent_name)), vp(static_cast<int>(f.integer("VP"))) {}
+  DeckRate(const Fields& f, const char* constant_field, const char* exponent_field)
+      : constant(f.number(constant_field)),
+        exponent(f.number(exponent_field)),
+        vp(static_cast<int>(f.integer("VP"))),
+        constant_name(lower_case(constant_field)),
+        exponent_name(lower_case(exponent_field)) {}
   bool is_law() const { return constant != 0 && exponent != 0; }
 };
 
-void write_strain_rate(const DeckRate& rate, TomlText& scene) {
-  scene.key("strain_rate", rate.vp == 1 ? "plastic" : rate.vp == -1 ? "deviatoric" : "total");
+void set_strain_rate(const DeckRate& rate, const MaterialKeys& keys) {
+  keys.set("strain_rate", rate.vp == 1 ? "plastic" : rate.vp == -1 ? "deviatoric" : "total", "vp");
 }
 
 /// Cowper and Symonds.
-void write_rate(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckRate& rate, TomlText& scene) {
+void set_rate(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckRate& rate,
+              const MaterialKeys& keys) {
   if (!rate.is_law() && (rate.constant != 0 || rate.exponent != 0))
     not_used(data, block, f, rate.constant != 0 ? f.name(0) : f.name(1),
              "a law of the strain rate has both of its constants");
   if (!rate.is_law()) return;
-  scene.key("rate_constant", rate.constant);
-  scene.key("rate_exponent", rate.exponent);
-  write_strain_rate(rate, scene);
+  keys.set("rate_constant", rate.constant, rate.constant_name);
+  keys.set("rate_exponent", rate.exponent, rate.exponent_name);
+  set_strain_rate(rate, keys);
 }
 
-void write_failure(const Fields& f, const char* name, TomlText& scene) {
+void set_failure(const Fields& f, const char* name, const MaterialKeys& keys) {
   const double strain = f.number(name);
   if (strain < 0) f.fail(name, fmt::format("expected a strain >= 0, got {}", strain));
-  if (strain > 0 && strain < 1e19) scene.key("erosion_strain", strain);
+  if (strain > 0 && strain < 1e19) keys.set("erosion_strain", strain, lower_case(name));
 }
 
 /// *MAT_003
-void write_plastic_kinematic(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards,
-                             TomlText& scene) {
+void set_plastic_kinematic(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards,
+                           const MaterialKeys& keys) {
   const Card card = cards.next_or_blank();
   const Fields more = data.fields(card, layout::kinematic_rate);
-  scene.key("yield_stress", yield_stress(f));
-  scene.key("plastic_modulus", plastic_modulus(f));
-  scene.key("isotropic_share", f.number("BETA"));
-  write_rate(data, block, more, DeckRate(more, "SRC", "SRP"), scene);
-  write_failure(more, "FS", scene);
+  keys.set("yield_stress", yield_stress(f), "sigy");
+  keys.set("plastic_modulus", plastic_modulus(f), "etan");
+  keys.set("isotropic_share", f.number("BETA"), "beta");
+  set_rate(data, block, more, DeckRate(more, "SRC", "SRP"), keys);
+  set_failure(more, "FS", keys);
 }
 
-std::string curve_text(const DeckCurve& curve, const DeckPlace& place, double factor = 1.0, double rate = -1.0) {
+/// A curve as a value of a key; rate: negative: it is the only one.
+GivenValue given_curve(const DeckCurve& curve, const DeckPlace& place, double factor = 1.0, double rate = -1.0) {
   std::vector<double> strain = curve.abscissa, stress = curve.ordinate;
   if (strain.front() > 0) {  // a curve begins at zero strain with its first stress
     strain.insert(strain.begin(), 0.0);
@@ -96,8 +106,11 @@ std::string curve_text(const DeckCurve& curve, const DeckPlace& place, double fa
   }
   if (strain.front() < 0) fail_at(place, "yield stresses over plastic strain: expected no strain below 0");
   for (double& value : stress) value *= factor;
-  return fmt::format("{{ {}plastic_strain = {}, stress = {} }}", rate < 0 ? "" : fmt::format("rate = {}, ", toml(rate)),
-                     toml(strain), toml(stress));
+  InnerKeys<YieldCurve> keys;
+  if (rate >= 0) keys.set("rate", rate);
+  keys.set("plastic_strain", strain);
+  keys.set("stress", stress);
+  return keys.value();
 }
 
 std::vector<double> card_of_numbers(const DeckData& data, Cards& cards, const CardLayout& layout) {
@@ -109,23 +122,23 @@ std::vector<double> card_of_numbers(const DeckData& data, Cards& cards, const Ca
 }
 
 /// A table: a curve for each rate.
-void write_table(DeckData& data, const Fields& f, std::int64_t lcss, TomlText& scene) {
+void set_table(DeckData& data, const Fields& f, std::int64_t lcss, const MaterialKeys& keys) {
   const DeckTable& table = *data.table(lcss);
-  std::vector<std::string> curves;
+  GivenArray curves;
   for (const auto& [rate, id] : table.curves) {
-    curves.push_back(curve_text(data.yield_curve(id, f.place()), f.place(), 1.0, rate));
+    curves.push_back(given_curve(data.yield_curve(id, f.place()), f.place(), 1.0, rate));
   }
-  if (table.logarithmic) scene.key("rate_interpolation", "logarithmic");
-  scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
+  if (table.logarithmic) keys.set("rate_interpolation", "logarithmic", "lcss");
+  keys.set("yield_curves", curves, "lcss");
 }
 
 /// LCSR: the static curve times what that curve gives for each rate.
-void write_scaled_curves(const DeckCurve& factors, const DeckCurve& curve, const Fields& f, TomlText& scene) {
-  std::vector<std::string> curves;
+void set_scaled_curves(const DeckCurve& factors, const DeckCurve& curve, const Fields& f, const MaterialKeys& keys) {
+  GivenArray curves;
   for (std::size_t i = 0; i < factors.abscissa.size(); ++i) {
-    curves.push_back(curve_text(curve, f.place(), factors.ordinate[i], factors.abscissa[i]));
+    curves.push_back(given_curve(curve, f.place(), factors.ordinate[i], factors.abscissa[i]));
   }
-  scene.raw("yield_curves", fmt::format("[{}]", fmt::join(curves, ", ")));
+  keys.set("yield_curves", curves, "lcss");
 }
 
 /// EPS1 to EPS8 and ES1 to ES8: as many as ascend, in the units of the deck; none: all stresses are blank.
@@ -152,7 +165,8 @@ DeckCurve linear_curve(const Fields& f) {
 }
 
 /// *MAT_024. Of several forms of hardening LCSS counts before EPS and ES, and these before SIGY and ETAN.
-void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards, TomlText& scene) {
+void set_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards,
+                          const MaterialKeys& keys) {
   const Card card = cards.next_or_blank();
   const Fields second = data.fields(card, layout::piecewise_rate);
   const auto to_curve = [&](std::int64_t id) { return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define); };
@@ -173,29 +187,29 @@ void write_piecewise_linear(DeckData& data, const KeywordBlock& block, const Fie
     data.report.refuse(f.place(), "*MAT_024 with curves of the strain rate (LCSS, LCSR) and with C and P",
                        "give one of both");
   if (is_table) {
-    write_table(data, f, lcss, scene);
+    set_table(data, f, lcss, keys);
   } else if (lcsr != 0) {
     const DeckCurve curve = lcss != 0 ? data.yield_curve(lcss, f.place()) : points ? *points : linear_curve(f);
-    write_scaled_curves(data.rate_curve(lcsr, f.place()), curve, f, scene);
+    set_scaled_curves(data.rate_curve(lcsr, f.place()), curve, f, keys);
   } else if (lcss != 0) {
-    scene.raw("yield_curve", curve_text(data.yield_curve(lcss, f.place()), f.place()));
+    keys.set("yield_curve", given_curve(data.yield_curve(lcss, f.place()), f.place()), "lcss, es");
   } else if (points) {
-    scene.raw("yield_curve", curve_text(*points, f.place()));
+    keys.set("yield_curve", given_curve(*points, f.place()), "lcss, es");
   } else {
-    scene.key("yield_stress", yield_stress(f));
-    scene.key("plastic_modulus", plastic_modulus(f));
+    keys.set("yield_stress", yield_stress(f), "sigy");
+    keys.set("plastic_modulus", plastic_modulus(f), "etan");
   }
   if (by_curves) {
-    write_strain_rate(rate, scene);
+    set_strain_rate(rate, keys);
   } else {
-    write_rate(data, block, second, rate, scene);
+    set_rate(data, block, second, rate, keys);
     // VP = 1: the law adds a multiple of SIGY; without SIGY, and with other VP, one of the static yield stress.
-    if (rate.is_law() && rate.vp == 1 && f.number("SIGY") > 0) scene.key("rate_stress", yield_stress(f));
+    if (rate.is_law() && rate.vp == 1 && f.number("SIGY") > 0) keys.set("rate_stress", yield_stress(f), "sigy");
   }
   if (f.number("FAIL") < 0) {
     data.report.refuse(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)", "give a strain");
   } else {
-    write_failure(f, "FAIL", scene);
+    set_failure(f, "FAIL", keys);
   }
 }
 
@@ -208,7 +222,7 @@ std::int64_t material_number(const DeckData& data, const KeywordBlock& block) {
   return data.fields(card, layout_of(block)).integer("MID") + offset_of(block, &DeckTransform::material);
 }
 
-void translate_material(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_material(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   Cards cards(block);
   const std::string title = block.title ? std::string(trimmed(cards.require("a title").text)) : "";
   const Card card = cards.require("the constants of the material");
@@ -221,12 +235,13 @@ void translate_material(DeckData& data, const KeywordBlock& block, TomlText& sce
     return;
   }
   const std::string kind = keyword_alias(block.name);
-  write_head(id, title, block, f, scene);
-  if (kind == "MAT_PLASTIC_KINEMATIC") write_plastic_kinematic(data, block, f, cards, scene);
-  if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") write_piecewise_linear(data, block, f, cards, scene);
+  const MaterialKeys keys = begin_material(id, title, block, f, scene);
+  if (kind == "MAT_PLASTIC_KINEMATIC") set_plastic_kinematic(data, block, f, cards, keys);
+  if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") set_piecewise_linear(data, block, f, cards, keys);
 }
 
-void translate_parts(DeckData& data, const std::string& mesh, TomlText& scene) {
+void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
+                     DeckScene& scene) {
   for (std::size_t p = 0; p < data.parts.size(); ++p) {
     const DeckPart& part = data.parts[p];
     const auto form = data.section_form.find(part.section);
@@ -246,12 +261,17 @@ void translate_parts(DeckData& data, const std::string& mesh, TomlText& scene) {
         data.report.refuse(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
                            static_cast<int>(part.solids));
     }
-    scene.entry("body");
-    scene.from("*PART", part.place.text());
-    scene.key("name", part.body);
-    scene.key("material", fmt::format("mat_{}", part.material));
-    scene.raw("mesh", fmt::format("{{ type = \"keyword\", {}, part = \"{}\" }}", mesh, part.id));
-    if (data.part_elements[p] != data.part_elements.front()) write_body_element(data.part_elements[p], scene);
+    const auto keys = scene.entry<Body>("body", {"*PART", part.place});
+    keys.comment("");
+    keys.set("name", part.body);
+    keys.set("material", fmt::format("mat_{}", part.material), "mid");
+    InnerKeys<FileMesh> mesh;
+    mesh.set("type", "keyword");
+    mesh.set("file", mesh_file);
+    if (chosen_case) mesh.set("case", *chosen_case);
+    mesh.set("part", std::to_string(part.id));
+    keys.set("mesh", mesh.value());
+    if (data.part_elements[p] != data.part_elements.front()) set_body_element(data.part_elements[p], keys);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
 namespace pinball {
@@ -25,20 +25,20 @@ std::string refused_of(const KeywordBlock& block, std::int64_t degree, std::int6
 }
 
 /// A set, a node, or all nodes of a part.
-void write_moved(DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
+void set_moved(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckKeys<NodeSelection>& keys) {
   const std::int64_t id = f.integer(std::size_t{0});
-  if (!block.name.ends_with("_RIGID")) return write_target(block, block.name.ends_with("_SET"), id, scene);
+  if (!block.name.ends_with("_RIGID")) return set_target(block, block.name.ends_with("_SET"), id, keys);
   const std::int64_t part = id + offset_of(block, &DeckTransform::part);
   const auto body = data.body_of(part, f.place());
   if (!body) fail_at(f.place(), fmt::format("{}: part {} has no solids", block.star_name(), part));
-  scene.key("body", *body);
+  keys.set("body", *body, "pid");
   data.report.understood(
       fmt::format("{} ({}): part {} is not rigid, all of its nodes move so; other directions are free",
                   block.star_name(), f.place().text(), part));
 }
 
 /// One card of the keyword.
-void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
+void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f, DeckScene& scene) {
   static const char* const quantities[] = {"velocity", "acceleration", "displacement"};
   const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
   if (degree >= 5 && degree <= 7 && !block.name.ends_with("_RIGID")) {
@@ -51,19 +51,19 @@ void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f
     return;
   }
   const Point direction = direction_of(data, block, degree, f);
-  write_head("prescribed_velocity", block, f.place(), scene);
+  const auto keys = scene.entry<PrescribedVelocity>("prescribed_velocity", card_of(block, f.place()));
   ++data.motions;
-  if (last_card(data, "DATABASE_BNDOUT")) scene.key("name", fmt::format("motion_{}", data.motions));
+  if (last_card(data, "DATABASE_BNDOUT")) keys.set("name", fmt::format("motion_{}", data.motions));
   if (degree == -4) {  // and held across it
-    scene.key("velocity", direction);
+    keys.set("velocity", direction);
   } else {
-    scene.key("direction", direction);
-    scene.key("speed", 1.0);
+    keys.set("direction", direction);
+    keys.set("speed", 1.0);
   }
-  scene.key("quantity", quantities[quantity]);
-  write_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), scene);
-  write_span(span_of(f), scene);
-  write_moved(data, block, f, scene);
+  keys.set("quantity", quantities[quantity], "vad");
+  set_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), keys);
+  set_span(span_of(f), keys);
+  set_moved(data, block, f, keys);
 }
 
 /// Whether a second line belongs to a card: of a motion about a node, or relative to another one, which are refused.
@@ -74,7 +74,7 @@ bool has_second_line(const Fields& f) {
 
 }  // namespace
 
-void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   const CardLayout& layout = block.name.ends_with("_RIGID") ? layout::motion_part
                              : block.name.ends_with("_SET") ? layout::motion_set
                                                             : layout::motion_node;

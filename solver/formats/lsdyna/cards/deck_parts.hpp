@@ -1,6 +1,6 @@
 #pragma once
 
-#include <solver/formats/deck/toml_text.hpp>
+#include <solver/formats/deck/deck_scene.hpp>
 
 #include "deck_data.hpp"
 
@@ -18,34 +18,35 @@ std::optional<Card> last_card(const DeckData& data, const std::string& name, int
 /// Number of a *MAT_... .
 std::int64_t material_number(const DeckData& data, const KeywordBlock& block);
 /// *MAT_...: a [[material]] each, named mat_NUMBER; those that no part has are left out.
-void translate_material(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_material(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 
-/// A [[body]] for each part that has solids; mesh: keys that say where the mesh is.
-void translate_parts(DeckData& data, const std::string& mesh, TomlText& scene);
+/// A [[body]] for each part that has solids; mesh_file: as the scene names it.
+void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
+                     DeckScene& scene);
 
 /// *NODE: constraints of TC, all nodes of one code together.
-void translate_node_codes(DeckData& data, TomlText& scene);
+void translate_node_codes(DeckData& data, DeckScene& scene);
 /// *BOUNDARY_SPC_NODE, _SET: those with the same directions together.
-void translate_single_point_constraints(DeckData& data, TomlText& scene);
-void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, TomlText& scene);
-void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlText& scene);
-void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, TomlText& scene);
-void translate_velocity_generation(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_single_point_constraints(DeckData& data, DeckScene& scene);
+void translate_prescribed_motion(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_initial_velocity(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_velocity_generation(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 /// Where there are several kinds of initial velocities.
 void tell_order_of_velocities(DeckData& data);
 /// count: how many there are so far, all of which have names.
-void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, TomlText& scene);
-void translate_node_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, DeckScene& scene);
+void translate_node_load(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 /// *LOAD_SEGMENT: faces of the same load together; and of a set.
-void translate_segment_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
-void translate_segment_set_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
-void translate_body_load(DeckData& data, const KeywordBlock& block, TomlText& scene);
+void translate_segment_load(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_segment_set_load(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_body_load(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 
 /// All contact keywords together: [contact]. Returns whether any says what touches.
-bool translate_contact(DeckData& data, TomlText& scene);
+bool translate_contact(DeckData& data, DeckScene& scene);
 /// CONTROL, DAMPING, DATABASE: title, [time], [element], [damping], [output].
-void translate_controls(DeckData& data, TomlText& scene);
+void translate_controls(DeckData& data, DeckScene& scene);
 /// *DATABASE_HISTORY_NODE, _SOLID and sets of these: a [[probe]] each.
-void translate_probes(DeckData& data, TomlText& scene);
+void translate_probes(DeckData& data, DeckScene& scene);
 
 }  // namespace pinball

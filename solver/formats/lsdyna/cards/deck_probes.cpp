@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
 namespace pinball {
@@ -13,12 +13,12 @@ namespace {
 class ProbeKeywords {
  public:
   /// kind: the key of a probe; used: whether a solid has it, empty: all count.
-  ProbeKeywords(const DeckData& data, const char* kind, const std::vector<std::int64_t>& ids,
+  ProbeKeywords(const DeckData& data, KeyOf<Probe> kind, const std::vector<std::int64_t>& ids,
                 const std::vector<MeshSet>& sets, const std::vector<bool>& used)
       : data_(data), kind_(kind), ids_(ids), sets_(sets), used_(used), index_(ids) {}
 
   /// Eight numbers on a card, with _ID one and a title. add: what *INCLUDE_TRANSFORM adds to them.
-  void translate(const KeywordBlock& block, std::int64_t add, TomlText& scene) {
+  void translate(const KeywordBlock& block, std::int64_t add, DeckScene& scene) {
     Cards cards(block);
     while (auto card = cards.next_filled()) {
       if (block.id) card->log = nullptr;  // what follows the number is a title
@@ -39,26 +39,27 @@ class ProbeKeywords {
  private:
   std::size_t place_of(const KeywordBlock& block, std::int64_t number, const DeckPlace& place) const {
     const std::int32_t found = index_.find(number);
-    if (found < 0) fail_at(place, fmt::format("{}: {} {} is not there", block.star_name(), kind_, number));
+    if (found < 0) fail_at(place, fmt::format("{}: {} {} is not there", block.star_name(), kind_.name, number));
     return static_cast<std::size_t>(found);
   }
   const std::vector<std::int32_t>& members(const KeywordBlock& block, std::int64_t number,
                                            const DeckPlace& place) const {
     const MeshSet* set = find_set(sets_, std::to_string(number));
-    if (set == nullptr) fail_at(place, fmt::format("{}: there is no set {} of {}s", block.star_name(), number, kind_));
+    if (set == nullptr)
+      fail_at(place, fmt::format("{}: there is no set {} of {}s", block.star_name(), number, kind_.name));
     if (!set->problem.empty()) fail_at(place, fmt::format("{}: {}", block.star_name(), set->problem));
     return set->members;
   }
-  void write(const KeywordBlock& block, std::size_t at, const DeckPlace& place, TomlText& scene) {
+  void write(const KeywordBlock& block, std::size_t at, const DeckPlace& place, DeckScene& scene) {
     if (!watched_.insert(ids_[at]).second) return;
     if (!used_.empty() && !used_[at]) return data_.report.ignore_node(place, block.star_name());
-    write_head("probe", block, place, scene);
-    scene.key("name", fmt::format("{}_{}", kind_, ids_[at]));
-    scene.key(kind_, ids_[at]);
+    const auto keys = scene.entry<Probe>("probe", card_of(block, place));
+    keys.set("name", fmt::format("{}_{}", kind_.name, ids_[at]));
+    keys.set(kind_, ids_[at]);
   }
 
   const DeckData& data_;
-  const char* kind_;
+  KeyOf<Probe> kind_;
   const std::vector<std::int64_t>& ids_;
   const std::vector<MeshSet>& sets_;
   const std::vector<bool>& used_;
@@ -68,7 +69,7 @@ class ProbeKeywords {
 
 }  // namespace
 
-void translate_probes(DeckData& data, TomlText& scene) {
+void translate_probes(DeckData& data, DeckScene& scene) {
   const std::vector<bool> all;
   ProbeKeywords nodes(data, "node", data.mesh.node_ids, data.mesh.node_sets, data.used);
   ProbeKeywords elements(data, "element", data.mesh.element_ids, data.mesh.element_sets, all);

@@ -2,20 +2,20 @@
 
 #include <algorithm>
 
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
 namespace pinball {
 
 namespace {
 
-/// A table of the scene for one set or body.
-template <class Value>
-void write_velocity(const KeywordBlock& block, const DeckPlace& place, const Point& velocity, const char* key,
-                    const Value& value, TomlText& scene) {
-  write_head("initial_velocity", block, place, scene);
-  scene.key("velocity", velocity);
-  scene.key(key, value);
+using VelocityKeys = DeckKeys<InitialVelocity>;
+
+VelocityKeys begin_velocity(const KeywordBlock& block, const DeckPlace& place, const Point& velocity,
+                            DeckScene& scene) {
+  auto keys = scene.entry<InitialVelocity>("initial_velocity", card_of(block, place));
+  keys.set("velocity", velocity);
+  return keys;
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ void tell_order_of_velocities(DeckData& data) {
 }
 
 /// Set, and then velocity; with NSIDEX that of the nodes that are left out, too.
-void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_initial_velocity(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   Cards cards(block);
   const Card head = cards.require("the set of nodes");
   const Card card = cards.require("the velocity");
@@ -43,22 +43,22 @@ void translate_initial_velocity(DeckData& data, const KeywordBlock& block, TomlT
   const Point velocity = velocity_of(data.fields(card, layout::velocity));
   if (f.integer("NSID") == 0 && f.integer("BOXID") == 0) {
     for (const std::string& body : all_bodies(data)) {
-      write_velocity(block, block.place, velocity, "body", body, scene);
-      write_selection(data, block, f, scene);
+      const VelocityKeys keys = begin_velocity(block, block.place, velocity, scene);
+      keys.set("body", body);
+      set_selection(data, block, f, keys);
     }
   } else {
-    write_head("initial_velocity", block, block.place, scene);
-    scene.key("velocity", velocity);
-    write_selection(data, block, f, scene);
+    set_selection(data, block, f, begin_velocity(block, block.place, velocity, scene));
   }
   const Card last = cards.next_or_blank();
   const Fields exempt = data.fields(last, layout::velocity_exempt);
   const std::int64_t others = f.integer("NSIDEX");
   if (others == 0) return;
-  write_velocity(block, block.place, velocity_of(exempt), "set", std::to_string(set_number(block, others)), scene);
+  begin_velocity(block, block.place, velocity_of(exempt), scene)
+      .set("set", std::to_string(set_number(block, others)), "nsidex");
 }
 
-void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   NodesByKind<Point> nodes(data);
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, layout::velocity_node);
@@ -66,7 +66,7 @@ void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& blo
     nodes.add(block, card.place, node_number(block, f.integer("NID")), velocity);
   });
   for (const auto& [velocity, of_velocity] : nodes.all())
-    write_velocity(block, block.place, velocity, "nodes", of_velocity.numbers, scene);
+    begin_velocity(block, block.place, velocity, scene).set("nodes", of_velocity.numbers, "node");
 }
 
 namespace {
@@ -109,18 +109,19 @@ Motion motion_of(const DeckData& data, const KeywordBlock& block, const Fields& 
   return motion;
 }
 
-void write_motion(const KeywordBlock& block, const DeckPlace& place, const Motion& motion, const char* key,
-                  const std::string& value, TomlText& scene) {
-  write_velocity(block, place, motion.velocity, key, value, scene);
+void add_motion(const KeywordBlock& block, const DeckPlace& place, const Motion& motion, KeyOf<InitialVelocity> key,
+                const std::string& value, DeckScene& scene) {
+  const VelocityKeys keys = begin_velocity(block, place, motion.velocity, scene);
+  keys.set(key, value, "id");
   if (motion.angular_velocity == Point{}) return;
-  scene.key("angular_velocity", motion.angular_velocity);
-  scene.key("centre", motion.centre);
+  keys.set("angular_velocity", motion.angular_velocity, "omega");
+  keys.set("centre", motion.centre, "xc, yc, zc");
 }
 
 }  // namespace
 
 /// Two cards each; the second one, of the spin, may be blank.
-void translate_velocity_generation(DeckData& data, const KeywordBlock& block, TomlText& scene) {
+void translate_velocity_generation(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   Cards cards(block);
   while (const auto card = cards.next_filled()) {
     const Card second = cards.next_or_blank();
@@ -135,11 +136,11 @@ void translate_velocity_generation(DeckData& data, const KeywordBlock& block, To
     } else if (kind == 2) {
       bodies = bodies_of(data, {id + offset_of(block, &DeckTransform::part)}, card->place);
     } else if (kind == 3) {
-      write_motion(block, card->place, motion, "set", std::to_string(set_number(block, id)), scene);
+      add_motion(block, card->place, motion, "set", std::to_string(set_number(block, id)), scene);
     } else {
       f.fail("STYP", fmt::format("expected 1, 2 or 3, got {}", kind));
     }
-    for (const std::string& body : bodies) write_motion(block, card->place, motion, "body", body, scene);
+    for (const std::string& body : bodies) add_motion(block, card->place, motion, "body", body, scene);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
 namespace pinball {
@@ -10,51 +10,51 @@ namespace pinball {
 namespace {
 
 /// A rectangle: head of its first side, and the lengths of both; 0: without end.
-void write_rectangle(const Fields& f, const Point& corner, TomlText& scene) {
+void set_rectangle(const Fields& f, const Point& corner, const DeckKeys<RigidWall>& keys) {
   const std::vector<double> size{f.number("LENL"), f.number("LENM")};
   if (size[0] == 0 && size[1] == 0) return;
-  scene.key("edge", minus(f.point("XHEV"), corner));
-  scene.key("size", size);
+  keys.set("edge", minus(f.point("XHEV"), corner), "xhev, yhev, zhev");
+  keys.set("size", size, "lenl, lenm");
 }
 
 /// MASS and V0, along the normal.
-void write_mass(const Fields& f, TomlText& scene) {
+void set_mass(const Fields& f, const DeckKeys<RigidWall>& keys) {
   const double mass = f.number("MASS");
   if (!(mass > 0)) f.fail("MASS", fmt::format("expected a number > 0, got {}", mass));
-  scene.key("mass", mass);
-  scene.key("speed", f.number("V0"));
+  keys.set("mass", mass, "mass");
+  keys.set("speed", f.number("V0"), "v0");
 }
 
 /// FRIC: a coefficient below 1; 1: nodes do not slide; 2 and 3, nodes that stick, are not there.
-void write_friction(DeckData& data, const KeywordBlock& block, const Fields& plane, TomlText& scene) {
+void set_friction(DeckData& data, const KeywordBlock& block, const Fields& plane, const DeckKeys<RigidWall>& keys) {
   const double friction = plane.number("FRIC");
   if (friction == 1) {
-    scene.key("sliding", false);
+    keys.set("sliding", false, "fric");
   } else if (friction < 1) {
-    scene.key("friction", friction);
+    keys.set("friction", friction, "fric");
   } else {
     data.report.refuse(plane.place(), block.star_name() + " with nodes that stick (FRIC > 1)", "1: nodes do not slide");
   }
 }
 
 /// A point of the wall: a corner, where it is a rectangle.
-Point write_wall(DeckData& data, const KeywordBlock& block, const Card& head, const Card& card, std::size_t number,
-                 TomlText& scene) {
+Point set_wall(DeckData& data, const KeywordBlock& block, const Card& head, const Card& card, std::size_t number,
+               const DeckKeys<RigidWall>& keys) {
   const Fields f = data.fields(head, layout::wall_nodes), plane = data.fields(card, layout::wall_plane);
   const Point point = plane.point("XT");
-  scene.key("name", fmt::format("wall_{}", number));
-  scene.key("point", point);
-  scene.key("normal", minus(plane.point("XH"), point));
-  write_friction(data, block, plane, scene);
-  write_selection(data, block, f, scene);
-  write_span(span_of(f), scene);
+  keys.set("name", fmt::format("wall_{}", number));
+  keys.set("point", point, "xt, yt, zt");
+  keys.set("normal", minus(plane.point("XH"), point), "xh, yh, zh");
+  set_friction(data, block, plane, keys);
+  set_selection(data, block, f, keys);
+  set_span(span_of(f), keys);
   return point;
 }
 
 }  // namespace
 
 /// Two to four cards each, and with _ID one more before them. Blank ones at the end are no wall.
-void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, TomlText& scene) {
+void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, DeckScene& scene) {
   Cards cards(block);
   for (bool is_first = true;; is_first = false) {
     if (block.id && !cards.next()) return;
@@ -63,16 +63,16 @@ void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_
     if (!head) head = cards.require("the nodes of the wall");
     const std::optional<Card> plane = cards.next();
     if (!is_first && head->blank() && (!plane || plane->blank())) return;
-    write_head("rigid_wall", block, is_first ? block.place : head->place, scene);
+    const auto keys = scene.entry<RigidWall>("rigid_wall", card_of(block, is_first ? block.place : head->place));
     const Point corner =
-        write_wall(data, block, *head, plane ? *plane : cards.require("the plane of the wall"), count++, scene);
+        set_wall(data, block, *head, plane ? *plane : cards.require("the plane of the wall"), count++, keys);
     if (block.name.find("_FINITE") != std::string::npos) {
       const Card rectangle = cards.require("the rectangle of the wall");
-      write_rectangle(data.fields(rectangle, layout::wall_rectangle), corner, scene);
+      set_rectangle(data.fields(rectangle, layout::wall_rectangle), corner, keys);
     }
     if (block.name.find("_MOVING") != std::string::npos) {
       const Card mass = cards.require("the mass of the wall");
-      write_mass(data.fields(mass, layout::wall_mass), scene);
+      set_mass(data.fields(mass, layout::wall_mass), keys);
     }
   }
 }

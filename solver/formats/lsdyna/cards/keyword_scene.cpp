@@ -10,6 +10,7 @@
 #include <solver/formats/deck/given_once.hpp>
 #include <solver/formats/lsdyna/mesh/keyword_mesh.hpp>
 #include <solver/mesh/file/input_file.hpp>
+#include <solver/mesh/held_mesh.hpp>
 
 #include "deck_data.hpp"
 #include "deck_parts.hpp"
@@ -21,7 +22,7 @@ namespace pinball {
 
 namespace {
 
-using Translate = void (*)(DeckData&, const KeywordBlock&, TomlText&);
+using Translate = void (*)(DeckData&, const KeywordBlock&, DeckScene&);
 
 /// Keywords that become tables one by one, in the order of the deck; all others are looked at together.
 Translate translation_of(const std::string& name) {
@@ -58,7 +59,7 @@ void describe_mesh(const DeckData& data, DeckReport& report) {
 }
 
 /// By their numbers: whatever their order in the deck, the scene is the same.
-void translate_materials(DeckData& data, TomlText& scene) {
+void translate_materials(DeckData& data, DeckScene& scene) {
   std::map<std::int64_t, const KeywordBlock*> materials;
   GivenOnce given;
   for (const KeywordBlock& block : data.deck.blocks) {
@@ -70,30 +71,26 @@ void translate_materials(DeckData& data, TomlText& scene) {
   for (const auto& [number, block] : materials) translate_material(data, *block, scene);
 }
 
-/// Where a body has its mesh from: the deck itself.
-std::string mesh_keys(const std::string& path, const DeckOptions& options) {
-  const std::string file =
-      options.name_in_scene.empty() ? std::filesystem::path(path).filename().string() : options.name_in_scene;
-  return fmt::format("file = {}{}", toml(file),
-                     options.chosen_case ? fmt::format(", case = {}", *options.chosen_case) : std::string());
+/// As a scene names the deck, from which its meshes are read.
+std::string mesh_file_of(const std::string& path, const DeckOptions& options) {
+  return options.name_in_scene.empty() ? std::filesystem::path(path).filename().string() : options.name_in_scene;
 }
 
 /// The scene; what is not done of it goes to the report. of_parts: what is not there; empty once it is known which
 /// parts have some of it.
 TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const DeckOptions& options,
                         std::vector<KeywordBlock>& of_parts, DeckReport& report) {
-  const MeshFile mesh = keyword_mesh(deck);
+  MeshFile mesh = keyword_mesh(deck);
   if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT_SOLID), there are none");
   DeckData data(deck, mesh, report);
   refuse_of_parts(std::exchange(of_parts, {}), &data, report);
 
-  TomlText scene;
-  scene.comment(fmt::format("{} as this program understands it.", std::filesystem::path(path).filename().string()));
+  DeckScene scene;
   translate_controls(data, scene);
   const bool contact_said = translate_contact(data, scene);
-  TomlText bodies, boundary;
+  DeckScene bodies, boundary;
   std::size_t walls = 0;
-  translate_parts(data, mesh_keys(path, options), bodies);
+  translate_parts(data, mesh_file_of(path, options), options.chosen_case, bodies);
   translate_node_codes(data, boundary);
   translate_single_point_constraints(data, boundary);
   translate_materials(data, scene);
@@ -111,9 +108,15 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   if (deck.left_out_of_case > 0)
     report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}", deck.left_out_of_case,
                                   fmt::join(deck.cases, ", ")));
-  scene.append(bodies);
-  scene.append(boundary);
-  return {scene.text(), {}, {}, scene.origins(), contact_said};
+  scene.append(std::move(bodies));
+  scene.append(std::move(boundary));
+  TranslatedDeck translated = given_deck(std::move(scene), path, contact_said);
+  FileMesh settings;
+  settings.format = MeshFormat::keyword;
+  settings.file = path;
+  settings.chosen_case = options.chosen_case;
+  translated.given->mesh = std::make_shared<HeldMesh>(std::move(mesh), settings);
+  return translated;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "boundary_text.hpp"
+#include "boundary_keys.hpp"
 
 #include <map>
 
@@ -18,17 +18,13 @@ std::int64_t definition_number(const KeywordBlock& block, std::int64_t id) {
 
 DeckSpan span_of(const Fields& f) {
   const DeckSpan span{f.number("BIRTH"), f.number("DEATH")};
-  constexpr double never = 1e19;  // the defaults are 1e20 and 1e28
-  return {span.birth, span.death < never ? span.death : 0.0};
+  constexpr double no_end = 1e19;  // the defaults are 1e20 and 1e28
+  return {span.birth, span.death < no_end ? span.death : 0.0};
 }
 
-void write_span(const DeckSpan& span, TomlText& scene) {
-  if (span.birth > 0) scene.key("start", span.birth);
-  if (span.death > 0) scene.key("end", span.death);
-}
-
-void write_head(const char* table, const KeywordBlock& block, const DeckPlace& place, TomlText& scene) {
-  scene.entry(table, fmt::format("{} {}", block.star_name(), place.text()));
+void set_span(const DeckSpan& span, const DeckKeys<TimeSpan>& keys) {
+  if (span.birth > 0) keys.set("start", span.birth);
+  if (span.death > 0) keys.set("end", span.death);
 }
 
 std::vector<std::string> all_bodies(const DeckData& data) {
@@ -48,13 +44,17 @@ std::vector<std::string> bodies_of(const DeckData& data, const std::vector<std::
   return bodies;
 }
 
-void write_selection(const DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene) {
+void set_selection(const DeckData& data, const KeywordBlock& block, const Fields& f,
+                   const DeckKeys<NodeSelection>& keys) {
   const std::int64_t set = f.integer("NSID"), without = f.integer("NSIDEX"), box = f.integer("BOXID");
-  if (set != 0) scene.key("set", std::to_string(set_number(block, set)));
-  if (without != 0) scene.key("without", std::to_string(set_number(block, without)));
+  if (set != 0) keys.set("set", std::to_string(set_number(block, set)), "set");
+  if (without != 0) keys.set("without", std::to_string(set_number(block, without)), "nsidex");
   if (box == 0) return;
   const KeywordBox& bounds = data.boxes.find(block, box, f.place());
-  scene.raw("box", fmt::format("{{ low = {}, high = {} }}", toml(bounds.low), toml(bounds.high)));
+  InnerKeys<Box> inner;
+  inner.set("low", bounds.low);
+  inner.set("high", bounds.high);
+  keys.set("box", inner.value(), "boxid");
 }
 
 Point in_system(const DeckData& data, const KeywordBlock& block, std::int64_t system, const Point& vector,
@@ -68,21 +68,21 @@ Point in_system(const DeckData& data, const KeywordBlock& block, std::int64_t sy
   return global;
 }
 
-void write_target(const KeywordBlock& block, bool set, std::int64_t id, TomlText& scene) {
+void set_target(const KeywordBlock& block, bool set, std::int64_t id, const DeckKeys<NodeSelection>& keys) {
   if (set) {
-    scene.key("set", std::to_string(set_number(block, id)));
+    keys.set("set", std::to_string(set_number(block, id)), "set");
   } else {
-    scene.key("nodes", std::vector{node_number(block, id)});
+    keys.set("nodes", std::vector{node_number(block, id)}, "node");
   }
 }
 
-void write_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
-                 const DeckPlace& place, TomlText& scene) {
+void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
+               const DeckPlace& place, const DeckKeys<TimeTable>& keys) {
   const DeckCurve& points = data.curve(definition_number(block, curve), place);
   std::vector<double> factors = points.ordinate;
   for (double& factor : factors) factor *= scale == 0 ? 1.0 : scale;
-  scene.key("times", points.abscissa);
-  scene.key("factors", factors);
+  keys.set("times", points.abscissa, "lcid");
+  keys.set("factors", factors, "lcid, sf");
 }
 
 }  // namespace pinball

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <map>
 #include <vector>
 
-#include <solver/formats/deck/toml_text.hpp>
+#include <solver/formats/deck/deck_scene.hpp>
 #include <solver/formats/lsdyna/layouts/boundary_cards.hpp>
 
 #include "deck_data.hpp"
@@ -20,7 +22,7 @@ struct DeckSpan {
 };
 /// BIRTH and DEATH of a card.
 DeckSpan span_of(const Fields& f);
-void write_span(const DeckSpan& span, TomlText& scene);
+void set_span(const DeckSpan& span, const DeckKeys<TimeSpan>& keys);
 
 // Numbers of a deck, with what *INCLUDE_TRANSFORM adds to them.
 std::int64_t set_number(const KeywordBlock& block, std::int64_t id);
@@ -28,8 +30,8 @@ std::int64_t node_number(const KeywordBlock& block, std::int64_t id);
 /// Of a curve, a vector or a system; 0 stays 0: none.
 std::int64_t definition_number(const KeywordBlock& block, std::int64_t id);
 
-/// [[table]] for a card, which its comment names.
-void write_head(const char* table, const KeywordBlock& block, const DeckPlace& place, TomlText& scene);
+/// A keyword at the place of one of its cards.
+inline DeckCard card_of(const KeywordBlock& block, const DeckPlace& place) { return {block.star_name(), place}; }
 
 /// Bodies of all parts with solids, in the order of their numbers.
 std::vector<std::string> all_bodies(const DeckData& data);
@@ -38,14 +40,15 @@ std::vector<std::string> bodies_of(const DeckData& data, const std::vector<std::
                                    const DeckPlace& place);
 
 /// NSID, NSIDEX and BOXID of a card: keys of a selection.
-void write_selection(const DeckData& data, const KeywordBlock& block, const Fields& f, TomlText& scene);
+void set_selection(const DeckData& data, const KeywordBlock& block, const Fields& f,
+                   const DeckKeys<NodeSelection>& keys);
 
 /// The nodes of a card: a set of them, or one.
-void write_target(const KeywordBlock& block, bool set, std::int64_t id, TomlText& scene);
+void set_target(const KeywordBlock& block, bool set, std::int64_t id, const DeckKeys<NodeSelection>& keys);
 
 /// Times and factors of the curve of this number, multiplied by SF; an SF of 0 is 1.
-void write_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
-                 const DeckPlace& place, TomlText& scene);
+void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
+               const DeckPlace& place, const DeckKeys<TimeTable>& keys);
 
 /// A vector in components of a local system; 0: the global one.
 Point in_system(const DeckData& data, const KeywordBlock& block, std::int64_t system, const Point& vector,
