@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/point.hpp"
@@ -19,6 +20,12 @@ namespace pinball {
 struct Mesh {
   std::vector<Point> nodes;                            ///< coordinates, length unit of the scene
   std::vector<std::array<std::int32_t, 8>> hexahedra;  ///< node indices into `nodes`
+};
+
+/// A file that a mesh is from, with the hash of its bytes as they were read.
+struct MeshSource {
+  std::string path;
+  std::uint64_t hash = 0;
 };
 
 }  // namespace pinball

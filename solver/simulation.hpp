@@ -10,6 +10,7 @@
 #include "array_view.hpp"
 #include "base/export.h"
 #include "base/state_archive.hpp"
+#include "mesh.hpp"
 #include "results.hpp"
 #include "scene.hpp"
 
@@ -155,8 +156,9 @@ class PINBALL_API Simulation {
 
   /// Writes or reads the state between two steps, or at the end (Solver::persist).
   void persist(StateArchive& archive);
-  std::uint64_t fingerprint() const;  ///< of the model as built: a state belongs to one
-  int simd_width() const;             ///< lanes of a pack: a state belongs to one
+  std::uint64_t fingerprint() const;             ///< of the model as built: a state belongs to one
+  int simd_width() const;                        ///< lanes of a pack: a state belongs to one
+  std::vector<MeshSource> mesh_sources() const;  ///< the files that meshes are from, as they were read
 
  private:
   struct Implementation;

@@ -65,12 +65,4 @@ MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>
   return file;
 }
 
-std::vector<std::string> files_of(const FileMesh& settings) {
-  if (settings.format == MeshFormat::keyword) {
-    return read_keyword_deck(settings.file, settings.chosen_case).files;
-  }
-  if (settings.format == MeshFormat::abaqus) return read_abaqus_deck(settings.file).files;
-  return {settings.file};
-}
-
 }  // namespace pinball

@@ -12,7 +12,4 @@ namespace pinball {
 /// number that two nodes, or two elements, of different content have.
 MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>& parts);
 
-/// The file itself, and those that it includes.
-std::vector<std::string> files_of(const FileMesh& settings);
-
 }  // namespace pinball

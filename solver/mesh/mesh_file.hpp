@@ -65,7 +65,8 @@ struct MeshFile {
   std::vector<MeshPart> parts;
   std::vector<MeshSet> node_sets, element_sets;
   std::vector<FaceSet> face_sets;
-  std::vector<std::string> notes{};  ///< what was left out, in sentences
+  std::vector<std::string> notes{};   ///< what was left out, in sentences
+  std::vector<MeshSource> sources{};  ///< the file itself, and those that it includes
 };
 
 /// Elements of a part: that of this name or number, or else the set of elements of it; all for "". Throws InputError

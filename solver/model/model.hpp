@@ -30,6 +30,7 @@ struct FileNodes {
   std::vector<MeshSet> element_sets;  ///< of elements of the model; parts, and then sets
   std::vector<FaceSet> face_sets;     ///< of nodes of the model, those of its elements alone
   std::vector<MeshGroup> groups{};    ///< all parts and sets of the file
+  std::vector<MeshSource> sources{};  ///< the file, and those that it includes
 };
 
 /// The meshes of all bodies together, in the order of the scene; cold.

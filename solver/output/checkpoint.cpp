@@ -8,15 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <set>
-#include <tuple>
 
 #include <solver/base/error.hpp>
+#include <solver/base/state_hash.hpp>
 #include <solver/base/version.h>
-#include <solver/formats/mesh_reader.hpp>
 #include <solver/mesh/file/input_file.hpp>
+#include <solver/mesh/mesh_file.hpp>
 #include <solver/model/stores.hpp>
-#include <solver/results/state_hash.hpp>
 #include <solver/scene/given/given_archive.hpp>
 #include <solver/scene/toml/overrides.hpp>
 
@@ -33,18 +31,6 @@ struct FileHeader {
   std::array<char, 8> magic{};
   std::uint64_t version = 0, bytes = 0, hash = 0;
 };
-
-std::uint64_t hash_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::vector<char> piece(1U << 16);
-  StateHash hash;
-  while (file) {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    hash.add(piece.data(), file.gcount());
-  }
-  if (!file.eof()) throw InputError(path + ": cannot be read");
-  return hash.value();
-}
 
 std::int32_t simd_width(Precision precision) {
   return precision == Precision::float32 ? ElementStore<float>::width : ElementStore<double>::width;
@@ -86,21 +72,16 @@ void CheckpointHead::persist(StateArchive& archive) {
   if (precision >= 0) source.overrides.precision = static_cast<Precision>(precision);
 }
 
-CheckpointHead checkpoint_head(const SceneSource& source, const Scene& scene) {
+CheckpointHead checkpoint_head(const SceneSource& source, const Simulation& simulation) {
   CheckpointHead head;
   head.source = source;
   head.source.path = std::filesystem::absolute(source.path).string();
-  head.simd_width = simd_width(scene.precision);
+  head.simd_width = simd_width(simulation.scene().precision);
   head.version = PINBALL_VERSION;
-  std::set<std::tuple<std::string, MeshFormat, std::optional<std::int64_t>>> looked_at;  // bodies may have one file
-  for (const Body& body : scene.bodies) {
-    const auto* mesh = std::get_if<FileMesh>(&body.mesh);
-    if (mesh == nullptr || !looked_at.emplace(mesh->file, mesh->format, mesh->chosen_case).second) continue;
-    for (const std::string& file : files_of(*mesh)) {
-      std::string path = std::filesystem::absolute(file).string();
-      const auto same = [&path](const auto& known) { return known.first == path; };
-      if (std::ranges::none_of(head.mesh_files, same)) head.mesh_files.emplace_back(path, hash_of_file(path));
-    }
+  for (const MeshSource& file : simulation.mesh_sources()) {  // bodies may have one file
+    std::string path = std::filesystem::absolute(file.path).string();
+    const auto same = [&path](const auto& known) { return known.first == path; };
+    if (std::ranges::none_of(head.mesh_files, same)) head.mesh_files.emplace_back(path, file.hash);
   }
   return head;
 }

@@ -10,6 +10,7 @@
 #include <solver/base/state_archive.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/scene.hpp>
+#include <solver/simulation.hpp>
 
 /// A run between two steps as one file, from which it goes on with the same bits, with any number of threads.
 ///
@@ -45,8 +46,8 @@ struct Checkpoint {
   std::span<const std::byte> state;  ///< part of the content
 };
 
-/// Head for the states of a run. Throws InputError for a mesh file that cannot be read.
-CheckpointHead checkpoint_head(const SceneSource& source, const Scene& scene);
+/// Head for the states of a run, with the hashes of its mesh files as they were read.
+CheckpointHead checkpoint_head(const SceneSource& source, const Simulation& simulation);
 
 /// Writes `path` as a whole or leaves what is there. Throws RunError.
 void write_checkpoint(const std::string& path, CheckpointHead head, const StateBytes& state);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <solver/base/state_hash.hpp>
 #include <solver/results.hpp>
-#include <solver/results/state_hash.hpp>
 
 namespace pinball {
 

@@ -46,7 +46,7 @@ Recorder::Recorder(Simulation& simulation, const RecordOptions& options, bool co
       units_(simulation.scene().units),
       checkpoint_every_(options.checkpoint_every) {
   if (options.source != nullptr) {
-    head_ = checkpoint_head(*options.source, simulation.scene());
+    head_ = checkpoint_head(*options.source, simulation);
     head_->fingerprint = simulation.fingerprint();
     head_->deck = options.deck;
   } else if (checkpoint_every_ > 0) {

@@ -21,7 +21,7 @@ SceneSource source_of(const Checkpoint& checkpoint, const std::vector<std::strin
 void save_checkpoint(const std::string& path, Simulation& simulation, const SceneSource& source) {
   if (simulation.complete())
     throw InputError("checkpoint: expected a run that is not complete: nothing is left to go on with");
-  CheckpointHead head = checkpoint_head(source, simulation.scene());
+  CheckpointHead head = checkpoint_head(source, simulation);
   head.fingerprint = simulation.fingerprint();
   RunRecord record;  // of no files
   record.wall_seconds = simulation.summary().wall_seconds;

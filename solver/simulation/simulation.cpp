@@ -164,6 +164,14 @@ void Simulation::persist(StateArchive& archive) {
 std::uint64_t Simulation::fingerprint() const {
   return implementation_->read([](const auto& solver) { return pinball::fingerprint(solver.model()); });
 }
+std::vector<MeshSource> Simulation::mesh_sources() const {
+  return implementation_->read([](const auto& solver) {
+    std::vector<MeshSource> all;
+    for (const FileNodes& file : solver.model().mesh.files)
+      all.insert(all.end(), file.sources.begin(), file.sources.end());
+    return all;
+  });
+}
 int Simulation::simd_width() const {
   return implementation_->read([](const auto& solver) { return solver.model().elements.width; });
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include <kernels/exec.hpp>
+#include <solver/base/state_hash.hpp>
 #include <solver/base/version.h>
 #include <solver/device/devices.hpp>
 #include <solver/model/place_names.hpp>
-#include <solver/results/state_hash.hpp>
 
 #include "report_soundness.hpp"
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <solver/base/error.hpp>
+#include <solver/mesh/file/input_file.hpp>
 
 #include "netcdf_file.hpp"
 
@@ -264,7 +265,9 @@ class ExodusReader {
 }  // namespace
 
 MeshFile read_exodus(const std::string& path, const std::vector<std::string>& parts) {
-  return ExodusReader(path, parts).read();
+  MeshFile file = ExodusReader(path, parts).read();
+  file.sources = {{path, hash_of_file(path)}};  // whose bytes the library has read
+  return file;
 }
 
 }  // namespace pinball

@@ -335,7 +335,10 @@ MeshFile parse_gmsh(std::string_view text, const std::string& name, const std::v
 }
 
 MeshFile read_gmsh(const std::string& path, const std::vector<std::string>& physicals) {
-  return parse_gmsh(bytes_of_file(path), path, physicals);
+  const std::string bytes = bytes_of_file(path);
+  MeshFile file = parse_gmsh(bytes, path, physicals);
+  file.sources = {{path, hash_of_bytes(bytes)}};
+  return file;
 }
 
 }  // namespace pinball

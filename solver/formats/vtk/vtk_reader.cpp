@@ -1,5 +1,8 @@
 #include "vtk_reader.hpp"
 
+#include <cstdint>
+#include <utility>
+
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/input_file.hpp>
 
@@ -21,7 +24,11 @@ MeshFile parse_vtk(std::string bytes, const std::string& name, const std::string
 }
 
 MeshFile read_vtk(const std::string& path, const std::string& array, const std::vector<std::string>& parts) {
-  return parse_vtk(bytes_of_file(path), path, array, parts);
+  std::string bytes = bytes_of_file(path);
+  const std::uint64_t hash = hash_of_bytes(bytes);  // reading XML changes them
+  MeshFile file = parse_vtk(std::move(bytes), path, array, parts);
+  file.sources = {{path, hash}};
+  return file;
 }
 
 }  // namespace pinball

@@ -5,8 +5,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include <solver/base/error.hpp>
+#include <solver/base/state_hash.hpp>
 
 namespace pinball {
 
@@ -35,6 +37,24 @@ void require_file(const std::string& path) {
   if (fs::is_directory(status)) throw InputError(path + ": expected a file, got a folder");
   if (fs::exists(status)) throw InputError(path + ": expected a file, got a pipe or a device");
   throw InputError(path + ": no such file, or it cannot be read");
+}
+
+std::uint64_t hash_of_bytes(std::string_view bytes) {
+  StateHash hash;
+  hash.add(bytes.data(), bytes.size());
+  return hash.value();
+}
+
+std::uint64_t hash_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::vector<char> piece(1U << 16);
+  StateHash hash;
+  while (file) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    hash.add(piece.data(), file.gcount());
+  }
+  if (!file.eof()) throw InputError(path + ": cannot be read");
+  return hash.value();
 }
 
 std::string bytes_of_file(const std::string& path) {

@@ -63,6 +63,7 @@ FileNodes file_nodes(const MeshFile& file, const std::vector<std::int32_t>& node
                      const std::vector<std::int32_t>& element) {
   FileNodes named;
   named.path = file.path;
+  named.sources = file.sources;
   named.groups = groups_of(file);
   named.numbers = numbers_of(file.node_ids, node);
   named.element_numbers = numbers_of(file.element_ids, element);

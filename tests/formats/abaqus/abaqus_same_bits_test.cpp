@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <solver/base/state_hash.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
-#include <solver/results/state_hash.hpp>
 #include <tests/support/solver_case.hpp>
 
 #include "abaqus_case.hpp"

@@ -40,7 +40,8 @@ class AbaqusMeshReader {
   explicit AbaqusMeshReader(const AbaqusDeck& deck) {
     mesh_.components = abaqus_components(deck);
     mesh_.sections = abaqus_sections(mesh_.components);
-    file_.path = deck.files.front();
+    file_.path = deck.files.front().path;
+    file_.sources = deck.files;
   }
 
   AbaqusMesh read() {

@@ -55,7 +55,7 @@ class AbaqusReader {
  private:
   void add_file(std::shared_ptr<const std::string> text, const std::string& path) {
     deck_.texts.push_back(text);
-    deck_.files.push_back(path);
+    deck_.files.push_back({path, hash_of_bytes(*text)});
     open_.push_back(path);
     std::string_view rest = *text;
     if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <solver/mesh.hpp>
+
 #include "abaqus_block.hpp"
 
 namespace pinball {
@@ -12,7 +14,7 @@ namespace pinball {
 /// assembly, a step. What opens and closes these stays in the list; *INCLUDE, and INPUT= of other keywords, do not.
 struct AbaqusDeck {
   std::vector<AbaqusBlock> blocks;
-  std::vector<std::string> files;                         ///< as opened, the deck itself first
+  std::vector<MeshSource> files;                          ///< as opened, the deck itself first
   std::vector<std::shared_ptr<const std::string>> texts;  ///< what the blocks refer to
 };
 

@@ -24,7 +24,8 @@ class KeywordMeshReader {
   explicit KeywordMeshReader(const KeywordDeck& deck) : deck_(deck), transformations_(deck) {}
 
   MeshFile read() {
-    file_.path = deck_.files.front();
+    file_.path = deck_.files.front().path;
+    file_.sources = deck_.files;
     for (const KeywordBlock& block : deck_.blocks) {
       require_readable(block);
       if (block.name == "NODE") read_nodes(block);

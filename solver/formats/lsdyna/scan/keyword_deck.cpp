@@ -28,8 +28,8 @@ class KeywordReader {
   KeywordReader(const std::string& path, std::optional<std::int64_t> chosen_case)
       : chosen_(chosen_case), cases_(chosen_case), included_(path) {}
 
-  KeywordDeck read(std::shared_ptr<const std::string> text, const std::string& path) {
-    add_file(std::move(text), path, nullptr, {});
+  KeywordDeck read(std::string bytes, const std::string& path) {
+    add_file(std::move(bytes), path, nullptr, {});
     keep_case();
     deck_.unread = included_.unread();
     return std::move(deck_);
@@ -41,10 +41,11 @@ class KeywordReader {
     DeckCases::Numbers cases;  ///< that it belongs to; none: to all
   };
 
-  void add_file(std::shared_ptr<const std::string> text, const std::string& path,
-                const std::shared_ptr<const DeckTransform>& transform, KeywordScanner::Widths widths) {
+  void add_file(std::string bytes, const std::string& path, const std::shared_ptr<const DeckTransform>& transform,
+                KeywordScanner::Widths widths) {
+    deck_.files.push_back({path, hash_of_bytes(bytes)});
+    const auto text = deck_text_of(std::move(bytes));
     deck_.texts.push_back(text);
-    deck_.files.push_back(path);
     open_.push_back(path);
     KeywordScanner scanner(*text, path, widths);
     KeywordBlock block;
@@ -76,8 +77,7 @@ class KeywordReader {
       const std::string path = included_.find(file.name, open_.back());
       if (open_.size() > deepest_include || std::ranges::count(open_, path) != 0)
         fail_at(file.place, fmt::format("*INCLUDE {}: the file includes itself", file.name));
-      add_file(deck_text_of(files_.open(path, &file.place, "*INCLUDE")), path, file.transform,
-               {block.wide, block.twenty});
+      add_file(files_.open(path, &file.place, "*INCLUDE"), path, file.transform, {block.wide, block.twenty});
     }
   }
 
@@ -87,7 +87,7 @@ class KeywordReader {
     deck_.cases = cases_.numbers();
     if (chosen_ && std::ranges::count(deck_.cases, *chosen_) == 0) {
       throw InputError(fmt::format(
-          "{}: --case {}: {}", deck_.files.front(), *chosen_,
+          "{}: --case {}: {}", deck_.files.front().path, *chosen_,
           deck_.cases.empty() ? "the deck has no cases" : fmt::format("it has {}", fmt::join(deck_.cases, ", "))));
     }
     std::vector<KeywordBlock> of_case;
@@ -118,11 +118,11 @@ class KeywordReader {
 }  // namespace
 
 KeywordDeck read_keyword_deck(const std::string& path, std::optional<std::int64_t> chosen_case) {
-  return KeywordReader(path, chosen_case).read(deck_text_of(bytes_of_file(path)), path);
+  return KeywordReader(path, chosen_case).read(bytes_of_file(path), path);
 }
 
 KeywordDeck parse_keyword_deck(std::string text, const std::string& name, std::optional<std::int64_t> chosen_case) {
-  return KeywordReader(name, chosen_case).read(deck_text_of(std::move(text)), name);
+  return KeywordReader(name, chosen_case).read(std::move(text), name);
 }
 
 }  // namespace pinball

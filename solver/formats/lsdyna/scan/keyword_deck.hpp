@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <solver/mesh.hpp>
+
 #include "included_files.hpp"
 #include "keyword_block.hpp"
 #include "parameters.hpp"
@@ -16,7 +18,7 @@ namespace pinball {
 struct KeywordDeck {
   std::vector<KeywordBlock> blocks;
   Parameters parameters;
-  std::vector<std::string> files;                         ///< as opened, the deck itself first
+  std::vector<MeshSource> files;                          ///< as opened, the deck itself first
   std::vector<std::int64_t> cases;                        ///< numbers that --case takes
   std::size_t left_out_of_case = 0;                       ///< keywords that belong to other cases
   std::vector<UnreadLine> unread;                         ///< of what is done here

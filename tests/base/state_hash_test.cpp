@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include <solver/results/state_hash.hpp>
+#include <solver/base/state_hash.hpp>
 
 namespace pinball {
 namespace {
