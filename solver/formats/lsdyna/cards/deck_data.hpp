@@ -69,6 +69,7 @@ class DeckData {
   std::map<std::int64_t, DeckHourglass> hourglass;
   std::vector<DeckElement> part_elements;  ///< of each part, once the controls are translated
   int motions = 0;                         ///< prescribed ones that are translated
+  std::size_t walls = 0;                   ///< the same of rigid walls
   std::vector<DeckFaces> pressed;          ///< of each card of pressure
   std::vector<bool> used;                  ///< per node of the mesh: whether a solid of a part has it
 

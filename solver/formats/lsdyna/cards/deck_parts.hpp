@@ -34,8 +34,7 @@ void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& blo
 void translate_velocity_generation(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 /// Where there are several kinds of initial velocities.
 void tell_order_of_velocities(DeckData& data);
-/// count: how many there are so far, all of which have names.
-void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, DeckScene& scene);
+void translate_rigid_walls(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 void translate_node_load(DeckData& data, const KeywordBlock& block, DeckScene& scene);
 /// *LOAD_SEGMENT: faces of the same load together; and of a set.
 void translate_segment_load(DeckData& data, const KeywordBlock& block, DeckScene& scene);

@@ -54,7 +54,7 @@ Point set_wall(DeckData& data, const KeywordBlock& block, const Card& head, cons
 }  // namespace
 
 /// Two to four cards each, and with _ID one more before them. Blank ones at the end are no wall.
-void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_t& count, DeckScene& scene) {
+void translate_rigid_walls(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   Cards cards(block);
   for (bool is_first = true;; is_first = false) {
     if (block.id && !cards.next()) return;
@@ -65,7 +65,7 @@ void translate_rigid_walls(DeckData& data, const KeywordBlock& block, std::size_
     if (!is_first && head->blank() && (!plane || plane->blank())) return;
     const auto keys = scene.entry<RigidWall>("rigid_wall", card_of(block, is_first ? block.place : head->place));
     const Point corner =
-        set_wall(data, block, *head, plane ? *plane : cards.require("the plane of the wall"), count++, keys);
+        set_wall(data, block, *head, plane ? *plane : cards.require("the plane of the wall"), data.walls++, keys);
     if (block.name.find("_FINITE") != std::string::npos) {
       const Card rectangle = cards.require("the rectangle of the wall");
       set_rectangle(data.fields(rectangle, layout::wall_rectangle), corner, keys);

@@ -7,6 +7,10 @@
 
 namespace pinball {
 
+class DeckData;
+class DeckScene;
+struct KeywordBlock;
+
 /// What is done with a keyword. docs/decks.md shows these rules (a test compares).
 struct KeywordRule {
   const char* name;  ///< with "*" at its end: all that begin so
@@ -14,6 +18,8 @@ struct KeywordRule {
   const char* remark;
   /// Whether it may stand in an included file of other units: what it has is converted, or has no dimension.
   bool in_other_units = false;
+  /// What makes tables of one such keyword, in the order of the deck; null: all of a kind are looked at together.
+  void (*translate)(DeckData&, const KeywordBlock&, DeckScene&) = nullptr;
 };
 
 const std::vector<KeywordRule>& keyword_rules();

@@ -22,31 +22,6 @@ namespace pinball {
 
 namespace {
 
-using Translate = void (*)(DeckData&, const KeywordBlock&, DeckScene&);
-
-/// Keywords that become tables one by one, in the order of the deck; all others are looked at together.
-Translate translation_of(const std::string& name) {
-  static const std::map<std::string, Translate> table{
-      {"BOUNDARY_PRESCRIBED_MOTION_NODE", translate_prescribed_motion},
-      {"BOUNDARY_PRESCRIBED_MOTION_SET", translate_prescribed_motion},
-      {"BOUNDARY_PRESCRIBED_MOTION_RIGID", translate_prescribed_motion},
-      {"INITIAL_VELOCITY", translate_initial_velocity},
-      {"INITIAL_VELOCITY_SET", translate_initial_velocity},
-      {"INITIAL_VELOCITY_NODE", translate_initial_velocity_of_nodes},
-      {"INITIAL_VELOCITY_GENERATION", translate_velocity_generation},
-      {"LOAD_NODE_SET", translate_node_load},
-      {"LOAD_NODE_POINT", translate_node_load},
-      {"LOAD_SEGMENT", translate_segment_load},
-      {"LOAD_SEGMENT_SET", translate_segment_set_load},
-      {"LOAD_BODY_VECTOR", translate_body_load},
-      {"LOAD_BODY_X", translate_body_load},
-      {"LOAD_BODY_Y", translate_body_load},
-      {"LOAD_BODY_Z", translate_body_load},
-  };
-  const auto found = table.find(name);
-  return found == table.end() ? nullptr : found->second;
-}
-
 void describe_mesh(const DeckData& data, DeckReport& report) {
   std::vector<std::int64_t> elements(data.mesh.parts.size(), 0);
   for (const std::int32_t part : data.mesh.part) ++elements[part];
@@ -89,16 +64,13 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   translate_controls(data, scene);
   const bool contact_said = translate_contact(data, scene);
   DeckScene bodies, boundary;
-  std::size_t walls = 0;
   translate_parts(data, mesh_file_of(path, options), options.chosen_case, bodies);
   translate_node_codes(data, boundary);
   translate_single_point_constraints(data, boundary);
   translate_materials(data, scene);
   for (const KeywordBlock& block : deck.blocks) {
-    const std::string name = keyword_alias(block.name);
-    if (name.starts_with("RIGIDWALL_PLANAR")) translate_rigid_walls(data, block, walls, boundary);
-    const Translate translate = translation_of(name);
-    if (translate != nullptr) translate(data, block, boundary);
+    const KeywordRule* rule = rule_of(keyword_alias(block.name));
+    if (rule != nullptr && rule->translate != nullptr) rule->translate(data, block, boundary);
   }
   tell_order_of_velocities(data);
   tell_reversed(data.mesh.mesh, data.pressed, report);
