@@ -5,6 +5,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/formats/abaqus/cards/abaqus_scene.hpp>
+#include <solver/formats/deck/number_text.hpp>
 #include <solver/formats/lsdyna/cards/keyword_scene.hpp>
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/mesh/file/text_lines.hpp>
@@ -38,6 +39,19 @@ void require_no_abaqus_input(std::string_view text, const std::string& path) {
 }  // namespace
 
 bool is_any_deck(const std::string& path) { return is_deck(path) || is_abaqus_deck(path); }
+
+bool is_mesh_alone(const std::string& path) {
+  const std::string text = bytes_of_file(path);
+  std::string_view rest = text, line;
+  while (next_line(rest, line)) {
+    if (!line.starts_with('*')) continue;
+    const std::string keyword = upper_case(line.substr(0, 40));
+    for (const std::string_view more : {"*CONTROL_TERMINATION", "*INCLUDE", "*STEP"}) {
+      if (keyword.starts_with(more)) return false;
+    }
+  }
+  return true;
+}
 
 TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options) {
   std::string text = bytes_of_file(path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
@@ -250,6 +251,29 @@ Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   return solver.scene();
 }
 
+/// Lists a mesh file, or a deck that is no more than a mesh, and so cannot be run. False: it is neither.
+bool print_mesh_alone(const std::string& path) {
+  const auto format = format_by_ending(path);
+  if (!format || (is_any_deck(path) && !is_mesh_alone(path))) return false;
+  print_mesh_file(path, *format);
+  return true;
+}
+
+/// None: what it has is a mesh, which is listed.
+std::optional<Scene> read_or_list(const InfoOptions& options) {
+  if (format_by_ending(options.scene) && !is_any_deck(options.scene)) {
+    print_mesh_alone(options.scene);
+    return std::nullopt;
+  }
+  try {
+    return scene_input(options).read();
+  } catch (const InputError& error) {
+    if (!is_any_deck(options.scene) || !print_mesh_alone(options.scene)) throw;
+    fmt::print("  by itself it cannot be run: {}\n", error.what());
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 int info_command(const InfoOptions& options) {
@@ -259,12 +283,9 @@ int info_command(const InfoOptions& options) {
     if (options.devices) return 0;
     throw InputError("info: expected a SCENE, or --device");
   }
-  if (const auto format = format_by_ending(options.scene); format && !is_any_deck(options.scene)) {
-    print_mesh_file(options.scene, *format);
-    return 0;
-  }
-  const SceneInput input = scene_input(options);
-  const Scene scene = input.read();
+  const std::optional<Scene> read = read_or_list(options);
+  if (!read) return 0;
+  const Scene& scene = *read;
   const bool single = scene.precision == Precision::float32;
   const Scene decided =
       single ? print_info<float>(scene, options.threads, spent) : print_info<double>(scene, options.threads, spent);

@@ -32,6 +32,14 @@ TEST(InfoMesh, ListsWhatAMeshFileHolds) {
   for (const MeshGroup& group : groups_of(file)) EXPECT_THAT(text, HasSubstr(group.name)) << text;
 }
 
+TEST(InfoMesh, ListsADeckThatIsAMeshAlone) {
+  InfoOptions options;
+  options.scene = PINBALL_SOURCE_DIR "/data/decks/parts/solids.k";
+  testing::internal::CaptureStdout();
+  info_command(options);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("a mesh (keyword) of "));
+}
+
 TEST(InfoMesh, NoFormatsOfOthersAreTakenForScenes) {
   for (const char* ending : {"rad", "bdf", "cdb", "unv", "med", "gz"}) {
     const std::string path = testing::TempDir() + "some." + ending;
