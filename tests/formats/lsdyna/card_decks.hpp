@@ -47,6 +47,9 @@ inline const std::string load = "*LOAD_NODE_SET\n5,3,1\n", controlled = "*PART\n
                          rates =
                              "*DEFINE_CURVE\n11\n0.,400.\n1.,500.\n*DEFINE_CURVE\n12\n0.,500.\n1.,600.\n"
                              "*DEFINE_CURVE\n1\n0.,1.\n1.,2.\n";
+/// Parts with the equation of state 3, and a material that needs one.
+inline const std::string compressed = "*PART\nlower\n1,1,1,3\nupper\n2,1,1,3\n",
+                         metal = "*MAT_JOHNSON_COOK\n1,7.85E-9,80000.\n400.\n\n\n";
 inline const std::string no_elastic = "*MAT_ELASTIC\n9,7.85E-9,210000.,0.3\n";
 inline std::vector<std::string> with_blanks(std::vector<std::string> lines, std::size_t count) {
   lines.resize(lines.size() + count);
@@ -129,7 +132,13 @@ inline std::vector<CardDeck> decks_of_definitions() {
           {"MAT_PIECEWISE_LINEAR_PLASTICITY",
            "EPS and ES",
            {plastic, "40.,5.", "0.,0.1,0.2,0.3,0.4,0.5,0.6,0.7", "400.,410.,420.,430.,440.,450.,460.,470."},
-           no_elastic}};
+           no_elastic},
+          {"MAT_JOHNSON_COOK",
+           "",
+           {"1,7.85E-9,80000.", "400.,500.,0.3,0.01,1.1,1800.,300.,1.", "4.5E8,-900.,1.,0.,0.1,0.2,-1.5,0.01", "0.5"},
+           no_elastic + compressed + "*EOS_GRUNEISEN\n3,4.5E6,1.5,0.1,0.2,2.,0.4\n\n"},
+          {"EOS_GRUNEISEN", "", {"3,4.5E6,1.5,0.1,0.2,2.,0.4", ""}, no_elastic + compressed + metal},
+          {"EOS_LINEAR_POLYNOMIAL", "", {"3,0.,1.7E5,1.E5,1.E5,2.,0.4,0.1", ""}, no_elastic + compressed + metal}};
 }
 
 inline std::vector<CardDeck> decks_of_boundaries() {

@@ -159,5 +159,41 @@ TEST_F(DeckMaterials, OfAnIncludedFileAreConverted) {
   EXPECT_THAT(mixed.yield_curves.at(0).stress, ElementsAre(300, 400)) << "a curve is in the units of its own file";
 }
 
+/// Two parts of 4340 steel with an equation of state, in t, mm, s.
+std::string steel(const std::string& equation, const std::string& failure = "0.05,3.44,-2.12,0.002") {
+  std::string deck = cube;
+  const auto at = deck.find("1,1,1\n", deck.find("*PART\n"));
+  return deck.replace(at, 6, "1,1,1,7\n") + ends + "*MAT_015\n1,7.83E-9,77500.,200000.,0.29,0.,1\n" +
+         "792.,510.,0.26,0.014,1.03,1793.,294.,1.\n4.77E8,0.,0.,0.," + failure + "\n0.61\n" + equation;
+}
+constexpr const char* grueneisen = "*EOS_GRUNEISEN\n7,4.569E6,1.49,0.1,0.2,2.17,0.46\n\n";
+
+TEST_F(DeckMaterials, ReadsJohnsonAndCookWithItsEquationOfState) {
+  const Material m = material(steel(grueneisen));
+  const JohnsonCookSettings expected{510, 0.26, 0.014, 1, 1.03, 1793, 294, 4.77e8, 1, {0.05, 3.44, -2.12, 0.002, 0.61}};
+  ASSERT_TRUE(m.johnson_cook && m.equation_of_state);
+  EXPECT_EQ(*m.johnson_cook, expected);
+  EXPECT_EQ(m.yield_stress, 792);
+  EXPECT_EQ(m.shear_modulus, 77500);
+  EXPECT_EQ(m.strain_rate, StrainRate::plastic);
+  const EquationOfStateSettings eos{EquationOfStateForm::mie_grueneisen, 4.569e6, {1.49, 0.1, 0.2}, 2.17, 0.46, {}, 0};
+  EXPECT_EQ(*m.equation_of_state, eos);
+  EXPECT_NEAR(m.bulk_modulus, 7.83e-9 * 4.569e6 * 4.569e6, 1e-6);
+  EXPECT_THAT(error(steel(grueneisen, "0.,0.,0.,0.")), HasSubstr("expected D1 + D2 > 0"));  // D5 alone
+  const Material polynomial = material(steel("*EOS_001\n7,0.,1.6E5,1.E5,2.E4,1.9,0.6,0.1\n\n"));
+  EXPECT_EQ(polynomial.equation_of_state->coefficients, (std::vector<double>{0, 1.6e5, 1e5, 2e4, 1.9, 0.6, 0.1}));
+}
+
+TEST_F(DeckMaterials, RefusesEquationsOfStateThatAreMissingOrOfNoUse) {
+  EXPECT_THAT(error(steel("")), HasSubstr("*PART with EOSID 7, which no *EOS_... has that is read"));
+  std::string none = steel(grueneisen);
+  none.replace(none.find("1,1,1,7\n"), 8, "1,1,1\n");
+  EXPECT_THAT(error(none), HasSubstr("*MAT_JOHNSON_COOK without an equation of state"));
+  std::string elastic = steel(grueneisen);
+  elastic.replace(elastic.find("*MAT_015"), std::string::npos,
+                  std::string("*MAT_001\n1,7.83E-9,2.E5,0.3\n") + grueneisen);
+  EXPECT_THAT(error(elastic), HasSubstr("*PART with an equation of state (EOSID) and *MAT_"));
+}
+
 }  // namespace
 }  // namespace pinball::test

@@ -68,6 +68,7 @@ void DeckData::read(const KeywordBlock& block) {
   require_one_of_a_kind(block);
   if (is_part(block)) read_parts(block);
   if (block.name == "SECTION_SOLID") read_section(block);
+  if (block.name.starts_with("EOS_")) read_state_equation(block);
   if (block.name == "HOURGLASS") read_hourglass(block);
   if (block.name == "DEFINE_CURVE") read_curve(block);
   if (block.name == "DEFINE_TABLE") read_table(block);
@@ -89,17 +90,77 @@ void DeckData::read_parts(const KeywordBlock& block) {
   const auto read = [&](const Card& title, const Card& card) {
     const Fields f = fields(card, layout::part);
     const std::int64_t id = f.integer("PID") + offset_of(block, &DeckTransform::part);
-    const std::int64_t hourglass_id = f.integer("HGID");
+    const std::int64_t hourglass_id = f.integer("HGID"), equation = f.integer("EOSID");
     all_parts_[id] = {id,
                       f.integer("SECID") + other,
                       f.integer("MID") + offset_of(block, &DeckTransform::material),
                       hourglass_id == 0 ? 0 : hourglass_id + other,
-                      f.integer("EOSID") != 0,
+                      equation == 0 ? 0 : equation + other,
                       "",
                       card.place};
     titles_[id] = std::string(trimmed(title.text));
   };
   for_each_part(block, read, [&](const Card& card) { fields(card, layout::part_contact); });
+}
+
+/// Those that are not read are refused by the rules.
+void DeckData::read_state_equation(const KeywordBlock& block) {
+  const std::string kind = keyword_alias(block.name);
+  const bool grueneisen = kind == "EOS_GRUNEISEN";
+  if (!grueneisen && kind != "EOS_LINEAR_POLYNOMIAL") return;
+  Cards cards(block);
+  if (block.title) cards.next();
+  const Card head = cards.require("the constants of the equation of state");
+  const Fields f = fields(head, grueneisen ? layout::grueneisen : layout::linear_polynomial);
+  const Card more = cards.next_or_blank();
+  fields(more, grueneisen ? layout::grueneisen_volume : layout::linear_polynomial_state);
+  const std::int64_t id = f.integer("EOSID") + offset_of(block, &DeckTransform::other);
+  give_once(block, fmt::format("equation of state {}", id), head.place);
+  DeckStateEquation& equation = state_equations_[id];
+  equation.card = {block.star_name(), head.place};
+  EquationOfStateSettings& settings = equation.settings;
+  if (grueneisen) {
+    settings.sound_speed = f.number("C");
+    settings.slopes = {f.number("S1"), f.number("S2"), f.number("S3")};
+    settings.gamma = f.number("GAMAO");
+    settings.gamma_slope = f.number("A");
+  } else {
+    settings.form = EquationOfStateForm::polynomial;
+    for (const char* name : {"C0", "C1", "C2", "C3", "C4", "C5", "C6"}) settings.coefficients.push_back(f.number(name));
+  }
+}
+
+const DeckStateEquation* DeckData::state_equation_of(std::int64_t material) {
+  const DeckPart* first = nullptr;
+  for (const DeckPart& part : parts) {
+    if (part.material != material) continue;
+    if (part.state_equation == 0) {
+      report.refuse(part.place, "*MAT_JOHNSON_COOK without an equation of state", "give the part an EOSID",
+                    static_cast<int>(part.solids));
+      return nullptr;
+    }
+    if (first != nullptr && first->state_equation != part.state_equation) {
+      report.refuse(part.place, "one material with several equations of state", "give each its own *MAT_...",
+                    static_cast<int>(part.solids));
+      return nullptr;
+    }
+    first = first == nullptr ? &part : first;
+  }
+  if (first == nullptr) return nullptr;
+  const auto found = state_equations_.find(first->state_equation);
+  if (found != state_equations_.end()) return &found->second;
+  report.refuse(first->place,
+                fmt::format("*PART with EOSID {}, which no *EOS_... has that is read", first->state_equation),
+                "give an *EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", static_cast<int>(first->solids));
+  return nullptr;
+}
+
+void DeckData::refuse_state_equations(std::int64_t material, const std::string& keyword) {
+  for (const DeckPart& part : parts) {
+    if (part.material != material || part.state_equation == 0) continue;
+    report.refuse(part.place, fmt::format("*PART with an equation of state (EOSID) and {}", keyword),
+                  "leave it 0: this material has a bulk modulus", static_cast<int>(part.solids));
+  }
 }
 
 void DeckData::read_section(const KeywordBlock& block) {
@@ -274,9 +335,6 @@ void DeckData::name_bodies() {
     }
     found->second.solids = elements[p];
     parts.push_back(found->second);
-    if (found->second.has_state_equation)
-      report.refuse(found->second.place, "*PART with an equation of state (EOSID)",
-                    "leave it 0: materials have a bulk modulus", static_cast<int>(elements[p]));
     materials_.insert(found->second.material);
   }
   std::ranges::sort(parts, {}, &DeckPart::id);  // whatever their order in the deck: the scene is the same

@@ -12,6 +12,7 @@
 #include <solver/base/point.hpp>
 #include <solver/formats/deck/deck_element.hpp>
 #include <solver/formats/deck/deck_report.hpp>
+#include <solver/formats/deck/deck_scene.hpp>
 #include <solver/formats/deck/given_once.hpp>
 #include <solver/formats/lsdyna/mesh/keyword_boxes.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
@@ -26,8 +27,8 @@ namespace pinball {
 
 struct DeckPart {
   std::int64_t id, section, material, hourglass;
-  bool has_state_equation;  ///< EOSID
-  std::string body;         ///< name of the body that it becomes
+  std::int64_t state_equation;  ///< EOSID; 0: none
+  std::string body;             ///< name of the body that it becomes
   DeckPlace place;
   std::int64_t solids = 0;
 };
@@ -49,6 +50,12 @@ struct DeckCurve {
 struct DeckTable {
   bool logarithmic = false;                             ///< between the curves
   std::vector<std::pair<double, std::int64_t>> curves;  ///< rate [1/time] and number of the curve for it
+};
+
+/// *EOS_...
+struct DeckStateEquation {
+  EquationOfStateSettings settings;
+  DeckCard card;
 };
 
 /// What keywords of a deck refer to by number, read before anything that refers to it. What returns something of a
@@ -95,6 +102,10 @@ class DeckData {
   const DeckPart* find_part(std::int64_t id) const;
   /// Whether a part with solids is of it.
   bool is_used(std::int64_t material) const { return materials_.contains(material); }
+  /// That of the parts of a material that needs one; null: it is refused.
+  const DeckStateEquation* state_equation_of(std::int64_t material);
+  /// Refuses parts whose material has a bulk modulus and needs none.
+  void refuse_state_equations(std::int64_t material, const std::string& keyword);
   /// Throws InputError where the deck gives this ("section 1") already.
   void give_once(const KeywordBlock& block, const std::string& what, const DeckPlace& place) {
     given_.add(what, place, block.of_case);
@@ -109,6 +120,7 @@ class DeckData {
   void read(const KeywordBlock& block);
   void require_one_of_a_kind(const KeywordBlock& block);
   void read_parts(const KeywordBlock& block);
+  void read_state_equation(const KeywordBlock& block);
   void read_section(const KeywordBlock& block);
   void read_hourglass(const KeywordBlock& block);
   void read_curve(const KeywordBlock& block);
@@ -128,6 +140,7 @@ class DeckData {
   std::map<std::int64_t, std::string> titles_;
   std::map<std::int64_t, DeckPart> all_parts_;
   std::unordered_map<std::string, std::vector<const KeywordBlock*>> blocks_;
+  std::map<std::int64_t, DeckStateEquation> state_equations_;
   std::set<std::int64_t> materials_;  ///< of the parts with solids
   GivenOnce given_;
 };

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <solver/formats/lsdyna/layouts/definition_cards.hpp>
 
@@ -21,13 +22,17 @@ MaterialKeys begin_material(std::int64_t id, const std::string& title, const Key
   keys.set("name", fmt::format("mat_{}", id));
   keys.set("model", plastic ? "von_mises" : "elastic");
   keys.set("density", f.number("RO"), "ro");
+  return keys;
+}
+
+void set_elasticity(const Fields& f, const MaterialKeys& keys) {
   keys.set("young_modulus", f.number("E"), "e");
   keys.set("poisson_ratio", f.number("PR"), "pr");
-  return keys;
 }
 
 const CardLayout& layout_of(const KeywordBlock& block) {
   const std::string kind = keyword_alias(block.name);
+  if (kind == "MAT_JOHNSON_COOK") return layout::johnson_cook;
   if (kind == "MAT_ELASTIC") return layout::elastic;
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
@@ -95,6 +100,67 @@ void set_plastic_kinematic(DeckData& data, const KeywordBlock& block, const Fiel
   keys.set("isotropic_share", f.number("BETA"), "beta");
   set_rate(data, block, more, DeckRate(more, "SRC", "SRP"), keys);
   set_failure(more, "FS", keys);
+}
+
+GivenValue given_state_equation(const DeckStateEquation& equation, double tension_limit) {
+  const EquationOfStateSettings& settings = equation.settings;
+  InnerKeys<EquationOfStateSettings> keys;
+  if (settings.form == EquationOfStateForm::polynomial) {
+    keys.set("form", "polynomial");
+    keys.set("coefficients", settings.coefficients);
+  } else {
+    keys.set("sound_speed", settings.sound_speed);
+    keys.set("slopes", settings.slopes);
+    keys.set("gamma", settings.gamma);
+    keys.set("gamma_slope", settings.gamma_slope);
+  }
+  if (tension_limit > 0) keys.set("tension_limit", tension_limit);
+  return keys.value();
+}
+
+/// PC, where SPALL says that it cuts off the pressure and nothing else.
+double tension_limit(DeckData& data, const Fields& f) {
+  const double cutoff = f.number("PC");
+  if (cutoff == 0) return 0;
+  if (f.number("SPALL") != 1)
+    data.report.refuse(f.place(), "*MAT_JOHNSON_COOK with PC and a SPALL other than 1",
+                       "give 1: a limit of the pressure");
+  return std::abs(cutoff);
+}
+
+/// *MAT_015. Temperatures are of the plastic work; its rate is that of the strain's deviator, or with VP of the plastic
+/// strain.
+void set_johnson_cook(DeckData& data, const Fields& f, Cards& cards, const DeckStateEquation& equation,
+                      const MaterialKeys& keys) {
+  const Card strength = cards.next_or_blank(), failure = cards.next_or_blank(), more = cards.next_or_blank();
+  const Fields s = data.fields(strength, layout::johnson_cook_strength),
+               d = data.fields(failure, layout::johnson_cook_failure),
+               last = data.fields(more, layout::johnson_cook_more);
+  keys.set("shear_modulus", f.number("G"), "g");
+  keys.set("yield_stress", s.number("A"), "a");
+  keys.set("strain_rate", f.integer("VP") == 1 ? "plastic" : "deviatoric", "vp");
+  InnerKeys<JohnsonCookSettings> law;
+  if (s.number("B") != 0) {
+    law.set("hardening_coefficient", s.number("B"));
+    law.set("hardening_exponent", s.number("N"));
+  } else if (s.number("N") != 0) {
+    data.report.unused(s.place(), "*MAT_JOHNSON_COOK: N", "B is 0");
+  }
+  law.set("rate_coefficient", s.number("C"));
+  law.set("reference_rate", s.number("EPS0"));
+  law.set("room_temperature", s.number("TR"));
+  law.set("specific_heat", d.number("CP"));
+  if (s.number("TM") != 0) {
+    law.set("melting_temperature", s.number("TM"));
+    law.set("softening_exponent", s.number("M"));
+  } else if (s.number("M") != 0) {
+    data.report.unused(s.place(), "*MAT_JOHNSON_COOK: M", "TM is 0");
+  }
+  const std::vector<double> constants{d.number("D1"), d.number("D2"), d.number("D3"), d.number("D4"),
+                                      last.number("D5")};
+  if (std::ranges::any_of(constants, [](double one) { return one != 0; })) law.set("failure", constants);
+  keys.set("johnson_cook", law.value(), "johnson_cook");
+  keys.set("equation_of_state", given_state_equation(equation, tension_limit(data, d)), equation.card.text());
 }
 
 /// A curve as a value of a key; rate: negative: it is the only one.
@@ -236,6 +302,16 @@ void translate_material(DeckData& data, const KeywordBlock& block, DeckScene& sc
   }
   const std::string kind = keyword_alias(block.name);
   const MaterialKeys keys = begin_material(id, title, block, f, scene);
+  if (kind == "MAT_JOHNSON_COOK") {
+    if (const DeckStateEquation* equation = data.state_equation_of(id)) {
+      set_johnson_cook(data, f, cards, *equation, keys);
+    } else if (block.log != nullptr) {
+      block.log->done(&block);
+    }
+    return;
+  }
+  data.refuse_state_equations(id, block.star_name());
+  set_elasticity(f, keys);
   if (kind == "MAT_PLASTIC_KINEMATIC") set_plastic_kinematic(data, block, f, cards, keys);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") set_piecewise_linear(data, block, f, cards, keys);
 }

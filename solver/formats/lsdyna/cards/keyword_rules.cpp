@@ -38,6 +38,10 @@ const std::vector<KeywordRule>& keyword_rules() {
        in_other_units},
       {"MAT_PIECEWISE_LINEAR_PLASTICITY", done, "MAT_024: curve, table over the rate, EPS and ES; Cowper-Symonds; FAIL",
        in_other_units},
+      {"MAT_JOHNSON_COOK", done, "MAT_015: strength, heat, failure by D1 to D5; with an equation of state",
+       in_other_units},
+      {"EOS_GRUNEISEN", done, "EOS_004, of MAT_015", in_other_units},
+      {"EOS_LINEAR_POLYNOMIAL", done, "EOS_001, the same", in_other_units},
       {"BOUNDARY_SPC_NODE", done, "also in a local system; rotations mean nothing", in_other_units},
       {"BOUNDARY_SPC_NODE_BIRTH_DEATH", done, "the same from birth to death"},
       {"BOUNDARY_SPC_SET", done, "the same of a set of nodes", in_other_units},
@@ -161,6 +165,12 @@ std::string keyword_alias(const std::string& name) {
       {"MAT_3", "MAT_PLASTIC_KINEMATIC"},
       {"MAT_024", "MAT_PIECEWISE_LINEAR_PLASTICITY"},
       {"MAT_24", "MAT_PIECEWISE_LINEAR_PLASTICITY"},
+      {"MAT_015", "MAT_JOHNSON_COOK"},
+      {"MAT_15", "MAT_JOHNSON_COOK"},
+      {"EOS_004", "EOS_GRUNEISEN"},
+      {"EOS_4", "EOS_GRUNEISEN"},
+      {"EOS_001", "EOS_LINEAR_POLYNOMIAL"},
+      {"EOS_1", "EOS_LINEAR_POLYNOMIAL"},
   };
   const auto found = aliases.find(name);
   return found == aliases.end() ? name : found->second;

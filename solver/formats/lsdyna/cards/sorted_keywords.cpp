@@ -59,7 +59,7 @@ std::optional<std::int64_t> number_of(const KeywordBlock& block, const DeckData&
 bool has(const DeckPart& part, OfParts kind, std::int64_t number, const KeywordBlock& block) {
   if (kind == OfParts::material) return part.material == number + offset_of(block, &DeckTransform::material);
   const std::int64_t other = number + offset_of(block, &DeckTransform::other);
-  return kind == OfParts::section ? part.section == other : part.has_state_equation;
+  return kind == OfParts::section ? part.section == other : part.state_equation == other;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ enum class FieldUse : std::uint8_t {
 enum class FieldType : std::uint8_t { whole, number, text };
 
 /// Of a number: what it is multiplied by in an included file of other units.
-enum class Dimension : std::uint8_t { none, mass, time, length, density, stress, rate };
+enum class Dimension : std::uint8_t { none, mass, time, length, density, stress, rate, velocity, specific_heat };
 
 struct CardField {
   std::string_view name;  ///< as in the manual; empty: there is none in these columns

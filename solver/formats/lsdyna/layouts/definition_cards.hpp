@@ -72,4 +72,52 @@ inline constexpr CardLayout piecewise_stresses{material_stress("ES1"), material_
                                                material_stress("ES4"), material_stress("ES5"), material_stress("ES6"),
                                                material_stress("ES7"), material_stress("ES8")};
 
+inline constexpr std::string_view by_pressure = "the bulk modulus is that of the equation of state",
+                                  of_other_rates = "of other forms of the rate";
+inline constexpr CardLayout johnson_cook{
+    material_id,
+    density,
+    material_stress("G").always(),
+    number("E").told(by_pressure),
+    number("PR").told(by_pressure),
+    number("DTF").told("solids do not fail by their time step"),
+    whole("VP").from(0, 1),
+    number("RATEOP").refused("leave it blank: the rate is that of Johnson and Cook")};
+inline constexpr CardLayout johnson_cook_strength{material_stress("A").always(),
+                                                  material_stress("B"),
+                                                  number("N"),
+                                                  number("C"),
+                                                  number("M"),
+                                                  number("TM"),
+                                                  number("TR"),
+                                                  number("EPS0").of(Dimension::rate)};
+inline constexpr CardLayout johnson_cook_failure{number("CP").of(Dimension::specific_heat),
+                                                 material_stress("PC"),
+                                                 number("SPALL", 2).from(0, 3),
+                                                 number("IT").told("strains are returned exactly"),
+                                                 number("D1"),
+                                                 number("D2"),
+                                                 number("D3"),
+                                                 number("D4")};
+inline constexpr CardLayout johnson_cook_more{number("D5"),
+                                              number("C2/P").told(of_other_rates),
+                                              number("EROD").refused("leave it blank: what fails is eroded"),
+                                              number("EFMIN", 1e-6).refused("leave it blank: 1E-6"),
+                                              number("NUMINT").told("elements have one point"),
+                                              number("K").told(of_other_rates),
+                                              number("D").told(of_other_rates)};
+
+inline constexpr CardField state_equation_id = whole("EOSID").always();
+inline constexpr std::string_view at_rest = "leave it blank: bodies press on nothing at the start";
+inline constexpr CardLayout grueneisen{state_equation_id, number("C").always().of(Dimension::velocity),
+                                       number("S1"),      number("S2"),
+                                       number("S3"),      number("GAMAO"),
+                                       number("A"),       number("E0").refused(at_rest)};
+inline constexpr CardLayout grueneisen_volume{number("V0", 1).refused("leave it blank, or 1")};
+inline constexpr CardLayout linear_polynomial{state_equation_id,     material_stress("C0"), material_stress("C1"),
+                                              material_stress("C2"), material_stress("C3"), number("C4"),
+                                              number("C5"),          number("C6")};
+inline constexpr CardLayout linear_polynomial_state{number("E0").refused(at_rest),
+                                                    number("V0", 1).refused("leave it blank, or 1")};
+
 }  // namespace pinball::layout

@@ -62,6 +62,11 @@ void add_definitions(Table& table) {
   table.push_back({"MAT_PIECEWISE_LINEAR_PLASTICITY",
                    "EPS and ES",
                    {&l::piecewise, &l::piecewise_rate, &l::piecewise_strains, &l::piecewise_stresses}});
+  table.push_back({"MAT_JOHNSON_COOK",
+                   "",
+                   {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});
+  table.push_back({"EOS_GRUNEISEN", "", {&l::grueneisen, &l::grueneisen_volume}});
+  table.push_back({"EOS_LINEAR_POLYNOMIAL", "", {&l::linear_polynomial, &l::linear_polynomial_state}});
 }
 
 void add_boundaries(Table& table) {

@@ -11,6 +11,8 @@ struct DeckUnits {
   double density() const { return mass / (length * length * length); }
   double stress() const { return mass / (length * time * time); }
   double rate() const { return 1 / time; }
+  double velocity() const { return length / time; }
+  double specific_heat() const { return velocity() * velocity(); }  ///< per degree, which all have alike
 };
 
 }  // namespace pinball

@@ -33,6 +33,10 @@ double factor_of(Dimension dimension, const DeckUnits& units) {
       return units.stress();
     case Dimension::rate:
       return units.rate();
+    case Dimension::velocity:
+      return units.velocity();
+    case Dimension::specific_heat:
+      return units.specific_heat();
   }
   return 1;
 }
