@@ -41,6 +41,13 @@ struct CompareOptions : SceneOptions {
   std::string page;  ///< file for the page of results; empty: none
 };
 
+struct ConvergeOptions : SceneOptions {
+  std::vector<std::string> of;  ///< quantities; empty: those that the scene names, and energies
+  std::string meshes;           ///< "1/2,1,2": what multiplies the numbers of elements; empty: by what the scene allows
+  std::string out;              ///< folder for the runs; empty: out/converge_SCENE
+  std::string json;             ///< file for the table of results; empty: none
+};
+
 /// What of a deck of another program is to be written as a scene.
 struct ConvertOptions {
   std::string deck, scene;  ///< paths
@@ -83,6 +90,10 @@ PINBALL_API int info_command(const InfoOptions& options);
 
 /// Runs a scene with each combination of values, side by side, and prints one table; 1 if a variant fails.
 PINBALL_API int compare_command(const CompareOptions& options);
+
+/// Runs a scene on several meshes and prints of each quantity how far it is from what finer meshes would say; 1 if a
+/// run fails.
+PINBALL_API int converge_command(const ConvergeOptions& options);
 
 /// Runs the verification scenes and compares them with their references; 1 if one fails.
 PINBALL_API int verify_command(const VerifyOptions& options);

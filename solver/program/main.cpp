@@ -62,7 +62,7 @@ void add_device_option(CLI::App& command, pinball::Device& device) {
       ->check(CLI::IsMember({"none", "mock", "cuda", "hip"}));
 }
 
-/// What `run`, `info` and `compare` have in common.
+/// What `run`, `info`, `compare` and `converge` have in common.
 CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
   CLI::Option* scene =
       command
@@ -136,6 +136,28 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
       ->check(check_not_empty);
 }
 
+void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) {
+  add_scene_options(command, options);
+  add_device_option(command, options.device);
+  command
+      .add_option("--of", options.of,
+                  "a quantity: a column of history.csv, also with :last, :max, :min or :integral, or a number of "
+                  "summary.json, such as energy.kinetic (default: energies, velocities, forces, probes)")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(check_not_empty);
+  command
+      .add_option(
+          "--meshes", options.meshes,
+          "K1,K2,K3,...: what multiplies the element counts of generated meshes, fractions such as 1/2 (default: "
+          "1/2,1,2 where all counts can be halved, else 1,2,3)")
+      ->check(check_not_empty);
+  command.add_option("--out", options.out, "folder for the runs (default: out/converge_<scene>); what is there stays")
+      ->check(check_not_empty);
+  command.add_option("--json", options.json, "write the table to this file")->check(check_not_empty);
+}
+
 void add_new_options(CLI::App& command, pinball::NewOptions& options) {
   command.add_option("NAME", options.name, "name of the scene: writes NAME.toml")->required();
   command.add_option("--out", options.out, "folder that gets the file (default: the current one)");
@@ -173,6 +195,11 @@ int run_program(int argc, char** argv) {
       "compare", "run a scene with several values of a key, taking turns, and compare their times and results");
   add_compare_options(*compare, comparison);
 
+  pinball::ConvergeOptions study;
+  auto* converge =
+      app.add_subcommand("converge", "run a scene on several meshes, and say of each quantity how wrong it is");
+  add_converge_options(*converge, study);
+
   // All after the word is the viewer's, which has its own --help.
   auto* view = app.add_subcommand("view", "pictures and an animation of what a run has left in a folder");
   view->set_help_flag();
@@ -198,6 +225,9 @@ int run_program(int argc, char** argv) {
   add_footer(*compare,
              "    pinball compare two_blocks --vary time.cfl=0.9,0.45\n"
              "    pinball compare impact.toml --vary contact.friction=0,0.2 --repeat 1 --json table.json\n");
+  add_footer(*converge,
+             "    pinball converge taylor_bar --of tail_displacement_z --of bodies.bar.max_plastic_strain\n"
+             "    pinball converge impact.toml --meshes 1/2,1,3/2 --json table.json\n");
   add_footer(*verify, "    pinball verify two_blocks taylor_bar\n    pinball verify --json table.json\n");
   add_footer(*convert, "    pinball convert deck.k scene.toml\n    pinball convert deck.k low.toml --case 1 --force\n");
   add_footer(*create, "    pinball new impact\n    pinball new impact --out scenes --force\n");
@@ -215,7 +245,8 @@ int run_program(int argc, char** argv) {
 
   if (*run) pinball::start_again_with_short_waits(argv, options.threads);
   if (*compare) pinball::start_again_with_short_waits(argv, comparison.threads);
-  pinball::catch_stop_signals(*run ? pinball::AtSignal::ask : pinball::AtSignal::end);
+  if (*converge) pinball::start_again_with_short_waits(argv, study.threads);
+  pinball::catch_stop_signals(*run || *converge ? pinball::AtSignal::ask : pinball::AtSignal::end);
   if (*run) return pinball::run_command(options);
   if (*info) return pinball::info_command(asked);
   if (*verify) return pinball::verify_command(verification);
@@ -223,6 +254,7 @@ int run_program(int argc, char** argv) {
   if (*convert) return pinball::convert_command(conversion);
   if (*create) return pinball::new_command(first);
   if (*describe) return pinball::schema_command(schema);
+  if (*converge) return pinball::converge_command(study);
   return pinball::compare_command(comparison);
 }
 

@@ -78,7 +78,7 @@ def check_options_are_taken(test, verb, offered):
 
 class Completion:
     def test_offers_all_verbs(self):
-        self.assertGreaterEqual(verbs(), {"run", "info", "compare", "verify"})
+        self.assertGreaterEqual(verbs(), {"run", "info", "compare", "converge", "verify"})
         self.assertEqual(self.complete(""), verbs() | {"--help", "--version"})
         self.assertEqual(self.complete("ver"), {"verify"})
 
@@ -101,7 +101,7 @@ class Completion:
 
     def test_offers_all_scenes(self):
         scenes = {path.stem for path in (ROOT / "data/scenes").glob("*.toml")}
-        for verb in ["run", "info", "compare", "verify"]:
+        for verb in ["run", "info", "compare", "converge", "verify"]:
             with self.subTest(verb):
                 self.assertEqual(self.complete(verb, ""), scenes)
         self.assertEqual(self.complete("run", "--quiet", "rod_p"), {"rod_plate"})

@@ -151,6 +151,17 @@ TEST_F(Stops, ComparisonsEndAtOnce) {
   }
 }
 
+TEST_F(Stops, ASignalLeavesTheRunsOfAStudyThatAreDone) {
+  start({"converge", "two_blocks", "--threads", "1", "--out", out_, "--meshes", "1/4,1/2,8"});
+  while (content(out_ + "/mesh_8/history.csv").empty() && ::waitpid(process_, nullptr, WNOHANG) == 0) ::usleep(1000);
+  EXPECT_EQ(end_with(SIGINT), 130);
+  EXPECT_THAT(content(log_), HasSubstr("stopped; what is done stays in " + out_));
+  EXPECT_EQ(Json::parse(content(out_ + "/mesh_8/summary.json"))["status"], "stopped");
+  const Finished f = run("converge two_blocks --threads 1 --meshes 1/4,1/2,1 --out " + out_);
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.text, HasSubstr("is there: mesh 2 of 3"));
+}
+
 TEST_F(Stops, ASecondRunInTheFolderIsRefused) {
   start_long_run();
   const Finished f = run("run two_blocks --out " + out_);
@@ -186,7 +197,8 @@ TEST_F(Stops, AFullStderrEndsNoRun) {
 }
 
 TEST_F(Stops, AFileForTheTableThatCannotBeWrittenIsToldBeforeTheRuns) {
-  for (const char* command : {"compare rod_plate --refine 100", "verify"}) {  // neither would end soon
+  for (const char* command :
+       {"compare rod_plate --refine 100", "converge rod_plate --refine 100", "verify"}) {  // neither would end soon
     for (const std::string& path : {folder_ / "none/table.json", folder_.path.string(), std::string("''")}) {
       const Finished f = run(std::string(command) + " --json " + path);
       EXPECT_EQ(f.status, 2) << f.text;

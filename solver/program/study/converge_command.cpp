@@ -1,0 +1,53 @@
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include <solver/base/error.hpp>
+#include <solver/device/devices.hpp>
+#include <solver/output/message.hpp>
+#include <solver/program/commands.hpp>
+#include <solver/program/result_file.hpp>
+#include <solver/program/scene_input.hpp>
+#include <solver/program/stop_signals.hpp>
+
+#include "convergence_report.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// What each run has been warned of, once for all meshes that were.
+void print_study_warnings(const ConvergenceStudy& study) {
+  for (const StudyMesh& mesh : study.meshes) {
+    if (!mesh.run.results) continue;
+    for (const std::string& warning : mesh.run.results->warnings) {
+      print_message(fmt::format("warning: mesh {}: {}", mesh.factor.text(), warning));
+    }
+  }
+}
+
+}  // namespace
+
+int converge_command(const ConvergeOptions& options) {
+  require_device(options.device);
+  check_result_path("--json", options.json);
+  const SceneInput input = scene_input(options);
+  Scene scene = input.read();
+  scene.device = options.device;
+  StudySettings settings;
+  settings.factors = options.meshes.empty() ? default_mesh_factors(scene) : parse_mesh_factors(options.meshes);
+  settings.of = options.of;
+  settings.folder = {options.out.empty() ? "out/converge_" + scene.name : options.out, options.threads, options.quiet};
+  const ConvergenceStudy study = study_convergence(scene, settings);
+  if (study.stopped()) {
+    print_message(fmt::format("stopped; what is done stays in {}, the same command goes on", settings.folder.out));
+    return 128 + stop_signal();
+  }
+  if (!options.json.empty()) write_result_file(options.json, convergence_json(study));
+  fmt::print("{}", convergence_text(study));
+  std::fflush(stdout);  // before the warnings, in a log that both go to
+  print_study_warnings(study);
+  return study.failed() ? 1 : 0;
+}
+
+}  // namespace pinball

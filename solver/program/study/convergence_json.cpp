@@ -1,0 +1,67 @@
+#include <nlohmann/json.hpp>
+
+#include <solver/base/version.h>
+
+#include "convergence_report.hpp"
+
+namespace pinball {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson number_or_null(const std::optional<double>& value) {
+  return value ? OrderedJson(*value) : OrderedJson(nullptr);
+}
+
+OrderedJson mesh_json(const StudyMesh& mesh) {
+  OrderedJson json = {{"factor", mesh.factor.text()},
+                      {"counts", mesh.counts},
+                      {"folder", mesh.run.folder},
+                      {"was_there", mesh.run.was_there},
+                      {"failure", mesh.run.failure.empty() ? OrderedJson(nullptr) : OrderedJson(mesh.run.failure)}};
+  for (const char* key : {"elements", "nodes", "steps"}) {
+    const auto value = mesh.run.results ? mesh.run.results->value(key) : std::nullopt;
+    json[key] = value ? OrderedJson(static_cast<std::int64_t>(*value)) : OrderedJson(nullptr);
+  }
+  json["wall_seconds"] = number_or_null(mesh.run.results ? mesh.run.results->value("wall_seconds") : std::nullopt);
+  return json;
+}
+
+OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& quantity) {
+  OrderedJson values = OrderedJson::array();
+  for (const auto& value : quantity.values) values.push_back(number_or_null(value));
+  OrderedJson json = {{"name", quantity.name}, {"unit", quantity.unit}, {"values", values}, {"scale", quantity.scale}};
+  const std::string verdict = verdict_word(quantity);
+  json["verdict"] = verdict.empty() ? OrderedJson(nullptr) : OrderedJson(verdict);
+  if (!quantity.convergence) return json;
+  const GridConvergence& c = *quantity.convergence;
+  const bool monotone = c.verdict == Convergence::monotone;
+  const auto if_monotone = [monotone](double value) { return monotone ? OrderedJson(value) : OrderedJson(nullptr); };
+  const OrderedJson range = {c.low, c.high};
+  json["observed_order"] = number_or_null(c.observed_order);
+  json["order"] = if_monotone(c.order);
+  json["safety_factor"] = if_monotone(c.safety_factor);
+  json["extrapolated"] = c.has_band() ? OrderedJson(c.extrapolated) : OrderedJson(nullptr);
+  json["approximate_error"] = c.approximate_error;
+  json["extrapolated_error"] = if_monotone(c.extrapolated_error);
+  json["index"] = if_monotone(c.index);
+  json["band"] = c.has_band() ? range : OrderedJson(nullptr);
+  json["spread"] = c.has_band() ? OrderedJson(nullptr) : range;
+  json["own_error"] = number_or_null(own_error(study, quantity));
+  return json;
+}
+
+}  // namespace
+
+std::string convergence_json(const ConvergenceStudy& study) {
+  OrderedJson meshes = OrderedJson::array(), quantities = OrderedJson::array();
+  for (const StudyMesh& mesh : study.meshes) meshes.push_back(mesh_json(mesh));
+  for (const StudyQuantity& quantity : study.quantities) quantities.push_back(quantity_json(study, quantity));
+  const OrderedJson json = {{"scene", study.scene},       {"title", study.title},
+                            {"version", PINBALL_VERSION}, {"sentence", convergence_sentence(study)},
+                            {"meshes", meshes},           {"quantities", quantities}};
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
+}
+
+}  // namespace pinball

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "convergence_study.hpp"
+
+/// What a study shows. It has at least one mesh.
+namespace pinball {
+
+/// What has become of the quantities, and where the scene's own mesh errs most, in a sentence.
+std::string convergence_sentence(const ConvergenceStudy& study);
+
+/// The sentence, a line for each mesh and one for each quantity.
+std::string convergence_text(const ConvergenceStudy& study);
+
+/// {scene, title, version, sentence, meshes [{factor, counts, folder, was_there, failure, elements, nodes, steps,
+/// wall_seconds}], quantities [{name, unit, values, scale, verdict, observed_order, order, safety_factor, extrapolated,
+/// approximate_error, extrapolated_error, index, band, spread, own_error}]}. Numbers that are not there, or not finite,
+/// are null; of band and spread, [low, high], the one that does not apply.
+std::string convergence_json(const ConvergenceStudy& study);
+
+/// "converges", "oscillates"; empty: too few meshes say anything.
+std::string verdict_word(const StudyQuantity& quantity);
+
+/// Value on the scene's own mesh less the extrapolated one; none: it is not among the meshes, or nothing converges.
+std::optional<double> own_error(const ConvergenceStudy& study, const StudyQuantity& quantity);
+
+}  // namespace pinball

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <solver/scene.hpp>
+
+/// Scenes on finer and coarser meshes: the numbers of elements that --refine multiplies, times a fraction.
+namespace pinball {
+
+/// What multiplies the numbers of elements in each direction, in lowest terms.
+struct MeshFactor {
+  int numerator = 1, denominator = 1;
+
+  double value() const { return static_cast<double>(numerator) / denominator; }
+  std::string text() const;  ///< "3/2", "2"
+  bool operator==(const MeshFactor&) const = default;
+};
+
+/// "1/2,1,2", from coarse to fine. Throws InputError where there are fewer than three, two of one size, or anything
+/// else than positive fractions.
+std::vector<MeshFactor> parse_mesh_factors(const std::string& text);
+
+/// Those of a scene whose user names none: 1/2, 1, 2 where all its numbers of elements can be halved, else 1, 2, 3.
+std::vector<MeshFactor> default_mesh_factors(const Scene& scene);
+
+/// Throws InputError that names the key where meshes of other sizes would not be those of the same problem: meshes of
+/// files, which are not refined yet, time.steps, loads on each node.
+void require_refinable(const Scene& scene);
+
+/// The scene with its meshes in that many elements. Throws InputError that names the body and the number which that
+/// does not leave whole, or not even where a section is cut through it.
+Scene refined_by(const Scene& scene, const MeshFactor& factor);
+
+/// "bar: core 8, ring 4, layers 80; plate: elements 10 x 10 x 2".
+std::string element_counts(const Scene& scene);
+
+}  // namespace pinball

@@ -1,0 +1,180 @@
+#include "run_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string_view>
+
+#include <solver/base/error.hpp>
+#include <solver/output/run_files.hpp>
+
+namespace pinball {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array energy_columns{"kinetic",        "internal", "hourglass", "bulk_viscosity", "contact_stored",
+                                    "contact_damped", "eroded",   "external",  "total",          "folding"};
+
+/// The number of each leaf by its path.
+void add_numbers(const Json& json, const std::string& path, std::map<std::string, double>& numbers) {
+  if (json.is_number()) numbers[path] = json.get<double>();
+  const auto below = [&path](const std::string& key) { return path.empty() ? key : path + '.' + key; };
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) add_numbers(value, below(key), numbers);
+  }
+  if (!json.is_array()) return;
+  const bool vector = json.size() == 3 && json.front().is_number();
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const bool named = json[i].is_object() && json[i].contains("name") && json[i]["name"].is_string();
+    const std::string key = vector ? std::string(1, "xyz"[i]) : fmt::format("{}", i);
+    add_numbers(json[i], below(named ? json[i]["name"].get<std::string>() : key), numbers);
+  }
+}
+
+void read_summary_file(const std::string& path, RunResults& results) {
+  std::ifstream file(path);
+  const Json json = Json::parse(file, nullptr, false);
+  if (!json.is_object()) throw RunError(path + ": expected the summary of a run");
+  results.status = json.value("status", "");
+  for (const Json& warning : json.value("warnings", Json::array())) results.warnings.push_back(warning);
+  add_numbers(json, "", results.numbers);
+}
+
+void read_history_file(const std::string& path, RunResults& results) {
+  std::ifstream file(path);
+  std::string line, cell;
+  if (!std::getline(file, line)) throw RunError(path + ": expected the history of a run");
+  for (std::istringstream head(line); std::getline(head, cell, ',');) {
+    results.columns.push_back(cell);
+    results.rows[cell];
+  }
+  while (std::getline(file, line)) {
+    std::istringstream cells(line);
+    for (const std::string& column : results.columns) {
+      if (!std::getline(cells, cell, ',')) throw RunError(path + ": a row is cut off");
+      results.rows[column].push_back(std::strtod(cell.c_str(), nullptr));
+    }
+  }
+}
+
+double integral_of(const std::vector<double>& times, const std::vector<double>& values) {
+  double sum = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) sum += 0.5 * (values[i] + values[i - 1]) * (times[i] - times[i - 1]);
+  return sum;
+}
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double v : values) largest = std::max(largest, std::abs(v));
+  return largest;
+}
+
+/// "bar_velocity_z" as {"bar_velocity", true}.
+std::pair<std::string, bool> without_axis(const std::string& column) {
+  for (const std::string_view axes : {"_x", "_y", "_z", "_xx", "_yy", "_zz", "_xy", "_yz", "_zx"}) {
+    if (column.ends_with(axes)) return {column.substr(0, column.size() - axes.size()), true};
+  }
+  return {column, false};
+}
+
+bool is_energy_column(std::string_view column) {
+  return std::find(energy_columns.begin(), energy_columns.end(), column) != energy_columns.end();
+}
+
+/// Of an energy as a number of the summary, not a share of it.
+bool is_energy_number(const std::string& path) {
+  return path.starts_with("energy.") && !path.ends_with("_share") && path.find("balance_error") == std::string::npos;
+}
+
+}  // namespace
+
+RunResults read_run_results(const std::string& folder) {
+  RunResults results;
+  read_summary_file(in_folder(folder, summary_name), results);
+  read_history_file(in_folder(folder, history_name), results);
+  return results;
+}
+
+std::optional<double> RunResults::value(const std::string& quantity) const {
+  const std::size_t colon = std::min(quantity.find(':'), quantity.size());
+  const auto found = rows.find(quantity.substr(0, colon));
+  if (found != rows.end() && !found->second.empty()) {
+    const std::vector<double>& values = found->second;
+    const std::string what = colon == quantity.size() ? "last" : quantity.substr(colon + 1);
+    if (what == "last") return values.back();
+    if (what == "max") return *std::max_element(values.begin(), values.end());
+    if (what == "min") return *std::min_element(values.begin(), values.end());
+    if (what == "integral") return integral_of(rows.at("time"), values);
+    return std::nullopt;
+  }
+  const auto number = numbers.find(quantity);
+  return number == numbers.end() ? std::nullopt : std::optional(number->second);
+}
+
+double RunResults::scale(const std::string& quantity) const {
+  double largest = std::abs(value(quantity).value_or(0));
+  const std::string column = quantity.substr(0, quantity.find(':'));
+  const bool energy = is_energy_column(column) || is_energy_number(column), integral = quantity.ends_with(":integral");
+  const auto [vector, has_axis] = without_axis(column);
+  const double duration = rows.count("time") && !rows.at("time").empty() ? rows.at("time").back() : 0;
+  for (const auto& [name, values] : rows) {
+    const bool kin = energy     ? is_energy_column(name)
+                     : has_axis ? without_axis(name) == std::pair(vector, true)
+                                : name == column;
+    if (kin) largest = std::max(largest, largest_size(values) * (integral ? duration : 1));
+  }
+  return largest;
+}
+
+std::vector<std::string> RunResults::known() const {
+  std::vector<std::string> names = columns;
+  for (const auto& [path, number] : numbers) names.push_back(path);
+  return names;
+}
+
+std::string unit_of_quantity(const std::string& quantity, const Units& units) {
+  std::string name = quantity.substr(0, quantity.find(':'));
+  const bool integral = quantity.ends_with(":integral");
+  if (name.size() > 2 && name[name.size() - 2] == '.') name.resize(name.size() - 2);  // .x
+  name = without_axis(name).first;
+  const auto ends = [&name](std::string_view word) {
+    return name.ends_with(word) && (name.size() == word.size() || name[name.size() - word.size() - 1] == '_' ||
+                                    name[name.size() - word.size() - 1] == '.');
+  };
+  const auto unit = [&](const std::string& of_value) {
+    if (!integral || of_value.empty()) return of_value;
+    return of_value == units.force ? units.momentum : of_value + " " + units.time;
+  };
+  for (const auto& [word, of_word] : {std::pair{"velocity", &units.velocity},
+                                      {"displacement", &units.length},
+                                      {"position", &units.length},
+                                      {"stress", &units.stress},
+                                      {"force", &units.force},
+                                      {"force_max", &units.force},
+                                      {"impulse", &units.momentum},
+                                      {"momentum", &units.momentum},
+                                      {"mass", &units.mass},
+                                      {"mass_remaining", &units.mass},
+                                      {"mass_initial", &units.mass},
+                                      {"mass_added", &units.mass},
+                                      {"time", &units.time},
+                                      {"dt", &units.time},
+                                      {"work", &units.energy}}) {
+    if (ends(word)) return unit(*of_word);
+  }
+  if (is_energy_column(name) || is_energy_number(name)) return unit(units.energy);
+  for (const char* energy : {"_kinetic", "_internal", "_hourglass", "_bulk_viscosity"}) {
+    if (name.ends_with(energy)) return unit(units.energy);
+  }
+  return {};
+}
+
+}  // namespace pinball

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <solver/scene/units/units.hpp>
+
+namespace pinball {
+
+/// What a run has left in its folder, as numbers with names. A quantity is
+///   COLUMN:last, COLUMN:max, COLUMN:min, COLUMN:integral   of the rows of history.csv (integral: over time, by
+///   trapezia) COLUMN                                                 its last row energy.kinetic,
+///   bodies.bar.max_plastic_strain, contact.pairs.pair.impulse.x                           a number of summary.json:
+///   keys, names in the place of numbers
+///                                                          in a list, x, y, z of vectors
+struct RunResults {
+  std::string status;                               ///< "done", "failed", ...
+  std::map<std::string, double> numbers;            ///< of summary.json
+  std::vector<std::string> columns;                 ///< of history.csv
+  std::map<std::string, std::vector<double>> rows;  ///< by column
+  std::vector<std::string> warnings;
+
+  /// Numbers only: not a null of summary.json, and no column without a row.
+  std::optional<double> value(const std::string& quantity) const;
+  /// What the quantity is measured by where it is small: the largest size over time of the vector that it is a
+  /// component of, of all energies where it is one, of its column; at least its own.
+  double scale(const std::string& quantity) const;
+  /// Columns and numbers.
+  std::vector<std::string> known() const;
+};
+
+/// Throws RunError where the folder has no summary.json or history.csv of a run, or they cannot be read.
+RunResults read_run_results(const std::string& folder);
+
+/// The unit of a quantity as the scene names it; empty: it has none, or none is named.
+std::string unit_of_quantity(const std::string& quantity, const Units& units);
+
+}  // namespace pinball

@@ -1,0 +1,95 @@
+#include "study_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <solver/base/error.hpp>
+#include <solver/base/version.h>
+#include <solver/output/message.hpp>
+#include <solver/output/output_file.hpp>
+#include <solver/output/run_files.hpp>
+#include <solver/program/stop_signals.hpp>
+#include <solver/recorded_run.hpp>
+#include <solver/scene/schema/choices.hpp>
+#include <solver/scene/toml/listing.hpp>
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+
+namespace {
+
+constexpr const char* settings_name = "settings.txt";
+
+/// What makes a run the same as another one.
+std::string settings_text(const Scene& scene) {
+  std::string text = fmt::format("version = {}\ndevice = {}\n", PINBALL_VERSION, schema::name_of(scene.device));
+  Scene completed = scene;
+  complete_scene(completed);
+  for (const SceneEntry& entry : list_scene(completed)) {
+    text += fmt::format("{}{}{} = {}\n", entry.table, entry.table.empty() ? "" : ".", entry.key, entry.value);
+  }
+  return text;
+}
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Of a run with these settings that came to its end.
+std::optional<RunResults> results_there(const std::string& folder, const std::string& settings) {
+  if (text_of_file(in_folder(folder, settings_name)) != settings) return std::nullopt;
+  try {
+    RunResults results = read_run_results(folder);
+    if (results.status == "done") return results;
+  } catch (const RunError&) {  // lost or damaged: it is made again
+  }
+  return std::nullopt;
+}
+
+void leave_settings(const std::string& folder, const std::string& settings) {
+  OutputFile file(in_folder(folder, settings_name));
+  file.write(settings);
+  file.commit();
+}
+
+}  // namespace
+
+StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what,
+                        const StudyFolder& folder) {
+  Scene run_scene = scene;
+  run_scene.output.field_interval = 0;
+  run_scene.output.field_times.clear();
+  const std::string settings = settings_text(run_scene);
+  StudyRun run;
+  run.folder = in_folder(folder.out, name);
+  run.results = results_there(run.folder, settings);
+  run.was_there = run.results.has_value();
+  if (!folder.quiet) print_message(fmt::format("{}: {}", run.was_there ? "is there" : "runs", what));
+  if (run.was_there) return run;
+
+  std::error_code none;
+  std::filesystem::remove(in_folder(run.folder, settings_name), none);  // what it said is over
+  RecordOptions options;
+  options.out = run.folder;
+  options.quiet = folder.quiet;
+  options.silent = true;
+  options.threads = folder.threads;
+  options.stop = [] { return stop_signal() != 0; };
+  try {
+    run.stopped = run_recorded(run_scene, options).status == RunStatus::stopped;
+  } catch (const RunError& error) {
+    run.failure = error.what();
+  }
+  if (run.stopped || !run.failure.empty()) return run;
+  leave_settings(run.folder, settings);
+  run.results = read_run_results(run.folder);
+  return run;
+}
+
+}  // namespace pinball

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <solver/scene.hpp>
+
+#include "run_results.hpp"
+
+/// The runs of a study, each in a folder of its own, which is not made twice.
+namespace pinball {
+
+struct StudyFolder {
+  std::string out;  ///< of the study
+  int threads = 0;  ///< 0: what the size earns
+  bool quiet = false;
+};
+
+struct StudyRun {
+  std::string folder;
+  bool was_there = false;               ///< its results were found, not made
+  bool stopped = false;                 ///< by a signal, before its end
+  std::string failure;                  ///< what ended it; empty: it came to its end
+  std::optional<RunResults> results{};  ///< of a run that came to its end
+};
+
+/// Runs the scene in OUT/NAME, without field output, and leaves settings.txt beside its results: all keys of the scene,
+/// the version and the device. Where that is there already, and the run was done, it reads the results instead. A run
+/// that fails, or that a signal ends, is told and made again the next time. Throws InputError for a scene that
+/// cannot be run. what: for the line that says which run it is.
+StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what,
+                        const StudyFolder& folder);
+
+}  // namespace pinball

@@ -1,0 +1,123 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <solver/base/error.hpp>
+#include <solver/program/study/quantities.hpp>
+#include <solver/program/study/run_results.hpp>
+#include <tests/support/folder_case.hpp>
+
+namespace pinball {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class RunResultsTest : public test::FolderTest {
+ protected:
+  RunResults read(const std::string& summary, const std::string& history) const {
+    std::ofstream(folder_ / "summary.json") << summary;
+    std::ofstream(folder_ / "history.csv") << history;
+    return read_run_results(folder_.string());
+  }
+  RunResults sample() const {
+    return read(R"({"status": "done", "energy": {"kinetic": 3, "hourglass": 1e-9, "contact": null},
+                    "bodies": [{"name": "bar", "velocity": [1, 2, 3], "max_plastic_strain": 0.5}],
+                    "sizes": [4, 5], "warnings": ["something"]})",
+                "time,kinetic,hourglass,bar_velocity_x,bar_velocity_z,tip_stress_xx,foot_force_z\n"
+                "0,5,0,1e-9,-4,1,0\n1,3,1e-9,2e-9,-1,7,2\n3,3,1e-9,1e-9,0,2,4\n");
+  }
+};
+
+TEST_F(RunResultsTest, NamesNumbersOfTheSummaryByTheirPaths) {
+  const RunResults run = sample();
+  EXPECT_EQ(run.status, "done");
+  EXPECT_THAT(run.warnings, ElementsAre("something"));
+  EXPECT_EQ(run.value("energy.kinetic"), 3);
+  EXPECT_EQ(run.value("bodies.bar.max_plastic_strain"), 0.5);
+  EXPECT_EQ(run.value("bodies.bar.velocity.y"), 2);
+  EXPECT_EQ(run.value("sizes.1"), 5);
+  EXPECT_FALSE(run.value("energy.contact"));
+  EXPECT_FALSE(run.value("energy"));
+}
+
+TEST_F(RunResultsTest, TakesLastExtremesAndIntegralOfColumns) {
+  const RunResults run = sample();
+  EXPECT_EQ(run.value("bar_velocity_z"), 0);
+  EXPECT_EQ(run.value("bar_velocity_z:last"), 0);
+  EXPECT_EQ(run.value("bar_velocity_z:min"), -4);
+  EXPECT_EQ(run.value("tip_stress_xx:max"), 7);
+  EXPECT_EQ(run.value("foot_force_z:integral"), 1 + 6);
+  EXPECT_FALSE(run.value("foot_force_z:mean"));
+  EXPECT_FALSE(run.value("energy.kinetic:max"));
+}
+
+TEST_F(RunResultsTest, MeasuresByVectorsAndByAllEnergies) {
+  const RunResults run = sample();
+  EXPECT_EQ(run.scale("bar_velocity_x"), 4);
+  EXPECT_EQ(run.scale("energy.hourglass"), 5);
+  EXPECT_EQ(run.scale("hourglass:max"), 5);
+  EXPECT_EQ(run.scale("bodies.bar.max_plastic_strain"), 0.5);
+  EXPECT_EQ(run.scale("foot_force_z:integral"), 4 * 3);
+}
+
+TEST_F(RunResultsTest, FilesThatAreNoneOfARunAreNamed) {
+  EXPECT_THROW(read_run_results((folder_ / "none").string()), RunError);
+  EXPECT_THROW(read("{", "time\n0\n"), RunError);
+  EXPECT_THROW(read("{}", ""), RunError);
+  EXPECT_THROW(read("{}", "time,dt\n0\n"), RunError);
+}
+
+TEST_F(RunResultsTest, AskedForByDefaultIsWhatIsThereAndNotNegligible) {
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].name = "bar";
+  scene.probes.resize(1);
+  scene.probes[0].name = "tip";
+  scene.fixed_constraints.resize(2);
+  scene.fixed_constraints[0].name = "foot";
+  EXPECT_THAT(default_quantities(scene, sample()),
+              ElementsAre("energy.kinetic", "foot_force_z:integral", "tip_stress_xx", "tip_stress_xx:max"));
+}
+
+TEST_F(RunResultsTest, AnUnknownQuantityIsToldWithTheNearest) {
+  require_quantities({"energy.kinetic", "bar_velocity_z:max"}, sample());
+  try {
+    require_quantities({"bar_velocty_z:max"}, sample());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--of bar_velocty_z:max: expected"));
+    EXPECT_THAT(error.what(), HasSubstr("nearest is bar_velocity_z"));
+  }
+  EXPECT_THROW(require_quantities({"bar_velocity_z:mean"}, sample()), InputError);
+}
+
+TEST(UnitOfQuantity, IsThatOfTheScene) {
+  const Units units = parse_units("g-mm-ms");
+  for (const auto& [quantity, unit] : {std::pair{"energy.kinetic", units.energy},
+                                       {"kinetic:max", units.energy},
+                                       {"energy.hourglass_share", std::string()},
+                                       {"bar_kinetic", units.energy},
+                                       {"bar_velocity_x", units.velocity},
+                                       {"bodies.bar.velocity.x", units.velocity},
+                                       {"tip_displacement_z:min", units.length},
+                                       {"tip_stress_xx", units.stress},
+                                       {"tip_effective_stress", units.stress},
+                                       {"foot_force_z", units.force},
+                                       {"foot_force_z:integral", units.momentum},
+                                       {"rigid_walls.wall.force_max", units.force},
+                                       {"contact.pairs.pair.impulse.x", units.momentum},
+                                       {"bodies.bar.mass_remaining", units.mass},
+                                       {"bodies.bar.max_plastic_strain", std::string()},
+                                       {"load_work", units.energy},
+                                       {"dt:min", units.time},
+                                       {"steps", std::string()}}) {
+    EXPECT_EQ(unit_of_quantity(quantity, units), unit) << quantity;
+  }
+  EXPECT_EQ(unit_of_quantity("tip_displacement_z:integral", units), units.length + " " + units.time);
+  EXPECT_EQ(unit_of_quantity("kinetic", parse_units("none")), "");
+}
+
+}  // namespace
+}  // namespace pinball
