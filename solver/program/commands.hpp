@@ -44,8 +44,10 @@ struct CompareOptions : SceneOptions {
 struct ConvergeOptions : SceneOptions {
   std::vector<std::string> of;  ///< quantities; empty: those that the scene names, and energies
   std::string meshes;           ///< "1/2,1,2": what multiplies the numbers of elements; empty: by what the scene allows
-  std::string out;              ///< folder for the runs; empty: out/converge_SCENE
-  std::string json;             ///< file for the table of results; empty: none
+  std::vector<std::string> only;  ///< of "mesh", "step", "precision", "hourglass", "chance"; empty: all
+  int ensemble = 4;               ///< runs for chance
+  std::string out;                ///< folder for the runs; empty: out/converge_SCENE
+  std::string json;               ///< file for the table of results; empty: none
 };
 
 /// What of a deck of another program is to be written as a scene.

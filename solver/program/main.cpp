@@ -153,6 +153,16 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
           "K1,K2,K3,...: what multiplies the element counts of generated meshes, fractions such as 1/2 (default: "
           "1/2,1,2 where all counts can be halved, else 1,2,3)")
       ->check(check_not_empty);
+  command
+      .add_option("--only", options.only,
+                  "leaves out what else may move a number (default: all of mesh, step, precision, hourglass, chance)")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all()
+      ->check(CLI::IsMember({"mesh", "step", "precision", "hourglass", "chance"}));
+  command
+      .add_option("--ensemble", options.ensemble, "runs with moved velocities that say what chance does (default: 4)")
+      ->check(CLI::Range(1, 1000));
   command.add_option("--out", options.out, "folder for the runs (default: out/converge_<scene>); what is there stays")
       ->check(check_not_empty);
   command.add_option("--json", options.json, "write the table to this file")->check(check_not_empty);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -54,7 +55,11 @@ class Converge : public test::FolderTest {
     return nullptr;
   }
 
-  static constexpr const char* coarse = " --quiet --meshes 1/2,1,3/2 ";
+  static std::string hash(const std::string& folder) {
+    return Json::parse(content(folder + "/summary.json"))["state_hash"];
+  }
+
+  static constexpr const char* coarse = " --quiet --only mesh --meshes 1/2,1,3/2 ";
 };
 
 TEST_F(Converge, SaysWhatTheRunsOnItsMeshesSay) {
@@ -90,12 +95,9 @@ TEST_F(Converge, SaysWhatTheRunsOnItsMeshesSay) {
 }
 
 TEST_F(Converge, ItsRunsAreThoseOfTheRunCommand) {
-  ASSERT_EQ(converge("--quiet --meshes 1,2,3 --of energy.kinetic").status, 0);
+  ASSERT_EQ(converge("--quiet --only mesh --meshes 1,2,3 --of energy.kinetic").status, 0);
   const std::string twice = (folder_ / "twice").string();
   ASSERT_EQ(run(fmt::format("run {} --quiet --threads 1 --refine 2 --out {}", scene(), twice)).status, 0);
-  const auto hash = [](const std::string& folder) {
-    return Json::parse(content(folder + "/summary.json"))["state_hash"].get<std::string>();
-  };
   EXPECT_EQ(hash(json()["meshes"][1]["folder"]), hash(twice));
   ASSERT_EQ(json()["quantities"].size(), 1);
 }
@@ -107,15 +109,15 @@ TEST_F(Converge, ARunThatIsThereIsNotMadeAgain) {
     for (const Json& mesh : table["meshes"]) there.push_back(mesh["was_there"]);
     return there;
   };
-  const Finished first = converge("--meshes 1/2,1,3/2");
+  const Finished first = converge("--only mesh --meshes 1/2,1,3/2");
   EXPECT_THAT(first.text, HasSubstr("runs: mesh 1 of 3, elements 1/2 times: bar: elements 1 x 1 x 2"));
   EXPECT_THAT(were_there(), ElementsAre(false, false, false));
   const Json quantities = json()["quantities"];
-  EXPECT_THAT(converge("--meshes 1/2,1,3/2").text, HasSubstr("is there: mesh 1 of 3"));
+  EXPECT_THAT(converge("--only mesh --meshes 1/2,1,3/2").text, HasSubstr("is there: mesh 1 of 3"));
   EXPECT_THAT(were_there(), ElementsAre(true, true, true));
   EXPECT_EQ(json()["quantities"], quantities);
 
-  EXPECT_EQ(converge("--quiet --meshes 1/2,1,2").status, 0);
+  EXPECT_EQ(converge("--quiet --only mesh --meshes 1/2,1,2").status, 0);
   EXPECT_THAT(were_there(), ElementsAre(true, true, false));
   EXPECT_EQ(converge(std::string(coarse) + "--set time.cfl=0.5").status, 0);
   EXPECT_THAT(were_there(), ElementsAre(false, false, false));
@@ -131,6 +133,58 @@ TEST_F(Converge, ARunThatIsThereIsNotMadeAgain) {
   EXPECT_EQ(json()["quantities"], quantities);
 }
 
+TEST_F(Converge, SaysApartWhatStepPrecisionHourglassAndChanceDo) {
+  const std::string quantity = "tail_displacement_z:min";
+  const Finished f = converge("--quiet --ensemble 3 --meshes 1/2,1,3/2 --of " + quantity);
+  ASSERT_EQ(f.status, 0) << f.text;
+  const Json table = json(), moved = of(table, quantity)["moved_by"];
+  EXPECT_EQ(table["sources_mesh"], "1");
+  std::vector<std::string> names;
+  const double base = of(table, quantity)["values"][1];
+  for (const Json& source : table["sources"]) {
+    names.push_back(source["name"]);
+    std::vector<double> values;
+    for (const Json& run : source["runs"]) values.push_back(read_run_results(run["folder"]).value(quantity).value());
+    if (names.back() != "chance") {
+      ASSERT_EQ(values.size(), 1);
+      EXPECT_EQ(moved[names.back()], values[0] - base);
+      continue;
+    }
+    ASSERT_EQ(values.size(), 3);
+    const double mean = (base + values[0] + values[1] + values[2]) / 4;
+    EXPECT_NEAR(of(table, quantity)["mean_of_chance"], mean, 1e-15);
+    double squares = (base - mean) * (base - mean);
+    for (const double value : values) squares += (value - mean) * (value - mean);
+    EXPECT_NEAR(moved["chance"], std::sqrt(squares / 3), 1e-15);
+    EXPECT_GT(moved["chance"], 0);
+    EXPECT_LT(moved["chance"], 1e-8 * std::abs(base));  // nothing here is chaotic
+  }
+  EXPECT_THAT(names, ElementsAre("time step", "float", "hourglass viscous", "hourglass stiffness", "chance"));
+  EXPECT_LT(std::abs(moved["float"].get<double>()), 1e-4 * std::abs(base));
+  EXPECT_FALSE(of(table, quantity)["chance_rules"]);
+  EXPECT_THAT(f.text, HasSubstr("the largest source of error is: "));
+  EXPECT_THAT(f.text, HasSubstr("time step: time.cfl = 0.45"));
+
+  const std::string folder = (folder_ / "run").string();
+  const auto expect_run = [&](const std::string& name, const std::string& options) {
+    ASSERT_EQ(run(fmt::format("run {} --quiet --threads 1 --out {} {}", scene(), folder, options)).status, 0);
+    EXPECT_EQ(hash(out() + "/mesh_1_" + name), hash(folder));
+  };
+  expect_run("half_step", "--set time.cfl=0.45");
+  expect_run("float", "--precision float");
+  expect_run("hourglass_viscous", "--set element.hourglass=viscous");
+  expect_run("chance_2", "--set body.bar.velocity_noise=2e-8");
+}
+
+TEST_F(Converge, OnlyNamesWhatIsLookedAt) {
+  EXPECT_EQ(converge("--quiet --meshes 1/2,1,3/2 --only step --of energy.kinetic").status, 0);
+  ASSERT_EQ(json()["sources"].size(), 1);
+  EXPECT_EQ(json()["sources"][0]["name"], "time step");
+  EXPECT_EQ(converge(coarse).status, 0);
+  EXPECT_EQ(json()["sources"].size(), 0);
+  EXPECT_TRUE(of(json(), "energy.kinetic")["moved_by"].is_null());
+}
+
 TEST_F(Converge, ARunThatFailsIsNamedAndTheOthersCount) {
   const Finished f = converge(std::string(coarse) + "--set guard.energy_error=1e-12");
   EXPECT_EQ(f.status, 1) << f.text;
@@ -138,6 +192,12 @@ TEST_F(Converge, ARunThatFailsIsNamedAndTheOthersCount) {
   EXPECT_THAT(f.text, HasSubstr("no run came to its end"));
   EXPECT_THAT(json()["meshes"][0]["failure"].get<std::string>(), HasSubstr("energy balance"));
   EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_1/settings.txt"));
+}
+
+TEST_F(Converge, ASceneInWhichNothingHappensSaysSo) {
+  const Finished f = converge(std::string(coarse) + "--set body.bar.velocity=[0,0,0] --set time.end=1e-3");
+  EXPECT_EQ(f.status, 0);
+  EXPECT_THAT(f.text, HasSubstr("are all zero; --of names other quantities"));
 }
 
 TEST_F(Converge, BadInputEndsWithTwoBeforeAnythingRuns) {
@@ -150,6 +210,7 @@ TEST_F(Converge, BadInputEndsWithTwoBeforeAnythingRuns) {
   expect_bad("--meshes 1/4,1,2", "body.bar.mesh.elements: expected a number that 1/4 times leaves whole, got 2");
   expect_bad("--set time.steps=5", "time.steps = 5: expected none");
   expect_bad("--of", "--of");
+  expect_bad("--only luck", "--only");
   EXPECT_FALSE(std::filesystem::exists(out()));
   expect_bad("--of tail_displacement", "--of tail_displacement: expected a column");
   EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_1"));  // the coarsest has shown it

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include <solver/base/error.hpp>
@@ -26,6 +27,18 @@ void print_study_warnings(const ConvergenceStudy& study) {
   }
 }
 
+/// Those that --only leaves: "mesh" stands for none of them.
+std::vector<ErrorSource> sources_of(const std::vector<std::string>& only) {
+  std::vector<ErrorSource> sources;
+  for (const auto& [name, source] : {std::pair{"step", ErrorSource::step},
+                                     {"precision", ErrorSource::precision},
+                                     {"hourglass", ErrorSource::hourglass},
+                                     {"chance", ErrorSource::chance}}) {
+    if (only.empty() || std::find(only.begin(), only.end(), name) != only.end()) sources.push_back(source);
+  }
+  return sources;
+}
+
 }  // namespace
 
 int converge_command(const ConvergeOptions& options) {
@@ -38,6 +51,8 @@ int converge_command(const ConvergeOptions& options) {
   settings.factors = options.meshes.empty() ? default_mesh_factors(scene) : parse_mesh_factors(options.meshes);
   settings.of = options.of;
   settings.folder = {options.out.empty() ? "out/converge_" + scene.name : options.out, options.threads, options.quiet};
+  settings.sources = sources_of(options.only);
+  settings.ensemble = options.ensemble;
   const ConvergenceStudy study = study_convergence(scene, settings);
   if (study.stopped()) {
     print_message(fmt::format("stopped; what is done stays in {}, the same command goes on", settings.folder.out));

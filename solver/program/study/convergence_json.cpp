@@ -3,6 +3,7 @@
 #include <solver/base/version.h>
 
 #include "convergence_report.hpp"
+#include "sources_report.hpp"
 
 namespace pinball {
 
@@ -14,18 +15,37 @@ OrderedJson number_or_null(const std::optional<double>& value) {
   return value ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
+OrderedJson run_json(const StudyRun& run) {
+  return {{"folder", run.folder},
+          {"was_there", run.was_there},
+          {"failure", run.failure.empty() ? OrderedJson(nullptr) : OrderedJson(run.failure)}};
+}
+
 OrderedJson mesh_json(const StudyMesh& mesh) {
-  OrderedJson json = {{"factor", mesh.factor.text()},
-                      {"counts", mesh.counts},
-                      {"folder", mesh.run.folder},
-                      {"was_there", mesh.run.was_there},
-                      {"failure", mesh.run.failure.empty() ? OrderedJson(nullptr) : OrderedJson(mesh.run.failure)}};
+  OrderedJson json = {{"factor", mesh.factor.text()}, {"counts", mesh.counts}};
+  json.update(run_json(mesh.run));
   for (const char* key : {"elements", "nodes", "steps"}) {
     const auto value = mesh.run.results ? mesh.run.results->value(key) : std::nullopt;
     json[key] = value ? OrderedJson(static_cast<std::int64_t>(*value)) : OrderedJson(nullptr);
   }
   json["wall_seconds"] = number_or_null(mesh.run.results ? mesh.run.results->value("wall_seconds") : std::nullopt);
   return json;
+}
+
+OrderedJson source_json(const StudySource& source) {
+  OrderedJson runs = OrderedJson::array();
+  for (const StudyRun& run : source.runs) runs.push_back(run_json(run));
+  return {{"name", source.name}, {"what", source.what}, {"runs", runs}};
+}
+
+void add_sources_json(const ConvergenceStudy& study, const StudyQuantity& quantity, OrderedJson& json) {
+  json["moved_by"] = {{"mesh", number_or_null(error_of_mesh(study, quantity))}};
+  for (std::size_t s = 0; s < study.sources.size(); ++s) {
+    json["moved_by"][study.sources[s].name] = number_or_null(quantity.moved[s]);
+  }
+  json["mean_of_chance"] = number_or_null(quantity.mean_of_chance);
+  json["largest_source"] = largest_source(study, quantity);
+  json["chance_rules"] = chance_rules(study, quantity);
 }
 
 OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& quantity) {
@@ -49,18 +69,25 @@ OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& qu
   json["band"] = c.has_band() ? range : OrderedJson(nullptr);
   json["spread"] = c.has_band() ? OrderedJson(nullptr) : range;
   json["own_error"] = number_or_null(own_error(study, quantity));
+  if (!study.sources.empty()) add_sources_json(study, quantity, json);
   return json;
 }
 
 }  // namespace
 
 std::string convergence_json(const ConvergenceStudy& study) {
-  OrderedJson meshes = OrderedJson::array(), quantities = OrderedJson::array();
+  OrderedJson meshes = OrderedJson::array(), quantities = OrderedJson::array(), sources = OrderedJson::array();
   for (const StudyMesh& mesh : study.meshes) meshes.push_back(mesh_json(mesh));
   for (const StudyQuantity& quantity : study.quantities) quantities.push_back(quantity_json(study, quantity));
-  const OrderedJson json = {{"scene", study.scene},       {"title", study.title},
-                            {"version", PINBALL_VERSION}, {"sentence", convergence_sentence(study)},
-                            {"meshes", meshes},           {"quantities", quantities}};
+  for (const StudySource& source : study.sources) sources.push_back(source_json(source));
+  const OrderedJson json = {{"scene", study.scene},
+                            {"title", study.title},
+                            {"version", PINBALL_VERSION},
+                            {"sentence", convergence_sentence(study)},
+                            {"meshes", meshes},
+                            {"quantities", quantities},
+                            {"sources_mesh", study.meshes[study.sources_mesh].factor.text()},
+                            {"sources", sources}};
   return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }
 

@@ -8,6 +8,8 @@
 
 #include <solver/program/text_table.hpp>
 
+#include "sources_report.hpp"
+
 namespace pinball {
 
 namespace {
@@ -49,7 +51,7 @@ std::string named_with_unit(const StudyQuantity& quantity) {
 /// The quantity whose error is the largest part of its scale.
 const StudyQuantity* worst_quantity(const ConvergenceStudy& study) {
   const StudyQuantity* worst = nullptr;
-  double largest = 0;
+  double largest = 1e-9;  // below is round-off
   for (const StudyQuantity& quantity : study.quantities) {
     const auto error = own_error(study, quantity);
     if (!error || !(quantity.scale > 0) || std::abs(*error) / quantity.scale <= largest) continue;
@@ -143,8 +145,14 @@ std::optional<double> own_error(const ConvergenceStudy& study, const StudyQuanti
 }
 
 std::string convergence_sentence(const ConvergenceStudy& study) {
-  if (study.quantities.empty()) return "no run came to its end, nothing can be said of its error";
+  if (study.quantities.empty()) {
+    const bool any = std::any_of(study.meshes.begin(), study.meshes.end(),
+                                 [](const StudyMesh& mesh) { return mesh.run.results.has_value(); });
+    return any ? "energies, velocities, forces and probes are all zero; --of names other quantities"
+               : "no run came to its end, nothing can be said of its error";
+  }
   std::string text = counted_verdicts(study);
+  if (const std::string sources = sources_sentence(study); !sources.empty()) text += "; " + sources;
   const StudyQuantity* worst = worst_quantity(study);
   if (worst == nullptr) return text;
   const std::string percent = percent_of(*own_error(study, *worst), *worst);
@@ -161,6 +169,7 @@ std::string convergence_text(const ConvergenceStudy& study) {
     if (!mesh.run.failure.empty()) text += fmt::format("mesh {} failed: {}\n", mesh.factor.text(), mesh.run.failure);
   }
   if (!study.quantities.empty()) text += '\n' + quantity_lines(study);
+  if (!study.sources.empty() && !study.quantities.empty()) text += '\n' + sources_text(study);
   return text;
 }
 

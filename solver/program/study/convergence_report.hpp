@@ -10,13 +10,14 @@ namespace pinball {
 /// What has become of the quantities, and where the scene's own mesh errs most, in a sentence.
 std::string convergence_sentence(const ConvergenceStudy& study);
 
-/// The sentence, a line for each mesh and one for each quantity.
+/// The sentence, a line for each mesh and one for each quantity, and what sources_report.hpp has.
 std::string convergence_text(const ConvergenceStudy& study);
 
 /// {scene, title, version, sentence, meshes [{factor, counts, folder, was_there, failure, elements, nodes, steps,
 /// wall_seconds}], quantities [{name, unit, values, scale, verdict, observed_order, order, safety_factor, extrapolated,
-/// approximate_error, extrapolated_error, index, band, spread, own_error}]}. Numbers that are not there, or not finite,
-/// are null; of band and spread, [low, high], the one that does not apply.
+/// approximate_error, extrapolated_error, index, band, spread, own_error, moved_by {mesh, SOURCE...}, mean_of_chance,
+/// largest_source, chance_rules}], sources_mesh, sources [{name, what, runs [{folder, was_there, failure}]}]}. Numbers
+/// that are not there, or not finite, are null; of band and spread, [low, high], the one that does not apply.
 std::string convergence_json(const ConvergenceStudy& study);
 
 /// "converges", "oscillates"; empty: too few meshes say anything.

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include <solver/program/stop_signals.hpp>
+#include <solver/base/error.hpp>
 
 #include "quantities.hpp"
 
@@ -35,6 +36,61 @@ StudyQuantity quantity_of(const std::string& name, const Scene& scene, const std
   return quantity;
 }
 
+/// What an ensemble says together with the run that it is beside.
+void add_chance(const std::vector<double>& values, StudyQuantity& quantity) {
+  double sum = 0, squares = 0;
+  for (const double value : values) sum += value;
+  const double count = static_cast<double>(values.size()), mean = sum / count;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  quantity.moved.push_back(std::sqrt(squares / (count - 1)));
+  quantity.mean_of_chance = mean;
+}
+
+void add_sources(const ConvergenceStudy& study, StudyQuantity& quantity) {
+  const std::optional<double> base = quantity.values[study.sources_mesh];
+  for (const StudySource& source : study.sources) {
+    std::vector<double> values;
+    for (const StudyRun& run : source.runs) {
+      const auto value = run.results ? run.results->value(quantity.name) : std::nullopt;
+      if (value) values.push_back(*value);
+    }
+    if (!base || values.empty()) {
+      quantity.moved.emplace_back();
+    } else if (source.source != ErrorSource::chance) {
+      quantity.moved.push_back(values.front() - *base);
+    } else {
+      values.push_back(*base);
+      add_chance(values, quantity);
+    }
+  }
+}
+
+/// On the mesh of the scene itself where that is among them and its run came to its end.
+void run_sources(const Scene& scene, const StudySettings& settings, ConvergenceStudy& study) {
+  const auto own = study.own_mesh();
+  const auto there = [](const StudyMesh& mesh) { return mesh.run.results.has_value(); };
+  const auto first = std::find_if(study.meshes.begin(), study.meshes.end(), there);
+  if (first == study.meshes.end()) return;
+  study.sources_mesh = own && there(study.meshes[*own]) ? *own : static_cast<std::size_t>(first - study.meshes.begin());
+  const MeshFactor factor = study.meshes[study.sources_mesh].factor;
+  for (const SourceVariation& variation :
+       vary_sources(refined_by(scene, factor), settings.sources, settings.ensemble)) {
+    study.sources.push_back({variation.source, variation.name, variation.what, {}});
+    for (std::size_t k = 0; k < variation.scenes.size(); ++k) {
+      const std::string number = variation.source == ErrorSource::chance ? fmt::format("{}", k + 1) : "";
+      const std::string what = fmt::format("mesh {}, {}{}: {}", factor.text(), variation.name, number, variation.what);
+      StudyRun& run = study.sources.back().runs.emplace_back();
+      try {
+        run = make_study_run(variation.scenes[k], folder_of(factor) + '_' + variation.folder + number, what,
+                             settings.folder);
+      } catch (const InputError& error) {  // not with this scene
+        run.failure = error.what();
+      }
+      if (run.stopped) return;
+    }
+  }
+}
+
 }  // namespace
 
 std::optional<std::size_t> ConvergenceStudy::own_mesh() const {
@@ -43,7 +99,19 @@ std::optional<std::size_t> ConvergenceStudy::own_mesh() const {
   return own == meshes.end() ? std::nullopt : std::optional(static_cast<std::size_t>(own - meshes.begin()));
 }
 
-bool ConvergenceStudy::stopped() const { return !meshes.empty() && meshes.back().run.stopped; }
+std::vector<const StudyRun*> ConvergenceStudy::runs() const {
+  std::vector<const StudyRun*> all;
+  for (const StudyMesh& mesh : meshes) all.push_back(&mesh.run);
+  for (const StudySource& source : sources) {
+    for (const StudyRun& run : source.runs) all.push_back(&run);
+  }
+  return all;
+}
+
+bool ConvergenceStudy::stopped() const {
+  const auto all = runs();
+  return std::any_of(all.begin(), all.end(), [](const StudyRun* run) { return run->stopped; });
+}
 
 bool ConvergenceStudy::failed() const {
   return std::any_of(meshes.begin(), meshes.end(), [](const StudyMesh& mesh) { return !mesh.run.failure.empty(); });
@@ -53,7 +121,7 @@ ConvergenceStudy study_convergence(const Scene& scene, const StudySettings& sett
   require_refinable(scene);
   std::vector<Scene> scenes;
   for (const MeshFactor& factor : settings.factors) scenes.push_back(refined_by(scene, factor));
-  ConvergenceStudy study{scene.name, scene.title, {}, {}};
+  ConvergenceStudy study{scene.name, scene.title, {}, {}, {}};
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const MeshFactor& factor = settings.factors[i];
     const std::string counts = element_counts(scenes[i]);
@@ -67,8 +135,13 @@ ConvergenceStudy study_convergence(const Scene& scene, const StudySettings& sett
   const auto fine = std::find_if(study.meshes.rbegin(), study.meshes.rend(),
                                  [](const StudyMesh& mesh) { return mesh.run.results.has_value(); });
   if (fine == study.meshes.rend()) return study;
+  run_sources(scene, settings, study);
+  if (study.stopped()) return study;
   const auto names = settings.of.empty() ? default_quantities(scene, *fine->run.results) : settings.of;
-  for (const std::string& name : names) study.quantities.push_back(quantity_of(name, scene, study.meshes));
+  for (const std::string& name : names) {
+    study.quantities.push_back(quantity_of(name, scene, study.meshes));
+    add_sources(study, study.quantities.back());
+  }
   return study;
 }
 

@@ -6,6 +6,7 @@
 
 #include <solver/scene.hpp>
 
+#include "error_sources.hpp"
 #include "grid_convergence.hpp"
 #include "mesh_factor.hpp"
 #include "study_runs.hpp"
@@ -18,12 +19,23 @@ struct StudyMesh {
   StudyRun run;
 };
 
+/// What something else than the mesh does, on one mesh.
+struct StudySource {
+  ErrorSource source;
+  std::string name, what;      ///< as in SourceVariation
+  std::vector<StudyRun> runs;  ///< one; of chance an ensemble
+};
+
 struct StudyQuantity {
   std::string name;  ///< as run_results.hpp has it
   std::string unit;
   std::vector<std::optional<double>> values;   ///< of each mesh; none: its run failed
   double scale = 0;                            ///< the largest of the runs
   std::optional<GridConvergence> convergence;  ///< none: fewer than three meshes have a value
+  /// What each source moves it by: value less that of the same mesh, of chance the standard deviation of the ensemble
+  /// and that value; none: its run failed.
+  std::vector<std::optional<double>> moved{};
+  std::optional<double> mean_of_chance{};
 };
 
 /// What a scene says on meshes of several sizes.
@@ -31,17 +43,22 @@ struct ConvergenceStudy {
   std::string scene, title;
   std::vector<StudyMesh> meshes;  ///< from coarse to fine
   std::vector<StudyQuantity> quantities;
+  std::vector<StudySource> sources;  ///< beside the mesh
+  std::size_t sources_mesh = 0;      ///< on which they were looked at: the scene's own, else the coarsest
 
   /// The mesh of the scene itself, if it is among them.
   std::optional<std::size_t> own_mesh() const;
-  bool stopped() const;  ///< a signal ended it
-  bool failed() const;   ///< a run has
+  std::vector<const StudyRun*> runs() const;  ///< all of them
+  bool stopped() const;                       ///< a signal ended it
+  bool failed() const;                        ///< a run on one of the meshes has
 };
 
 struct StudySettings {
   std::vector<MeshFactor> factors;  ///< from coarse to fine
   std::vector<std::string> of;      ///< quantities; empty: default_quantities()
   StudyFolder folder;
+  std::vector<ErrorSource> sources{};  ///< beside the mesh
+  int ensemble = 4;                    ///< runs for chance
 };
 
 /// Runs the scene on each mesh, from coarse to fine, and draws what they say. Throws InputError where the scene cannot

@@ -1,0 +1,101 @@
+#include "error_sources.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/scene/schema/choices.hpp>
+
+namespace pinball {
+
+namespace {
+
+double speed_of(const Point& velocity) { return std::hypot(velocity[0], velocity[1], velocity[2]); }
+
+/// The largest that the scene gives to anything, else a thousandth of that of waves [length/time].
+double noise_speed(const Scene& scene) {
+  double largest = 0;
+  for (const Body& body : scene.bodies) largest = std::max(largest, speed_of(body.velocity));
+  for (const InitialVelocity& given : scene.initial_velocities) largest = std::max(largest, speed_of(given.velocity));
+  for (const RigidWall& wall : scene.rigid_walls) largest = std::max(largest, std::abs(wall.speed));
+  for (const PrescribedVelocity& given : scene.prescribed_velocities) {
+    if (given.quantity == MotionQuantity::velocity) largest = std::max(largest, speed_of(given.velocity));
+  }
+  if (largest > 0) return largest;
+  for (const Material& m : scene.materials) largest = std::max(largest, std::sqrt(m.bulk_modulus / m.density));
+  return 1e-3 * largest;
+}
+
+SourceVariation half_step(const Scene& scene) {
+  Scene half = scene;
+  half.time.cfl /= 2;
+  return {ErrorSource::step, "time step", fmt::format("time.cfl = {}", half.time.cfl), "half_step", {half}};
+}
+
+SourceVariation other_precision(const Scene& scene) {
+  Scene other = scene;
+  const bool to_float = scene.precision == Precision::float64;
+  other.precision = to_float ? Precision::float32 : Precision::float64;
+  const std::string name = schema::name_of(other.precision);
+  return {ErrorSource::precision, name, fmt::format("precision = \"{}\"", name), name, {other}};
+}
+
+void set_hourglass(ElementSettings& element, HourglassControl control) {
+  element.hourglass = control;
+  element.hourglass_coefficient = default_hourglass_coefficient(control);
+}
+
+void add_hourglass(const Scene& scene, std::vector<SourceVariation>& variations) {
+  for (const auto& choice : schema::choices(schema::Of<HourglassControl>{})) {
+    if (choice.value == HourglassControl::none || choice.value == scene.element.hourglass) continue;
+    Scene other = scene;
+    set_hourglass(other.element, choice.value);
+    for (Body& body : other.bodies) {
+      if (body.element) set_hourglass(*body.element, choice.value);
+    }
+    variations.push_back({ErrorSource::hourglass,
+                          fmt::format("hourglass {}", choice.name),
+                          fmt::format("element.hourglass = \"{}\" with its default coefficient", choice.name),
+                          fmt::format("hourglass_{}", choice.name),
+                          {other}});
+  }
+}
+
+SourceVariation by_chance(const Scene& scene, int ensemble) {
+  const double part = scene.precision == Precision::float32 ? 1e-5 : 1e-9, speed = noise_speed(scene);
+  SourceVariation variation{ErrorSource::chance,
+                            "chance",
+                            fmt::format("{} runs beside the first, initial velocities moved by {:g} of {:.3g} and more",
+                                        ensemble, part, speed),
+                            "chance_",
+                            {}};
+  for (int k = 1; k <= ensemble; ++k) {
+    Scene moved = scene;
+    for (Body& body : moved.bodies) body.velocity_noise += k * part * speed;
+    for (InitialVelocity& given : moved.initial_velocities) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        given.velocity[c] *= 1 + k * part;
+        given.angular_velocity[c] *= 1 + k * part;
+      }
+    }
+    variation.scenes.push_back(std::move(moved));
+  }
+  return variation;
+}
+
+}  // namespace
+
+std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<ErrorSource>& sources, int ensemble) {
+  const auto asked = [&sources](ErrorSource source) {
+    return std::find(sources.begin(), sources.end(), source) != sources.end();
+  };
+  std::vector<SourceVariation> variations;
+  if (asked(ErrorSource::step)) variations.push_back(half_step(scene));
+  if (asked(ErrorSource::precision)) variations.push_back(other_precision(scene));
+  if (asked(ErrorSource::hourglass)) add_hourglass(scene, variations);
+  if (asked(ErrorSource::chance)) variations.push_back(by_chance(scene, ensemble));
+  return variations;
+}
+
+}  // namespace pinball

@@ -1,0 +1,114 @@
+#include "sources_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <solver/program/text_table.hpp>
+
+namespace pinball {
+
+namespace {
+
+constexpr double least_moved = 1e-6;  ///< of the scale of a quantity: what moves it less is not named
+
+std::string moved_cell(const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "-"; }
+
+std::optional<std::size_t> place_of_chance(const ConvergenceStudy& study) {
+  for (std::size_t s = 0; s < study.sources.size(); ++s) {
+    if (study.sources[s].source == ErrorSource::chance) return s;
+  }
+  return std::nullopt;
+}
+
+/// What the columns are, and which runs failed.
+std::string source_notes(const ConvergenceStudy& study) {
+  std::string text;
+  for (const StudySource& source : study.sources) {
+    text += fmt::format("  {}: {}{}\n", source.name, source.what,
+                        source.source == ErrorSource::chance ? "; their standard deviation" : "");
+    for (const StudyRun& run : source.runs) {
+      if (!run.failure.empty()) text += fmt::format("  {} failed: {}\n", source.name, run.failure);
+    }
+  }
+  return text;
+}
+
+std::string chance_notes(const ConvergenceStudy& study) {
+  std::string text;
+  for (const StudyQuantity& quantity : study.quantities) {
+    if (!chance_rules(study, quantity)) continue;
+    text +=
+        fmt::format("{}: chance decides, {:.6g} +- {:.3g}, more than the error of the mesh: no finer mesh says more\n",
+                    quantity.name, *quantity.mean_of_chance, *quantity.moved[*place_of_chance(study)]);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<double> error_of_mesh(const ConvergenceStudy& study, const StudyQuantity& quantity) {
+  const auto& value = quantity.values[study.sources_mesh];
+  if (!value || !quantity.convergence) return std::nullopt;
+  const GridConvergence& c = *quantity.convergence;
+  if (!c.has_band()) return c.high - c.low;
+  return std::max(std::abs(*value - c.low), std::abs(*value - c.high));
+}
+
+std::string largest_source(const ConvergenceStudy& study, const StudyQuantity& quantity) {
+  std::string name;
+  double largest = least_moved * quantity.scale;
+  const auto look = [&](const std::string& source, const std::optional<double>& size) {
+    if (!size || !(std::abs(*size) > largest)) return;
+    largest = std::abs(*size);
+    name = source;
+  };
+  look("mesh", error_of_mesh(study, quantity));
+  for (std::size_t s = 0; s < study.sources.size(); ++s) look(study.sources[s].name, quantity.moved[s]);
+  return name;
+}
+
+bool chance_rules(const ConvergenceStudy& study, const StudyQuantity& quantity) {
+  const auto chance = place_of_chance(study);
+  const auto of_mesh = error_of_mesh(study, quantity);
+  if (!chance || !of_mesh || !quantity.moved[*chance]) return false;
+  return *quantity.moved[*chance] > std::max(*of_mesh, least_moved * quantity.scale);
+}
+
+std::string sources_sentence(const ConvergenceStudy& study) {
+  if (study.sources.empty()) return "";
+  std::map<std::string, int> counts;
+  for (const StudyQuantity& quantity : study.quantities) {
+    const std::string source = largest_source(study, quantity);
+    if (!source.empty()) ++counts[source];
+  }
+  std::vector<std::pair<std::string, int>> sorted(counts.begin(), counts.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<std::string> parts;
+  for (const auto& [source, count] : sorted) parts.push_back(fmt::format("{} for {}", source, count));
+  return parts.empty() ? "" : fmt::format("the largest source of error is: {}", fmt::join(parts, ", "));
+}
+
+std::string sources_text(const ConvergenceStudy& study) {
+  if (study.sources.empty()) return "";
+  std::vector<std::vector<std::string>> lines{{"what moves it", "mesh"}};
+  std::vector<Align> align{Align::left, Align::right};
+  for (const StudySource& source : study.sources) {
+    lines.front().push_back(source.name);
+    align.push_back(Align::right);
+  }
+  lines.front().emplace_back("largest");
+  align.push_back(Align::left);
+  for (const StudyQuantity& quantity : study.quantities) {
+    lines.push_back({quantity.unit.empty() ? quantity.name : fmt::format("{} [{}]", quantity.name, quantity.unit),
+                     moved_cell(error_of_mesh(study, quantity))});
+    for (const auto& moved : quantity.moved) lines.back().push_back(moved_cell(moved));
+    lines.back().push_back(largest_source(study, quantity));
+  }
+  return fmt::format("on mesh {}:\n{}{}{}", study.meshes[study.sources_mesh].factor.text(), text_table(lines, align),
+                     source_notes(study), chance_notes(study));
+}
+
+}  // namespace pinball

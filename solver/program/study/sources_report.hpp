@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "convergence_study.hpp"
+
+/// What a study shows of the sources of error beside the mesh.
+namespace pinball {
+
+/// What the mesh of the sources may err by: as far as the farther end of the band is from its value; where nothing
+/// converges the spread. None: too few meshes have a value.
+std::optional<double> error_of_mesh(const ConvergenceStudy& study, const StudyQuantity& quantity);
+
+/// "mesh" or the name of a source, of the largest; empty: nothing moves the quantity by more than 1e-6 of its scale.
+std::string largest_source(const ConvergenceStudy& study, const StudyQuantity& quantity);
+
+/// Whether the deviation of the ensemble is larger than the error of the mesh.
+bool chance_rules(const ConvergenceStudy& study, const StudyQuantity& quantity);
+
+/// A line for each quantity, what the columns are, and the quantities where chance is more than the mesh; empty: there
+/// are no sources.
+std::string sources_text(const ConvergenceStudy& study);
+
+/// "the largest source of error is the mesh for 3 of them, chance for 1"; empty: there are no sources.
+std::string sources_sentence(const ConvergenceStudy& study);
+
+}  // namespace pinball

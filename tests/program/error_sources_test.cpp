@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <solver/program/study/convergence_report.hpp>
+#include <solver/program/study/error_sources.hpp>
+#include <solver/program/study/sources_report.hpp>
+
+namespace pinball {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Scene scene_at_speed(double speed) {
+  Scene scene;
+  scene.materials.resize(1);
+  scene.materials[0].density = 4;
+  scene.materials[0].bulk_modulus = 16;
+  scene.bodies.resize(2);
+  scene.bodies[1].velocity = {0, 0, speed};
+  return scene;
+}
+
+TEST(ErrorSources, EachChangesItsOwnAlone) {
+  Scene scene = scene_at_speed(-5);
+  scene.bodies[0].element = ElementSettings{};
+  const auto all =
+      vary_sources(scene, {ErrorSource::step, ErrorSource::precision, ErrorSource::hourglass, ErrorSource::chance}, 2);
+  ASSERT_EQ(all.size(), 5);
+  EXPECT_EQ(all[0].scenes[0].time.cfl, 0.45);
+  EXPECT_EQ(all[0].scenes[0].precision, Precision::float64);
+  EXPECT_EQ(all[1].scenes[0].precision, Precision::float32);
+  EXPECT_EQ(all[2].scenes[0].element.hourglass, HourglassControl::viscous);
+  EXPECT_EQ(all[2].scenes[0].element.hourglass_coefficient, 0.025);
+  EXPECT_EQ(all[3].scenes[0].bodies[0].element->hourglass, HourglassControl::stiffness);
+  ASSERT_EQ(all[4].scenes.size(), 2);
+  EXPECT_DOUBLE_EQ(all[4].scenes[0].bodies[0].velocity_noise, 5e-9);
+  EXPECT_DOUBLE_EQ(all[4].scenes[1].bodies[1].velocity_noise, 10e-9);
+  EXPECT_TRUE(vary_sources(scene, {}, 2).empty());
+}
+
+TEST(ErrorSources, ChanceIsThatOfThePrecisionAndOfSceneAtRest) {
+  Scene scene = scene_at_speed(0);
+  const auto noise = [&] {
+    return vary_sources(scene, {ErrorSource::chance}, 1)[0].scenes[0].bodies[0].velocity_noise;
+  };
+  EXPECT_DOUBLE_EQ(noise(), 1e-9 * 1e-3 * 2);
+  scene.precision = Precision::float32;
+  EXPECT_DOUBLE_EQ(noise(), 1e-5 * 1e-3 * 2);
+  scene.initial_velocities.resize(1);
+  scene.initial_velocities[0].velocity = {3, 0, 4};
+  EXPECT_DOUBLE_EQ(noise(), 1e-5 * 5);
+  const Scene moved = vary_sources(scene, {ErrorSource::chance}, 1)[0].scenes[0];
+  EXPECT_DOUBLE_EQ(moved.initial_velocities[0].velocity[2], 4 * (1 + 1e-5));
+}
+
+/// Of one quantity, with a band of 8 to 12 around 10 on the mesh of the sources, moved by chance by so much.
+ConvergenceStudy study_with(double by_step, double by_chance) {
+  ConvergenceStudy study;
+  study.scene = "scene";
+  study.meshes.resize(3);
+  study.sources = {{ErrorSource::step, "time step", "half", {}}, {ErrorSource::chance, "chance", "noise", {}}};
+  study.sources_mesh = 1;
+  StudyQuantity quantity;
+  quantity.name = "depth";
+  quantity.values = {11, 10, 10};
+  GridConvergence convergence;
+  convergence.verdict = Convergence::monotone;
+  convergence.observed_order = 1;
+  convergence.low = 9;
+  convergence.high = 12;
+  quantity.convergence = convergence;
+  quantity.moved = {by_step, by_chance};
+  quantity.mean_of_chance = 10.5;
+  study.quantities = {quantity};
+  return study;
+}
+
+TEST(SourcesReport, NamesTheLargest) {
+  const auto largest = [](const ConvergenceStudy& study) { return largest_source(study, study.quantities[0]); };
+  const ConvergenceStudy mesh = study_with(-1, 0.5);
+  EXPECT_EQ(error_of_mesh(mesh, mesh.quantities[0]), 2);
+  EXPECT_EQ(largest(mesh), "mesh");
+  EXPECT_EQ(largest(study_with(-2.5, 0.5)), "time step");
+  EXPECT_EQ(largest(study_with(-2.5, 3)), "chance");
+  ConvergenceStudy spread = mesh;
+  spread.quantities[0].convergence->verdict = Convergence::oscillating;
+  EXPECT_EQ(error_of_mesh(spread, spread.quantities[0]), 3);
+  spread.quantities[0].convergence.reset();
+  EXPECT_EQ(largest(spread), "time step");
+  spread.quantities[0].scale = 1.1e6;  // a component that is small beside the others
+  EXPECT_EQ(largest(spread), "");
+}
+
+TEST(SourcesReport, SaysWhereChanceIsMoreThanTheMesh) {
+  EXPECT_THAT(sources_text(study_with(-1, 0.5)), Not(HasSubstr("chance decides")));
+  const ConvergenceStudy study = study_with(-1, 2.5);
+  EXPECT_TRUE(chance_rules(study, study.quantities[0]));
+  EXPECT_THAT(sources_text(study), HasSubstr("depth: chance decides, 10.5 +- 2.5, more than the error of the mesh"));
+  EXPECT_EQ(sources_sentence(study), "the largest source of error is: chance for 1");
+  EXPECT_EQ(sources_text(ConvergenceStudy{}), "");
+  ConvergenceStudy small = study;
+  small.quantities[0].scale = 3e6;
+  EXPECT_FALSE(chance_rules(small, small.quantities[0]));
+}
+
+}  // namespace
+}  // namespace pinball
