@@ -87,6 +87,7 @@ struct FileMesh {
   std::optional<std::int64_t> chosen_case{};  ///< case: of a deck; none: what belongs to no case
   std::string array{};               ///< of vtk: the integers of the cells that number the parts; default: by its name
   std::shared_ptr<HeldMesh> held{};  ///< of a deck that is being run: what was read with it; null: the file is read
+  int splits = 0;  ///< so often each hexahedron is split in eight (mesh/file/split_hexahedra.hpp); files have no key
 };
 
 /// The mesh of a body in the memory of a host. It is read, and copied once, while the model is built: elements are

@@ -12,6 +12,7 @@
 #include <solver/formats/gmsh/gmsh_reader.hpp>
 #include <solver/formats/lsdyna/mesh/keyword_mesh.hpp>
 #include <solver/formats/vtk/vtk_reader.hpp>
+#include <solver/mesh/file/split_hexahedra.hpp>
 #include <solver/mesh/held_mesh.hpp>
 #include <solver/mesh/number_index.hpp>
 
@@ -62,6 +63,7 @@ MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>
   for (Point& node : file.mesh.nodes) {
     for (double& coordinate : node) coordinate *= settings.scale;
   }
+  for (int i = 0; i < settings.splits; ++i) split_hexahedra(file);
   return file;
 }
 

@@ -66,7 +66,7 @@ bool same_file(const Body& a, const Body& b) {
   const auto* other = std::get_if<FileMesh>(&b.mesh);
   return mine != nullptr && other != nullptr && mine->file == other->file && mine->format == other->format &&
          mine->chosen_case == other->chosen_case && mine->scale == other->scale && mine->array == other->array &&
-         a.axis == b.axis && a.position == b.position;
+         mine->splits == other->splits && a.axis == b.axis && a.position == b.position;
 }
 
 /// Puts the meshes of the bodies together.

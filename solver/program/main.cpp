@@ -150,8 +150,8 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
   command
       .add_option(
           "--meshes", options.meshes,
-          "K1,K2,K3,...: what multiplies the element counts of generated meshes, fractions such as 1/2 (default: "
-          "1/2,1,2 where all counts can be halved, else 1,2,3)")
+          "K1,K2,K3,...: what multiplies the element counts, fractions such as 1/2; 1, 2, 4, ... of meshes of files "
+          "(default: 1,2,4 with these, 1/2,1,2 where all counts can be halved, else 1,2,3)")
       ->check(check_not_empty);
   command
       .add_option("--only", options.only,

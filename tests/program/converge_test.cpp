@@ -185,6 +185,34 @@ TEST_F(Converge, OnlyNamesWhatIsLookedAt) {
   EXPECT_TRUE(of(json(), "energy.kinetic")["moved_by"].is_null());
 }
 
+/// The same bar from a file, split in eight and again, and as a block of as many elements.
+TEST_F(Converge, AMeshOfAFileIsSplitAsABlockIsRefined) {
+  write_scene("type = \"block\", size = [1, 1, 2], elements = [1, 1, 2]");
+  ASSERT_EQ(converge("--quiet --only mesh --meshes 1,2,4").status, 0);
+  const Json of_block = json();
+  std::string deck = "*KEYWORD\n*NODE\n";
+  for (int i = 0; i < 12; ++i) deck += fmt::format("{},{},{},{}\n", i + 1, i % 2, i / 2 % 2, i / 4);
+  deck += "*ELEMENT_SOLID\n1,1,1,2,4,3,5,6,8,7\n2,1,5,6,8,7,9,10,12,11\n*END\n";
+  std::ofstream(folder_ / "bar.k") << deck;
+  write_scene("type = \"keyword\", file = \"bar.k\"");
+  const Finished f = converge("--quiet --only mesh");
+  ASSERT_EQ(f.status, 0) << f.text;
+  const Json of_file = json();
+  EXPECT_EQ(of_file["meshes"][2]["counts"], "bar: bar.k, each element in 64");
+  EXPECT_EQ(of_file["meshes"][2]["elements"], 128);
+  for (const char* name : {"energy.kinetic", "bar_velocity_z", "wall_impulse", "tail_displacement_z:min"}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double value = of(of_block, name)["values"][i];
+      EXPECT_NEAR(of(of_file, name)["values"][i], value, 1e-9 * std::abs(value)) << name;
+    }
+  }
+  EXPECT_EQ(converge("--quiet --only mesh").status, 0);
+  EXPECT_TRUE(json()["meshes"][0]["was_there"]);
+  std::ofstream(folder_ / "bar.k") << deck << "$ another file\n";
+  EXPECT_EQ(converge("--quiet --only mesh").status, 0);
+  EXPECT_FALSE(json()["meshes"][0]["was_there"]);
+}
+
 TEST_F(Converge, ARunThatFailsIsNamedAndTheOthersCount) {
   const Finished f = converge(std::string(coarse) + "--set guard.energy_error=1e-12");
   EXPECT_EQ(f.status, 1) << f.text;
@@ -215,9 +243,9 @@ TEST_F(Converge, BadInputEndsWithTwoBeforeAnythingRuns) {
   expect_bad("--of tail_displacement", "--of tail_displacement: expected a column");
   EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_1"));  // the coarsest has shown it
   EXPECT_EQ(run("converge").status, 2);
-  const Finished file = run("converge crushed_tube --quiet --out " + out());
+  const Finished file = run("converge crushed_tube --quiet --meshes 1/2,1,2 --out " + out());
   EXPECT_EQ(file.status, 2);
-  EXPECT_THAT(file.text, HasSubstr("those of files are not refined yet"));
+  EXPECT_THAT(file.text, HasSubstr("body.tube.mesh.file: expected factors 1, 2, 4, ..., got 1/2"));
 }
 
 }  // namespace

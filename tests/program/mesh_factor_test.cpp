@@ -121,7 +121,34 @@ TEST(MeshFactor, RefusesWhatIsAnotherProblemOnAnotherMesh) {
   scene.loads.resize(1);
   scene.loads[0].each = true;
   EXPECT_THAT(problem(scene), HasSubstr("load.0.each: expected false"));
-  EXPECT_THAT(problem(scene_of(FileMesh{})), HasSubstr("body.body.mesh: expected a mesh that is generated"));
+  Scene of_file = scene_of(FileMesh{});
+  EXPECT_EQ(problem(of_file), "");
+  of_file.fixed_constraints.resize(2);
+  of_file.fixed_constraints[1].nodes.nodes = {17};
+  EXPECT_THAT(problem(of_file), HasSubstr("constraint.1.nodes: expected a set or a place"));
+  of_file.fixed_constraints.clear();
+  of_file.pressures.resize(1);
+  of_file.pressures[0].name = "load";
+  of_file.pressures[0].corners = {{1, 2, 3, 4}};
+  EXPECT_THAT(problem(of_file), HasSubstr("pressure.load.faces: expected a set or a place"));
+  of_file.pressures.clear();
+  of_file.probes.resize(1);
+  of_file.probes[0].number = 17;
+  EXPECT_EQ(problem(of_file), "") << "a node keeps its number";
+  of_file.probes[0].kind = ProbeKind::element;
+  EXPECT_THAT(problem(of_file), HasSubstr("probe..element: expected"));
+}
+
+TEST(MeshFactor, SplitsTheElementsOfFilesInEight) {
+  FileMesh file;
+  file.file = "somewhere/rod.k";
+  EXPECT_EQ(refined(file, {4, 1}).splits, 2);
+  EXPECT_EQ(refined(file, {1, 1}).splits, 0);
+  EXPECT_THAT(problem_of_refining(file, {3, 1}), HasSubstr("body.body.mesh.file: expected factors 1, 2, 4"));
+  EXPECT_THAT(problem_of_refining(file, {1, 2}), HasSubstr("got 1/2"));
+  EXPECT_EQ(element_counts(scene_of(file)), "body: rod.k");
+  EXPECT_EQ(element_counts(refined_by(scene_of(file), {4, 1})), "body: rod.k, each element in 64");
+  EXPECT_THAT(default_mesh_factors(scene_of(file)), ElementsAre(MeshFactor{1, 1}, MeshFactor{2, 1}, MeshFactor{4, 1}));
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
+#include <filesystem>
 #include <numeric>
 
 #include <solver/base/error.hpp>
@@ -87,6 +89,48 @@ std::optional<MeshFactor> parse_factor(std::string_view text) {
   return MeshFactor{factor.numerator / common, factor.denominator / common};
 }
 
+bool is_of_file(const Body& body) { return std::holds_alternative<FileMesh>(body.mesh); }
+
+/// Splits each hexahedron in eight until there are so many in each direction.
+void split_by(FileMesh& mesh, const MeshFactor& factor, const std::string& body) {
+  const auto times = static_cast<unsigned>(factor.numerator);
+  if (factor.denominator != 1 || !std::has_single_bit(times)) {
+    throw InputError(
+        fmt::format("body.{}.mesh.file: expected factors 1, 2, 4, ..., got {}: the elements of a file are split "
+                    "in eight; --meshes names others",
+                    body, factor.text()));
+  }
+  mesh.splits += std::bit_width(times) - 1;
+}
+
+/// What is chosen by the numbers of a file would be less, or another place, where its elements are split.
+void require_no_numbers(const Scene& scene) {
+  const auto fail = [](const std::string& key) {
+    throw InputError(
+        fmt::format("{}: expected a set or a place: a finer mesh has nodes and faces that no list of numbers of "
+                    "its file names",
+                    key));
+  };
+  const auto check = [&fail](const auto& items, const char* name, const auto& selection) {
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      if (!selection(items[i]).nodes.empty()) fail(fmt::format("{}.{}.nodes", name, i));
+    }
+  };
+  const auto of_nodes = [](const auto& item) -> const NodeSelection& { return item.nodes; };
+  check(scene.fixed_constraints, "constraint", of_nodes);
+  check(scene.rigid_walls, "rigid_wall", of_nodes);
+  check(scene.prescribed_velocities, "prescribed_velocity", of_nodes);
+  check(scene.loads, "load", of_nodes);
+  check(scene.initial_velocities, "initial_velocity", of_nodes);
+  check(scene.pressures, "pressure", [](const Pressure& item) -> const NodeSelection& { return item.faces; });
+  for (const Pressure& pressure : scene.pressures) {
+    if (!pressure.corners.empty()) fail(fmt::format("pressure.{}.faces", pressure.name));
+  }
+  for (const Probe& probe : scene.probes) {
+    if (probe.number && probe.kind == ProbeKind::element) fail(fmt::format("probe.{}.element", probe.name));
+  }
+}
+
 bool is_finer(const MeshFactor& a, const MeshFactor& b) { return a.value() < b.value(); }
 
 }  // namespace
@@ -117,6 +161,7 @@ std::vector<MeshFactor> parse_mesh_factors(const std::string& text) {
 }
 
 std::vector<MeshFactor> default_mesh_factors(const Scene& scene) {
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of_file)) return {{1, 1}, {2, 1}, {4, 1}};
   try {
     refined_by(scene, {1, 2});
     return {{1, 2}, {1, 1}, {2, 1}};
@@ -126,13 +171,7 @@ std::vector<MeshFactor> default_mesh_factors(const Scene& scene) {
 }
 
 void require_refinable(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    if (!std::holds_alternative<FileMesh>(body.mesh)) continue;
-    throw InputError(
-        fmt::format("body.{}.mesh: expected a mesh that is generated (block, round_nosed_rod, cylinder, sphere): those "
-                    "of files are not refined yet",
-                    body.name));
-  }
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of_file)) require_no_numbers(scene);
   if (scene.time.steps >= 0) {
     throw InputError(fmt::format("time.steps = {}: expected none, so many steps of another mesh end at another time",
                                  scene.time.steps));
@@ -147,6 +186,7 @@ void require_refinable(const Scene& scene) {
 Scene refined_by(const Scene& scene, const MeshFactor& factor) {
   Scene refined = scene;
   for (Body& body : refined.bodies) {
+    if (auto* file = std::get_if<FileMesh>(&body.mesh)) split_by(*file, factor, body.name);
     visit_counts(body, [&](const char* key, int& count, bool even) {
       const auto fail = [&](const std::string& what) {
         throw InputError(fmt::format("body.{}.mesh.{}: expected a number that {}, got {}; --meshes names others",
@@ -176,6 +216,10 @@ std::string element_counts(const Scene& scene) {
       }
     });
     std::string text;
+    if (const auto* file = std::get_if<FileMesh>(&body.mesh)) {
+      text = std::filesystem::path(file->file).filename().string();
+      if (file->splits > 0) text += fmt::format(", each element in {}", 1LL << (3 * file->splits));
+    }
     for (const auto& [key, counts] : keys) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, counts);
     bodies.push_back(fmt::format("{}: {}", body.name, text));
   }

@@ -21,18 +21,20 @@ struct MeshFactor {
 /// else than positive fractions.
 std::vector<MeshFactor> parse_mesh_factors(const std::string& text);
 
-/// Those of a scene whose user names none: 1/2, 1, 2 where all its numbers of elements can be halved, else 1, 2, 3.
+/// Those of a scene whose user names none: 1, 2, 4 with a mesh of a file; 1/2, 1, 2 where all numbers of elements can
+/// be halved, else 1, 2, 3.
 std::vector<MeshFactor> default_mesh_factors(const Scene& scene);
 
-/// Throws InputError that names the key where meshes of other sizes would not be those of the same problem: meshes of
-/// files, which are not refined yet, time.steps, loads on each node.
+/// Throws InputError that names the key where meshes of other sizes would not be those of the same problem: time.steps,
+/// loads on each node; with meshes of files also nodes, faces and elements that are listed by their numbers.
 void require_refinable(const Scene& scene);
 
-/// The scene with its meshes in that many elements. Throws InputError that names the body and the number which that
-/// does not leave whole, or not even where a section is cut through it.
+/// The scene with its meshes in that many elements; those of files are split so often in eight. Throws InputError that
+/// names the body and the number which that does not leave whole, or not even where a section is cut through it, and
+/// for meshes of files where it is no power of two.
 Scene refined_by(const Scene& scene, const MeshFactor& factor);
 
-/// "bar: core 8, ring 4, layers 80; plate: elements 10 x 10 x 2".
+/// "bar: core 8, ring 4, layers 80; plate: elements 10 x 10 x 2; tube: tube.msh, each element in 8".
 std::string element_counts(const Scene& scene);
 
 }  // namespace pinball

@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include <solver/base/error.hpp>
+#include <solver/base/state_hash.hpp>
 #include <solver/base/version.h>
+#include <solver/formats/mesh_reader.hpp>
 #include <solver/output/message.hpp>
 #include <solver/output/output_file.hpp>
 #include <solver/output/run_files.hpp>
@@ -23,6 +25,15 @@ namespace {
 
 constexpr const char* settings_name = "settings.txt";
 
+/// Of all files that a mesh is read from.
+std::uint64_t hash_of_mesh(FileMesh mesh) {
+  mesh.held.reset();  // what was read with a deck is for the model
+  mesh.splits = 0;
+  StateHash hash;
+  for (const MeshSource& source : read_mesh_file(mesh, {""}).sources) hash.add(&source.hash, sizeof(source.hash));
+  return hash.value();
+}
+
 /// What makes a run the same as another one.
 std::string settings_text(const Scene& scene) {
   std::string text = fmt::format("version = {}\ndevice = {}\n", PINBALL_VERSION, schema::name_of(scene.device));
@@ -30,6 +41,11 @@ std::string settings_text(const Scene& scene) {
   complete_scene(completed);
   for (const SceneEntry& entry : list_scene(completed)) {
     text += fmt::format("{}{}{} = {}\n", entry.table, entry.table.empty() ? "" : ".", entry.key, entry.value);
+  }
+  for (const Body& body : scene.bodies) {
+    const auto* mesh = std::get_if<FileMesh>(&body.mesh);
+    if (mesh == nullptr) continue;
+    text += fmt::format("body.{}.mesh: split {} times, file {:016x}\n", body.name, mesh->splits, hash_of_mesh(*mesh));
   }
   return text;
 }

@@ -25,9 +25,9 @@ struct StudyRun {
 };
 
 /// Runs the scene in OUT/NAME, without field output, and leaves settings.txt beside its results: all keys of the scene,
-/// the version and the device. Where that is there already, and the run was done, it reads the results instead. A run
-/// that fails, or that a signal ends, is told and made again the next time. Throws InputError for a scene that
-/// cannot be run. what: for the line that says which run it is.
+/// what its mesh files hold, the version and the device. Where that is there already, and the run was done, it reads
+/// the results instead. A run that fails, or that a signal ends, is told and made again the next time. Throws
+/// InputError for a scene that cannot be run. what: for the line that says which run it is.
 StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what,
                         const StudyFolder& folder);
 

@@ -124,6 +124,7 @@ constexpr void describe(Of<FileMesh>, Visit&& visit) {
             "name of the integers of the cells that number the parts",
             {.otherwise = "the first of known names"}}
             .only_where([](const FileMesh& mesh) { return mesh.format == MeshFormat::vtk; }));
+  visit(Field{"splits", &T::splits, "so often each hexahedron is split in eight"});
   visit(Key{"scale", &T::scale, "multiplies the coordinates", {.unit = "-", .bound = positive}});
 }
 
