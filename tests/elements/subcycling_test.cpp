@@ -7,7 +7,8 @@
 #include <solver/elements/schedule.hpp>
 #include <solver/model/step_levels.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/solver_case.hpp>
+
+#include "thin_section.hpp"
 
 /// Elements that make steps of their own: which, what is conserved, and that the answer stays the same.
 namespace pinball {
@@ -38,18 +39,6 @@ TEST(StepLevels, AreLowerWhereEachStepCostsMuch) {
 TEST(StepLevels, GroupsWithoutElementsLimitNothing) {
   EXPECT_THAT(choose_levels({{infinite, 0}, {4, 10}, {8, 10}}, 0)[2], 1);
   EXPECT_THAT(choose_levels({{infinite, 0}}, 0), ElementsAre(0));
-}
-
-/// A bar of cubes of size 1 along x with a thin section in its middle.
-Scene bar_with_thin_section(double end, int across = 2) {
-  constexpr int along = 12, thin = 8;
-  Body bar = block("bar", {2 * along + thin, across, across}, 1, {0, 0, 0});
-  auto& mesh = std::get<BlockMesh>(bar.mesh);
-  mesh.size[0] = 2 * along + 1;
-  mesh.sections[0] = {{static_cast<double>(along), along}, {1, thin}, {static_cast<double>(along), along}};
-  Scene scene = scene_of({bar}, end, false);
-  scene.time.subcycling = true;
-  return scene;
 }
 
 TEST(StepLevels, AnElementAtASmallOneMakesItsStep) {
