@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include <kernels/exec/array.hpp>
+#include <solver/base/error.hpp>
 #include <solver/contact/impulses/impulse_solver.hpp>
 
 /// Impulses of two nodes that touch, or of a few, through the solver of impulses, against what can be worked out by
@@ -98,19 +100,25 @@ TEST(ImpulsesOfTwoNodes, ClosesTheGapOfANodeThatIsHeldObliquely) {
 /// Both nodes slide all the time: what acts across the direction is mu times what acts along it, against the sliding.
 /// The coefficient is that of the velocity with which they have slid.
 TEST(ImpulsesOfTwoNodes, RubsWithTheCoefficientOfTheSlidingVelocity) {
-  for (const double sliding : {0.5, 2.0, 7.0, 40.0}) {
-    for (const double decay : {0.0, 0.05, 0.3}) {
-      const double at_rest = 0.4, kinetic = 0.1;
-      Nodes nodes({2.0, 3.0});
-      nodes.set_velocity(0, {100 + sliding, 0, -1e-2});  // hardly any of the sliding is stopped
-      nodes.set_velocity(1, {100, 0, 0});
-      ImpulseSolver<double> solver(coupled(kinetic, at_rest, decay), 2, {2, {}});
-      solve_pair(solver, nodes, {0, 0, 1}, 0);
-      const Vec3<double> force = nodes.force_of(0);
-      ASSERT_GT(force.z, 0);
-      const double expected = decay > 0 ? kinetic + (at_rest - kinetic) * std::exp(-decay * sliding) : kinetic;
-      EXPECT_NEAR(-force.x / force.z, expected, 1e-12) << "sliding at " << sliding << ", decay " << decay;
-      EXPECT_NEAR(force.y, 0, 1e-15);
+  const double at_rest = 0.4, kinetic = 0.1;
+  for (const auto& [across, way] : {std::pair{Vec3<double>{0, 0, 1}, Vec3<double>{1, 0, 0}},
+                                    {Vec3<double>{0, 1, 0}, unit({-1, 0, 2})},
+                                    {unit({1, 2, 3}), unit({3, 0, -1})},
+                                    {unit({1, 2, 3}), unit({-2, 1, 0})}}) {
+    for (const double sliding : {0.5, 2.0, 7.0, 40.0}) {
+      for (const double decay : {0.0, 0.05, 0.3}) {
+        Nodes nodes({2.0, 3.0});
+        nodes.set_velocity(0, (100 + sliding) * way - 1e-2 * across);  // hardly any of the sliding is stopped
+        nodes.set_velocity(1, 100.0 * way);
+        ImpulseSolver<double> solver(coupled(kinetic, at_rest, decay), 2, {2, {}});
+        solve_pair(solver, nodes, across, 0);
+        const Vec3<double> force = nodes.force_of(0);
+        const double along = dot(force, across);
+        ASSERT_GT(along, 0);
+        const double expected = decay > 0 ? kinetic + (at_rest - kinetic) * std::exp(-decay * sliding) : kinetic;
+        EXPECT_NEAR(-dot(force, way) / along, expected, 1e-12) << "sliding at " << sliding << ", decay " << decay;
+        EXPECT_NEAR(dot(force, cross(across, way)), 0, 1e-15);
+      }
     }
   }
 }
@@ -131,6 +139,83 @@ TEST(ImpulsesOfTwoNodes, PushesADepthOutByATenthInAStep) {
     const double apart = (nodes.force_of(0).z / nodes.mass[0]) - (nodes.force_of(1).z / nodes.mass[1]);
     EXPECT_NEAR(apart, 0.1 * depth, 1e-12) << "of an energy of " << 0.5 * reduced * speed * speed;
   }
+}
+
+/// Deeper by something else than approach, as where erosion has exposed a face: that is not pushed out, whatever the
+/// pair has taken out before.
+TEST(ImpulsesOfTwoNodes, DoNotPushOutWhatHasNotComeInByApproach) {
+  Nodes nodes({2.0, 3.0});
+  nodes.set_velocity(0, {0, 0, -4});
+  ImpulseSolver<double> solver(coupled(), 2, {2, {}});
+  for (const double depth : {-0.5, 0.0, 0.0}) {  // stopped in two steps, and what the last one releases
+    solve_pair(solver, nodes, {0, 0, 1}, depth);
+    EXPECT_GT(nodes.force_of(0).z, 0.1);
+    for (const std::int32_t n : {0, 1}) nodes.take_force(n);
+  }
+  nodes.set_velocity(0, nodes.velocity_of(1));
+  solve_pair(solver, nodes, {0, 0, 1}, 0.25);
+  EXPECT_NEAR(nodes.force_of(0).z, 0, 1e-12);
+}
+
+/// The change of the one that is easier to move, of what closes within two steps.
+TEST(ImpulsesOfTwoNodes, ExpectTheChangeOfTheLighterOne) {
+  const auto expected = [](const Vec3<double>& direction, double speed, double depth, std::vector<HeldDirection> held) {
+    Nodes nodes({2.0, 3.0});
+    nodes.set_velocity(0, -speed * direction);
+    ImpulseSolver<double> solver(coupled(), 2, {2, std::move(held)});
+    solver.begin_rows();
+    solver.add_row(0, 1, direction, depth, 1.0);
+    solver.add_node(0, -1);
+    solver.add_node(1, 1);
+    solver.finish_rows(nodes, 1.0);
+    return solver.expected_change(nodes, 1.0);
+  };
+  const double share = (1 / 2.0) / (1 / 2.0 + 1 / 3.0);
+  for (const Vec3<double>& direction : {Vec3<double>{1, 0, 0}, Vec3<double>{0, 0, -1}, unit({1, -2, 3})}) {
+    EXPECT_NEAR(expected(direction, 4, 0, {}), 4 * share, 1e-12);
+    EXPECT_NEAR(expected(direction, 4, -7.9, {}), 4 * share, 1e-12);
+    EXPECT_EQ(expected(direction, 4, -8.1, {}), 0) << "closes later";
+    EXPECT_EQ(expected(direction, -4, 0, {}), 0) << "opens";
+    EXPECT_NEAR(expected(direction, 4, 0, {{1, {1, 0, 0}}, {1, {0, 1, 0}}, {1, {0, 0, 1}}}), 4, 1e-12)
+        << "all is the other's, where one is held";
+  }
+  EXPECT_EQ(expected({1, 0, 0}, 4, 0, {{0, {1, 0, 0}}, {1, {1, 0, 0}}}), 0) << "both are held";
+  // Of the mobilities 1/2 and (1 - 0.6^2) / 3 along the direction.
+  EXPECT_NEAR(expected({0.6, 0, 0.8}, 4, 0, {{1, {1, 0, 0}}}), 4 * 0.5 / (0.5 + 0.64 / 3), 1e-12);
+}
+
+/// Numbers of a row's nodes that are none of the nodes that there are.
+TEST(ImpulsesOfTwoNodes, AreNotReadWithNodesThatAreNone) {
+  Nodes nodes({1, 1, 1, 1, 1, 1, 1, 1, 2, 3});
+  nodes.set_velocity(7, {0, 0, -4});
+  ImpulseSolver<double> solver(coupled(), 10, {10, {}});
+  solver.begin_rows();
+  solver.add_row(7, 9, {0, 0, 1}, 0, 1.0);
+  solver.add_node(7, -1);
+  solver.add_node(9, 1);
+  solver.finish_rows(nodes, 1.0);
+  solver.solve(nodes, {1.0, 1.0});
+  StateBytes bytes;
+  StateArchive::save(bytes, [&](StateArchive& archive) { solver.persist(archive, nodes); });
+  const auto read = [&] {
+    StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+    ImpulseSolver<double>(coupled(), 10, {10, {}}).persist(archive, nodes);
+  };
+  EXPECT_NO_THROW(read());
+  const std::int32_t places[2] = {0, 1};  // of the nodes of the row, in the list 7, 9
+  int found = 0;
+  for (std::size_t at = 0; at + sizeof places <= bytes.size(); at += sizeof places[0]) {
+    std::uint64_t count = 0;
+    if (at >= sizeof count) std::memcpy(&count, bytes.data() + at - sizeof count, sizeof count);
+    if (count != 2 || std::memcmp(bytes.data() + at, places, sizeof places) != 0) continue;
+    ++found;
+    for (const std::int32_t none : {2, -1}) {
+      std::memcpy(bytes.data() + at + sizeof none, &none, sizeof none);
+      EXPECT_THROW(read(), InputError) << none;
+    }
+    std::memcpy(bytes.data() + at, places, sizeof places);
+  }
+  EXPECT_EQ(found, 1);
 }
 
 /// A node closes a gap, is stopped, pressed on without moving, and let go. In the step after the last that pushes it
