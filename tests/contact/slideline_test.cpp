@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <solver/contact/segments/segment_surface.hpp>
@@ -196,6 +197,35 @@ TEST_P(Slideline, ANodeThatSlidesOverAnEdgeIsFree) {
   run_to_end(solver);
   EXPECT_GT(position_of(solver, 64)[0], 0.4) << "it is to have left";
   EXPECT_NEAR(velocity_of_body(solver, 1)[0], before, 0.01 * before);
+}
+
+/// Two blocks of elements of size 1/8, the lower with its top at z = 0 and wider, the upper so deep in it. Returns the
+/// pairs of their first step.
+std::int64_t pairs_at_depth(const Scene& contact, double depth, double speed) {
+  const double h = 0.125;
+  Scene scene = contact;
+  scene.bodies = {block("a", {6, 6, 3}, h, {-3 * h, -3 * h, -3 * h}),
+                  block("b", {2, 2, 2}, h, {-0.9 * h, -0.9 * h, -depth}, {0, 0, -speed})};
+  Solver<double> solver(scene);
+  solver.step();
+  return solver.counts().pairs();
+}
+const double radius_of_eighths = 0.125 * std::cbrt(3 / (4 * M_PI));
+
+/// As deep as the radius of a segment is the most that a node has come in through it at once.
+TEST_P(Slideline, WhatIsDeepFromTheStartTouchesNothing) {
+  const Scene scene = slideline(scene_of({}, 1e-4));
+  EXPECT_GT(pairs_at_depth(scene, 0.95 * radius_of_eighths, 10), 0);
+  EXPECT_EQ(pairs_at_depth(scene, 1.05 * radius_of_eighths, 10), 0);
+}
+
+/// Of springs: what rests on another body does not touch it.
+TEST(SlidelineSprings, LeaveGapsOfRoundOffAlone) {
+  Scene scene = scene_of({}, 1e-4);
+  scene.contact.method = ContactMethod::slideline;
+  const double round_off = 4096 * std::numeric_limits<double>::epsilon() * radius_of_eighths;
+  EXPECT_EQ(pairs_at_depth(scene, 0.98 * round_off, 0), 0);
+  EXPECT_GT(pairs_at_depth(scene, 1.02 * round_off, 0), 0);
 }
 
 TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
