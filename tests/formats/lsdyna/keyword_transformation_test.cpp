@@ -49,8 +49,10 @@ TEST(KeywordTransformation, TurnsAboutAnyAxisThroughAnyPoint) {
     expect_moved(t, along(through, aside, 2), turned);
     EXPECT_NEAR(t.determinant(), 1, 1e-12);
   }
-  const std::string nodes = "ROTATE,7,8,9,0,0,0,0\n";
-  EXPECT_THAT(error_of([&] { transformation_of(nodes); }), HasSubstr("ROTATE about two nodes or points is not read"));
+  for (const char* nodes : {"ROTATE,7,8,9,0,0,0,0\n", "ROTATE,1,8,9\n", "ROTATE,1,0,9\n"}) {
+    EXPECT_THAT(error_of([&] { transformation_of(nodes); }), HasSubstr("ROTATE about two nodes or points is not read"));
+  }
+  expect_moved(transformation_of("ROTATE,0,8,9,0,0,0,0\n"), {1, 2, 3}, {1, 2, 3});  // by an angle of nothing
   EXPECT_THAT(error_of([] { transformation_of("ROTATE,0,0,0,1,2,3,90\n"); }), HasSubstr("a vector of no length"));
 }
 
