@@ -7,6 +7,7 @@
 #include <solver/base/error.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/section.hpp>
 
 #include "mesh_counts.hpp"
 
@@ -127,6 +128,33 @@ TEST(RoundNosedRod, VolumeConvergesWithSecondOrder) {
     previous = deficit;
   }
   EXPECT_LT(previous, 0.0035);
+}
+
+/// At the rear, in the way that section.hpp says: seen from the axis, the sides of the core are between straight lines
+/// and the circle through its corners, which is as far from the circle of the rod as edges of the ring are to be long.
+TEST(RoundNosedRod, HasACoreBetweenARectangleAndACircle) {
+  for (const auto& settings : {rod(7, 1.3, {4, 3}, 2, 30), rod(10, 1, {2, 2}, 1, 41), rod(5, 1, {3, 5}, 4, 9)}) {
+    const int p = settings.core[0], q = settings.core[1], columns = p + 2 * q;
+    const double corner = settings.radius / (1 + core_edge * M_PI / columns * settings.ring);
+    const double top_angle = 0.5 * M_PI * p / columns;  // of the corner, from the y axis
+    const Mesh mesh = generate_round_nosed_rod(settings);
+    for (int column = 0; column <= columns; ++column) {
+      const double angle = 0.5 * M_PI * (columns - 2 * column) / columns, x = std::sin(angle), y = std::cos(angle);
+      const bool top = std::abs(angle) < top_angle + 1e-9;
+      const double straight = corner * (top ? std::cos(top_angle) / y : std::sin(top_angle) / std::abs(x));
+      const double expected = (1 - core_bulge) * straight + core_bulge * corner;
+      const auto along = [&](const Point& node) {  // all on a ray from the axis, by their distance from it
+        return std::abs(node[2] + settings.length) < 1e-12 && std::abs(node[0] * y - node[1] * x) < 1e-12 &&
+               node[0] * x + node[1] * y > 0;
+      };
+      double nearest = 2 * settings.radius;
+      for (const Point& node : mesh.nodes) {
+        const double r = std::hypot(node[0], node[1]);
+        if (along(node) && std::abs(r - expected) < std::abs(nearest - expected)) nearest = r;
+      }
+      EXPECT_NEAR(nearest, expected, 1e-12) << p << " x " << q << ", column " << column;
+    }
+  }
 }
 
 TEST(RoundNosedRod, NodesLieWithinAndOnTheSurface) {
