@@ -88,6 +88,30 @@ TEST(Pressure, OnABodyIsOnEveryExposedFaceOnce) {
   EXPECT_NEAR(volume, 12 * h * h * h, 1e-15);
 }
 
+/// The faces of a set, whatever a set of nodes of the same name has, and of them those that all else selects.
+TEST(Pressure, OnASetOfFacesIsOnThese) {
+  ModelMesh mesh = build_model<double>(scene_of({block("a", {2, 1, 1}, 1, {0, 0, 0})}, 1)).mesh;
+  const auto node = [&](const Point& x) {
+    return static_cast<std::int32_t>(std::ranges::find(mesh.nodes, x) - mesh.nodes.begin());
+  };
+  const std::array<std::int32_t, 4> left{node({0, 0, 1}), node({1, 0, 1}), node({1, 1, 1}), node({0, 1, 1})},
+      right{node({1, 0, 1}), node({2, 0, 1}), node({2, 1, 1}), node({1, 1, 1})};
+  FileNodes file;
+  file.path = "a.k";
+  file.sets = {{1, "1", {0}}};
+  file.face_sets = {{1, "1", {left, right}, ""}};
+  mesh.files = {file};
+  mesh.file_of_body = {0};
+  Pressure pressure = pressure_on("a", 1);
+  pressure.faces.set = "1";
+  const std::vector<PressedFace> both = pressed_faces(mesh, {}, pressure);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_EQ(both[0].element, 0);
+  EXPECT_EQ(both[1].element, 1);
+  pressure.faces.plane = Plane{{1, 0, 0}, {1, 0, 0}};
+  EXPECT_THROW(pressed_faces(mesh, {}, pressure), InputError);
+}
+
 /// Of any warped face, by Gauss' rule with 3 x 3 points, exact for it: p N_i over dx/dxi x dx/deta, inwards.
 TEST(Pressure, OnEachCornerOfAWarpedFaceIsItsIntegral) {
   std::mt19937 random(17);
