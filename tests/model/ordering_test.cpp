@@ -67,6 +67,23 @@ TEST(CompactTiles, LieInRowsAlongTheirLongestDirection) {
   }
 }
 
+/// Layers are of elements whose centres are nearer to theirs than to the next ones.
+TEST(CompactTiles, LieInLayersThatNeedNotBeFlat) {
+  const std::vector<Point> points = lattice(40, 3, 2), unit(points.size(), Point{1, 1, 1});
+  std::vector<Point> rough = points;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-0.24, 0.24);
+  for (Point& p : rough) {
+    for (double& x : p) x += any(random);  // layers are counted from the lowest element
+  }
+  for (const std::int64_t largest : {300, 64}) {
+    const TileOrder flat = compact_tiles(points, unit, all_of(points), largest, 8);
+    const TileOrder tiles = compact_tiles(rough, unit, all_of(points), largest, 8);
+    EXPECT_EQ(tiles.offsets, flat.offsets);
+    EXPECT_EQ(tiles.order, flat.order);
+  }
+}
+
 TEST(CompactTiles, AreWholePacksButTheLastAndNotLargerThanAsked) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(0, 1);
