@@ -64,6 +64,20 @@ TEST(ChangedVelocities, AreTakenFromAStateThatIsSavedBeforeTheNextStep) {
   EXPECT_GT(whole.energies().external, 0);  // what the host's change has brought
 }
 
+/// The momentum that a run begins with is the one that the host has given it, also for who goes on from there.
+TEST(ChangedVelocities, BeforeTheFirstStepAreWhatTheRunBeginsWith) {
+  const Scene scene = slow_impact();
+  Solver<double> whole(scene);
+  throw_first_body(whole);
+  const Point thrown = momentum(whole.model());
+  EXPECT_NEAR(thrown[0], 7850 * 0.027 * 2e5, 1e-9 * thrown[0]);
+  whole.step();
+  EXPECT_EQ(whole.initial_momentum(), thrown);
+  Solver<double> restarted(scene);
+  EXPECT_EQ(load(restarted, saved(whole)), 0U);
+  EXPECT_EQ(restarted.initial_momentum(), thrown);
+}
+
 /// The number of element steps left out because their tiles rest.
 template <class Look>
 std::int64_t resting_steps(const Look& look) {
