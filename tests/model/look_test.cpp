@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include <solver/model/model.hpp>
 #include <solver/scene_rules.hpp>
 #include <tests/support/solver_case.hpp>
@@ -103,6 +105,24 @@ TEST(LookAtContact, OfWhatTurnsKnowsHowFarItReaches) {
   EXPECT_EQ(decided(scene), ContactMethod::none);
   scene.bodies[0].angular_velocity = {1, 0, 0};
   scene.bodies[1].position = {0, 0, 3.2};  // its corners come by
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+  const double reach = 1.5 + 1.5 * std::sqrt(3.0);
+  scene.bodies[1].position = {0, 0, reach - 0.05};
+  EXPECT_EQ(decided(scene), ContactMethod::pinball);
+  scene.bodies[1].position = {0, 0, reach + 0.05};
+  EXPECT_EQ(decided(scene), ContactMethod::none);
+}
+
+/// What flies by the corner of the box around a slanted bar does not meet the bar.
+TEST(LookAtContact, OfASlantedBodyIsOffBesideIt) {
+  Scene scene = two_cubes({});
+  scene.bodies[1].mesh = BlockMesh{{1, 1, 30}, {1, 1, 30}};
+  scene.bodies[1].position = {0, 0, 0};
+  scene.bodies[1].axis = {1, 0, 1};  // up to 21 along x and z
+  scene.bodies[0].position = {16, 0, -10};
+  scene.bodies[0].velocity = {0, 0, 12};
+  EXPECT_EQ(decided(scene), ContactMethod::none);
+  scene.bodies[0].velocity = {0, 0, 30};
   EXPECT_EQ(decided(scene), ContactMethod::pinball);
 }
 
