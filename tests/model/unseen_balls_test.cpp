@@ -102,15 +102,17 @@ TEST(UnseenBalls, FacesThatLookAwayAndBetweenPlanesOfSymmetryDoNotCount) {
   // Bars one element wide between planes of symmetry: nothing is beside anything.
   Scene bars = scene_of({column("a", {1, 1, 3}, 1.35, 0), column("b", {1, 1, 3}, 1.35, 4.5)}, 1);
   bars.contact.radius_factor = 0.9;
-  EXPECT_GT(depth(bars), 0.25);
-  for (std::size_t k = 0; k < 2; ++k) {
-    for (const double at : {0.0, 1.0}) {
-      PlaneConstraint plane;
-      plane.point[k] = at;
-      plane.normal[k] = 1;
-      bars.constraints.push_back(plane);
-    }
-  }
+  const double apart = depth(bars);
+  EXPECT_GT(apart, 0.25);
+  const auto mirror_at = [&](std::size_t k, double at) {
+    PlaneConstraint plane;
+    plane.point[k] = at;
+    plane.normal[k] = 1;
+    bars.constraints.push_back(plane);
+  };
+  for (std::size_t k = 0; k < 2; ++k) mirror_at(k, 0.0);
+  EXPECT_EQ(depth(bars), apart) << "one plane in a direction has elements beside it";
+  for (std::size_t k = 0; k < 2; ++k) mirror_at(k, 1.0);
   EXPECT_EQ(depth(bars), 0);
 }
 
