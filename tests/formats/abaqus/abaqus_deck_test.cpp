@@ -118,6 +118,8 @@ TEST(AbaqusDeck, KnowsWhereAKeywordStands) {
 TEST(AbaqusDeck, WhatIsNotClosedIsToldWithItsPlace) {
   EXPECT_EQ(error_of("*HEADING\n*PART, NAME=p\n*NODE\n"),
             "a.inp:2: *PART: expected *END PART before the end of the deck");
+  EXPECT_EQ(error_of("*PART, NAME=p\n*END PART\n*INSTANCE, NAME=i, PART=p\n*NSET, NSET=s\n"),
+            "a.inp:3: *INSTANCE: expected *END INSTANCE before the end of the deck");
   EXPECT_THAT(error_of("*END PART\n"), HasSubstr("a.inp:1: *END PART: nothing is open that it closes"));
   EXPECT_THAT(error_of("*STEP\n*STEP\n"), HasSubstr("a.inp:2: *STEP: the step before it is not closed"));
   const std::string part = "*PART, NAME=p\n", instance = "*INSTANCE, NAME=i, PART=p\n";
