@@ -50,6 +50,7 @@ TEST_F(DeckMaterials, RatesScaleEveryKindOfHardening) {
   EXPECT_THAT(scaled("300", "0,0,0,6", "0,0.2\n250,350\n").stress, ElementsAre(375, 525));
   const YieldCurve linear = scaled("300,2100", "0,0,0,6");
   EXPECT_THAT(linear.plastic_strain, ElementsAre(0, 1));
+  EXPECT_NEAR(linear.stress[0], 1.5 * 300, 1e-9);
   EXPECT_NEAR(linear.stress[1] - linear.stress[0], 1.5 * 210000. * 2100 / (210000 - 2100), 1e-9);
 }
 
