@@ -165,6 +165,7 @@ TEST(KeywordDeck, AKeywordMayHaveOtherColumnsThanItsFile) {
   EXPECT_THAT(wide("*KEYWORD 2000000 I10=Y\n*NODE\n*NODE-\n*keyword_id\nproject\n*NODE\n"),
               ElementsAre(true, false, true));
   EXPECT_THAT(wide("*KEYWORD\n*NODE%\n*NODE \n"), ElementsAre(true, false));
+  EXPECT_THAT(wide("*KEYWORD I10 =\tY\n*NODE\n"), ElementsAre(true)) << "blanks mean nothing";
 }
 
 TEST(KeywordDeck, CardsOfTwentyColumnsAreThoseOfTheFileOrOfAKeyword) {
@@ -174,6 +175,7 @@ TEST(KeywordDeck, CardsOfTwentyColumnsAreThoseOfTheFileOrOfAKeyword) {
     return all;
   };
   EXPECT_THAT(twenty("*KEYWORD LONG=Y\n*NODE\n*NODE-\n*NODE -\n"), ElementsAre(true, false, false));
+  EXPECT_THAT(twenty("*KEYWORD LONG = Y\n*NODE\n"), ElementsAre(true));
   EXPECT_THAT(twenty("*KEYWORD LONG=K\n*NODE\n*NODE+\n*NODE +\n"), ElementsAre(false, true, true));
   const KeywordDeck deck = parse_keyword_deck("*KEYWORD LONG=Y\n*PARAMETER\nR speed             300.0\n*NODE\n", "a.k");
   EXPECT_EQ(deck.parameters.value("&speed", deck.blocks[0].place), "300");
