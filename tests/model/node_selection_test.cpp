@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <solver/model/selection/named_nodes.hpp>
 #include <solver/model/selection/near_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/results/warnings.hpp>
@@ -99,6 +100,23 @@ TEST(NodeSelection, OfASymmetryPlaneHidesTheFacesInIt) {
   const std::int32_t exact = surface();
   scene.constraints[0].point = {7.00002, 0, 0};
   EXPECT_EQ(surface(), exact);
+}
+
+/// Sets and numbers are those of one file, which has to be named where there are several.
+TEST(NodeSelection, TakesNamesOfAFileThatIsNamedOrTheOnlyOne) {
+  ModelMesh mesh;
+  const auto error = [&](const char* name) { return error_of([&] { file_of(mesh, name, "here"); }); };
+  EXPECT_THAT(error(""),
+              HasSubstr("here: sets and numbers of nodes are those of a mesh file, and no body is from one"));
+  mesh.files.resize(1);
+  mesh.files[0].path = "meshes/rod.k";
+  EXPECT_EQ(&file_of(mesh, "", "here"), mesh.files.data());
+  mesh.files.resize(2);
+  mesh.files[1].path = "meshes/plate.k";
+  EXPECT_THAT(error(""), HasSubstr("here: expected file, the mesh file that the set or the numbers are of"));
+  EXPECT_EQ(&file_of(mesh, "plate.k", "here"), &mesh.files[1]);
+  EXPECT_EQ(&file_of(mesh, "rod.k", "here"), mesh.files.data());
+  EXPECT_THAT(error("plat.k"), HasSubstr("no body is from a mesh file plat.k, nearest is meshes/plate.k"));
 }
 
 }  // namespace
