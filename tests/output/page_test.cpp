@@ -195,6 +195,19 @@ TEST_F(RunPage, HasTheNumbersAndEveryKey) {
   EXPECT_THAT(text, HasSubstr("id=\"status\">done<"));
 }
 
+/// Numbers beyond those of a double are none; the row counts, and so does what stands behind them.
+TEST_F(RunPage, LeavesOutNumbersThatAreNone) {
+  const std::string path = (folder_.path / "history.csv").string();
+  std::ofstream(path) << "step,time,kinetic\n1,1e999,3\n2,0.5,-1e-999\n3,inf,7\n4,x,9\n";
+  const Curves curves = read_history(path);
+  ASSERT_EQ(curves.rows.size(), 3U);
+  EXPECT_TRUE(std::isnan(curves.rows[0][1]));
+  EXPECT_EQ(curves.rows[0][2], 3);
+  EXPECT_TRUE(std::isnan(curves.rows[1][2]));
+  EXPECT_EQ(curves.rows[1][1], 0.5);
+  EXPECT_EQ(curves.rows[2][2], 7);
+}
+
 /// No column of the page has another's numbers: every number of a row is one of its own.
 TEST_F(RunPage, HasEachColumnOfTheHistoryUnderItsName) {
   const std::vector<std::string> names = history_column_names({"b"}, {"more"});

@@ -12,6 +12,7 @@
 #include <solver/base/error.hpp>
 #include <solver/output/checkpoint.hpp>
 #include <solver/output/folder_lock.hpp>
+#include <solver/output/history.hpp>
 #include <solver/output/out_of_memory.hpp>
 #include <solver/output/recorder.hpp>
 #include <solver/output/run_folder.hpp>
@@ -315,6 +316,12 @@ TEST_F(RunFolders, AFileSystemWithoutLocksGivesAWarning) {
   });
   EXPECT_THAT(lock.warning(), HasSubstr("has no locks"));
   EXPECT_EQ(FolderLock(folder_.path.string()).warning(), "");
+}
+
+TEST_F(RunFolders, AHistoryThatCannotBeOpenedIsNamed) {
+  std::filesystem::create_directory(folder_ / "history.csv");
+  EXPECT_THAT(error_of<RunError>([&] { HistoryWriter(folder_.path.string(), {}); }),
+              testing::AllOf(HasSubstr("history.csv: "), HasSubstr("directory")));
 }
 
 }  // namespace
