@@ -70,6 +70,10 @@ TEST(Forecast, StopsWhereTheNumberOfStepsIsBounded) {
   const ExpectedRun run = after(Forecast(scene, 0, 0), 10);
   EXPECT_NEAR(run.steps, 50, 1e-9);
   EXPECT_NEAR(run.time, 0.05, 1e-9);
+  const ExpectedRun whole = after(Forecast(scene, 0, 0), 50);
+  EXPECT_EQ(whole.steps, 50);
+  EXPECT_EQ(whole.seconds, 100);
+  EXPECT_EQ(after(Forecast(scene, 0, 0), 51).steps, 51) << "what is made is made";
 }
 
 TEST(Forecast, CountsContactAndElementsThatAreStillToCome) {
