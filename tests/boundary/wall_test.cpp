@@ -169,6 +169,27 @@ TEST(RigidWall, WithoutSlidingHoldsNodesWhereTheyTouch) {
   EXPECT_GT(position_of(solver, 40)[0], touched[0]);
 }
 
+/// Nodes that may not move along a direction are stopped along the wall's as far as that lets them, and stay with it,
+/// whatever the angle between both.
+TEST(RigidWall, LeavesNodesWithTheDirectionInWhichTheyAreHeld) {
+  for (const double cosine : {0.1, 0.25, 0.7}) {
+    Scene scene = falling_block(1e-4);
+    const Point held{std::sqrt(1 - cosine * cosine), 0, cosine};
+    for (std::size_t k = 0; k < 3; ++k) scene.bodies[0].velocity[k] = 10 * (cosine * held[k] - (k == 2 ? 1 : 0));
+    FixedConstraint rail;
+    rail.nodes.body = "a";
+    rail.directions = {held};
+    scene.fixed_constraints = {rail};
+    Solver<double> solver(scene);
+    run(solver);
+    EXPECT_GT(wall_of(solver).force, 0) << cosine;
+    for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+      EXPECT_NEAR(dot(velocity_of(solver, n), held), 0, 1e-9) << cosine;
+      EXPECT_GT(position_of(solver, n)[2], -1e-9) << cosine;
+    }
+  }
+}
+
 TEST(RigidWall, TakesTheNodesOfASelectionAlone) {
   Scene scene = falling_block();
   scene.rigid_walls[0].nodes.box = Box{{0.05, 0.05, -1}, {0.15, 0.15, 1}};
