@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <set>
+#include <utility>
 
 #include <solver/elements/resting_tiles.hpp>
 #include <tests/support/solver_case.hpp>
@@ -61,6 +62,30 @@ Scene scene_file(const std::string& name, std::int64_t steps) {
   Scene scene = read_scene(find_scene(name));
   scene.time.steps = steps;
   return scene;
+}
+
+/// One number of one element that is not zero, of any that it may have.
+TEST(RestingTiles, HaveNothingThatElementsKeep) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {3, 0, 0})}, 1, false);
+  scene.materials = {plastic_material("steel", 1e8, 0)};
+  scene.materials[0].isotropic_share = 0.5;
+  scene.element.bulk_viscosity = true;
+  Model<double> model = build_model<double>(scene);
+  const auto rests = [&] { return RestingTiles<double>(model).rests(0); };
+  EXPECT_TRUE(rests());
+  auto& e = model.elements;
+  int kept = 0;
+  for (Array<double>* array :
+       {&e.stress, &e.plastic_strain, &e.hourglass_state, &e.viscous_stress, &e.material_state}) {
+    ++kept;
+    ASSERT_GT(array->size(), 0U) << kept;
+    for (const std::size_t at : {std::size_t(0), array->size() - 1}) {
+      const double before = std::exchange((*array)[at], 1e-30);
+      EXPECT_FALSE(rests()) << kept;
+      (*array)[at] = before;
+    }
+  }
+  EXPECT_TRUE(rests());
 }
 
 TEST(SkippedTiles, ChangeNothingInRodPlate) {
