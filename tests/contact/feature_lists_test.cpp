@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
 #include <random>
 #include <set>
 #include <span>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include <solver/contact/faces/feature_lists.hpp>
+#include <tests/support/cube_text.hpp>
+#include <tests/support/output_case.hpp>
 #include <tests/support/support.hpp>
 
 #include "eroding_block.hpp"
@@ -184,6 +187,38 @@ TEST(FeatureLists, ThatHoldNoLongerDoNotFollowErosion) {
   blocks.erode_next(30);
   EXPECT_FALSE(blocks.follow(lists));
   EXPECT_EQ(lists.entries(), before);
+}
+
+/// Two cubes of two bodies that have four nodes in common: none of these is listed with a face of an element that it
+/// belongs to itself, whichever body that is of.
+TEST(FeatureLists, OfBodiesThatHaveNodesInCommonHaveNoNodeWithItsOwnElement) {
+  const TemporaryFolder folder("joined");
+  std::ofstream(folder / "cubes.k") << "*KEYWORD\n*NODE\n" + cube_lines(1) + square_lines(9, 2) +
+                                           "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n2,2,5,6,7,8,9,10,11,12\n*END\n";
+  Scene scene = scene_of({block("a", {1, 1, 1}, 1, {0, 0, 0}), block("b", {1, 1, 1}, 1, {0, 0, 0})}, 1);
+  for (std::size_t b = 0; b < 2; ++b) {
+    scene.bodies[b].mesh = FileMesh{MeshFormat::keyword, folder / "cubes.k", std::to_string(b + 1), 1.0};
+  }
+  Model<double> model = build_model<double>(scene);
+  ASSERT_EQ(model.mesh.nodes.size(), 12U);
+  constexpr double dt = 1e-5;
+  Random random(3);
+  auto& v = model.nodes.velocity;
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = 0.5 / (horizon_steps * dt) * uniform(random, -1, 1);
+  const ModelSurface<double> source(model);
+  const SegmentSurface<double> surface(source, surface_topology(model));
+  EdgeTable<double> edges;
+  edges.collect(surface);
+  Lists lists;
+  lists.count_step(dt);
+  lists.build(source, surface, edges, SphereSurface<double>(source, surface.topology()), scene.contact,
+              std::vector<float>(12, 0), dt, true);
+  const Pairs nodes = all_of(lists.nodes());
+  EXPECT_FALSE(nodes.empty());
+  for (const auto& [slave, segment] : nodes) {
+    const std::array<std::int32_t, 8>& corners = surface.segments()[segment].corners;
+    EXPECT_EQ(std::ranges::count(corners, surface.slaves()[slave].node), 0) << slave << ", " << segment;
+  }
 }
 
 /// State at the end, and what happened on the way.
