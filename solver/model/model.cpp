@@ -24,8 +24,8 @@
 #include "elements/folding_onsets.hpp"
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
-#include "material_held.hpp"
-#include "material_laws.hpp"
+#include "material/material_held.hpp"
+#include "material/material_laws.hpp"
 #include "ordering.hpp"
 #include "step_levels.hpp"
 

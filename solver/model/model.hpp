@@ -16,8 +16,8 @@
 #include <solver/scene.hpp>
 
 #include "look/look.hpp"
+#include "material/yield_curves.hpp"
 #include "stores.hpp"
-#include "yield_curves.hpp"
 
 namespace pinball {
 

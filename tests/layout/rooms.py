@@ -60,7 +60,7 @@ FORMATS = [room for room in ROOMS if room.startswith("formats/") and room != "fo
 APART += [(one, other) for one in FORMATS for other in FORMATS if one < other]
 
 # Hosts get these, and nothing else. They include by paths from where they lie, so that they hold wherever they are put.
-PUBLIC = re.compile(r"kernels/((boundary|elastic|exec|yield)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*|"
+PUBLIC = re.compile(r"kernels/((boundary|exec|material)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*|"
                     r"solver/scene/schema/[a-z_]+\.hpp")
 ONLY_PUBLIC = ["python"]
 

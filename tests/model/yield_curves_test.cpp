@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include <solver/model/yield_curves.hpp>
+#include <solver/model/material/yield_curves.hpp>
 
 /// The numbers that the general yield law gets of a material: each of them, against what can be worked out by hand.
 namespace pinball {

@@ -149,7 +149,13 @@ Scene scene() {
   Scene scene;
   scene.name = "small";
   scene.time.end = 1;
-  scene.materials = {{.name = "m", .density = 1, .bulk_modulus = 1, .shear_modulus = 1, .yield_curves = {}}};
+  scene.materials = {{.name = "m",
+                      .density = 1,
+                      .bulk_modulus = 1,
+                      .shear_modulus = 1,
+                      .yield_curves = {},
+                      .johnson_cook = {},
+                      .equation_of_state = {}}};
   scene.bodies.resize(1);
   scene.bodies[0].name = "b";
   scene.bodies[0].material = "m";

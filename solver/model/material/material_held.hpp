@@ -6,8 +6,7 @@
 #include <limits>
 
 #include <solver/base/error.hpp>
-
-#include "model.hpp"
+#include <solver/model/model.hpp>
 
 namespace pinball {
 
