@@ -34,7 +34,7 @@ struct BitsOf<stdx::simd<S, Abi>> {
 #endif
 
 template <class To, class From>
-PINBALL_FUNCTION To same_bits(const From& from) {
+PINBALL_FUNCTION To same_bits(From from) {
   static_assert(sizeof(To) == sizeof(From));
   To to;
   __builtin_memcpy(static_cast<void*>(&to), &from, sizeof(To));
