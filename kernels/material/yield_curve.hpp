@@ -73,8 +73,8 @@ PINBALL_FUNCTION CurvesAround<T> curves_around(const HardeningConstants<ScalarOf
   if (h.curves == 1) return around;
   T place = rate;
   if (h.logarithmic) {
-    const auto positive = rate > T(0);
-    place = select(positive, logarithm(select(positive, rate, T(1))), T(h.rate[0]));
+    const auto moves = rate > T(0);
+    place = select(moves, logarithm(select(moves, rate, T(1))), T(h.rate[0]));
   }
   for (int c = 0; c + 1 < h.curves; ++c) {
     const ScalarOf<T> inverse = 1 / (h.rate[c + 1] - h.rate[c]);

@@ -21,7 +21,9 @@ Scene example() {
                       .bulk_modulus = 2,
                       .shear_modulus = 1,
                       .yield_stress = 0.1,
-                      .yield_curves = {}}};
+                      .yield_curves = {},
+                      .johnson_cook = {},
+                      .equation_of_state = {}}};
   Body body;
   body.name = "bar";
   body.material = "steel";
