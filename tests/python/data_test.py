@@ -13,7 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SCENES = sorted(path.stem for path in (ROOT / "data" / "scenes").glob("*.toml"))
 
 # C++ structs of scenes by their Python classes, with the fields that have another name in Python.
-CLASSES = {"PlaneConstraint": "SymmetryPlane", "FixedConstraint": "Fixed", "NodalLoad": "Load"}
+CLASSES = {"PlaneConstraint": "SymmetryPlane", "FixedConstraint": "Fixed", "NodalLoad": "Load",
+           "JohnsonCookSettings": "JohnsonCook", "EquationOfStateSettings": "EquationOfState"}
 NAMES = {("Scene", "constraints"): "symmetry_planes", ("Scene", "fixed_constraints"): "fixed"}
 HEADERS = ["scene.hpp", "scene_boundary.hpp", "scene_contact.hpp", "scene_material.hpp", "mesh_settings.hpp", "contact/contact_settings.hpp"]
 
@@ -37,7 +38,7 @@ class Fields(unittest.TestCase):
                 continue
             data = getattr(pinball, CLASSES.get(struct, struct))
             for member in members:
-                if (struct, member) == ("ArrayMesh", "owner"):
+                if (struct, member) in (("ArrayMesh", "owner"), ("SceneSource", "given"), ("FileMesh", "held")):  # not for hosts
                     continue
                 self.assertTrue(hasattr(data, NAMES.get((struct, member), member)), f"{struct}.{member}")
                 seen += 1

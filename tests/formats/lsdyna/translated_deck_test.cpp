@@ -263,9 +263,12 @@ TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
       "  *CONTROL_UNHEARD_OF (2 times, first in deck.k:31)\n"
       "  *MAT_RIGID (deck.k:25): rigid bodies: MAT_ELASTIC, moved by BOUNDARY_PRESCRIBED_MOTION_RIGID, in their place\n"
       "  *CONTROL_TIMESTEP with LCTM (deck.k:34): leave it out: the step is TSSFAC times the stable one");
-  EXPECT_THAT(translate(cube + elastic + ends + "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*EOS_GRUNEISEN\n7\n").understood,
-              testing::IsSupersetOf({HasSubstr("not used: *MAT_NULL ("), HasSubstr("not used: *SECTION_SHELL ("),
-                                     HasSubstr("not used: *EOS_GRUNEISEN (")}));
+  EXPECT_THAT(
+      translate(cube + elastic + ends + "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*EOS_JWL\n7\n*EOS_GRUNEISEN\n8\n")
+          .understood,
+      testing::IsSupersetOf({HasSubstr("not used: *MAT_NULL ("), HasSubstr("not used: *SECTION_SHELL ("),
+                             HasSubstr("not used: *EOS_JWL ("),
+                             HasSubstr("*EOS_GRUNEISEN, equation of state 8, which no part with solids has (")}));
 }
 
 /// What has a dimension that is not converted, or curves of which nobody says what they are.

@@ -56,6 +56,7 @@ DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& 
     }
   }
   name_bodies();
+  tell_unused_state_equations();
 }
 
 const std::vector<const KeywordBlock*>& DeckData::blocks_of(const std::string& name) const {
@@ -68,7 +69,7 @@ void DeckData::read(const KeywordBlock& block) {
   require_one_of_a_kind(block);
   if (is_part(block)) read_parts(block);
   if (block.name == "SECTION_SOLID") read_section(block);
-  if (block.name.starts_with("EOS_")) read_state_equation(block);
+  if (block.name.starts_with("EOS_")) number_state_equation(block);
   if (block.name == "HOURGLASS") read_hourglass(block);
   if (block.name == "DEFINE_CURVE") read_curve(block);
   if (block.name == "DEFINE_TABLE") read_table(block);
@@ -103,23 +104,50 @@ void DeckData::read_parts(const KeywordBlock& block) {
   for_each_part(block, read, [&](const Card& card) { fields(card, layout::part_contact); });
 }
 
-/// Those that are not read are refused by the rules.
-void DeckData::read_state_equation(const KeywordBlock& block) {
-  const std::string kind = keyword_alias(block.name);
-  const bool grueneisen = kind == "EOS_GRUNEISEN";
-  if (!grueneisen && kind != "EOS_LINEAR_POLYNOMIAL") return;
-  Cards cards(block);
+namespace {
+
+bool is_grueneisen(const KeywordBlock& block) { return keyword_alias(block.name) == "EOS_GRUNEISEN"; }
+
+const CardLayout& layout_of_state_equation(const KeywordBlock& block) {
+  return is_grueneisen(block) ? layout::grueneisen : layout::linear_polynomial;
+}
+
+Card head_of_state_equation(const KeywordBlock& block, Cards& cards) {
   if (block.title) cards.next();
-  const Card head = cards.require("the constants of the equation of state");
-  const Fields f = fields(head, grueneisen ? layout::grueneisen : layout::linear_polynomial);
-  const Card more = cards.next_or_blank();
-  fields(more, grueneisen ? layout::grueneisen_volume : layout::linear_polynomial_state);
-  const std::int64_t id = f.integer("EOSID") + offset_of(block, &DeckTransform::other);
+  return cards.require("the constants of the equation of state");
+}
+
+}  // namespace
+
+/// Its number; those that are not read are refused by the rules.
+void DeckData::number_state_equation(const KeywordBlock& block) {
+  if (!is_grueneisen(block) && keyword_alias(block.name) != "EOS_LINEAR_POLYNOMIAL") return;
+  Cards cards(block);
+  const Card head = head_of_state_equation(block, cards);
+  const std::int64_t id =
+      fields(head, layout_of_state_equation(block)).integer("EOSID") + offset_of(block, &DeckTransform::other);
   give_once(block, fmt::format("equation of state {}", id), head.place);
-  DeckStateEquation& equation = state_equations_[id];
-  equation.card = {block.star_name(), head.place};
+  state_equation_blocks_[id] = &block;
+}
+
+void DeckData::tell_unused_state_equations() {
+  for (const auto& [id, block] : state_equation_blocks_) {
+    if (std::ranges::find(parts, id, &DeckPart::state_equation) != parts.end()) continue;
+    report.unused(block->place,
+                  fmt::format("{}, equation of state {}, which no part with solids has", block->star_name(), id));
+    if (block->log != nullptr) block->log->done(block);
+  }
+}
+
+DeckStateEquation DeckData::read_state_equation(const KeywordBlock& block) const {
+  Cards cards(block);
+  const Card head = head_of_state_equation(block, cards);
+  const Fields f = fields(head, layout_of_state_equation(block));
+  const Card more = cards.next_or_blank();
+  fields(more, is_grueneisen(block) ? layout::grueneisen_volume : layout::linear_polynomial_state);
+  DeckStateEquation equation{{}, {block.star_name(), head.place}};
   EquationOfStateSettings& settings = equation.settings;
-  if (grueneisen) {
+  if (is_grueneisen(block)) {
     settings.sound_speed = f.number("C");
     settings.slopes = {f.number("S1"), f.number("S2"), f.number("S3")};
     settings.gamma = f.number("GAMAO");
@@ -128,31 +156,32 @@ void DeckData::read_state_equation(const KeywordBlock& block) {
     settings.form = EquationOfStateForm::polynomial;
     for (const char* name : {"C0", "C1", "C2", "C3", "C4", "C5", "C6"}) settings.coefficients.push_back(f.number(name));
   }
+  return equation;
 }
 
-const DeckStateEquation* DeckData::state_equation_of(std::int64_t material) {
+std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t material) {
   const DeckPart* first = nullptr;
   for (const DeckPart& part : parts) {
     if (part.material != material) continue;
     if (part.state_equation == 0) {
       report.refuse(part.place, "*MAT_JOHNSON_COOK without an equation of state", "give the part an EOSID",
                     static_cast<int>(part.solids));
-      return nullptr;
+      return std::nullopt;
     }
     if (first != nullptr && first->state_equation != part.state_equation) {
       report.refuse(part.place, "one material with several equations of state", "give each its own *MAT_...",
                     static_cast<int>(part.solids));
-      return nullptr;
+      return std::nullopt;
     }
     first = first == nullptr ? &part : first;
   }
-  if (first == nullptr) return nullptr;
-  const auto found = state_equations_.find(first->state_equation);
-  if (found != state_equations_.end()) return &found->second;
+  if (first == nullptr) return std::nullopt;
+  const auto found = state_equation_blocks_.find(first->state_equation);
+  if (found != state_equation_blocks_.end()) return read_state_equation(*found->second);
   report.refuse(first->place,
                 fmt::format("*PART with EOSID {}, which no *EOS_... has that is read", first->state_equation),
                 "give an *EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", static_cast<int>(first->solids));
-  return nullptr;
+  return std::nullopt;
 }
 
 void DeckData::refuse_state_equations(std::int64_t material, const std::string& keyword) {

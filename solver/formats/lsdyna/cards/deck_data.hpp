@@ -102,8 +102,8 @@ class DeckData {
   const DeckPart* find_part(std::int64_t id) const;
   /// Whether a part with solids is of it.
   bool is_used(std::int64_t material) const { return materials_.contains(material); }
-  /// That of the parts of a material that needs one; null: it is refused.
-  const DeckStateEquation* state_equation_of(std::int64_t material);
+  /// That of the parts of a material that needs one; none: it is refused.
+  std::optional<DeckStateEquation> state_equation_of(std::int64_t material);
   /// Refuses parts whose material has a bulk modulus and needs none.
   void refuse_state_equations(std::int64_t material, const std::string& keyword);
   /// Throws InputError where the deck gives this ("section 1") already.
@@ -120,7 +120,9 @@ class DeckData {
   void read(const KeywordBlock& block);
   void require_one_of_a_kind(const KeywordBlock& block);
   void read_parts(const KeywordBlock& block);
-  void read_state_equation(const KeywordBlock& block);
+  void number_state_equation(const KeywordBlock& block);
+  void tell_unused_state_equations();
+  DeckStateEquation read_state_equation(const KeywordBlock& block) const;
   void read_section(const KeywordBlock& block);
   void read_hourglass(const KeywordBlock& block);
   void read_curve(const KeywordBlock& block);
@@ -140,7 +142,7 @@ class DeckData {
   std::map<std::int64_t, std::string> titles_;
   std::map<std::int64_t, DeckPart> all_parts_;
   std::unordered_map<std::string, std::vector<const KeywordBlock*>> blocks_;
-  std::map<std::int64_t, DeckStateEquation> state_equations_;
+  std::map<std::int64_t, const KeywordBlock*> state_equation_blocks_;
   std::set<std::int64_t> materials_;  ///< of the parts with solids
   GivenOnce given_;
 };

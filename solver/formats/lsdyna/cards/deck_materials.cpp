@@ -303,7 +303,7 @@ void translate_material(DeckData& data, const KeywordBlock& block, DeckScene& sc
   const std::string kind = keyword_alias(block.name);
   const MaterialKeys keys = begin_material(id, title, block, f, scene);
   if (kind == "MAT_JOHNSON_COOK") {
-    if (const DeckStateEquation* equation = data.state_equation_of(id)) {
+    if (const auto equation = data.state_equation_of(id)) {
       set_johnson_cook(data, f, cards, *equation, keys);
     } else if (block.log != nullptr) {
       block.log->done(&block);
