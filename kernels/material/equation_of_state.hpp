@@ -17,8 +17,11 @@
 /// Mie and Grueneisen, about a shock whose speed is u_s = c + s_1 u_p + s_2 (u_p/u_s) u_p + s_3 (u_p/u_s)^2 u_p, with
 /// Gamma rho = Gamma_0 rho_0 + a (rho - rho_0) (Steinberg, UCRL-MA-106439, 1996):
 ///
-///     A = rho_0 c^2 mu (1 + (1 - Gamma_0/2) mu - a/2 mu^2) / (1 - (s_1 - 1) mu - s_2 mu^2/(1+mu) - s_3
-///     mu^3/(1+mu)^2)^2 A = rho_0 c^2 mu  where mu < 0 ,      B = Gamma_0 + a mu .
+///     A = rho_0 c^2 mu (1 + (1 - Gamma_0/2) mu - a/2 mu^2) / D^2   where mu > 0 ,    else  rho_0 c^2 mu ,
+///     D = 1 - (s_1 - 1) mu - s_2 mu^2/(1 + mu) - s_3 mu^3/(1 + mu)^2 ,
+///     B = Gamma_0 + a mu .
+///
+/// D vanishes at a compression that no shock reaches; before that it stays at 0.01.
 ///
 /// Polynomial: A = c_0 + c_1 mu + c_2 mu^2 + c_3 mu^3, B = c_4 + c_5 mu + c_6 mu^2; where mu < 0 without c_2 and c_6.
 /// At rest p = 0.
@@ -51,10 +54,11 @@ PINBALL_FUNCTION PressureParts<T> mie_grueneisen(const EquationOfState<ScalarOf<
   const T numerator_slope = modulus * (T(1) + mu * (T(2) * linear - T(S(1.5)) * a * mu));
   const T x = mu / (T(1) + mu);  // u_p/u_s
   const T s1(eos.slope[0]), s2(eos.slope[1]), s3(eos.slope[2]);
-  // Beyond the compression that no shock exceeds the pressure grows no further than by what was left of it there.
-  const T denominator = maximum(number<T>(1e-2), T(1) - (s1 - T(1)) * mu - x * mu * (s2 + s3 * x));
+  const T shrinking = T(1) - (s1 - T(1)) * mu - x * mu * (s2 + s3 * x), least = number<T>(1e-2);
+  const auto shrinks = shrinking > least;
+  const T denominator = select(shrinks, shrinking, least);
   // d(mu^2/(1+mu)) = x (2 - x) dmu and d(mu^3/(1+mu)^2) = x^2 (3 - 2 x) dmu
-  const T denominator_slope = T(1) - s1 - x * (s2 * (T(2) - x) + s3 * x * (T(3) - T(2) * x));
+  const T denominator_slope = select(shrinks, T(1) - s1 - x * (s2 * (T(2) - x) + s3 * x * (T(3) - T(2) * x)), T(0));
   const T inverse = T(1) / denominator, inverse2 = inverse * inverse;
   const T shocked = numerator * inverse2;
   const T shocked_slope = (numerator_slope - T(2) * numerator * inverse * denominator_slope) * inverse2;

@@ -52,7 +52,7 @@ TEST(MieGrueneisen, HasTheHugoniotThatItIsMadeFrom) {
 
 TEST(EquationsOfState, HaveTheSlopesOfTheirParts) {
   for (const auto& eos : {copper(), with_all_slopes(), polynomial()}) {
-    for (const double mu : {-0.2, -0.01, 0.01, 0.1, 0.4}) {
+    for (const double mu : {-0.2, -0.01, 0.01, 0.1, 0.4, 2.5}) {  // the last: beyond the pole of copper()
       const double h = 1e-5;
       const PressureParts<double> at = pressure_parts(eos, mu), above = pressure_parts(eos, mu + h),
                                   below = pressure_parts(eos, mu - h);
