@@ -141,9 +141,8 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
       model.constants.back().johnson_cook = johnson_cook_constants<S>(material);
       model.constants.back().pressure = pressure_constants<S>(material);
-      int numbers = 0;
-      model.constants.back().places = material_places(material, numbers);
-      stored.material_numbers = std::max(stored.material_numbers, numbers);
+      model.constants.back().places = material_places(material);
+      stored.material_numbers = std::max(stored.material_numbers, model.constants.back().places.numbers);
     }
     const ElementFeatures f = features_of(
         material, settings, model.constants.back().erode_negative_volume || model.constants.back().erode_inside_out);

@@ -8,7 +8,8 @@ namespace pinball::test {
 
 /// All that a material may keep, in this order.
 inline constexpr int material_numbers = 8;
-inline constexpr MaterialPlaces material_places{.back_stress = 0, .temperature = 5, .energy = 6, .damage = 7};
+inline constexpr MaterialPlaces material_places{
+    .back_stress = 0, .temperature = 5, .energy = 6, .damage = 7, .numbers = 8};
 
 struct ElementState {
   double mass = 0;

@@ -49,12 +49,11 @@ EquationOfState<S> pressure_constants(const Material& material) {
   return eos;
 }
 
-MaterialPlaces material_places(const Material& material, int& numbers) {
+MaterialPlaces material_places(const Material& material) {
   MaterialPlaces places;
-  numbers = 0;
-  const auto keep = [&numbers](int& place, int count) {
-    place = numbers;
-    numbers += count;
+  const auto keep = [&places](int& place, int count) {
+    place = places.numbers;
+    places.numbers += count;
   };
   if (!material.plastic) return places;
   if (material.isotropic_share < 1) keep(places.back_stress, 5);

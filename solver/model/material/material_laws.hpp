@@ -13,8 +13,8 @@ JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
 template <class S>
 EquationOfState<S> pressure_constants(const Material& material);
 
-/// What the elements of a material keep beside stress and plastic strain, and where. numbers: how many of an element
-/// that is then; materials may use the same places, as each element is of one.
-MaterialPlaces material_places(const Material& material, int& numbers);
+/// What the elements of a material keep beside stress and plastic strain, and where. Materials may use the same places,
+/// as each element is of one.
+MaterialPlaces material_places(const Material& material);
 
 }  // namespace pinball
