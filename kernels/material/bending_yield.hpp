@@ -39,6 +39,20 @@ PINBALL_FUNCTION T largest_effective_square(const T& mean, const T& variation) {
   return T(2) * mean + number<T>(8.0 / 3.0) * variation;
 }
 
+// What MaterialConstants have as functions of their own, of laws that are objects with increment() and modulus().
+
+template <class T, class Law>
+requires requires(const Law& law, const T& q) { law.increment(q, q); }
+PINBALL_FUNCTION T plastic_increment(const Law& law, const T& q, const T& plastic_strain) {
+  return law.increment(q, plastic_strain);
+}
+template <class Law>
+requires requires(const Law& law) { law.modulus(); }
+PINBALL_FUNCTION auto return_modulus(const Law& law) { return law.modulus(); }
+template <class Law>
+requires requires(const Law& law) { law.modulus(); }
+PINBALL_FUNCTION auto half_return_modulus(const Law& law) { return law.modulus() / 2; }
+
 /// mean: q_s^2, variation: q_S^2, alignment: r [stress^2]. The edges of sheared elements are not orthogonal, and r may
 /// seem larger than it can be.
 /// law: MaterialConstants, or another with plastic_increment() and return_modulus().

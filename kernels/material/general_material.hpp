@@ -82,9 +82,8 @@ PINBALL_FUNCTION void yield_with_heat(const ElementConstants<ScalarOf<T>>& const
   }
   if (places.damage >= 0) {
     const T increment = plastic_strain - strain_before;
-    const T rate = law.measure == StrainRateMeasure::plastic ? increment * T(1 / motion.dt)
-                                                             : strain_rate(law.measure, motion.deformation);
-    const T damage = numbers.get(places.damage) + damage_increment(law, stress, increment, rate, temperature);
+    const T damage =
+        numbers.get(places.damage) + damage_increment(law, stress, increment, strength.rate(increment), temperature);
     numbers.set(places.damage, damage);
     outcome.failed = damage >= T(1);
   }

@@ -34,14 +34,12 @@ class GeneralYield {
   /// deformation: rate of it in the step [1/time]; dt: length of the step [time].
   PINBALL_OUTLINED GeneralYield(const MaterialConstants<S>& material, const HardeningConstants<S>& hardening,
                                 const Symmetric<T>& deformation, S dt)
-      : mu(material.mu), h_(&hardening), dt_(dt), rate_(0), factor_{T(1), T(0)} {
-    if (h_->measure == StrainRateMeasure::total) rate_ = square_root(contract(deformation, deformation));
-    if (h_->measure == StrainRateMeasure::deviatoric) {
-      const Symmetric<T> deviator = deviator_of(deformation);
-      rate_ = number<T>(0.81649658092772603273) * square_root(contract(deviator, deviator));  // sqrt(2/3)
-    }
-    around_ = curves_around(hardening, rate_);
-  }
+      : mu(material.mu),
+        h_(&hardening),
+        dt_(dt),
+        rate_(strain_rate(hardening.measure, deformation)),
+        around_(curves_around(hardening, rate_)),
+        factor_{T(1), T(0)} {}
   /// Takes the law of Cowper and Symonds into account; until then all is as at the rate 0, where the yield stress is
   /// least. A power takes longer than all else here.
   PINBALL_OUTLINED void apply_rate() {
@@ -135,20 +133,6 @@ class GeneralYield {
   CurvesAround<T> around_;
   RateFactor<T> factor_;
 };
-
-/// As of MaterialConstants, for bending_yield.hpp.
-template <class T>
-PINBALL_FUNCTION T plastic_increment(const GeneralYield<T>& law, const T& q, const T& plastic_strain) {
-  return law.increment(q, plastic_strain);
-}
-template <class T>
-PINBALL_FUNCTION ScalarOf<T> return_modulus(const GeneralYield<T>& law) {
-  return law.modulus();
-}
-template <class T>
-PINBALL_FUNCTION ScalarOf<T> half_return_modulus(const GeneralYield<T>& law) {
-  return ScalarOf<T>(0.5) * law.modulus();
-}
 
 /// Returns the trial stress along the radius from the back stress; relative: deviator of the stress less back stress.
 /// law: GeneralYield, or another with increment() and modulus().

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "power.hpp"
-#include "von_mises.hpp"
-#include "yield_curve.hpp"
+#include "strain_rate.hpp"
 
 /// Strength and failure of metals after Johnson and Cook (Proc. 7th Int. Symp. Ballistics, 541-547, 1983; Engrg. Fract.
 /// Mech. 21, 31-48, 1985):
@@ -29,14 +28,6 @@ struct JohnsonCookConstants {
   StrainRateMeasure measure = StrainRateMeasure::total;
   S failure[5] = {};  ///< D_1 ... D_5 [-]
 };
-
-/// sqrt(D:D) or sqrt(2/3 D':D') of the rate of deformation D [1/time].
-template <class T>
-PINBALL_FUNCTION T strain_rate(StrainRateMeasure measure, const Symmetric<T>& deformation) {
-  if (measure == StrainRateMeasure::total) return square_root(contract(deformation, deformation));
-  const Symmetric<T> deviator = deviator_of(deformation);
-  return number<T>(0.81649658092772603273) * square_root(contract(deviator, deviator));  // sqrt(2/3)
-}
 
 /// ln r.
 template <class T>
@@ -71,20 +62,24 @@ class JohnsonCookYield {
         strain_(plastic_strain),
         hardened_(T(law.hardening) * power(plastic_strain, law.exponent)),
         softening_(1),
-        factor_(1) {
+        factor_(1),
+        rate_(strain_rate(law.measure, deformation)) {
     const auto strained = strain_ > T(0);
     inverse_strain_ = select(strained, T(1) / select(strained, strain_, T(1)), T(0));
     if (law.inverse_melting > 0) {
       const T h = homologous(law, temperature);
       softening_ = T(1) - (law.softening_exponent == S(1) ? h : power(h, law.softening_exponent));
     }
-    if (law.measure != StrainRateMeasure::plastic) rate_ = strain_rate(law.measure, deformation);
   }
   /// Takes the rate into account; until then the yield stress is least.
   PINBALL_FUNCTION void apply_rate() {
     if (law_->rate_sensitivity > 0 && law_->measure != StrainRateMeasure::plastic) factor_ = factor_at(rate_);
   }
 
+  /// Of a step in which the plastic strain grows so [1/time].
+  PINBALL_FUNCTION T rate(const T& increment) const {
+    return law_->measure == StrainRateMeasure::plastic ? increment * T(inverse_dt_) : rate_;
+  }
   PINBALL_FUNCTION S modulus() const { return 3 * mu; }
   PINBALL_FUNCTION S kinematic_share() const { return 0; }
   /// Least effective stress that yields, at the plastic strain of the beginning [stress].
@@ -161,19 +156,6 @@ class JohnsonCookYield {
   S inverse_dt_;
   T strain_, inverse_strain_, hardened_, softening_, factor_, rate_;
 };
-
-template <class T>
-PINBALL_FUNCTION T plastic_increment(const JohnsonCookYield<T>& law, const T& q, const T& plastic_strain) {
-  return law.increment(q, plastic_strain);
-}
-template <class T>
-PINBALL_FUNCTION ScalarOf<T> return_modulus(const JohnsonCookYield<T>& law) {
-  return law.modulus();
-}
-template <class T>
-PINBALL_FUNCTION ScalarOf<T> half_return_modulus(const JohnsonCookYield<T>& law) {
-  return ScalarOf<T>(0.5) * law.modulus();
-}
 
 /// What a step adds to the damage. increment: of the plastic strain; rate: of the strain [1/time]; temperature: above
 /// that of the room.

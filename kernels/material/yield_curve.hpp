@@ -2,6 +2,7 @@
 
 #include "../simd.hpp"
 #include "power.hpp"
+#include "strain_rate.hpp"
 
 /// Yield stress over plastic strain and strain rate: curves of straight pieces, one for each of some rates, and the
 /// rate law of Cowper and Symonds (1957).
@@ -28,12 +29,6 @@ PINBALL_FUNCTION stdx::simd<T, Abi> look_up(const T* array, const stdx::simd<T, 
 }
 
 #endif
-
-enum class StrainRateMeasure {
-  total,       ///< sqrt(D:D) of the rate of deformation
-  deviatoric,  ///< sqrt(2/3 D':D') of its deviator
-  plastic      ///< d(plastic strain)/dt, which the return finds
-};
 
 /// What MaterialConstants do not say of hardening. The arrays belong to the model.
 template <class S>
