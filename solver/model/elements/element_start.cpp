@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <kernels/bulk_viscosity.hpp>
+#include <kernels/material/bulk_viscosity.hpp>
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
 

@@ -1,4 +1,4 @@
-#include <kernels/bulk_viscosity.hpp>
+#include <kernels/material/bulk_viscosity.hpp>
 #include <tests/support/support.hpp>
 
 namespace pinball {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simd.hpp"
+#include "../simd.hpp"
 
 /// Bulk viscosity: spreads a shock over a few elements (quadratic, in compression only) and damps the ringing behind it
 /// (linear). Added to the mean stress in the forces, never to the stored stress, and not part of the yield condition:
