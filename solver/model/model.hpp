@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -138,6 +139,11 @@ struct Model {
   SlotRange slots_of(std::int64_t tile) const {
     constexpr int W = ElementStore<S>::width;
     return {tile_packs[tile] * W, tile_packs[tile + 1] * W};
+  }
+  /// Number of the part that the element of a slot is of.
+  std::size_t part_of_slot(std::int64_t slot) const {
+    const auto tile = std::upper_bound(tile_packs.begin(), tile_packs.end(), slot / ElementStore<S>::width);
+    return static_cast<std::size_t>(tile_part[static_cast<std::size_t>(tile - tile_packs.begin() - 1)]);
   }
   bool is_padding(std::int64_t slot) const { return element_of_slot[slot] < 0; }
   /// Whether a number that was read is the slot of an element, or negative: none.

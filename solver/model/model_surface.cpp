@@ -11,16 +11,6 @@
 
 namespace pinball {
 
-namespace {
-
-template <class S>
-std::size_t part_of(const Model<S>& model, std::int64_t slot) {
-  const auto tile = std::upper_bound(model.tile_packs.begin(), model.tile_packs.end(), slot / ElementStore<S>::width);
-  return static_cast<std::size_t>(model.tile_part[static_cast<std::size_t>(tile - model.tile_packs.begin() - 1)]);
-}
-
-}  // namespace
-
 template <class S>
 ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(model) {
   this->lists_last = model.scene.skip.contact_search;
@@ -38,7 +28,7 @@ ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(mod
 template <class S>
 ContactElement ModelSurface<S>::element(std::int64_t slot) const {
   const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
-  const Material& material = model_.scene.materials[model_.parts[part_of(model_, slot)].material];
+  const Material& material = model_.scene.materials[model_.parts[model_.part_of_slot(slot)].material];
   ContactElement element{};
   for (int i = 0; i < 8; ++i) {
     const auto corner = static_cast<std::size_t>(i);
@@ -55,7 +45,7 @@ ContactElement ModelSurface<S>::element(std::int64_t slot) const {
 
 template <class S>
 bool ModelSurface<S>::may_soon_erode(std::int64_t slot) const {
-  const std::size_t part = part_of(model_, slot);
+  const std::size_t part = model_.part_of_slot(slot);
   if (!model_.parts[part].features.erosion) return false;
   const S limit = std::min(S(1), model_.constants[part].material.erosion_strain);
   return model_.elements.plastic_strain[static_cast<std::size_t>(slot)] > S(0.7) * limit;

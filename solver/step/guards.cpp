@@ -22,6 +22,14 @@ double volume_ratio(const Model<S>& model, std::int64_t slot, double dt) {
          element_volume(model.mesh, model.element_of_slot[slot]);
 }
 
+/// What a number of material_state is.
+const char* name_of(const MaterialPlaces& places, int number) {
+  return number == places.temperature ? "temperature"
+         : number == places.energy    ? "energy of the equation of state"
+         : number == places.damage    ? "damage"
+                                      : "back stress";
+}
+
 /// What is not finite of the state of an element, or nothing.
 template <class S>
 std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
@@ -38,7 +46,10 @@ std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
   if (bad(e.hourglass_state, 12)) return "hourglass force";
   if (bad(e.viscous_stress, 1)) return "bulk viscosity";
   if (bad(e.internal_energy, 1)) return "internal energy";
-  if (bad(e.material_state, e.material_numbers)) return "state of the material";
+  const MaterialPlaces& places = model.constants[model.part_of_slot(slot)].places;
+  for (int number = 0; number < places.numbers; ++number) {
+    if (!std::isfinite(e.material_number(slot, number))) return name_of(places, number);
+  }
   return "";
 }
 

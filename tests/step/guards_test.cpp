@@ -150,8 +150,7 @@ TEST(Guards, EveryNumberOfAnElementIsLookedAt) {
   for (const Part& part :
        {Part{&Store::stress, 6, "stress"}, Part{&Store::plastic_strain, 1, "plastic strain"},
         Part{&Store::hourglass_state, 12, "hourglass force"}, Part{&Store::viscous_stress, 1, "bulk viscosity"},
-        Part{&Store::internal_energy, 1, "internal energy"},
-        Part{&Store::material_state, 5, "state of the material"}}) {
+        Part{&Store::internal_energy, 1, "internal energy"}, Part{&Store::material_state, 5, "back stress"}}) {
     for (int component = 0; component < part.components; ++component) {
       const std::size_t element = static_cast<std::size_t>(component) % 2 == 0 ? 0 : 19;  // the first and the last
       Model<double> model = build_model<double>(with_all_of_an_element());
@@ -162,6 +161,25 @@ TEST(Guards, EveryNumberOfAnElementIsLookedAt) {
                                            HasSubstr(element == 0 ? "element 0 of body a is" : "element 19 of body b")))
           << component;
     }
+  }
+}
+
+TEST(Guards, NumbersOfAMaterialAreToldByTheirNames) {
+  Scene scene = with_all_of_an_element();
+  Material& m = scene.materials[0];
+  m.isotropic_share = 1;
+  m.plastic_modulus = 0;
+  m.johnson_cook = JohnsonCookSettings{0, 1, 0, 1, 1, 1000, 300, 450, 1, {0.1, 0.1, 0, 0, 0}};
+  m.equation_of_state.emplace();
+  m.equation_of_state->sound_speed = 4000;
+  const MaterialPlaces places = build_model<double>(scene).constants[0].places;
+  ASSERT_EQ(places.numbers, 3);
+  for (const auto& [place, name] : {std::pair{places.temperature, "temperature"},
+                                    {places.energy, "energy of the equation of state"},
+                                    {places.damage, "damage"}}) {
+    Model<double> model = build_model<double>(scene);
+    model.elements.material_state[ElementStore<double>::at(model.slot_of_element[19], place, 3)] = std::nan("");
+    EXPECT_THAT(not_finite(model), HasSubstr("the " + std::string(name) + " of element 19 of body b"));
   }
 }
 
