@@ -268,7 +268,7 @@ std::optional<Scene> read_or_list(const InfoOptions& options) {
   try {
     return scene_input(options).read();
   } catch (const InputError& error) {
-    if (!is_any_deck(options.scene) || !print_mesh_alone(options.scene)) throw;
+    if (!is_any_deck(options.scene) || !print_mesh_alone(path_of_scene(options.scene))) throw;
     fmt::print("  by itself it cannot be run: {}\n", error.what());
     return std::nullopt;
   }

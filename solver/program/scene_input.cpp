@@ -70,10 +70,7 @@ void print_deck(const TranslatedDeck& deck, const std::string& path) {
   for (const std::string& line : deck.ignored) fmt::print("    {}\n", line);
 }
 
-namespace {
-
-/// The file that the command line names, or the scene or deck of that name which comes with the program.
-std::string path_of(const std::string& name) {
+std::string path_of_scene(const std::string& name) {
   if (!is_any_deck(name) || std::filesystem::exists(name)) return find_scene(name);
   try {
     return find_scene(name);
@@ -81,8 +78,6 @@ std::string path_of(const std::string& name) {
     return name;  // no such file, which is what the reader says
   }
 }
-
-}  // namespace
 
 namespace {
 
@@ -96,7 +91,7 @@ DeckNotes notes_of(const TranslatedDeck& deck) {
 }  // namespace
 
 SceneInput scene_input(const SceneOptions& options) {
-  const std::string path = path_of(options.scene);
+  const std::string path = path_of_scene(options.scene);
   if (!is_any_deck(path)) {
     if (options.chosen_case || options.lenient) {
       throw InputError(options.scene + ": --case and --lenient are for decks (.k, .key, .dyn, .inp)");

@@ -21,6 +21,10 @@ struct SceneInput {
   Scene read() const { return read_scene(source); }
 };
 
+/// The file that the command line names, or the scene or deck of that name which comes with the program; the name
+/// itself of a deck that is not there. Throws InputError for a scene that is not there.
+std::string path_of_scene(const std::string& name);
+
 /// A scene file, the name of a scene, or a deck, of which it prints what was understood and what is ignored. Throws
 /// InputError.
 SceneInput scene_input(const SceneOptions& options);

@@ -8,6 +8,7 @@
 #include <solver/base/error.hpp>
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/program/commands.hpp>
+#include <tests/support/error_of.hpp>
 
 namespace pinball {
 namespace {
@@ -38,6 +39,14 @@ TEST(InfoMesh, ListsADeckThatIsAMeshAlone) {
   testing::internal::CaptureStdout();
   info_command(options);
   EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("a mesh (keyword) of "));
+}
+
+/// A deck of the program's own, by its name: what is wrong is not that the name is no file here.
+TEST(InfoMesh, ADeckThatCannotBeRunSaysWhy) {
+  InfoOptions options;
+  options.scene = "cases.k";
+  options.chosen_case = 99;
+  EXPECT_THAT(test::error_of([&] { info_command(options); }), HasSubstr("--case 99: it has "));
 }
 
 TEST(InfoMesh, NoFormatsOfOthersAreTakenForScenes) {
