@@ -5,15 +5,22 @@
 #include <filesystem>
 #include <utility>
 
+#include <solver/mesh/held_mesh.hpp>
+
 #include "deck_scene.hpp"
 
 namespace pinball {
 
-TranslatedDeck given_deck(DeckScene&& scene, const std::string& path, bool contact_said) {
-  const std::string name = std::filesystem::path(path).filename().string();
+std::string DeckOptions::mesh_file(const std::string& path) const {
+  return name_in_scene.empty() ? std::filesystem::path(path).filename().string() : name_in_scene;
+}
+
+TranslatedDeck given_deck(DeckScene&& scene, bool contact_said, MeshFile&& file, FileMesh mesh) {
+  const std::string name = std::filesystem::path(mesh.file).filename().string();
   auto given = std::make_shared<GivenScene>();
   given->table = scene.take(fmt::format("{} as this program understands it.", name));
   given->contact_said = contact_said;
+  given->mesh = std::make_shared<HeldMesh>(std::move(file), std::move(mesh));
   return {std::move(given)};
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <solver/mesh/mesh_file.hpp>
+#include <solver/mesh_settings.hpp>
 #include <solver/scene.hpp>
 #include <solver/scene/given/given_scene.hpp>
 
@@ -19,6 +21,9 @@ struct DeckOptions {
   bool lenient = false;                     ///< --lenient: unknown output and control keywords are ignored, not refused
   /// How the scene names the deck, from which its meshes are read; empty: the file's own name, beside the scene.
   std::string name_in_scene;
+
+  /// The file of the meshes as the scene names it. path: of the deck.
+  std::string mesh_file(const std::string& path) const;
 };
 
 /// A deck of another program as a scene of this one.
@@ -33,7 +38,8 @@ struct TranslatedDeck {
   }
 };
 
-/// With what its keywords give; nothing is understood yet. path: of the deck.
-TranslatedDeck given_deck(DeckScene&& scene, const std::string& path, bool contact_said);
+/// With what its keywords give, and the mesh that was read with them; nothing is understood yet. mesh: by which the
+/// mesh would be read, its file the deck as it was opened.
+TranslatedDeck given_deck(DeckScene&& scene, bool contact_said, MeshFile&& file, FileMesh mesh);
 
 }  // namespace pinball

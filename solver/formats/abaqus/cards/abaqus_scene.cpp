@@ -1,13 +1,10 @@
 #include "abaqus_scene.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <utility>
 
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/input_file.hpp>
-#include <solver/mesh/held_mesh.hpp>
 
 #include "abaqus_parts.hpp"
 #include "abaqus_rules.hpp"
@@ -81,13 +78,12 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   if (mesh.file.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT), there are none");
   AbaqusData data(deck, mesh, report);
 
-  const std::string own_name = std::filesystem::path(path).filename().string();
   DeckScene scene, bodies, boundary;
   data.body_elements = abaqus_elements(data);
   translate_abaqus_controls(data, scene);
   const bool contact_said = translate_abaqus_contact(data, scene);
   translate_abaqus_materials(data, scene);
-  translate_abaqus_bodies(data, options.name_in_scene.empty() ? own_name : options.name_in_scene, bodies);
+  translate_abaqus_bodies(data, options.mesh_file(path), bodies);
   translate_abaqus_boundary(data, boundary);
   translate_abaqus_initial_velocities(data, boundary);
   translate_abaqus_loads(data, boundary);
@@ -96,11 +92,8 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   report.require_all_done(path);
   scene.append(std::move(bodies));
   scene.append(std::move(boundary));
-  TranslatedDeck translated = given_deck(std::move(scene), path, contact_said);
-  FileMesh settings;
-  settings.format = MeshFormat::abaqus;
-  settings.file = path;
-  translated.given->mesh = std::make_shared<HeldMesh>(std::move(mesh.file), settings);
+  TranslatedDeck translated = given_deck(std::move(scene), contact_said, std::move(mesh.file),
+                                         {.format = MeshFormat::abaqus, .file = path, .part = {}});
   translated.understood = report.understood();
   translated.ignored = report.ignored();
   return translated;

@@ -10,7 +10,6 @@
 #include <solver/formats/deck/given_once.hpp>
 #include <solver/formats/lsdyna/mesh/keyword_mesh.hpp>
 #include <solver/mesh/file/input_file.hpp>
-#include <solver/mesh/held_mesh.hpp>
 
 #include "deck_data.hpp"
 #include "deck_parts.hpp"
@@ -46,11 +45,6 @@ void translate_materials(DeckData& data, DeckScene& scene) {
   for (const auto& [number, block] : materials) translate_material(data, *block, scene);
 }
 
-/// As a scene names the deck, from which its meshes are read.
-std::string mesh_file_of(const std::string& path, const DeckOptions& options) {
-  return options.name_in_scene.empty() ? std::filesystem::path(path).filename().string() : options.name_in_scene;
-}
-
 /// The scene; what is not done of it goes to the report. of_parts: what is not there; empty once it is known which
 /// parts have some of it.
 TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const DeckOptions& options,
@@ -64,7 +58,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   translate_controls(data, scene);
   const bool contact_said = translate_contact(data, scene);
   DeckScene bodies, boundary;
-  translate_parts(data, mesh_file_of(path, options), options.chosen_case, bodies);
+  translate_parts(data, options.mesh_file(path), options.chosen_case, bodies);
   translate_node_codes(data, boundary);
   translate_single_point_constraints(data, boundary);
   translate_materials(data, scene);
@@ -82,13 +76,9 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
                                   fmt::join(deck.cases, ", ")));
   scene.append(std::move(bodies));
   scene.append(std::move(boundary));
-  TranslatedDeck translated = given_deck(std::move(scene), path, contact_said);
-  FileMesh settings;
-  settings.format = MeshFormat::keyword;
-  settings.file = path;
-  settings.chosen_case = options.chosen_case;
-  translated.given->mesh = std::make_shared<HeldMesh>(std::move(mesh), settings);
-  return translated;
+  return given_deck(
+      std::move(scene), contact_said, std::move(mesh),
+      {.format = MeshFormat::keyword, .file = path, .part = {}, .scale = 1, .chosen_case = options.chosen_case});
 }
 
 }  // namespace
