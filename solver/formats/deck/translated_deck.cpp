@@ -16,7 +16,9 @@ std::string DeckOptions::mesh_file(const std::string& path) const {
 }
 
 TranslatedDeck given_deck(DeckScene&& scene, bool contact_said, MeshFile&& file, FileMesh mesh) {
-  const std::string name = std::filesystem::path(mesh.file).filename().string();
+  const std::filesystem::path path(mesh.file);
+  const std::string name = path.filename().string();
+  mesh.file = (path.parent_path() / name).string();  // as the scene has it, also where it was opened as FOLDER//deck.k
   auto given = std::make_shared<GivenScene>();
   given->table = scene.take(fmt::format("{} as this program understands it.", name));
   given->contact_said = contact_said;

@@ -51,7 +51,10 @@ TEST_F(DeckAsScene, ItsKeysAreChangedAsThoseOfAFile) {
 
 TEST_F(DeckAsScene, TheFirstModelReadsNoFile) {
   const Scene whole = scene(cube + elastic + ends);
+  const std::string same = folder_.string() + "//deck.k";
+  const Scene by_another_path = read_scene(translate_deck(same).source(same));
   std::filesystem::rename(path_, path_ + ".away");
+  EXPECT_EQ(build_model<double>(by_another_path).element_count(), 1);
   const Model<double> model = build_model<double>(whole);
   EXPECT_EQ(model.element_count(), 1);
   EXPECT_THAT(error_of([&] { build_model<double>(whole); }), HasSubstr("no such file"));
