@@ -1,5 +1,6 @@
 #include "deck_reader.hpp"
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include <solver/formats/lsdyna/cards/keyword_scene.hpp>
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/mesh/file/text_lines.hpp>
+#include <solver/mesh/mesh_format.hpp>
 
 namespace pinball {
 
@@ -38,7 +40,10 @@ void require_no_abaqus_input(std::string_view text, const std::string& path) {
 
 }  // namespace
 
-bool is_any_deck(const std::string& path) { return is_deck(path) || is_abaqus_deck(path); }
+bool is_any_deck(const std::string& path) {
+  const std::optional<MeshFormat> format = format_by_ending(path);
+  return format == MeshFormat::keyword || format == MeshFormat::abaqus;
+}
 
 bool is_mesh_alone(const std::string& path) {
   const std::string text = bytes_of_file(path);
@@ -56,7 +61,7 @@ bool is_mesh_alone(const std::string& path) {
 TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options) {
   std::string text = bytes_of_file(path);
   require_no_scene(text, path);
-  if (is_abaqus_deck(path)) return translate_abaqus_text(std::move(text), path, options);
+  if (format_by_ending(path) == MeshFormat::abaqus) return translate_abaqus_text(std::move(text), path, options);
   require_no_abaqus_input(text, path);
   return translate_deck_text(std::move(text), path, options);
 }

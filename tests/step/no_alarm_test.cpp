@@ -4,8 +4,7 @@
 #include <set>
 
 #include <solver/base/error.hpp>
-#include <solver/formats/abaqus/cards/abaqus_scene.hpp>
-#include <solver/formats/lsdyna/cards/keyword_scene.hpp>
+#include <solver/formats/deck_reader.hpp>
 #include <solver/step/solver.hpp>
 
 /// Scenes and decks that are sound raise no alarm at the start: those that come along, and public ones.
@@ -45,9 +44,7 @@ std::size_t check_decks(const fs::path& folder, const std::string& but = "") {
     if (path.filename() == but) continue;
     Scene scene;
     try {
-      const TranslatedDeck deck =
-          is_abaqus_deck(path.string()) ? translate_abaqus(path.string()) : translate_deck(path.string());
-      scene = read_scene(deck.source(path.string()));
+      scene = read_scene(translate_any_deck(path.string(), {}).source(path.string()));
     } catch (const InputError&) {
       continue;
     }
@@ -68,7 +65,7 @@ TEST(NoAlarm, OfPublicDecks) {
   EXPECT_GE(check_decks(folder, "projectile.k"), 2U);
   // Without the frame that adds its contact, its rod goes through the plate.
   const std::string path = folder / "projectile.k";
-  Scene scene = read_scene(translate_deck(path).source(path));
+  Scene scene = read_scene(translate_any_deck(path, {}).source(path));
   scene.of_deck = true;
   EXPECT_THAT(
       Solver<double>(scene).look().unlikely,

@@ -1,6 +1,5 @@
 #include "abaqus_scene.hpp"
 
-#include <filesystem>
 #include <utility>
 
 #include <solver/base/error.hpp>
@@ -57,10 +56,6 @@ void sort_keywords(const AbaqusDeck& deck, bool lenient, DeckReport& report) {
 }
 
 }  // namespace
-
-bool is_abaqus_deck(const std::string& path) {
-  return lower_case(std::filesystem::path(path).extension().string()) == ".inp";
-}
 
 TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& options) {
   return translate_abaqus_text(bytes_of_file(path), path, options);

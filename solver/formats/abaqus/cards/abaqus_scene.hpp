@@ -6,9 +6,6 @@
 
 namespace pinball {
 
-/// Whether a path is that of Abaqus input by its ending: .inp.
-bool is_abaqus_deck(const std::string& path);
-
 /// Abaqus input as a scene. Throws InputError: "FILE:LINE: ..." for what is wrong, and one message with every keyword
 /// that cannot be done, how many there are and where the first is.
 TranslatedDeck translate_abaqus(const std::string& path, const DeckOptions& options = {});

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -82,11 +81,6 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
 }
 
 }  // namespace
-
-bool is_deck(const std::string& path) {
-  const std::string ending = lower_case(std::filesystem::path(path).extension().string());
-  return ending == ".k" || ending == ".key" || ending == ".dyn";
-}
 
 TranslatedDeck translate_deck(const std::string& path, const DeckOptions& options) {
   return translate_deck_text(bytes_of_file(path), path, options);

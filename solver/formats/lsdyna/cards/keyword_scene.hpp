@@ -6,9 +6,6 @@
 
 namespace pinball {
 
-/// Whether a path is that of an LS-DYNA deck by its ending: .k, .key, .dyn.
-bool is_deck(const std::string& path);
-
 /// Throws InputError: "FILE:LINE: ..." for what is wrong, and one message with every keyword that cannot be done, how
 /// many there are and where the first is.
 TranslatedDeck translate_deck(const std::string& path, const DeckOptions& options = {});
