@@ -1,5 +1,5 @@
 """Cantilever: bending, which elements of uniform strain resist by hourglass control alone. As
-solver/verification_beam.cpp runs it, at rest after two periods of critical damping."""
+solver/verification/beam.cpp runs it, at rest after two periods of critical damping."""
 
 import math
 

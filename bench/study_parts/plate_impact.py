@@ -1,4 +1,4 @@
-"""Plate impact: elastic and plastic waves, as solver/verification_waves.cpp compares them."""
+"""Plate impact: elastic and plastic waves, as solver/verification/waves.cpp compares them."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Two bars: longitudinal waves and the contact of faces that fit, as solver/verification_two_bars.cpp runs them."""
+"""Two bars: longitudinal waves and the contact of faces that fit, as solver/verification/two_bars.cpp runs them."""
 
 import math
 
