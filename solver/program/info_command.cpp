@@ -68,11 +68,7 @@ void print_bodies(const Model<S>& model, const Units& units) {
     const MeshQuality q = quality_of(model.mesh, body, number, all_nodes);
     volume += q.volume;
     fmt::print("    {}\n", volume_text(q.volume, units));
-    fmt::print(
-        "    mesh: edges {:.4g} to {}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on "
-        "average\n",
-        q.min_edge, with_unit(q.max_edge, units.length), q.max_aspect_ratio, q.min_scaled_jacobian,
-        q.mean_scaled_jacobian);
+    fmt::print("    mesh: {}\n", quality_text(q, units.length));
     fmt::print("    velocity ({:.6g}, {:.6g}, {:.6g}){}\n", body.velocity[0], body.velocity[1], body.velocity[2],
                units.velocity.empty() ? "" : " " + units.velocity);
   }

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include <solver/formats/mesh_reader.hpp>
-#include <solver/mesh/quality.hpp>
+#include <solver/model/look/extent.hpp>
 #include <solver/scene/schema/choices.hpp>
+
+#include "info_material.hpp"
 
 namespace pinball {
 
@@ -39,29 +39,22 @@ void print_all_groups(const std::vector<MeshGroup>& groups) {
   print_groups(groups, MeshGroup::Kind::faces, "sets of faces", "faces");
 }
 
-/// The smallest box that holds all nodes.
-Box bounds_of(const std::vector<Point>& nodes) {
-  Box box{nodes.front(), nodes.front()};
-  for (const Point& node : nodes) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], node[k]);
-      box.high[k] = std::max(box.high[k], node[k]);
-    }
-  }
-  return box;
-}
-
 void print_shape(const Mesh& mesh) {
-  const Box box = bounds_of(mesh.nodes);
+  Extent box;
+  for (const Point& node : mesh.nodes) box.take(node);
   const MeshQuality q = measure_quality(mesh);
   fmt::print("  from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}), volume {:.10g}\n", box.low[0], box.low[1],
              box.low[2], box.high[0], box.high[1], box.high[2], q.volume);
-  fmt::print(
-      "  edges {:.4g} to {:.4g}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on average\n",
-      q.min_edge, q.max_edge, q.max_aspect_ratio, q.min_scaled_jacobian, q.mean_scaled_jacobian);
+  fmt::print("  {}\n", quality_text(q, ""));
 }
 
 }  // namespace
+
+std::string quality_text(const MeshQuality& q, const std::string& length) {
+  return fmt::format(
+      "edges {:.4g} to {}, largest aspect ratio {:.3g}, scaled Jacobian {:.3g} at worst, {:.3g} on average", q.min_edge,
+      with_unit(q.max_edge, length), q.max_aspect_ratio, q.min_scaled_jacobian, q.mean_scaled_jacobian);
+}
 
 void print_mesh_files(const ModelMesh& mesh) {
   if (!mesh.files.empty()) fmt::print("mesh files\n");

@@ -2,10 +2,14 @@
 
 #include <string>
 
+#include <solver/mesh/quality.hpp>
 #include <solver/mesh_settings.hpp>
 #include <solver/model/model.hpp>
 
 namespace pinball {
+
+/// Edges and shapes of elements in a sentence without its end. length: unit of the mesh; empty: none.
+std::string quality_text(const MeshQuality& q, const std::string& length);
 
 /// Parts and sets of the mesh files, and what is told of them at the start.
 void print_mesh_files(const ModelMesh& mesh);
