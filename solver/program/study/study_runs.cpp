@@ -11,8 +11,8 @@
 #include <solver/base/version.h>
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/output/message.hpp>
-#include <solver/output/output_file.hpp>
 #include <solver/output/run_files.hpp>
+#include <solver/program/result_file.hpp>
 #include <solver/program/stop_signals.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/scene/schema/choices.hpp>
@@ -68,12 +68,6 @@ std::optional<RunResults> results_there(const std::string& folder, const std::st
   return std::nullopt;
 }
 
-void leave_settings(const std::string& folder, const std::string& settings) {
-  OutputFile file(in_folder(folder, settings_name));
-  file.write(settings);
-  file.commit();
-}
-
 }  // namespace
 
 StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what,
@@ -103,7 +97,7 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
     run.failure = error.what();
   }
   if (run.stopped || !run.failure.empty()) return run;
-  leave_settings(run.folder, settings);
+  write_result_file(in_folder(run.folder, settings_name), settings);
   run.results = read_run_results(run.folder);
   return run;
 }
