@@ -37,10 +37,10 @@ bool is_run_file(const std::string& name) {
          whole == std::string(fields_base) + ".pvd" || is_field_file(whole);
 }
 
-bool is_picture_of_run(const std::string& name) {
+bool is_made_of_run(const std::string& name) {
   const std::filesystem::path path(name);
   const std::string stem = path.stem().string(), kind = path.extension().string();
-  return is_any_of(name, {"fields.png", "fields_paraview.py", "history.png"}) ||
+  return is_any_of(name, {"fields.png", "fields_paraview.py", "history.png", study_settings_name}) ||
          (is_any_of(stem, {"view", "animation"}) &&
           is_any_of(kind, {".png", ".gif", ".mp4", ".webm", ".webp", ".html", ".pvsm"}));
 }
@@ -61,8 +61,8 @@ std::vector<std::filesystem::path> results_in(const std::filesystem::path& folde
     return path.filename() == summary_name || path.filename() == history_name;
   });
   if (of_run) {
-    const auto pictures = files_of(folder, is_picture_of_run);
-    found.insert(found.end(), pictures.begin(), pictures.end());
+    const auto made = files_of(folder, is_made_of_run);
+    found.insert(found.end(), made.begin(), made.end());
   }
   return found;
 }

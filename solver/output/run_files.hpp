@@ -15,7 +15,8 @@ inline constexpr const char* checkpoint_name = "checkpoint.pinball";
 inline constexpr const char* last_good_name = "last_good.pinball";
 inline constexpr const char* last_good_picture_name = "last_good.vtu";
 inline constexpr const char* page_name = "index.html";
-inline constexpr const char* fields_base = "fields";  ///< fields.pvd, fields_0000.vtu, ...
+inline constexpr const char* fields_base = "fields";                      ///< fields.pvd, fields_0000.vtu, ...
+inline constexpr const char* study_settings_name = "study_settings.txt";  ///< of a run of `pinball converge`
 inline constexpr const char* lock_name = "pinball.lock";
 
 /// The file of the folder, which may be empty.
@@ -24,13 +25,14 @@ std::string in_folder(const std::string& folder, std::string_view name);
 /// Whether a run writes a file of this name; the lock is none of its results.
 bool is_run_file(const std::string& name);
 
-/// Whether a picture of a run has this name: fields.png, fields.pvsm, history.png, view.*, animation.*.
-bool is_picture_of_run(const std::string& name);
+/// Whether commands make a file of this name of a run: fields.png, fields.pvsm, history.png, view.*, animation.*, and
+/// study_settings.txt.
+bool is_made_of_run(const std::string& name);
 
 /// Files of a folder that one of these functions takes, links among them; no folders.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder, bool (*takes)(const std::string&));
 
-/// What runs and commands have left in a folder. Names of pictures are those that others use, too: they count where a
+/// What runs and commands have left in a folder. What commands make has names that others use, too: they count where a
 /// run's summary or history is beside them.
 std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder);
 

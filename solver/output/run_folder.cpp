@@ -88,7 +88,7 @@ void RunFolder::put_back() const {
   std::error_code error;
   for (const fs::path& path : files_of(folder_, is_run_file)) fs::remove(path, error);
   const fs::path earlier = fs::path(folder_) / earlier_name;
-  for (const auto takes : {is_run_file, is_picture_of_run}) {
+  for (const auto takes : {is_run_file, is_made_of_run}) {
     for (const fs::path& path : files_of(earlier, takes)) fs::rename(path, fs::path(folder_) / path.filename(), error);
   }
   fs::remove(earlier, error);
@@ -97,7 +97,7 @@ void RunFolder::put_back() const {
 void RunFolder::remove_earlier() const {
   const fs::path earlier = fs::path(folder_) / earlier_name;
   std::error_code error;
-  for (const auto takes : {is_run_file, is_picture_of_run}) {
+  for (const auto takes : {is_run_file, is_made_of_run}) {
     for (const fs::path& path : files_of(earlier, takes)) fs::remove(path, error);
   }
   fs::remove(earlier, error);
@@ -112,7 +112,7 @@ void RunFolder::begin(const RunSummary& summary) {
     for (const fs::path& path : results_in(folder_)) {
       const std::string name = path.filename().string();
       const bool follows =
-          is_picture_of_run(name) || name == page_name || name.starts_with("last_good.") || name.ends_with(".part");
+          is_made_of_run(name) || name == page_name || name.starts_with("last_good.") || name.ends_with(".part");
       if (follows && !same_file(path, restarted_)) fs::remove(path);
     }
   }

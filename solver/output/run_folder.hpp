@@ -14,8 +14,8 @@ namespace pinball {
 /// left goes, and summary.json says what has become of this one. Does nothing where nothing is to be written.
 ///
 /// What an earlier run has left is set aside first and removed when the scene is built: bad input leaves the folder as
-/// it was. A restart in the folder of its checkpoint keeps all but what follows from results: pictures, pages and the
-/// last good state.
+/// it was. A restart in the folder of its checkpoint keeps all but what follows from results: pictures, pages, the
+/// last good state, and what a study says of the run.
 class RunFolder {
  public:
   /// Throws InputError that names the folder where it cannot be used, RunError where the summary cannot be written.

@@ -131,6 +131,16 @@ TEST_F(Converge, ARunThatIsThereIsNotMadeAgain) {
   EXPECT_EQ(converge(coarse).status, 0);
   EXPECT_THAT(were_there(), ElementsAre(false, false, true));
   EXPECT_EQ(json()["quantities"], quantities);
+
+  // Another run in the folder of one leaves results that are none of the study.
+  ASSERT_EQ(run(fmt::format("run {} --quiet --threads 1 --out {}/mesh_1", scene(), out())).status, 0);
+  EXPECT_EQ(converge(coarse).status, 0);
+  EXPECT_THAT(were_there(), ElementsAre(true, false, true));
+  const std::string steps = "--set time.steps=3 --out " + out() + "/mesh_3_2";
+  ASSERT_EQ(run(fmt::format("run {} --quiet --threads 1 {}", scene(), steps)).status, 0);
+  EXPECT_EQ(converge(coarse).status, 0);
+  EXPECT_THAT(were_there(), ElementsAre(true, true, false));
+  EXPECT_EQ(json()["quantities"], quantities);
 }
 
 TEST_F(Converge, SaysApartWhatStepPrecisionHourglassAndChanceDo) {
@@ -219,7 +229,7 @@ TEST_F(Converge, ARunThatFailsIsNamedAndTheOthersCount) {
   EXPECT_THAT(f.text, HasSubstr("mesh 1/2 failed: the energy balance is off by"));
   EXPECT_THAT(f.text, HasSubstr("no run came to its end"));
   EXPECT_THAT(json()["meshes"][0]["failure"].get<std::string>(), HasSubstr("energy balance"));
-  EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_1/settings.txt"));
+  EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_1/study_settings.txt"));
 }
 
 TEST_F(Converge, ASceneInWhichNothingHappensSaysSo) {

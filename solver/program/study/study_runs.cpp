@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -22,8 +21,6 @@
 namespace pinball {
 
 namespace {
-
-constexpr const char* settings_name = "settings.txt";
 
 /// Of all files that a mesh is read from.
 std::uint64_t hash_of_mesh(FileMesh mesh) {
@@ -59,7 +56,7 @@ std::string text_of_file(const std::string& path) {
 
 /// Of a run with these settings that came to its end.
 std::optional<RunResults> results_there(const std::string& folder, const std::string& settings) {
-  if (text_of_file(in_folder(folder, settings_name)) != settings) return std::nullopt;
+  if (text_of_file(in_folder(folder, study_settings_name)) != settings) return std::nullopt;
   try {
     RunResults results = read_run_results(folder);
     if (results.status == "done") return results;
@@ -83,8 +80,6 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
   if (!folder.quiet) print_message(fmt::format("{}: {}", run.was_there ? "is there" : "runs", what));
   if (run.was_there) return run;
 
-  std::error_code none;
-  std::filesystem::remove(in_folder(run.folder, settings_name), none);  // what it said is over
   RecordOptions options;
   options.out = run.folder;
   options.quiet = folder.quiet;
@@ -97,7 +92,7 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
     run.failure = error.what();
   }
   if (run.stopped || !run.failure.empty()) return run;
-  write_result_file(in_folder(run.folder, settings_name), settings);
+  write_result_file(in_folder(run.folder, study_settings_name), settings);
   run.results = read_run_results(run.folder);
   return run;
 }

@@ -24,9 +24,9 @@ struct StudyRun {
   std::optional<RunResults> results{};  ///< of a run that came to its end
 };
 
-/// Runs the scene in OUT/NAME, without field output, and leaves settings.txt beside its results: all keys of the scene,
-/// what its mesh files hold, the version and the device. Where that is there already, and the run was done, it reads
-/// the results instead. A run that fails, or that a signal ends, is told and made again the next time. Throws
+/// Runs the scene in OUT/NAME, without field output, and leaves study_settings.txt beside its results: all keys of the
+/// scene, what its mesh files hold, the version and the device. Where that is there already, and the run was done, it
+/// reads the results instead. A run that fails, or that a signal ends, is told and made again the next time. Throws
 /// InputError for a scene that cannot be run. what: for the line that says which run it is.
 StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what,
                         const StudyFolder& folder);
