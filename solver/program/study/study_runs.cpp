@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <tuple>
 
 #include <solver/base/error.hpp>
 #include <solver/base/state_hash.hpp>
@@ -22,14 +24,22 @@ namespace pinball {
 
 namespace {
 
-/// Of all files that a mesh is read from.
-std::uint64_t hash_of_mesh(FileMesh mesh) {
-  mesh.held.reset();  // what was read with a deck is for the model
-  mesh.splits = 0;
-  StateHash hash;
-  for (const MeshSource& source : read_mesh_file(mesh, {""}).sources) hash.add(&source.hash, sizeof(source.hash));
-  return hash.value();
-}
+/// Of all files that meshes are read from; bodies of one file have it read once.
+class MeshHashes {
+ public:
+  std::uint64_t of(FileMesh mesh) {
+    const auto [found, is_new] = known_.try_emplace({mesh.format, mesh.file, mesh.chosen_case});
+    if (!is_new) return found->second;
+    mesh.held.reset();  // what was read with a deck is for the model
+    mesh.splits = 0;
+    StateHash hash;
+    for (const MeshSource& source : read_mesh_file(mesh, {""}).sources) hash.add(&source.hash, sizeof(source.hash));
+    return found->second = hash.value();
+  }
+
+ private:
+  std::map<std::tuple<MeshFormat, std::string, std::optional<std::int64_t>>, std::uint64_t> known_;
+};
 
 /// What makes a run the same as another one.
 std::string settings_text(const Scene& scene) {
@@ -39,10 +49,11 @@ std::string settings_text(const Scene& scene) {
   for (const SceneEntry& entry : list_scene(completed)) {
     text += fmt::format("{}{}{} = {}\n", entry.table, entry.table.empty() ? "" : ".", entry.key, entry.value);
   }
+  MeshHashes hashes;
   for (const Body& body : scene.bodies) {
     const auto* mesh = std::get_if<FileMesh>(&body.mesh);
     if (mesh == nullptr) continue;
-    text += fmt::format("body.{}.mesh: split {} times, file {:016x}\n", body.name, mesh->splits, hash_of_mesh(*mesh));
+    text += fmt::format("body.{}.mesh: split {} times, file {:016x}\n", body.name, mesh->splits, hashes.of(*mesh));
   }
   return text;
 }
