@@ -223,13 +223,36 @@ TEST_F(Converge, AMeshOfAFileIsSplitAsABlockIsRefined) {
   EXPECT_FALSE(json()["meshes"][0]["was_there"]);
 }
 
-TEST_F(Converge, ARunThatFailsIsNamedAndTheOthersCount) {
+TEST_F(Converge, RunsThatFailAreNamed) {
   const Finished f = converge(std::string(coarse) + "--set guard.energy_error=1e-12");
   EXPECT_EQ(f.status, 1) << f.text;
   EXPECT_THAT(f.text, HasSubstr("mesh 1/2 failed: the energy balance is off by"));
   EXPECT_THAT(f.text, HasSubstr("no run came to its end"));
   EXPECT_THAT(json()["meshes"][0]["failure"].get<std::string>(), HasSubstr("energy balance"));
   EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_1/study_settings.txt"));
+}
+
+/// A run whose history is a folder cannot write it.
+TEST_F(Converge, TheOthersCountWhereARunFails) {
+  const std::string of_kinetic = "--quiet --of energy.kinetic --only step --meshes ";
+  ASSERT_EQ(converge(of_kinetic + "1/2,1,2").status, 0);
+  const Json whole = of(json(), "energy.kinetic");
+  std::filesystem::create_directories(out() + "/mesh_3_2/history.csv");
+  const Finished four = converge(of_kinetic + "1/2,1,3/2,2");
+  EXPECT_EQ(four.status, 1) << four.text;
+  EXPECT_THAT(four.text, HasSubstr("mesh 3/2 failed: "));
+  const Json of_three = of(json(), "energy.kinetic");
+  EXPECT_TRUE(of_three["values"][2].is_null());
+  for (const char* key : {"verdict", "observed_order", "band", "spread", "own_error", "moved_by"}) {
+    EXPECT_EQ(of_three[key], whole[key]) << key;
+  }
+
+  EXPECT_EQ(converge(of_kinetic + "1/2,1,3/2").status, 1);
+  const Json of_two = of(json(), "energy.kinetic");
+  EXPECT_TRUE(of_two["verdict"].is_null());
+  EXPECT_TRUE(of_two["moved_by"]["mesh"].is_null());
+  EXPECT_EQ(of_two["moved_by"]["time step"], whole["moved_by"]["time step"]);
+  EXPECT_EQ(of_two["largest_source"], "time step");
 }
 
 TEST_F(Converge, ASceneInWhichNothingHappensSaysSo) {

@@ -48,14 +48,7 @@ void add_sources_json(const ConvergenceStudy& study, const StudyQuantity& quanti
   json["chance_rules"] = chance_rules(study, quantity);
 }
 
-OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& quantity) {
-  OrderedJson values = OrderedJson::array();
-  for (const auto& value : quantity.values) values.push_back(number_or_null(value));
-  OrderedJson json = {{"name", quantity.name}, {"unit", quantity.unit}, {"values", values}, {"scale", quantity.scale}};
-  const std::string verdict = verdict_word(quantity);
-  json["verdict"] = verdict.empty() ? OrderedJson(nullptr) : OrderedJson(verdict);
-  if (!quantity.convergence) return json;
-  const GridConvergence& c = *quantity.convergence;
+void add_convergence_json(const GridConvergence& c, OrderedJson& json) {
   const bool monotone = c.verdict == Convergence::monotone;
   const auto if_monotone = [monotone](double value) { return monotone ? OrderedJson(value) : OrderedJson(nullptr); };
   const OrderedJson range = {c.low, c.high};
@@ -68,7 +61,18 @@ OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& qu
   json["index"] = if_monotone(c.index);
   json["band"] = c.has_band() ? range : OrderedJson(nullptr);
   json["spread"] = c.has_band() ? OrderedJson(nullptr) : range;
-  json["own_error"] = number_or_null(own_error(study, quantity));
+}
+
+OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& quantity) {
+  OrderedJson values = OrderedJson::array();
+  for (const auto& value : quantity.values) values.push_back(number_or_null(value));
+  OrderedJson json = {{"name", quantity.name}, {"unit", quantity.unit}, {"values", values}, {"scale", quantity.scale}};
+  const std::string verdict = verdict_word(quantity);
+  json["verdict"] = verdict.empty() ? OrderedJson(nullptr) : OrderedJson(verdict);
+  if (quantity.convergence) {
+    add_convergence_json(*quantity.convergence, json);
+    json["own_error"] = number_or_null(own_error(study, quantity));
+  }
   if (!study.sources.empty()) add_sources_json(study, quantity, json);
   return json;
 }

@@ -17,7 +17,8 @@ std::string convergence_text(const ConvergenceStudy& study);
 /// wall_seconds}], quantities [{name, unit, values, scale, verdict, observed_order, order, safety_factor, extrapolated,
 /// approximate_error, extrapolated_error, index, band, spread, own_error, moved_by {mesh, SOURCE...}, mean_of_chance,
 /// largest_source, chance_rules}], sources_mesh, sources [{name, what, runs [{folder, was_there, failure}]}]}. Numbers
-/// that are not there, or not finite, are null; of band and spread, [low, high], the one that does not apply.
+/// that are not there, or not finite, are null; of band and spread, [low, high], the one that does not apply. Of a
+/// quantity with a value on fewer than three meshes there is nothing from observed_order to own_error.
 std::string convergence_json(const ConvergenceStudy& study);
 
 /// "converges", "oscillates"; empty: too few meshes say anything.
