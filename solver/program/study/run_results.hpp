@@ -10,12 +10,12 @@
 
 namespace pinball {
 
-/// What a run has left in its folder, as numbers with names. A quantity is
-///   COLUMN:last, COLUMN:max, COLUMN:min, COLUMN:integral   of the rows of history.csv (integral: over time, by
-///   trapezia) COLUMN                                                 its last row energy.kinetic,
-///   bodies.bar.max_plastic_strain, contact.pairs.pair.impulse.x                           a number of summary.json:
-///   keys, names in the place of numbers
-///                                                          in a list, x, y, z of vectors
+/// What a run has left in its folder, as numbers with names. A quantity is one of
+///
+/// - COLUMN, COLUMN:last, COLUMN:max, COLUMN:min, COLUMN:integral of the rows of history.csv; COLUMN alone is the last
+///   one, and the integral is over time, by trapezia;
+/// - energy.kinetic, bodies.bar.max_plastic_strain, contact.pairs.pair.impulse.x: a number of summary.json by its keys,
+///   with names in the place of numbers in a list, and x, y, z of vectors.
 struct RunResults {
   std::string status;                               ///< "done", "failed", ...
   std::map<std::string, double> numbers;            ///< of summary.json
