@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <filesystem>
@@ -15,6 +16,33 @@
 
 namespace pinball {
 namespace {
+
+/// A column of the whole model.
+struct ModelColumn {
+  const char* name;
+  bool is_energy = false;
+};
+
+constexpr std::array<ModelColumn, 20> model_columns{{{"step"},
+                                                     {"time"},
+                                                     {"dt"},
+                                                     {"kinetic", true},
+                                                     {"internal", true},
+                                                     {"hourglass", true},
+                                                     {"bulk_viscosity", true},
+                                                     {"contact_stored", true},
+                                                     {"contact_damped", true},
+                                                     {"eroded", true},
+                                                     {"external", true},
+                                                     {"total", true},
+                                                     {"balance_error"},
+                                                     {"momentum_x"},
+                                                     {"momentum_y"},
+                                                     {"momentum_z"},
+                                                     {"hourglass_plastic", true},
+                                                     {"folding", true},
+                                                     {"inside_out_elements"},
+                                                     {"kinetic_below_zero", true}}};
 
 /// A name as a CSV cell: quoted where it holds a separator.
 std::string cell(const std::string& name) {
@@ -37,26 +65,8 @@ void add_number(std::string& line, double value) {
 
 std::vector<std::string> history_column_names(const std::vector<std::string>& bodies,
                                               const std::vector<std::string>& more) {
-  std::vector<std::string> names{"step",
-                                 "time",
-                                 "dt",
-                                 "kinetic",
-                                 "internal",
-                                 "hourglass",
-                                 "bulk_viscosity",
-                                 "contact_stored",
-                                 "contact_damped",
-                                 "eroded",
-                                 "external",
-                                 "total",
-                                 "balance_error",
-                                 "momentum_x",
-                                 "momentum_y",
-                                 "momentum_z",
-                                 "hourglass_plastic",
-                                 "folding",
-                                 "inside_out_elements",
-                                 "kinetic_below_zero"};
+  std::vector<std::string> names;
+  for (const ModelColumn& column : model_columns) names.emplace_back(column.name);
   for (const std::string& body : bodies) {
     for (const char* quantity :
          {"velocity_x", "velocity_y", "velocity_z", "mass_remaining", "eroded_elements", "max_plastic_strain"}) {
@@ -65,6 +75,11 @@ std::vector<std::string> history_column_names(const std::vector<std::string>& bo
   }
   names.insert(names.end(), more.begin(), more.end());
   return names;
+}
+
+bool is_energy_column(std::string_view name) {
+  return std::any_of(model_columns.begin(), model_columns.end(),
+                     [name](const ModelColumn& column) { return column.is_energy && column.name == name; });
 }
 
 std::vector<double> history_numbers(const HistoryRow& row) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <solver/base/state_hash.hpp>
@@ -14,6 +15,8 @@ namespace pinball {
 /// Names of the columns, as HistoryWriter describes them.
 std::vector<std::string> history_column_names(const std::vector<std::string>& bodies,
                                               const std::vector<std::string>& more);
+/// Whether a column is one of Energies of the whole model, or their total.
+bool is_energy_column(std::string_view name);
 /// The numbers of a row, one per column.
 std::vector<double> history_numbers(const HistoryRow& row);
 

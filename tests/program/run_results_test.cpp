@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 #include <solver/base/error.hpp>
+#include <solver/output/history.hpp>
 #include <solver/program/study/quantities.hpp>
 #include <solver/program/study/run_results.hpp>
 #include <tests/support/folder_case.hpp>
@@ -117,6 +119,16 @@ TEST(UnitOfQuantity, IsThatOfTheScene) {
   }
   EXPECT_EQ(unit_of_quantity("tip_displacement_z:integral", units), units.length + " " + units.time);
   EXPECT_EQ(unit_of_quantity("kinetic", parse_units("none")), "");
+}
+
+/// All that a history has of a model without bodies, but for these.
+TEST(UnitOfQuantity, OfEachEnergyOfAHistoryIsThatOfEnergies) {
+  const Units units = parse_units("g-mm-ms");
+  const std::set<std::string> others{"step",       "time",       "dt",         "balance_error",
+                                     "momentum_x", "momentum_y", "momentum_z", "inside_out_elements"};
+  for (const std::string& column : history_column_names({}, {})) {
+    EXPECT_EQ(unit_of_quantity(column, units) == units.energy, others.count(column) == 0) << column;
+  }
 }
 
 }  // namespace

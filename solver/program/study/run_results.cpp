@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include <string_view>
 
 #include <solver/base/error.hpp>
+#include <solver/output/history.hpp>
 #include <solver/output/run_files.hpp>
 
 namespace pinball {
@@ -19,9 +19,6 @@ namespace pinball {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr std::array energy_columns{"kinetic",        "internal", "hourglass", "bulk_viscosity", "contact_stored",
-                                    "contact_damped", "eroded",   "external",  "total",          "folding"};
 
 /// The number of each leaf by its path.
 void add_numbers(const Json& json, const std::string& path, std::map<std::string, double>& numbers) {
@@ -83,10 +80,6 @@ std::pair<std::string, bool> without_axis(const std::string& column) {
     if (column.ends_with(axes)) return {column.substr(0, column.size() - axes.size()), true};
   }
   return {column, false};
-}
-
-bool is_energy_column(std::string_view column) {
-  return std::find(energy_columns.begin(), energy_columns.end(), column) != energy_columns.end();
 }
 
 /// Of an energy as a number of the summary, not a share of it.
