@@ -33,6 +33,9 @@ int report(const std::exception& error, int status) {
 /// An empty name is most likely a variable of a script that is not set.
 std::string check_not_empty(const std::string& text) { return text.empty() ? "expected a name, got none" : ""; }
 
+/// One that may be given several times, with one value each.
+CLI::Option* repeated(CLI::Option* option) { return option->expected(1)->allow_extra_args(false)->take_all(); }
+
 /// Of decks of other programs.
 template <class Options>
 void add_deck_options(CLI::App& command, Options& options) {
@@ -71,10 +74,8 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
               "TOML file, name of a scene in data/scenes, LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp)")
           ->required();
   add_deck_options(command, options);
-  command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all();
+  repeated(
+      command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME"));
   command
       .add_option("--threads", options.threads,
                   "number of threads (default: OMP_NUM_THREADS, else what the size earns)")
@@ -121,13 +122,10 @@ void add_run_options(CLI::App& command, pinball::RunOptions& options) {
 void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
   add_scene_options(command, options);
   add_device_option(command, options.device);
-  command
-      .add_option("--vary", options.vary,
-                  "KEY=V1,V2,...: runs the scene with each value; several --vary: with all combinations, the first one "
-                  "being what the others are compared with (default: contact.method=pinball,slideline)")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all();
+  repeated(command.add_option(
+      "--vary", options.vary,
+      "KEY=V1,V2,...: runs the scene with each value; several --vary: with all combinations, the first one "
+      "being what the others are compared with (default: contact.method=pinball,slideline)"));
   command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3)")
       ->check(CLI::Range(1, 1000));
   command.add_option("--json", options.json, "write the table, and the times of each repeat, to this file")
@@ -139,13 +137,10 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
 void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) {
   add_scene_options(command, options);
   add_device_option(command, options.device);
-  command
-      .add_option("--of", options.of,
-                  "a quantity: a column of history.csv, also with :last, :max, :min or :integral, or a number of "
-                  "summary.json, such as energy.kinetic (default: energies, velocities, forces, probes)")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all()
+  repeated(
+      command.add_option("--of", options.of,
+                         "a quantity: a column of history.csv, also with :last, :max, :min or :integral, or a number "
+                         "of summary.json, such as energy.kinetic (default: energies, velocities, forces, probes)"))
       ->check(check_not_empty);
   command
       .add_option(
@@ -153,12 +148,9 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
           "K1,K2,K3,...: what multiplies the element counts, fractions such as 1/2; 1, 2, 4, ... of meshes of files "
           "(default: 1,2,4 with these, 1/2,1,2 where all counts can be halved, else 1,2,3)")
       ->check(check_not_empty);
-  command
-      .add_option("--only", options.only,
-                  "leaves out what else may move a number (default: all of mesh, step, precision, hourglass, chance)")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all()
+  repeated(command.add_option(
+               "--only", options.only,
+               "leaves out what else may move a number (default: all of mesh, step, precision, hourglass, chance)"))
       ->check(CLI::IsMember({"mesh", "step", "precision", "hourglass", "chance"}));
   command
       .add_option("--ensemble", options.ensemble, "runs with moved velocities that say what chance does (default: 4)")
