@@ -25,10 +25,6 @@ std::string text(const Spread& seconds, std::size_t repeats) {
   return repeats == 1 ? median : fmt::format("{} ({:.3g}..{:.3g})", median, seconds.smallest, seconds.largest);
 }
 
-std::string text(const std::optional<double>& value, fmt::format_string<const double&> format) {
-  return value ? fmt::format(format, *value) : "-";
-}
-
 /// "contact.method" in front of "pinball", "slideline": the values that tell the columns apart.
 void add_settings(Lines& lines, const std::vector<VariantRuns>& runs) {
   for (std::size_t k = 0; k < runs.front().settings.size(); ++k) {
@@ -52,7 +48,7 @@ void add_times(Lines& lines, const std::vector<VariantRuns>& runs) {
            [](const VariantRuns& variant) { return fmt::format("{:.1f}", 100 * times_of(variant).contact_share); });
   const auto add_ratio = [&](const std::string& name, std::optional<double> TimeRatios::*ratio) {
     add_line(lines, name, runs, [&runs, ratio](const VariantRuns& variant) {
-      return text(first_over(runs.front(), variant).*ratio, "{:.3f}");
+      return number_cell(first_over(runs.front(), variant).*ratio, "{:.3f}");
     });
   };
   add_ratio("total time, first / this", &TimeRatios::total);
@@ -88,7 +84,7 @@ void add_results(Lines& lines, const std::vector<VariantRuns>& runs) {
   add("steps", [](const RunSummary& s) { return fmt::format("{}", s.steps); });
   add("largest energy error [%]", [](const RunSummary& s) { return fmt::format("{:.3g}", 100 * s.balance_error_max); });
   add_line(lines, "momentum error", runs,
-           [](const VariantRuns& variant) { return text(variant.momentum_error, "{:.2e}"); });
+           [](const VariantRuns& variant) { return number_cell(variant.momentum_error, "{:.2e}"); });
   add("deepest penetration / radii",
       [](const RunSummary& s) { return fmt::format("{:.3g}", s.max_penetration_ratio); });
   add_bodies(lines, runs);

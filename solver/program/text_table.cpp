@@ -1,7 +1,5 @@
 #include "text_table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace pinball {
@@ -23,6 +21,10 @@ std::string text_table(const std::vector<std::vector<std::string>>& lines, const
     text += row + '\n';
   }
   return text;
+}
+
+std::string number_cell(const std::optional<double>& value, fmt::format_string<const double&> format) {
+  return value ? fmt::format(format, *value) : "-";
 }
 
 }  // namespace pinball

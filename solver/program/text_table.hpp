@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,5 +13,8 @@ enum class Align { left, right };
 /// Lines of cells, in columns as wide as their widest cell with two blanks between them; no blanks at the ends of
 /// lines. align: one per column.
 std::string text_table(const std::vector<std::vector<std::string>>& lines, const std::vector<Align>& align);
+
+/// "-" where there is none.
+std::string number_cell(const std::optional<double>& value, fmt::format_string<const double&> format);
 
 }  // namespace pinball

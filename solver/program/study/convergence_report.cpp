@@ -16,8 +16,6 @@ namespace {
 
 constexpr double small_share = 1e-3;  ///< of its scale: percent of a value below are of no use
 
-std::string number_cell(const std::optional<double>& value) { return value ? fmt::format("{:.6g}", *value) : "-"; }
-
 std::string order_cell(const GridConvergence& convergence) {
   if (!convergence.observed_order) return "-";
   if (!(*convergence.observed_order < 10)) return "> 10";
@@ -42,10 +40,6 @@ std::string error_cell(const ConvergenceStudy& study, const StudyQuantity& quant
   if (!error) return "-";
   const std::string percent = percent_of(*error, quantity);
   return fmt::format("{:.3g}{}", *error, percent.empty() ? "" : " (" + percent + ")");
-}
-
-std::string named_with_unit(const StudyQuantity& quantity) {
-  return quantity.unit.empty() ? quantity.name : fmt::format("{} [{}]", quantity.name, quantity.unit);
 }
 
 /// The quantity whose error is the largest part of its scale.
@@ -109,10 +103,10 @@ std::string quantity_lines(const ConvergenceStudy& study) {
   for (const StudyQuantity& quantity : study.quantities) {
     lines.push_back({named_with_unit(quantity)});
     std::vector<std::string>& line = lines.back();
-    for (const auto& value : quantity.values) line.push_back(number_cell(value));
+    for (const auto& value : quantity.values) line.push_back(number_cell(value, "{:.6g}"));
     const auto& c = quantity.convergence;
     line.push_back(c ? order_cell(*c) : "-");
-    line.push_back(c && c->has_band() ? number_cell(c->extrapolated) : "-");
+    line.push_back(c && c->has_band() ? number_cell(c->extrapolated, "{:.6g}") : "-");
     line.push_back(c ? band_cell(*c) : "-");
     if (study.own_mesh()) line.push_back(error_cell(study, quantity));
     line.push_back(verdict_word(quantity));
@@ -135,6 +129,10 @@ std::string verdict_word(const StudyQuantity& quantity) {
       return "diverges";
   }
   return "";
+}
+
+std::string named_with_unit(const StudyQuantity& quantity) {
+  return quantity.unit.empty() ? quantity.name : fmt::format("{} [{}]", quantity.name, quantity.unit);
 }
 
 std::optional<double> own_error(const ConvergenceStudy& study, const StudyQuantity& quantity) {

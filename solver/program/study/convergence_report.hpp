@@ -24,6 +24,9 @@ std::string convergence_json(const ConvergenceStudy& study);
 /// "converges", "oscillates"; empty: too few meshes say anything.
 std::string verdict_word(const StudyQuantity& quantity);
 
+/// "wall_impulse [N ms]".
+std::string named_with_unit(const StudyQuantity& quantity);
+
 /// Value on the scene's own mesh less the extrapolated one; none: it is not among the meshes, or nothing converges.
 std::optional<double> own_error(const ConvergenceStudy& study, const StudyQuantity& quantity);
 

@@ -8,13 +8,13 @@
 
 #include <solver/program/text_table.hpp>
 
+#include "convergence_report.hpp"
+
 namespace pinball {
 
 namespace {
 
 constexpr double least_moved = 1e-6;  ///< of the scale of a quantity: what moves it less is not named
-
-std::string moved_cell(const std::optional<double>& value) { return value ? fmt::format("{:.3g}", *value) : "-"; }
 
 std::optional<std::size_t> place_of_chance(const ConvergenceStudy& study) {
   for (std::size_t s = 0; s < study.sources.size(); ++s) {
@@ -102,9 +102,8 @@ std::string sources_text(const ConvergenceStudy& study) {
   lines.front().emplace_back("largest");
   align.push_back(Align::left);
   for (const StudyQuantity& quantity : study.quantities) {
-    lines.push_back({quantity.unit.empty() ? quantity.name : fmt::format("{} [{}]", quantity.name, quantity.unit),
-                     moved_cell(error_of_mesh(study, quantity))});
-    for (const auto& moved : quantity.moved) lines.back().push_back(moved_cell(moved));
+    lines.push_back({named_with_unit(quantity), number_cell(error_of_mesh(study, quantity), "{:.3g}")});
+    for (const auto& moved : quantity.moved) lines.back().push_back(number_cell(moved, "{:.3g}"));
     lines.back().push_back(largest_source(study, quantity));
   }
   return fmt::format("on mesh {}:\n{}{}{}", study.meshes[study.sources_mesh].factor.text(), text_table(lines, align),
