@@ -59,7 +59,6 @@ void add_band(GridConvergence& result, const Triplet& t, double fine, double for
     const double of_coarser = std::abs(t.e32) / std::expm1(formal_order * std::log(t.r32));
     half = std::max(half, result.safety_factor * of_coarser / std::pow(t.r21, formal_order));
   }
-  result.approximate_error = std::abs(t.e21 / fine);
   result.extrapolated_error = std::abs((result.extrapolated - fine) / result.extrapolated);
   result.index = half / std::abs(fine);
   result.low = fine - half;
