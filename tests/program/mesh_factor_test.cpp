@@ -1,12 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <solver/base/error.hpp>
 #include <solver/program/study/mesh_factor.hpp>
+#include <tests/support/error_of.hpp>
 
 namespace pinball {
 namespace {
 
+using test::error_of;
+using test::no_error;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -24,12 +26,7 @@ Mesh refined(const Mesh& mesh, MeshFactor factor) {
 }
 
 std::string problem_of_refining(const MeshSettings& mesh, MeshFactor factor) {
-  try {
-    refined_by(scene_of(mesh), factor);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return error_of([&] { refined_by(scene_of(mesh), factor); });
 }
 
 TEST(MeshFactor, AreFractionsFromCoarseToFine) {
@@ -93,7 +90,7 @@ TEST(MeshFactor, NamesWhatItDoesNotLeaveWholeOrEven) {
               HasSubstr("body.body.mesh.elements: expected a number that 1/2 times leaves whole, got 3"));
   const CylinderMesh quarter{1, 4, Section::quarter, 0, 2, 2, 1, 6};
   EXPECT_THAT(problem_of_refining(quarter, {1, 2}), HasSubstr("body.body.mesh.core: expected a number that is even"));
-  EXPECT_EQ(problem_of_refining(quarter, {2, 1}), "");
+  EXPECT_EQ(problem_of_refining(quarter, {2, 1}), no_error);
   EXPECT_THAT(problem_of_refining(SphereMesh{1, Section::half, 0, {2, 2}, 2, 1}, {1, 2}), HasSubstr("is even"));
   EXPECT_THAT(problem_of_refining(BlockMesh{{1, 1, 1}, {400, 3, 2}, {}}, {1000, 1}), HasSubstr("at most 100000"));
 }
@@ -105,16 +102,9 @@ TEST(MeshFactor, HalvesWhereAllCountsAllowIt) {
 }
 
 TEST(MeshFactor, RefusesWhatIsAnotherProblemOnAnotherMesh) {
-  const auto problem = [](const Scene& scene) -> std::string {
-    try {
-      require_refinable(scene);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  };
+  const auto problem = [](const Scene& scene) { return error_of([&scene] { require_refinable(scene); }); };
   Scene scene = scene_of(BlockMesh{{1, 1, 1}, {4, 6, 2}, {}});
-  EXPECT_EQ(problem(scene), "");
+  EXPECT_EQ(problem(scene), no_error);
   scene.time.steps = 5;
   EXPECT_THAT(problem(scene), HasSubstr("time.steps = 5: expected none"));
   scene.time.steps = -1;
@@ -122,7 +112,7 @@ TEST(MeshFactor, RefusesWhatIsAnotherProblemOnAnotherMesh) {
   scene.loads[0].each = true;
   EXPECT_THAT(problem(scene), HasSubstr("load.0.each: expected false"));
   Scene of_file = scene_of(FileMesh{});
-  EXPECT_EQ(problem(of_file), "");
+  EXPECT_EQ(problem(of_file), no_error);
   of_file.fixed_constraints.resize(2);
   of_file.fixed_constraints[1].nodes.nodes = {17};
   EXPECT_THAT(problem(of_file), HasSubstr("constraint.1.nodes: expected a set or a place"));
@@ -134,7 +124,7 @@ TEST(MeshFactor, RefusesWhatIsAnotherProblemOnAnotherMesh) {
   of_file.pressures.clear();
   of_file.probes.resize(1);
   of_file.probes[0].number = 17;
-  EXPECT_EQ(problem(of_file), "") << "a node keeps its number";
+  EXPECT_EQ(problem(of_file), no_error) << "a node keeps its number";
   of_file.probes[0].kind = ProbeKind::element;
   EXPECT_THAT(problem(of_file), HasSubstr("probe..element: expected"));
 }
