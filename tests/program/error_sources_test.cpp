@@ -56,7 +56,7 @@ TEST(ErrorSources, ChanceIsThatOfThePrecisionAndOfSceneAtRest) {
   EXPECT_DOUBLE_EQ(moved.initial_velocities[0].velocity[2], 4 * (1 + 1e-5));
 }
 
-/// Of one quantity, with a band of 8 to 12 around 10 on the mesh of the sources, moved by chance by so much.
+/// Of one quantity, with a band of 9 to 12 around 10 on the mesh of the sources, moved by chance by so much.
 ConvergenceStudy study_with(double by_step, double by_chance) {
   ConvergenceStudy study;
   study.scene = "scene";
