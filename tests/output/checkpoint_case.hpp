@@ -21,9 +21,7 @@ class Checkpoints : public testing::Test {
     EXPECT_EQ(f.status, 0) << arguments << '\n' << f.text;
   }
   static void expect_input_error(const std::string& arguments, const std::string& message) {
-    const Finished f = run("run --quiet " + arguments);
-    EXPECT_EQ(f.status, 2) << arguments << '\n' << f.text;
-    EXPECT_THAT(f.text, testing::HasSubstr(message));
+    expect_bad_input("run --quiet " + arguments, message);
   }
   /// summary.json but for times, threads and the memory that arrays happened to take.
   static std::string result(const std::string& folder) {

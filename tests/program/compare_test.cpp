@@ -254,9 +254,7 @@ TEST_F(CompareProgram, WritesNothingButTheTable) {
 
 TEST_F(CompareProgram, BadInputEndsWithTwoAndNamesTheOption) {
   const auto expect_bad = [](const std::string& arguments, const std::string& message) {
-    const Finished f = run("compare two_blocks --quiet " + arguments);
-    EXPECT_EQ(f.status, 2) << f.text;
-    EXPECT_THAT(f.text, HasSubstr(message));
+    test::expect_bad_input("compare two_blocks --quiet " + arguments, message);
   };
   expect_bad("--vary contact.beta", "--vary contact.beta: expected KEY=V1,V2,...");
   expect_bad("--vary =1,2", "--vary =1,2: expected KEY=V1,V2,...");

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -28,6 +30,13 @@ inline Finished run(const std::string& arguments, const std::string& before = {}
   const int status = ::pclose(pipe);
   result.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return result;
+}
+
+/// The status of bad input, and what is told of it.
+inline void expect_bad_input(const std::string& arguments, const std::string& message) {
+  const Finished f = run(arguments);
+  EXPECT_EQ(f.status, 2) << arguments << '\n' << f.text;
+  EXPECT_THAT(f.text, testing::HasSubstr(message)) << arguments;
 }
 
 inline std::string content(const std::string& path) {
