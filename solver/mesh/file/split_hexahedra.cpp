@@ -77,14 +77,18 @@ void require_splittable(const MeshFile& file) {
 /// The eight, at the corner 0 first, in the order of the corners.
 void add_eight(const std::array<std::int32_t, 8>& corners, MiddleNodes& middles,
                std::vector<std::array<std::int32_t, 8>>& hexahedra) {
+  std::array<std::int32_t, 27> lattice;  // several of the eight have its points in common
+  lattice.fill(-1);
   const auto node_at = [&](int x, int y, int z) {
+    std::int32_t& node = lattice[static_cast<std::size_t>(9 * x + 3 * y + z)];
+    if (node >= 0) return node;
     std::vector<std::int32_t> around;
     for (std::size_t c = 0; c < 8; ++c) {
       const auto& place = corner_places[c];
       const auto is_near = [](int at, int corner) { return at == 1 || at == corner; };
       if (is_near(x, place[0]) && is_near(y, place[1]) && is_near(z, place[2])) around.push_back(corners[c]);
     }
-    return middles.of(std::move(around));
+    return node = middles.of(std::move(around));
   };
   for (const auto& child : corner_places) {
     std::array<std::int32_t, 8>& hexahedron = hexahedra.emplace_back();
