@@ -41,6 +41,16 @@ TEST(ErrorSources, EachChangesItsOwnAlone) {
   EXPECT_TRUE(vary_sources(scene, {}, 2).empty());
 }
 
+TEST(ErrorSources, HalfTheStepAddsNoMass) {
+  Scene scene = scene_at_speed(-5);
+  EXPECT_EQ(vary_sources(scene, {ErrorSource::step}, 1)[0].what, "time.cfl = 0.45");
+  scene.time.smallest_step = 0.25;
+  const SourceVariation half = vary_sources(scene, {ErrorSource::step}, 1)[0];
+  EXPECT_EQ(half.what, "time.cfl = 0.45, time.smallest_step = 0.125");
+  const TimeSettings& time = half.scenes[0].time;
+  EXPECT_EQ(time.smallest_step / time.cfl, scene.time.smallest_step / scene.time.cfl);  // by which elements have mass
+}
+
 TEST(ErrorSources, ChanceIsThatOfThePrecisionAndOfSceneAtRest) {
   Scene scene = scene_at_speed(0);
   const auto noise = [&] {

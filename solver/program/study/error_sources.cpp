@@ -27,10 +27,14 @@ double noise_speed(const Scene& scene) {
   return 1e-3 * largest;
 }
 
+/// With smallest_step halved as well, elements have the mass that they had.
 SourceVariation half_step(const Scene& scene) {
   Scene half = scene;
   half.time.cfl /= 2;
-  return {ErrorSource::step, "time step", fmt::format("time.cfl = {}", half.time.cfl), "half_step", {half}};
+  half.time.smallest_step /= 2;
+  std::string what = fmt::format("time.cfl = {}", half.time.cfl);
+  if (half.time.smallest_step > 0) what += fmt::format(", time.smallest_step = {}", half.time.smallest_step);
+  return {ErrorSource::step, "time step", what, "half_step", {half}};
 }
 
 SourceVariation other_precision(const Scene& scene) {

@@ -19,10 +19,10 @@ struct SourceVariation {
   std::vector<Scene> scenes;  ///< one; of chance as many as the ensemble has
 };
 
-/// The scene with half the step, in the other precision, with each other hourglass control, and `ensemble` times with
-/// initial velocities that differ by parts of 1e-9 (of single precision: 1e-5), the k-th by k such parts: noise on all
-/// nodes, of the largest speed that the scene gives, or of a thousandth of the speed of waves where all is at rest;
-/// what is given to some nodes is multiplied.
+/// The scene with half the step (and half of time.smallest_step, so that masses stay), in the other precision, with
+/// each other hourglass control, and `ensemble` times with initial velocities that differ by parts of 1e-9 (of single
+/// precision: 1e-5), the k-th by k such parts: noise on all nodes, of the largest speed that the scene gives, or of a
+/// thousandth of the speed of waves where all is at rest; what is given to some nodes is multiplied.
 std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<ErrorSource>& sources, int ensemble);
 
 }  // namespace pinball
