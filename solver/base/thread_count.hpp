@@ -8,7 +8,7 @@ namespace pinball {
 
 /// With fewer elements to a thread, threads wait for each other longer than they save (docs/performance.md, "How many
 /// threads").
-inline constexpr std::int64_t elements_of_thread = 1250;
+inline constexpr std::int64_t elements_of_thread = 900;
 
 /// The threads that a step over so many elements earns, at most as many as OpenMP would take in the calling thread:
 /// these where the environment says how many (OMP_NUM_THREADS).
