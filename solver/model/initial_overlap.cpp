@@ -1,7 +1,7 @@
 #include "initial_overlap.hpp"
 
-#include <solver/model/contact/body_depth.hpp>
-#include <solver/model/contact/overlapping_bodies.hpp>
+#include <solver/model/interfaces/body_depth.hpp>
+#include <solver/model/interfaces/overlapping_bodies.hpp>
 
 namespace pinball {
 

@@ -19,11 +19,11 @@
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/scene_rules.hpp>
 
-#include "contact/ties.hpp"
 #include "elements/element_parts.hpp"
 #include "elements/folding_onsets.hpp"
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
+#include "interfaces/ties.hpp"
 #include "material/material_held.hpp"
 #include "material/material_laws.hpp"
 #include "ordering.hpp"

@@ -13,7 +13,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/model/checks/file_checks.hpp>
-#include <solver/model/contact/contact_sides.hpp>
+#include <solver/model/interfaces/contact_sides.hpp>
 #include <solver/model/selection/file_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 

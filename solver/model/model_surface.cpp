@@ -6,8 +6,8 @@
 #include <solver/base/built_features.hpp>
 #include <solver/base/faces.hpp>
 
-#include "contact/contact_sides.hpp"
 #include "exposed_faces.hpp"
+#include "interfaces/contact_sides.hpp"
 
 namespace pinball {
 

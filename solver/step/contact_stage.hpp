@@ -9,7 +9,7 @@
 #include <solver/model/model_surface.hpp>
 #include <solver/results/timers.hpp>
 
-#include "contact/pair_ledger.hpp"
+#include "pair_ledger.hpp"
 #include "run_counts.hpp"
 
 namespace pinball {

@@ -19,7 +19,6 @@
 #include <solver/results/probes.hpp>
 #include <solver/results/timers.hpp>
 
-#include "contact/tied_stage.hpp"
 #include "contact_stage.hpp"
 #include "energy/body_energies.hpp"
 #include "energy_ledger.hpp"
@@ -28,6 +27,7 @@
 #include "inside_out.hpp"
 #include "run_counts.hpp"
 #include "step_clock.hpp"
+#include "tied_stage.hpp"
 
 namespace pinball {
 

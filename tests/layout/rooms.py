@@ -1,63 +1,70 @@
-"""The rooms of the source tree and which way their includes go: each room may include itself and the rooms before it.
+"""The rooms of the source tree and which way their includes go: each room may include itself, the rooms it stands on, and
+all that these stand on.
 
     rooms.py [TREE]      prints every include that goes another way; exit status 1 if there is one
+    rooms.py --fix       writes the map into docs/architecture.md
 """
 
 import pathlib
 import re
 import sys
 
-# Lowest first. A room is a folder, or the public headers named for it, which lie above their room's folder.
+# Lowest first, each with its places and the rooms that it stands on. A place is a folder, or a public header named for the
+# room, which lies above the room's folder. What others stand on is not said again: the arrows are those of the map in
+# docs/architecture.md, and each is taken by an include.
 ROOMS = {
-    "kernels": ["kernels/"],
-    "exec": ["kernels/exec/", "kernels/exec.hpp"],
-    "base": ["solver/base/"],
-    "contact interface": ["solver/contact/contact.h", "solver/contact/embedded_contact.hpp",
-                          "solver/contact/contact_settings.hpp"],
-    "contact/surface": ["solver/contact/surface/"],
-    "contact/tied": ["solver/contact/tied/"],
-    "contact/search": ["solver/contact/search/"],
-    "contact/impulses": ["solver/contact/impulses/"],
-    "contact/algorithm": ["solver/contact/algorithm/"],
-    "contact/segments": ["solver/contact/segments/"],
-    "contact/spheres": ["solver/contact/spheres/"],
-    "contact/pinball": ["solver/contact/pinball/"],
-    "contact/faces": ["solver/contact/faces/"],
-    "contact/slideline": ["solver/contact/slideline/"],
-    "contact": ["solver/contact/make_contact.cpp"],
-    "contact/host": ["solver/contact/host/"],
-    "mesh": ["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"],
-    "scene": ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_contact.hpp",
-              "solver/scene_material.hpp", "solver/scene_rules.hpp"],
-    "formats/deck": ["solver/formats/deck/"],
-    "formats/abaqus": ["solver/formats/abaqus/"],
-    "formats/exodus": ["solver/formats/exodus/"],
-    "formats/gmsh": ["solver/formats/gmsh/"],
-    "formats/lsdyna": ["solver/formats/lsdyna/"],
-    "formats/vtk": ["solver/formats/vtk/"],
-    "formats": ["solver/formats/"],
-    "model": ["solver/model/"],
-    "results": ["solver/results/", "solver/results.hpp", "solver/field_base.hpp"],
-    "elements": ["solver/elements/"],
-    "boundary": ["solver/boundary/"],
-    "device": ["solver/device/"],
-    "step": ["solver/step/"],
-    "simulation": ["solver/simulation/", "solver/simulation.hpp"],
-    "output": ["solver/output/", "solver/recorded_run.hpp", "solver/restart.hpp", "solver/run_page.hpp",
-               "solver/summary.hpp"],
-    "verification": ["solver/verification/"],
-    "program": ["solver/program/"],
-    "python": ["python/"],
-    "bench": ["bench/micro/"],
-    "tests": ["tests/"],
+    "kernels": (["kernels/"], []),
+    "exec": (["kernels/exec/", "kernels/exec.hpp"], ["kernels"]),
+    "base": (["solver/base/"], ["exec"]),
+    "contact interface": (
+        ["solver/contact/contact.h", "solver/contact/embedded_contact.hpp", "solver/contact/contact_settings.hpp"],
+        ["base"]),
+    "contact/surface": (["solver/contact/surface/"], ["base"]),
+    "contact/tied": (["solver/contact/tied/"], ["base"]),
+    "contact/search": (["solver/contact/search/"], ["contact interface"]),
+    "contact/impulses": (["solver/contact/impulses/"], ["contact interface", "contact/surface", "contact/tied"]),
+    "contact/algorithm": (["solver/contact/algorithm/"], ["contact/impulses"]),
+    "contact/segments": (["solver/contact/segments/"], ["contact/surface"]),
+    "contact/spheres": (["solver/contact/spheres/"], ["contact/search", "contact/segments"]),
+    "contact/pinball": (["solver/contact/pinball/"], ["contact/algorithm", "contact/spheres"]),
+    "contact/faces": (["solver/contact/faces/"], ["contact/algorithm", "contact/spheres"]),
+    "contact/slideline": (["solver/contact/slideline/"], ["contact/search", "contact/algorithm", "contact/segments"]),
+    "contact": (["solver/contact/make_contact.cpp"], ["contact/pinball", "contact/faces", "contact/slideline"]),
+    "contact/host": (["solver/contact/host/"], ["contact/algorithm"]),
+    "mesh": (["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"], ["base"]),
+    "scene": (
+        ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_contact.hpp",
+         "solver/scene_material.hpp", "solver/scene_rules.hpp"],
+        ["contact interface", "mesh"]),
+    "formats/deck": (["solver/formats/deck/"], ["scene"]),
+    "formats/abaqus": (["solver/formats/abaqus/"], ["formats/deck"]),
+    "formats/exodus": (["solver/formats/exodus/"], ["mesh"]),
+    "formats/gmsh": (["solver/formats/gmsh/"], ["mesh"]),
+    "formats/lsdyna": (["solver/formats/lsdyna/"], ["formats/deck"]),
+    "formats/vtk": (["solver/formats/vtk/"], ["mesh"]),
+    "formats": (
+        ["solver/formats/"],
+        ["formats/abaqus", "formats/exodus", "formats/gmsh", "formats/lsdyna", "formats/vtk"]),
+    "model": (["solver/model/"], ["contact/search", "contact/algorithm", "formats"]),
+    "results": (["solver/results/", "solver/results.hpp", "solver/field_base.hpp"], ["model"]),
+    "elements": (["solver/elements/"], ["model"]),
+    "boundary": (["solver/boundary/"], ["results"]),
+    "device": (["solver/device/"], ["elements", "boundary"]),
+    "step": (["solver/step/"], ["device"]),
+    "simulation": (["solver/simulation/", "solver/simulation.hpp"], ["step"]),
+    "output": (
+        ["solver/output/", "solver/recorded_run.hpp", "solver/restart.hpp", "solver/run_page.hpp", "solver/summary.hpp"],
+        ["simulation"]),
+    "verification": (["solver/verification/"], ["step"]),
+    "program": (["solver/program/"], ["output", "verification"]),
+    "python": (["python/"], ["output"]),
+    "bench": (["bench/micro/"], ["contact/pinball", "contact/slideline", "step"]),
+    "tests": (["tests/"], ["contact/pinball", "contact/faces", "contact/slideline", "program"]),
 }
-ORDER = {room: number for number, room in enumerate(ROOMS)}
-
-# Side by side: neither includes the other, although one stands before the other above.
-APART = [("contact/pinball", "contact/faces"), ("contact/pinball", "contact/slideline"),
-         ("contact/faces", "contact/slideline"), ("elements", "boundary"), ("program", "python")]
-FORMATS = [room for room in ROOMS if room.startswith("formats/") and room != "formats/deck"]
-APART += [(one, other) for one in FORMATS for other in FORMATS if one < other]
+STANDS_ON = {room: below for room, (_, below) in ROOMS.items()}
+REACHED = {}  # all rooms that a room may include beside itself
+for room, all_below in STANDS_ON.items():
+    REACHED[room] = set(all_below).union(*(REACHED[below] for below in all_below))
 
 # Hosts get these, and nothing else. They include by paths from where they lie, so that they hold wherever they are put.
 PUBLIC = re.compile(r"kernels/((boundary|exec|material)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*|"
@@ -76,10 +83,12 @@ OF_EXEC = re.compile(OF_KERNELS.pattern + r"|atomic|charconv|cstdlib|cstring|exc
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.M)
 SOURCES = {".h", ".hpp", ".cpp", ".cu"}
 
+MAP_BEGINS, MAP_ENDS = "<!-- the map, by tests/layout/rooms.py --fix -->\n", "\n<!-- end of the map -->"
+
 
 def room_of(path):
     """Room of a file, or None. The longest name counts."""
-    fitting = [(len(place), room) for room, places in ROOMS.items() for place in places
+    fitting = [(len(place), room) for room, (places, _) in ROOMS.items() for place in places
                if path == place or place.endswith("/") and path.startswith(place)]
     return max(fitting)[1] if fitting else None
 
@@ -105,10 +114,8 @@ def problem(path, room, bracket, target):
     other = room_of(target)
     if other is None:
         return f"is in no room: {target}"
-    if ORDER[other] > ORDER[room]:
-        return f"goes up from {room} to {other}"
-    if (room, other) in APART or (other, room) in APART:
-        return f"goes from {room} to {other}, which lie apart"
+    if other != room and other not in REACHED[room]:
+        return f"goes from {room} to {other}, on which it does not stand"
     if room in ONLY_PUBLIC and other != room and not PUBLIC.fullmatch(target):
         return "is not public"
     if PUBLIC.fullmatch(path):
@@ -150,9 +157,49 @@ def problems(tree, files=None):
     return [f"{path}: {name} {wrong}" for path, name, _, _, wrong in arrows(tree, files) if wrong]
 
 
+def unused_arrows(tree):
+    """Arrows of the map that no include takes."""
+    taken = {(room, room_of(target)) for _, _, room, target, _ in arrows(tree) if target}
+    return [f"{room} includes nothing of {below}" for room, all_below in STANDS_ON.items() for below in all_below
+            if (room, below) not in taken]
+
+
+def level(room):
+    """How many rooms lie below a room, one on the other."""
+    return 1 + max((level(below) for below in STANDS_ON[room]), default=-1)
+
+
+def map_text():
+    """The map as docs/architecture.md has it: rooms that stand on the same number of others side by side."""
+    width = max(map(len, ROOMS))
+    levels = {room: level(room) for room in ROOMS}
+    lines = []
+    for height in sorted(set(levels.values()), reverse=True):
+        for room in [room for room in ROOMS if levels[room] == height]:
+            below = ", ".join(STANDS_ON[room])
+            lines.append(f"{height:4}  {room:{width}}  {below}".rstrip())
+    return "\n".join(["```text", f"level {'room':{width}}  stands on", *lines, "```"])
+
+
+def map_in(page):
+    """(from, to) of the map in the text of a page."""
+    begin = page.index(MAP_BEGINS) + len(MAP_BEGINS)
+    return begin, page.index(MAP_ENDS, begin)
+
+
+def fix(path):
+    page = path.read_text()
+    begin, end = map_in(page)
+    path.write_text(page[:begin] + map_text() + page[end:])
+
+
 def main():
-    tree = sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent.parent
-    found = problems(tree)
+    root = pathlib.Path(__file__).resolve().parent.parent.parent
+    if sys.argv[1:] == ["--fix"]:
+        fix(root / "docs" / "architecture.md")
+        return 0
+    tree = sys.argv[1] if len(sys.argv) > 1 else root
+    found = problems(tree) + unused_arrows(tree)
     print("\n".join(found) if found else f"{len(list(arrows(tree)))} includes, all downward")
     return 1 if found else 0
 

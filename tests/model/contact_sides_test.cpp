@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include <solver/base/face_corners.hpp>
-#include <solver/model/contact/contact_sides.hpp>
+#include <solver/model/interfaces/contact_sides.hpp>
 #include <tests/support/cube_text.hpp>
 #include <tests/support/folder_case.hpp>
 #include <tests/support/solver_case.hpp>
