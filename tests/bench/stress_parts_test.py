@@ -12,7 +12,7 @@ import numpy as np
 BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench")
 sys.path.insert(0, BENCH)
 
-from stress_parts import case, invariance, judge, page, program, random_scenes, scene
+from stress_parts import case, folding, invariance, judge, page, program, random_scenes, scene
 from stress_parts.judge import ACCURATE, CRASHES, HANGS, REFUSES, STOPS, UNCLEAR, WARNS, WRONG
 from stress_parts.program import Run
 
@@ -129,6 +129,20 @@ class Rows(unittest.TestCase):
         self.assertIn("seed 2", laws.text)
         self.assertFalse(bits.right)
         self.assertIn("[0]", bits.text)
+
+    def test_scenes_with_elements_inside_out_are_named(self):
+        def fake(made, folder, threads=1, timeout=0, arguments=()):
+            run = ended()
+            run.summary["inside_out"] = {"most": 2 if folder.endswith(("folding_3", "case_1")) else 0}
+            return run
+        real, program.run = program.run, fake
+        try:
+            rows = folding.rows("quick", "folder")
+        finally:
+            program.run = real
+        self.assertEqual([row.right for row in rows], [True, False] + [True] * (len(rows) - 3) + [False])
+        self.assertIn("seeds [3]", rows[-1].text)
+        self.assertIn("inside out in any step 2", rows[1].text)
 
     def test_page_and_table_show_every_row(self):
         rows = [vars(self.row(ended())), {**vars(self.row(Run(-6))), "title": "<worse>"}]
