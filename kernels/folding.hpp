@@ -18,7 +18,7 @@
 ///     W = V_0 M/8 sum_I phi(r_I) ,   phi(r) = (r_0 - r)^2 / (2 r_0 r)   for r < r_0, else 0 ,
 ///     f = -dW/dx ,   dr_I = 8/V dJ_I - r_I/V dV .
 ///
-/// Below r_0/16 phi goes on along its tangent, so that a corner that came there by a leap finds its way back. W depends
+/// Below r_0/64 phi goes on along its tangent, so that a corner that came there by a leap finds its way back. W depends
 /// on places alone: what it takes it gives back, it has neither resultant nor moment, and a motion as a whole does not
 /// change it.
 ///
@@ -133,7 +133,7 @@ PINBALL_OUTLINED void resist_folding(const ScalarOf<T>* position, const ScalarOf
     for (Vec3<T>& edge : axis) edge = {zero, zero, zero};
   }
   const auto resists = there && onset > zero;
-  const T inverse_onset = T(1) / select(resists, onset, T(1)), floor = number<T>(0.0625) * onset;
+  const T inverse_onset = T(1) / select(resists, onset, T(1)), floor = number<T>(1.0 / 64) * onset;
   T energy = zero, stiffness = zero, closing = zero, on_volume = zero, worst(8);
   for (int i = 0; i < 8; ++i) {
     const int end[3] = {i & 1, (i >> 1) & 1, i >> 2};

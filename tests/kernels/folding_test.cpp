@@ -201,7 +201,7 @@ TEST(Folding, TheRateAtWhichACornerClosesIsThatOfItsJacobian) {
       };
       const double share = jacobian(0) / volume_of(x);
       if (share >= 2 * onset) continue;
-      const double used = std::max(share, onset / 16);
+      const double used = std::max(share, onset / 64);
       expected = std::max(expected, -(jacobian(1e-4) - jacobian(-1e-4)) / 2e-4 / volume_of(x) / used);
     }
     ASSERT_NEAR(rate, expected, 1e-6 * (1 + expected));
