@@ -102,11 +102,11 @@ Block<S> make_block(int n, const ElementFeatures& features) {
   constants.material.yield_stress = S(5e4);
   constants.material.plastic_modulus = S(1e5);
   constants.material.ultimate_stress = S(1e30);
-  constants.material.erosion_strain = S(10);
-  constants.hourglass_coefficient = S(0.1);
-  constants.linear_viscosity = S(0.06);
-  constants.quadratic_viscosity = S(1.2);
-  constants.hourglass_modulus = S(0.05 * (lambda + 2 * mu));
+  constants.failure.plastic_strain = S(10);
+  constants.hourglass.coefficient = S(0.1);
+  constants.viscosity.linear = S(0.06);
+  constants.viscosity.quadratic = S(1.2);
+  constants.hourglass.modulus = S(0.05 * (lambda + 2 * mu));
   constants.specific_volume = S(1 / density);
   mesh.parts.push_back({features, constants, 0, mesh.places});
 

@@ -4,7 +4,9 @@
 
 #include "assumed_strain.hpp"
 #include "hourglass.hpp"
+#include "material/bulk_viscosity.hpp"
 #include "material/equation_of_state.hpp"
+#include "material/failure.hpp"
 #include "material/johnson_cook.hpp"
 #include "material/material_state.hpp"
 #include "material/von_mises.hpp"
@@ -57,32 +59,29 @@ struct NodeView {
   S* force;
 };
 
+/// Of hourglass control, in whatever form.
+template <class S>
+struct HourglassConstants {
+  S coefficient;                          ///< k of the viscous form [-]
+  S modulus;                              ///< kappa M of the stiffness form [stress]
+  AssumedStrainModuli<S> assumed_strain;  ///< of that form
+};
+
 template <class S>
 struct ElementConstants {
   MaterialConstants<S> material;
-  S hourglass_coefficient;     ///< k of the viscous form [-]
-  S linear_viscosity;          ///< b1 [-]
-  S quadratic_viscosity;       ///< b2 [-]
-  bool erode_negative_volume;  ///< an element whose volume is not positive is eroded; else it is counted as inverted
-  AssumedStrainModuli<S> assumed_strain;  ///< of that form
-  S hourglass_modulus;                    ///< kappa M of the stiffness form [stress]
-  S specific_volume;                      ///< 1/density of the undeformed material [length^3/mass]
-  HardeningConstants<S> hardening{};      ///< general yield only
-  S folding_energy = S(0);                ///< M/(8 density) of corners that are about to turn over [energy/mass]
-  bool erode_inside_out = false;          ///< an element with a corner that has turned over is eroded
-  bool never_yields = false;              ///< elastic, also where the kernel is one of plasticity (with erosion)
+  HourglassConstants<S> hourglass;
+  ViscosityConstants<S> viscosity;
+  FailureConstants<S> failure;
+  S specific_volume;          ///< 1/density of the undeformed material [length^3/mass]
+  S folding_energy = S(0);    ///< M/(8 density) of corners that are about to turn over [energy/mass]
+  bool never_yields = false;  ///< elastic, also where the kernel is one of plasticity (with erosion)
   // General yield only:
+  HardeningConstants<S> hardening{};
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
   EquationOfState<S> pressure{};
   MaterialPlaces places{};
 };
-
-/// Without coefficients there is none: nothing of it is read, written or worked out. No kernel of its own for that, as
-/// it takes a branch that goes one way in all packs of a part.
-template <class S>
-PINBALL_FUNCTION bool has_bulk_viscosity(const ElementConstants<S>& constants) {
-  return constants.linear_viscosity > S(0) || constants.quadratic_viscosity > S(0);
-}
 
 /// Where element `first`, the first of a pack, has its component 0 in an array of n components in rows of L.
 template <int L>

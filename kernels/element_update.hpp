@@ -39,7 +39,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const S dt = step.length;
   const std::int64_t first = pack * width_of<T>;
   const MaterialConstants<S>& material = constants.material;
-  const bool viscous = features.bulk_viscosity && has_bulk_viscosity(constants);
+  const bool viscous = features.bulk_viscosity && has_bulk_viscosity(constants.viscosity);
 
   const T mass = load<T>(elements.mass + first);
   const auto alive = mass > T(0);
@@ -110,7 +110,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const T density = mass * inverse_volume;
   if (viscous) {
     dilatation = gradient.row_x.x + gradient.row_y.y + gradient.row_z.z;
-    viscosity = bulk_viscosity(T(constants.linear_viscosity), T(constants.quadratic_viscosity), density,
+    viscosity = bulk_viscosity(T(constants.viscosity.linear), T(constants.viscosity.quadratic), density,
                                T(material.sound_speed), length, dilatation);
   }
   const T inverse_square = inverse_volume * inverse_volume;
@@ -164,9 +164,10 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
       keeps_hourglass ? elements.hourglass_state + place_in_rows<L>(first, 12) : nullptr;
   [[maybe_unused]] const auto before = [&](int c) { return state(hourglass_state + c * L); };
   if constexpr (features.hourglass == HourglassKind::assumed_strain) {
-    kept.begin(constants.assumed_strain, x_mid, x, whole, h, mass * T(constants.specific_volume), volume_mid, before);
+    kept.begin(constants.hourglass.assumed_strain, x_mid, x, whole, h, mass * T(constants.specific_volume), volume_mid,
+               before);
   } else if constexpr (features.hourglass == HourglassKind::stiffness) {
-    kept.begin(constants.hourglass_modulus, select(whole, area, T(0)), b_b, trace_b_b, strain, rotation, h,
+    kept.begin(constants.hourglass.modulus, select(whole, area, T(0)), b_b, trace_b_b, strain, rotation, h,
                mass * T(constants.specific_volume), T(material.density) * inverse_mass, before);
   }
 
@@ -244,11 +245,11 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   auto carries = whole;
   auto inverted = alive && !has_volume;
   if constexpr (features.erosion) {
-    fails = plastic_strain > T(material.erosion_strain) && alive;
+    fails = plastic_strain > T(constants.failure.plastic_strain) && alive;
     if constexpr (features.yield == YieldLaw::general) fails = fails || (alive && failed);
     // A volume that is not a number is no reason to erode: it is counted, and stops the run.
-    if (constants.erode_negative_volume) fails = fails || (alive && minimum(volume, volume_mid) <= T(0));
-    if (constants.erode_inside_out) fails = fails || inside_out;
+    if (constants.failure.negative_volume) fails = fails || (alive && minimum(volume, volume_mid) <= T(0));
+    if (constants.failure.inside_out) fails = fails || inside_out;
     any_fails = any_lane(fails);
     if (any_fails) {
       carries = carries && !fails;
@@ -298,7 +299,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   } else if constexpr (features.hourglass == HourglassKind::viscous) {
     // h are displacements of the step; before the first there are none.
     const S inverse_dt = dt > S(0) ? S(1) / dt : S(0);
-    const T impedance = T(constants.hourglass_coefficient * material.sound_speed * inverse_dt) * density;
+    const T impedance = T(constants.hourglass.coefficient * material.sound_speed * inverse_dt) * density;
     T factor = hourglass_viscosity(impedance, area);
     if constexpr (features.erosion) factor = select(fails, T(0), factor);
     T done(0);

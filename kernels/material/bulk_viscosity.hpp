@@ -10,6 +10,19 @@
 /// b1 = 0.06, b2 = 1.2 are the customary values. L = V / sqrt(2/3 B:B) equals the edge of a cube.
 namespace pinball {
 
+template <class S>
+struct ViscosityConstants {
+  S linear;     ///< b1 [-]
+  S quadratic;  ///< b2 [-]
+};
+
+/// Without coefficients there is none: nothing of it is read, written or worked out. No kernel of its own for that, as
+/// it takes a branch that goes one way in all packs of a part.
+template <class S>
+PINBALL_FUNCTION bool has_bulk_viscosity(const ViscosityConstants<S>& constants) {
+  return constants.linear > S(0) || constants.quadratic > S(0);
+}
+
 /// The viscosity multiplying the volumetric strain rate [stress time].
 /// length: characteristic length of the element; rate: volumetric strain rate [1/time].
 template <class T>

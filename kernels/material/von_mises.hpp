@@ -15,7 +15,6 @@ struct MaterialConstants {
   S yield_stress;     ///< at zero plastic strain [stress]
   S plastic_modulus;  ///< H = d(yield stress)/d(plastic strain) [stress]
   S ultimate_stress;  ///< largest yield stress; infinity: hardening without end [stress]
-  S erosion_strain;   ///< plastic strain at which the element is eroded; infinity: never [-]
   S density;          ///< of the undeformed material [mass/length^3]
   S sound_speed;      ///< dilatational, sqrt((lambda + 2 mu)/density) [length/time]
 };

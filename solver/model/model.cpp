@@ -44,25 +44,25 @@ ElementConstants<S> constants_of(const Material& material, const ElementSettings
   c.material.yield_stress = static_cast<S>(material.plastic ? material.yield_stress : infinite);
   c.material.plastic_modulus = static_cast<S>(material.plastic_modulus);
   c.material.ultimate_stress = static_cast<S>(material.ultimate_stress > 0 ? material.ultimate_stress : infinite);
-  c.material.erosion_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
   c.material.density = static_cast<S>(material.density);
   c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
-  c.hourglass_coefficient = static_cast<S>(settings.hourglass_coefficient);
-  c.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass_coefficient);
-  c.hourglass_modulus = c.hourglass_coefficient * hourglass_modulus(c.material.lambda, c.material.mu);
+  c.hourglass.coefficient = static_cast<S>(settings.hourglass_coefficient);
+  c.hourglass.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass.coefficient);
+  c.hourglass.modulus = c.hourglass.coefficient * hourglass_modulus(c.material.lambda, c.material.mu);
   c.specific_volume = static_cast<S>(1 / material.density);
   if (settings.bulk_viscosity) {
-    c.linear_viscosity = static_cast<S>(settings.linear_viscosity);
-    c.quadratic_viscosity = static_cast<S>(settings.quadratic_viscosity);
+    c.viscosity.linear = static_cast<S>(settings.linear_viscosity);
+    c.viscosity.quadratic = static_cast<S>(settings.quadratic_viscosity);
   }
   const NegativeVolume policy =
       settings.negative_volume.value_or(erodes(material) ? NegativeVolume::erode : NegativeVolume::stop);
-  c.erode_negative_volume = policy == NegativeVolume::erode;
+  c.failure.plastic_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
+  c.failure.negative_volume = policy == NegativeVolume::erode;
+  c.failure.inside_out = settings.inside_out == InsideOut::erode;
   // What does not yield has hourglass forces that resist.
   if (material.plastic) {
     c.folding_energy = static_cast<S>(settings.folding_resistance * material.bulk_modulus / (8 * material.density));
   }
-  c.erode_inside_out = settings.inside_out == InsideOut::erode;
   c.never_yields = !material.plastic;
   return c;
 }
@@ -144,8 +144,8 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
       model.constants.back().places = material_places(material);
       stored.material_numbers = std::max(stored.material_numbers, model.constants.back().places.numbers);
     }
-    const ElementFeatures f = features_of(
-        material, settings, model.constants.back().erode_negative_volume || model.constants.back().erode_inside_out);
+    const FailureConstants<S>& failure = model.constants.back().failure;
+    const ElementFeatures f = features_of(material, settings, failure.negative_volume || failure.inside_out);
     model.parts.push_back({static_cast<std::int32_t>(number), f, settings});
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;

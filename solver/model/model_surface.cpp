@@ -47,7 +47,7 @@ template <class S>
 bool ModelSurface<S>::may_soon_erode(std::int64_t slot) const {
   const std::size_t part = model_.part_of_slot(slot);
   if (!model_.parts[part].features.erosion) return false;
-  const S limit = std::min(S(1), model_.constants[part].material.erosion_strain);
+  const S limit = std::min(S(1), model_.constants[part].failure.plastic_strain);
   return model_.elements.plastic_strain[static_cast<std::size_t>(slot)] > S(0.7) * limit;
 }
 

@@ -192,7 +192,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
       fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
     }
     if (material.johnson_cook && !material.johnson_cook->failure.empty()) fmt::print(", erosion at damage 1");
-    if (model.constants[p].erode_negative_volume) fmt::print(", erosion of inverted elements");
+    if (model.constants[p].failure.negative_volume) fmt::print(", erosion of inverted elements");
     if (f.hourglass != HourglassKind::none)
       fmt::print(", {}", hourglass_text(settings.hourglass_coefficient, f.hourglass));
     if (f.bulk_viscosity) {

@@ -64,10 +64,10 @@ std::vector<S> forces_of_packs() {
     }
   }
   ElementConstants<S> constants{};
-  constants.material = {S(150), S(80), S(30), S(10), S(1e30), S(1e30), S(3), S(10)};
-  constants.linear_viscosity = S(0.06);
-  constants.quadratic_viscosity = S(1.2);
-  constants.hourglass_modulus = S(7);
+  constants.material = {S(150), S(80), S(30), S(10), S(1e30), S(3), S(10)};
+  constants.viscosity.linear = S(0.06);
+  constants.viscosity.quadratic = S(1.2);
+  constants.hourglass.modulus = S(7);
   constants.specific_volume = S(1) / S(3);
   const TilePacks<S> tile{
       {corner.data(), mass.data(), stress.data(), plastic.data(), hourglass.data(), viscous.data(), energy.data()},

@@ -17,20 +17,20 @@ void compare_features() {
   ElementScene scene = random_element_scene();
   if (!plastic) {
     scene.constants.material.yield_stress = scene.constants.material.ultimate_stress = infinity;
-    scene.constants.material.erosion_strain = infinity;  // strain stays zero
-    scene.constants.never_yields = true;                 // else the full kernel has a rate law
+    scene.constants.failure.plastic_strain = infinity;  // strain stays zero
+    scene.constants.never_yields = true;                // else the full kernel has a rate law
     for (ElementState& s : scene.element) s.plastic_strain = 0;
   }
   if (!erosion) {
-    scene.constants.material.erosion_strain = infinity;
-    scene.constants.erode_negative_volume = false;
+    scene.constants.failure.plastic_strain = infinity;
+    scene.constants.failure.negative_volume = false;
   }
   if (!viscosity) {
-    scene.constants.linear_viscosity = scene.constants.quadratic_viscosity = 0;
+    scene.constants.viscosity.linear = scene.constants.viscosity.quadratic = 0;
     for (ElementState& s : scene.element) s.viscous_stress = 0;
   }
   if (hourglass == HourglassKind::none) {
-    scene.constants.hourglass_coefficient = 0;
+    scene.constants.hourglass.coefficient = 0;
     for (ElementState& s : scene.element) s.hourglass_state = {};
   }
   ElementOutcome expected = advance<double, full>(scene);

@@ -57,7 +57,7 @@ struct ElementOutcome {
 inline ElementConstants<double> element_constants() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ElementConstants<double> c{};
-  c.material = {150, 80, infinity, 10, infinity, infinity, 3, std::sqrt(310.0 / 3)};
+  c.material = {150, 80, infinity, 10, infinity, 3, std::sqrt(310.0 / 3)};
   c.places = material_places;
   return c;
 }
@@ -67,16 +67,16 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
   const MaterialConstants<double>& m = c.material;
   HardeningConstants<S> hardening{};  // its arrays are of doubles
   if constexpr (std::is_same_v<S, double>) hardening = c.hardening;
-  ElementConstants<S> to{{S(m.lambda), S(m.mu), S(m.yield_stress), S(m.plastic_modulus), S(m.ultimate_stress),
-                          S(m.erosion_strain), S(m.density), S(m.sound_speed)},
-                         S(c.hourglass_coefficient),
-                         S(c.linear_viscosity),
-                         S(c.quadratic_viscosity),
-                         c.erode_negative_volume,
-                         assumed_strain_moduli(S(m.lambda), S(m.mu), S(c.hourglass_coefficient)),
-                         S(c.hourglass_coefficient) * hourglass_modulus(S(m.lambda), S(m.mu)),
-                         S(1) / S(m.density),
-                         hardening};
+  const S coefficient(c.hourglass.coefficient), lambda(m.lambda), mu(m.mu);
+  ElementConstants<S> to{};
+  to.material = {lambda,          mu, S(m.yield_stress), S(m.plastic_modulus), S(m.ultimate_stress), S(m.density),
+                 S(m.sound_speed)};
+  to.hourglass = {coefficient, coefficient * hourglass_modulus(lambda, mu),
+                  assumed_strain_moduli(lambda, mu, coefficient)};
+  to.viscosity = {S(c.viscosity.linear), S(c.viscosity.quadratic)};
+  to.failure = {S(c.failure.plastic_strain), c.failure.negative_volume, c.failure.inside_out};
+  to.specific_volume = S(1) / S(m.density);
+  to.hardening = hardening;
   to.never_yields = c.never_yields;
   to.places = c.places;
   if constexpr (std::is_same_v<S, double>) {
@@ -228,11 +228,11 @@ inline ElementScene random_element_scene() {
   scene.constants = element_constants();
   scene.constants.material.yield_stress = 4;
   scene.constants.material.ultimate_stress = 4.5;
-  scene.constants.material.erosion_strain = 1;
-  scene.constants.hourglass_coefficient = 0.05;
-  scene.constants.linear_viscosity = 0.06;
-  scene.constants.quadratic_viscosity = 1.2;
-  scene.constants.erode_negative_volume = true;
+  scene.constants.failure.plastic_strain = 1;
+  scene.constants.hourglass.coefficient = 0.05;
+  scene.constants.viscosity.linear = 0.06;
+  scene.constants.viscosity.quadratic = 1.2;
+  scene.constants.failure.negative_volume = true;
   scene.dt = 0.01;
   return scene;
 }

@@ -141,7 +141,7 @@ TEST(EquationOfStateOfElements, KeepsAllWorkAsEnergyAndFollowsItsCurve) {
   ElementConstants<double> c = with_equation_of_state();
   use_constant_strength(c);
   for (const double viscosity : {0.0, 0.5}) {
-    c.linear_viscosity = viscosity, c.quadratic_viscosity = 2 * viscosity;
+    c.viscosity.linear = viscosity, c.viscosity.quadratic = 2 * viscosity;
     StrainedCube cube(c);
     for (int i = 0; i < 400; ++i) cube.strain({0, 0, -0.5}, 0, 1e-3);
     // All of the work has become e, whatever it was of: the pressure, the deviator or the bulk viscosity.

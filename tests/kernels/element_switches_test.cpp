@@ -11,7 +11,7 @@ using namespace test;
 
 ElementScene without_viscosity() {
   ElementScene scene = random_element_scene();
-  scene.constants.linear_viscosity = scene.constants.quadratic_viscosity = 0;
+  scene.constants.viscosity.linear = scene.constants.viscosity.quadratic = 0;
   return scene;
 }
 
@@ -48,8 +48,8 @@ TEST(ElementSwitches, ACoefficientOfEitherKindIsViscosity) {
   const double none = advance<double, all>(without_viscosity()).viscous;
   EXPECT_EQ(none, 0);
   ElementScene linear = without_viscosity(), quadratic = without_viscosity();
-  linear.constants.linear_viscosity = 0.06;
-  quadratic.constants.quadratic_viscosity = 1.2;
+  linear.constants.viscosity.linear = 0.06;
+  quadratic.constants.viscosity.quadratic = 1.2;
   EXPECT_NE((advance<double, all>(linear).viscous), 0);
   EXPECT_NE((advance<double, all>(quadratic).viscous), 0);
 }
@@ -60,8 +60,8 @@ void expect_bits_without_erosion() {
   const HardeningCase hardening = linear_case(4, 10, 0.5, 4.5);
   ElementScene scene = random_element_scene();
   scene.constants.hardening = hardening.constants;
-  scene.constants.material.erosion_strain = std::numeric_limits<double>::infinity();
-  scene.constants.erode_negative_volume = false;
+  scene.constants.failure.plastic_strain = std::numeric_limits<double>::infinity();
+  scene.constants.failure.negative_volume = false;
   scene.has_internal_energy = false;
   constexpr ElementFeatures without{true, false, true, kind, YieldLaw::general};
   expect_equal(advance<double, ElementFeatures{true, true, true, kind, YieldLaw::general}>(scene),

@@ -37,7 +37,7 @@ TYPED_TEST(ElementPack, DoesNotDependOnItsPadding) {
 
 TYPED_TEST(ElementPack, GivesNaNForNaN) {  // a bad node stays visible, and only where it belongs
   ElementScene scene = random_element_scene();
-  scene.constants.erode_negative_volume = false;
+  scene.constants.failure.negative_volume = false;
   const ElementOutcome good = advance<TypeParam, everything>(scene);
   scene.position.back().x = std::numeric_limits<double>::quiet_NaN();  // of the element by itself
   const ElementOutcome bad = advance<TypeParam, everything>(scene);

@@ -37,7 +37,7 @@ TEST(ElementUpdate, TurnsStressWithARigidRotationOfAnySize) {
     const Corners x0 = random_hexahedron(random);
     const Vec3<double> axis = random_direction(random), shift = random_vector(random, 0.1);
     ElementScene scene = one_element(x0);
-    scene.constants.hourglass_coefficient = 0.05;
+    scene.constants.hourglass.coefficient = 0.05;
     const Symmetric<double> stress0 = random_symmetric(random, 100);
     std::array<Vec3<double>, 4> q0;
     for (Vec3<double>& q : q0) q = random_vector(random, 10);
@@ -186,7 +186,7 @@ TEST(ElementElasticity, HasTheStressOfItsDeformationAlone) {
 TEST(ElementUpdate, DissipatesTheViscousAndPlasticWork) {
   ElementScene scene = one_element(box(1, 1, 1));
   scene.constants.material.yield_stress = 10;
-  scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
+  scene.constants.viscosity.linear = 0.06, scene.constants.viscosity.quadratic = 1.2;
   const Path path = stretch<ElementFeatures{true, false, true, HourglassKind::stiffness}>(scene, -0.2, 2000);
   EXPECT_NEAR(path.external, path.internal + path.viscous,
               2e-3 * path.external);  // first order: viscosity starts at once
@@ -205,7 +205,7 @@ double balance_error(double coefficient, double yield_stress, int steps) {
   Corners amplitude;
   for (Vec3<double>& a : amplitude) a = random_vector(random, 0.05);
   ElementScene scene = one_element(x0);
-  scene.constants.hourglass_coefficient = coefficient;
+  scene.constants.hourglass.coefficient = coefficient;
   scene.constants.material.yield_stress = yield_stress;
   scene.dt = 1.0 / steps;
   double external = 0, sums = 0;
@@ -251,7 +251,7 @@ double smallest_hourglass_energy(double coefficient) {
     Corners first, second;
     for (std::size_t i = 0; i < 8; ++i) first[i] = random_vector(random, 0.3), second[i] = random_vector(random, 0.3);
     ElementScene scene = one_element(x0);
-    scene.constants.hourglass_coefficient = coefficient;
+    scene.constants.hourglass.coefficient = coefficient;
     constexpr int steps = 500;
     scene.dt = 1.0 / steps;
     for (int n = 1; n <= steps; ++n) {
@@ -297,7 +297,7 @@ std::vector<double> bend(ElementScene& scene, double strain, int steps) {
 
 TEST(ElementPlasticity, OfABentElementEndsAtThePlasticMoment) {  // Y h^2 / 4, h = 2, width 2
   ElementScene scene = one_element(box(2, 2, 2));
-  scene.constants.hourglass_coefficient = 1;
+  scene.constants.hourglass.coefficient = 1;
   const double lambda = 150, mu = 80, nu = lambda / (2 * (lambda + mu)), yield = 1;
   scene.constants.material.yield_stress = yield;
   scene.constants.material.plastic_modulus = 0;
@@ -315,8 +315,8 @@ TEST(ElementUpdate, KeepsLinearAndAngularMomentum) {
     ElementScene scene = one_element(random_hexahedron(random));
     for (Vec3<double>& v : scene.velocity) v = random_vector(random);
     scene.element[0].stress = random_symmetric(random, 10);
-    scene.constants.hourglass_coefficient = 0.1;
-    scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
+    scene.constants.hourglass.coefficient = 0.1;
+    scene.constants.viscosity.linear = 0.06, scene.constants.viscosity.quadratic = 1.2;
     for (const ElementOutcome& out :
          {advance<double, eroding>(scene),
           advance<double, ElementFeatures{true, true, true, HourglassKind::viscous}>(scene)}) {
@@ -334,8 +334,8 @@ TEST(ElementUpdate, KeepsLinearAndAngularMomentum) {
 TEST(ElementErosion, ReleasesTheElementAndItsEnergy) {
   Random random(136);
   ElementScene scene = one_element(random_hexahedron(random));
-  scene.constants.material.erosion_strain = 0.5;
-  scene.constants.hourglass_coefficient = 0.1;
+  scene.constants.failure.plastic_strain = 0.5;
+  scene.constants.hourglass.coefficient = 0.1;
   scene.element[0].stress = random_symmetric(random, 10);
   scene.element[0].hourglass_state.fill({1, 2, 3});
   scene.element[0].internal_energy = 7;
@@ -371,7 +371,7 @@ TEST(ElementErosion, ReleasesTheElementAndItsEnergy) {
 
 TEST(ElementErosion, CountsTheWorkOfItsLastStep) {
   ElementScene scene = one_element(box(1, 1, 1));
-  scene.constants.material.erosion_strain = 0.1;
+  scene.constants.failure.plastic_strain = 0.1;
   scene.element[0].plastic_strain = 0.2;
   scene.element[0].internal_energy = 7;
   scene.element[0].stress = {10, 0, 0, 0, 0, 0};
@@ -387,25 +387,25 @@ TEST(ElementInversion, IsErodedOrCountedAsTheSceneSays) {
   for (std::size_t i = 0; i < 4; ++i) std::swap(x[i], x[i + 4]);
   ElementScene scene = one_element(x);
   scene.element[0].mass = 3;
-  scene.constants.erode_negative_volume = true;
+  scene.constants.failure.negative_volume = true;
   ElementOutcome out = advance<double, eroding>(scene);
   EXPECT_EQ(out.eroded_count, 1);
   EXPECT_EQ(out.inverted_count, 0);
   EXPECT_EQ(out.element[0].mass, 0);
-  scene.constants.erode_negative_volume = false;
+  scene.constants.failure.negative_volume = false;
   out = advance<double, eroding>(scene);
   EXPECT_EQ(out.eroded_count, 0);
   EXPECT_EQ(out.inverted_count, 1);
   EXPECT_EQ(out.element[0].mass, 3);
-  scene.constants.erode_negative_volume = true;  // without erosion compiled in: counted
+  scene.constants.failure.negative_volume = true;  // without erosion compiled in: counted
   EXPECT_EQ((advance<double, elastic>(scene).inverted_count), 1);
 }
 
 TEST(ElementInversion, OfNoVolumeLeavesNothingBad) {
   ElementScene scene = one_element(box(1, 1, 1));
-  scene.constants.hourglass_coefficient = 0.1;
-  scene.constants.linear_viscosity = 0.06, scene.constants.quadratic_viscosity = 1.2;
-  scene.constants.erode_negative_volume = true;
+  scene.constants.hourglass.coefficient = 0.1;
+  scene.constants.viscosity.linear = 0.06, scene.constants.viscosity.quadratic = 1.2;
+  scene.constants.failure.negative_volume = true;
   scene.element[0].stress = {1, 2, 3, 4, 5, 6};
   scene.element[0].plastic_strain = 0.25;
   scene.element[0].internal_energy = 7;
@@ -425,7 +425,7 @@ TEST(ElementInversion, OfAVolumeThatIsNotANumberIsReportedAndNotEroded) {
   Corners x = box(1, 1, 1);
   x[3].y = std::numeric_limits<double>::quiet_NaN();
   ElementScene scene = one_element(box(1, 1, 1));
-  scene.constants.erode_negative_volume = true;
+  scene.constants.failure.negative_volume = true;
   move_to(scene, x);
   const ElementOutcome out = advance<double, eroding>(scene);
   EXPECT_EQ(out.eroded_count, 0);

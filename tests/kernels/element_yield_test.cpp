@@ -127,7 +127,7 @@ TEST(GeneralYieldOfElements, AStepOfNoLengthChangesNothing) {
   hardening.constants.rate_constant = 3, hardening.constants.rate_exponent = 4;
   ElementScene scene = hardening_scene(hardening);
   scene.dt = 0;
-  scene.constants.erode_negative_volume = false;
+  scene.constants.failure.negative_volume = false;
   const ElementOutcome out = advance<double, general<HourglassKind::assumed_strain>>(scene);
   for (std::size_t e = 0; e < 9; ++e) {
     const ElementState &now = out.element[e], &before = scene.element[e];

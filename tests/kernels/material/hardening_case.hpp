@@ -36,7 +36,6 @@ inline HardeningCase plastic_case(std::vector<double> strain, std::vector<double
   HardeningCase c;
   c.material.lambda = 150, c.material.mu = case_mu, c.material.density = 3;
   c.material.sound_speed = std::sqrt(310.0 / 3);
-  c.material.erosion_strain = std::numeric_limits<double>::infinity();
   c.constants.rate_share = 1;
   c.constants.rate_exponent = 1;
   c.strain = std::move(strain), c.stress = std::move(stress), c.slope = std::move(slope), c.rate = std::move(rate);

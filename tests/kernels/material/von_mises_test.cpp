@@ -11,13 +11,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 MaterialConstants<double> material(double yield = 2.0, double hardening = 10.0, double ultimate = infinity) {
   MaterialConstants<double> m{};
   m.lambda = 150, m.mu = 80, m.yield_stress = yield, m.plastic_modulus = hardening, m.ultimate_stress = ultimate;
-  m.erosion_strain = infinity, m.density = 1, m.sound_speed = std::sqrt(310.0);
+  m.density = 1, m.sound_speed = std::sqrt(310.0);
   return m;
 }
 template <class S>
 MaterialConstants<S> cast(const MaterialConstants<double>& m) {
-  return {S(m.lambda),         S(m.mu),      S(m.yield_stress), S(m.plastic_modulus), S(m.ultimate_stress),
-          S(m.erosion_strain), S(m.density), S(m.sound_speed)};
+  return {S(m.lambda),          S(m.mu),      S(m.yield_stress), S(m.plastic_modulus),
+          S(m.ultimate_stress), S(m.density), S(m.sound_speed)};
 }
 
 struct State {
