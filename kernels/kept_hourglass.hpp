@@ -24,7 +24,7 @@ class KeptHourglass<T, HourglassKind::assumed_strain> {
 
   /// whole: where there is an element with a volume; h: hourglass displacements of the step [length];
   /// reference_volume: of the undeformed element, volume: in the middle of the step [length^3];
-  /// state(c): component c of the state before the step.
+  /// state: ElementNumbers before the step.
   template <class State>
   PINBALL_FUNCTION void begin(const Moduli& moduli, const HexahedronModes<T>& x_mid, const HexahedronModes<T>& x,
                               const MaskOf<T>& whole, const Vec3<T> (&h)[4], const T& reference_volume, const T& volume,
@@ -39,7 +39,7 @@ class KeptHourglass<T, HourglassKind::assumed_strain> {
     AssumedField<T> sum;
     PINBALL_UNROLL
     for (int c = 0; c < 12; ++c) {
-      const T old = state(c);
+      const T old = state.get(c);
       stress_.c[c] = old + increment.c[c];
       sum.c[c] = old + stress_.c[c];
     }
@@ -113,7 +113,7 @@ class KeptHourglass<T, HourglassKind::stiffness> {
     PINBALL_UNROLL
     for (int a = 0; a < 4; ++a) {
       h_[a] = h[a];
-      const Vec3<T> old{state(3 * a), state(3 * a + 1), state(3 * a + 2)};
+      const Vec3<T> old{state.get(3 * a), state.get(3 * a + 1), state.get(3 * a + 2)};
       const Vec3<T> half = factor * h[a];  // of the increment; turns as half of the stress increment
       z_[a] = rotate(rotation, old + half) + half;
       work_ += dot(old + z_[a], h[a]);

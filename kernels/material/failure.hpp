@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-/// When an element fails: what of a material and of its settings says that it is eroded. Laws of
+/// When an element fails: what of a material and of its settings says that it is eroded (element/failure.hpp). Laws of
 /// strength may have reasons of their own (johnson_cook.hpp).
 namespace pinball {
 

@@ -1,40 +1,22 @@
 #pragma once
 
-#include <cstdint>
-
+#include "../element/element_pack.hpp"
 #include "../element_data.hpp"
 #include "../rotation.hpp"
 #include "general_yield.hpp"
 
 /// What the element kernel asks of a material beyond MaterialConstants (YieldLaw::general): which law of strength an
-/// element has, what it keeps, whether it has failed, and its pressure where an equation of state gives it.
+/// element has, what it keeps, and whether it has failed. Numbers are those of MaterialPlaces.
 namespace pinball {
-
-/// The numbers that a pack's elements keep (MaterialPlaces). L: of the rows (ElementView).
-template <class T, int L>
-class MaterialNumbers {
-  using S = ScalarOf<T>;
-
- public:
-  PINBALL_FUNCTION MaterialNumbers(const ElementView<S>& elements, std::int64_t first, const MaskOf<T>& alive)
-      : base_(elements.material_state + place_in_rows<L>(first, elements.material_numbers)), alive_(alive) {}
-  /// Of padding and eroded elements: zero.
-  PINBALL_FUNCTION T get(int place) const { return select(alive_, load<T>(base_ + place * L), T(0)); }
-  PINBALL_FUNCTION void set(int place, const T& value) const { store(value, base_ + place * L); }
-
- private:
-  S* base_;
-  MaskOf<T> alive_;
-};
 
 /// Five numbers of a back stress: xx yy xy yz zx; its trace is zero.
 template <class T, int L>
-PINBALL_FUNCTION Symmetric<T> back_stress(const MaterialNumbers<T, L>& numbers, int place) {
+PINBALL_FUNCTION Symmetric<T> back_stress(const ElementNumbers<T, L>& numbers, int place) {
   const T xx = numbers.get(place), yy = numbers.get(place + 1);
   return {xx, yy, -(xx + yy), numbers.get(place + 2), numbers.get(place + 3), numbers.get(place + 4)};
 }
 template <class T, int L>
-PINBALL_FUNCTION void set_back_stress(const Symmetric<T>& back, const MaterialNumbers<T, L>& numbers, int place) {
+PINBALL_FUNCTION void set_back_stress(const Symmetric<T>& back, const ElementNumbers<T, L>& numbers, int place) {
   numbers.set(place, back.xx);
   numbers.set(place + 1, back.yy);
   numbers.set(place + 2, back.xy);
@@ -62,7 +44,7 @@ struct YieldOutcome {
 /// Johnson and Cook: heat, and damage where the material fails.
 template <HourglassKind kind, class T, int L>
 PINBALL_FUNCTION void yield_with_heat(const ElementConstants<ScalarOf<T>>& constants, const ElementMotion<T>& motion,
-                                      const MaterialNumbers<T, L>& numbers, KeptHourglass<T, kind>& kept,
+                                      const ElementNumbers<T, L>& numbers, KeptHourglass<T, kind>& kept,
                                       Symmetric<T>& stress, T& plastic_strain, YieldOutcome<T>& outcome) {
   const JohnsonCookConstants<ScalarOf<T>>& law = constants.johnson_cook;
   const MaterialPlaces& places = constants.places;
@@ -92,7 +74,7 @@ PINBALL_FUNCTION void yield_with_heat(const ElementConstants<ScalarOf<T>>& const
 /// Yield of a step, with what is kept. In a step of no length nothing strains, and its rates are those of the next.
 template <HourglassKind kind, class T, int L>
 PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf<T>>& constants,
-                                                 const ElementMotion<T>& motion, const MaterialNumbers<T, L>& numbers,
+                                                 const ElementMotion<T>& motion, const ElementNumbers<T, L>& numbers,
                                                  KeptHourglass<T, kind>& kept, Symmetric<T>& stress,
                                                  T& plastic_strain) {
   YieldOutcome<T> outcome;
@@ -109,25 +91,6 @@ PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf
   }
   if (place >= 0) set_back_stress(back, numbers, place);
   return outcome;
-}
-
-/// Gives a stress the pressure of the equation of state; returns rho c^2 [stress]. volume: of the undeformed element;
-/// inverse_volume: of the one at the end of the step; change: of the volume in the step; old: the stress before it;
-/// work: of deviator and bulk viscosity [energy]; there: elements that have a volume.
-template <class T, int L>
-PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const MaterialNumbers<T, L>& numbers,
-                                int place, const MaskOf<T>& there, const T& volume, const T& inverse_volume,
-                                const T& change, const T& work, const Symmetric<T>& old, Symmetric<T>& stress) {
-  const T third = number<T>(1.0 / 3.0), inverse = select(there, T(1) / select(there, volume, T(1)), T(0));
-  const PressureStep<T> step{select(there, volume * inverse_volume - T(1), T(0)), inverse * change, inverse * work,
-                             -third * trace(old)};
-  const PressureState<T> now = pressure_after(eos, step, numbers.get(place));
-  numbers.set(place, select(there, now.energy, T(0)));
-  const T difference = -now.value - third * trace(stress);
-  stress.xx += difference;
-  stress.yy += difference;
-  stress.zz += difference;
-  return now.bulk_modulus;
 }
 
 }  // namespace pinball

@@ -67,7 +67,7 @@ for room, all_below in STANDS_ON.items():
     REACHED[room] = set(all_below).union(*(REACHED[below] for below in all_below))
 
 # Hosts get these, and nothing else. They include by paths from where they lie, so that they hold wherever they are put.
-PUBLIC = re.compile(r"kernels/((boundary|exec|material)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*|"
+PUBLIC = re.compile(r"kernels/((boundary|element|exec|material)/)?[a-z_]+\.hpp|solver/[a-z_]+\.hpp|solver/base/[a-z_]+\.hp*|solver/contact/[a-z_]+\.hp*|"
                     r"solver/scene/schema/[a-z_]+\.hpp")
 ONLY_PUBLIC = ["python"]
 

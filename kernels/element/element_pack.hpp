@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+
+#include "../element_data.hpp"
+#include "../gather.hpp"
+#include "../hexahedron.hpp"
+
+/// The elements of a pack: which are there, and where their numbers lie.
+namespace pinball {
+
+/// What a pack's elements have in an array of several components in rows of L (ElementView).
+template <class T, int L>
+class ElementNumbers {
+  using S = ScalarOf<T>;
+
+ public:
+  /// components: of one element in the array; first: element with which the pack begins.
+  PINBALL_FUNCTION ElementNumbers(S* array, int components, std::int64_t first, const MaskOf<T>& alive)
+      : base_(array + place_in_rows<L>(first, components)), alive_(alive) {}
+  /// Of padding and eroded elements: zero.
+  PINBALL_FUNCTION T get(int component) const { return select(alive_, load<T>(base_ + component * L), T(0)); }
+  PINBALL_FUNCTION void set(int component, const T& value) const { store(value, base_ + component * L); }
+
+ private:
+  S* base_;
+  MaskOf<T> alive_;
+};
+
+/// Elements first ... first + width_of<T> - 1.
+template <class T, int L>
+struct ElementPack {
+  using S = ScalarOf<T>;
+
+  PINBALL_FUNCTION ElementPack(const ElementView<S>& elements, std::int64_t first_element)
+      : arrays(elements), first(first_element), mass(load<T>(elements.mass + first)), alive(mass > T(0)) {}
+
+  PINBALL_FUNCTION const std::int32_t* corner() const { return arrays.corner + place_in_rows<L>(first, 8); }
+  /// Of an array with one number of an element; of padding and eroded elements: zero.
+  PINBALL_FUNCTION T get(const S* array) const { return select(alive, load<T>(array + first), T(0)); }
+  PINBALL_FUNCTION void set(S* array, const T& value) const { store(value, array + first); }
+  PINBALL_FUNCTION ElementNumbers<T, L> numbers(S* array, int components) const {
+    return {array, components, first, alive};
+  }
+
+  const ElementView<S>& arrays;
+  std::int64_t first;
+  T mass;           ///< 0: not there
+  MaskOf<T> alive;  ///< there, and not eroded
+};
+
+/// Modes of what the nodes of a pack's elements have in their records.
+template <class T, int L>
+PINBALL_FUNCTION HexahedronModes<T> gather_modes(const ScalarOf<T>* record, const std::int32_t* corner) {
+  Vec3<T> value[8];
+  PINBALL_UNROLL
+  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(record, corner + i * L);
+  return to_modes(value);
+}
+
+}  // namespace pinball

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "../element_results.hpp"
+#include "../folding.hpp"
+#include "../material/failure.hpp"
+#include "element_pack.hpp"
+#include "hourglass_control.hpp"
+#include "step_geometry.hpp"
+#include "viscosity.hpp"
+
+/// Failure of a pack's elements: which fail in a step, and what goes with them. An element that fails keeps its nodes
+/// and their mass, and carries no stress from then on; its mass of the material becomes 0.
+namespace pinball {
+
+/// What elements carry on after a step.
+template <class T>
+struct ElementFailure {
+  MaskOf<T> fails;     ///< in this step
+  bool any;            ///< whether any lane does
+  MaskOf<T> carries;   ///< there, with volumes, and not failed
+  MaskOf<T> inverted;  ///< there without a volume, and not failed
+};
+
+/// Elements that fail. plastic_strain: at the end of the step; failed: for a reason of their law of strength;
+/// inside_out: at a corner.
+template <ElementFeatures features, class T>
+PINBALL_FUNCTION ElementFailure<T> find_failure(const FailureConstants<ScalarOf<T>>& constants, const MaskOf<T>& alive,
+                                                const EndGeometry<T>& end, const MiddleGeometry<T>& middle,
+                                                const T& plastic_strain, const MaskOf<T>& failed,
+                                                const MaskOf<T>& inside_out) {
+  ElementFailure<T> failure{MaskOf<T>(false), false, middle.whole, alive && !middle.has_volume};
+  if constexpr (features.erosion) {
+    failure.fails = plastic_strain > T(constants.plastic_strain) && alive;
+    if constexpr (features.yield == YieldLaw::general) failure.fails = failure.fails || (alive && failed);
+    // A volume that is not a number is no reason to erode: it is counted, and stops the run.
+    if (constants.negative_volume) {
+      failure.fails = failure.fails || (alive && minimum(end.volume, middle.volume) <= T(0));
+    }
+    if (constants.inside_out) failure.fails = failure.fails || inside_out;
+    failure.any = any_lane(failure.fails);
+    if (failure.any) {
+      failure.carries = failure.carries && !failure.fails;
+      failure.inverted = failure.inverted && !failure.fails;
+    }
+  }
+  return failure;
+}
+
+/// Takes from elements that fail what they carry.
+template <ElementFeatures features, class T, int L>
+PINBALL_FUNCTION void let_go(const ElementFailure<T>& failure, const ElementPack<T, L>& own, Symmetric<T>& stress,
+                             HourglassStep<T, features>& hourglass, ViscousStep<T>& viscosity, ElementSums<T>& sums) {
+  const MaskOf<T>& fails = failure.fails;
+  sums.eroded_count += count_lanes(fails);
+  own.set(own.arrays.mass, select(fails, T(0), own.mass));
+  stress = select(fails, Symmetric<T>{T(0), T(0), T(0), T(0), T(0), T(0)}, stress);
+  hourglass.let_go(own, fails);
+  viscosity.let_go(fails);
+}
+
+/// The same of forces at corners, whose energy is lost as what is inside.
+template <class T>
+PINBALL_FUNCTION void let_go_of_corners(const MaskOf<T>& fails, CornerResistance<T>& corners, ElementSums<T>& sums) {
+  PINBALL_UNROLL
+  for (int i = 0; i < 8; ++i) corners.force[i] = select(fails, Vec3<T>{T(0), T(0), T(0)}, corners.force[i]);
+  const T taken_along = select(fails, corners.energy, T(0));
+  sums.internal += taken_along;
+  sums.eroded += taken_along;
+  corners.energy = select(fails, T(0), corners.energy);
+}
+
+}  // namespace pinball

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "../material/equation_of_state.hpp"
+#include "element_pack.hpp"
+#include "hourglass_control.hpp"
+#include "step_geometry.hpp"
+#include "step_motion.hpp"
+#include "viscosity.hpp"
+
+/// Pressure of a pack over a step, where an equation of state gives it: it takes the place of the mean stress that
+/// strength has left, and of the bulk modulus in the stable step.
+namespace pinball {
+
+/// The work of a step that is none of the pressure's: of the deviator, of the bulk viscosity, and what yield has taken
+/// from hourglass modes [energy].
+template <ElementFeatures features, class T, int L>
+PINBALL_FUNCTION T work_beside_pressure(const ElementPack<T, L>& own, const MiddleGeometry<T>& middle,
+                                        const StepMotion<T, features>& motion, const Symmetric<T>& stress_old,
+                                        const Symmetric<T>& stress, const ViscousStep<T>& viscosity,
+                                        const HourglassStep<T, features>& hourglass) {
+  const Symmetric<T> sum = stress_old + stress;
+  const T half_volume = number<T>(0.5) * middle.volume;
+  T work = half_volume * (contract(sum, motion.strain) - number<T>(1.0 / 3.0) * trace(sum) * motion.volumetric);
+  if (viscosity.acts()) {
+    work += half_volume * (own.get(own.arrays.viscous_stress) + viscosity.stress()) * motion.volumetric;
+  }
+  if (hourglass.any_lost) work += hourglass.taken();
+  return work;
+}
+
+/// Gives a stress the pressure of the equation of state; returns rho c^2 [stress]. numbers: of MaterialPlaces, with the
+/// energy at `place`; volume: of the undeformed element; inverse_volume: of the one at the end of the step; change: of
+/// the volume in the step; old: the stress before it; work: of work_beside_pressure [energy]; there: elements that have
+/// a volume.
+template <class T, int L>
+PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const ElementNumbers<T, L>& numbers, int place,
+                                const MaskOf<T>& there, const T& volume, const T& inverse_volume, const T& change,
+                                const T& work, const Symmetric<T>& old, Symmetric<T>& stress) {
+  const T third = number<T>(1.0 / 3.0), inverse = select(there, T(1) / select(there, volume, T(1)), T(0));
+  const PressureStep<T> step{select(there, volume * inverse_volume - T(1), T(0)), inverse * change, inverse * work,
+                             -third * trace(old)};
+  const PressureState<T> now = pressure_after(eos, step, numbers.get(place));
+  numbers.set(place, select(there, now.energy, T(0)));
+  const T difference = -now.value - third * trace(stress);
+  stress.xx += difference;
+  stress.yy += difference;
+  stress.zz += difference;
+  return now.bulk_modulus;
+}
+
+/// Both, after yield; returns lambda of a linear material of that rho c^2 [stress].
+template <ElementFeatures features, class T, int L>
+PINBALL_FUNCTION T follow_equation_of_state(const ElementConstants<ScalarOf<T>>& constants,
+                                            const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
+                                            const MiddleGeometry<T>& middle, const StepMotion<T, features>& motion,
+                                            const ViscousStep<T>& viscosity,
+                                            const HourglassStep<T, features>& hourglass, const Symmetric<T>& stress_old,
+                                            Symmetric<T>& stress) {
+  using S = ScalarOf<T>;
+  const T work = work_beside_pressure(own, middle, motion, stress_old, stress, viscosity, hourglass);
+  const T bulk_modulus = set_pressure(constants.pressure, numbers, constants.places.energy, middle.whole,
+                                      own.mass * T(constants.specific_volume), middle.inverse_end_volume,
+                                      middle.volume * motion.volumetric, work, stress_old, stress);
+  return bulk_modulus - T(S(2.0 / 3.0) * constants.material.mu);
+}
+
+}  // namespace pinball
