@@ -8,9 +8,7 @@ using namespace test;
 
 constexpr double mu = 80, infinity = std::numeric_limits<double>::infinity();
 
-MaterialConstants<double> material(double yield, double modulus) {
-  return {150, mu, yield, modulus, infinity, 3, 1};
-}
+MaterialConstants<double> material(double yield, double modulus) { return {150, mu, yield, modulus, infinity, 3, 1}; }
 
 TEST(YieldInBending, WithoutVariationIsTheRadialReturn) {
   Random random(61);
