@@ -12,16 +12,13 @@ BoundaryConditions<S>::BoundaryConditions(const Model<S>& model, std::unique_ptr
     : kernels_(std::move(kernels)),
       named_(model.scene),
       gravity_(model, *kernels_),
+      motions_(model),
       held_(kernels_->held_nodes()),
       pressures_(model, *kernels_),
       walls_(model, *kernels_) {
   const Scene& scene = model.scene;
   for (const NodalLoad& given : scene.loads) loads_.push_back(load_of(model, given, *kernels_));
   if (scene.damping.mass > 0) damping_ = kernels_->damping(model.nodes.count, scene.damping.mass);
-  for (const PrescribedVelocity& given : scene.prescribed_velocities) {
-    velocity_tables_.push_back(given.table);
-    quantities_.push_back(given.quantity);
-  }
   find_changes(scene);
   const bool moves = !model.prescribed.empty() || !scene.prescribed_velocities.empty();
   acts_ = !loads_.empty() || !scene.gravities.empty() || pressures_.any() || damping_ || moves || walls_.any();
@@ -131,36 +128,12 @@ Array<S>& BoundaryConditions<S>::host_forces(const Model<S>& model) {
   return host_forces_;
 }
 
-namespace {
-
-/// Mean of the velocity over the coming step, or the velocity where that has no length; of a displacement the mean over
-/// the step before then.
-double mean_velocity(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step) {
-  const auto displacement = [&](double t) {
-    return quantity == MotionQuantity::velocity       ? table.integral(t)
-           : quantity == MotionQuantity::displacement ? table.value(t)
-                                                      : table.second_integral(t);
-  };
-  if (step.after > 0) return (displacement(time + step.after) - displacement(time)) / step.after;
-  if (quantity == MotionQuantity::velocity) return table.value(time);
-  if (quantity == MotionQuantity::acceleration) return table.integral(time);
-  return step.before > 0 ? (table.value(time) - table.value(time - step.before)) / step.before : 0.0;
-}
-
-}  // namespace
-
-/// Nodes get the mean of the prescribed velocity over the coming step, so that their places are those of the integral
-/// of the table.
 template <class S>
 void BoundaryConditions<S>::hold(const NodeArrays<S>& nodes, double time, const StepLengths& step,
                                  const DueSpans& due) {
   if (constrains_) held_->constrain(nodes, step.velocity(), due);
   if (!prescribes_) return;
-  std::vector<double> factors;
-  for (std::size_t t = 0; t < velocity_tables_.size(); ++t) {
-    factors.push_back(mean_velocity(velocity_tables_[t], quantities_[t], time, step));
-  }
-  held_->prescribe(nodes, factors, step.velocity());
+  held_->prescribe(nodes, motions_.factors(time, step), step.velocity());
 }
 
 template <class S>

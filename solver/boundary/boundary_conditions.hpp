@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "face_pressures.hpp"
 #include "gravity_loads.hpp"
 #include "named_forces.hpp"
+#include "prescribed_motions.hpp"
 #include "rigid_walls.hpp"
 #include "space/boundary_kernels.hpp"
 
@@ -52,8 +54,12 @@ class BoundaryConditions {
   /// the forces, where it writes.
   void persist(StateArchive& archive, Model<S>& model, double time);
   const std::vector<WallResult>& walls() const { return walls_.results(); }
-  /// At which nodes will come to a wall in the coming step [length/time].
-  double closing() const { return walls_.closing(); }
+  /// Largest change of velocity that nodes undergo at once: at the start by what moves or holds them; by a wall in the
+  /// two steps after `time`, and by what moves them in these or in the step just made [length/time].
+  double jump_at_start() const { return motions_.jump_at_start(); }
+  double closing(double time, double dt) const {
+    return std::max(walls_.closing(), motions_.jump(time - dt, time + 2 * dt));
+  }
   std::vector<PressureResult> pressures() const { return pressures_.results(); }
   /// What constraints, prescribed velocities and accelerations with a name exert on the nodes in the step just made, by
   /// name; time: of the forces.
@@ -84,8 +90,7 @@ class BoundaryConditions {
   NamedForces named_;
   std::optional<std::vector<Point>> forces_read_;  ///< with a state, up to its next step: by name [force]
   GravityLoads<S> gravity_;
-  std::vector<TimeTable> velocity_tables_;
-  std::vector<MotionQuantity> quantities_;  ///< of the tables
+  PrescribedMotions motions_;
   std::unique_ptr<HeldNodeKernels<S>> held_;
   bool constrains_ = false, prescribes_ = false;  ///< at present
   FacePressures<S> pressures_;

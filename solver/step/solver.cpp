@@ -174,7 +174,8 @@ void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& e
     clock_.choose(due,
                   schedule_.bound(model_, due, internal_forces_.tiles(), static_cast<double>(element.time_step),
                                   element.time_step_slot, springs.frequency2),
-                  due.first ? model_.look.closing_speed : std::max(springs.expected_change, boundary_.closing()));
+                  due.first ? std::max(model_.look.closing_speed, boundary_.jump_at_start())
+                            : std::max(springs.expected_change, boundary_.closing(clock_.time(), clock_.dt())));
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -58,6 +59,8 @@ class Solver {
   const Scene& scene() const { return model_.scene; }
   const ModelMesh& mesh() const { return model_.mesh; }
   const Look& look() const { return model_.look; }
+  /// Of the fastest impact that is expected, with a body, a wall, or what holds or moves a body's end [length/time].
+  double impact_speed() const { return std::max(look().impact_speed, boundary_.jump_at_start()); }
   std::int64_t element_count() const { return model_.element_count(); }
   /// Of a run on a device the mirror on the host, brought up to date: its state is copied where the last steps have
   /// changed it.

@@ -1,0 +1,78 @@
+#include "prescribed_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/base/point.hpp>
+
+namespace pinball {
+
+namespace {
+
+double displacement(const PrescribedVelocity& given, double time) {
+  switch (given.quantity) {
+    case MotionQuantity::velocity:
+      return given.table.integral(time);
+    case MotionQuantity::displacement:
+      return given.table.value(time);
+    case MotionQuantity::acceleration:
+      return given.table.second_integral(time);
+  }
+  return 0;
+}
+
+double mean_factor(const PrescribedVelocity& given, double time, const StepLengths& step) {
+  if (step.after > 0) return (displacement(given, time + step.after) - displacement(given, time)) / step.after;
+  if (given.quantity == MotionQuantity::velocity) return given.table.value(time);
+  if (given.quantity == MotionQuantity::acceleration) return given.table.integral(time);
+  return step.before > 0 ? (given.table.value(time) - given.table.value(time - step.before)) / step.before : 0.0;
+}
+
+/// Of the velocity of node n along a direction.
+template <class S>
+double along(const Model<S>& model, std::int32_t n, const S (&normal)[3]) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum += static_cast<double>(model.nodes.velocity[4 * static_cast<std::size_t>(n) + k] * normal[k]);
+  }
+  return sum;
+}
+
+/// Where a displacement begins its velocity is not known before there is a step.
+double starting_factor(const PrescribedVelocity& given) {
+  return given.quantity == MotionQuantity::displacement ? 0.0 : mean_factor(given, 0, {});
+}
+
+}  // namespace
+
+template <class S>
+PrescribedMotions::PrescribedMotions(const Model<S>& model) : given_(model.scene.prescribed_velocities) {
+  const auto take = [this](double change) { jump_at_start_ = std::max(jump_at_start_, std::abs(change)); };
+  for (const NodeConstraint<S>& held : model.constraints) take(along(model, held.node, held.normal));
+  for (const NodePrescription<S>& moved : model.prescribed) {
+    const PrescribedVelocity& given = given_[static_cast<std::size_t>(moved.table)];
+    take(static_cast<double>(moved.speed) * starting_factor(given) - along(model, moved.node, moved.normal));
+  }
+}
+
+std::vector<double> PrescribedMotions::factors(double time, const StepLengths& step) const {
+  std::vector<double> found;
+  for (const PrescribedVelocity& given : given_) found.push_back(mean_factor(given, time, step));
+  return found;
+}
+
+double PrescribedMotions::jump(double from, double to) const {
+  double largest = 0;
+  for (const PrescribedVelocity& given : given_) {
+    if (!given.when.contains(to)) continue;
+    const StepLengths step{to - from, to - from};
+    const double before = given.when.contains(from) ? mean_factor(given, from, step) : 0.0;
+    largest = std::max(largest, norm(given.velocity) * std::abs(mean_factor(given, to, step) - before));
+  }
+  return largest;
+}
+
+template PrescribedMotions::PrescribedMotions(const Model<double>&);
+template PrescribedMotions::PrescribedMotions(const Model<float>&);
+
+}  // namespace pinball

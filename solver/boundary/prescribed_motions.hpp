@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <kernels/boundary/external_work.hpp>
+#include <solver/model/model.hpp>
+
+namespace pinball {
+
+/// The velocities that [[prescribed_velocity]] gives to nodes over time, and how far they leap.
+class PrescribedMotions {
+ public:
+  template <class S>
+  explicit PrescribedMotions(const Model<S>& model);
+
+  /// Of each the factor of its velocity: the mean over the coming step, so that places are those of the integral of the
+  /// table, or the velocity where that has no length; of a displacement the mean over the step before then.
+  std::vector<double> factors(double time, const StepLengths& step) const;
+  /// Largest change that nodes which are moved, or held, undergo as the run begins [length/time].
+  double jump_at_start() const { return jump_at_start_; }
+  /// Largest change of a velocity between two times; of a motion that begins between them, for a node that is at rest
+  /// before [length/time].
+  double jump(double from, double to) const;
+
+ private:
+  std::vector<PrescribedVelocity> given_;
+  double jump_at_start_ = 0;
+};
+
+}  // namespace pinball
