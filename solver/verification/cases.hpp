@@ -14,6 +14,7 @@ std::vector<VerificationRow> verify_cantilever(const Scene& scene);
 std::vector<VerificationRow> verify_cyclic_shear(const Scene& scene);
 std::vector<VerificationRow> verify_elastic_cycles(const Scene& scene);
 std::vector<VerificationRow> verify_coarse_impact(const Scene& scene);
+std::vector<VerificationRow> verify_crushed_block(const Scene& scene);
 std::vector<VerificationRow> verify_hugoniot(const Scene& scene);
 std::vector<VerificationRow> verify_patch_test(const Scene& scene);
 std::vector<VerificationRow> verify_plastic_cantilever(const Scene& scene);

@@ -30,6 +30,7 @@ const std::vector<VerificationCase>& verification_cases() {
       {"plate_impact", verify_plate_impact},
       {"hugoniot", verify_hugoniot},
       {"coarse_impact", verify_coarse_impact},
+      {"crushed_block", verify_crushed_block},
       {"cantilever", verify_cantilever},
       {"plastic_cantilever", verify_plastic_cantilever},
       {"two_blocks", verify_two_blocks},
