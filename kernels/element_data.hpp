@@ -94,6 +94,7 @@ template <class S>
 struct ElementStep {
   S length;      ///< since they were worked before [time]
   S weight = 1;  ///< of their forces: how many steps of their nodes they act for, where these are shorter [-]
+  S time = 0;    ///< at its end [time]
 };
 
 }  // namespace pinball

@@ -69,16 +69,15 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   [[maybe_unused]] const ElementNumbers<T, L> numbers = own.numbers(elements.material_state, elements.material_numbers);
   if constexpr (features.plastic) {
     plastic_strain = own.get(elements.plastic_strain);
-    failed = yield<features>(constants, numbers, motion, dt, density, hourglass, stress, plastic_strain);
+    if (never_yields_generally<features>(constants)) [[unlikely]] {
+      follow_energy(constants, own, bound, middle, motion, dt, stress_old, stress, stable_rate);
+    } else {
+      failed = yield<features>(constants, numbers, motion, dt, density, hourglass, stress, plastic_strain);
+    }
     hourglass.count_yield(sums);
   }
-  if constexpr (features.yield == YieldLaw::general) {
-    if (constants.pressure.law != PressureLaw::linear) {
-      const T lambda = follow_equation_of_state<features>(constants, own, numbers, middle, motion, viscosity, hourglass,
-                                                          stress_old, stress);
-      stable_rate = bound.rate(lambda, T(constants.material.mu));
-    }
-  }
+  follow_equation_of_state<features>(constants, own, numbers, bound, middle, motion, viscosity, hourglass, stress_old,
+                                     stress, stable_rate);
   hourglass.store_state(own, sums);
   ahead(5);
 
@@ -88,6 +87,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   if (any_distorted) {
     inside_out = resist_at_corners(own, nodes, constants.folding_energy, bound, middle.whole, corners, stable_rate);
   }
+  failed = failed || limits_exceeded<features>(constants, numbers, motion, stress, stable_rate, step.time);
   const ElementFailure<T> failure =
       find_failure<features>(constants.failure, own.alive, end, middle, plastic_strain, failed, inside_out);
   if (features.erosion && failure.any) let_go(failure, own, stress, hourglass, viscosity, sums);

@@ -52,6 +52,7 @@ void bind_parts(py::module_& module) {
   bind_list<YieldCurve>(module, "YieldCurves");
   bind_table<JohnsonCookSettings>(module, "JohnsonCook", "Strength and failure after Johnson and Cook.");
   bind_table<EquationOfStateSettings>(module, "EquationOfState", "Pressure over compression and energy.");
+  bind_table<ErosionSettings>(module, "Erosion", "Limits beyond which elements are eroded.");
   bind_table<Material>(module, "Material", "[[material]] of a scene, with bulk and shear modulus.");
   bind_table<Body>(module, "Body", "[[body]] of a scene");
   bind_list<Material>(module, "Materials");

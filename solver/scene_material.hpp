@@ -52,7 +52,23 @@ struct EquationOfStateSettings {
   bool operator==(const EquationOfStateSettings&) const = default;
 };
 
-/// One [[material]] table. model = "elastic" | "von_mises". What concerns plasticity and erosion is 0 if elastic.
+/// erosion of a material: an element that is beyond one of these is eroded; 0: no such limit. What each is of:
+/// kernels/material/failure.hpp
+struct ErosionSettings {
+  double tension = 0.0;           ///< tension: of the mean stress, which is minus the pressure [stress]
+  double compression = 0.0;       ///< compression: of the pressure [stress]
+  double principal_stress = 0.0;  ///< principal_stress: of the largest one [stress]
+  double effective_stress = 0.0;  ///< effective_stress: of von Mises' [stress]
+  double principal_strain = 0.0;  ///< principal_strain: of the largest one [-]
+  double shear_strain = 0.0;      ///< shear_strain: half the difference of the largest and the smallest one [-]
+  double time = 0.0;              ///< time: after which all elements of the material fail [time]
+  double smallest_step = 0.0;     ///< smallest_step: an element with a smaller stable step fails [time]
+  double step_share = 0.0;        ///< step_share: the same, as a part of the smallest stable step at the start [-]
+
+  bool operator==(const ErosionSettings&) const = default;
+};
+
+/// One [[material]] table. model = "elastic" | "von_mises". What concerns plasticity is 0 if elastic.
 struct Material {
   std::string name;
   bool plastic = false;
@@ -74,6 +90,7 @@ struct Material {
   double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
   std::optional<JohnsonCookSettings> johnson_cook;           ///< in the place of hardening and rate laws above
   std::optional<EquationOfStateSettings> equation_of_state;  ///< in the place of the bulk modulus, which follows
+  std::optional<ErosionSettings> erosion;                    ///< limits beside erosion_strain; of elastic ones, too
 };
 
 }  // namespace pinball

@@ -39,6 +39,7 @@ std::optional<Problem> problem_of(const Material& material);
 std::optional<Problem> problem_of(const YieldCurve& curve);
 std::optional<Problem> problem_of(const JohnsonCookSettings& law);
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos);
+std::optional<Problem> problem_of(const ErosionSettings& erosion);
 /// Whether its elements may be eroded for a reason of the material's.
 bool erodes(const Material& material);
 /// The slope of the pressure over the compression there [stress]; 0 of settings that are none.

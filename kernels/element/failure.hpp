@@ -3,9 +3,11 @@
 #include "../element_results.hpp"
 #include "../folding.hpp"
 #include "../material/failure.hpp"
+#include "../rotation.hpp"
 #include "element_pack.hpp"
 #include "hourglass_control.hpp"
 #include "step_geometry.hpp"
+#include "step_motion.hpp"
 #include "viscosity.hpp"
 
 /// Failure of a pack's elements: which fail in a step, and what goes with them. An element that fails keeps its nodes
@@ -21,7 +23,53 @@ struct ElementFailure {
   MaskOf<T> inverted;  ///< there without a volume, and not failed
 };
 
-/// Elements that fail. plastic_strain: at the end of the step; failed: for a reason of their law of strength;
+/// The strain that elements have come to (failure.hpp), kept from step to step at `place`. The increment belongs to the
+/// middle of the rotation, as that of the stress does.
+template <class T, int L>
+PINBALL_FUNCTION Symmetric<T> kept_strain(const ElementNumbers<T, L>& numbers, int place, const Symmetric<T>& increment,
+                                          const Rotation<T>& rotation) {
+  const Symmetric<T> old{numbers.get(place),     numbers.get(place + 1), numbers.get(place + 2),
+                         numbers.get(place + 3), numbers.get(place + 4), numbers.get(place + 5)};
+  const Symmetric<T> half = number<T>(0.5) * increment, strain = rotate(rotation, old + half) + half;
+  numbers.set(place, strain.xx);
+  numbers.set(place + 1, strain.yy);
+  numbers.set(place + 2, strain.zz);
+  numbers.set(place + 3, strain.xy);
+  numbers.set(place + 4, strain.yz);
+  numbers.set(place + 5, strain.zx);
+  return strain;
+}
+
+/// beyond_limits, with the strain where a limit needs it. Called: few scenes have such limits.
+template <class T, int L>
+PINBALL_OUTLINED MaskOf<T> look_at_limits(const FailureLimits<ScalarOf<T>>& limits, const ElementNumbers<T, L>& numbers,
+                                          int place, const Symmetric<T>& increment, const Rotation<T>& rotation,
+                                          const Symmetric<T>& stress, const T& stable_rate, ScalarOf<T> time) {
+  Symmetric<T> strain{T(0), T(0), T(0), T(0), T(0), T(0)};
+  if (place >= 0) strain = kept_strain(numbers, place, increment, rotation);
+  return beyond_limits(limits, stress, strain, stable_rate, time);
+}
+
+/// Elements that are beyond a limit of their material at the end of a step.
+template <ElementFeatures features, class T, int L>
+PINBALL_FUNCTION MaskOf<T> limits_exceeded(const ElementConstants<ScalarOf<T>>& constants,
+                                           const ElementNumbers<T, L>& numbers, const StepMotion<T, features>& motion,
+                                           const Symmetric<T>& stress, const T& stable_rate, ScalarOf<T> time) {
+  MaskOf<T> beyond(false);
+  if constexpr (features.erosion && features.yield == YieldLaw::general) {
+    if (constants.failure.limits.any) [[unlikely]] {
+      const ElementNumbers<T, L> kept = numbers;  // copies: what is called sees them in memory
+      const Symmetric<T> increment = motion.strain, now = stress;
+      const Rotation<T> rotation = motion.rotation;
+      const T rate = stable_rate;
+      beyond =
+          look_at_limits(constants.failure.limits, kept, constants.places.strain, increment, rotation, now, rate, time);
+    }
+  }
+  return beyond;
+}
+
+/// Elements that fail. plastic_strain: at the end of the step; failed: for a reason of their material's;
 /// inside_out: at a corner.
 template <ElementFeatures features, class T>
 PINBALL_FUNCTION ElementFailure<T> find_failure(const FailureConstants<ScalarOf<T>>& constants, const MaskOf<T>& alive,

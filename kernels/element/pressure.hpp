@@ -3,6 +3,7 @@
 #include "../material/equation_of_state.hpp"
 #include "element_pack.hpp"
 #include "hourglass_control.hpp"
+#include "stability.hpp"
 #include "step_geometry.hpp"
 #include "step_motion.hpp"
 #include "viscosity.hpp"
@@ -48,20 +49,24 @@ PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const E
   return now.bulk_modulus;
 }
 
-/// Both, after yield; returns lambda of a linear material of that rho c^2 [stress].
+/// Both, after yield; the stable rate is that of a linear material of that rho c^2.
 template <ElementFeatures features, class T, int L>
-PINBALL_FUNCTION T follow_equation_of_state(const ElementConstants<ScalarOf<T>>& constants,
-                                            const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
-                                            const MiddleGeometry<T>& middle, const StepMotion<T, features>& motion,
-                                            const ViscousStep<T>& viscosity,
-                                            const HourglassStep<T, features>& hourglass, const Symmetric<T>& stress_old,
-                                            Symmetric<T>& stress) {
+PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T>>& constants,
+                                               const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
+                                               const StabilityBound<T>& bound, const MiddleGeometry<T>& middle,
+                                               const StepMotion<T, features>& motion, const ViscousStep<T>& viscosity,
+                                               const HourglassStep<T, features>& hourglass,
+                                               const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {
   using S = ScalarOf<T>;
-  const T work = work_beside_pressure(own, middle, motion, stress_old, stress, viscosity, hourglass);
-  const T bulk_modulus = set_pressure(constants.pressure, numbers, constants.places.energy, middle.whole,
-                                      own.mass * T(constants.specific_volume), middle.inverse_end_volume,
-                                      middle.volume * motion.volumetric, work, stress_old, stress);
-  return bulk_modulus - T(S(2.0 / 3.0) * constants.material.mu);
+  if constexpr (features.yield == YieldLaw::general) {
+    if (constants.pressure.law != PressureLaw::linear) {
+      const T work = work_beside_pressure(own, middle, motion, stress_old, stress, viscosity, hourglass);
+      const T bulk_modulus = set_pressure(constants.pressure, numbers, constants.places.energy, middle.whole,
+                                          own.mass * T(constants.specific_volume), middle.inverse_end_volume,
+                                          middle.volume * motion.volumetric, work, stress_old, stress);
+      stable_rate = bound.rate(bulk_modulus - T(S(2.0 / 3.0) * constants.material.mu), T(constants.material.mu));
+    }
+  }
 }
 
 }  // namespace pinball

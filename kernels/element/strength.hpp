@@ -62,28 +62,43 @@ PINBALL_FUNCTION NeoHookeanState<T> stress_of_energy(const MaterialConstants<Sca
   }
 }
 
-/// The stress of a step of length dt in which nothing yields. What follows an energy has a stable rate of its own.
+/// The same, with the stable rate of those moduli.
+template <ElementFeatures features, class T, int L>
+PINBALL_FUNCTION void follow_energy(const ElementConstants<ScalarOf<T>>& constants, const ElementPack<T, L>& own,
+                                    const StabilityBound<T>& bound, const MiddleGeometry<T>& middle,
+                                    const StepMotion<T, features>& motion, ScalarOf<T> dt,
+                                    const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {
+  const MaterialConstants<ScalarOf<T>>& material = constants.material;
+  const VolumeChange<T> change{own.mass * T(constants.specific_volume), T(material.density) * bound.end.inverse_mass,
+                               middle.volume, bound.end.volume, middle.inverse_end_volume};
+  const NeoHookeanState<T> now = stress_of_energy<features>(material, stress_old, motion, dt, change, middle.whole);
+  stress = now.stress;
+  stable_rate = bound.rate(now.lambda, now.mu);
+}
+
+/// The stress of a step of length dt in which nothing yields. What never does has an energy: erosion has no kernel of
+/// its own for that; that of the general law has its place for it beside yield, where it branches anyway.
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION Symmetric<T> stress_without_yield(const ElementConstants<ScalarOf<T>>& constants,
                                                    const ElementPack<T, L>& own, const StabilityBound<T>& bound,
                                                    const MiddleGeometry<T>& middle,
                                                    const StepMotion<T, features>& motion, ScalarOf<T> dt,
                                                    const Symmetric<T>& stress_old, T& stable_rate) {
-  const MaterialConstants<ScalarOf<T>>& material = constants.material;
   Symmetric<T> stress;
   if constexpr (features.plastic) {
-    stress = turned_and_strained(material, stress_old, motion.strain, motion.rotation);
+    stress = turned_and_strained(constants.material, stress_old, motion.strain, motion.rotation);
   }
-  // Erosion has no kernel of its own for what never yields.
   constexpr bool may_be_elastic = features.erosion && features.yield == YieldLaw::linear;
   if (!features.plastic || (may_be_elastic && constants.never_yields)) {
-    const VolumeChange<T> change{own.mass * T(constants.specific_volume), T(material.density) * bound.end.inverse_mass,
-                                 middle.volume, bound.end.volume, middle.inverse_end_volume};
-    const NeoHookeanState<T> now = stress_of_energy<features>(material, stress_old, motion, dt, change, middle.whole);
-    stress = now.stress;
-    stable_rate = bound.rate(now.lambda, now.mu);
+    follow_energy(constants, own, bound, middle, motion, dt, stress_old, stress, stable_rate);
   }
   return stress;
+}
+
+/// Whether a material of the general kernel is elastic.
+template <ElementFeatures features, class S>
+PINBALL_FUNCTION bool never_yields_generally(const ElementConstants<S>& constants) {
+  return features.erosion && features.yield == YieldLaw::general && constants.never_yields;
 }
 
 /// Returns the stress, and hourglass stresses, to the yield surface; plastic_strain: of the old state. Returns elements

@@ -11,6 +11,7 @@ struct MaterialPlaces {
   int temperature = -1;  ///< above that of the undeformed material [temperature]
   int energy = -1;       ///< e of equation_of_state.hpp [stress]
   int damage = -1;       ///< 1: has failed [-]
+  int strain = -1;       ///< six: xx yy zz xy yz zx of e of failure.hpp [-]
   int numbers = 0;       ///< all of them
 };
 

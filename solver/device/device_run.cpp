@@ -103,19 +103,20 @@ void DeviceRun<S>::tell_resting(const Model<S>& model, const Schedule<S>& schedu
 /// stable steps that they keep from then on.
 template <class S>
 InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Schedule<S>& schedule,
-                                                     InternalForces<S>& forces, S dt, bool with_sums) {
+                                                     InternalForces<S>& forces, const ElementStep<S>& step,
+                                                     bool with_sums) {
   RestingTotals<S> resting;
   ElementTotals<S> totals;
   const bool found = take_changes(model, schedule, forces);
   device_is_newer_ = true;
   if (found) {
     Array<S> rates;
-    totals = step_->update_elements(dt, rates);
+    totals = step_->update_elements(step, rates);
     keep_time_steps(model, layout_, *schedule.resting(), rates, forces);
     tell_resting(model, schedule, forces);
   } else {
     resting = step_->wake();
-    totals = step_->update_elements(dt);
+    totals = step_->update_elements(step);
   }
   if (with_sums) step_->sum_corner_forces();
   InternalForceResult<S> result;

@@ -47,8 +47,8 @@ class DeviceRun {
 
   /// As InternalForces::compute, for schedules without subcycling; `forces` keeps the stable steps of tiles at rest.
   /// with_sums: the forces of nodes have those of their corners, for who adds more before nodes are integrated.
-  InternalForceResult<S> update_elements(const Model<S>& model, Schedule<S>& schedule, InternalForces<S>& forces, S dt,
-                                         bool with_sums);
+  InternalForceResult<S> update_elements(const Model<S>& model, Schedule<S>& schedule, InternalForces<S>& forces,
+                                         const ElementStep<S>& step, bool with_sums);
   MotionEnergy integrate(const StepLengths& step);
 
   std::size_t bytes() const;  ///< of both, less the stores of the model

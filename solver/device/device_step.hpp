@@ -24,10 +24,10 @@ class DeviceStep {
   virtual void write(const DeviceState<S>& state) = 0;  ///< from the host
   virtual void read(DeviceState<S>& state) const = 0;   ///< to the host
 
-  /// Stresses and corner forces of the elements; dt: the step just made [time]. Tiles at rest are left out.
-  virtual ElementTotals<S> update_elements(S dt) = 0;
+  /// Stresses and corner forces of the elements after a step. Tiles at rest are left out.
+  virtual ElementTotals<S> update_elements(const ElementStep<S>& step) = 0;
   /// The same; rates, per place: 2/dt of the stable step dt of each element [1/time].
-  virtual ElementTotals<S> update_elements(S dt, Array<S>& rates) = 0;
+  virtual ElementTotals<S> update_elements(const ElementStep<S>& step, Array<S>& rates) = 0;
 
   /// These tiles rest from now on. Before, none does.
   virtual void set_resting(const DeviceResting<S>& tiles) = 0;

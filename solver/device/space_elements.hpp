@@ -26,7 +26,7 @@ struct ElementLaunch {
   ElementView<S> elements;
   NodeView<S> nodes;
   ElementConstants<S> constants;
-  S dt;
+  ElementStep<S> step;
   S* corner_force;
   RestingElements resting;
   S* rates;  ///< per place: 2/dt of its stable step dt; null: not asked for [1/time]
@@ -43,9 +43,8 @@ struct UpdatesElements {
     const bool rests = launch.resting.template has<S>(first);
     if (rests && !launch.resting.worked) return;
     ElementSums<T> sums;
-    update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants,
-                                                 ElementStep<S>{launch.dt}, pack, 0, sums,
-                                                 KeptAtCorners<S>{launch.corner_force});
+    update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants, launch.step, pack, 0,
+                                                 sums, KeptAtCorners<S>{launch.corner_force});
     if (launch.rates != nullptr) store(sums.stable_rate, launch.rates + first);
     if (rests) sums.stable_rate = T(0);
     totals.add(sums, first);

@@ -90,10 +90,10 @@ class SpaceStep final : public DeviceStep<S> {
     state.with(state_, [](auto& theirs, const auto& mine) { deep_copy(theirs, mine); });
   }
 
-  ElementTotals<S> update_elements(S dt) override { return update_parts(dt, nullptr); }
-  ElementTotals<S> update_elements(S dt, Array<S>& rates) override {
+  ElementTotals<S> update_elements(const ElementStep<S>& step) override { return update_parts(step, nullptr); }
+  ElementTotals<S> update_elements(const ElementStep<S>& step, Array<S>& rates) override {
     Array<S, Memory> kept(corner_force_.size() / 24);
-    const ElementTotals<S> totals = update_parts(dt, kept.data());
+    const ElementTotals<S> totals = update_parts(step, kept.data());
     rates.renew(kept.size());
     deep_copy(rates, kept);
     return totals;
@@ -141,13 +141,13 @@ class SpaceStep final : public DeviceStep<S> {
     std::int64_t first, last;
   };
 
-  ElementTotals<S> update_parts(S dt, S* rates) {
+  ElementTotals<S> update_parts(const ElementStep<S>& step, S* rates) {
     ElementTotals<S> totals;
     for (const Part& part : parts_) {
       totals.join(part.kernel({elements(),
                                {state_.position.data(), state_.velocity.data(), nullptr},
                                part.constants,
-                               dt,
+                               step,
                                corner_force_.data(),
                                {tile_.data(), resting_.rests(), resting_.worked()},
                                rates,

@@ -32,7 +32,8 @@ void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementSt
 }
 
 template <class S>
-InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& schedule, const Due& due, S dt) {
+InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& schedule, const Due& due,
+                                                  const ElementStep<S>& smallest) {
   schedule.begin_step(model, due, results_);
   for (TileResult<S>& result : results_)
     result = {.folding = result.folding,
@@ -44,7 +45,7 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& 
     for_each_tile(schedule.tiles(level), [&](std::int32_t tile) {
       TileResult<S>& result = results_[tile];
       const TileResult<S> before = result;
-      work(model, tile, schedule.step_of(tile, due, dt));
+      work(model, tile, schedule.step_of(tile, due, smallest));
       if (!built::resting || !schedule.rests(tile)) return;
       result.time_step = before.time_step;
       result.time_step_slot = before.time_step_slot;

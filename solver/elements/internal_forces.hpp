@@ -41,7 +41,8 @@ class InternalForces {
 
   /// Adds the internal forces of the tiles that are due to the nodes and updates their element states; dt: the step
   /// just made [time]. What is not due does no work and keeps its stable step.
-  InternalForceResult<S> compute(Model<S>& model, Schedule<S>& schedule, const Due& due, S dt);
+  InternalForceResult<S> compute(Model<S>& model, Schedule<S>& schedule, const Due& due,
+                                 const ElementStep<S>& smallest);
 
   void persist(StateArchive& archive, const Model<S>& model);
 

@@ -1,6 +1,7 @@
 #include "resting_tiles.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <kernels/exec.hpp>
 #include <kernels/simd.hpp>
@@ -72,6 +73,7 @@ RestingTiles<S>::RestingTiles(const Model<S>& model)
   parallel_for("tiles at rest", RangePolicy<>{0, model.tile_count()}, [&](std::int64_t number) {
     const auto t = static_cast<std::size_t>(number);
     tiles_[t].number = static_cast<std::int32_t>(number);
+    if (std::isfinite(model.constants[static_cast<std::size_t>(model.tile_part[t])].failure.limits.time)) return;
     const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
     const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;
     const std::int32_t* first = model.elements.corner.data() + 8 * first_slot;

@@ -48,9 +48,9 @@ class Schedule {
   int highest_level(const Due& due) const { return subcycling_ ? subcycling_->due(due.step_of_cycle) : 0; }
   /// The tiles of a level, by colour.
   const Colouring& tiles(int level) const { return subcycling_ ? subcycling_->tiles()[level] : awake_; }
-  /// The step that a tile makes; dt: the smallest step just made [time].
-  ElementStep<S> step_of(std::int32_t tile, const Due& due, S dt) const {
-    return subcycling_ ? subcycling_->step(tile, due.all(), dt) : ElementStep<S>{dt};
+  /// The step that a tile makes; smallest: the smallest one just made.
+  ElementStep<S> step_of(std::int32_t tile, const Due& due, const ElementStep<S>& smallest) const {
+    return subcycling_ ? subcycling_->step(tile, due.all(), smallest) : smallest;
   }
   /// Whether a tile is worked although it rests (skip.resting = false): then it keeps its stable step.
   bool rests(std::int32_t tile) const { return resting_ && resting_->rests(tile); }

@@ -165,11 +165,11 @@ void Subcycling<S>::sort_by_level(const Model<S>& model) {
 }
 
 template <class S>
-ElementStep<S> Subcycling<S>::step(std::int32_t tile, bool begins_cycle, S dt) const {
+ElementStep<S> Subcycling<S>::step(std::int32_t tile, bool begins_cycle, const ElementStep<S>& smallest) const {
   const auto t = static_cast<std::size_t>(tile);
   const auto before = static_cast<S>(1 << level_[t]);
   const auto after = begins_cycle ? static_cast<S>(1 << next_level_[t]) : before;
-  return {before * dt, S(0.5) * (before + after)};
+  return {before * smallest.length, S(0.5) * (before + after), smallest.time};
 }
 
 /// body(velocity of the node, its place in the lists) for the mixed nodes of a level.

@@ -50,7 +50,7 @@ class Subcycling {
 
   const std::vector<Colouring>& tiles() const { return tiles_; }  ///< of each level, by colour
   /// The step that a tile makes when it is worked; dt: the smallest step, of the time since it was worked before.
-  ElementStep<S> step(std::int32_t tile, bool begins_cycle, S dt) const;
+  ElementStep<S> step(std::int32_t tile, bool begins_cycle, const ElementStep<S>& smallest) const;
   /// Puts mean velocities in the places of those of nodes that move otherwise within the steps of a level; and back.
   void use_mean_velocities(NodeStore<S>& nodes, int level);
   void use_present_velocities(NodeStore<S>& nodes, int level);

@@ -20,6 +20,7 @@
 #include <solver/scene_rules.hpp>
 
 #include "elements/element_parts.hpp"
+#include "elements/element_start.hpp"
 #include "elements/folding_onsets.hpp"
 #include "elements/mass_scaling.hpp"
 #include "initial_overlap.hpp"
@@ -191,6 +192,19 @@ Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vecto
   return ordered;
 }
 
+/// Limits of materials that have some; one may be a part of the smallest stable step.
+template <class S>
+void set_failure_limits(Model<S>& model, const ElementParts& parts, const std::vector<double>& mass_factor) {
+  const auto& materials = model.scene.materials;
+  const bool any =
+      std::ranges::any_of(materials, [](const Material& m) { return m.erosion && m.erosion->step_share > 0; });
+  const double smallest = any ? smallest_stable_step(model.scene, model.mesh, parts, mass_factor) : 0;
+  for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    const Material& material = materials[static_cast<std::size_t>(model.parts[p].material)];
+    model.constants[p].failure.limits = failure_limits<S>(material, smallest);
+  }
+}
+
 template <class S>
 void fill_nodes(Model<S>& model) {
   model.nodes = NodeStore<S>(static_cast<std::int32_t>(model.mesh.nodes.size()));
@@ -358,6 +372,7 @@ Model<S> build_model(const Scene& given) {
   ElementStoreFeatures features = add_parts(model, parts);
   const std::vector<double> mass_factor = mass_factors(model.scene, model.mesh, parts);
   features.mass_share = !mass_factor.empty();
+  set_failure_limits(model, parts, mass_factor);
   const std::vector<double> onset = folding_onsets(model.mesh);
   features.folding_onset = !onset.empty();
   const Hexahedra ordered = add_tiles(model, parts, mass_factor);

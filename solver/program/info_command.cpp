@@ -85,6 +85,7 @@ void print_materials(const Scene& scene, const Units& units) {
     fmt::print("    velocity of longitudinal waves {}\n",
                with_unit(std::sqrt(wave_modulus / m.density), units.velocity));
     if (m.plastic) print_hardening(m, units);
+    if (m.erosion) print_limits(*m.erosion, units);
   }
 }
 
@@ -192,6 +193,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
       fmt::print(", erosion at plastic strain {:.4g}", material.erosion_strain);
     }
     if (material.johnson_cook && !material.johnson_cook->failure.empty()) fmt::print(", erosion at damage 1");
+    if (material.erosion) fmt::print(", erosion beyond limits");
     if (model.constants[p].failure.negative_volume) fmt::print(", erosion of inverted elements");
     if (f.hourglass != HourglassKind::none)
       fmt::print(", {}", hourglass_text(settings.hourglass_coefficient, f.hourglass));

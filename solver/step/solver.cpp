@@ -136,10 +136,10 @@ void Solver<S>::make_step(const Due& due) {
 
 template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
-  const auto dt = static_cast<S>(clock_.dt());
+  const ElementStep<S> step{static_cast<S>(clock_.dt()), S(1), static_cast<S>(clock_.time())};
   return timers_.measure(Phase::internal_forces, [&] {
-    if (device_) return device_->update_elements(model_, schedule_, internal_forces_, dt, boundary_.any());
-    return internal_forces_.compute(model_, schedule_, due, dt);
+    if (device_) return device_->update_elements(model_, schedule_, internal_forces_, step, boundary_.any());
+    return internal_forces_.compute(model_, schedule_, due, step);
   });
 }
 

@@ -7,9 +7,9 @@
 namespace pinball::test {
 
 /// All that a material may keep, in this order.
-inline constexpr int material_numbers = 8;
+inline constexpr int material_numbers = 14;
 inline constexpr MaterialPlaces material_places{
-    .back_stress = 0, .temperature = 5, .energy = 6, .damage = 7, .numbers = 8};
+    .back_stress = 0, .temperature = 5, .energy = 6, .damage = 7, .strain = 8, .numbers = 14};
 
 struct ElementState {
   double mass = 0;
@@ -30,7 +30,7 @@ struct ElementScene {
   std::vector<std::array<std::int32_t, 8>> corner;
   std::vector<ElementState> element;
   ElementConstants<double> constants{};
-  double dt = 0.01;
+  double dt = 0.01, time = 0;
   bool has_material_state = true, has_viscous_stress = true, has_internal_energy = true;
   double padding = std::numeric_limits<double>::quiet_NaN();  ///< what the state of padding elements holds
 
@@ -74,7 +74,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
   to.hourglass = {coefficient, coefficient * hourglass_modulus(lambda, mu),
                   assumed_strain_moduli(lambda, mu, coefficient)};
   to.viscosity = {S(c.viscosity.linear), S(c.viscosity.quadratic)};
-  to.failure = {S(c.failure.plastic_strain), c.failure.negative_volume, c.failure.inside_out};
+  to.failure = {S(c.failure.plastic_strain), c.failure.negative_volume, c.failure.inside_out, {}};
   to.specific_volume = S(1) / S(m.density);
   to.hardening = hardening;
   to.never_yields = c.never_yields;
@@ -82,6 +82,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
   if constexpr (std::is_same_v<S, double>) {
     to.johnson_cook = c.johnson_cook;
     to.pressure = c.pressure;
+    to.failure.limits = c.failure.limits;
   }
   return to;
 }
@@ -141,8 +142,8 @@ ElementOutcome advance(const ElementScene& scene) {
   const NodeView<S> nodes{position.data(), velocity.data(), force.data()};
   ElementSums<T> sums;
   for (std::size_t p = 0; p < packs; ++p) {
-    update_element_pack<T, features>(elements, nodes, constants, ElementStep<S>{S(scene.dt)}, std::int64_t(p), int(p),
-                                     sums, AddedToNodes<S>{nodes.force});
+    update_element_pack<T, features>(elements, nodes, constants, ElementStep<S>{S(scene.dt), S(1), S(scene.time)},
+                                     std::int64_t(p), int(p), sums, AddedToNodes<S>{nodes.force});
   }
 
   ElementOutcome out;

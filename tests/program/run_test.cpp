@@ -354,6 +354,12 @@ TEST_F(Program, InfoTellsWhatRunsAndWhatIsSkipped) {
   EXPECT_THAT(run("info two_blocks --set body.upper.position=[0.5,0,0.1065]").text,
               HasSubstr("pairs of lower and upper: not listed or tested as long as they do not near each other"));
   EXPECT_THAT(run("info rod_plate --set skip.resting=false").text, Not(HasSubstr("stresses and forces of")));
+  const std::string limits = run("info two_blocks --set material.steel.erosion.tension=1e9 "
+                                 "--set material.steel.erosion.step_share=0.1")
+                                 .text;
+  EXPECT_THAT(limits,
+              testing::AllOf(HasSubstr("eroded beyond: mean stress 1e+09 Pa, stable step below 0.1 of the smallest"),
+                             HasSubstr("elasticity, erosion beyond limits")));
 }
 
 TEST_F(Program, VerifyPassesAndWritesItsTable) {

@@ -109,6 +109,31 @@ TEST_F(MaterialLawsScene, RefusesPressuresThatAreNone) {
               HasSubstr("equation_of_state.coefficients: not used with form = \"mie_grueneisen\""));
 }
 
+TEST_F(MaterialLawsScene, ReadsLimitsOfErosionOfAnyModel) {
+  const std::string limits =
+      "erosion = { tension = 1e9, compression = 2e9, principal_stress = 3e9, effective_stress = 4e9, principal_strain "
+      "= "
+      "0.5, shear_strain = 0.6, time = 7e-6, smallest_step = 1e-9, step_share = 0.1 }";
+  const ErosionSettings expected{1e9, 2e9, 3e9, 4e9, 0.5, 0.6, 7e-6, 1e-9, 0.1};
+  for (const char* model : {"von_mises", "elastic"}) {
+    const Material m = read(with_law(limits), {.set = {std::string("material.copper.model=") + model}}).materials.at(0);
+    ASSERT_TRUE(m.erosion) << model;
+    EXPECT_EQ(*m.erosion, expected);
+    EXPECT_TRUE(erodes(m));
+  }
+}
+
+TEST_F(MaterialLawsScene, RefusesLimitsThatAreNone) {
+  const auto problem = [&](const std::string& text) { return error(with_law("erosion = { " + text + " }")); };
+  EXPECT_THAT(problem(""), HasSubstr("erosion.tension: expected this or another limit > 0, got none"));
+  EXPECT_THAT(problem("tension = 0"), HasSubstr("erosion.tension: expected this or another limit > 0, got none"));
+  EXPECT_THAT(problem("tension = -1"), HasSubstr("erosion.tension: expected a number >= 0, got -1"));
+  EXPECT_THAT(problem("step_share = 1"), HasSubstr("erosion.step_share: expected a number >= 0 and < 1, got 1"));
+  EXPECT_THAT(error(lines("equation_of_state = { sound_speed = 3940.0, tension_limit = 1e9 }\n"
+                          "erosion = { tension = 2e9 }")),
+              HasSubstr("erosion.tension: expected a number < equation_of_state.tension_limit = 1000000000"));
+}
+
 TEST_F(MaterialLawsScene, HostsAreToldTheSame) {
   Scene scene = read(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }"));
   scene.materials[0].johnson_cook->failure = {1, 2};

@@ -1,6 +1,8 @@
 #include "element_start.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <kernels/material/bulk_viscosity.hpp>
 #include <kernels/stable_time_step.hpp>
@@ -39,6 +41,17 @@ ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Mat
   start.frequency2 = undamped * undamped;
   start.half_damping = 4 * start.volume * inverse_mass * viscosity * sum;
   return start;
+}
+
+double smallest_stable_step(const Scene& scene, const ModelMesh& mesh, const ElementParts& parts,
+                            const std::vector<double>& mass_factor) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+    const ElementPart& part = parts.parts[parts.of_body[static_cast<std::size_t>(mesh.body[e])]];
+    const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
+    smallest = std::min(smallest, start.stable_step(mass_factor.empty() ? 1.0 : mass_factor[e]));
+  }
+  return smallest;
 }
 
 }  // namespace pinball

@@ -22,4 +22,8 @@ struct ElementStart {
 ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Material& material,
                            const ElementSettings& settings);
 
+/// The smallest stable step of all elements at the start [time]. mass_factor: per element; empty: 1.
+double smallest_stable_step(const Scene& scene, const ModelMesh& mesh, const ElementParts& parts,
+                            const std::vector<double>& mass_factor);
+
 }  // namespace pinball

@@ -49,12 +49,35 @@ EquationOfState<S> pressure_constants(const Material& material) {
   return eos;
 }
 
+template <class S>
+FailureLimits<S> failure_limits(const Material& material, double smallest_step_at_start) {
+  FailureLimits<S> limits;
+  if (!material.erosion) return limits;
+  const ErosionSettings& given = *material.erosion;
+  const auto set = [](S& limit, double value) {
+    if (value > 0) limit = static_cast<S>(value);
+  };
+  limits.any = true;
+  set(limits.tension, given.tension);
+  set(limits.compression, given.compression);
+  set(limits.principal_stress, given.principal_stress);
+  set(limits.effective_stress, given.effective_stress);
+  set(limits.principal_strain, given.principal_strain);
+  set(limits.shear_strain, given.shear_strain);
+  set(limits.time, given.time);
+  set(limits.smallest_step, std::max(given.smallest_step, given.step_share * smallest_step_at_start));
+  return limits;
+}
+
 MaterialPlaces material_places(const Material& material) {
   MaterialPlaces places;
   const auto keep = [&places](int& place, int count) {
     place = places.numbers;
     places.numbers += count;
   };
+  if (material.erosion && (material.erosion->principal_strain > 0 || material.erosion->shear_strain > 0)) {
+    keep(places.strain, 6);
+  }
   if (!material.plastic) return places;
   if (material.isotropic_share < 1) keep(places.back_stress, 5);
   if (const auto& law = material.johnson_cook) {
@@ -69,5 +92,7 @@ template JohnsonCookConstants<double> johnson_cook_constants<double>(const Mater
 template JohnsonCookConstants<float> johnson_cook_constants<float>(const Material&);
 template EquationOfState<double> pressure_constants<double>(const Material&);
 template EquationOfState<float> pressure_constants<float>(const Material&);
+template FailureLimits<double> failure_limits<double>(const Material&, double);
+template FailureLimits<float> failure_limits<float>(const Material&, double);
 
 }  // namespace pinball

@@ -13,6 +13,10 @@ JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
 template <class S>
 EquationOfState<S> pressure_constants(const Material& material);
 
+/// The limits of `erosion` of a material, and none of others. smallest_step_at_start: of all elements [time].
+template <class S>
+FailureLimits<S> failure_limits(const Material& material, double smallest_step_at_start);
+
 /// What the elements of a material keep beside stress and plastic strain, and where. Materials may use the same places,
 /// as each element is of one.
 MaterialPlaces material_places(const Material& material);

@@ -53,6 +53,7 @@ std::vector<double> all_strains(const std::vector<YieldCurve>& curves) {
 }  // namespace
 
 bool has_general_yield(const Material& m) {
+  if (m.erosion) return true;
   return m.plastic && (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.johnson_cook ||
                        m.equation_of_state);
 }

@@ -94,4 +94,24 @@ void print_hardening(const Material& m, const Units& units) {
   print_rates(m, units);
 }
 
+void print_limits(const ErosionSettings& e, const Units& units) {
+  std::string text;
+  const auto say = [&text](const char* of, double limit, const std::string& unit) {
+    if (limit > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", of, with_unit(limit, unit));
+  };
+  say("mean stress", e.tension, units.stress);
+  say("pressure", e.compression, units.stress);
+  say("largest principal stress", e.principal_stress, units.stress);
+  say("effective stress", e.effective_stress, units.stress);
+  say("largest principal strain", e.principal_strain, "");
+  say("shear strain", e.shear_strain, "");
+  say("time", e.time, units.time);
+  if (e.smallest_step > 0)
+    text += fmt::format("{}stable step below {}", text.empty() ? "" : ", ", with_unit(e.smallest_step, units.time));
+  if (e.step_share > 0)
+    text +=
+        fmt::format("{}stable step below {:.4g} of the smallest at the start", text.empty() ? "" : ", ", e.step_share);
+  fmt::print("    eroded beyond: {}\n", text);
+}
+
 }  // namespace pinball

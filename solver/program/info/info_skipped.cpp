@@ -86,8 +86,8 @@ void print_element_features(const Model<S>& model) {
     if (!material.plastic) skip(fmt::format("plasticity of {}", material.name), "its model is elastic");
     if (!f.erosion) {
       skip(fmt::format("erosion of {}", material.name),
-           material.plastic ? "it has no erosion_strain and an inverted element stops the run"
-                            : "its model is elastic and an inverted element stops the run");
+           material.plastic ? "it has no erosion_strain, no limits of erosion, and an inverted element stops the run"
+                            : "its model is elastic, without limits of erosion, and an inverted element stops the run");
     }
   }
   const auto none = [&model](const auto& has) { return std::ranges::none_of(model.parts, has); };

@@ -103,6 +103,7 @@ SchemaJson definitions() {
   define<YieldCurve>(all);
   define<JohnsonCookSettings>(all);
   define<EquationOfStateSettings>(all);
+  define<ErosionSettings>(all);
   define<Body>(all);
   all["mesh"] = mesh_definitions(all);
   define<Plane>(all);

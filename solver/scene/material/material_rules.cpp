@@ -51,6 +51,19 @@ std::optional<Problem> problem_of_equation_of_state(const Material& m) {
   return {};
 }
 
+std::optional<Problem> problem_of_erosion(const Material& m) {
+  if (const auto problem = problem_of(*m.erosion)) {
+    return Problem{fmt::format("erosion.{}", problem->key), problem->text};
+  }
+  const double limit = m.equation_of_state ? m.equation_of_state->tension_limit : 0;
+  if (limit > 0 && m.erosion->tension >= limit) {
+    return Problem{"erosion.tension", fmt::format("expected a number < equation_of_state.tension_limit = {}, beyond "
+                                                  "which there is no tension, got {}",
+                                                  limit, m.erosion->tension)};
+  }
+  return {};
+}
+
 std::optional<Problem> problem_of_rates(const Material& m) {
   if (m.rate_constant > 0 && !(m.rate_exponent > 0)) {
     return Problem{"rate_exponent", "expected a number > 0 beside rate_constant"};
@@ -105,10 +118,14 @@ std::optional<Problem> problem_of(const Material& material) {
   if (material.johnson_cook) {
     if (const auto problem = problem_of_johnson_cook(material)) return problem;
   }
-  return material.equation_of_state ? problem_of_equation_of_state(material) : std::nullopt;
+  if (material.equation_of_state) {
+    if (const auto problem = problem_of_equation_of_state(material)) return problem;
+  }
+  return material.erosion ? problem_of_erosion(material) : std::nullopt;
 }
 
 bool erodes(const Material& m) {
+  if (m.erosion) return true;
   return m.plastic && (m.erosion_strain > 0 || (m.johnson_cook && !m.johnson_cook->failure.empty()));
 }
 

@@ -38,6 +38,8 @@ template <>
 struct IsInnerTable<JohnsonCookSettings> : std::true_type {};
 template <>
 struct IsInnerTable<EquationOfStateSettings> : std::true_type {};
+template <>
+struct IsInnerTable<ErosionSettings> : std::true_type {};
 
 template <class Visit>
 constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
@@ -95,6 +97,42 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
             &T::tension_limit,
             "the pressure is never below minus this; 0: no limit",
             {.unit = "M/(L T^2)", .bound = not_negative}});
+}
+
+template <class Visit>
+constexpr void describe(Of<ErosionSettings>, Visit&& visit) {
+  using T = ErosionSettings;
+  visit(Key{"tension",
+            &T::tension,
+            "of the mean stress, which is minus the pressure; 0: no such limit, here and below",
+            {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"compression", &T::compression, "of the pressure", {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"principal_stress",
+            &T::principal_stress,
+            "of the largest principal stress",
+            {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"effective_stress",
+            &T::effective_stress,
+            "of von Mises' effective stress",
+            {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{"principal_strain",
+            &T::principal_strain,
+            "of the largest principal strain, logarithmic where its axes stay in the material",
+            {.unit = "-", .bound = not_negative}});
+  visit(Key{"shear_strain",
+            &T::shear_strain,
+            "of half the difference of the largest and the smallest principal strain",
+            {.unit = "-", .bound = not_negative}});
+  visit(
+      Key{"time", &T::time, "after it all elements of the material are eroded", {.unit = "T", .bound = not_negative}});
+  visit(Key{"smallest_step",
+            &T::smallest_step,
+            "an element whose stable step is smaller is eroded",
+            {.unit = "T", .bound = not_negative}});
+  visit(Key{"step_share",
+            &T::step_share,
+            "the same, as a part of the smallest stable step at the start",
+            {.unit = "-", .bound = {.low = 0.0, .high = 1.0, .high_open = true}}});
 }
 
 template <class Visit>
@@ -193,6 +231,10 @@ constexpr void describe(Of<Material>, Visit&& visit) {
             "table (below), in the place of the bulk modulus, beside `shear_modulus`",
             {.otherwise = "none"}}
             .only_where(plastic));
+  visit(Key{"erosion",
+            &T::erosion,
+            "table (below) of limits: an element beyond one of them is eroded; of elastic materials, too",
+            {.otherwise = "none"}});
 }
 
 }  // namespace pinball::schema

@@ -81,7 +81,8 @@ std::vector<TableKeys> all_kinds() {
   const auto add = [&all](const std::vector<TableKeys>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add({keys<ElementSettings>(element_of_body)});
   add(keys_of<ContactSettings, ContactPair, TiedContact, SideOfSet, SkipSettings, GuardSettings, OutputSettings,
-              Material, OneYieldCurve, YieldCurve, JohnsonCookSettings, EquationOfStateSettings, Body>());
+              Material, OneYieldCurve, YieldCurve, JohnsonCookSettings, EquationOfStateSettings, ErosionSettings,
+              Body>());
   add(mesh_keys());
   add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});
   add(keys_of<PlaneConstraint, FixedConstraint, Plane, Line, Box, RigidWall, PrescribedVelocity, NodalLoad, Pressure,

@@ -65,13 +65,14 @@ void read_yield_curves(const SceneTable& table, Material& material) {
   if (material.yield_curves.empty()) table.fail(key, "expected at least one curve, got none");
 }
 
-/// What only plasticity and erosion need.
+/// What only plasticity needs.
 void forget_plasticity(Material& material) {
   Material elastic;
   elastic.name = material.name;
   elastic.density = material.density;
   elastic.bulk_modulus = material.bulk_modulus;
   elastic.shear_modulus = material.shear_modulus;
+  elastic.erosion = material.erosion;
   material = elastic;
 }
 
