@@ -137,6 +137,7 @@ inline std::vector<CardDeck> decks_of_definitions() {
            "",
            {"1,7.85E-9,80000.", "400.,500.,0.3,0.01,1.1,1800.,300.,1.", "4.5E8,-900.,1.,0.,0.1,0.2,-1.5,0.01", "0.5"},
            no_elastic + compressed + "*EOS_GRUNEISEN\n3,4.5E6,1.5,0.1,0.2,2.,0.4\n\n"},
+          {"MAT_ADD_EROSION", "", {"1,0.,900.", "-300.,400.,500.,0.6,0.7,0.,0.,5.E-7", "", "", "0.,0.,0.,1.E-12"}},
           {"EOS_GRUNEISEN", "", {"3,4.5E6,1.5,0.1,0.2,2.,0.4", ""}, no_elastic + compressed + metal},
           {"EOS_LINEAR_POLYNOMIAL", "", {"3,0.,1.7E5,1.E5,1.E5,2.,0.4,0.1", ""}, no_elastic + compressed + metal}};
 }
@@ -188,6 +189,7 @@ inline std::vector<CardDeck> decks_of_controls() {
       {"CONTROL_TIMESTEP", "", {"0.,0.5,0,0.,-1E-9", "", ""}},
       {"CONTROL_TIMESTEP", "", {"", "", ""}},
       {"CONTROL_TIMESTEP", "", {"0.,0.5,0,0.,-1E-9", "", ""}, "*CONTROL_TERMINATION\n1.E-6,0,0.1\n"},
+      {"CONTROL_TERMINATION", "", {"1E-6,0,0.1"}, "*CONTROL_TIMESTEP\n0.,0.5,0,0.,0.,0,1\n"},
       {"DAMPING_GLOBAL", "", {"0,10."}},
       {"DAMPING_GLOBAL", "", {""}},
       {"DATABASE_HISTORY_NODE", "", {"9,10"}},

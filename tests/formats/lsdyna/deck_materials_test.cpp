@@ -196,5 +196,28 @@ TEST_F(DeckMaterials, RefusesEquationsOfStateThatAreMissingOrOfNoUse) {
   EXPECT_THAT(error(elastic), HasSubstr("*PART with an equation of state (EOSID) and *MAT_"));
 }
 
+/// Limits of one material of two.
+TEST_F(DeckMaterials, ReadsLimitsOfErosion) {
+  const std::string steel_card = "*MAT_001\n1,7.85E-9,210000.,0.3\n", add = "*MAT_ADD_EROSION\n1,0.,900.\n";
+  const Material m =
+      material(cube + ends + steel_card + add + "-300.,400.,500.,0.6,0.7,0.,0.,5.E-7\n\n\n0.,0.,0.,1.E-9\n");
+  const ErosionSettings expected{300, 900, 400, 500, 0.6, 0.7, 5e-7, 1e-9, 0};
+  ASSERT_TRUE(m.erosion);
+  EXPECT_EQ(*m.erosion, expected);
+  EXPECT_FALSE(m.plastic);
+  EXPECT_FALSE(material(cube + ends + steel_card + "*MAT_ADD_EROSION\n1\n\n").erosion);
+  EXPECT_THAT(error(cube + ends + steel_card + add + "300.\n"), HasSubstr("MNPRES"));
+  EXPECT_THAT(error(cube + ends + steel_card + "*MAT_ADD_EROSION\n1,0.,0.,0.,0.,0.,1.,2.\n\n"), HasSubstr("NCS"));
+  EXPECT_THAT(error(cube + ends + steel_card + add + "-1.\n" + add + "-2.\n"), HasSubstr("erosion of material 1"));
+}
+
+TEST_F(DeckMaterials, ErodesElementsOfSmallStepsWhereTheDeckSaysSo) {
+  const std::string steel_card = "*MAT_001\n1,7.85E-9,210000.,0.3\n", end = "*CONTROL_TERMINATION\n1.E-6,0,0.05\n";
+  const Material m = material(cube + end + steel_card + "*CONTROL_TIMESTEP\n0.,0.9,0,0.,0.,0,1\n");
+  ASSERT_TRUE(m.erosion);
+  EXPECT_EQ(m.erosion->step_share, 0.05);
+  EXPECT_FALSE(material(cube + end + steel_card).erosion);
+}
+
 }  // namespace
 }  // namespace pinball::test

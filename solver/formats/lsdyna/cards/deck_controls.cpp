@@ -35,6 +35,20 @@ void set_mass_scaling(DeckData& data, const Fields& f, double factor, const Deck
                     f.place().text()));
 }
 
+/// ERODE: elements whose step is less than DTMIN times the first step of the run are eroded.
+void set_erosion_by_step(DeckData& data, const Card& termination, double share, const std::optional<Card>& step,
+                         bool erodes) {
+  if (share > 0 && erodes) {
+    data.step_share = share;
+    data.step_card = {"*CONTROL_TIMESTEP", step->place};
+  } else if (share > 0) {
+    data.report.unused(termination.place, "*CONTROL_TERMINATION: DTMIN",
+                       "without ERODE of *CONTROL_TIMESTEP the run goes on to ENDTIM, however small its step is");
+  } else if (erodes) {
+    data.report.unused(step->place, "*CONTROL_TIMESTEP: ERODE", "DTMIN of *CONTROL_TERMINATION is 0");
+  }
+}
+
 void write_time(DeckData& data, DeckScene& scene) {
   const auto termination = last_card(data, "CONTROL_TERMINATION");
   if (!termination)
@@ -46,8 +60,9 @@ void write_time(DeckData& data, DeckScene& scene) {
   keys.set("end", end.number("ENDTIM"), "endtim");
   if (const std::int64_t cycles = end.integer("ENDCYC"); cycles > 0) keys.set("steps", cycles, "endcyc");
   const auto step = last_card(data, "CONTROL_TIMESTEP");
-  if (!step) return;
+  if (!step) return set_erosion_by_step(data, *termination, end.number("DTMIN"), step, false);
   const Fields f = data.fields(*step, layout::timestep);
+  set_erosion_by_step(data, *termination, end.number("DTMIN"), step, f.integer("ERODE") == 1);
   const double given = f.number("TSSFAC"), factor = given == 0 ? 0.9 : given;
   keys.from({"*CONTROL_TIMESTEP", step->place});
   keys.set("cfl", factor, "tssfac");

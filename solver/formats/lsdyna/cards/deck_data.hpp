@@ -77,6 +77,8 @@ class DeckData {
   std::vector<DeckElement> part_elements;  ///< of each part, once the controls are translated
   int motions = 0;                         ///< prescribed ones that are translated
   std::size_t walls = 0;                   ///< the same of rigid walls
+  double step_share = 0;                   ///< DTMIN, where ERODE erodes elements of smaller steps [-]
+  DeckCard step_card;                      ///< of ERODE
   std::vector<DeckFaces> pressed;          ///< of each card of pressure
   std::vector<bool> used;                  ///< per node of the mesh: whether a solid of a part has it
 

@@ -288,7 +288,7 @@ std::int64_t material_number(const DeckData& data, const KeywordBlock& block) {
   return data.fields(card, layout_of(block)).integer("MID") + offset_of(block, &DeckTransform::material);
 }
 
-void translate_material(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
+void translate_material(DeckData& data, const KeywordBlock& block, const DeckLimits& limits, DeckScene& scene) {
   Cards cards(block);
   const std::string title = block.title ? std::string(trimmed(cards.require("a title").text)) : "";
   const Card card = cards.require("the constants of the material");
@@ -302,6 +302,7 @@ void translate_material(DeckData& data, const KeywordBlock& block, DeckScene& sc
   }
   const std::string kind = keyword_alias(block.name);
   const MaterialKeys keys = begin_material(id, title, block, f, scene);
+  if (limits.any) keys.set("erosion", limits.keys.value(), limits.card.text());
   if (kind == "MAT_JOHNSON_COOK") {
     if (const auto equation = data.state_equation_of(id)) {
       set_johnson_cook(data, f, cards, *equation, keys);

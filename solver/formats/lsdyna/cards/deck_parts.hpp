@@ -17,8 +17,23 @@ std::optional<Card> last_card(const DeckData& data, const std::string& name, int
 
 /// Number of a *MAT_... .
 std::int64_t material_number(const DeckData& data, const KeywordBlock& block);
+/// The limits beyond which elements of a material are eroded.
+struct DeckLimits {
+  InnerKeys<ErosionSettings> keys;
+  DeckCard card;  ///< that they are of
+  bool any = false, has_share = false;
+
+  void add(KeyOf<ErosionSettings> key, double limit) {
+    if (!(limit > 0)) return;
+    keys.set(key, limit);
+    any = true;
+  }
+};
+/// *MAT_ADD_EROSION, and ERODE of *CONTROL_TIMESTEP for all materials; by their numbers.
+std::map<std::int64_t, DeckLimits> limits_of_materials(DeckData& data);
+
 /// *MAT_...: a [[material]] each, named mat_NUMBER; those that no part has are left out.
-void translate_material(DeckData& data, const KeywordBlock& block, DeckScene& scene);
+void translate_material(DeckData& data, const KeywordBlock& block, const DeckLimits& limits, DeckScene& scene);
 
 /// A [[body]] for each part that has solids; mesh_file: as the scene names it.
 void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,

@@ -36,12 +36,16 @@ void translate_materials(DeckData& data, DeckScene& scene) {
   std::map<std::int64_t, const KeywordBlock*> materials;
   GivenOnce given;
   for (const KeywordBlock& block : data.deck.blocks) {
-    if (!block.name.starts_with("MAT_")) continue;
+    if (!block.name.starts_with("MAT_") || keyword_alias(block.name) == "MAT_ADD_EROSION") continue;
     const std::int64_t number = material_number(data, block);
     given.add(fmt::format("material {}", number), block.place, block.of_case);
     materials[number] = &block;
   }
-  for (const auto& [number, block] : materials) translate_material(data, *block, scene);
+  const auto limits = limits_of_materials(data);
+  for (const auto& [number, block] : materials) {
+    const auto own = limits.find(number);
+    translate_material(data, *block, own == limits.end() ? DeckLimits{} : own->second, scene);
+  }
 }
 
 /// The scene; what is not done of it goes to the report. of_parts: what is not there; empty once it is known which

@@ -9,21 +9,20 @@ inline constexpr CardLayout control_hourglass{whole("IHQ", 1), number("QH", 0.1)
 inline constexpr CardLayout termination{
     number("ENDTIM").always(),
     whole("ENDCYC"),
-    number("DTMIN").told("the run goes on to ENDTIM, however small its step is"),
+    number("DTMIN").at_least(0),
     number("ENDENG").told("the run goes on to ENDTIM, and tells how energy is kept"),
     number("ENDMAS", 1e8).told("the run goes on to ENDTIM; added mass is told"),
     whole("NOSOL").told("pinball info DECK checks a deck without running it")};
 inline constexpr std::string_view of_selective = "of selective mass scaling (IMSCL), which is not there",
                                   by_dt2ms = "give DT2MS in its place";
-inline constexpr CardLayout timestep{
-    number("DTINIT").told("the first step is the stable one, too"),
-    number("TSSFAC", 0.9),
-    whole("ISDO").told(of_shells),
-    number("TSLIMT").told(of_shells),
-    number("DT2MS"),
-    whole("LCTM").refused("leave it out: the step is TSSFAC times the stable one"),
-    whole("ERODE").told("elements stay, however small their step: give the material a failure strain"),
-    whole("MS1ST")};
+inline constexpr CardLayout timestep{number("DTINIT").told("the first step is the stable one, too"),
+                                     number("TSSFAC", 0.9),
+                                     whole("ISDO").told(of_shells),
+                                     number("TSLIMT").told(of_shells),
+                                     number("DT2MS"),
+                                     whole("LCTM").refused("leave it out: the step is TSSFAC times the stable one"),
+                                     whole("ERODE").from(0, 1),
+                                     whole("MS1ST")};
 inline constexpr CardLayout timestep_scaling{number("DT2MSF").refused(by_dt2ms),
                                              whole("DT2MSLC").refused(by_dt2ms),
                                              whole("IMSCL"),

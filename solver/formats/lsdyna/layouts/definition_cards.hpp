@@ -51,6 +51,37 @@ inline constexpr CardLayout kinematic{material_id,
                                       number("BETA").from(0, 1)};
 inline constexpr CardLayout kinematic_rate{number("SRC").of(Dimension::rate), number("SRP"), number("FS"),
                                            whole("VP").from(-1, 1)};
+/// *MAT_ADD_EROSION: limits of any material.
+inline constexpr std::string_view no_such_limit = "there is no such limit: leave it blank",
+                                  no_damage_model = "damage is that of *MAT_JOHNSON_COOK: leave it blank";
+inline constexpr CardLayout erosion{material_id,
+                                    number("EXCL").refused("leave it 0, and what is no limit blank"),
+                                    material_stress("MXPRES").at_least(0),
+                                    number("MNEPS").refused(no_such_limit),
+                                    number("EFFEPS").refused("give the material a failure strain, or leave it blank"),
+                                    number("VOLEPS").refused(no_such_limit),
+                                    number("NUMFIP", 1).told("elements have one point"),
+                                    number("NCS", 1).refused("each limit counts by itself: leave it 1")};
+inline constexpr CardLayout erosion_limits{material_stress("MNPRES").from(-std::numeric_limits<double>::infinity(), 0),
+                                           material_stress("SIGP1").at_least(0),
+                                           material_stress("SIGVM").at_least(0),
+                                           number("MXEPS").at_least(0),
+                                           number("EPSSH").at_least(0),
+                                           number("SIGTH").refused(no_such_limit),
+                                           number("IMPULSE").refused(no_such_limit),
+                                           number("FAILTM").of(Dimension::time).at_least(0)};
+inline constexpr CardLayout erosion_damage{whole("IDAM").refused(no_damage_model),  gap, gap, gap, gap, gap, gap,
+                                           whole("LCREGD").refused(no_damage_model)};
+inline constexpr CardLayout erosion_curves{
+    whole("LCFLD").refused(no_such_limit),   whole("NSFF", 10).refused(no_such_limit),
+    number("EPSTHIN").told(of_shells),       number("ENGCRT").refused(no_such_limit),
+    number("RADCRT").refused(no_such_limit), whole("LCEPS12").refused(no_such_limit),
+    whole("LCEPS13").refused(no_such_limit), whole("LCEPSMX").refused(no_such_limit)};
+inline constexpr CardLayout erosion_more{
+    number("DTEFLT").told("rates of strain have no limit that they could filter for"),
+    number("VOLFRAC", 0.5).told("elements have one point"), number("MXTMP").refused(no_such_limit),
+    number("DTMIN").of(Dimension::time).at_least(0)};
+
 inline constexpr CardLayout piecewise{material_id,
                                       density,
                                       young,

@@ -65,6 +65,9 @@ void add_definitions(Table& table) {
   table.push_back({"MAT_JOHNSON_COOK",
                    "",
                    {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});
+  table.push_back({"MAT_ADD_EROSION",
+                   "",
+                   {&l::erosion, &l::erosion_limits, &l::erosion_damage, &l::erosion_curves, &l::erosion_more}});
   table.push_back({"EOS_GRUNEISEN", "", {&l::grueneisen, &l::grueneisen_volume}});
   table.push_back({"EOS_LINEAR_POLYNOMIAL", "", {&l::linear_polynomial, &l::linear_polynomial_state}});
 }
