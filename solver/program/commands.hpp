@@ -46,8 +46,10 @@ struct ConvergeOptions : SceneOptions {
   std::string meshes;           ///< "1/2,1,2": what multiplies the numbers of elements; empty: by what the scene allows
   std::vector<std::string> only;  ///< of "mesh", "step", "precision", "hourglass", "chance"; empty: all
   int ensemble = 4;               ///< runs for chance
-  std::string out;                ///< folder for the runs; empty: out/converge_SCENE
-  std::string json;               ///< file for the table of results; empty: none
+  std::string error;   ///< "1%": what the quantities are to be good to; empty: the meshes are those that are named
+  std::string budget;  ///< "10min": for all runs; empty: any time, with an error 10 minutes
+  std::string out;     ///< folder for the runs; empty: out/converge_SCENE
+  std::string json;    ///< file for the table of results; empty: none
 };
 
 /// What of a deck of another program is to be written as a scene.

@@ -155,6 +155,16 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
   command
       .add_option("--ensemble", options.ensemble, "runs with moved velocities that say what chance does (default: 4)")
       ->check(CLI::Range(1, 1000));
+  command
+      .add_option("--error", options.error,
+                  "1%: searches for the mesh and settings that reach this error of all --of in the least time")
+      ->check(check_not_empty);
+  command
+      .add_option(
+          "--budget", options.budget,
+          "90s, 10min, 2h: for all runs; what is expected to take longer is left out, and what is left goes into "
+          "finer meshes (default: any time, with --error 10min)")
+      ->check(check_not_empty);
   command.add_option("--out", options.out, "folder for the runs (default: out/converge_<scene>); what is there stays")
       ->check(check_not_empty);
   command.add_option("--json", options.json, "write the table to this file")->check(check_not_empty);
@@ -229,7 +239,8 @@ int run_program(int argc, char** argv) {
              "    pinball compare impact.toml --vary contact.friction=0,0.2 --repeat 1 --json table.json\n");
   add_footer(*converge,
              "    pinball converge taylor_bar --of tail_displacement_z --of bodies.bar.max_plastic_strain\n"
-             "    pinball converge impact.toml --meshes 1/2,1,3/2 --json table.json\n");
+             "    pinball converge impact.toml --meshes 1/2,1,3/2 --json table.json\n"
+             "    pinball converge taylor_bar --of tail_displacement_z --error 1% --budget 10min\n");
   add_footer(*verify, "    pinball verify two_blocks taylor_bar\n    pinball verify --json table.json\n");
   add_footer(*convert, "    pinball convert deck.k scene.toml\n    pinball convert deck.k low.toml --case 1 --force\n");
   add_footer(*create, "    pinball new impact\n    pinball new impact --out scenes --force\n");

@@ -1,6 +1,9 @@
 #include "text_table.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include <solver/output/progress.hpp>
 
 namespace pinball {
 
@@ -25,6 +28,15 @@ std::string text_table(const std::vector<std::vector<std::string>>& lines, const
 
 std::string number_cell(const std::optional<double>& value, fmt::format_string<const double&> format) {
   return value ? fmt::format(format, *value) : "-";
+}
+
+std::string percent_cell(double share) {
+  const double percent = 100 * std::abs(share);
+  return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+}
+
+std::string duration_cell(double seconds) {
+  return seconds < 60 ? fmt::format("{:.2g} s", seconds) : readable_duration(seconds);
 }
 
 }  // namespace pinball

@@ -17,4 +17,10 @@ std::string text_table(const std::vector<std::vector<std::string>>& lines, const
 /// "-" where there is none.
 std::string number_cell(const std::optional<double>& value, fmt::format_string<const double&> format);
 
+/// A share as "0.12 %", "230 %".
+std::string percent_cell(double share);
+
+/// "0.35 s", "3 min 05 s".
+std::string duration_cell(double seconds);
+
 }  // namespace pinball

@@ -187,6 +187,63 @@ TEST_F(Converge, SaysApartWhatStepPrecisionHourglassAndChanceDo) {
   expect_run("chance_2", "--set body.bar.velocity_noise=2e-8");
 }
 
+/// What a search says is what its runs say: nothing that it made reaches the error in less time.
+TEST_F(Converge, AnErrorIsReachedByTheFastestOfTheRuns) {
+  const std::string quantity = "bar_velocity_z";
+  const Finished f = converge("--quiet --ensemble 1 --meshes 1,2,3 --error 2% --of " + quantity);
+  ASSERT_EQ(f.status, 0) << f.text;
+  const Json table = json(), found = table["costs"][0]["cheapest"];
+  EXPECT_EQ(table["error"], 0.02);
+  EXPECT_EQ(table["budget_seconds"], 600);
+  ASSERT_FALSE(found.is_null()) << f.text;
+  const Json best = table["points"][found.get<std::size_t>()];
+  EXPECT_LE(best["errors"][0], 0.02);
+  EXPECT_GT(table["points"].size(), 3 + 5) << "no run beyond those that were asked for";
+  for (const Json& point : table["points"]) {
+    const bool finer_fails = std::any_of(table["points"].begin(), table["points"].end(), [&](const Json& other) {
+      return other["variation"] == point["variation"] && other["bytes"] > point["bytes"] && other["errors"][0] > 0.02;
+    });
+    if (point["of_chance"] || finer_fails || point["errors"][0] > 0.02) continue;
+    EXPECT_GE(point["seconds"], best["seconds"]) << point["settings"];
+  }
+  EXPECT_THAT(f.text, HasSubstr("for 2 % of bar_velocity_z [mm/ms] take " + best["settings"].get<std::string>()));
+  const double extrapolated = of(table, quantity)["extrapolated"];
+  const double value = of(table, quantity)["values"][0];
+  EXPECT_NEAR(table["points"][0]["errors"][0], std::abs(value / extrapolated - 1), 1e-9);
+
+  // The search goes the same way again, over the runs that are there.
+  const Finished again = converge("--ensemble 1 --meshes 1,2,3 --error 2% --of " + quantity);
+  EXPECT_THAT(again.text, Not(HasSubstr("runs: ")));
+  EXPECT_EQ(json()["points"], table["points"]);
+}
+
+TEST_F(Converge, WhatDoesNotFitIntoTheBudgetIsLeftOut) {
+  const Finished f = converge("--quiet --only mesh --meshes 1,2,3,256 --budget 2s --of energy.kinetic");
+  ASSERT_EQ(f.status, 0) << f.text;
+  const Json table = json();
+  const Json last = table["meshes"].back();
+  EXPECT_EQ(last["factor"], "256");
+  EXPECT_THAT(last["left_out"].get<std::string>(), HasSubstr("of the budget are left"));
+  EXPECT_TRUE(last["failure"].is_null());
+  EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_256"));
+  EXPECT_THAT(f.text, HasSubstr("mesh 256 left out: it is expected to take "));
+  EXPECT_THAT(f.text, HasSubstr("in 2 s the finest mesh is "));
+}
+
+/// Meshes as fine as the time is enough for, each at most twice as fine as the one before.
+TEST_F(Converge, WhatIsLeftOfABudgetGoesIntoFinerMeshes) {
+  const Finished f = converge("--quiet --only mesh --meshes 1/2,1,3/2 --budget 1.5s --of energy.kinetic");
+  ASSERT_EQ(f.status, 0) << f.text;
+  const Json table = json();
+  ASSERT_GT(table["meshes"].size(), 3) << f.text;
+  double seconds = 0;
+  for (const Json& mesh : table["meshes"]) {
+    if (mesh["left_out"].is_null()) seconds += mesh["wall_seconds"].get<double>();
+  }
+  EXPECT_LT(seconds, 1.5 * 1.5);
+  EXPECT_EQ(table["meshes"][3]["factor"], "3");
+}
+
 TEST_F(Converge, OnlyNamesWhatIsLookedAt) {
   EXPECT_EQ(converge("--quiet --meshes 1/2,1,3/2 --only step --of energy.kinetic").status, 0);
   ASSERT_EQ(json()["sources"].size(), 1);
@@ -271,6 +328,9 @@ TEST_F(Converge, BadInputEndsWithTwoBeforeAnythingRuns) {
   expect_bad("--set time.steps=5", "time.steps = 5: expected none");
   expect_bad("--of", "--of");
   expect_bad("--only luck", "--only");
+  expect_bad("--error 1%", "--error: expected --of QUANTITY");
+  expect_bad("--error 200% --of energy.kinetic", "--error 200%: expected a part of the value");
+  expect_bad("--budget soon", "--budget soon: expected a time above 0");
   EXPECT_FALSE(std::filesystem::exists(out()));
   expect_bad("--of tail_displacement", "--of tail_displacement: expected a column");
   EXPECT_FALSE(std::filesystem::exists(out() + "/mesh_1"));  // the coarsest has shown it

@@ -162,6 +162,23 @@ TEST_F(Stops, ASignalLeavesTheRunsOfAStudyThatAreDone) {
   EXPECT_THAT(f.text, HasSubstr("is there: mesh 2 of 3"));
 }
 
+/// A search goes on where it was, too.
+TEST_F(Stops, ASignalLeavesTheRunsOfASearch) {
+  const std::string options =
+      "--threads 1 --only mesh --of energy.kinetic --budget 5min --meshes 1/4,1/2,1 --out " + out_;
+  for (const int signal : {SIGTERM, SIGUSR1}) {
+    start({"converge", "two_blocks", "--threads", "1", "--only", "mesh", "--of", "energy.kinetic", "--budget", "5min",
+           "--meshes", "1/4,1/2,1", "--out", out_});
+    while (content(out_ + "/mesh_8/history.csv").empty() && ::waitpid(process_, nullptr, WNOHANG) == 0) ::usleep(1000);
+    EXPECT_EQ(end_with(signal), 128 + signal);
+    EXPECT_EQ(Json::parse(content(out_ + "/mesh_8/summary.json"))["status"], "stopped");
+    EXPECT_EQ(Json::parse(content(out_ + "/mesh_4/summary.json"))["status"], "done");
+    EXPECT_THAT(content(log_), HasSubstr("the same command goes on"));
+    std::filesystem::remove_all(out_ + "/mesh_8");
+  }
+  EXPECT_THAT(content(log_), HasSubstr("is there: one more mesh, elements 4 times"));
+}
+
 TEST_F(Stops, ASecondRunInTheFolderIsRefused) {
   start_long_run();
   const Finished f = run("run two_blocks --out " + out_);

@@ -12,5 +12,12 @@ TEST(TextTable, ColumnsAreAsWideAsTheirWidestCell) {
             "e\n");
 }
 
+TEST(TextTable, CellsOfSharesAndDurations) {
+  EXPECT_EQ(percent_cell(0.0123), "1.2 %");
+  EXPECT_EQ(percent_cell(-12.34), "1234 %");
+  EXPECT_EQ(duration_cell(0.123), "0.12 s");
+  EXPECT_EQ(duration_cell(185), "3 min 05 s");
+}
+
 }  // namespace
 }  // namespace pinball

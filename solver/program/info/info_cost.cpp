@@ -9,7 +9,7 @@
 
 #include <kernels/exec.hpp>
 #include <solver/base/error.hpp>
-#include <solver/output/progress.hpp>
+#include <solver/program/text_table.hpp>
 #include <solver/results/forecast.hpp>
 #include <solver/results/run_outputs.hpp>
 #include <solver/step/report.hpp>
@@ -130,10 +130,6 @@ double surface_of(const Solver<S>& solver) {
   return static_cast<double>(solver.contact()->surface_elements()) / static_cast<double>(solver.element_count());
 }
 
-std::string time_text(double seconds) {
-  return seconds < 60 ? fmt::format("{:.2g} s", seconds) : readable_duration(seconds);
-}
-
 template <class S>
 void print_store(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
@@ -188,7 +184,7 @@ void print_cost(Solver<S>& solver, const Units& units, const SpentSoFar& spent) 
   fmt::print(
       "  {:.0f} steps to {}, {}run time about {} ({:.3g} ms per step, {:.3g} million element steps per second)\n",
       run.steps, with_unit(solver.at_end() ? solver.time() : scene.time.end, units.time),
-      solver.at_end() ? "all made just now, " : "", time_text(seconds), 1e3 * per_step,
+      solver.at_end() ? "all made just now, " : "", duration_cell(seconds), 1e3 * per_step,
       1e-6 * static_cast<double>(solver.element_count()) / per_step);
 }
 

@@ -17,6 +17,8 @@ namespace pinball {
 
 namespace {
 
+constexpr double search_seconds = 600;  ///< for a search whose user says none
+
 /// What each run has been warned of, once for all meshes that were.
 void print_study_warnings(const ConvergenceStudy& study) {
   for (const StudyMesh& mesh : study.meshes) {
@@ -39,6 +41,16 @@ std::vector<ErrorSource> sources_of(const std::vector<std::string>& only) {
   return sources;
 }
 
+StudyLimits limits_of(const ConvergeOptions& options) {
+  StudyLimits limits;
+  if (!options.error.empty()) {
+    if (options.of.empty()) throw InputError("--error: expected --of QUANTITY, which number is to be so good");
+    limits = {parse_error_share(options.error), search_seconds};
+  }
+  if (!options.budget.empty()) limits.seconds = parse_budget(options.budget);
+  return limits;
+}
+
 }  // namespace
 
 int converge_command(const ConvergeOptions& options) {
@@ -53,6 +65,7 @@ int converge_command(const ConvergeOptions& options) {
   settings.folder = {options.out.empty() ? "out/converge_" + scene.name : options.out, options.threads, options.quiet};
   settings.sources = sources_of(options.only);
   settings.ensemble = options.ensemble;
+  settings.limits = limits_of(options);
   const ConvergenceStudy study = study_convergence(scene, settings);
   if (study.stopped()) {
     print_message(fmt::format("stopped; what is done stays in {}, the same command goes on", settings.folder.out));

@@ -3,6 +3,7 @@
 #include <solver/base/version.h>
 
 #include "convergence_report.hpp"
+#include "costs/cost_report.hpp"
 #include "sources_report.hpp"
 
 namespace pinball {
@@ -15,10 +16,13 @@ OrderedJson number_or_null(const std::optional<double>& value) {
   return value ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
+OrderedJson text_or_null(const std::string& text) { return text.empty() ? OrderedJson(nullptr) : OrderedJson(text); }
+
 OrderedJson run_json(const StudyRun& run) {
   return {{"folder", run.folder},
           {"was_there", run.was_there},
-          {"failure", run.failure.empty() ? OrderedJson(nullptr) : OrderedJson(run.failure)}};
+          {"failure", text_or_null(run.failure)},
+          {"left_out", text_or_null(run.left_out)}};
 }
 
 OrderedJson mesh_json(const StudyMesh& mesh) {
@@ -63,12 +67,32 @@ void add_convergence_json(const GridConvergence& c, OrderedJson& json) {
   json["spread"] = c.has_band() ? OrderedJson(nullptr) : range;
 }
 
+OrderedJson point_json(const CostPoint& point) {
+  OrderedJson errors = OrderedJson::array();
+  for (const auto& error : point.errors) errors.push_back(number_or_null(error));
+  return {{"settings", point.settings},    {"what", point.what},
+          {"factor", point.factor.text()}, {"variation", text_or_null(point.variation)},
+          {"of_chance", point.of_chance},  {"seconds", point.seconds},
+          {"bytes", point.bytes},          {"errors", errors}};
+}
+
+OrderedJson cost_json(const ConvergenceStudy& study, const std::vector<CostPoint>& points, std::size_t quantity) {
+  const auto known = known_to(study, study.quantities[quantity]);
+  const auto found = cheapest(points, {quantity}, error_of_report(study));
+  return {{"name", study.quantities[quantity].name},
+          {"known_to", known ? OrderedJson(known->error) : OrderedJson(nullptr)},
+          {"known_to_chance", known && known->chance},
+          {"frontier", frontier(points, quantity)},
+          {"cheapest", found ? OrderedJson(*found) : OrderedJson(nullptr)},
+          {"sentence", text_or_null(cost_sentence(study, points, quantity))}};
+}
+
 OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& quantity) {
   OrderedJson values = OrderedJson::array();
   for (const auto& value : quantity.values) values.push_back(number_or_null(value));
   OrderedJson json = {{"name", quantity.name}, {"unit", quantity.unit}, {"values", values}, {"scale", quantity.scale}};
   const std::string verdict = verdict_word(quantity);
-  json["verdict"] = verdict.empty() ? OrderedJson(nullptr) : OrderedJson(verdict);
+  json["verdict"] = text_or_null(verdict);
   if (quantity.convergence) {
     add_convergence_json(*quantity.convergence, json);
     json["own_error"] = number_or_null(own_error(study, quantity));
@@ -81,8 +105,14 @@ OrderedJson quantity_json(const ConvergenceStudy& study, const StudyQuantity& qu
 
 std::string convergence_json(const ConvergenceStudy& study) {
   OrderedJson meshes = OrderedJson::array(), quantities = OrderedJson::array(), sources = OrderedJson::array();
+  OrderedJson points = OrderedJson::array(), costs = OrderedJson::array();
   for (const StudyMesh& mesh : study.meshes) meshes.push_back(mesh_json(mesh));
-  for (const StudyQuantity& quantity : study.quantities) quantities.push_back(quantity_json(study, quantity));
+  const std::vector<CostPoint> all_points = cost_points(study);
+  for (std::size_t q = 0; q < study.quantities.size(); ++q) {
+    quantities.push_back(quantity_json(study, study.quantities[q]));
+    costs.push_back(cost_json(study, all_points, q));
+  }
+  for (const CostPoint& point : all_points) points.push_back(point_json(point));
   for (const StudySource& source : study.sources) sources.push_back(source_json(source));
   const OrderedJson json = {{"scene", study.scene},
                             {"title", study.title},
@@ -91,7 +121,12 @@ std::string convergence_json(const ConvergenceStudy& study) {
                             {"meshes", meshes},
                             {"quantities", quantities},
                             {"sources_mesh", study.meshes[study.sources_mesh].factor.text()},
-                            {"sources", sources}};
+                            {"sources", sources},
+                            {"points", points},
+                            {"costs", costs},
+                            {"error", error_of_report(study)},
+                            {"budget_seconds", number_or_null(study.limits.seconds)},
+                            {"search_sentence", text_or_null(search_sentence(study))}};
   return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
 }
 

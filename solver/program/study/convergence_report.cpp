@@ -8,13 +8,12 @@
 
 #include <solver/program/text_table.hpp>
 
+#include "costs/cost_report.hpp"
 #include "sources_report.hpp"
 
 namespace pinball {
 
 namespace {
-
-constexpr double small_share = 1e-3;  ///< of its scale: percent of a value below are of no use
 
 std::string order_cell(const GridConvergence& convergence) {
   if (!convergence.observed_order) return "-";
@@ -30,9 +29,8 @@ std::string band_cell(const GridConvergence& convergence) {
 
 std::string percent_of(double error, const StudyQuantity& quantity) {
   const double value = std::abs(quantity.convergence->extrapolated);
-  if (!(value > small_share * quantity.scale)) return "";
-  const double percent = 100 * std::abs(error) / value;
-  return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+  if (!(value > small_value * quantity.scale)) return "";
+  return percent_cell(error / value);
 }
 
 std::string error_cell(const ConvergenceStudy& study, const StudyQuantity& quantity) {
@@ -74,6 +72,11 @@ std::string counted_verdicts(const ConvergenceStudy& study) {
   return text;
 }
 
+std::string seconds_cell(const StudyRun& run) {
+  if (!run.results) return run.left_out.empty() ? "failed" : "left out";
+  return fmt::format("{:.3g}", run.results->value("wall_seconds").value_or(0));
+}
+
 std::string mesh_lines(const ConvergenceStudy& study) {
   std::vector<std::vector<std::string>> lines{{"mesh", "elements", "steps", "seconds", "of them"}};
   for (const StudyMesh& mesh : study.meshes) {
@@ -81,8 +84,7 @@ std::string mesh_lines(const ConvergenceStudy& study) {
     for (const char* key : {"elements", "steps"}) {
       lines.back().push_back(mesh.run.results ? fmt::format("{}", mesh.run.results->value(key).value_or(0)) : "-");
     }
-    lines.back().push_back(mesh.run.results ? fmt::format("{:.3g}", mesh.run.results->value("wall_seconds").value_or(0))
-                                            : "failed");
+    lines.back().push_back(seconds_cell(mesh.run));
     lines.back().push_back(mesh.counts);
   }
   return text_table(lines, {Align::right, Align::right, Align::right, Align::right, Align::left});
@@ -162,13 +164,17 @@ std::string convergence_sentence(const ConvergenceStudy& study) {
 }
 
 std::string convergence_text(const ConvergenceStudy& study) {
-  std::string text = fmt::format("{}: {}\n\n{}", study.scene, convergence_sentence(study), mesh_lines(study));
+  std::string text = fmt::format("{}: {}\n", study.scene, convergence_sentence(study));
+  if (const std::string found = search_sentence(study); !found.empty()) text += found + '\n';
+  text += '\n' + mesh_lines(study);
   for (const StudyMesh& mesh : study.meshes) {
-    if (!mesh.run.failure.empty()) text += fmt::format("mesh {} failed: {}\n", mesh.factor.text(), mesh.run.failure);
+    const std::string name = mesh.factor.text();
+    if (!mesh.run.failure.empty()) text += fmt::format("mesh {} failed: {}\n", name, mesh.run.failure);
+    if (!mesh.run.left_out.empty()) text += fmt::format("mesh {} left out: {}\n", name, mesh.run.left_out);
   }
   if (!study.quantities.empty()) text += '\n' + quantity_lines(study);
   if (!study.sources.empty() && !study.quantities.empty()) text += '\n' + sources_text(study);
-  return text;
+  return text + costs_text(study);
 }
 
 }  // namespace pinball

@@ -13,12 +13,15 @@ std::string convergence_sentence(const ConvergenceStudy& study);
 /// The sentence, a line for each mesh and one for each quantity, and what sources_report.hpp has.
 std::string convergence_text(const ConvergenceStudy& study);
 
-/// {scene, title, version, sentence, meshes [{factor, counts, folder, was_there, failure, elements, nodes, steps,
-/// wall_seconds}], quantities [{name, unit, values, scale, verdict, observed_order, order, safety_factor, extrapolated,
-/// approximate_error, extrapolated_error, index, band, spread, own_error, moved_by {mesh, SOURCE...}, mean_of_chance,
-/// largest_source, chance_rules}], sources_mesh, sources [{name, what, runs [{folder, was_there, failure}]}]}. Numbers
-/// that are not there, or not finite, are null; of band and spread, [low, high], the one that does not apply. Of a
-/// quantity with a value on fewer than three meshes there is nothing from observed_order to own_error.
+/// {scene, title, version, sentence, meshes [{factor, counts, folder, was_there, failure, left_out, elements, nodes,
+/// steps, wall_seconds}], quantities [{name, unit, values, scale, verdict, observed_order, order, safety_factor,
+/// extrapolated, approximate_error, extrapolated_error, index, band, spread, own_error, moved_by {mesh, SOURCE...},
+/// mean_of_chance, largest_source, chance_rules}], sources_mesh, sources [{name, what, runs [{folder, was_there,
+/// failure, left_out}]}], points [{settings, what, factor, variation, of_chance, seconds, bytes, errors}], costs
+/// [{name, known_to, known_to_chance, frontier, cheapest, sentence}], error, budget_seconds, search_sentence}. Costs
+/// are of the quantities in their order, their frontier and cheapest numbers of points, from 0. Numbers that are not
+/// there, or not finite, are null; of band and spread, [low, high], the one that does not apply. Of a quantity with a
+/// value on fewer than three meshes there is nothing from observed_order to own_error.
 std::string convergence_json(const ConvergenceStudy& study);
 
 /// "converges", "oscillates"; empty: too few meshes say anything.

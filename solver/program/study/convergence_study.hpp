@@ -6,6 +6,7 @@
 
 #include <solver/scene.hpp>
 
+#include "costs/study_limits.hpp"
 #include "error_sources.hpp"
 #include "grid_convergence.hpp"
 #include "mesh_factor.hpp"
@@ -26,6 +27,17 @@ struct StudySource {
   std::vector<StudyRun> runs;  ///< one; of chance an ensemble
 };
 
+/// One of the sources on another mesh: whether it reaches an error for less.
+struct StudyTrial {
+  std::size_t source = 0;  ///< of the sources of the study
+  MeshFactor factor;
+  std::string counts;  ///< as of StudyMesh
+  StudyRun run;
+};
+
+/// Of the scale of a quantity: percent of a value below are of no use.
+inline constexpr double small_value = 1e-3;
+
 struct StudyQuantity {
   std::string name;  ///< as run_results.hpp has it
   std::string unit;
@@ -45,6 +57,8 @@ struct ConvergenceStudy {
   std::vector<StudyQuantity> quantities;
   std::vector<StudySource> sources;  ///< beside the mesh
   std::size_t sources_mesh = 0;      ///< on which they were looked at: the scene's own, else the coarsest
+  std::vector<StudyTrial> trials{};
+  StudyLimits limits{};
 
   /// The mesh of the scene itself, if it is among them.
   std::optional<std::size_t> own_mesh() const;
@@ -59,10 +73,13 @@ struct StudySettings {
   StudyFolder folder;
   std::vector<ErrorSource> sources{};  ///< beside the mesh
   int ensemble = 4;                    ///< runs for chance
+  StudyLimits limits{};
 };
 
-/// Runs the scene on each mesh, from coarse to fine, and draws what they say. Throws InputError where the scene cannot
-/// be refined or a quantity is unknown, which the coarsest run shows.
+/// Runs the scene on each mesh, from coarse to fine, and draws what they say; with a limit also on meshes, and with
+/// settings, that reach the error for less, or that the time is enough for. A run that is expected to take longer than
+/// is left of the time is left out. Throws InputError where the scene cannot be refined or a quantity is unknown, which
+/// the coarsest run shows.
 ConvergenceStudy study_convergence(const Scene& scene, const StudySettings& settings);
 
 }  // namespace pinball

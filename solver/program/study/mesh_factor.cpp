@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 
@@ -131,6 +132,15 @@ void require_no_numbers(const Scene& scene) {
   }
 }
 
+bool can_be_refined(const Scene& scene, const MeshFactor& factor) {
+  try {
+    refined_by(scene, factor);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 bool is_finer(const MeshFactor& a, const MeshFactor& b) { return a.value() < b.value(); }
 
 }  // namespace
@@ -162,12 +172,8 @@ std::vector<MeshFactor> parse_mesh_factors(const std::string& text) {
 
 std::vector<MeshFactor> default_mesh_factors(const Scene& scene) {
   if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of_file)) return {{1, 1}, {2, 1}, {4, 1}};
-  try {
-    refined_by(scene, {1, 2});
-    return {{1, 2}, {1, 1}, {2, 1}};
-  } catch (const InputError&) {
-    return {{1, 1}, {2, 1}, {3, 1}};
-  }
+  if (can_be_refined(scene, {1, 2})) return {{1, 2}, {1, 1}, {2, 1}};
+  return {{1, 1}, {2, 1}, {3, 1}};
 }
 
 void require_refinable(const Scene& scene) {
@@ -202,6 +208,20 @@ Scene refined_by(const Scene& scene, const MeshFactor& factor) {
     });
   }
   return refined;
+}
+
+std::optional<MeshFactor> least_mesh_factor(const Scene& scene, double least, double most) {
+  std::optional<MeshFactor> found;
+  for (int denominator = 1; denominator <= 8; ++denominator) {
+    const double first = std::max(1.0, std::ceil(least * denominator - 1e-9));
+    for (double n = first; n <= std::min<double>(most_times, most * denominator + 1e-9); ++n) {
+      const int numerator = static_cast<int>(n), common = std::gcd(numerator, denominator);
+      const MeshFactor factor{numerator / common, denominator / common};
+      if (found && !is_finer(factor, *found)) break;
+      if (can_be_refined(scene, factor)) found = factor;
+    }
+  }
+  return found;
 }
 
 std::string element_counts(const Scene& scene) {

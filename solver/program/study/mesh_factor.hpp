@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ void require_refinable(const Scene& scene);
 /// names the body and the number which that does not leave whole, or not even where a section is cut through it, and
 /// for meshes of files where it is no power of two.
 Scene refined_by(const Scene& scene, const MeshFactor& factor);
+
+/// The least factor from `least` to `most` that refined_by() takes, of denominators up to 8; none: there is none.
+std::optional<MeshFactor> least_mesh_factor(const Scene& scene, double least, double most);
 
 /// "bar: core 8, ring 4, layers 80; plate: elements 10 x 10 x 2; tube: tube.msh, each element in 8".
 std::string element_counts(const Scene& scene);

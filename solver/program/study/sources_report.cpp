@@ -31,6 +31,7 @@ std::string source_notes(const ConvergenceStudy& study) {
                         source.source == ErrorSource::chance ? "; their standard deviation" : "");
     for (const StudyRun& run : source.runs) {
       if (!run.failure.empty()) text += fmt::format("  {} failed: {}\n", source.name, run.failure);
+      if (!run.left_out.empty()) text += fmt::format("  {} left out: {}\n", source.name, run.left_out);
     }
   }
   return text;

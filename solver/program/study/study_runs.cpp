@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -15,6 +16,7 @@
 #include <solver/output/run_files.hpp>
 #include <solver/program/result_file.hpp>
 #include <solver/program/stop_signals.hpp>
+#include <solver/program/text_table.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/scene/schema/choices.hpp>
 #include <solver/scene/toml/listing.hpp>
@@ -76,10 +78,19 @@ std::optional<RunResults> results_there(const std::string& folder, const std::st
   return std::nullopt;
 }
 
+/// Why a run does not fit into the time of the study; empty: it does.
+std::string too_long(const StudyBudget* budget, std::optional<double> expected) {
+  if (budget == nullptr) return "";
+  const double left = std::max(0.0, budget->left());
+  if (left > expected.value_or(0)) return "";
+  return fmt::format("it is expected to take {}, {} of the budget are left",
+                     expected ? duration_cell(*expected) : "a while", duration_cell(left));
+}
+
 }  // namespace
 
-StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what,
-                        const StudyFolder& folder) {
+StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
+                        std::optional<double> expected) {
   Scene run_scene = scene;
   run_scene.output.field_interval = 0;
   run_scene.output.field_times.clear();
@@ -88,8 +99,10 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
   run.folder = in_folder(folder.out, name);
   run.results = results_there(run.folder, settings);
   run.was_there = run.results.has_value();
-  if (!folder.quiet) print_message(fmt::format("{}: {}", run.was_there ? "is there" : "runs", what));
-  if (run.was_there) return run;
+  if (!run.was_there) run.left_out = too_long(folder.budget, expected);
+  const char* fate = run.was_there ? "is there" : run.left_out.empty() ? "runs" : "left out";
+  if (!folder.quiet) print_message(fmt::format("{}: {}", fate, what));
+  if (run.was_there || !run.left_out.empty()) return run;
 
   RecordOptions options;
   options.out = run.folder;

@@ -5,6 +5,7 @@
 
 #include <solver/scene.hpp>
 
+#include "costs/study_limits.hpp"
 #include "run_results.hpp"
 
 /// The runs of a study, each in a folder of its own, which is not made twice.
@@ -14,6 +15,7 @@ struct StudyFolder {
   std::string out;  ///< of the study
   int threads = 0;  ///< 0: what the size earns
   bool quiet = false;
+  const StudyBudget* budget = nullptr;  ///< none: runs may take any time
 };
 
 struct StudyRun {
@@ -21,14 +23,16 @@ struct StudyRun {
   bool was_there = false;               ///< its results were found, not made
   bool stopped = false;                 ///< by a signal, before its end
   std::string failure;                  ///< what ended it; empty: it came to its end
+  std::string left_out{};               ///< why it was not begun; empty: it was
   std::optional<RunResults> results{};  ///< of a run that came to its end
 };
 
 /// Runs the scene in OUT/NAME, without field output, and leaves study_settings.txt beside its results: all keys of the
 /// scene, what its mesh files hold, the version and the device. Where that is there already, and the run was done, it
 /// reads the results instead. A run that fails, or that a signal ends, is told and made again the next time. Throws
-/// InputError for a scene that cannot be run. what: for the line that says which run it is.
-StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what,
-                        const StudyFolder& folder);
+/// InputError for a scene that cannot be run. what: for the line that says which run it is. expected: what it will take
+/// [s]; where the budget has less left, it is left out. None: nothing is known of it, and it is made.
+StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
+                        std::optional<double> expected = {});
 
 }  // namespace pinball

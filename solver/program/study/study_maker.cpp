@@ -1,0 +1,145 @@
+#include "study_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <solver/base/error.hpp>
+#include <solver/base/thread_count.hpp>
+
+#include "costs/run_times.hpp"
+#include "quantities.hpp"
+#include "study_quantities.hpp"
+
+namespace pinball {
+
+namespace {
+
+constexpr double half_steps = 2;  ///< times as many of them, as long as no run has shown it
+
+std::string folder_of(const MeshFactor& factor) {
+  std::string name = "mesh_" + factor.text();
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+bool came_to_its_end(const StudyMesh& mesh) { return mesh.run.results.has_value(); }
+
+double number_of(const StudyRun& run, const char* key) { return run.results->value(key).value_or(0); }
+
+/// Of one thread: as if all of several worked all the time.
+double work_of(const StudyRun& run) {
+  return number_of(run, "wall_seconds") * std::max(1.0, number_of(run, "threads"));
+}
+
+RunTimes times_of(const ConvergenceStudy& study) {
+  std::vector<MadeRun> made;
+  for (const StudyMesh& mesh : study.meshes) {
+    if (!came_to_its_end(mesh)) continue;
+    made.push_back(
+        {mesh.factor.value(), number_of(mesh.run, "elements"), number_of(mesh.run, "steps"), work_of(mesh.run)});
+  }
+  return RunTimes(std::move(made));
+}
+
+}  // namespace
+
+StudyMaker::StudyMaker(const Scene& scene, const StudySettings& settings)
+    : scene_(scene), settings_(settings), budget_(settings.limits), folder_(settings.folder) {
+  if (settings.limits.seconds) folder_.budget = &budget_;
+  study_.scene = scene.name;
+  study_.title = scene.title;
+  study_.limits = settings.limits;
+}
+
+StudyRun StudyMaker::run(const Scene& scene, const std::string& name, const std::string& what,
+                         std::optional<double> expected) {
+  try {
+    return make_study_run(scene, name, what, folder_, expected);
+  } catch (const InputError& error) {  // not with this scene
+    StudyRun failed;
+    failed.failure = error.what();
+    return failed;
+  }
+}
+
+void StudyMaker::run_mesh(const MeshFactor& factor) {
+  const Scene refined = refined_by(scene_, factor);
+  const std::string counts = element_counts(refined);
+  const auto asked = std::find(settings_.factors.begin(), settings_.factors.end(), factor);
+  const bool is_asked = asked != settings_.factors.end();
+  const std::string which =
+      is_asked ? fmt::format("mesh {} of {}", asked - settings_.factors.begin() + 1, settings_.factors.size())
+               : "one more mesh";
+  const auto place = std::find_if(study_.meshes.begin(), study_.meshes.end(),
+                                  [&factor](const StudyMesh& mesh) { return mesh.factor.value() > factor.value(); });
+  const bool is_before_sources = place - study_.meshes.begin() <= static_cast<std::ptrdiff_t>(study_.sources_mesh);
+  if (!study_.sources.empty() && is_before_sources) ++study_.sources_mesh;
+  const std::string what = fmt::format("{}, elements {} times: {}", which, factor.text(), counts);
+  const auto expected = expected_seconds(factor);
+  const StudyRun made = is_asked ? make_study_run(refined, folder_of(factor), what, folder_, expected)
+                                 : run(refined, folder_of(factor), what, expected);
+  study_.meshes.insert(place, {factor, counts, made});
+  if (made.results) require_quantities(settings_.of, *made.results);
+}
+
+void StudyMaker::run_sources() {
+  const auto own = study_.own_mesh();
+  const auto first = std::find_if(study_.meshes.begin(), study_.meshes.end(), came_to_its_end);
+  if (first == study_.meshes.end()) return;
+  study_.sources_mesh =
+      own && came_to_its_end(study_.meshes[*own]) ? *own : static_cast<std::size_t>(first - study_.meshes.begin());
+  const Scene refined = refined_by(scene_, study_.meshes[study_.sources_mesh].factor);
+  for (const SourceVariation& variation : vary_sources(refined, settings_.sources, settings_.ensemble)) {
+    run_source(variation);
+    if (study_.stopped()) return;
+  }
+}
+
+void StudyMaker::run_source(const SourceVariation& variation) {
+  const MeshFactor factor = study_.meshes[study_.sources_mesh].factor;
+  study_.sources.push_back({variation.source, variation.name, variation.what, {}});
+  for (std::size_t k = 0; k < variation.scenes.size(); ++k) {
+    const std::string number = variation.source == ErrorSource::chance ? fmt::format("{}", k + 1) : "";
+    const std::string what = fmt::format("mesh {}, {}{}: {}", factor.text(), variation.name, number, variation.what);
+    const auto expected = expected_seconds(factor, study_.sources.size() - 1);
+    StudyRun& made = study_.sources.back().runs.emplace_back();
+    made = run(variation.scenes[k], folder_of(factor) + '_' + variation.folder + number, what, expected);
+    if (made.stopped) return;
+  }
+}
+
+void StudyMaker::run_trial(std::size_t source, const MeshFactor& factor) {
+  const StudySource& of = study_.sources[source];
+  const Scene refined = refined_by(scene_, factor);
+  for (const SourceVariation& variation : vary_sources(refined, {of.source}, 1)) {
+    if (variation.name != of.name) continue;
+    const std::string what = fmt::format("mesh {}, {}: {}", factor.text(), of.name, of.what);
+    study_.trials.push_back({source, factor, element_counts(refined),
+                             run(variation.scenes.front(), folder_of(factor) + '_' + variation.folder, what,
+                                 expected_seconds(factor, source))});
+  }
+}
+
+void StudyMaker::draw() {
+  const auto fine = std::find_if(study_.meshes.rbegin(), study_.meshes.rend(), came_to_its_end);
+  if (fine == study_.meshes.rend()) return;
+  draw_quantities(scene_, settings_.of.empty() ? default_quantities(scene_, *fine->run.results) : settings_.of, study_);
+}
+
+std::optional<double> StudyMaker::expected_seconds(const MeshFactor& factor, std::optional<std::size_t> source) const {
+  const RunTimes times = times_of(study_);
+  const auto work = times.expected(factor.value());
+  if (!work) return std::nullopt;
+  const int threads = settings_.folder.threads > 0
+                          ? settings_.folder.threads
+                          : earned_threads(static_cast<std::int64_t>(*times.elements(factor.value())));
+  const double seconds = *work / threads;
+  if (!source) return seconds;
+  const StudySource& of = study_.sources[*source];
+  const StudyRun& plain = study_.meshes[study_.sources_mesh].run;
+  if (of.runs.empty() || !of.runs.front().results) return seconds * (of.source == ErrorSource::step ? half_steps : 1);
+  return seconds * work_of(of.runs.front()) / std::max(work_of(plain), 1e-4);
+}
+
+}  // namespace pinball

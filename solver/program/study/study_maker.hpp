@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <solver/scene.hpp>
+
+#include "convergence_study.hpp"
+
+namespace pinball {
+
+/// Makes the runs of a study one by one, as long as its time lasts, and keeps what they say.
+class StudyMaker {
+ public:
+  StudyMaker(const Scene& scene, const StudySettings& settings);
+  StudyMaker(const StudyMaker&) = delete;
+  StudyMaker& operator=(const StudyMaker&) = delete;
+
+  /// Into its place from coarse to fine. Throws InputError where a quantity is unknown.
+  void run_mesh(const MeshFactor& factor);
+  /// On the mesh of the scene itself where that is among them and its run came to its end, else on the coarsest.
+  void run_sources();
+  /// With one of the sources on another mesh.
+  void run_trial(std::size_t source, const MeshFactor& factor);
+  /// Anew what the runs say; where none came to its end: nothing.
+  void draw();
+
+  const ConvergenceStudy& study() const { return study_; }
+  const Scene& scene() const { return scene_; }
+  double seconds_left() const { return budget_.left(); }
+
+  /// Of a run on a mesh, with one of the sources if one is named, from those that were made; none: there are none [s].
+  std::optional<double> expected_seconds(const MeshFactor& factor, std::optional<std::size_t> source = {}) const;
+
+ private:
+  StudyRun run(const Scene& scene, const std::string& name, const std::string& what, std::optional<double> expected);
+  void run_source(const SourceVariation& variation);
+
+  const Scene& scene_;
+  const StudySettings& settings_;
+  StudyBudget budget_;
+  StudyFolder folder_;
+  ConvergenceStudy study_;
+};
+
+}  // namespace pinball
