@@ -33,8 +33,9 @@ class Wanted:
 
     def __init__(self, options):
         folder = options.folder
-        named = options.out or options.animation or options.history
+        named = options.out or options.animation or options.history or options.page
         self.sheet = options.out or (None if named else os.path.join(folder, "fields.png"))
+        self.into = options.page
         self.film = options.animation or (None if named else os.path.join(folder, "animation.webp"))
         self.page = not named
         self.state = None if named else os.path.join(folder, "fields_paraview.py")
@@ -45,20 +46,23 @@ def draw_fields(options, wanted):
     from view.animation import check_animation, write_animation
     from view.display import VirtualDisplay
     from view.drawing import Drawing
-    from view.page import Film, pictures, put_into_page
+    from view.page import Film, pictures, put_into_file, put_into_page
     from view.paraview import state_text
     from view.selection import choose_entries
 
     entries = entries_of(options.folder)
-    panels = choose_entries(entries, options.times, PANELS) if wanted.sheet else []
+    if options.beside:
+        entries = [entries_of(folder)[-1] for folder in [options.folder, *options.beside]]
+    panels = [] if not (wanted.sheet or wanted.into) else entries if options.beside else choose_entries(entries, options.times, PANELS)
     frames = choose_entries(entries, None, MOST_FRAMES) if wanted.film else []
     if wanted.film:
         check_animation(wanted.film)
-    drawing = Drawing(sorted({*panels, *frames}), options)
+    drawing = Drawing(panels if options.beside else sorted({*panels, *frames}), options)
     sheet, film, on_paper = None, Film(), []
     with VirtualDisplay(), drawing:
-        if wanted.sheet:
+        if panels:
             (sheet,) = drawing.sheets([panels], options.size or WIDTH, MOST_HEIGHT)
+        if wanted.sheet:
             sheet.on_paper().save(wanted.sheet)
             yield wanted.sheet
         if wanted.film and (len(frames) > 1 or options.animation):
@@ -74,6 +78,9 @@ def draw_fields(options, wanted):
         with open(wanted.state, "w", encoding="utf-8") as file:
             file.write(state_text(drawing))
         yield wanted.state
+    if wanted.into:
+        put_into_file(wanted.into, pictures(sheet, film, drawing.colours.label or "bodies"))
+        yield wanted.into
     if wanted.page and put_into_page(options.folder, pictures(sheet, film, drawing.colours.label or "bodies")):
         yield os.path.join(options.folder, "index.html")
 
@@ -86,7 +93,9 @@ def draw(options):
         raise BadInput(f"{options.folder}: no such folder")
     wanted = Wanted(options)
     has_history = os.path.exists(os.path.join(options.folder, "history.csv"))
-    if wanted.sheet or wanted.film:
+    if options.beside and not (options.out or options.page):
+        raise BadInput("--beside: expected --out FILE.png or --page FILE.html as well, where the picture goes")
+    if wanted.sheet or wanted.film or wanted.into:
         yield from draw_fields(options, wanted)
     if options.history or (wanted.history and has_history):
         from view.history_plot import plot_history

@@ -1,5 +1,7 @@
 """The pictures of a run: one camera, one scale of colours, all times. VTK is asked for last: bad input is told at once."""
 
+import os
+
 import numpy as np
 
 from view.camera import Camera, Frame, corners_of, parse_view
@@ -74,8 +76,10 @@ class Drawing:
         self.colours = make_colours(self.quantity, limits, self.names, self.options.colours)
         self.factor, self.time_unit = time_scale([time for time, _ in entries], self.units.get("time", ""))
 
-    def title(self, time, mesh):
+    def title(self, time, mesh, path):
         text = f"t = {time * self.factor:.4g} {self.time_unit}".strip()
+        if self.options.beside:
+            text = f"{os.path.basename(os.path.dirname(os.path.abspath(path)))}   {text}"
         alive, there = int(shown(mesh).sum()), len(mesh.hexahedra)
         return text if alive == there else f"{text}   ({alive} of {there} elements)"
 
@@ -127,4 +131,4 @@ class Drawing:
         """(image, title) of one time."""
         time, path = entry
         mesh = read_vtu(path)
-        return self.window.draw(self.surfaces(mesh), self.colours, self.edge_width(layout.panel[0])), self.title(time, mesh)
+        return self.window.draw(self.surfaces(mesh), self.colours, self.edge_width(layout.panel[0])), self.title(time, mesh, path)

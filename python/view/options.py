@@ -55,6 +55,9 @@ def parser():
                    "values have a sign")
     p.add_argument("--size", type=pixels, metavar="PIXELS", help="width, default 1600, of an animation 900")
     p.add_argument("--out", metavar="FILE.png", help="this picture alone, in place of all in OUT")
+    p.add_argument("--beside", action="append", metavar="OUT", help="the last output of OUT and of this run, side by side with "
+                   "one camera and one scale of colours, named by their folders; may be repeated; needs --out or --page")
+    p.add_argument("--page", metavar="FILE.html", help="puts the picture between the marks of this page, in place of all in OUT")
     p.add_argument("--animation", metavar="FILE", help="this animation (.webp, .gif; .mp4, .webm with ffmpeg), in place of "
                    "animation.webp in OUT")
     p.add_argument("--fps", type=positive, default=10.0, metavar="N", help="frames a second, default 10")

@@ -80,13 +80,22 @@ def put_into_page(folder, content):
     there is no page with such marks."""
     path = os.path.join(folder, "index.html")
     try:
-        with open(path, encoding="utf-8") as file:
-            page = file.read()
-    except FileNotFoundError:
+        return put_into_file(path, content)
+    except (FileNotFoundError, NoMarks):
         return None
+
+
+class NoMarks(ValueError):
+    """A page that has no place for pictures."""
+
+
+def put_into_file(path, content):
+    """The same with a page by its path, which is returned. Raises OSError, or NoMarks where there are no such marks."""
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
     begin, end = page.find(BEGIN), page.find(END)
     if not 0 <= begin < end:
-        return None
+        raise NoMarks(f"{path}: expected a page with {BEGIN} and {END}, between which pictures go")
     with open(path + ".new", "w", encoding="utf-8") as file:
         file.write(page[: begin + len(BEGIN)] + "\n" + content + "\n" + page[end:])
     os.replace(path + ".new", path)

@@ -168,6 +168,12 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
   command.add_option("--out", options.out, "folder for the runs (default: out/converge_<scene>); what is there stays")
       ->check(check_not_empty);
   command.add_option("--json", options.json, "write the table to this file")->check(check_not_empty);
+  command.add_option("--csv", options.csv, "write the figures, a line for each quantity and run, to this file")
+      ->check(check_not_empty);
+  command
+      .add_option("--page", options.page,
+                  "write a page for a browser, with pictures of the coarsest and the finest run, to this file")
+      ->check(check_not_empty);
 }
 
 void add_new_options(CLI::App& command, pinball::NewOptions& options) {

@@ -146,6 +146,32 @@ class Pictures(unittest.TestCase):
             self.assertEqual(len(frames), self.outputs)
             self.assertEqual(len({frame.tobytes() for frame in frames}), self.outputs, "each of another time")
 
+    def test_another_run_beside_has_the_same_scale_of_colours(self):
+        other = self.out.parent / "other"
+        subprocess.run([PROGRAM, "run", self.out.parent / "blocks.toml", "--quiet", "--out", other, "--refine", "2",
+                        "--set", "body.left.velocity=[-2, 0, 0]"], check=True, stdout=subprocess.DEVNULL)
+        options = ["--field", "velocity", "--view", "side", "--no-edges", "--size", "600", "--only", "left"]
+        file = self.out / "two.png"
+
+        def darkest(*more):
+            """Of each half: the colour of the body."""
+            self.view(*options, "--out", str(file), *more)
+            image = np.asarray(Image.open(file).convert("L"))[: int(0.8 * 300), : int(0.8 * 600)]
+            return [int(np.percentile(half[half < 240], 20)) for half in np.array_split(image, 2, axis=1)]
+
+        first, second = darkest("--beside", str(other))
+        self.assertGreater(first, second + 20, "half as fast, and not as dark")
+        first, second = darkest("--beside", str(self.out))
+        self.assertAlmostEqual(first, second, delta=3)
+
+    def test_a_run_beside_needs_a_place(self):
+        done = subprocess.run([PROGRAM, "view", self.out, "--beside", self.out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("--beside: expected --out FILE.png or --page FILE.html", done.stdout)
+        done = subprocess.run([PROGRAM, "view", self.out, "--page", __file__], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("between which pictures go", done.stdout)
+
     @unittest.skipIf(shutil.which("ffmpeg") is None, "no ffmpeg")
     def test_films_by_ffmpeg(self):
         for kind in ("mp4", "webm"):

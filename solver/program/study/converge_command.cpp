@@ -41,6 +41,14 @@ std::vector<ErrorSource> sources_of(const std::vector<std::string>& only) {
   return sources;
 }
 
+void write_files(const ConvergenceStudy& study, const ConvergeOptions& options) {
+  if (!options.json.empty()) write_result_file(options.json, convergence_json(study));
+  if (!options.csv.empty()) write_result_file(options.csv, convergence_csv(study));
+  if (options.page.empty()) return;
+  write_result_file(options.page, convergence_page(study, "One run is no picture of what meshes do."));
+  draw_into_page(study, options.page);
+}
+
 StudyLimits limits_of(const ConvergeOptions& options) {
   StudyLimits limits;
   if (!options.error.empty()) {
@@ -56,6 +64,8 @@ StudyLimits limits_of(const ConvergeOptions& options) {
 int converge_command(const ConvergeOptions& options) {
   require_device(options.device);
   check_result_path("--json", options.json);
+  check_result_path("--csv", options.csv);
+  check_result_path("--page", options.page);
   const SceneInput input = scene_input(options);
   Scene scene = input.read();
   scene.device = options.device;
@@ -71,7 +81,7 @@ int converge_command(const ConvergeOptions& options) {
     print_message(fmt::format("stopped; what is done stays in {}, the same command goes on", settings.folder.out));
     return 128 + stop_signal();
   }
-  if (!options.json.empty()) write_result_file(options.json, convergence_json(study));
+  write_files(study, options);
   fmt::print("{}", convergence_text(study));
   std::fflush(stdout);  // before the warnings, in a log that both go to
   print_study_warnings(study);

@@ -70,10 +70,15 @@ void add_convergence_json(const GridConvergence& c, OrderedJson& json) {
 OrderedJson point_json(const CostPoint& point) {
   OrderedJson errors = OrderedJson::array();
   for (const auto& error : point.errors) errors.push_back(number_or_null(error));
-  return {{"settings", point.settings},    {"what", point.what},
-          {"factor", point.factor.text()}, {"variation", text_or_null(point.variation)},
-          {"of_chance", point.of_chance},  {"seconds", point.seconds},
-          {"bytes", point.bytes},          {"errors", errors}};
+  return {{"settings", point.settings},
+          {"what", point.what},
+          {"factor", point.factor.text()},
+          {"variation", text_or_null(point.variation)},
+          {"of_chance", point.of_chance},
+          {"seconds", point.seconds},
+          {"bytes", point.bytes},
+          {"elements", static_cast<std::int64_t>(point.elements)},
+          {"errors", errors}};
 }
 
 OrderedJson cost_json(const ConvergenceStudy& study, const std::vector<CostPoint>& points, std::size_t quantity) {

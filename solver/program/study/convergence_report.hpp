@@ -17,12 +17,24 @@ std::string convergence_text(const ConvergenceStudy& study);
 /// steps, wall_seconds}], quantities [{name, unit, values, scale, verdict, observed_order, order, safety_factor,
 /// extrapolated, approximate_error, extrapolated_error, index, band, spread, own_error, moved_by {mesh, SOURCE...},
 /// mean_of_chance, largest_source, chance_rules}], sources_mesh, sources [{name, what, runs [{folder, was_there,
-/// failure, left_out}]}], points [{settings, what, factor, variation, of_chance, seconds, bytes, errors}], costs
+/// failure, left_out}]}], points [{settings, what, factor, variation, of_chance, seconds, bytes, elements, errors}],
+/// costs
 /// [{name, known_to, known_to_chance, frontier, cheapest, sentence}], error, budget_seconds, search_sentence}. Costs
 /// are of the quantities in their order, their frontier and cheapest numbers of points, from 0. Numbers that are not
 /// there, or not finite, are null; of band and spread, [low, high], the one that does not apply. Of a quantity with a
 /// value on fewer than three meshes there is nothing from observed_order to own_error.
 std::string convergence_json(const ConvergenceStudy& study);
+
+/// A line for each quantity and run, with its value and error beside what its mesh is, took, and what all of them say:
+/// quantity,unit,run,mesh,elements,seconds,bytes,value,error,extrapolated,low,high,verdict. What is not known is empty.
+std::string convergence_csv(const ConvergenceStudy& study);
+
+/// A page to be opened in a browser. pictures: what stands in their place as long as there are none.
+std::string convergence_page(const ConvergenceStudy& study, const std::string& pictures);
+
+/// Draws the coarsest and the finest run side by side, with one scale of colours, into a page of the study; where that
+/// cannot be, it has the reason in their place.
+void draw_into_page(const ConvergenceStudy& study, const std::string& path);
 
 /// "converges", "oscillates"; empty: too few meshes say anything.
 std::string verdict_word(const StudyQuantity& quantity);

@@ -53,9 +53,9 @@ StudyMaker::StudyMaker(const Scene& scene, const StudySettings& settings)
 }
 
 StudyRun StudyMaker::run(const Scene& scene, const std::string& name, const std::string& what,
-                         std::optional<double> expected) {
+                         const StudyFolder& folder, std::optional<double> expected) {
   try {
-    return make_study_run(scene, name, what, folder_, expected);
+    return make_study_run(scene, name, what, folder, expected);
   } catch (const InputError& error) {  // not with this scene
     StudyRun failed;
     failed.failure = error.what();
@@ -77,8 +77,10 @@ void StudyMaker::run_mesh(const MeshFactor& factor) {
   if (!study_.sources.empty() && is_before_sources) ++study_.sources_mesh;
   const std::string what = fmt::format("{}, elements {} times: {}", which, factor.text(), counts);
   const auto expected = expected_seconds(factor);
-  const StudyRun made = is_asked ? make_study_run(refined, folder_of(factor), what, folder_, expected)
-                                 : run(refined, folder_of(factor), what, expected);
+  StudyFolder with_fields = folder_;  // for pictures of the coarsest and the finest
+  with_fields.fields = true;
+  const StudyRun made = is_asked ? make_study_run(refined, folder_of(factor), what, with_fields, expected)
+                                 : run(refined, folder_of(factor), what, with_fields, expected);
   study_.meshes.insert(place, {factor, counts, made});
   if (made.results) require_quantities(settings_.of, *made.results);
 }
@@ -104,7 +106,7 @@ void StudyMaker::run_source(const SourceVariation& variation) {
     const std::string what = fmt::format("mesh {}, {}{}: {}", factor.text(), variation.name, number, variation.what);
     const auto expected = expected_seconds(factor, study_.sources.size() - 1);
     StudyRun& made = study_.sources.back().runs.emplace_back();
-    made = run(variation.scenes[k], folder_of(factor) + '_' + variation.folder + number, what, expected);
+    made = run(variation.scenes[k], folder_of(factor) + '_' + variation.folder + number, what, folder_, expected);
     if (made.stopped) return;
   }
 }
@@ -116,7 +118,7 @@ void StudyMaker::run_trial(std::size_t source, const MeshFactor& factor) {
     if (variation.name != of.name) continue;
     const std::string what = fmt::format("mesh {}, {}: {}", factor.text(), of.name, of.what);
     study_.trials.push_back({source, factor, element_counts(refined),
-                             run(variation.scenes.front(), folder_of(factor) + '_' + variation.folder, what,
+                             run(variation.scenes.front(), folder_of(factor) + '_' + variation.folder, what, folder_,
                                  expected_seconds(factor, source))});
   }
 }

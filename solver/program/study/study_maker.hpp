@@ -33,7 +33,8 @@ class StudyMaker {
   std::optional<double> expected_seconds(const MeshFactor& factor, std::optional<std::size_t> source = {}) const;
 
  private:
-  StudyRun run(const Scene& scene, const std::string& name, const std::string& what, std::optional<double> expected);
+  StudyRun run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
+               std::optional<double> expected);
   void run_source(const SourceVariation& variation);
 
   const Scene& scene_;

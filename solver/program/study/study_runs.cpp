@@ -104,6 +104,7 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
   if (!folder.quiet) print_message(fmt::format("{}: {}", fate, what));
   if (run.was_there || !run.left_out.empty()) return run;
 
+  if (folder.fields) run_scene.output.field_times = {run_scene.time.end};
   RecordOptions options;
   options.out = run.folder;
   options.quiet = folder.quiet;

@@ -27,9 +27,11 @@ CostPoint point_of(const ConvergenceStudy& study, const StudyRun& run, const Mes
   point.factor = factor;
   point.settings = "mesh " + factor.text();
   point.seconds = run.results->value("wall_seconds").value_or(0);
-  point.bytes = run.results->value("bytes_per_element").value_or(0) * run.results->value("elements").value_or(0);
+  point.elements = run.results->value("elements").value_or(0);
+  point.bytes = run.results->value("bytes_per_element").value_or(0) * point.elements;
   for (const StudyQuantity& quantity : study.quantities) {
     const auto value = run.results->value(quantity.name);
+    point.values.push_back(value);
     point.errors.push_back(value && has_band(quantity)
                                ? std::optional(over_reference(*value - quantity.convergence->extrapolated, quantity))
                                : std::nullopt);
