@@ -137,10 +137,10 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
 void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) {
   add_scene_options(command, options);
   add_device_option(command, options.device);
-  repeated(
-      command.add_option("--of", options.of,
-                         "a quantity: a column of history.csv, also with :last, :max, :min or :integral, or a number "
-                         "of summary.json, such as energy.kinetic (default: energies, velocities, forces, probes)"))
+  repeated(command.add_option("--of", options.of,
+                              "a quantity: a column of history.csv, also with :last, :max, :min, :integral or :curve, "
+                              "length(PROBE,PROBE), or a number of summary.json, such as energy.kinetic (default: "
+                              "energies, velocities, forces, probes)"))
       ->check(check_not_empty);
   command
       .add_option(

@@ -187,6 +187,35 @@ TEST_F(Converge, SaysApartWhatStepPrecisionHourglassAndChanceDo) {
   expect_run("chance_2", "--set body.bar.velocity_noise=2e-8");
 }
 
+/// Distances of curves from the extrapolated one fall as the numbers do, and the sources are distances, too.
+TEST_F(Converge, CurvesAndLengthsAreQuantities) {
+  write_scene("type = \"block\", size = [1, 1, 2], elements = [2, 2, 4]",
+              "[[probe]]\nname = \"top\"\npoint = [0, 0, 2]\nquantities = [\"position\"]\n"
+              "[[probe]]\nname = \"foot\"\npoint = [0, 0, 0]\nquantities = [\"position\"]\n");
+  const Finished f = converge(
+      "--quiet --set output.interval=step --meshes 2,3,4,6 --only step --only chance --ensemble 1 "
+      "--of bar_velocity_z:curve --of 'length(top,foot):min' --of 'length(top,foot):curve'");
+  ASSERT_EQ(f.status, 0) << f.text;
+  const Json table = json(), velocity = of(table, "bar_velocity_z:curve"), length = of(table, "length(top,foot):min");
+  EXPECT_EQ(length["unit"], "mm");
+  EXPECT_GT(length["values"][3], 1.9);
+  EXPECT_LT(length["values"][3], 2);
+  ASSERT_FALSE(velocity["band"].is_null()) << f.text;
+  EXPECT_EQ(velocity["extrapolated"], 0);
+  EXPECT_EQ(velocity["band"][0], 0);
+  for (std::size_t i = 1; i < 4; ++i) EXPECT_LT(velocity["values"][i], velocity["values"][i - 1]);
+  EXPECT_LE(velocity["values"][3], velocity["band"][1]);
+  const RunResults fine = read_run_results(table["meshes"][3]["folder"]),
+                   half = read_run_results(table["sources"][0]["runs"][0]["folder"]),
+                   base = read_run_results(table["meshes"][0]["folder"]);
+  const auto curve = [](const RunResults& run) { return run.curve("bar_velocity_z:curve").value(); };
+  EXPECT_NEAR(velocity["moved_by"]["time step"], distance(curve(half), curve(base)), 1e-12);
+  EXPECT_NEAR(velocity["scale"], norm(curve(fine)), 0.05 * norm(curve(fine)));
+  EXPECT_NEAR(velocity["values"][0], distance(curve(fine), curve(base)), 1.5 * velocity["values"][3].get<double>());
+  EXPECT_NEAR(table["points"][0]["errors"][0], velocity["values"][0].get<double>() / velocity["scale"].get<double>(),
+              1e-12);
+}
+
 /// What a search says is what its runs say: nothing that it made reaches the error in less time.
 TEST_F(Converge, AnErrorIsReachedByTheFastestOfTheRuns) {
   const std::string quantity = "bar_velocity_z";

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -135,6 +136,26 @@ TEST(GridConvergence, ConstantToRoundOffOfItsScale) {
 TEST(GridConvergence, RefusesFewerThanThreeMeshes) {
   EXPECT_THROW(grid_convergence({{1, 5}, {2, 6}}), std::invalid_argument);
   EXPECT_THROW(grid_convergence({{1, 5}, {2, 6}, {2, 6}}), std::invalid_argument);
+}
+
+/// Distances between meshes are those of curves exact(t) + h^p c(t), of any c whose norm is 0.1.
+TEST(GridConvergence, DistancesHaveTheOrderOfThePower) {
+  for (const double order : {0.7, 1.0, 2.0}) {
+    const std::array<double, 3> h{1, 1.5, 3};
+    const auto apart = [&](std::size_t a, std::size_t b) {
+      return 0.1 * (std::pow(h[b], order) - std::pow(h[a], order));
+    };
+    const GridConvergence g = distance_convergence(h, apart(0, 1), apart(1, 2), 2);
+    EXPECT_EQ(g.verdict, Convergence::monotone);
+    EXPECT_NEAR(g.observed_order.value(), order, 1e-9);
+    EXPECT_EQ(g.extrapolated, 0);
+    EXPECT_EQ(g.low, 0);
+    EXPECT_NEAR(g.high, 1.25 * 0.1, 1e-12);
+    EXPECT_NEAR(g.extrapolated_error, 0.05, 1e-12);
+  }
+  EXPECT_EQ(distance_convergence({1, 2, 4}, 1, 1, 2).verdict, Convergence::diverging);
+  EXPECT_EQ(distance_convergence({1, 2, 4}, 1e-12, 0, 2).verdict, Convergence::constant);
+  EXPECT_EQ(distance_convergence({1, 2, 4}, 0, 1, 2).verdict, Convergence::monotone);
 }
 
 }  // namespace

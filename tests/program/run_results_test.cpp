@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <set>
 
@@ -53,6 +54,26 @@ TEST_F(RunResultsTest, TakesLastExtremesAndIntegralOfColumns) {
   EXPECT_EQ(run.value("foot_force_z:integral"), 1 + 6);
   EXPECT_FALSE(run.value("foot_force_z:mean"));
   EXPECT_FALSE(run.value("energy.kinetic:max"));
+}
+
+TEST_F(RunResultsTest, TakesCurvesAndLengths) {
+  const RunResults run = read("{}",
+                              "time,a_position_x,a_position_y,a_position_z,b_position_x,b_position_y,b_position_z,c_x\n"
+                              "0,0,0,0,3,4,0,1\n1,1,2,3,1,2,5,1\n3,0,0,1,0,0,-9,2\n");
+  EXPECT_EQ(run.value("length(a,b)"), 10);
+  EXPECT_EQ(run.value("length(b,a):min"), 2);
+  EXPECT_EQ(run.value("length(a,b):integral"), 3.5 + 12);
+  EXPECT_FALSE(run.value("length(a,c)"));
+  EXPECT_FALSE(run.value("length(a)"));
+  EXPECT_EQ(run.scale("length(a,b)"), 10);
+  EXPECT_THAT(run.curve("length(a,b):curve").value().values, ElementsAre(5, 2, 10));
+  EXPECT_THAT(run.curve("c_x:curve").value().times, ElementsAre(0, 1, 3));
+  EXPECT_FALSE(run.value("c_x:curve"));
+  EXPECT_FALSE(run.curve("c_x"));
+  EXPECT_FALSE(run.curve("d_x:curve"));
+  EXPECT_NEAR(run.scale("c_x:curve"), std::sqrt((1 + 2 * (1 + 2 + 4) / 3.0) / 3), 1e-14);
+  EXPECT_EQ(unit_of_quantity("length(a,b):max", parse_units("g-mm-ms")), "mm");
+  EXPECT_EQ(unit_of_quantity("foot_force_z:curve", parse_units("g-mm-ms")), "N");
 }
 
 TEST_F(RunResultsTest, MeasuresByVectorsAndByAllEnergies) {

@@ -8,6 +8,12 @@
 
 namespace pinball {
 
+std::optional<double> StudyQuantity::value_in(const RunResults& results) const {
+  if (!is_curve(name)) return results.value(name);
+  const auto curve = results.curve(name);
+  return curve && limit ? std::optional(distance(*curve, *limit)) : std::nullopt;
+}
+
 std::optional<std::size_t> ConvergenceStudy::own_mesh() const {
   const auto own =
       std::find_if(meshes.begin(), meshes.end(), [](const StudyMesh& mesh) { return mesh.factor == MeshFactor{}; });

@@ -48,6 +48,12 @@ struct StudyQuantity {
   /// and that value; none: its run failed.
   std::vector<std::optional<double>> moved{};
   std::optional<double> mean_of_chance{};
+  /// Of a curve over time, whose value is its distance from this: what elements of no size would give, or where nothing
+  /// converges the finest one.
+  std::optional<TimeCurve> limit{};
+
+  /// None: the run has none.
+  std::optional<double> value_in(const RunResults& results) const;
 };
 
 /// What a scene says on meshes of several sizes.

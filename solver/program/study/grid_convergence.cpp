@@ -97,4 +97,22 @@ GridConvergence grid_convergence(std::vector<MeshValue> values, double scale, do
   return result;
 }
 
+GridConvergence distance_convergence(const std::array<double, 3>& sizes, double e21, double e32, double scale,
+                                     double round_off, double formal_order) {
+  GridConvergence result;
+  const double nothing = round_off * scale;
+  const Triplet t{sizes[1] / sizes[0], sizes[2] / sizes[1], e21 <= nothing ? 0 : e21, e32 <= nothing ? 0 : e32};
+  if (t.e21 == 0 && t.e32 == 0) return result;
+  result.approximate_error = e21 / scale;
+  result.observed_order = t.e21 == 0 ? std::numeric_limits<double>::infinity() : observed_order(t);
+  result.verdict = result.observed_order ? Convergence::monotone : Convergence::diverging;
+  result.high = std::max(e21, e32);
+  if (!result.observed_order) return result;
+  add_band(result, t, 0, formal_order);
+  result.extrapolated_error = std::abs(result.extrapolated) / scale;
+  result.index = result.high / scale;
+  result.extrapolated = result.low = 0;
+  return result;
+}
+
 }  // namespace pinball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -56,5 +57,12 @@ struct GridConvergence {
 /// are none. Throws std::invalid_argument where there are fewer values or two of one size.
 GridConvergence grid_convergence(std::vector<MeshValue> values, double scale = 0, double round_off = 1e-10,
                                  double formal_order = 2);
+
+/// The same of what has no difference but a distance, such as curves over time: the value of a mesh is its distance
+/// from what elements of no size would give, 0 is the extrapolated one, and the band goes from there to the largest
+/// that the finest mesh may have. sizes: of the three finest meshes, from fine to coarse; e21 and e32: distances
+/// between neighbours. Nothing oscillates.
+GridConvergence distance_convergence(const std::array<double, 3>& sizes, double e21, double e32, double scale,
+                                     double round_off = 1e-10, double formal_order = 2);
 
 }  // namespace pinball

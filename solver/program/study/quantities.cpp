@@ -97,11 +97,13 @@ std::vector<std::string> default_quantities(const Scene& scene, const RunResults
 
 void require_quantities(const std::vector<std::string>& names, const RunResults& run) {
   for (const std::string& name : names) {
-    if (run.value(name)) continue;
+    if (run.value(name) || run.curve(name)) continue;
     const std::size_t colon = std::min(name.find(':'), name.size());
     throw InputError(fmt::format(
-        "--of {}: expected a column of history.csv, also with :last, :max, :min or :integral behind it, or a number of "
-        "summary.json, such as energy.kinetic; nearest is {}",
+        "--of {}: expected a column of history.csv, also with :last, :max, :min, :integral or :curve behind it, "
+        "length(PROBE,PROBE) of two that record positions, or a number of summary.json, such as energy.kinetic; "
+        "nearest is "
+        "{}",
         name, nearest(name.substr(0, colon), run.known())));
   }
 }

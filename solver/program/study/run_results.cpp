@@ -20,6 +20,17 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::string_view curve_ending = ":curve";
+constexpr double small_part = 1e-3;  ///< of the scale of a column: what a curve that is smaller is measured by
+
+/// "length(tail,rim)" as {"tail", "rim"}.
+std::optional<std::pair<std::string, std::string>> probes_of_length(const std::string& name) {
+  const std::string begin = "length(";
+  const std::size_t comma = name.find(',');
+  if (!name.starts_with(begin) || !name.ends_with(')') || comma == std::string::npos) return std::nullopt;
+  return std::pair(name.substr(begin.size(), comma - begin.size()), name.substr(comma + 1, name.size() - comma - 2));
+}
+
 /// The number of each leaf by its path.
 void add_numbers(const Json& json, const std::string& path, std::map<std::string, double>& numbers) {
   if (json.is_number()) numbers[path] = json.get<double>();
@@ -96,16 +107,36 @@ RunResults read_run_results(const std::string& folder) {
   return results;
 }
 
+bool is_curve(const std::string& quantity) { return quantity.ends_with(curve_ending); }
+
+std::optional<std::vector<double>> RunResults::column(const std::string& name) const {
+  const auto found = rows.find(name);
+  if (found != rows.end()) return found->second.empty() ? std::nullopt : std::optional(found->second);
+  const auto probes = probes_of_length(name);
+  if (!probes) return std::nullopt;
+  std::vector<double> lengths(rows.count("time") ? rows.at("time").size() : 0, 0.0);
+  for (const char* axis : {"_position_x", "_position_y", "_position_z"}) {
+    const auto a = rows.find(probes->first + axis), b = rows.find(probes->second + axis);
+    if (a == rows.end() || b == rows.end()) return std::nullopt;
+    for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = std::hypot(lengths[i], a->second[i] - b->second[i]);
+  }
+  return lengths.empty() ? std::nullopt : std::optional(lengths);
+}
+
+std::optional<TimeCurve> RunResults::curve(const std::string& quantity) const {
+  if (!is_curve(quantity)) return std::nullopt;
+  const auto values = column(quantity.substr(0, quantity.size() - curve_ending.size()));
+  return values ? std::optional(TimeCurve{rows.at("time"), *values}) : std::nullopt;
+}
+
 std::optional<double> RunResults::value(const std::string& quantity) const {
   const std::size_t colon = std::min(quantity.find(':'), quantity.size());
-  const auto found = rows.find(quantity.substr(0, colon));
-  if (found != rows.end() && !found->second.empty()) {
-    const std::vector<double>& values = found->second;
+  if (const auto values = column(quantity.substr(0, colon))) {
     const std::string what = colon == quantity.size() ? "last" : quantity.substr(colon + 1);
-    if (what == "last") return values.back();
-    if (what == "max") return *std::max_element(values.begin(), values.end());
-    if (what == "min") return *std::min_element(values.begin(), values.end());
-    if (what == "integral") return integral_of(rows.at("time"), values);
+    if (what == "last") return values->back();
+    if (what == "max") return *std::max_element(values->begin(), values->end());
+    if (what == "min") return *std::min_element(values->begin(), values->end());
+    if (what == "integral") return integral_of(rows.at("time"), *values);
     return std::nullopt;
   }
   const auto number = numbers.find(quantity);
@@ -113,6 +144,10 @@ std::optional<double> RunResults::value(const std::string& quantity) const {
 }
 
 double RunResults::scale(const std::string& quantity) const {
+  if (const auto whole = curve(quantity)) {
+    const double of_column = scale(quantity.substr(0, quantity.size() - curve_ending.size()));
+    return std::max(norm(*whole), small_part * of_column);
+  }
   double largest = std::abs(value(quantity).value_or(0));
   const std::string column = quantity.substr(0, quantity.find(':'));
   const bool energy = is_energy_column(column) || is_energy_number(column), integral = quantity.ends_with(":integral");
@@ -138,6 +173,7 @@ std::string unit_of_quantity(const std::string& quantity, const Units& units) {
   const bool integral = quantity.ends_with(":integral");
   if (name.size() > 2 && name[name.size() - 2] == '.') name.resize(name.size() - 2);  // .x
   name = without_axis(name).first;
+  if (probes_of_length(name)) return integral && !units.length.empty() ? units.length + " " + units.time : units.length;
   const auto ends = [&name](std::string_view word) {
     return name.ends_with(word) && (name.size() == word.size() || name[name.size() - word.size() - 1] == '_' ||
                                     name[name.size() - word.size() - 1] == '.');

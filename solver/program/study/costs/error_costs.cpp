@@ -30,7 +30,7 @@ CostPoint point_of(const ConvergenceStudy& study, const StudyRun& run, const Mes
   point.elements = run.results->value("elements").value_or(0);
   point.bytes = run.results->value("bytes_per_element").value_or(0) * point.elements;
   for (const StudyQuantity& quantity : study.quantities) {
-    const auto value = run.results->value(quantity.name);
+    const auto value = quantity.value_in(*run.results);
     point.values.push_back(value);
     point.errors.push_back(value && has_band(quantity)
                                ? std::optional(over_reference(*value - quantity.convergence->extrapolated, quantity))
@@ -121,7 +121,9 @@ std::optional<std::size_t> cheapest(const std::vector<CostPoint>& points, const 
 std::optional<KnownTo> known_to(const ConvergenceStudy& study, const StudyQuantity& quantity) {
   if (!has_band(quantity)) return std::nullopt;
   const GridConvergence& c = *quantity.convergence;
-  KnownTo known{over_reference(std::min(c.high - c.extrapolated, c.extrapolated - c.low), quantity), false};
+  const double beyond = quantity.limit ? c.high * (1 - 1 / std::max(c.safety_factor, 1.0))
+                                       : std::min(c.high - c.extrapolated, c.extrapolated - c.low);
+  KnownTo known{over_reference(beyond, quantity), false};
   for (std::size_t s = 0; s < study.sources.size(); ++s) {
     if (study.sources[s].source != ErrorSource::chance || s >= quantity.moved.size() || !quantity.moved[s]) continue;
     const double of_chance = over_reference(*quantity.moved[s], quantity);
