@@ -310,6 +310,32 @@ TEST_F(Converge, AMeshOfAFileIsSplitAsABlockIsRefined) {
   EXPECT_FALSE(json()["meshes"][0]["was_there"]);
 }
 
+/// Nodes and faces that are listed by their numbers are the sets of the same nodes and faces, on all meshes.
+TEST_F(Converge, ListsOfNumbersGoWithMeshesThatAreSplit) {
+  std::string deck = "*KEYWORD\n*NODE\n";
+  for (int i = 0; i < 12; ++i) deck += fmt::format("{},{},{},{}\n", 10 * i + 7, i % 2, i / 2 % 2, i / 4);
+  deck += "*ELEMENT_SOLID\n1,1,7,17,37,27,47,57,77,67\n2,1,47,57,77,67,87,97,117,107\n";
+  deck += "*SET_NODE_LIST\n5\n7,17,27,37\n*SET_SEGMENT\n6\n87,97,117,107\n*END\n";
+  std::ofstream(folder_ / "bar.k") << deck;
+  const std::string mesh = "type = \"keyword\", file = \"bar.k\"",
+                    pressed = "[[pressure]]\nname = \"push\"\npressure = 5\n",
+                    held = "[[constraint]]\ntype = \"fixed\"\ndirections = [\"x\", \"y\"]\n",
+                    probe = "[[probe]]\nname = \"corner\"\nnode = 87\nquantities = [\"displacement\"]\n";
+  write_scene(mesh, held + "nodes = [7, 17, 27, 37]\n" + pressed + "faces = [[87, 97, 117, 107]]\n" + probe);
+  const Finished by_numbers = converge("--quiet --ensemble 1 --only mesh --only chance");
+  ASSERT_EQ(by_numbers.status, 0) << by_numbers.text;
+  const Json listed = json();
+  EXPECT_EQ(listed["meshes"][2]["elements"], 128);
+  write_scene(mesh, held + "set = \"5\"\n" + pressed + "set = \"6\"\n" + probe);
+  ASSERT_EQ(converge("--quiet --ensemble 1 --only mesh --only chance").status, 0);
+  EXPECT_FALSE(json()["meshes"][1]["was_there"]);
+  EXPECT_EQ(json()["quantities"], listed["quantities"]);
+  ASSERT_FALSE(of(listed, "corner_displacement_z:min").is_null() && of(listed, "corner_displacement_z").is_null());
+
+  write_scene(mesh, held + "nodes = [7, 18]\n");
+  test::expect_bad_input(command("--quiet --only mesh"), "no node 18");
+}
+
 TEST_F(Converge, RunsThatFailAreNamed) {
   const Finished f = converge(std::string(coarse) + "--set guard.energy_error=1e-12");
   EXPECT_EQ(f.status, 1) << f.text;

@@ -115,18 +115,22 @@ TEST(MeshFactor, RefusesWhatIsAnotherProblemOnAnotherMesh) {
   EXPECT_EQ(problem(of_file), no_error);
   of_file.fixed_constraints.resize(2);
   of_file.fixed_constraints[1].nodes.nodes = {17};
-  EXPECT_THAT(problem(of_file), HasSubstr("constraint.1.nodes: expected a set or a place"));
+  EXPECT_EQ(problem(of_file), no_error) << "they become a set";
+  of_file.fixed_constraints[1].nodes.set = "base";
+  EXPECT_THAT(problem(of_file), HasSubstr("constraint.1.nodes: expected a set or numbers, and not both"));
   of_file.fixed_constraints.clear();
   of_file.pressures.resize(1);
   of_file.pressures[0].name = "load";
   of_file.pressures[0].corners = {{1, 2, 3, 4}};
-  EXPECT_THAT(problem(of_file), HasSubstr("pressure.load.faces: expected a set or a place"));
+  EXPECT_EQ(problem(of_file), no_error);
+  of_file.pressures[0].faces.set = "top";
+  EXPECT_THAT(problem(of_file), HasSubstr("pressure.load.faces: expected faces alone"));
   of_file.pressures.clear();
   of_file.probes.resize(1);
   of_file.probes[0].number = 17;
   EXPECT_EQ(problem(of_file), no_error) << "a node keeps its number";
   of_file.probes[0].kind = ProbeKind::element;
-  EXPECT_THAT(problem(of_file), HasSubstr("probe..element: expected"));
+  EXPECT_THAT(problem(of_file), HasSubstr("probe..element: expected a node or a point: on a finer mesh"));
 }
 
 TEST(MeshFactor, SplitsTheElementsOfFilesInEight) {

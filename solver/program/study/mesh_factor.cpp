@@ -12,6 +12,8 @@
 #include <solver/base/error.hpp>
 #include <solver/scene/schema/kinds.hpp>
 
+#include "numbered_sets.hpp"
+
 namespace pinball {
 
 namespace {
@@ -104,34 +106,6 @@ void split_by(FileMesh& mesh, const MeshFactor& factor, const std::string& body)
   mesh.splits += std::bit_width(times) - 1;
 }
 
-/// What is chosen by the numbers of a file would be less, or another place, where its elements are split.
-void require_no_numbers(const Scene& scene) {
-  const auto fail = [](const std::string& key) {
-    throw InputError(
-        fmt::format("{}: expected a set or a place: a finer mesh has nodes and faces that no list of numbers of "
-                    "its file names",
-                    key));
-  };
-  const auto check = [&fail](const auto& items, const char* name, const auto& selection) {
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      if (!selection(items[i]).nodes.empty()) fail(fmt::format("{}.{}.nodes", name, i));
-    }
-  };
-  const auto of_nodes = [](const auto& item) -> const NodeSelection& { return item.nodes; };
-  check(scene.fixed_constraints, "constraint", of_nodes);
-  check(scene.rigid_walls, "rigid_wall", of_nodes);
-  check(scene.prescribed_velocities, "prescribed_velocity", of_nodes);
-  check(scene.loads, "load", of_nodes);
-  check(scene.initial_velocities, "initial_velocity", of_nodes);
-  check(scene.pressures, "pressure", [](const Pressure& item) -> const NodeSelection& { return item.faces; });
-  for (const Pressure& pressure : scene.pressures) {
-    if (!pressure.corners.empty()) fail(fmt::format("pressure.{}.faces", pressure.name));
-  }
-  for (const Probe& probe : scene.probes) {
-    if (probe.number && probe.kind == ProbeKind::element) fail(fmt::format("probe.{}.element", probe.name));
-  }
-}
-
 bool can_be_refined(const Scene& scene, const MeshFactor& factor) {
   try {
     refined_by(scene, factor);
@@ -177,7 +151,7 @@ std::vector<MeshFactor> default_mesh_factors(const Scene& scene) {
 }
 
 void require_refinable(const Scene& scene) {
-  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of_file)) require_no_numbers(scene);
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(), is_of_file)) require_numbers_that_carry(scene);
   if (scene.time.steps >= 0) {
     throw InputError(fmt::format("time.steps = {}: expected none, so many steps of another mesh end at another time",
                                  scene.time.steps));

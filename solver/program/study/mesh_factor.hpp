@@ -27,7 +27,7 @@ std::vector<MeshFactor> parse_mesh_factors(const std::string& text);
 std::vector<MeshFactor> default_mesh_factors(const Scene& scene);
 
 /// Throws InputError that names the key where meshes of other sizes would not be those of the same problem: time.steps,
-/// loads on each node; with meshes of files also nodes, faces and elements that are listed by their numbers.
+/// loads on each node; with meshes of files also what numbered_sets.hpp cannot carry.
 void require_refinable(const Scene& scene);
 
 /// The scene with its meshes in that many elements; those of files are split so often in eight. Throws InputError that

@@ -22,6 +22,8 @@
 #include <solver/scene/toml/listing.hpp>
 #include <solver/scene_rules.hpp>
 
+#include "numbered_sets.hpp"
+
 namespace pinball {
 
 namespace {
@@ -104,6 +106,7 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
   if (!folder.quiet) print_message(fmt::format("{}: {}", fate, what));
   if (run.was_there || !run.left_out.empty()) return run;
 
+  carry_numbers(run_scene);
   if (folder.fields) run_scene.output.field_times = {run_scene.time.end};
   RecordOptions options;
   options.out = run.folder;
