@@ -44,8 +44,9 @@ struct CompareOptions : SceneOptions {
 struct ConvergeOptions : SceneOptions {
   std::vector<std::string> of;  ///< quantities; empty: those that the scene names, and energies
   std::string meshes;           ///< "1/2,1,2": what multiplies the numbers of elements; empty: by what the scene allows
-  std::vector<std::string> only;  ///< of "mesh", "step", "precision", "hourglass", "chance"; empty: all
-  int ensemble = 4;               ///< runs for chance
+  std::vector<std::string> only;    ///< of "mesh", "step", "precision", "hourglass", "chance"; empty: all
+  int ensemble = 4;                 ///< runs for chance
+  std::vector<std::string> refine;  ///< "2": all bodies, "plate=2": what this body alone does
   std::string error;   ///< "1%": what the quantities are to be good to; empty: the meshes are those that are named
   std::string budget;  ///< "10min": for all runs; empty: any time, with an error 10 minutes
   std::string out;     ///< folder for the runs; empty: out/converge_SCENE

@@ -152,6 +152,11 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
                "--only", options.only,
                "leaves out what else may move a number (default: all of mesh, step, precision, hourglass, chance)"))
       ->check(CLI::IsMember({"mesh", "step", "precision", "hourglass", "chance"}));
+  command.remove_option(command.get_option("--refine"));
+  repeated(command.add_option("--refine", options.refine,
+                              "K: multiplies the element counts of generated meshes; BODY=K: says what K times as many "
+                              "elements of this body alone do, so that two of them say which to refine"))
+      ->check(check_not_empty);
   command
       .add_option("--ensemble", options.ensemble, "runs with moved velocities that say what chance does (default: 4)")
       ->check(CLI::Range(1, 1000));

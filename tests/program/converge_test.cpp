@@ -282,6 +282,26 @@ TEST_F(Converge, OnlyNamesWhatIsLookedAt) {
   EXPECT_TRUE(of(json(), "energy.kinetic")["moved_by"].is_null());
 }
 
+/// A run with one body of finer elements is that of the scene with these counts.
+TEST_F(Converge, BodiesAreRefinedApart) {
+  write_scene("type = \"block\", size = [1, 1, 2], elements = [2, 2, 4]",
+              "[[body]]\nname = \"far\"\nmaterial = \"m\"\nposition = [9, 0, 0]\n"
+              "mesh = { type = \"block\", size = [1, 1, 2], elements = [1, 1, 2] }\n");
+  const Finished f = converge(std::string(coarse) + "--of bar_velocity_z --refine bar=2 --refine far=2 --refine 2");
+  ASSERT_EQ(f.status, 0) << f.text;
+  const Json table = json();
+  ASSERT_EQ(table["sources"].size(), 2);
+  EXPECT_EQ(table["sources"][0]["name"], "bar 2 times finer");
+  EXPECT_EQ(table["sources"][0]["what"], "bar: elements 8 x 8 x 16; far: elements 2 x 2 x 4");
+  EXPECT_EQ(of(table, "bar_velocity_z")["refine"], "refine bar, not far");
+  EXPECT_EQ(of(table, "bar_velocity_z")["largest_source"], "mesh");
+  EXPECT_THAT(f.text, HasSubstr("bar_velocity_z: refine bar, not far"));
+  const std::string folder = (folder_ / "run").string();
+  const std::string finer = "--set body.bar.mesh.elements=[8,8,16] --set body.far.mesh.elements=[2,2,4]";
+  ASSERT_EQ(run(fmt::format("run {} --quiet --threads 1 --out {} {}", scene(), folder, finer)).status, 0);
+  EXPECT_EQ(hash(out() + "/mesh_1_bar_2"), hash(folder));
+}
+
 /// The same bar from a file, split in eight and again, and as a block of as many elements.
 TEST_F(Converge, AMeshOfAFileIsSplitAsABlockIsRefined) {
   write_scene("type = \"block\", size = [1, 1, 2], elements = [1, 1, 2]");
@@ -385,6 +405,8 @@ TEST_F(Converge, BadInputEndsWithTwoBeforeAnythingRuns) {
   expect_bad("--only luck", "--only");
   expect_bad("--error 1%", "--error: expected --of QUANTITY");
   expect_bad("--error 200% --of energy.kinetic", "--error 200%: expected a part of the value");
+  expect_bad("--refine rod=2 --meshes 1,2,3", "--refine rod=2: expected one of the bodies, nearest is bar");
+  expect_bad("--refine bar=1", "--refine bar=1: expected a number, or BODY=K");
   expect_bad("--budget soon", "--budget soon: expected a time above 0");
   EXPECT_FALSE(std::filesystem::exists(out()));
   expect_bad("--of tail_displacement", "--of tail_displacement: expected a column");

@@ -6,10 +6,12 @@
 #include <solver/program/study/convergence_report.hpp>
 #include <solver/program/study/error_sources.hpp>
 #include <solver/program/study/sources_report.hpp>
+#include <tests/support/error_of.hpp>
 
 namespace pinball {
 namespace {
 
+using test::error_of;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -39,6 +41,47 @@ TEST(ErrorSources, EachChangesItsOwnAlone) {
   EXPECT_DOUBLE_EQ(all[4].scenes[0].bodies[0].velocity_noise, 5e-9);
   EXPECT_DOUBLE_EQ(all[4].scenes[1].bodies[1].velocity_noise, 10e-9);
   EXPECT_TRUE(vary_sources(scene, {}, 2).empty());
+}
+
+TEST(ErrorSources, BodiesAreRefinedApart) {
+  Scene scene = scene_at_speed(-5);
+  scene.bodies[0].name = "rod";
+  scene.bodies[0].mesh = BlockMesh{{1, 1, 1}, {2, 3, 4}, {}};
+  scene.bodies[1].name = "plate";
+  scene.bodies[1].mesh = BlockMesh{{1, 1, 1}, {5, 6, 7}, {}};
+  const auto apart = vary_bodies(scene, {parse_refined_body("plate=3"), parse_refined_body("rod=2")});
+  ASSERT_EQ(apart.size(), 2);
+  EXPECT_EQ(apart[0].name, "plate 3 times finer");
+  EXPECT_EQ(apart[0].what, "rod: elements 2 x 3 x 4; plate: elements 15 x 18 x 21");
+  EXPECT_EQ(apart[1].what, "rod: elements 4 x 6 x 8; plate: elements 5 x 6 x 7");
+  EXPECT_THAT(error_of([&] {
+                vary_bodies(scene, {{"plat", 2}});
+              }),
+              HasSubstr("expected one of the bodies, nearest is plate"));
+  scene.bodies[0].mesh = FileMesh{};
+  scene.bodies[1].mesh = FileMesh{};
+  EXPECT_THAT(error_of([&] {
+                vary_bodies(scene, {{"rod", 2}});
+              }),
+              HasSubstr("expected a body with a file of its own, plate"));
+  for (const char* text : {"=2", "rod=", "rod=1", "rod=x", "rod=1001", "rod"}) {
+    EXPECT_THAT(error_of([&] { parse_refined_body(text); }), HasSubstr("expected a number, or BODY=K")) << text;
+  }
+}
+
+TEST(ErrorSources, TheBodyThatMovesAQuantityIsTheOneToRefine) {
+  ConvergenceStudy study;
+  study.sources = {{ErrorSource::step, "time step", "", {}},
+                   {ErrorSource::body, "rod 2 times finer", "", {}},
+                   {ErrorSource::body, "plate 2 times finer", "", {}}};
+  StudyQuantity quantity{"q", "", {}, 1, {}, {9.0, 0.01, -0.3}};
+  EXPECT_EQ(body_to_refine(study, quantity), "refine plate, not rod");
+  quantity.moved = {9.0, 0.2, -0.3};
+  EXPECT_EQ(body_to_refine(study, quantity), "refine plate and rod");
+  quantity.moved = {9.0, std::nullopt, -0.3};
+  EXPECT_EQ(body_to_refine(study, quantity), "");
+  quantity.moved = {9.0, 1e-9, 1e-12};
+  EXPECT_EQ(body_to_refine(study, quantity), "");
 }
 
 TEST(ErrorSources, HalfTheStepAddsNoMass) {

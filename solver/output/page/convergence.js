@@ -92,6 +92,7 @@ function sources() {
   fill('sources', table({caption: `On mesh ${study.sources_mesh}: value with each less the value without; of chance the standard deviation`, id: 'source_table',
     head: ['quantity', 'mesh', ...names, 'largest'], numbers: [1, ...names.map((_, i) => i + 2)],
     rows: study.quantities.map((q) => [nameOf(q), ...['mesh', ...names].map((name) => figure(q.moved_by[name], 3)), q.largest_source])}),
+    ...study.quantities.filter((q) => q.refine).map((q) => make('p', {text: `${q.name}: ${q.refine}`})),
     make('ul', {class: 'note'}, ...study.sources.map(({name, what}) => make('li', {text: `${name}: ${what}`}))));
 }
 

@@ -49,6 +49,19 @@ void write_files(const ConvergenceStudy& study, const ConvergeOptions& options) 
   draw_into_page(study, options.page);
 }
 
+/// Takes "2" to the options of all commands and leaves the bodies.
+std::vector<RefinedBody> bodies_to_refine(ConvergeOptions& options) {
+  std::vector<RefinedBody> bodies;
+  for (const std::string& text : options.refine) {
+    if (text.find('=') == std::string::npos) {
+      options.overrides.refine = parse_refined_body("all=" + text).times;
+    } else {
+      bodies.push_back(parse_refined_body(text));
+    }
+  }
+  return bodies;
+}
+
 StudyLimits limits_of(const ConvergeOptions& options) {
   StudyLimits limits;
   if (!options.error.empty()) {
@@ -61,7 +74,9 @@ StudyLimits limits_of(const ConvergeOptions& options) {
 
 }  // namespace
 
-int converge_command(const ConvergeOptions& options) {
+int converge_command(const ConvergeOptions& given) {
+  ConvergeOptions options = given;
+  const std::vector<RefinedBody> bodies = bodies_to_refine(options);
   require_device(options.device);
   check_result_path("--json", options.json);
   check_result_path("--csv", options.csv);
@@ -76,6 +91,7 @@ int converge_command(const ConvergeOptions& options) {
   settings.sources = sources_of(options.only);
   settings.ensemble = options.ensemble;
   settings.limits = limits_of(options);
+  settings.bodies = bodies;
   const ConvergenceStudy study = study_convergence(scene, settings);
   if (study.stopped()) {
     print_message(fmt::format("stopped; what is done stays in {}, the same command goes on", settings.folder.out));

@@ -50,6 +50,7 @@ void add_sources_json(const ConvergenceStudy& study, const StudyQuantity& quanti
   json["mean_of_chance"] = number_or_null(quantity.mean_of_chance);
   json["largest_source"] = largest_source(study, quantity);
   json["chance_rules"] = chance_rules(study, quantity);
+  json["refine"] = text_or_null(body_to_refine(study, quantity));
 }
 
 void add_convergence_json(const GridConvergence& c, OrderedJson& json) {

@@ -16,9 +16,9 @@ std::string convergence_text(const ConvergenceStudy& study);
 /// {scene, title, version, sentence, meshes [{factor, counts, folder, was_there, failure, left_out, elements, nodes,
 /// steps, wall_seconds}], quantities [{name, unit, values, scale, verdict, observed_order, order, safety_factor,
 /// extrapolated, approximate_error, extrapolated_error, index, band, spread, own_error, moved_by {mesh, SOURCE...},
-/// mean_of_chance, largest_source, chance_rules}], sources_mesh, sources [{name, what, runs [{folder, was_there,
-/// failure, left_out}]}], points [{settings, what, factor, variation, of_chance, seconds, bytes, elements, errors}],
-/// costs
+/// mean_of_chance, largest_source, chance_rules, refine}], sources_mesh, sources [{name, what, runs [{folder,
+/// was_there, failure, left_out}]}], points [{settings, what, factor, variation, of_chance, seconds, bytes, elements,
+/// errors}], costs
 /// [{name, known_to, known_to_chance, frontier, cheapest, sentence}], error, budget_seconds, search_sentence}. Costs
 /// are of the quantities in their order, their frontier and cheapest numbers of points, from 0. Numbers that are not
 /// there, or not finite, are null; of band and spread, [low, high], the one that does not apply. Of a quantity with a

@@ -79,6 +79,7 @@ struct StudySettings {
   StudyFolder folder;
   std::vector<ErrorSource> sources{};  ///< beside the mesh
   int ensemble = 4;                    ///< runs for chance
+  std::vector<RefinedBody> bodies{};   ///< each refined apart
   StudyLimits limits{};
 };
 

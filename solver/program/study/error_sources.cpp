@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
+#include <solver/base/error.hpp>
 #include <solver/scene/schema/choices.hpp>
+
+#include "mesh_factor.hpp"
 
 namespace pinball {
 
@@ -99,6 +103,30 @@ std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<
   if (asked(ErrorSource::precision)) variations.push_back(other_precision(scene));
   if (asked(ErrorSource::hourglass)) add_hourglass(scene, variations);
   if (asked(ErrorSource::chance)) variations.push_back(by_chance(scene, ensemble));
+  return variations;
+}
+
+RefinedBody parse_refined_body(const std::string& text) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  int times = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(std::min(text.data() + equals + 1, end), end, times);
+  if (equals > 0 && problem == std::errc() && rest == end && times >= 2 && times <= 1000) {
+    return {text.substr(0, equals), times};
+  }
+  throw InputError(fmt::format("--refine {}: expected a number, or BODY=K with K of 2 to 1000", text));
+}
+
+std::vector<SourceVariation> vary_bodies(const Scene& scene, const std::vector<RefinedBody>& bodies) {
+  std::vector<SourceVariation> variations;
+  for (const RefinedBody& refined : bodies) {
+    const Scene finer = refined_body(scene, refined.body, {refined.times, 1});
+    variations.push_back({ErrorSource::body,
+                          fmt::format("{} {} times finer", refined.body, refined.times),
+                          element_counts(finer),
+                          fmt::format("{}_{}", refined.body, refined.times),
+                          {finer}});
+  }
   return variations;
 }
 

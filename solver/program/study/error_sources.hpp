@@ -8,7 +8,7 @@
 namespace pinball {
 
 /// What may move a number beside the mesh.
-enum class ErrorSource { step, precision, hourglass, chance };
+enum class ErrorSource { step, precision, hourglass, chance, body };
 
 /// Runs of one scene that say what a source does.
 struct SourceVariation {
@@ -24,5 +24,18 @@ struct SourceVariation {
 /// precision: 1e-5), the k-th by k such parts: noise on all nodes, of the largest speed that the scene gives, or of a
 /// thousandth of the speed of waves where all is at rest; what is given to some nodes is multiplied.
 std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<ErrorSource>& sources, int ensemble);
+
+/// A body that has more elements alone, so many times in each direction.
+struct RefinedBody {
+  std::string body;
+  int times = 2;
+};
+
+/// "plate=2". Throws InputError that names --refine where it is no name with a number of 2 and more.
+RefinedBody parse_refined_body(const std::string& text);
+
+/// The scene with each of the bodies refined and the others as they are. Throws InputError for a body that the scene
+/// has not, that shares the nodes of a file with others, or whose mesh takes no such factor.
+std::vector<SourceVariation> vary_bodies(const Scene& scene, const std::vector<RefinedBody>& bodies);
 
 }  // namespace pinball

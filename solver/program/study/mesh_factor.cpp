@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include <solver/base/error.hpp>
+#include <solver/base/text_distance.hpp>
 #include <solver/scene/schema/kinds.hpp>
 
 #include "numbered_sets.hpp"
@@ -106,6 +107,35 @@ void split_by(FileMesh& mesh, const MeshFactor& factor, const std::string& body)
   mesh.splits += std::bit_width(times) - 1;
 }
 
+void refine(Body& body, const MeshFactor& factor) {
+  if (auto* file = std::get_if<FileMesh>(&body.mesh)) split_by(*file, factor, body.name);
+  visit_counts(body, [&](const char* key, int& count, bool even) {
+    const auto fail = [&](const std::string& what) {
+      throw InputError(fmt::format("body.{}.mesh.{}: expected a number that {}, got {}; --meshes names others",
+                                   body.name, key, what, count));
+    };
+    const std::int64_t times = std::int64_t{count} * factor.numerator;
+    if (times % factor.denominator != 0) fail(fmt::format("{} times leaves whole", factor.text()));
+    const std::int64_t result = times / factor.denominator;
+    if (even && result % 2 != 0) {
+      fail(fmt::format("is even {} times, since the section is cut through it", factor.text()));
+    }
+    if (result > most_in_line) fail(fmt::format("is at most {} {} times", most_in_line, factor.text()));
+    count = static_cast<int>(result);
+  });
+}
+
+void require_own_file(const Scene& scene, const Body& body) {
+  const auto* mine = std::get_if<FileMesh>(&body.mesh);
+  if (mine == nullptr) return;
+  for (const Body& other : scene.bodies) {
+    const auto* theirs = std::get_if<FileMesh>(&other.mesh);
+    if (theirs == nullptr || other.name == body.name || theirs->file != mine->file) continue;
+    throw InputError(fmt::format("--refine {}: expected a body with a file of its own, {} shares nodes of {} with it",
+                                 body.name, other.name, mine->file));
+  }
+}
+
 bool can_be_refined(const Scene& scene, const MeshFactor& factor) {
   try {
     refined_by(scene, factor);
@@ -165,23 +195,22 @@ void require_refinable(const Scene& scene) {
 
 Scene refined_by(const Scene& scene, const MeshFactor& factor) {
   Scene refined = scene;
-  for (Body& body : refined.bodies) {
-    if (auto* file = std::get_if<FileMesh>(&body.mesh)) split_by(*file, factor, body.name);
-    visit_counts(body, [&](const char* key, int& count, bool even) {
-      const auto fail = [&](const std::string& what) {
-        throw InputError(fmt::format("body.{}.mesh.{}: expected a number that {}, got {}; --meshes names others",
-                                     body.name, key, what, count));
-      };
-      const std::int64_t times = std::int64_t{count} * factor.numerator;
-      if (times % factor.denominator != 0) fail(fmt::format("{} times leaves whole", factor.text()));
-      const std::int64_t result = times / factor.denominator;
-      if (even && result % 2 != 0)
-        fail(fmt::format("is even {} times, since the section is cut through it", factor.text()));
-      if (result > most_in_line) fail(fmt::format("is at most {} {} times", most_in_line, factor.text()));
-      count = static_cast<int>(result);
-    });
-  }
+  for (Body& body : refined.bodies) refine(body, factor);
   return refined;
+}
+
+Scene refined_body(const Scene& scene, const std::string& name, const MeshFactor& factor) {
+  Scene refined = scene;
+  std::vector<std::string> names;
+  for (Body& body : refined.bodies) {
+    names.push_back(body.name);
+    if (body.name != name) continue;
+    require_own_file(scene, body);
+    refine(body, factor);
+    return refined;
+  }
+  throw InputError(fmt::format("--refine {}={}: expected one of the bodies, nearest is {}", name, factor.text(),
+                               nearest(name, names)));
 }
 
 std::optional<MeshFactor> least_mesh_factor(const Scene& scene, double least, double most) {

@@ -35,6 +35,10 @@ void require_refinable(const Scene& scene);
 /// for meshes of files where it is no power of two.
 Scene refined_by(const Scene& scene, const MeshFactor& factor);
 
+/// The same with one body alone. Throws InputError for a name that no body has, too, and for a body whose file is that
+/// of others, with whose elements its own would no longer share nodes.
+Scene refined_body(const Scene& scene, const std::string& body, const MeshFactor& factor);
+
 /// The least factor from `least` to `most` that refined_by() takes, of denominators up to 8; none: there is none.
 std::optional<MeshFactor> least_mesh_factor(const Scene& scene, double least, double most);
 

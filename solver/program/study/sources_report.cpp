@@ -37,6 +37,15 @@ std::string source_notes(const ConvergenceStudy& study) {
   return text;
 }
 
+std::string body_notes(const ConvergenceStudy& study) {
+  std::string text;
+  for (const StudyQuantity& quantity : study.quantities) {
+    const std::string refine = body_to_refine(study, quantity);
+    if (!refine.empty()) text += fmt::format("{}: {}\n", quantity.name, refine);
+  }
+  return text;
+}
+
 std::string chance_notes(const ConvergenceStudy& study) {
   std::string text;
   for (const StudyQuantity& quantity : study.quantities) {
@@ -67,8 +76,26 @@ std::string largest_source(const ConvergenceStudy& study, const StudyQuantity& q
     name = source;
   };
   look("mesh", error_of_mesh(study, quantity));
-  for (std::size_t s = 0; s < study.sources.size(); ++s) look(study.sources[s].name, quantity.moved[s]);
+  for (std::size_t s = 0; s < study.sources.size(); ++s) {
+    if (study.sources[s].source != ErrorSource::body)
+      look(study.sources[s].name, quantity.moved[s]);  // part of the mesh
+  }
   return name;
+}
+
+std::string body_to_refine(const ConvergenceStudy& study, const StudyQuantity& quantity) {
+  std::vector<std::pair<double, std::string>> moved;
+  for (std::size_t s = 0; s < study.sources.size(); ++s) {
+    if (study.sources[s].source != ErrorSource::body || !quantity.moved[s]) continue;
+    const std::string& name = study.sources[s].name;
+    moved.emplace_back(std::abs(*quantity.moved[s]), name.substr(0, name.find(' ')));
+  }
+  std::sort(moved.rbegin(), moved.rend());
+  if (moved.size() < 2 || !(moved.front().first > least_moved * quantity.scale)) return "";
+  std::vector<std::string> more, less;
+  for (const auto& [size, body] : moved) (2 * size >= moved.front().first ? more : less).push_back(body);
+  const std::string refine = fmt::format("refine {}", fmt::join(more, " and "));
+  return less.empty() ? refine : fmt::format("{}, not {}", refine, fmt::join(less, " or "));
 }
 
 bool chance_rules(const ConvergenceStudy& study, const StudyQuantity& quantity) {
@@ -108,7 +135,7 @@ std::string sources_text(const ConvergenceStudy& study) {
     lines.back().push_back(largest_source(study, quantity));
   }
   return fmt::format("on mesh {}:\n{}{}{}", study.meshes[study.sources_mesh].factor.text(), text_table(lines, align),
-                     source_notes(study), chance_notes(study));
+                     source_notes(study), body_notes(study) + chance_notes(study));
 }
 
 }  // namespace pinball

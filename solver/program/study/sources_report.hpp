@@ -15,6 +15,10 @@ std::optional<double> error_of_mesh(const ConvergenceStudy& study, const StudyQu
 /// "mesh" or the name of a source, of the largest; empty: nothing moves the quantity by more than 1e-6 of its scale.
 std::string largest_source(const ConvergenceStudy& study, const StudyQuantity& quantity);
 
+/// "refine plate, not rod": where refining one of several bodies moves the quantity more than twice as much as refining
+/// any other; "refine plate and rod" where not; empty: fewer than two were refined apart.
+std::string body_to_refine(const ConvergenceStudy& study, const StudyQuantity& quantity);
+
 /// Whether the deviation of the ensemble is larger than the error of the mesh.
 bool chance_rules(const ConvergenceStudy& study, const StudyQuantity& quantity);
 

@@ -92,7 +92,9 @@ void StudyMaker::run_sources() {
   study_.sources_mesh =
       own && came_to_its_end(study_.meshes[*own]) ? *own : static_cast<std::size_t>(first - study_.meshes.begin());
   const Scene refined = refined_by(scene_, study_.meshes[study_.sources_mesh].factor);
-  for (const SourceVariation& variation : vary_sources(refined, settings_.sources, settings_.ensemble)) {
+  std::vector<SourceVariation> variations = vary_sources(refined, settings_.sources, settings_.ensemble);
+  for (SourceVariation& body : vary_bodies(refined, settings_.bodies)) variations.push_back(std::move(body));
+  for (const SourceVariation& variation : variations) {
     run_source(variation);
     if (study_.stopped()) return;
   }

@@ -169,7 +169,8 @@ void search_source(StudyMaker& maker, std::size_t source, double error) {
 
 void search_sources(StudyMaker& maker, double error) {
   for (std::size_t s = 0; s < maker.study().sources.size() && !maker.study().stopped(); ++s) {
-    if (maker.study().sources[s].source != ErrorSource::chance) search_source(maker, s, error);
+    const ErrorSource source = maker.study().sources[s].source;
+    if (source != ErrorSource::chance && source != ErrorSource::body) search_source(maker, s, error);
   }
 }
 
