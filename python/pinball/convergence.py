@@ -1,0 +1,137 @@
+"""How wrong a scene's numbers are: `pinball converge` from Python, with what it finds as arrays."""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass, field
+from typing import Any, Mapping, Sequence
+
+import numpy as np
+
+from ._core import InputError, RunError
+
+NO_NUMBER = float("nan")
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """What a study of m meshes, q quantities and r runs says. What is not known is nan."""
+
+    scene: str
+    sentence: str
+    factors: np.ndarray  # (m,) of the numbers of elements in each direction, from coarse to fine
+    elements: np.ndarray  # (m,)
+    seconds: np.ndarray  # (m,) [s]
+    names: list[str]  # of the quantities
+    units: list[str]  # of the quantities
+    values: np.ndarray  # (q, m)
+    scales: np.ndarray  # (q,) what a quantity is measured by where it is small
+    orders: np.ndarray  # (q,) observed
+    extrapolated: np.ndarray  # (q,) to elements of no size
+    bands: np.ndarray  # (q, 2) in which the answer of such elements is expected
+    verdicts: list[str]  # "converges", "oscillates", ...; empty: too few meshes
+    moved_by: dict[str, np.ndarray]  # (q,) by "mesh", "time step", "float", "chance", ...
+    runs: list[str]  # "mesh 2", "mesh 1, float"
+    run_seconds: np.ndarray  # (r,) [s]
+    run_bytes: np.ndarray  # (r,)
+    errors: np.ndarray  # (q, r) against the extrapolated value, over it
+    failures: list[str]  # of runs that did not come to their ends
+    table: Mapping[str, Any] = field(repr=False)  # all that --json writes
+
+    def value(self, name: str) -> np.ndarray:
+        """(m,) of one quantity. Raises KeyError."""
+        if name not in self.names:
+            raise KeyError(name)
+        return self.values[self.names.index(name)]
+
+
+def numbers(values: Sequence[float | None]) -> np.ndarray:
+    return np.array([NO_NUMBER if value is None else value for value in values], dtype=float)
+
+
+def factor(text: str) -> float:
+    numerator, _, denominator = text.partition("/")
+    return int(numerator) / int(denominator or 1)
+
+
+def from_table(table: Mapping[str, Any]) -> Convergence:
+    """What the program writes with --json, as arrays."""
+    meshes, quantities, points = table["meshes"], table["quantities"], table["points"]
+    sources = ["mesh", *(source["name"] for source in table["sources"])] if table["sources"] else []
+    runs = [*meshes, *(run for source in table["sources"] for run in source["runs"])]
+    return Convergence(
+        scene=table["scene"], sentence=table["sentence"],
+        factors=np.array([factor(mesh["factor"]) for mesh in meshes]),
+        elements=numbers([mesh["elements"] for mesh in meshes]),
+        seconds=numbers([mesh["wall_seconds"] for mesh in meshes]),
+        names=[q["name"] for q in quantities], units=[q["unit"] for q in quantities],
+        values=np.array([numbers(q["values"]) for q in quantities]).reshape(len(quantities), len(meshes)),
+        scales=numbers([q["scale"] for q in quantities]),
+        orders=numbers([q.get("observed_order") for q in quantities]),
+        extrapolated=numbers([q.get("extrapolated") for q in quantities]),
+        bands=np.array([numbers(q.get("band") or [None, None]) for q in quantities]).reshape(len(quantities), 2),
+        verdicts=[q["verdict"] or "" for q in quantities],
+        moved_by={name: numbers([q["moved_by"][name] for q in quantities]) for name in sources},
+        runs=[point["settings"] for point in points],
+        run_seconds=numbers([point["seconds"] for point in points]),
+        run_bytes=numbers([point["bytes"] for point in points]),
+        errors=np.array([numbers([point["errors"][i] for point in points])
+                         for i in range(len(quantities))]).reshape(len(quantities), len(points)),
+        failures=[run["failure"] for run in runs if run["failure"]], table=table)
+
+
+def find_program(program: str | os.PathLike[str] | None) -> str:
+    """What is given, else PINBALL_PROGRAM, that of the build tree, or the one on the path. Raises InputError."""
+    beside = pathlib.Path(__file__).resolve().parents[2] / "pinball"
+    for choice in (program, os.environ.get("PINBALL_PROGRAM"), beside if beside.is_file() else None, shutil.which("pinball")):
+        if choice:
+            return os.fspath(choice)
+    raise InputError("converge: the program pinball is not on the path; program=... or PINBALL_PROGRAM names it")
+
+
+def arguments(scene: str, json_file: str, **options: Any) -> list[str]:
+    """Of the program: each keyword is its option, a sequence one for each of its members."""
+    words = ["converge", scene, "--quiet", "--json", json_file]
+    for name, value in options.items():
+        if value is None:
+            continue
+        for one in [value] if isinstance(value, (str, int, float, os.PathLike)) else value:
+            words += ["--" + name, os.fspath(one) if isinstance(one, os.PathLike) else str(one)]
+    return words
+
+
+def converge(scene: str | os.PathLike[str], of: Sequence[str] = (), *, meshes: str | None = None,
+             error: str | float | None = None, budget: str | float | None = None, only: Sequence[str] = (),
+             ensemble: int | None = None, refine: int | Sequence[str] | None = None, set: Sequence[str] = (),
+             precision: str | None = None, threads: int | None = None, out: str | os.PathLike[str] | None = None,
+             page: str | os.PathLike[str] | None = None, csv: str | os.PathLike[str] | None = None,
+             program: str | os.PathLike[str] | None = None) -> Convergence:
+    """Runs a scene on several meshes and says of each quantity how far it is from what finer ones would say.
+
+    scene: a file, or the name of a scene that comes along. The other arguments are the options of `pinball converge`, which
+    does the work: the program has to be installed, or named. Runs that are in `out` already are not made again; Ctrl-C
+    leaves those that are done. Raises InputError for bad input, RunError where nothing could be written.
+    """
+    command = find_program(program)
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "table.json")
+        words = arguments(os.fspath(scene), file, of=of, meshes=meshes, error=error, budget=budget, only=only, ensemble=ensemble,
+                          refine=refine, set=set, precision=precision, threads=threads, out=out, page=page, csv=csv)
+        process = subprocess.Popen([command, *words], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        try:
+            said = process.communicate()[1]
+        except KeyboardInterrupt:  # the program got it, too, and ends after its step
+            process.wait()
+            raise
+        problem = said.strip().removeprefix("pinball: error: ")
+        if process.returncode == 2:
+            raise InputError(problem)
+        if not os.path.exists(file):
+            raise RunError(problem or f"{command} ended with status {process.returncode}")
+        with open(file, encoding="utf-8") as table:
+            return from_table(json.load(table))
