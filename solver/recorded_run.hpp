@@ -35,6 +35,8 @@ struct RecordOptions {
   int threads = 0;      ///< as in SimulationOptions
   DeckNotes deck{};     ///< of a scene that is made of one; a restart has its own
   bool silent = false;  ///< nor warnings: for a host that tells them itself
+  /// JSON of error bands of the scene's numbers, for summary and page; empty: none are known.
+  std::string converged{};
 };
 
 /// Runs a scene to its end and writes history, fields and summary into the folder, and checkpoint.pinball if asked for.

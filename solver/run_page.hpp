@@ -12,6 +12,7 @@ namespace pinball {
 struct RunPageSettings {
   std::string error{};                  ///< what ended the run; empty: nothing did
   const SceneSource* source = nullptr;  ///< for the text of the scene and the command that repeats the run; may be none
+  std::string converged{};              ///< as of RecordOptions
 };
 
 /// Writes FOLDER/index.html, one file that shows the run in a browser: figures, warnings, curves of FOLDER/history.csv

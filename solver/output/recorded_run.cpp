@@ -90,7 +90,7 @@ class RecordedRun {
 
   void write_page(const RunSummary& summary) const {
     if (options_.out.empty()) return;
-    write_run_page(options_.out, simulation_.scene(), summary, {summary.error, options_.source});
+    write_run_page(options_.out, simulation_.scene(), summary, {summary.error, options_.source, options_.converged});
   }
 
   /// Returns what there is to say after the error; what cannot be written now is told after it, not in place of it.

@@ -44,7 +44,8 @@ RunSummary known_of(const Scene& scene) {
 
 }  // namespace
 
-RunFolder::RunFolder(const Scene& scene, const RecordOptions& options) : folder_(options.out), head_(known_of(scene)) {
+RunFolder::RunFolder(const Scene& scene, const RecordOptions& options)
+    : folder_(options.out), converged_(options.converged), head_(known_of(scene)) {
   if (folder_.empty()) return;
   if (options.restart != nullptr && same_file(fs::absolute(options.restart->path).parent_path(), folder_)) {
     restarted_ = options.restart->path;
@@ -124,7 +125,7 @@ void RunFolder::begin(const RunSummary& summary) {
 }
 
 void RunFolder::end(const RunSummary& summary) {
-  if (!folder_.empty()) write_summary(folder_, summary);
+  if (!folder_.empty()) write_summary(folder_, summary, converged_);
   ended_ = true;
 }
 

@@ -48,6 +48,7 @@ class RunFolder {
   void write_head(const RunSummary& summary) const;
 
   std::string folder_;     ///< empty: nothing is written
+  std::string converged_;  ///< as in RecordOptions
   std::string restarted_;  ///< file from which the run goes on in this folder; empty: it is a new run
   bool made_ = false;      ///< the folder was not there
   bool begun_ = false, ended_ = false;

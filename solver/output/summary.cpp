@@ -241,10 +241,16 @@ std::string summary_json(const RunSummary& s) {
   return indented(json);
 }
 
-void write_summary(const std::string& folder, const RunSummary& summary) {
+void write_summary(const std::string& folder, const RunSummary& summary, const std::string& converged) {
   make_folder(folder);
   OutputFile file(in_folder(folder, summary_name));
-  file.write(summary_json(summary));
+  if (converged.empty()) {
+    file.write(summary_json(summary));
+  } else {
+    Json json = Json::parse(summary_json(summary));
+    json["converged"] = Json::parse(converged);
+    file.write(indented(json));
+  }
   file.commit();
 }
 

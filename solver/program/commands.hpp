@@ -51,6 +51,7 @@ struct ConvergeOptions : SceneOptions {
   std::string budget;  ///< "10min": for all runs; empty: any time, with an error 10 minutes
   std::string out;     ///< folder for the runs; empty: out/converge_SCENE
   std::string json;    ///< file for the table of results; empty: none
+  bool keep = false;   ///< writes the bands beside the scene, for its runs
   std::string csv;     ///< file for the figures of all runs; empty: none
   std::string page;    ///< file for the page of results; empty: none
 };

@@ -173,6 +173,8 @@ void add_converge_options(CLI::App& command, pinball::ConvergeOptions& options) 
   command.add_option("--out", options.out, "folder for the runs (default: out/converge_<scene>); what is there stays")
       ->check(check_not_empty);
   command.add_option("--json", options.json, "write the table to this file")->check(check_not_empty);
+  command.add_flag("--keep", options.keep,
+                   "writes the bands to SCENE.converged.json beside the scene: pinball run shows them from then on");
   command.add_option("--csv", options.csv, "write the figures, a line for each quantity and run, to this file")
       ->check(check_not_empty);
   command

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "scene_input.hpp"
 #include "stop_signals.hpp"
+#include "study/bands/kept_bands.hpp"
 
 namespace pinball {
 
@@ -54,6 +55,7 @@ void print_warnings(const RunSummary& summary, bool quiet) {
 /// Tells what has become of a run. Returns the exit status.
 int print_end(const RunSummary& summary, const RecordOptions& options) {
   print_result(summary, options.out);
+  if (!options.converged.empty()) fmt::print("{}", kept_bands_text(options.converged));
   print_warnings(summary, options.quiet);
   if (summary.status != RunStatus::stopped) return 0;
   print_message(fmt::format("stopped in step {}; this goes on: pinball run --restart {}", summary.steps,
@@ -99,6 +101,9 @@ int run_command(const RunOptions& options) {
   RecordOptions record = record_options(options, options.out.empty() ? "out/" + scene.name : options.out);
   record.source = &input.source;
   record.deck = input.notes;
+  std::string note;
+  record.converged = kept_bands_of(path_of_scene(options.scene), scene, note);
+  if (!note.empty() && !options.quiet) print_message(note);
   return print_end(run_recorded(scene, record), record);
 }
 

@@ -483,6 +483,20 @@ class OtherPages(Pages):
         else:
             self.assertIn("No pictures: ", self.one("#pictures .note").text)
 
+    def test_a_run_shows_the_bands_that_were_kept(self):
+        scene = pathlib.Path(folder) / "kept.toml"
+        scene.write_text((pathlib.Path(__file__).resolve().parents[2] / "data/scenes/two_blocks.toml").read_text())
+        run("converge", "kept.toml", "--meshes", "1/2,1,2", "--only", "mesh", "--quiet", "--of", "upper_velocity_z", "--out", "kept_study", "--keep")
+        (band,) = json.loads((pathlib.Path(folder) / "kept.converged.json").read_text())["quantities"]
+        run("run", "kept.toml", "--quiet", "--out", "kept")
+        self.open("kept/index.html")
+        self.assertIn("Error bands", self.texts("nav a"))
+        cells = [cell.text for cell in self.all("#band_table tbody tr th, #band_table tbody tr td")]
+        self.assertEqual(cells[0], "upper_velocity_z [m/s]")
+        self.assertAlmostEqual(number(cells[1]), band["value"], delta=1e-4)
+        self.assertAlmostEqual(number(cells[2].split(" to ")[0]), band["low"], delta=1e-4)
+        self.assertEqual(cells[4], band["verdict"])
+
     def assert_points_are_inside(self):
         """Points of a plot lie in it, and no two of a curve at one place."""
         for drawing in self.all(".plot svg"):

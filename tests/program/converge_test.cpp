@@ -216,6 +216,42 @@ TEST_F(Converge, CurvesAndLengthsAreQuantities) {
               1e-12);
 }
 
+/// Bands that are kept are those of the same scene: a run of it has them, one with another key has not.
+TEST_F(Converge, KeptBandsAreInTheResultsOfTheSceneAlone) {
+  const std::string kept = (folder_ / "bar.converged.json").string(), folder = (folder_ / "run").string();
+  const auto run_scene = [&](const std::string& options) {
+    const Finished f = run(fmt::format("run {} --threads 1 --out {} {}", scene(), folder, options));
+    EXPECT_EQ(f.status, 0) << f.text;
+    return f.text;
+  };
+  const auto summary = [&folder] { return Json::parse(content(folder + "/summary.json")); };
+  run_scene("--quiet");
+  const Json before = summary();
+  EXPECT_FALSE(before.contains("converged"));
+  EXPECT_THAT(content(folder + "/index.html"), HasSubstr("id=\"converged\">null<"));
+  ASSERT_EQ(converge(std::string(coarse) + "--of bar_velocity_z --of energy.internal --keep").status, 0);
+  const Json velocity = of(json(), "bar_velocity_z");
+  ASSERT_TRUE(of(json(), "energy.internal")["band"].is_null());  // has none to show
+
+  EXPECT_THAT(run_scene(""), HasSubstr("  bar_velocity_z [mm/ms]: 8.09133, with finer meshes 8.03234 .. 8.65211\n"));
+  const Json after = summary();
+  ASSERT_EQ(after["converged"].size(), 1);
+  EXPECT_EQ(after["converged"][0]["name"], "bar_velocity_z");
+  EXPECT_EQ(after["converged"][0]["value"], velocity["values"][1]);
+  EXPECT_EQ(after["converged"][0]["value"], read_run_results(folder).value("bar_velocity_z"));
+  EXPECT_EQ(after["converged"][0]["low"], velocity["band"][0]);
+  EXPECT_EQ(after["converged"][0]["high"], velocity["band"][1]);
+  EXPECT_EQ(after["state_hash"], before["state_hash"]);
+  EXPECT_THAT(content(folder + "/index.html"), HasSubstr("id=\"converged\">[{"));
+  for (const auto& [key, value] : before.items()) EXPECT_TRUE(after.contains(key)) << key;
+
+  EXPECT_THAT(run_scene("--set time.cfl=0.5"), HasSubstr(kept + " is of other settings"));
+  EXPECT_FALSE(summary().contains("converged"));
+  EXPECT_THAT(run_scene("--set output.field_interval=1e-3"), HasSubstr("with finer meshes"));  // fields change nothing
+  std::ofstream(kept) << "[";
+  EXPECT_THAT(run_scene(""), HasSubstr(kept + " is no file of bands"));
+}
+
 /// What a search says is what its runs say: nothing that it made reaches the error in less time.
 TEST_F(Converge, AnErrorIsReachedByTheFastestOfTheRuns) {
   const std::string quantity = "bar_velocity_z";

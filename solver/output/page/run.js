@@ -56,6 +56,18 @@ function warnings() {
   if (rest.length > 0) fill('warnings', make('details', {}, make('summary', {text: `${rest.length} more warnings`}), list(rest)));
 }
 
+/// What `pinball converge --keep` has found of this scene.
+function converged() {
+  const bands = block('converged');
+  if (!bands || bands.length === 0) return;
+  place('bands').hidden = false;
+  fill('bands', make('p', {class: 'note', text: 'This scene was run on finer and coarser meshes: where the answer of elements of no size is expected.'}),
+    table({caption: 'Values of this run with their bands', id: 'band_table', numbers: [1, 2, 3],
+      head: ['quantity', 'this run', 'band', 'extrapolated', 'on finer meshes it'],
+      rows: bands.map((q) => [named(q.name, raised(q.unit)), figure(q.value, 6), `${figure(q.low, 6)} to ${figure(q.high, 6)}`,
+        figure(q.extrapolated, 6), q.verdict])}));
+}
+
 function bodies() {
   const velocities = summary.bodies.map(({name}) => ({title: `Velocity of ${name}`, unit: units.velocity, ...overTime,
     series: series(['x', 'y', 'z'].map((k) => `${name}_velocity_${k}`), (c) => c.slice(-1))}));
@@ -203,6 +215,6 @@ function sceneKeys() {
   }
 }
 
-for (const part of [status, keyFigures, warnings, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
+for (const part of [status, keyFigures, warnings, converged, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
 contents();
 drawCharts();

@@ -100,6 +100,7 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
   content.blocks = {{"units", compact(units_json(units))},
                     {"summary", summary_json(summary)},
                     {"checks", compact(checks_json(summary))},
+                    {"converged", settings.converged.empty() ? "null" : settings.converged},
                     {"history", curves_json(curves)},
                     {"scene", compact(scene_json(scene, units, settings, summary))}};
   make_folder(folder);

@@ -11,6 +11,7 @@
 #include <solver/program/scene_input.hpp>
 #include <solver/program/stop_signals.hpp>
 
+#include "bands/kept_bands.hpp"
 #include "convergence_report.hpp"
 
 namespace pinball {
@@ -81,6 +82,8 @@ int converge_command(const ConvergeOptions& given) {
   check_result_path("--json", options.json);
   check_result_path("--csv", options.csv);
   check_result_path("--page", options.page);
+  const std::string kept = options.keep ? kept_bands_path(path_of_scene(options.scene)) : "";
+  check_result_path("--keep", kept);
   const SceneInput input = scene_input(options);
   Scene scene = input.read();
   scene.device = options.device;
@@ -98,6 +101,7 @@ int converge_command(const ConvergeOptions& given) {
     return 128 + stop_signal();
   }
   write_files(study, options);
+  if (options.keep) write_result_file(kept, kept_bands_json(study, scene));
   fmt::print("{}", convergence_text(study));
   std::fflush(stdout);  // before the warnings, in a log that both go to
   print_study_warnings(study);

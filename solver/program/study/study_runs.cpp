@@ -45,23 +45,6 @@ class MeshHashes {
   std::map<std::tuple<MeshFormat, std::string, std::optional<std::int64_t>>, std::uint64_t> known_;
 };
 
-/// What makes a run the same as another one.
-std::string settings_text(const Scene& scene) {
-  std::string text = fmt::format("version = {}\ndevice = {}\n", PINBALL_VERSION, schema::name_of(scene.device));
-  Scene completed = scene;
-  complete_scene(completed);
-  for (const SceneEntry& entry : list_scene(completed)) {
-    text += fmt::format("{}{}{} = {}\n", entry.table, entry.table.empty() ? "" : ".", entry.key, entry.value);
-  }
-  MeshHashes hashes;
-  for (const Body& body : scene.bodies) {
-    const auto* mesh = std::get_if<FileMesh>(&body.mesh);
-    if (mesh == nullptr) continue;
-    text += fmt::format("body.{}.mesh: split {} times, file {:016x}\n", body.name, mesh->splits, hashes.of(*mesh));
-  }
-  return text;
-}
-
 std::string text_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -91,12 +74,30 @@ std::string too_long(const StudyBudget* budget, std::optional<double> expected) 
 
 }  // namespace
 
+std::string study_settings_text(const Scene& scene) {
+  std::string text = fmt::format("version = {}\ndevice = {}\n", PINBALL_VERSION, schema::name_of(scene.device));
+  Scene completed = scene;
+  completed.output.field_interval = 0;
+  completed.output.field_times.clear();
+  complete_scene(completed);
+  for (const SceneEntry& entry : list_scene(completed)) {
+    text += fmt::format("{}{}{} = {}\n", entry.table, entry.table.empty() ? "" : ".", entry.key, entry.value);
+  }
+  MeshHashes hashes;
+  for (const Body& body : scene.bodies) {
+    const auto* mesh = std::get_if<FileMesh>(&body.mesh);
+    if (mesh == nullptr) continue;
+    text += fmt::format("body.{}.mesh: split {} times, file {:016x}\n", body.name, mesh->splits, hashes.of(*mesh));
+  }
+  return text;
+}
+
 StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
                         std::optional<double> expected) {
   Scene run_scene = scene;
   run_scene.output.field_interval = 0;
   run_scene.output.field_times.clear();
-  const std::string settings = settings_text(run_scene);
+  const std::string settings = study_settings_text(run_scene);
   StudyRun run;
   run.folder = in_folder(folder.out, name);
   run.results = results_there(run.folder, settings);

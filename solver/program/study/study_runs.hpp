@@ -28,6 +28,10 @@ struct StudyRun {
   std::optional<RunResults> results{};  ///< of a run that came to its end
 };
 
+/// All that makes a run of the scene the same as another one: keys but those of field output, what its mesh files hold,
+/// version and device.
+std::string study_settings_text(const Scene& scene);
+
 /// Runs the scene in OUT/NAME, without field output but for the end where that is asked for, and leaves
 /// study_settings.txt beside its results: all keys of the scene, what its mesh files hold, the version and the device.
 /// Where that is there already, and the run was done, it reads the results instead. A run that fails, or that a signal

@@ -1,0 +1,80 @@
+#include "kept_bands.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include <solver/base/state_hash.hpp>
+#include <solver/base/version.h>
+#include <solver/program/study/convergence_report.hpp>
+
+namespace pinball {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+std::string hash_of_settings(const Scene& scene) {
+  const std::string text = study_settings_text(scene);
+  StateHash hash;
+  hash.add(text.data(), text.size());
+  return fmt::format("{:016x}", hash.value());
+}
+
+OrderedJson band_json(const StudyQuantity& quantity, double value) {
+  const GridConvergence& c = *quantity.convergence;
+  return {{"name", quantity.name},
+          {"unit", quantity.unit},
+          {"value", value},
+          {"extrapolated", c.extrapolated},
+          {"low", c.low},
+          {"high", c.high},
+          {"verdict", verdict_word(quantity)}};
+}
+
+}  // namespace
+
+std::string kept_bands_path(const std::string& scene_path) {
+  return std::filesystem::path(scene_path).replace_extension(".converged.json").string();
+}
+
+std::string kept_bands_json(const ConvergenceStudy& study, const Scene& scene) {
+  OrderedJson quantities = OrderedJson::array();
+  const auto own = study.own_mesh();
+  for (const StudyQuantity& quantity : study.quantities) {
+    const bool has_band = own && quantity.convergence && quantity.convergence->has_band() && quantity.values[*own];
+    if (has_band) quantities.push_back(band_json(quantity, *quantity.values[*own]));
+  }
+  const OrderedJson json = {{"scene", study.scene},
+                            {"version", PINBALL_VERSION},
+                            {"settings", hash_of_settings(scene)},
+                            {"quantities", quantities}};
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + '\n';
+}
+
+std::string kept_bands_of(const std::string& scene_path, const Scene& scene, std::string& note) {
+  const std::string path = kept_bands_path(scene_path);
+  std::ifstream file(path);
+  if (!file) return "";
+  const OrderedJson json = OrderedJson::parse(file, nullptr, false);
+  const bool sound = json.is_object() && json.contains("quantities") && json["quantities"].is_array();
+  if (sound && json.value("settings", "") == hash_of_settings(scene)) return json["quantities"].dump();
+  note = fmt::format("{} is {}: no bands are shown; pinball converge --keep writes it anew", path,
+                     sound ? "of other settings, or another version" : "no file of bands");
+  return "";
+}
+
+std::string kept_bands_text(const std::string& quantities) {
+  std::string text;
+  for (const OrderedJson& q : OrderedJson::parse(quantities)) {
+    const std::string name = q.value("name", ""), unit = q.value("unit", "");
+    text +=
+        fmt::format("  {}{}: {:.6g}, with finer meshes {:.6g} .. {:.6g}\n", name, unit.empty() ? "" : " [" + unit + "]",
+                    q.value("value", 0.0), q.value("low", 0.0), q.value("high", 0.0));
+  }
+  return text;
+}
+
+}  // namespace pinball
