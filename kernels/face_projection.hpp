@@ -92,12 +92,11 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
 }
 
 /// The same for a pack of faces and nodes, from the middle: the lanes whose feet are found wait for the others, so that
-/// none depends on which these are. margin: how far beyond +-1 a foot counts as inside, so that its weights and the gap
-/// belong to it and not to the edge [-].
+/// none depends on which these are.
 template <class T>
-PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec3<T>& node, double margin) {
+PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec3<T>& node) {
   constexpr int most_iterations = 12;
-  const T far = number<T>(3), tolerance = number<T>(1e-9), edge = number<T>(1 + margin), one = T(1);
+  const T far = number<T>(3), tolerance = number<T>(1e-9), one = T(1);
   const Vec3<T> y[4] = {x[0] - node, x[1] - node, x[2] - node, x[3] - node};
   const auto from_node = [&y](const T(&w)[4]) { return w[0] * y[0] + w[1] * y[1] + w[2] * y[2] + w[3] * y[3]; };
   const Vec3<T> twist = number<T>(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));
@@ -126,7 +125,7 @@ PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec
   }
   result.xi = xi;
   result.eta = eta;
-  const T inner_xi = maximum(T(0) - edge, minimum(edge, xi)), inner_eta = maximum(T(0) - edge, minimum(edge, eta));
+  const T inner_xi = maximum(T(0) - one, minimum(one, xi)), inner_eta = maximum(T(0) - one, minimum(one, eta));
   const Vec3<T> t1 = face_tangent(x, 0, inner_eta), t2 = face_tangent(x, 1, inner_xi);
   const Vec3<T> area = cross(t1, t2);
   result.normal = (one / square_root(dot(area, area))) * area;
@@ -138,6 +137,65 @@ PINBALL_FUNCTION FaceProjection<T> foot_on_face(const Vec3<T> (&x)[4], const Vec
   const T none = number<T>(INFINITY);
   result.outside = select(!going && outside < none && absolute(result.gap) < none, outside, none);
   return result;
+}
+
+/// Moves a foot that lies beyond the sides of its face to the nearest point of these. Faces that share a side then have
+/// one point there for a node that is beyond both.
+template <class T>
+PINBALL_FUNCTION void move_to_nearest_side(const Vec3<T> (&x)[4], const Vec3<T>& node, FaceProjection<T>& foot) {
+  const T one(1), none = number<T>(INFINITY);
+  const auto inner = [&](const T& at) { return maximum(T(0) - one, minimum(one, at)); };
+  const auto from_node = [&](const T& xi, const T& eta) {
+    T w[4];
+    face_weights_at(xi, eta, w);
+    return w[0] * (x[0] - node) + w[1] * (x[1] - node) + w[2] * (x[2] - node) + w[3] * (x[3] - node);
+  };
+  const T side_xi = inner(foot.xi), side_eta = inner(foot.eta);
+  const Vec3<T> along_eta = face_tangent(x, 1, side_xi), along_xi = face_tangent(x, 0, side_eta);
+  const T near_eta = inner(T(0) - dot(from_node(side_xi, T(0)), along_eta) / dot(along_eta, along_eta));
+  const T near_xi = inner(T(0) - dot(from_node(T(0), side_eta), along_xi) / dot(along_xi, along_xi));
+  const Vec3<T> at_xi_side = from_node(side_xi, near_eta), at_eta_side = from_node(near_xi, side_eta);
+  const auto beyond_xi = absolute(foot.xi) > one, beyond_eta = absolute(foot.eta) > one;
+  const auto on_eta_side = beyond_eta && !(beyond_xi && dot(at_xi_side, at_xi_side) <= dot(at_eta_side, at_eta_side));
+  const auto moves = (beyond_xi || beyond_eta) && foot.outside < none;
+  const T xi = select(on_eta_side, near_xi, side_xi), eta = select(on_eta_side, side_eta, near_eta);
+  const Vec3<T> area = cross(face_tangent(x, 0, eta), face_tangent(x, 1, xi));
+  const T size = square_root(dot(area, area)), inverse = one / size;
+  const Vec3<T> normal = inverse * area, to = from_node(xi, eta);
+  const T gap = T(0) - dot(to, normal);
+  const Vec3<T> beside = to + gap * normal;
+  T weight[4];
+  face_weights_at(xi, eta, weight);
+  for (int k = 0; k < 4; ++k) foot.weight[k] = select(moves, weight[k], foot.weight[k]);
+  foot.normal.x = select(moves, normal.x, foot.normal.x);
+  foot.normal.y = select(moves, normal.y, foot.normal.y);
+  foot.normal.z = select(moves, normal.z, foot.normal.z);
+  foot.gap = select(moves, gap, foot.gap);
+  foot.outside = select(moves, square_root(dot(beside, beside)), foot.outside);
+  // if (the face is flat to nothing there) none
+  foot.outside = select(foot.outside < none && absolute(foot.gap) < none, foot.outside, none);
+}
+
+/// Moves a foot in the plane of the face, beyond its sides if need be, to where it is seen from the node along a
+/// direction: a force along that, on the node and on the face, has no moment then. Returns the gap along the direction.
+/// to: from the foot to the node; direction: of unit length, not along the plane; weight: of the foot.
+template <class S>
+PINBALL_FUNCTION S move_to_line(const Vec3<S> (&x)[4], const Vec3<S>& to, const Vec3<S>& direction, S (&weight)[4]) {
+  const S quarter(0.25);
+  const S xi = (weight[1] + weight[2]) - (weight[0] + weight[3]),
+          eta = (weight[2] + weight[3]) - (weight[0] + weight[1]);
+  const Vec3<S> t1 = face_tangent(x, 0, eta), t2 = face_tangent(x, 1, xi), area = cross(t1, t2);
+  const S gap = dot(to, area) / dot(direction, area);
+  const Vec3<S> way = to - gap * direction;
+  const S a11 = dot(t1, t1), a22 = dot(t2, t2), a12 = dot(t1, t2), r1 = dot(way, t1), r2 = dot(way, t2);
+  const S determinant = a11 * a22 - a12 * a12;
+  const S along_xi = quarter * (a22 * r1 - a12 * r2) / determinant,
+          along_eta = quarter * (a11 * r2 - a12 * r1) / determinant;
+  weight[0] -= along_xi * (S(1) - eta) + along_eta * (S(1) - xi);
+  weight[1] += along_xi * (S(1) - eta) - along_eta * (S(1) + xi);
+  weight[2] += along_xi * (S(1) + eta) + along_eta * (S(1) + xi);
+  weight[3] += along_eta * (S(1) - xi) - along_xi * (S(1) + eta);
+  return gap;
 }
 
 }  // namespace pinball

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -164,6 +165,61 @@ TEST(FaceProjection, FloatAgreesWithDouble) {
   EXPECT_NEAR(p.xi, q.xi, 2e-6);
   EXPECT_NEAR(p.eta, q.eta, 2e-6);
   EXPECT_NEAR(p.gap, q.gap, 1e-6);
+}
+
+/// Nearest among many points of the sides.
+double distance_by_samples(const V (&x)[4], const V& node) {
+  double least = INFINITY;
+  for (int k = 0; k < 4; ++k) {
+    for (int i = 0; i <= 4000; ++i) {
+      const double s = i / 4000.0;
+      least = std::min(least, distance(node, (1 - s) * x[k] + s * x[(k + 1) % 4]));
+    }
+  }
+  return least;
+}
+
+TEST(FaceProjection, FootBeyondASideIsMovedToItsNearestPoint) {
+  std::mt19937 generator(19);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int moved = 0;
+  for (int n = 0; n < 500; ++n) {
+    V x[4];
+    random_face(generator, 0.2, x);
+    const V node = V{0.5 + 1.2 * uniform(generator), 0.5 + 1.2 * uniform(generator), 0.3 * uniform(generator)};
+    FaceProjection<double> foot = foot_on_face(x, node);
+    const bool inside = foot.outside == 0;
+    if (!(std::abs(foot.xi) < 2 && std::abs(foot.eta) < 2)) continue;
+    move_to_nearest_side(x, node, foot);
+    V to = node;
+    for (int k = 0; k < 4; ++k) to = to - foot.weight[k] * x[k];
+    EXPECT_NEAR(dot(to, foot.normal), foot.gap, 1e-12);
+    EXPECT_NEAR(std::hypot(foot.gap, foot.outside), std::sqrt(dot(to, to)), 1e-12);
+    if (inside) continue;
+    ++moved;
+    EXPECT_NEAR(std::sqrt(dot(to, to)), distance_by_samples(x, node), 1e-3);
+  }
+  EXPECT_GT(moved, 100);
+}
+
+TEST(FaceProjection, FootIsMovedToWhereTheNodeSeesItAlongADirection) {
+  std::mt19937 generator(23);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int n = 0; n < 500; ++n) {
+    V x[4];
+    random_face(generator, 0.2, x);
+    const V node = point_of(x, uniform(generator), uniform(generator)) + V{0, 0, 0.2 * uniform(generator)};
+    FaceProjection<double> foot = foot_on_face(x, node);
+    V direction = foot.normal + 0.5 * V{uniform(generator), uniform(generator), uniform(generator)};
+    direction = (1 / std::sqrt(dot(direction, direction))) * direction;
+    V to = node;
+    for (int k = 0; k < 4; ++k) to = to - foot.weight[k] * x[k];
+    const double gap = move_to_line(x, to, direction, foot.weight);
+    to = node;
+    for (int k = 0; k < 4; ++k) to = to - foot.weight[k] * x[k];
+    EXPECT_NEAR(distance(to, gap * direction), 0, 1e-14);
+    EXPECT_NEAR(foot.weight[0] + foot.weight[1] + foot.weight[2] + foot.weight[3], 1, 1e-14);
+  }
 }
 
 }  // namespace

@@ -66,13 +66,16 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
       return Vec3<T>{load<T>(coordinate[k][0]), load<T>(coordinate[k][1]), load<T>(coordinate[k][2])};
     };
     const Vec3<T> corner[4] = {point(0), point(1), point(2), point(3)};
-    const FaceProjection<T> at = foot_on_face(corner, point(4), edge_margin);
+    FaceProjection<T> at = foot_on_face(corner, point(4));
+    move_to_nearest_side(corner, point(4), at);
     for (int i = 0; i < count; ++i) {
       const std::int32_t place = near[first + static_cast<std::size_t>(i)];
+      const double beyond = std::max(std::abs(lane(at.xi, i)), std::abs(lane(at.eta, i))) - 1;
       const NodeFoot foot{pairs.first[place],
                           pairs.second[place],
                           lane(at.gap, i),
                           lane(at.outside, i),
+                          lane(at.outside, i) * std::max(0.0, 1 - edge_margin / beyond),
                           {lane(at.normal.x, i), lane(at.normal.y, i), lane(at.normal.z, i)},
                           {lane(at.weight[0], i), lane(at.weight[1], i), lane(at.weight[2], i), lane(at.weight[3], i)}};
       if (foot.outside < INFINITY) feet.push_back(foot);

@@ -11,13 +11,15 @@
 
 namespace pinball {
 
-/// How far beyond an edge a foot may lie and still belong to the face [-].
+/// How far beyond an edge a foot may lie and still belong to the face: a part of the face, over its half length, and of
+/// the radius of the segment [-].
 inline constexpr double edge_margin = 1e-3;
 
-/// Where a node would touch a segment (kernels/face_projection.hpp).
+/// The nearest point of a segment to a node (kernels/face_projection.hpp).
 struct NodeFoot {
   std::int32_t slave, segment;  ///< numbers in the surface
-  double gap, outside;          ///< outside: beyond the edges of the segment [length]
+  double gap, outside;          ///< along the normal; along the plane, of what is beyond the edges [length]
+  double past_margin;           ///< the same, of what is beyond the part of the face that counts as the face [length]
   Vec3<double> normal;
   double weight[4];
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include <kernels/face_projection.hpp>
+
 namespace pinball {
 
 namespace {
@@ -15,11 +17,24 @@ constexpr double valley = 0.05;
 /// Cosine between the normals of faces that are not one surface to a node on both.
 constexpr double other_side = 0.7;
 
-/// Difference of distances that is nothing but round-off, over the radius of the segment.
+/// Difference of distances that is nothing but round-off, over the radius of the segments around a node.
 constexpr double round_off = 1e-6;
+
+/// Distance from the rim of a face, over the size of the segment, up to which a node is pushed along the normals of the
+/// faces there and not along the line from the rim, which is none for what touches [-].
+constexpr double near_rim = 0.005;
+
+/// Least cosine between the normal of a face and the direction in which a node is pushed from it [-].
+constexpr double least_rise = 0.05;
+
+/// Way between the lines that the two forces of a row act along, over the radius of the segment, that is nothing but
+/// round-off [-].
+constexpr double no_moment = 1e-13;
 
 /// Weight of a node of a face from which on a node is as good as on it [-].
 constexpr double on_a_node = 0.9;
+/// And from which on both are right on each other [-].
+constexpr double right_on_a_node = 0.999;
 
 /// Whether a face around a node may come to look at another. facing: mean unit normal of that.
 template <class S>
@@ -72,6 +87,11 @@ class NodeMeeting {
   }
   double radius_of(const NodeFoot& foot) const { return static_cast<double>(segment_of(foot).radius); }
   double size_of(const NodeFoot& foot) const { return static_cast<double>(segment_of(foot).size); }
+  /// Difference of distances that is nothing but round-off [length].
+  double as_near() const { return round_off * static_cast<double>(slave_.radius); }
+
+  /// Whether a foot is on the face or hardly beyond its edges.
+  bool is_on_face(const NodeFoot& foot) const { return foot.past_margin <= edge_margin * radius_of(foot); }
 
   /// The least body above this one that the node has a foot on; negative: none.
   std::int32_t next_body(std::int32_t body) const {
@@ -111,52 +131,104 @@ class NodeMeeting {
   /// A foot beyond an edge belongs to the face on its side of the corner; inside, that is at the bottom of a valley,
   /// and not beside another face.
   bool belongs(const NodeFoot& foot) const {
-    const double margin = edge_margin * radius_of(foot);
-    if (foot.outside <= margin) return true;
-    if (foot.gap > 0) return foot.outside <= std::min(foot.gap, open_gap * size_of(foot));
+    if (is_on_face(foot)) return true;
+    if (foot.gap > 0) {
+      return foot.outside <= open_gap * size_of(foot) && (foot.past_margin <= foot.gap || is_before_sharp_edge(foot));
+    }
     if (foot.outside > std::min(0 - foot.gap, valley * radius_of(foot))) return false;
     return std::none_of(feet_.begin(), feet_.end(), [&](const NodeFoot& other) {
-      return other.gap > 0 && other.gap < foot.outside - foot.gap && other.outside <= margin &&
+      return other.gap > 0 && other.gap < foot.outside - foot.gap && is_on_face(other) &&
              segment_of(other).body == segment_of(foot).body && counts(other);
     });
   }
 
-  /// The nearest face of a body that looks at the node; null if there is none.
+  /// The nearest face of a body that looks at the node, and of those that are as near, for they meet in the nearest
+  /// point, the one that it is most in front of; null if there is none. Whatever the order of the faces.
   const NodeFoot* nearest(std::int32_t body) const {
+    double least = INFINITY;
+    for (const NodeFoot& foot : feet_) {
+      if (segment_of(foot).body == body && foot.distance() < least && looks(foot)) least = foot.distance();
+    }
     const NodeFoot* best = nullptr;
     for (const NodeFoot& foot : feet_) {
-      if (segment_of(foot).body != body || !looks(foot)) continue;
-      // Two faces that meet in the nearest point are as near: then the one that the node is more in front of.
-      const double same = round_off * radius_of(foot);
-      const double nearer = best == nullptr ? INFINITY : best->distance() - foot.distance();
-      if (nearer > same || (nearer > -same && foot.gap > best->gap + same)) best = &foot;
+      if (segment_of(foot).body != body || !(foot.distance() < least + as_near()) || !looks(foot)) continue;
+      if (best == nullptr || foot.gap > best->gap) best = &foot;
     }
     return best;
   }
 
-  /// Right on an edge or a node the faces that meet there are as near: their mean, so that none is preferred.
+  /// Whether two faces meet in the point that is nearest to the node, or are as near.
+  bool ties(const NodeFoot& foot, const NodeFoot& other) const {
+    return &foot != &other && segment_of(other).body == segment_of(foot).body &&
+           std::abs(other.distance() - foot.distance()) < as_near();
+  }
+
+  /// Whether the middle of a face is behind the plane of another.
+  bool bulges(const NodeFoot& foot, const NodeFoot& other) const {
+    const auto middle = double_vector_of(record(surface_.sphere().data(), other.segment));
+    const auto own_middle = double_vector_of(record(surface_.sphere().data(), foot.segment));
+    return dot(middle - own_middle, foot.normal) < 0;
+  }
+
+  /// The node is in front of an edge that is sharper than a right angle, and further beside both of its faces than
+  /// above.
+  bool is_before_sharp_edge(const NodeFoot& foot) const {
+    return std::any_of(feet_.begin(), feet_.end(), [&](const NodeFoot& other) {
+      return ties(foot, other) && other.gap > 0 && dot(other.normal, foot.normal) < 0 && bulges(foot, other) &&
+             looks(other);
+    });
+  }
+
+  /// Where faces meet that are as near: their mean, so that none is preferred. In a valley each has its own.
   Vec3<double> mean_normal(const NodeFoot& foot) const {
-    const double same = round_off * radius_of(foot), distance = foot.distance();
     Vec3<double> sum = foot.normal;
     for (const NodeFoot& other : feet_) {
-      if (&other == &foot || other.outside >= same || std::abs(other.distance() - distance) >= same) continue;
-      if (segment_of(other).body != segment_of(foot).body || dot(other.normal, foot.normal) <= other_side) continue;
-      if (!counts(other)) continue;
-      sum = sum + other.normal;
+      if (!ties(foot, other)) continue;
+      const bool counted =
+          dot(other.normal, foot.normal) > other_side ? counts(other) : bulges(foot, other) && looks(other);
+      if (counted) sum = sum + other.normal;
     }
-    return (1 / std::sqrt(dot(sum, sum))) * sum;
+    return unless_steep(foot, sum);
+  }
+
+  /// A vector made a unit vector; the normal where it hardly rises from the face.
+  static Vec3<double> unless_steep(const NodeFoot& foot, const Vec3<double>& sum) {
+    const double length = std::sqrt(dot(sum, sum));
+    return dot(sum, foot.normal) > least_rise * length ? (1 / length) * sum : foot.normal;
+  }
+
+  /// Along the normal inside of a face; from its rim along the line to the node, and along normals where that is short.
+  Vec3<double> direction_of(const NodeFoot& foot, const Vec3<double>& to) const {
+    const Vec3<double> normal = mean_normal(foot);
+    if (is_on_face(foot)) return normal;
+    const double distance = std::sqrt(dot(to, to)), by_normal = near_rim * size_of(foot);
+    if (distance <= by_normal) return normal;
+    const double sign = foot.gap < 0 ? -1 : 1;
+    const Vec3<double> sum = (sign * (1 - by_normal / distance)) * to + by_normal * normal;
+    return unless_steep(foot, sum);
+  }
+
+  /// The nearest of the faces that make a valley, or a sharp edge that the node is right on, with another, if the node
+  /// is outside of both; null if there is none.
+  const NodeFoot* beside_edge(const NodeFoot& best) const {
+    const NodeFoot* nearest = nullptr;
+    for (const NodeFoot& foot : feet_) {
+      const double margin = edge_margin * radius_of(foot);
+      if (&foot == &best || segment_of(foot).body != segment_of(best).body) continue;
+      if (dot(foot.normal, best.normal) > other_side) continue;
+      if (foot.gap < -margin || best.gap < -margin || !is_on_face(foot) || !looks(foot)) continue;
+      const double nearer = nearest == nullptr ? INFINITY : nearest->distance() - foot.distance();
+      if (nearer > as_near() || (nearer > -as_near() && foot.gap > nearest->gap)) nearest = &foot;
+    }
+    return nearest;
   }
 
   void add_rows_with(std::int32_t body, std::vector<FeatureRow>& rows) const {
     const NodeFoot* const best = nearest(body);
     if (best == nullptr || !belongs(*best)) return;
     add_row(*best, -1 - 2 * static_cast<std::int64_t>(body), rows);
-    for (const NodeFoot& foot : feet_) {  // a valley
-      const double margin = edge_margin * radius_of(foot);
-      if (&foot == best || segment_of(foot).body != body || dot(foot.normal, best->normal) > other_side) continue;
-      if (foot.gap < -margin || best->gap < -margin || foot.outside > margin || !looks(foot)) continue;
-      add_row(foot, -2 - 2 * static_cast<std::int64_t>(body), rows);
-      return;
+    if (const NodeFoot* const other = beside_edge(*best); other != nullptr) {
+      add_row(*other, -2 - 2 * static_cast<std::int64_t>(body), rows);
     }
   }
 
@@ -167,15 +239,25 @@ class NodeMeeting {
     row.first = slave_.node;
     row.slave = foot.slave;
     row.second = name;
-    row.direction = mean_normal(foot);
-    row.depth = 0 - foot.gap;
     row.size = static_cast<double>(slave_.radius + segment.radius);
     row.reach = size_of(foot);
     if (step_.pairs != nullptr) {
       row.pair = step_.pairs->node_and_face(slave_.node, segment.slot, segment.face, segment.node);
     }
+    Vec3<double> x[4], to = double_vector_of(source_.x(slave_.node));
+    for (int k = 0; k < 4; ++k) {
+      x[k] = double_vector_of(source_.x(segment.node[k]));
+      to = to - foot.weight[k] * x[k];
+    }
+    row.direction = direction_of(foot, to);
+    row.depth = 0 - dot(to, row.direction);
+    double weight[4];
+    std::copy_n(foot.weight, 4, weight);
+    const Vec3<double> beside = to + row.depth * row.direction;
+    const double nothing = no_moment * radius_of(foot);
+    if (dot(beside, beside) > nothing * nothing) row.depth = 0 - move_to_line(x, to, row.direction, weight);
     row.add_node(slave_.node, -1);
-    row.add_side(segment.node, foot.weight, 1);
+    row.add_side(segment.node, weight, 1);
   }
 
   const SurfaceSource<S>& source_;
@@ -209,12 +291,14 @@ template <class S>
 void NodeRows<S>::drop_mirrored(const SurfaceSource<S>& source, const SegmentSurface<S>& surface) {
   on_node_.resize(static_cast<std::size_t>(source.node_count), nullptr);
   // A node of the face that the row's node is as good as on; negative: none.
-  const auto met_by = [](const FeatureRow& row) {
+  const auto met_from = [](const FeatureRow& row, double least) {
     for (int k = 1; k < row.nodes; ++k) {
-      if (row.weight[k] > on_a_node) return row.node[k];
+      if (row.weight[k] > least) return row.node[k];
     }
     return -1;
   };
+  const auto met_by = [&](const FeatureRow& row) { return met_from(row, on_a_node); };
+  const auto is_right_on = [&](const FeatureRow& row) { return met_from(row, right_on_a_node) >= 0; };
   const auto is_corner = [&](const FeatureRow& row) {
     return may_face(surface, row.slave, row.direction) && is_lowest(source, surface, row.slave, row.direction);
   };
@@ -226,13 +310,14 @@ void NodeRows<S>::drop_mirrored(const SurfaceSource<S>& source, const SegmentSur
     const FeatureRow* const other = met >= 0 ? on_node_[met] : nullptr;
     if (other == nullptr || met_by(*other) != row.node[0]) return;
     if (dot(row.direction, other->direction) < -0.99) {
-      if (row.nodes > 2 || other->nodes > 2 || row.node[0] < met) return;
-      // Right on each other: the mean of both, so that none is preferred.
+      if (!is_right_on(row) || !is_right_on(*other) || row.node[0] < met) return;
+      row.dropped = true;
+      if (row.nodes > 2 || other->nodes > 2) return;
+      // The mean of both, so that none is preferred.
       FeatureRow& kept = *on_node_[met];
       const Vec3<double> mean = kept.direction - row.direction;
       kept.direction = (1 / std::sqrt(dot(mean, mean))) * mean;
       kept.depth = 0.5 * (kept.depth + row.depth);
-      row.dropped = true;
     } else {  // where one of them is a corner, the other's face is the one that they meet at
       const bool corner = is_corner(row), corner_met = is_corner(*other);
       row.dropped = corner != corner_met ? corner_met : row.nodes == 2 && row.node[0] > met;

@@ -14,19 +14,6 @@ INSTANTIATE_TEST_SUITE_P(All, ConservationTrial, testing::ValuesIn(variants), va
 
 constexpr double h = 0.1;
 
-/// Angular momentum of a body about the origin. That of positions at the end of a step and velocities in its middle is
-/// exact: a node's own velocity has no moment about its way.
-Point angular_momentum_of_body(const Solver<double>& solver, std::int32_t body) {
-  Point sum{};
-  const Model<double>& model = solver.model();
-  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
-    if (model.mesh.body_of_node[n] != body) continue;
-    const Point moment = cross(position_of(solver, n), velocity_of(solver, n));
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += model.node_mass[model.node_of_scene_node[n]] * moment[k];
-  }
-  return sum;
-}
-
 /// Change of the total angular momentum over what the bodies have exchanged, the sum of its changes from step to step.
 double angular_momentum_error(const Matrix& rotation, double friction, const Variant& variant) {
   const Body target = block("target", {5, 4, 3}, h, {-0.25, -0.2, -0.3}, {1, 2, 0});

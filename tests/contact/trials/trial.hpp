@@ -142,6 +142,19 @@ inline BodyMotion motion_of_body(const Solver<double>& solver, std::int32_t body
   return motion;
 }
 
+/// Angular momentum of a body about the origin. That of positions at the end of a step and velocities in its middle is
+/// exact: a node's own velocity has no moment about its way.
+inline Point angular_momentum_of_body(const Solver<double>& solver, std::int32_t body) {
+  Point sum{};
+  const Model<double>& model = solver.model();
+  for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
+    if (model.mesh.body_of_node[n] != body) continue;
+    const Point moment = cross(position_of(solver, n), velocity_of(solver, n));
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += model.node_mass[model.node_of_scene_node[n]] * moment[k];
+  }
+  return sum;
+}
+
 /// Tells when a body that flies freely feels its first force: its momentum changes then.
 class FirstForce {
  public:
