@@ -101,7 +101,7 @@ std::size_t rows_of(const Crossing& crossing) { return CrossedCubes(crossing).ro
 /// The one row has the ends of both with the shares that the crossing has of them, and the direction of both.
 TEST(EdgeRows, AreThoseOfTheEndsOfEdgesThatCross) {
   for (const double angle : {0.03, 0.4, 1.5708, 2.3, -1.1}) {
-    for (const auto& [s, t] : {std::pair{0.5, 0.5}, {0.1, 0.7}, {0.93, 0.02}}) {
+    for (const auto& [s, t] : {std::pair{0.5, 0.5}, {0.1, 0.7}, {0.93, 0.12}}) {
       for (const double gap : {0.01, -0.05}) {
         const CrossedCubes cubes({s, t, angle, gap});
         const std::vector<FeatureRow> rows = cubes.rows();
@@ -142,9 +142,15 @@ TEST(EdgeRows, AreNoneBeyondAnEnd) {
   }
 }
 
-TEST(EdgeRows, AreNoneOfEdgesThatAreAlmostParallel) {
-  EXPECT_EQ(rows_of({0.5, 0.5, 0.0195}), 0U);
-  EXPECT_EQ(rows_of({0.5, 0.5, 0.0205}), 1U);
+/// These are knives: they meet however small the angle is.
+TEST(EdgeRows, AreThereUntilEdgesAreParallel) {
+  for (const double angle : {0.0205, 0.0195, 1e-3, 1e-5}) EXPECT_EQ(rows_of({0.5, 0.5, angle}), 1U) << angle;
+  EXPECT_EQ(rows_of({0.5, 0.5, 0}), 0U);
+}
+
+TEST(EdgeRows, AreNoneOfWhatIsNearerToAnotherFaceAtTheEndOfAnEdge) {
+  EXPECT_EQ(rows_of({0.5, 0.02, 1.5, -0.05}), 0U);
+  EXPECT_EQ(rows_of({0.5, 0.1, 1.5, -0.05}), 1U);
 }
 
 TEST(EdgeRows, AreNoneOfEdgesThatDoNotLookAtEachOther) { EXPECT_EQ(rows_of({0.4, 0.6, 1.2, 0, M_PI}), 0U); }

@@ -64,6 +64,34 @@ TEST(EdgePair, LiesBeyondTheEndsWhereTheLinesDo) {
   EXPECT_EQ(pair.sine2, 0.5);
 }
 
+/// Where they cross is as well known as the angle allows.
+TEST(EdgePair, OfNearlyParallelEdgesKeepsItsDigits) {
+  for (const double angle : {1e-2, 1e-4, 1e-6}) {
+    const V u{1, 0, 0}, v{std::cos(angle), std::sin(angle), 0}, at{0.3, -0.2, 0.7};
+    const EdgePair<double> pair =
+        pair_of({at - 0.25 * u, at + 0.75 * u, at - 0.5 * v - V{0, 0, 0.1}, at + 0.5 * v - V{0, 0, 0.1}});
+    EXPECT_NEAR(pair.s, 0.25, 1e-15 / angle) << angle;
+    EXPECT_NEAR(pair.t, 0.5, 1e-15 / angle) << angle;
+    EXPECT_NEAR(pair.between.z, 0.1, 1e-15);
+    EXPECT_NEAR(pair.sine2, std::pow(std::sin(angle), 2), 1e-14 * angle);
+  }
+}
+
+TEST(EdgePair, OfPointsThatFaceEachOtherLiesAlongTheirDirection) {
+  Random random(11);
+  for (int n = 0; n < 500; ++n) {
+    const V direction = random_direction(random);
+    const V u = random_vector(random), v = random_vector(random), at = random_vector(random);
+    if (std::abs(dot(cross(u, v), direction)) < 0.01) continue;
+    const double s = uniform(random, -0.5, 1.5), t = uniform(random, -0.5, 1.5), gap = uniform(random, -1, 1);
+    const V a = at - s * u, c = at - gap * direction - t * v;
+    const EdgePair<double> pair = facing_points(a, a + u, c, c + v, direction);
+    EXPECT_NEAR(pair.s, s, 1e-12);
+    EXPECT_NEAR(pair.t, t, 1e-12);
+    EXPECT_VECTOR_NEAR(pair.between, gap * direction, 1e-12);
+  }
+}
+
 TEST(EdgePair, OfParallelEdgesIsNowhere) {
   for (const double shift : {-3.0, 0.0, 0.5}) {
     for (const double length : {4.0, -1.0}) {

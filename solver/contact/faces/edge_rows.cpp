@@ -12,11 +12,38 @@ namespace {
 
 /// How far beyond its ends the nearest point of an edge may lie, over its length [-]: what is beyond is met by nodes.
 constexpr double end_margin = 1e-3;
-/// Edges whose angle has a smaller sine count as parallel: their nodes meet the faces [-].
-constexpr double least_sine = 0.02;
-/// Sine of the angle by which the faces of an edge may look away from the other body: edges of flat surfaces take part,
-/// those at the bottom of a valley do not [-].
+/// Sine of the angle between edges below which the way across both is hardly one, for it turns with the least of their
+/// motions: of what lies flat on each other the nodes meet the faces there, knives meet along the normals of their
+/// faces
+/// [-].
+constexpr double small_sine = 0.02;
+/// Below this edges are parallel: their ends meet the faces [-].
+constexpr double least_sine = 1e-6;
+/// Sine of the angle by which the faces of an edge may go towards the other body: edges of flat surfaces take part,
+/// those at the bottom of a valley do not. Those of edges that are nearly parallel go away by as much: they are knives
+/// [-].
 constexpr double slack = 0.2;
+
+/// Cosine between the faces of an edge from which on it meets others at its ends: their nodes need not look at what
+/// they touch. On a flat surface nodes at crossings meet faces. And from which on it meets edges that are nearly
+/// parallel.
+constexpr double sharp_at_end = 0.9, sharp_along = 0.5;
+
+/// Whether points of two edges lie on them, but for a margin, and whether on an end of either.
+bool is_within(const EdgePair<double>& at) {
+  const auto within = [](double s) { return s > -end_margin && s < 1 + end_margin; };
+  return within(at.s) && within(at.t);
+}
+bool is_at_end(const EdgePair<double>& at) {
+  const auto at_end = [](double s) { return s < end_margin || s > 1 - end_margin; };
+  return at_end(at.s) || at_end(at.t);
+}
+
+/// Largest cosine between faces that look at each other within 60 degrees.
+constexpr double looks_back = -0.5;
+
+/// Depth of edges over the size of the smaller segment from which on it is asked whether they have come in there [-].
+constexpr double doubtful = 2e-3;
 
 /// What the faces of an edge are like.
 struct EdgeSides {
@@ -43,25 +70,25 @@ EdgeSides sides_of(const SegmentSurface<S>& surface, const typename EdgeTable<S>
   return sides;
 }
 
-/// Whether the first two active faces of an edge make an angle: its nodes need not look at what they touch. On a flat
-/// surface nodes at crossings meet faces.
+/// Whether the first two active faces of an edge make an angle with at most this cosine.
 template <class S>
-bool is_sharp(const SegmentSurface<S>& surface, const typename EdgeTable<S>::Edge& edge) {
+bool is_sharp(const SegmentSurface<S>& surface, const typename EdgeTable<S>::Edge& edge, double cosine) {
   const S* before = nullptr;
   for (const std::int32_t s : EdgeTable<S>::segments_of(edge)) {
     if (!surface.active_segment(s)) continue;
     const S* const plane = record(surface.plane().data(), s);
-    if (before != nullptr) return dot(double_vector_of(before), double_vector_of(plane)) < 0.9;
+    if (before != nullptr) return dot(double_vector_of(before), double_vector_of(plane)) < cosine;
     before = plane;
   }
   return true;
 }
 
-/// Whether the faces of an edge go away from the other body: point: on the edge; away: unit vector.
-bool goes_away(const EdgeSides& sides, const Vec3<double>& point, const Vec3<double>& away) {
+/// Whether the faces of an edge go away from the other body. point: on the edge; away: unit vector; least: sine of the
+/// angle by which they do.
+bool goes_away(const EdgeSides& sides, const Vec3<double>& point, const Vec3<double>& away, double least) {
   for (int f = 0; f < sides.faces; ++f) {
     const Vec3<double> to = sides.middle[static_cast<std::size_t>(f)] - point;
-    if (dot(to, away) < -slack * std::sqrt(dot(to, to))) return false;
+    if (dot(to, away) < least * std::sqrt(dot(to, to))) return false;
   }
   return dot(sides.normal, away) < 0;
 }
@@ -71,6 +98,45 @@ template <class Edge>
 double depth_before(const StepReach& step, const Edge& first, const Edge& second) {
   return static_cast<double>(std::max(
       {step.depth[first.node[0]], step.depth[first.node[1]], step.depth[second.node[0]], step.depth[second.node[1]]}));
+}
+
+/// Against the faces of edge 1 and away from those of edge 2, across the edges: so far as its share goes, along the way
+/// across both edges. across: of unit length, either way.
+Vec3<double> between_faces(const EdgeSides& first, const EdgeSides& second, const Vec3<double>& along,
+                           const Vec3<double>& across, double share) {
+  const Vec3<double> opposed = second.normal - first.normal;
+  const Vec3<double> away = opposed - (dot(opposed, along) / dot(along, along)) * along;
+  const Vec3<double> sum = (1 - share) * away + (share * dot(away, across)) * across;
+  return (1 / std::sqrt(dot(sum, sum))) * sum;
+}
+
+/// Whether a point behind the faces of an edge is nearer to another face at its end, or in front of that, which the
+/// faces of the edge are behind, and which looks at the other edge: it has not come in here. s: where it is on the
+/// edge; depth: of the point [length].
+template <class S>
+bool is_beside(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
+               const typename EdgeTable<S>::Edge& edge, double s, const EdgeSides& sides, const EdgeSides& others,
+               const Vec3<double>& point, double depth) {
+  const auto around = surface.around(static_cast<std::size_t>(edge.slave[s < 0.5 ? 0 : 1]));
+  const auto own = EdgeTable<S>::segments_of(edge);
+  return std::any_of(around.begin(), around.end(), [&](std::int32_t number) {
+    if (!surface.active_segment(number) || std::find(own.begin(), own.end(), number) != own.end()) return false;
+    Vec3<double> x[4];
+    for (int k = 0; k < 4; ++k) x[k] = double_vector_of(source.x(surface.segments()[number].node[k]));
+    const Vec3<double> area = cross(x[2] - x[0], x[3] - x[1]), middle = 0.25 * ((x[0] + x[1]) + (x[2] + x[3]));
+    const Vec3<double> normal = (1 / std::sqrt(dot(area, area))) * area;
+    const auto any_of_sides = [](const EdgeSides& of, const auto& holds) {
+      for (std::size_t f = 0; f < static_cast<std::size_t>(of.faces); ++f) {
+        if (holds(of.unit_normal[f], of.middle[f])) return true;
+      }
+      return false;
+    };
+    const auto looks = [&](const Vec3<double>& of, const Vec3<double>&) { return dot(of, normal) < looks_back; };
+    const auto rises = [&](const Vec3<double>&, const Vec3<double>& of) {
+      return dot(of - middle, normal) > 1e-3 * sides.size;
+    };
+    return dot(point - middle, normal) > -0.9 * depth && any_of_sides(others, looks) && !any_of_sides(sides, rises);
+  });
 }
 
 bool face_each_other(const EdgeSides& first, const EdgeSides& second) {
@@ -110,9 +176,15 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
     }
     const EdgePair<T> pair = nearest_points(a, b, c, d);
     const T low = T(S(0) - margin), high = T(S(1) + margin);
-    unsigned bits = lane_bits<T>(pair.s > low && pair.s < high && pair.t > low && pair.t < high &&
-                                 pair.sine2 > number<T>(0.25 * least_sine * least_sine) &&
-                                 dot(pair.between, pair.between) < near * near);
+    const auto cross_here = pair.s > low && pair.s < high && pair.t > low && pair.t < high &&
+                            pair.sine2 > number<T>(small_sine * small_sine) &&
+                            dot(pair.between, pair.between) < near * near;
+    // Of nearly parallel edges the middle of one is near the line of the other, but for the angle.
+    const Vec3<T> u = b - a, to = number<T>(0.5) * ((c - a) + (d - a)), v = d - c;
+    const Vec3<T> beside = to - (dot(to, u) / dot(u, u)) * u;
+    const T reach = near + number<T>(small_sine) * square_root(dot(v, v));
+    const auto lie_along = pair.sine2 < number<T>(1.1 * small_sine * small_sine) && dot(beside, beside) < reach * reach;
+    unsigned bits = lane_bits<T>(cross_here || lie_along);
     for (; bits != 0; bits &= bits - 1) {
       const std::int64_t at = place + __builtin_ctz(bits);
       if (at < end) near_pairs.push_back(static_cast<std::int32_t>(at));
@@ -125,20 +197,29 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
                           const Edge& second, const StepReach& step, std::vector<FeatureRow>& rows) {
   const auto x = [&](const Edge& edge, int end) { return double_vector_of(source.x(edge.node[end])); };
   const Vec3<double> a = x(first, 0), b = x(first, 1), c = x(second, 0), d = x(second, 1);
-  const EdgePair<double> pair = nearest_points(a, b, c, d);
-  const auto within = [](double s) { return s > -end_margin && s < 1 + end_margin; };
-  if (!within(pair.s) || !within(pair.t) || !(pair.sine2 > least_sine * least_sine)) return;
-  const auto at_end = [](double s) { return s < end_margin || s > 1 - end_margin; };
-  if ((at_end(pair.s) || at_end(pair.t)) && !(is_sharp(surface, first) && is_sharp(surface, second))) return;
+  EdgePair<double> pair = nearest_points(a, b, c, d);
+  if (!(pair.sine2 > least_sine * least_sine)) return;
+  const bool lie_along = pair.sine2 < small_sine * small_sine;
+  if (!lie_along && !is_within(pair)) return;
+  const auto are_sharp = [&](double cosine) {
+    return is_sharp(surface, first, cosine) && is_sharp(surface, second, cosine);
+  };
+  if (lie_along ? !are_sharp(sharp_along) : is_at_end(pair) && !are_sharp(sharp_at_end)) return;
   const EdgeSides sides1 = sides_of(surface, first), sides2 = sides_of(surface, second);
   if (sides1.faces == 0 || sides2.faces == 0 || !face_each_other(sides1, sides2)) return;
   const Vec3<double> across = cross(b - a, d - c);
   const double size = std::sqrt(dot(across, across));
   const double outward = dot(sides2.normal - sides1.normal, across) < 0 ? -1.0 : 1.0;
-  const Vec3<double> direction = (outward / size) * across;
+  Vec3<double> direction = (outward / size) * across;
+  if (lie_along) {
+    direction = between_faces(sides1, sides2, b - a, direction, pair.sine2 / (small_sine * small_sine));
+    pair = facing_points(a, b, c, d, direction);
+    if (!is_within(pair) || is_at_end(pair)) return;
+  }
   const double gap = dot(pair.between, direction);
-  if (!goes_away(sides1, a + pair.s * (b - a), direction) ||
-      !goes_away(sides2, c + pair.t * (d - c), (-1.0) * direction)) {
+  const double least = lie_along ? slack : -slack;
+  if (!goes_away(sides1, a + pair.s * (b - a), direction, least) ||
+      !goes_away(sides2, c + pair.t * (d - c), (-1.0) * direction, least)) {
     return;
   }
   if (surface.beside(EdgeTable<S>::segments_of(first), EdgeTable<S>::segments_of(second))) return;
@@ -156,7 +237,13 @@ void EdgeRows<S>::add_row(const SurfaceSource<S>& source, const SegmentSurface<S
   for (int k = 0; k < row.nodes; ++k)
     closing += row.weight[k] * dot(double_vector_of(source.v(row.node[k])), direction);
   closing *= step.dt;
-  if (gap < -deepest_edges * row.reach - std::max(0.0, closing) - depth_before(step, first, second)) return;
+  const double explained = std::max(0.0, closing) + depth_before(step, first, second);
+  if (gap < -deepest_edges * row.reach - explained) return;
+  if (gap < -doubtful * row.reach - explained &&
+      (is_beside(source, surface, first, pair.s, sides1, sides2, c + pair.t * (d - c), 0 - gap) ||
+       is_beside(source, surface, second, pair.t, sides2, sides1, a + pair.s * (b - a), 0 - gap))) {
+    return;
+  }
   if (may_close(gap, closing, row.reach)) rows.push_back(row);
 }
 

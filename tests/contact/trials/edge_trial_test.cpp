@@ -95,5 +95,59 @@ TEST_P(EdgeTrial, BarsThatCrossEdgeOnEdgeReboundWithTheirEnergy) {
   }
 }
 
+/// Two wedges, edge on edge.
+struct Knives {
+  double width;  ///< of each wedge over its height
+  double shift;  ///< of the upper one along its edge [h]
+  double tilt;   ///< of the upper one, by which an end of its edge is lower [degree]
+  int elements;  ///< along each side
+};
+
+struct Kept {
+  double energy = 0;  ///< kinetic and elastic at the end, over that at the start
+  double depth = 0;   ///< the largest
+};
+
+Kept meet(const Knives& knives, double angle, const Variant& variant) {
+  const double half = h / std::sqrt(2.0), gap = 0.003, speed = 10;
+  const auto wedge = [&](const std::string& name) {
+    const Body cube = block(name, {knives.elements, knives.elements, knives.elements}, h / knives.elements, {});
+    return mapped(turned(cube, turn(0, 45), {}), [&](const Point& x) {
+      return Point{x[0], x[1] * knives.width / 2, x[2]};
+    });
+  };
+  const double tilt = knives.tilt * M_PI / 180, lower_end = half * std::cos(tilt) + h / 2 * std::sin(tilt);
+  Body lower = turned(wedge("lower"), turn(2, 0), {0, 0, -half});
+  Body upper =
+      turned(wedge("upper"), times(turn(2, angle), turn(1, knives.tilt)), {knives.shift * h, 0, lower_end + gap});
+  lower.velocity = {0, 0, speed};
+  upper.velocity = {0, 0, -speed};
+  Solver<double> solver(with_contact(trial_scene({lower, upper}, 5.5e-4), variant));
+  run_to_end(solver, [] {});
+  const Energies& end = solver.energies();
+  return {(end.kinetic + end.internal + end.hourglass) / solver.initial_energy(),
+          solver.counts().penetration_ratio_max()};
+}
+
+TEST_P(EdgeTrial, KnivesKeepTheirEnergyAtAnyAngle) {
+  struct Case {
+    const char* name;
+    Knives knives;
+    double least, most;
+  };
+  for (const Case& c : {Case{"sharp", {0.6, 0, 0, 1}, 0.735, 0.75}, Case{"right", {2, 0, 0, 1}, 0.735, 0.745},
+                        Case{"sharp, of many elements, tilted", {0.6, 0, 0.3, 4}, 0.965, 1.001},
+                        Case{"right, of many elements, tilted", {2, 0, 0.3, 4}, 0.965, 1.001},
+                        Case{"sharp, of many elements, aside", {0.6, 0.2, 0, 4}, 0.965, 1.001}}) {
+    for (const double angle : {0.0, 0.01, 0.1, 0.3, 0.7, 1.1, 1.2, 1.5, 2.0, 3.0, 5.0, 20.0, 90.0}) {
+      const std::string trial = fmt::format("knives, {}, {} degrees", c.name, angle);
+      const Kept found = run_of(trial, [&] { return meet(c.knives, angle, GetParam()); });
+      at_least(trial + ", energy", found.energy, c.least);
+      at_most(trial + ", energy made", found.energy, c.most);
+      at_most(trial + ", depth", found.depth, 2e-3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace pinball
