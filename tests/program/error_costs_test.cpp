@@ -26,7 +26,7 @@ ConvergenceStudy study_of(double chance = 1e-4) {
                   {{1, 1}, "bar: 8", run_of(1.1, 1, 64)},
                   {{2, 1}, "bar: 16", run_of(1.025, 16, 512)}};
   study.sources_mesh = 1;
-  study.sources = {{ErrorSource::precision, "float", "precision = \"float\"", {run_of(1.02, 0.7, 64)}},
+  study.sources = {{ErrorSource::hourglass, "viscous", "hourglass = \"viscous\"", {run_of(1.02, 0.7, 64)}},
                    {ErrorSource::chance, "chance", "4 runs", {run_of(1.0, 0.9, 64)}}};
   StudyQuantity quantity{"q", "mm", {1.4, 1.1, 1.025}, 1.4, {}, {-0.08, chance}, 1.1};
   quantity.convergence = grid_convergence({{2, 1.4}, {1, 1.1}, {0.5, 1.025}});
@@ -40,8 +40,8 @@ TEST(ErrorCosts, ErrorsAreAgainstTheExtrapolatedValue) {
   EXPECT_NEAR(points[0].errors[0].value(), 0.4, 1e-12);
   EXPECT_NEAR(points[2].errors[0].value(), 0.025, 1e-12);
   EXPECT_NEAR(points[3].errors[0].value(), 0.02, 1e-12);
-  EXPECT_EQ(points[3].settings, "mesh 1, float");
-  EXPECT_EQ(points[3].what, "bar: 8; precision = \"float\"");
+  EXPECT_EQ(points[3].settings, "mesh 1, viscous");
+  EXPECT_EQ(points[3].what, "bar: 8; hourglass = \"viscous\"");
   EXPECT_EQ(points[2].seconds, 16);
   EXPECT_EQ(points[2].bytes, 512 * 400);
 }
@@ -49,7 +49,7 @@ TEST(ErrorCosts, ErrorsAreAgainstTheExtrapolatedValue) {
 TEST(ErrorCosts, TheFrontierHasWhatNothingElseBeats) {
   const ConvergenceStudy study = study_of();
   const auto points = cost_points(study);
-  EXPECT_THAT(frontier(points, 0), ElementsAre(0, 3));  // float is both faster and better than meshes 1 and 2
+  EXPECT_THAT(frontier(points, 0), ElementsAre(0, 3));  // it is both faster and better than meshes 1 and 2
   EXPECT_EQ(cheapest(points, {0}, 0.5), 0);
   EXPECT_EQ(cheapest(points, {0}, 0.1), 3);
   EXPECT_FALSE(cheapest(points, {0}, 0.01));  // that chance hits the value is not for anyone to choose
@@ -62,6 +62,15 @@ TEST(ErrorCosts, ACoarseMeshThatIsRightByChanceDoesNotCount) {
   EXPECT_NEAR(points[0].errors[0].value(), 1e-4, 1e-9);
   EXPECT_NEAR(points[0].held[0].value(), 0.1, 1e-9);
   EXPECT_EQ(cheapest(points, {0}, 0.03), 3);
+}
+
+TEST(ErrorCosts, AnotherPrecisionIsNoBetterThanItsMesh) {
+  ConvergenceStudy study = study_of();
+  study.sources[0].source = ErrorSource::precision;
+  const auto points = cost_points(study);
+  EXPECT_NEAR(points[3].errors[0].value(), 0.02, 1e-12);
+  EXPECT_NEAR(points[3].held[0].value(), 0.1, 1e-12);
+  EXPECT_EQ(cheapest(points, {0}, 0.03), 2);
 }
 
 TEST(ErrorCosts, TheWorstOfTheQuantitiesCounts) {
@@ -87,11 +96,11 @@ TEST(ErrorCosts, SentencesNameSettingsTimeAndMemory) {
   ConvergenceStudy study = study_of();
   EXPECT_EQ(
       cost_sentence(study, cost_points(study), 0),
-      "1 % of q [mm]: not reached; the best is mesh 1, float: 0.7 s, 25.6 kB, errs by 2 %; what finer meshes say is "
+      "1 % of q [mm]: not reached; the best is mesh 1, viscous: 0.7 s, 25.6 kB, errs by 2 %; what finer meshes say is "
       "known to 0.62 %");
   study.limits.error = 0.1;
   EXPECT_THAT(search_sentence(study),
-              HasSubstr("for 10 % of q [mm] take mesh 1, float: 0.7 s, 25.6 kB, errs by 2 % (bar: 8; precision"));
+              HasSubstr("for 10 % of q [mm] take mesh 1, viscous: 0.7 s, 25.6 kB, errs by 2 % (bar: 8; hourglass"));
   study = study_of(0.05);
   EXPECT_EQ(cost_sentence(study, cost_points(study), 0), "1 % of q [mm]: not known; finer than 5 % is chance");
   study.limits.error = 0.02;

@@ -44,13 +44,21 @@ void add_variation(const std::string& counts, const StudySource& source, CostPoi
   point.settings += ", " + source.name;
   point.what = counts + "; " + source.what;
   point.of_chance = source.source == ErrorSource::chance;
+  point.other_precision = source.source == ErrorSource::precision;
+}
+
+/// Whether a run is no better than another one, whatever its error says.
+bool holds(const CostPoint& point, const CostPoint& other) {
+  const bool rounded = point.other_precision && other.variation.empty() && other.factor == point.factor;
+  const bool finer = other.variation == point.variation && other.factor.value() > point.factor.value();
+  return rounded || finer;
 }
 
 void hold(std::vector<CostPoint>& points) {
   for (CostPoint& point : points) {
     point.held = point.errors;
     for (const CostPoint& other : points) {
-      if (other.variation != point.variation || !(other.factor.value() > point.factor.value())) continue;
+      if (!holds(point, other)) continue;
       for (std::size_t q = 0; q < point.held.size(); ++q) {
         if (point.held[q] && other.errors[q]) point.held[q] = std::max(*point.held[q], *other.errors[q]);
       }

@@ -16,13 +16,15 @@ struct CostPoint {
   std::string what;       ///< "bar: core 8, ring 4, layers 80; precision = \"float\""
   std::string variation;  ///< of the scene's settings: "float"; empty: none
   MeshFactor factor;
-  bool of_chance = false;  ///< another run of an ensemble, which nobody would choose
-  double seconds = 0;      ///< of the run [s]
-  double bytes = 0;        ///< of the arrays of its state
+  bool of_chance = false;        ///< another run of an ensemble, which nobody would choose
+  bool other_precision = false;  ///< of the run alone
+  double seconds = 0;            ///< of the run [s]
+  double bytes = 0;              ///< of the arrays of its state
   double elements = 0;
   std::vector<std::optional<double>> values;  ///< of each quantity of the study
   std::vector<std::optional<double>> errors;  ///< of these
-  /// The largest of that and those of all finer runs with the same settings: a coarse mesh may be right by chance.
+  /// The largest of that and those of all finer runs with the same settings: a coarse mesh may be right by chance. In
+  /// another precision also that of the same mesh in its own: round-off makes nothing better.
   std::vector<std::optional<double>> held;
 };
 
