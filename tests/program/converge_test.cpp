@@ -332,6 +332,9 @@ TEST_F(Converge, BodiesAreRefinedApart) {
   EXPECT_EQ(of(table, "bar_velocity_z")["refine"], "refine bar, not far");
   EXPECT_EQ(of(table, "bar_velocity_z")["largest_source"], "mesh");
   EXPECT_THAT(f.text, HasSubstr("bar_velocity_z: refine bar, not far"));
+  // What does not fit into the time is known before it runs.
+  EXPECT_EQ(converge(std::string(coarse) + "--of bar_velocity_z --refine bar=200 --refine 2 --budget 3s").status, 0);
+  EXPECT_THAT(json()["sources"][0]["runs"][0]["left_out"].get<std::string>(), HasSubstr("expected to take"));
   const std::string folder = (folder_ / "run").string();
   const std::string finer = "--set body.bar.mesh.elements=[8,8,16] --set body.far.mesh.elements=[2,2,4]";
   ASSERT_EQ(run(fmt::format("run {} --quiet --threads 1 --out {} {}", scene(), folder, finer)).status, 0);

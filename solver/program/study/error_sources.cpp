@@ -106,6 +106,8 @@ std::vector<SourceVariation> vary_sources(const Scene& scene, const std::vector<
   return variations;
 }
 
+std::string name_of(const RefinedBody& body) { return fmt::format("{} {} times finer", body.body, body.times); }
+
 RefinedBody parse_refined_body(const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
   int times = 0;
@@ -122,7 +124,7 @@ std::vector<SourceVariation> vary_bodies(const Scene& scene, const std::vector<R
   for (const RefinedBody& refined : bodies) {
     const Scene finer = refined_body(scene, refined.body, {refined.times, 1});
     variations.push_back({ErrorSource::body,
-                          fmt::format("{} {} times finer", refined.body, refined.times),
+                          name_of(refined),
                           element_counts(finer),
                           fmt::format("{}_{}", refined.body, refined.times),
                           {finer}});

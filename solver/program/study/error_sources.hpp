@@ -31,6 +31,9 @@ struct RefinedBody {
   int times = 2;
 };
 
+/// "plate 2 times finer", of its source.
+std::string name_of(const RefinedBody& body);
+
 /// "plate=2". Throws InputError that names --refine where it is no name with a number of 2 and more.
 RefinedBody parse_refined_body(const std::string& text);
 

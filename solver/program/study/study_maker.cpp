@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
@@ -131,6 +132,18 @@ void StudyMaker::draw() {
   draw_quantities(scene_, settings_.of.empty() ? default_quantities(scene_, *fine->run.results) : settings_.of, study_);
 }
 
+double StudyMaker::work_of_source(const StudySource& source) const {
+  if (source.source == ErrorSource::step) return half_steps;
+  const StudyRun& plain = study_.meshes[study_.sources_mesh].run;
+  for (const RefinedBody& refined : settings_.bodies) {
+    if (source.source != ErrorSource::body || source.name != name_of(refined) || !plain.results) continue;
+    const double own = plain.results->value(fmt::format("bodies.{}.elements", refined.body)).value_or(0);
+    const double share = own / std::max(1.0, number_of(plain, "elements"));
+    return refined.times * (1 + share * (std::pow(refined.times, 3) - 1));
+  }
+  return 1;
+}
+
 std::optional<double> StudyMaker::expected_seconds(const MeshFactor& factor, std::optional<std::size_t> source) const {
   const RunTimes times = times_of(study_);
   const auto work = times.expected(factor.value());
@@ -142,7 +155,7 @@ std::optional<double> StudyMaker::expected_seconds(const MeshFactor& factor, std
   if (!source) return seconds;
   const StudySource& of = study_.sources[*source];
   const StudyRun& plain = study_.meshes[study_.sources_mesh].run;
-  if (of.runs.empty() || !of.runs.front().results) return seconds * (of.source == ErrorSource::step ? half_steps : 1);
+  if (of.runs.empty() || !of.runs.front().results) return seconds * work_of_source(of);
   return seconds * work_of(of.runs.front()) / std::max(work_of(plain), 1e-4);
 }
 
