@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
@@ -41,6 +42,11 @@ class BoundaryConditions {
   /// Constraints and prescribed velocities: changes forces and, in constrained directions, velocities; once more where
   /// contact has added forces since. due: what is integrated then.
   void hold(const NodeArrays<S>& nodes, double time, const StepLengths& step, const DueSpans& due = {});
+  /// What walls will keep some nodes from: for contact, which acts before them.
+  std::vector<NodeBound> bounds(const NodeArrays<S>& nodes, std::span<const std::int32_t> of, double time,
+                                const StepLengths& step) const {
+    return walls_.bounds(nodes, of, time, step);
+  }
   /// Adds the reactions of the walls, and counts the work of all.
   void add_wall_reactions(const NodeArrays<S>& nodes, double time, const StepLengths& step);
 

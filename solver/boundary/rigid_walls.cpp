@@ -38,6 +38,36 @@ void RigidWalls<S>::react(const NodeArrays<S>& nodes, Wall& wall, WallResult& re
 }
 
 template <class S>
+std::vector<NodeBound> RigidWalls<S>::bounds(const NodeArrays<S>& nodes, std::span<const std::int32_t> of, double time,
+                                             const StepLengths& step) const {
+  std::vector<NodeBound> found;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const Wall& wall = walls_[w];
+    if (wall.takes.empty() || !wall.when.contains(time)) continue;
+    const WallResult& result = results_[w];
+    double velocity = 0;
+    if (wall.motion.moves()) {
+      velocity = wall.motion.is_pushed() ? result.velocity : wall.motion.given_velocity(time, step);
+    }
+    const double after = result.displacement + step.after * velocity;
+    const S* const n = wall.plane.normal;
+    for (const std::int32_t node : of) {
+      const S* const x = nodes.position + 4 * std::int64_t(node);
+      const S* const v = nodes.velocity + 4 * std::int64_t(node);
+      if (wall.takes[static_cast<std::size_t>(node)] == 0) continue;
+      if (!wall_takes(wall.plane, x, static_cast<S>(result.displacement))) continue;
+      const auto rate = static_cast<double>(n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
+      found.push_back({node,
+                       static_cast<std::int32_t>(w),
+                       {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])},
+                       static_cast<double>(wall_height(wall.plane, x)) - after,
+                       velocity - rate});
+    }
+  }
+  return found;
+}
+
+template <class S>
 void RigidWalls<S>::apply(const NodeArrays<S>& nodes, double time, const StepLengths& step) {
   closing_ = 0;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
@@ -62,7 +92,7 @@ ExternalWork RigidWalls<S>::work(const NodeArrays<S>& nodes, const StepLengths& 
 template <class S>
 std::size_t RigidWalls<S>::bytes() const {
   std::size_t sum = 0;
-  for (const Wall& wall : walls_) sum += wall.nodes->bytes();
+  for (const Wall& wall : walls_) sum += wall.nodes->bytes() + wall.takes.capacity();
   return sum;
 }
 

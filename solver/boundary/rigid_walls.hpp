@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <solver/base/state_archive.hpp>
+#include <solver/contact/surface/node_bound.hpp>
 #include <solver/model/model.hpp>
 #include <solver/results.hpp>
 
@@ -40,6 +42,10 @@ class RigidWalls {
 
   /// Those that constraints and prescribed velocities of the model have now.
   void take_held_directions(const Model<S>& model);
+  /// The planes that will stop nodes in the coming step, node by node in the order of `of`; a wall that is pushed is
+  /// taken to go on as it does.
+  std::vector<NodeBound> bounds(const NodeArrays<S>& nodes, std::span<const std::int32_t> of, double time,
+                                const StepLengths& step) const;
   /// Adds the reactions to the forces of the nodes, after everything else that acts on them; time: of the forces.
   void apply(const NodeArrays<S>& nodes, double time, const StepLengths& step);
   /// Work of the reactions that apply() has set; to be called when all forces are known.
@@ -62,6 +68,7 @@ class RigidWalls {
     TimeSpan when;
     WallMotion motion;
     std::unique_ptr<WallKernels<S>> nodes;
+    std::vector<std::uint8_t> takes;  ///< per node of the store, whether it is one of these; empty without contact
   };
   static Wall wall_of(const Model<S>& model, const RigidWall& given, const BoundaryKernels<S>& kernels);
   static void stand_back(const Model<S>& model, const RigidWall& given, WallPlane<S>& plane);

@@ -69,7 +69,12 @@ typename RigidWalls<S>::Wall RigidWalls<S>::wall_of(const Model<S>& model, const
   }
   copy_to(given.edge ? given.plane.point : near_point(given.plane, model.mesh.nodes[0], size), plane.point);
   if (!plane.ends) stand_back(model, given, plane);
-  return {plane, given.when, WallMotion(given), kernels.wall(plane.friction > S(0))};
+  Wall wall{plane, given.when, WallMotion(given), kernels.wall(plane.friction > S(0)), {}};
+  if (model.scene.contact.method != ContactMethod::none) {
+    wall.takes.assign(static_cast<std::size_t>(model.nodes.count), 0);
+    for (const std::int32_t n : nodes_behind(model.mesh, given)) wall.takes[model.node_of_scene_node[n]] = 1;
+  }
+  return wall;
 }
 
 template <class S>

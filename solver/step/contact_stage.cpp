@@ -19,10 +19,11 @@ ContactWork ContactStage<S>::before_constraints(Model<S>& model, const std::vect
 }
 
 template <class S>
-ContactWork ContactStage<S>::after_constraints(Model<S>& model, const StepLengths& step, Timers& timers) {
+ContactWork ContactStage<S>::after_constraints(Model<S>& model, const StepLengths& step,
+                                               std::span<const NodeBound> bounds, Timers& timers) {
   if (!built::contact || !contact_) return {};
   return timers.measure(Phase::contact_forces, [&] {
-    const ContactWork work = contact_->after_constraints(ModelSurface<S>(model), step);
+    const ContactWork work = contact_->after_constraints(ModelSurface<S>(model), step, bounds);
     if (pairs_.any()) pairs_.book([this](std::vector<Point>& sums) { contact_->add_pair_forces(sums); }, step);
     return work;
   });

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <solver/base/built_features.hpp>
@@ -34,8 +35,15 @@ class ContactStage {
   /// did in this step; time: of the forces; dt: the step just made [time].
   ContactWork before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double time, double dt,
                                  Timers& timers, RunCounts& counts);
-  /// What acts on velocities that constraints leave: impulses, as forces added to the nodes.
-  ContactWork after_constraints(Model<S>& model, const StepLengths& step, Timers& timers);
+  /// What acts on velocities that constraints leave: impulses, as forces added to the nodes. bounds: of
+  /// impulse_nodes(), by what stops them afterwards.
+  ContactWork after_constraints(Model<S>& model, const StepLengths& step, std::span<const NodeBound> bounds,
+                                Timers& timers);
+  /// Nodes to which after_constraints will add.
+  std::span<const std::int32_t> impulse_nodes() const {
+    return acts_on_velocities() ? std::span<const std::int32_t>(contact_->impulse_nodes())
+                                : std::span<const std::int32_t>();
+  }
 
   /// Force and impulse of each pair of the scene.
   const std::vector<PairResult>& pairs() const { return pairs_.results(); }

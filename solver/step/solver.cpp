@@ -197,7 +197,9 @@ void Solver<S>::boundary_forces(const Due& due) {
 
 template <class S>
 ContactWork Solver<S>::contact_after_constraints(const Due& due) {
-  const ContactWork work = contact_.after_constraints(model_, clock_.lengths(), timers_);
+  const std::vector<NodeBound> bounds =
+      boundary_.bounds(nodes(), contact_.impulse_nodes(), clock_.time(), clock_.lengths());
+  const ContactWork work = contact_.after_constraints(model_, clock_.lengths(), bounds, timers_);
   if (contact_.acts_on_velocities()) {  // they may have loaded nodes that are held
     timers_.measure(Phase::boundary_conditions,
                     [&] { boundary_.hold(nodes(), clock_.time(), clock_.lengths(), schedule_.due_spans(due)); });

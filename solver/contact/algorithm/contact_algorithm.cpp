@@ -38,10 +38,11 @@ void ContactAlgorithm<S>::add_forces(const SurfaceSource<S>& source, ContactWork
 }
 
 template <class S>
-ContactWork ContactAlgorithm<S>::after_constraints(const SurfaceSource<S>& source, const StepLengths& step) {
+ContactWork ContactAlgorithm<S>::after_constraints(const SurfaceSource<S>& source, const StepLengths& step,
+                                                   std::span<const NodeBound> bounds) {
   ContactWork work;
   if (!impulses_) return work;
-  const ImpulseResult solved = impulses_->solve(source, step);
+  const ImpulseResult solved = impulses_->solve(source, step, bounds);
   work.dissipated = solved.dissipated;
   work.penetration_ratio = solved.penetration_ratio;
   work.deepest = solved.deepest;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -97,8 +98,9 @@ class ContactAlgorithm {
   /// Springs: adds their forces to the nodes and bounds the contact frequency. work: of before_step.
   void add_forces(const SurfaceSource<S>& source, ContactWork& work);
   /// Impulses: adds the forces that keep gaps from closing in the coming step; after all other forces and the
-  /// constraints.
-  ContactWork after_constraints(const SurfaceSource<S>& source, const StepLengths& step);
+  /// constraints. bounds: what will stop nodes of impulse_nodes() after that, in their order.
+  ContactWork after_constraints(const SurfaceSource<S>& source, const StepLengths& step,
+                                std::span<const NodeBound> bounds = {});
   /// Whether after_constraints adds forces: what it adds in held directions the constraints have to take up again.
   bool acts_on_velocities() const { return impulses_ != nullptr; }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "impulse_solver.hpp"
 
@@ -24,7 +25,7 @@ bool ImpulseSolver<S>::opens(std::int64_t k) const {
   const auto i = static_cast<std::size_t>(system_.original(k));
   const ImpulseRow& row = rows_.rows[i];
   const double little = remainder * row.impulse;
-  return pairs_[i].memory.force > 0 && system_.impulse_as_added(k, iterations_.impulse(k)) <= little &&
+  return !is_bound(i) && pairs_[i].memory.force > 0 && system_.impulse_as_added(k, iterations_.impulse(k)) <= little &&
          pairs_[i].rate_free + row.position_rate <= little * row.inverse_mass;
 }
 
@@ -97,6 +98,10 @@ Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& ste
   const Vec3<double> a = vector_of(rows_.rows[i].direction), after = system_.approach(k, velocity_.data());
   const double rate = dot(a, after);
   pair.force = std::max(0.0, system_.impulse_as_added(k, iterations_.impulse(k))) / step.velocity();
+  if (is_bound(static_cast<std::size_t>(i))) {
+    pair.memory.force = std::exchange(pair.force, 0);
+    return {0, 0, 0};
+  }
   pair.lost = work_of(pair.force, pair.rate_before, rate, step);
   pair.taken = pair.lost.now + pair.lost.later;  // without friction
   pair.memory.lost += pair.taken;

@@ -20,6 +20,8 @@ constexpr double push_out = 0.1;
 constexpr double more_than_any_rate = 1e100;
 /// Way of a step, over the size of a pair, up to which a pair that is new counts as being at rest.
 constexpr double at_rest = 1e-6;
+/// Name of the first plane that bounds nodes, in the place of that of a second body.
+constexpr std::int64_t first_bound = -(std::int64_t(1) << 61);
 /// What is left where the bound of their number ends iterations, over what impulses were to change: more than this is
 /// worth a warning.
 constexpr double sound = 1e-2;
@@ -161,6 +163,43 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
   });
 }
 
+/// Rows of one node each, as if the plane were a body that nothing moves. Only for as long as the system is solved.
+template <class S>
+void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) {
+  contacts_ = rows_.size();
+  if (contacts_ == 0 || !(dt > 0)) return;
+  double fastest = 0;
+  for (const Pair& pair : pairs_) fastest = std::max(fastest, std::abs(pair.rate_before));
+  std::size_t place = 0;  // bounds come in the order of the nodes
+  for (const NodeBound& bound : bounds) {
+    if (bound.gap > 2 * dt * (fastest + std::abs(bound.rate))) continue;
+    while (node_[place] != bound.node) place = place + 1 < node_.size() ? place + 1 : 0;
+    const auto& n = bound.normal;
+    rows_.rows.push_back({{n[0], n[1], n[2]}, rows_.node.size(), 1});
+    rows_.node.push_back(static_cast<std::int32_t>(place));
+    rows_.weight.push_back(-1);
+    Pair& pair = pairs_.emplace_back();
+    pair.depth = pair.seen = 0 - bound.gap;
+    pair.rate_before = bound.rate;
+    const std::int64_t second = first_bound - bound.wall;
+    const auto is = [&](std::size_t at) { return memory_[at].first == bound.node && memory_[at].second == second; };
+    const std::size_t at = names_.find(bound.node, static_cast<std::int32_t>(second), is);
+    if (at != PairNames::none) pair.memory = memory_[at];
+    pair.memory.first = bound.node;
+    pair.memory.second = second;
+  }
+}
+
+template <class S>
+void ImpulseSolver<S>::drop_bounds() {
+  if (rows_.size() == contacts_) return;
+  rows_.node.resize(rows_.rows[contacts_].first);
+  rows_.weight.resize(rows_.rows[contacts_].first);
+  rows_.rows.resize(contacts_);
+  pairs_.resize(contacts_);
+  if (!frictions_.empty()) frictions_.resize(contacts_);
+}
+
 /// What each row may still close or has to push out, and its closing velocity without impulses.
 /// What pairs have taken out is theirs to give back; but not what others have given back already.
 template <class S>
@@ -191,7 +230,9 @@ void ImpulseSolver<S>::set_rate(std::size_t i, double velocity_step, double dt) 
     v = v + row.weight[k] * vector_of(record(velocity_.data(), row.node[k]));
   }
   own.inverse_mass = inverse_mass;
-  if (dt > 0 && pair.depth > 0) {  // with no more energy than the pair has taken out
+  if (is_bound(i)) {
+    own.position_rate = pair.depth / dt;
+  } else if (dt > 0 && pair.depth > 0) {  // with no more energy than the pair has taken out
     const double energy_limit = std::sqrt(2 * budget_of(pair) * inverse_mass);
     own.position_rate = std::min(push_out * pair.depth / dt, energy_limit);
   } else if (dt > 0) {
@@ -210,7 +251,7 @@ void ImpulseSolver<S>::choose_active() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const Pair& pair = pairs_[i];
     const ImpulseRow& row = rows_.rows[i];
-    const bool known = pair.memory.force > 0 || pair.depth > 0;
+    const bool known = pair.memory.force > 0 || pair.depth > 0 || is_bound(i);
     const bool near = known || pair.rate_free + row.position_rate > -std::abs(pair.rate_free);
     if (near && row.inverse_mass > 0) active_.push_back(static_cast<std::int32_t>(i));
   }
@@ -238,6 +279,7 @@ void ImpulseSolver<S>::begin_friction(double velocity_step) {
 /// Coefficient of a row. With a decay that of the velocity in the middle of the step before.
 template <class S>
 double ImpulseSolver<S>::friction_of(std::size_t i) const {
+  if (is_bound(i)) return 0;
   const PairOf of = contact_pairs_ != nullptr ? pair_of_row_[i] : PairOf{};
   const PairRule& rule = of.pair < 0 ? friction_ : contact_pairs_->rule(of.pair);
   if (!(rule.friction_decay > 0)) return pairs_[i].memory.slides ? rule.friction : rule.static_friction;
@@ -284,7 +326,8 @@ void ImpulseSolver<S>::solve_coupled(ImpulseResult& result) {
 }
 
 template <class S>
-ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const StepLengths& step) {
+ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const StepLengths& step,
+                                      std::span<const NodeBound> bounds) {
   ImpulseResult result;
   result.dissipated = pending_;
   pending_ = 0;
@@ -301,6 +344,7 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
     result.deepest = node_[rows_[i].node[0]];
   }
   load_nodes(source, velocity_step);
+  add_bounds(bounds, step.after);
   set_budget();
   set_rates(velocity_step, step.after);
   build_system(velocity_step);
@@ -313,6 +357,7 @@ ImpulseResult ImpulseSolver<S>::solve(const SurfaceSource<S>& source, const Step
   give_forces(source, step);
   sum_up(result);
   remember();
+  drop_bounds();
   return result;
 }
 

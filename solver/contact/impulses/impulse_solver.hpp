@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include <solver/contact/contact_settings.hpp>
 #include <solver/contact/surface/contact_pairs.hpp>
 #include <solver/contact/surface/held_directions.hpp>
+#include <solver/contact/surface/node_bound.hpp>
 #include <solver/contact/surface/surface_source.hpp>
 #include <solver/contact/tied/tied_nodes.hpp>
 
@@ -92,8 +94,9 @@ class ImpulseSolver {
 
   /// Solves for the impulses of the coming step and adds the forces that give them to the nodes.
   /// Loads, constraints and prescribed velocities must already be in the node forces and velocities; what the forces of
-  /// the contact have in held directions is for them to take up again.
-  ImpulseResult solve(const SurfaceSource<S>& source, const StepLengths& step);
+  /// the contact have in held directions is for them to take up again. bounds: of these nodes. They are rows of the
+  /// system, too, but give no forces: that is for those to do who stop the nodes, when contact has given its own.
+  ImpulseResult solve(const SurfaceSource<S>& source, const StepLengths& step, std::span<const NodeBound> bounds = {});
 
   /// Nodes of the rows, each once.
   const std::vector<std::int32_t>& nodes() const { return node_; }
@@ -138,6 +141,9 @@ class ImpulseSolver {
     int entry;
   };
 
+  void add_bounds(std::span<const NodeBound> bounds, double dt);
+  void drop_bounds();
+  bool is_bound(std::size_t i) const { return i >= contacts_; }
   void limit_depth(const SurfaceSource<S>& source, std::size_t i, double dt);
   void load_nodes(const SurfaceSource<S>& source, double velocity_step);
   void set_rates(double velocity_step, double dt);
@@ -187,6 +193,7 @@ class ImpulseSolver {
   ContactRows rows_;                    ///< of places in node_
   std::vector<FrictionRow> frictions_;  ///< one per row, only where there is friction
   std::vector<Pair> pairs_;             ///< one per row
+  std::size_t contacts_ = 0;            ///< rows before those of bounds
   std::vector<std::int32_t> active_;    ///< rows that take part
   RowSystem system_;                    ///< of the active rows
   ImpulseIterations iterations_;
