@@ -84,8 +84,10 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   CornerResistance<T> corners;
   MaskOf<T> inside_out(false);
   const bool any_distorted = any_lane(distorted);
+  bool any_resists = false;
   if (any_distorted) {
-    inside_out = resist_at_corners(own, nodes, constants.folding_energy, bound, middle.whole, corners, stable_rate);
+    inside_out = resist_at_corners(own, nodes, constants.folding_energy, bound, x, middle.whole, corners, any_resists,
+                                   stable_rate);
   }
   failed = failed || limits_exceeded<features>(constants, numbers, motion, stress, stable_rate, step.time);
   const ElementFailure<T> failure =
@@ -106,7 +108,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   Vec3<T> value[8];
   forces_of_corners<features.hourglass>(stress, hourglass.force, x, end.b, middle.inverse_end_volume, step.weight,
                                         value);
-  if (any_distorted) {
+  if (any_resists) {
     if (features.erosion && failure.any) let_go_of_corners(failure.fails, corners, sums);
     add_resistance(corners, T(step.weight), value, sums);
   }

@@ -113,21 +113,68 @@ struct CornerResistance {
   Vec3<T> force[8];  ///< of the corners [force]
 };
 
+/// The same from the modes, but for how numbers are rounded.
+template <class T>
+PINBALL_FUNCTION HalfEdges<T> half_edges(const HexahedronModes<T>& x) {
+  constexpr int other[3][2] = {{1, 2}, {0, 2}, {0, 1}};  // axes at whose ends edges lie, the first counts up first
+  const T scale = number<T>(1.7320508075688772935);      // sqrt3
+  const Vec3<T> all = scale * x.hourglass[3];
+  HalfEdges<T> half;
+  PINBALL_UNROLL
+  for (int m = 0; m < 3; ++m) {
+    // The mode of two axes is numbered by the third.
+    const Vec3<T> first = scale * x.hourglass[other[m][1]], second = scale * x.hourglass[other[m][0]];
+    PINBALL_UNROLL
+    for (int a = 0; a < 2; ++a) {
+      const Vec3<T> middle = a == 0 ? x.linear[m] - first : x.linear[m] + first;
+      const Vec3<T> slope = a == 0 ? second - all : second + all;
+      half.along[m][a] = middle - slope;
+      half.along[m][2 + a] = middle + slope;
+    }
+  }
+  return half;
+}
+
+/// Whether all corners of a pack's elements have more than twice their onset, or than nothing where nothing resists:
+/// the usual end of a look at elements that are only distorted. What is close to that is looked at as any other.
+template <class T>
+PINBALL_FUNCTION bool corners_are_open(const HexahedronModes<T>& x, const T& volume, const T& onset,
+                                       const MaskOf<T>& there, CornerResistance<T>& out) {
+  const HalfEdges<T> half = half_edges(x);
+  T least = volume;
+  PINBALL_UNROLL
+  for (int i = 0; i < 8; ++i) {
+    const int xi = i & 1, eta = (i >> 1) & 1, zeta = i >> 2;
+    const Vec3<T>&a = half.along[0][2 * zeta + eta], &b = half.along[1][2 * zeta + xi];
+    least = minimum(least, dot(a, cross(b, half.along[2][2 * eta + xi])));
+  }
+  const T margin = number<T>(0.25 * 1.001);  // of the volume, an eighth of which is a whole share
+  if (any_lane(there && !(least > margin * maximum(onset, number<T>(1e-4)) * volume))) return false;
+  out.worst = select(there, T(8) * least / select(there, volume, T(1)), T(-1));
+  out.energy = out.rate_square = out.closing_rate = T(0);
+  return true;
+}
+
 /// scale: V_0 M/8 [energy]; onset: r_0; not positive: nothing resists [-]; inverse_inertia: 1/mass with which the
-/// element's nodes move [1/mass]; there: lanes that have an element with a volume.
+/// element's nodes move [1/mass]; shape, end_volume: of the elements [length], [length^3]; there: lanes that have an
+/// element with a volume. Returns whether any corner may resist; where none does, `force` is left as it was: there is
+/// none.
 template <class T, int L>
-PINBALL_OUTLINED void resist_folding(const ScalarOf<T>* position, const ScalarOf<T>* velocity,
+PINBALL_OUTLINED bool resist_folding(const ScalarOf<T>* position, const ScalarOf<T>* velocity,
                                      const std::int32_t* corner, const T& scale, const T& onset,
-                                     const T& inverse_inertia, const MaskOf<T>& there, CornerResistance<T>& out) {
+                                     const T& inverse_inertia, const HexahedronModes<T>& shape, const T& end_volume,
+                                     const MaskOf<T>& there, CornerResistance<T>& out) {
+  if (corners_are_open(shape, end_volume, onset, there, out)) return false;
   Vec3<T> x[8], v[8];
   for (int i = 0; i < 8; ++i) x[i] = gather_vectors<T>(position, corner + i * L);
+  const HalfEdges<T> half = half_edges(x);
   for (int i = 0; i < 8; ++i) v[i] = gather_vectors<T>(velocity, corner + i * L);
   const HexahedronModes<T> modes = to_modes(x);
   const UniformGradient<T> b = uniform_gradient(modes);
   const T volume = hexahedron_volume(b, modes), zero(0);
   const T inverse_volume = select(there, T(1) / select(there, volume, T(1)), zero), to_share = T(8) * inverse_volume;
   const T size_square = inverse_volume * inverse_volume * trace(gradient_square(b));
-  const HalfEdges<T> half = half_edges(x), rate = half_edges(v);
+  const HalfEdges<T> rate = half_edges(v);
   HalfEdges<T> on_edge;  // dW/da
   for (auto& axis : on_edge.along) {
     for (Vec3<T>& edge : axis) edge = {zero, zero, zero};
@@ -186,6 +233,7 @@ PINBALL_OUTLINED void resist_folding(const ScalarOf<T>* position, const ScalarOf
       force = force + number<T>(end[m] == 0 ? 0.5 : -0.5) * on_edge.along[m][edge[m]];
     }
   }
+  return true;
 }
 
 }  // namespace pinball

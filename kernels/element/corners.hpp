@@ -16,20 +16,26 @@ PINBALL_FUNCTION MaskOf<T> may_fold(const HexahedronModes<T>& x, const EndGeomet
          !(largest_distortion(x, end.largest_square) < T(sound_distortion<ScalarOf<T>>) * (end.volume * end.volume));
 }
 
-/// Lets corners resist, and bounds the stable rate by theirs. Returns elements that are inside out at a corner.
+/// Lets corners resist, and bounds the stable rate by theirs. any_resists: whether there is anything in `corners` but
+/// zero. Returns elements that are inside out at a corner.
 template <class T, int L>
 PINBALL_FUNCTION MaskOf<T> resist_at_corners(const ElementPack<T, L>& own, const NodeView<ScalarOf<T>>& nodes,
                                              ScalarOf<T> folding_energy, const StabilityBound<T>& bound,
-                                             const MaskOf<T>& whole, CornerResistance<T>& corners, T& stable_rate) {
+                                             const HexahedronModes<T>& x, const MaskOf<T>& whole,
+                                             CornerResistance<T>& corners, bool& any_resists, T& stable_rate) {
   using S = ScalarOf<T>;
   T onset(folding_energy > S(0) ? folding_onset<S> : S(0));
   if (own.arrays.folding_onset != nullptr) onset = minimum(onset, load<T>(own.arrays.folding_onset + own.first));
   const T inverse_inertia = bound.inverse_inertia;  // of their own: what is called sees them in memory
+  const T end_volume = bound.end.volume;
+  const HexahedronModes<T> shape = x;
   const MaskOf<T> there = whole;
-  resist_folding<T, L>(nodes.position, nodes.velocity, own.corner(), T(folding_energy) * own.mass, onset,
-                       inverse_inertia, there, corners);
+  any_resists = resist_folding<T, L>(nodes.position, nodes.velocity, own.corner(), T(folding_energy) * own.mass, onset,
+                                     inverse_inertia, shape, end_volume, there, corners);
   // A corner takes at least two steps to close by half of what it is open.
-  stable_rate = maximum(square_root(stable_rate * stable_rate + corners.rate_square), T(4) * corners.closing_rate);
+  if (any_resists) {
+    stable_rate = maximum(square_root(stable_rate * stable_rate + corners.rate_square), T(4) * corners.closing_rate);
+  }
   return own.alive && !(corners.worst > T(0));
 }
 

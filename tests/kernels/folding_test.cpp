@@ -12,6 +12,13 @@ using namespace test;
 
 constexpr double onset = 0.3, energy_scale = 0.7, inverse_mass = 2.0;
 
+double volume_of(const Corners& x) {
+  Vec3<double> corner[8];
+  std::copy(x.begin(), x.end(), corner);
+  const HexahedronModes<double> modes = to_modes(corner);
+  return hexahedron_volume(uniform_gradient(modes), modes);
+}
+
 /// The element by itself: nodes are its corners.
 CornerResistance<double> resistance(const Corners& x, const Corners& v = {}, double r0 = onset) {
   alignas(32) double position[32] = {}, velocity[32] = {};
@@ -21,16 +28,12 @@ CornerResistance<double> resistance(const Corners& x, const Corners& v = {}, dou
     double* const to[2] = {position + 4 * i, velocity + 4 * i};
     for (int k = 0; k < 2; ++k) to[k][0] = of[k].x, to[k][1] = of[k].y, to[k][2] = of[k].z;
   }
-  CornerResistance<double> out;
-  resist_folding<double, 1>(position, velocity, corner, energy_scale, r0, inverse_mass, true, out);
+  CornerResistance<double> out{};
+  Vec3<double> at[8];
+  std::copy(x.begin(), x.end(), at);
+  resist_folding<double, 1>(position, velocity, corner, energy_scale, r0, inverse_mass, to_modes(at), volume_of(x),
+                            true, out);
   return out;
-}
-
-double volume_of(const Corners& x) {
-  Vec3<double> corner[8];
-  std::copy(x.begin(), x.end(), corner);
-  const HexahedronModes<double> modes = to_modes(corner);
-  return hexahedron_volume(uniform_gradient(modes), modes);
 }
 
 /// The least share of a corner, from the edges as the numbering of corners gives them.
@@ -208,6 +211,38 @@ TEST(Folding, TheRateAtWhichACornerClosesIsThatOfItsJacobian) {
   }
 }
 
+TEST(Folding, HalfEdgesOfModesAreThoseOfCorners) {
+  Random random(12);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Corners x = distorted(random, 0.4);
+    Vec3<double> corner[8];
+    std::copy(x.begin(), x.end(), corner);
+    const HalfEdges<double> expected = half_edges(corner), found = half_edges(to_modes(corner));
+    for (int m = 0; m < 3; ++m) {
+      for (int e = 0; e < 4; ++e) {
+        const Vec3<double> off = found.along[m][e] - expected.along[m][e];
+        EXPECT_LT(dot(off, off), 1e-28) << m << e;
+      }
+    }
+  }
+}
+
+TEST(Folding, WhereAllCornersAreOpenNothingIsDone) {
+  Random random(13);
+  int open = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Corners x = distorted(random, 0.3), v = distorted(random, 0.5);
+    const CornerResistance<double> found = resistance(x, v);
+    EXPECT_NEAR(found.worst, least_share(x), 1e-12);
+    if (found.worst < 2 * onset * 1.002) continue;
+    ++open;
+    EXPECT_EQ(found.energy, 0);
+    EXPECT_EQ(found.closing_rate, 0);
+  }
+  EXPECT_GT(open, 20);
+  EXPECT_LT(open, 180);
+}
+
 TEST(Folding, ACornerThatHasTurnedOverIsPushedBack) {
   Corners x = box(1, 1, 1);
   x[6] = {0.25, 0.25, 0.25};  // beyond the plane of its neighbours
@@ -244,9 +279,11 @@ TEST(Folding, LanesOfAPackAreThoseOfElementsAlone) {
     alignas(64) double position[32 * W] = {}, velocity[32 * W] = {};
     std::int32_t corner[8 * W];
     MaskOf<T> there(true);
+    T volume(0);
     for (int lane = 0; lane < W; ++lane) {
       x.push_back(lane % 3 == 2 ? distorted(random, 0.1) : near_folding(random));
       v.push_back(distorted(random, 0.5));
+      set_lane(volume, lane, volume_of(x.back()));
       if constexpr (W > 1) {
         if (lane == 1) there[1] = false;
       }
@@ -258,8 +295,11 @@ TEST(Folding, LanesOfAPackAreThoseOfElementsAlone) {
         for (int k = 0; k < 2; ++k) to[k][0] = of[k].x, to[k][1] = of[k].y, to[k][2] = of[k].z;
       }
     }
-    CornerResistance<T> found;
-    resist_folding<T, W>(position, velocity, corner, T(energy_scale), T(onset), T(inverse_mass), there, found);
+    CornerResistance<T> found{};
+    Vec3<T> at[8];
+    for (int i = 0; i < 8; ++i) at[i] = gather_vectors<T>(position, corner + i * W);
+    resist_folding<T, W>(position, velocity, corner, T(energy_scale), T(onset), T(inverse_mass), to_modes(at), volume,
+                         there, found);
     for (int i = 0; i < W; ++i) {
       if (W > 1 && i == 1) {
         EXPECT_EQ(lane(found.worst, i), -1);
