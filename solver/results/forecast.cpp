@@ -17,12 +17,17 @@ constexpr double fixed_iterations = 3;
 /// Part of the run after which its own last steps say all.
 constexpr double settled = 0.7;
 
+/// With which a material flows at the strains of an impact, as far as it says so by one number [stress].
+double flow_stress(const Material& m) {
+  return m.yield_stress + (m.johnson_cook ? m.johnson_cook->hardening_coefficient : 0.0);
+}
+
 /// By how much the steps of a run are smaller than its first, in the mean.
 double shrinking(const Scene& scene, double speed) {
   double most = 1;
   for (const Material& m : scene.materials) {
     if (!m.plastic) continue;
-    double strain = strain_of_impact * m.density * speed * speed / m.yield_stress;
+    double strain = strain_of_impact * m.density * speed * speed / flow_stress(m);
     if (m.erosion_strain > 0) strain = speed > 0 ? std::min(strain, m.erosion_strain) : m.erosion_strain;
     most = std::max(most, std::exp(strain_share * std::min(strain, most_strain)));
   }

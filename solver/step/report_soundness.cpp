@@ -112,7 +112,7 @@ void fill_soundness(const Solver<S>& solver, RunSummary& summary) {
   summary.mesh_warnings = solver.mesh().warnings;
   summary.unlikely = solver.look().unlikely;
   if (!solver.many_steps().empty()) summary.unlikely.push_back(solver.many_steps());
-  summary.expected_impact = solver.look().impact_speed;
+  summary.expected_impact = solver.impact_speed();
   summary.contact_because = solver.look().contact_because;
   summary.near_nodes = solver.near_nodes();
   summary.unstable_hourglass = solver.unstable_hourglass();

@@ -130,6 +130,9 @@ double surface_of(const Solver<S>& solver) {
   return static_cast<double>(solver.contact()->surface_elements()) / static_cast<double>(solver.element_count());
 }
 
+/// Below a tenth of a second starting and files are most of it, and their times go up and down.
+std::string time_text(double seconds) { return seconds < 0.1 ? "under 0.1 s" : "about " + duration_cell(seconds); }
+
 template <class S>
 void print_store(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
@@ -150,7 +153,7 @@ void print_cost(Solver<S>& solver, const Units& units, const SpentSoFar& spent) 
   const Scene& scene = solver.scene();
   fmt::print("cost\n");
   print_store(solver);
-  Forecast forecast(scene, solver.look().impact_speed, surface_of(solver));
+  Forecast forecast(scene, solver.impact_speed(), surface_of(solver));
   const double start = now();
   double noted = -note_seconds;
   StepPhases begun;
@@ -181,11 +184,10 @@ void print_cost(Solver<S>& solver, const Units& units, const SpentSoFar& spent) 
   const ExpectedRun run = forecast.expected(resting / element_steps, after(begun, phases_of(solver)));
   const double seconds = spent.built + run.seconds + seconds_of_outputs(solver, run, spent.program);
   const double per_step = run.seconds / run.steps;
-  fmt::print(
-      "  {:.0f} steps to {}, {}run time about {} ({:.3g} ms per step, {:.3g} million element steps per second)\n",
-      run.steps, with_unit(solver.at_end() ? solver.time() : scene.time.end, units.time),
-      solver.at_end() ? "all made just now, " : "", duration_cell(seconds), 1e3 * per_step,
-      1e-6 * static_cast<double>(solver.element_count()) / per_step);
+  fmt::print("  {:.0f} steps to {}, {}run time {} ({:.3g} ms per step, {:.3g} million element steps per second)\n",
+             run.steps, with_unit(solver.at_end() ? solver.time() : scene.time.end, units.time),
+             solver.at_end() ? "all made just now, " : "", time_text(seconds), 1e3 * per_step,
+             1e-6 * static_cast<double>(solver.element_count()) / per_step);
 }
 
 template void print_cost(Solver<double>&, const Units&, const SpentSoFar&);
