@@ -20,8 +20,6 @@ constexpr double push_out = 0.1;
 constexpr double more_than_any_rate = 1e100;
 /// Way of a step, over the size of a pair, up to which a pair that is new counts as being at rest.
 constexpr double at_rest = 1e-6;
-/// Name of the first plane that bounds nodes, in the place of that of a second body.
-constexpr std::int64_t first_bound = -(std::int64_t(1) << 61);
 /// What is left where the bound of their number ends iterations, over what impulses were to change: more than this is
 /// worth a warning.
 constexpr double sound = 1e-2;
@@ -161,43 +159,6 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
     }
     v[3] = 0;
   });
-}
-
-/// Rows of one node each, as if the plane were a body that nothing moves. Only for as long as the system is solved.
-template <class S>
-void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) {
-  contacts_ = rows_.size();
-  if (contacts_ == 0 || !(dt > 0)) return;
-  double fastest = 0;
-  for (const Pair& pair : pairs_) fastest = std::max(fastest, std::abs(pair.rate_before));
-  std::size_t place = 0;  // bounds come in the order of the nodes
-  for (const NodeBound& bound : bounds) {
-    if (bound.gap > 2 * dt * (fastest + std::abs(bound.rate))) continue;
-    while (node_[place] != bound.node) place = place + 1 < node_.size() ? place + 1 : 0;
-    const auto& n = bound.normal;
-    rows_.rows.push_back({{n[0], n[1], n[2]}, rows_.node.size(), 1});
-    rows_.node.push_back(static_cast<std::int32_t>(place));
-    rows_.weight.push_back(-1);
-    Pair& pair = pairs_.emplace_back();
-    pair.depth = pair.seen = 0 - bound.gap;
-    pair.rate_before = bound.rate;
-    const std::int64_t second = first_bound - bound.wall;
-    const auto is = [&](std::size_t at) { return memory_[at].first == bound.node && memory_[at].second == second; };
-    const std::size_t at = names_.find(bound.node, static_cast<std::int32_t>(second), is);
-    if (at != PairNames::none) pair.memory = memory_[at];
-    pair.memory.first = bound.node;
-    pair.memory.second = second;
-  }
-}
-
-template <class S>
-void ImpulseSolver<S>::drop_bounds() {
-  if (rows_.size() == contacts_) return;
-  rows_.node.resize(rows_.rows[contacts_].first);
-  rows_.weight.resize(rows_.rows[contacts_].first);
-  rows_.rows.resize(contacts_);
-  pairs_.resize(contacts_);
-  if (!frictions_.empty()) frictions_.resize(contacts_);
 }
 
 /// What each row may still close or has to push out, and its closing velocity without impulses.

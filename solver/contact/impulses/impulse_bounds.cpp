@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cmath>
+
+#include "impulse_solver.hpp"
+
+/// Planes that nodes do not cross, as rows of the system for as long as it is solved.
+namespace pinball {
+
+namespace {
+
+/// Name of the first plane that bounds nodes, in the place of that of a second body.
+constexpr std::int64_t first_bound = -(std::int64_t(1) << 61);
+
+}  // namespace
+
+/// Rows of one node each, as if the plane were a body that nothing moves. Only for as long as the system is solved.
+template <class S>
+void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) {
+  contacts_ = rows_.size();
+  if (contacts_ == 0 || !(dt > 0)) return;
+  double fastest = 0;
+  for (const Pair& pair : pairs_) fastest = std::max(fastest, std::abs(pair.rate_before));
+  std::size_t place = 0;  // bounds come in the order of the nodes
+  for (const NodeBound& bound : bounds) {
+    if (bound.gap > 2 * dt * (fastest + std::abs(bound.rate))) continue;
+    while (node_[place] != bound.node) place = place + 1 < node_.size() ? place + 1 : 0;
+    const auto& n = bound.normal;
+    rows_.rows.push_back({{n[0], n[1], n[2]}, rows_.node.size(), 1});
+    rows_.node.push_back(static_cast<std::int32_t>(place));
+    rows_.weight.push_back(-1);
+    Pair& pair = pairs_.emplace_back();
+    pair.depth = pair.seen = 0 - bound.gap;
+    pair.rate_before = bound.rate;
+    const std::int64_t second = first_bound - bound.wall;
+    const auto is = [&](std::size_t at) { return memory_[at].first == bound.node && memory_[at].second == second; };
+    const std::size_t at = names_.find(bound.node, static_cast<std::int32_t>(second), is);
+    if (at != PairNames::none) pair.memory = memory_[at];
+    pair.memory.first = bound.node;
+    pair.memory.second = second;
+  }
+}
+
+template <class S>
+void ImpulseSolver<S>::drop_bounds() {
+  if (rows_.size() == contacts_) return;
+  rows_.node.resize(rows_.rows[contacts_].first);
+  rows_.weight.resize(rows_.rows[contacts_].first);
+  rows_.rows.resize(contacts_);
+  pairs_.resize(contacts_);
+  if (!frictions_.empty()) frictions_.resize(contacts_);
+}
+
+#define PINBALL_INSTANTIATE(S)                                                    \
+  template void ImpulseSolver<S>::add_bounds(std::span<const NodeBound>, double); \
+  template void ImpulseSolver<S>::drop_bounds();
+PINBALL_INSTANTIATE(double)
+PINBALL_INSTANTIATE(float)
+#undef PINBALL_INSTANTIATE
+
+}  // namespace pinball
