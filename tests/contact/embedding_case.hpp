@@ -51,7 +51,7 @@ class EmbeddingHost {
         contact_(make(first_index, threads)) {}
 
   void step(double dt_after) {
-    internal_.compute(model_, schedule_, {}, static_cast<S>(dt_before_));
+    internal_.compute(model_, schedule_, {}, {static_cast<S>(dt_before_)});
     flag_elements();
     const pinball_contact_arrays arrays = load();
     contact_.update(arrays, dt_before_);

@@ -78,7 +78,7 @@ class Bar {
   std::vector<int> levels(const Subcycling<double>& subcycling) const {
     std::vector<int> levels;
     for (std::int32_t t = 0; t < model.tile_count(); ++t) {
-      levels.push_back(std::ilogb(subcycling.step(t, false, 1.0).length));
+      levels.push_back(std::ilogb(subcycling.step(t, false, {1.0}).length));
     }
     return levels;
   }
