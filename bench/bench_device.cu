@@ -206,7 +206,7 @@ void measure(const char* precision, const char* what, int n, int most_steps, con
   const auto run = [&](int count) {
     double energy = 0;
     for (int i = 0; i < count; ++i) {
-      energy += step.update_elements(S(dt)).internal;
+      energy += step.update_elements({S(dt)}).internal;
       step.integrate({dt, dt});
     }
     return energy;

@@ -79,7 +79,9 @@ __global__ void feet_on_faces(const Vec3<S>* point, FaceProjection<S>* foot, Fac
   const std::int64_t pair = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
   const Vec3<S>* const at = point + 5 * pair;
   const Vec3<S> corner[4] = {at[0], at[1], at[2], at[3]};
-  foot[pair] = foot_on_face(corner, at[4], 1e-3);
+  foot[pair] = foot_on_face(corner, at[4]);
+  move_to_nearest_side(corner, at[4], foot[pair]);
+  foot[pair].gap = move_to_line(corner, foot[pair].gap * foot[pair].normal, foot[pair].normal, foot[pair].weight);
   projection[pair] = project_onto_face(corner, at[4], S(0), S(0));
 }
 
