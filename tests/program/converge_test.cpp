@@ -8,60 +8,20 @@
 
 #include <solver/program/study/convergence_report.hpp>
 #include <solver/program/study/run_results.hpp>
-#include <tests/support/folder_case.hpp>
-#include <tests/support/program.hpp>
+#include <tests/program/converge_case.hpp>
 
-/// The command from outside, with a block of a few elements that meets a wall.
+/// What a study says, which of its runs it makes, and what it refuses.
 namespace pinball {
 namespace {
 
-using Json = nlohmann::json;
 using test::content;
+using test::Converge;
 using test::Finished;
+using test::Json;
 using test::run;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
-
-class Converge : public test::FolderTest {
- protected:
-  void SetUp() override {
-    FolderTest::SetUp();
-    write_scene("type = \"block\", size = [1, 1, 2], elements = [2, 2, 4]");
-  }
-  void write_scene(const std::string& mesh, const std::string& more = "") const {
-    std::ofstream(scene()) << "units = \"g-mm-ms\"\n"
-                              "[time]\nend = 4e-3\n"
-                              "[[material]]\nname = \"m\"\nmodel = \"elastic\"\ndensity = 1e-3\n"
-                              "young_modulus = 1e3\npoisson_ratio = 0.25\n"
-                              "[[body]]\nname = \"bar\"\nmaterial = \"m\"\nvelocity = [0, 0, -10]\nmesh = { "
-                           << mesh
-                           << " }\n"
-                              "[[rigid_wall]]\nname = \"wall\"\nnormal = [0, 0, 1]\n"
-                              "[[probe]]\nname = \"tail\"\npoint = [0, 0, 2]\nquantities = [\"displacement\"]\n"
-                           << more;
-  }
-  std::string scene() const { return (folder_ / "bar.toml").string(); }
-  std::string out() const { return (folder_ / "out").string(); }
-  std::string json_file() const { return (folder_ / "table.json").string(); }
-  std::string command(const std::string& options) const {
-    return fmt::format("converge {} --threads 1 --out {} --json {} {}", scene(), out(), json_file(), options);
-  }
-  Finished converge(const std::string& options) const { return run(command(options)); }
-  Json json() const { return Json::parse(content(json_file())); }
-  static Json of(const Json& table, const std::string& name) {
-    for (const Json& quantity : table["quantities"]) {
-      if (quantity["name"] == name) return quantity;
-    }
-    return nullptr;
-  }
-
-  static std::string hash(const std::string& folder) {
-    return Json::parse(content(folder + "/summary.json"))["state_hash"];
-  }
-
-  static constexpr const char* coarse = " --quiet --only mesh --meshes 1/2,1,3/2 ";
-};
 
 TEST_F(Converge, SaysWhatTheRunsOnItsMeshesSay) {
   const Finished f = converge(coarse);
@@ -319,82 +279,6 @@ TEST_F(Converge, OnlyNamesWhatIsLookedAt) {
 }
 
 /// A run with one body of finer elements is that of the scene with these counts.
-TEST_F(Converge, BodiesAreRefinedApart) {
-  write_scene("type = \"block\", size = [1, 1, 2], elements = [2, 2, 4]",
-              "[[body]]\nname = \"far\"\nmaterial = \"m\"\nposition = [9, 0, 0]\n"
-              "mesh = { type = \"block\", size = [1, 1, 2], elements = [1, 1, 2] }\n");
-  const Finished f = converge(std::string(coarse) + "--of bar_velocity_z --refine bar=2 --refine far=2 --refine 2");
-  ASSERT_EQ(f.status, 0) << f.text;
-  const Json table = json();
-  ASSERT_EQ(table["sources"].size(), 2);
-  EXPECT_EQ(table["sources"][0]["name"], "bar 2 times finer");
-  EXPECT_EQ(table["sources"][0]["what"], "bar: elements 8 x 8 x 16; far: elements 2 x 2 x 4");
-  EXPECT_EQ(of(table, "bar_velocity_z")["refine"], "refine bar, not far");
-  EXPECT_EQ(of(table, "bar_velocity_z")["largest_source"], "mesh");
-  EXPECT_THAT(f.text, HasSubstr("bar_velocity_z: refine bar, not far"));
-  // What does not fit into the time is known before it runs.
-  EXPECT_EQ(converge(std::string(coarse) + "--of bar_velocity_z --refine bar=200 --refine 2 --budget 3s").status, 0);
-  EXPECT_THAT(json()["sources"][0]["runs"][0]["left_out"].get<std::string>(), HasSubstr("expected to take"));
-  const std::string folder = (folder_ / "run").string();
-  const std::string finer = "--set body.bar.mesh.elements=[8,8,16] --set body.far.mesh.elements=[2,2,4]";
-  ASSERT_EQ(run(fmt::format("run {} --quiet --threads 1 --out {} {}", scene(), folder, finer)).status, 0);
-  EXPECT_EQ(hash(out() + "/mesh_1_bar_2"), hash(folder));
-}
-
-/// The same bar from a file, split in eight and again, and as a block of as many elements.
-TEST_F(Converge, AMeshOfAFileIsSplitAsABlockIsRefined) {
-  write_scene("type = \"block\", size = [1, 1, 2], elements = [1, 1, 2]");
-  ASSERT_EQ(converge("--quiet --only mesh --meshes 1,2,4").status, 0);
-  const Json of_block = json();
-  std::string deck = "*KEYWORD\n*NODE\n";
-  for (int i = 0; i < 12; ++i) deck += fmt::format("{},{},{},{}\n", i + 1, i % 2, i / 2 % 2, i / 4);
-  deck += "*ELEMENT_SOLID\n1,1,1,2,4,3,5,6,8,7\n2,1,5,6,8,7,9,10,12,11\n*END\n";
-  std::ofstream(folder_ / "bar.k") << deck;
-  write_scene("type = \"keyword\", file = \"bar.k\"");
-  const Finished f = converge("--quiet --only mesh");
-  ASSERT_EQ(f.status, 0) << f.text;
-  const Json of_file = json();
-  EXPECT_EQ(of_file["meshes"][2]["counts"], "bar: bar.k, each element in 64");
-  EXPECT_EQ(of_file["meshes"][2]["elements"], 128);
-  for (const char* name : {"energy.kinetic", "bar_velocity_z", "wall_impulse", "tail_displacement_z:min"}) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double value = of(of_block, name)["values"][i];
-      EXPECT_NEAR(of(of_file, name)["values"][i], value, 1e-9 * std::abs(value)) << name;
-    }
-  }
-  EXPECT_EQ(converge("--quiet --only mesh").status, 0);
-  EXPECT_TRUE(json()["meshes"][0]["was_there"]);
-  std::ofstream(folder_ / "bar.k") << deck << "$ another file\n";
-  EXPECT_EQ(converge("--quiet --only mesh").status, 0);
-  EXPECT_FALSE(json()["meshes"][0]["was_there"]);
-}
-
-/// Nodes and faces that are listed by their numbers are the sets of the same nodes and faces, on all meshes.
-TEST_F(Converge, ListsOfNumbersGoWithMeshesThatAreSplit) {
-  std::string deck = "*KEYWORD\n*NODE\n";
-  for (int i = 0; i < 12; ++i) deck += fmt::format("{},{},{},{}\n", 10 * i + 7, i % 2, i / 2 % 2, i / 4);
-  deck += "*ELEMENT_SOLID\n1,1,7,17,37,27,47,57,77,67\n2,1,47,57,77,67,87,97,117,107\n";
-  deck += "*SET_NODE_LIST\n5\n7,17,27,37\n*SET_SEGMENT\n6\n87,97,117,107\n*END\n";
-  std::ofstream(folder_ / "bar.k") << deck;
-  const std::string mesh = "type = \"keyword\", file = \"bar.k\"",
-                    pressed = "[[pressure]]\nname = \"push\"\npressure = 5\n",
-                    held = "[[constraint]]\ntype = \"fixed\"\ndirections = [\"x\", \"y\"]\n",
-                    probe = "[[probe]]\nname = \"corner\"\nnode = 87\nquantities = [\"displacement\"]\n";
-  write_scene(mesh, held + "nodes = [7, 17, 27, 37]\n" + pressed + "faces = [[87, 97, 117, 107]]\n" + probe);
-  const Finished by_numbers = converge("--quiet --ensemble 1 --only mesh --only chance");
-  ASSERT_EQ(by_numbers.status, 0) << by_numbers.text;
-  const Json listed = json();
-  EXPECT_EQ(listed["meshes"][2]["elements"], 128);
-  write_scene(mesh, held + "set = \"5\"\n" + pressed + "set = \"6\"\n" + probe);
-  ASSERT_EQ(converge("--quiet --ensemble 1 --only mesh --only chance").status, 0);
-  EXPECT_FALSE(json()["meshes"][1]["was_there"]);
-  EXPECT_EQ(json()["quantities"], listed["quantities"]);
-  ASSERT_FALSE(of(listed, "corner_displacement_z:min").is_null() && of(listed, "corner_displacement_z").is_null());
-
-  write_scene(mesh, held + "nodes = [7, 18]\n");
-  test::expect_bad_input(command("--quiet --only mesh"), "no node 18");
-}
-
 TEST_F(Converge, RunsThatFailAreNamed) {
   const Finished f = converge(std::string(coarse) + "--set guard.energy_error=1e-12");
   EXPECT_EQ(f.status, 1) << f.text;
