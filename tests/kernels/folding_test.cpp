@@ -296,10 +296,10 @@ TEST(Folding, LanesOfAPackAreThoseOfElementsAlone) {
       }
     }
     CornerResistance<T> found{};
-    Vec3<T> at[8];
-    for (int i = 0; i < 8; ++i) at[i] = gather_vectors<T>(position, corner + i * W);
-    resist_folding<T, W>(position, velocity, corner, T(energy_scale), T(onset), T(inverse_mass), to_modes(at), volume,
-                         there, found);
+    Vec3<T> place[8];
+    for (int i = 0; i < 8; ++i) place[i] = gather_vectors<T>(position, corner + i * W);
+    resist_folding<T, W>(position, velocity, corner, T(energy_scale), T(onset), T(inverse_mass), to_modes(place),
+                         volume, there, found);
     for (int i = 0; i < W; ++i) {
       if (W > 1 && i == 1) {
         EXPECT_EQ(lane(found.worst, i), -1);
