@@ -155,7 +155,8 @@ Scene scene() {
                       .shear_modulus = 1,
                       .yield_curves = {},
                       .johnson_cook = {},
-                      .equation_of_state = {}}};
+                      .equation_of_state = {},
+                      .erosion = {}}};
   scene.bodies.resize(1);
   scene.bodies[0].name = "b";
   scene.bodies[0].material = "m";

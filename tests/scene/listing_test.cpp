@@ -23,7 +23,8 @@ Scene example() {
                       .yield_stress = 0.1,
                       .yield_curves = {},
                       .johnson_cook = {},
-                      .equation_of_state = {}}};
+                      .equation_of_state = {},
+                      .erosion = {}}};
   Body body;
   body.name = "bar";
   body.material = "steel";
