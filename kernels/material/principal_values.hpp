@@ -38,8 +38,8 @@ PINBALL_FUNCTION PrincipalValues<T> principal_values(const Symmetric<T>& s) {
   // half the difference of the two others: sqrt(J2 - 3/4 x^2)
   const T half = c * square_root(maximum(T(0), T(3) - T(3) * m * m));
   const T near = number<T>(0.5) * apart + half, far = number<T>(-0.5) * apart - half;
-  const auto positive = j3 > T(0);
-  return {mean + select(positive, apart, near), mean + select(positive, far, T(-1) * apart)};
+  const auto upwards = j3 > T(0);
+  return {mean + select(upwards, apart, near), mean + select(upwards, far, T(-1) * apart)};
 }
 
 }  // namespace pinball
