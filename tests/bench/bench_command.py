@@ -1,8 +1,20 @@
 """What the tests of the commands in bench/ have in common."""
 
 import csv
+import importlib.machinery
+import importlib.util
 import os
 import subprocess
+
+BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench")
+
+
+def load_command(name):
+    """A command of bench/ as a module."""
+    loader = importlib.machinery.SourceFileLoader(name, os.path.join(BENCH, name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
+    loader.exec_module(module)
+    return module
 
 
 def rows_of(folder, name):

@@ -1,14 +1,10 @@
 """What bench/forecast reads of pinball info, and what it counts."""
 
-import importlib.machinery
-import importlib.util
-import os
 import unittest
 
-PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench", "forecast")
-loader = importlib.machinery.SourceFileLoader("forecast", PATH)
-forecast = importlib.util.module_from_spec(importlib.util.spec_from_loader("forecast", loader))
-loader.exec_module(forecast)
+from bench_command import load_command
+
+forecast = load_command("forecast")
 
 
 class Foretold(unittest.TestCase):

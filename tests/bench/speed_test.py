@@ -1,8 +1,6 @@
 """bench/speed from its call to its tables, with sizes that take seconds: speed_test.py FOLDER. No time is judged."""
 
 import contextlib
-import importlib.machinery
-import importlib.util
 import io
 import math
 import os
@@ -11,17 +9,13 @@ import unittest
 
 import bench_command
 
-BENCH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench")
-SPEED = os.path.join(BENCH, "speed")
+SPEED = os.path.join(bench_command.BENCH, "speed")
 OUT = ""
 
 
 def load():
-    sys.path.insert(0, BENCH)
-    loader = importlib.machinery.SourceFileLoader("speed", SPEED)
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("speed", loader))
-    loader.exec_module(module)
-    return module
+    sys.path.insert(0, bench_command.BENCH)
+    return bench_command.load_command("speed")
 
 
 class Calls(bench_command.Calls, unittest.TestCase):

@@ -1,14 +1,10 @@
 """What bench/threads makes of its measurements."""
 
-import importlib.machinery
-import importlib.util
-import os
 import unittest
 
-PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench", "threads")
-loader = importlib.machinery.SourceFileLoader("threads", PATH)
-threads = importlib.util.module_from_spec(importlib.util.spec_from_loader("threads", loader))
-loader.exec_module(threads)
+from bench_command import load_command
+
+threads = load_command("threads")
 
 
 class Threads(unittest.TestCase):
