@@ -22,11 +22,7 @@ Scene column(double friction, double aside, double turned_by) {
   }
   Scene scene = trial_scene(bodies, 1e9);
   scene.contact.friction = scene.contact.static_friction = friction;
-  RigidWall floor;
-  floor.name = "floor";
-  floor.plane = Plane{{0, 0, 0}, {0, 0, 1}};
-  floor.friction = friction;
-  scene.rigid_walls = {floor};
+  scene.rigid_walls = {floor_of(friction)};
   Gravity gravity;
   gravity.acceleration = {0, 0, -981};
   scene.gravities = {gravity};

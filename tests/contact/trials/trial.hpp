@@ -59,6 +59,15 @@ inline Scene trial_scene(const std::vector<Body>& bodies, double end, double poi
   return scene;
 }
 
+/// A rigid floor below all, z = 0.
+inline RigidWall floor_of(double friction) {
+  RigidWall floor;
+  floor.name = "floor";
+  floor.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+  floor.friction = friction;
+  return floor;
+}
+
 inline FixedConstraint held(const std::string& body) {
   FixedConstraint constraint;
   constraint.nodes.body = body;

@@ -23,11 +23,7 @@ Scene overhang(double lean, double over, int elements, double friction) {
   Body struck = leaning("struck", lean, {}), striker = leaning("striker", over, {2 * h + 0.001, 0.013, 0.001});
   striker.velocity = {-20, 0, 0};
   Scene scene = trial_scene({struck, striker}, 1.5e-3);
-  RigidWall floor;
-  floor.name = "floor";
-  floor.plane = Plane{{0, 0, 0}, {0, 0, 1}};
-  floor.friction = friction;
-  scene.rigid_walls = {floor};
+  scene.rigid_walls = {floor_of(friction)};
   return scene;
 }
 
