@@ -1,131 +1,13 @@
-"""The pages that the program leaves, in a browser: python3 page_browser_test.py PROGRAM FOLDER
-
-Ends with 77, and says why, where Chromium, its driver or Selenium are not there.
-"""
+"""The pages of runs, comparisons and verifications, in a browser: python3 page_browser_test.py PROGRAM FOLDER"""
 
 import csv
 import json
-import os
-import pathlib
-import shutil
-import subprocess
-import sys
-import tempfile
-import unittest
 
-SKIPPED = 77
-
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-except ImportError:
-    webdriver = None
-
-FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-         "--disable-component-update", "--disable-sync", "--window-size=1200,900"]
-
-program, folder = None, None
+import browser
+from browser import By, Keys, Pages, number, place, run
 
 # A pixel, as `pinball view` puts pictures.
 PIXEL = ("data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
-
-
-def number(text):
-    """What the page shows as -1,234.5 or 1.23 times a power of ten."""
-    mantissa, _, exponent = text.replace(",", "").replace("\u2212", "-").partition("\u00d710")
-    return float(mantissa) * 10.0 ** int(exponent.translate(str.maketrans("\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079", "-0123456789")) or 0)
-
-
-def missing():
-    if webdriver is None:
-        return "python3-selenium is not there"
-    for name in ["chromium", "chromedriver"]:
-        if shutil.which(name) is None:
-            return f"{name} is not there"
-    return None
-
-
-def run(*arguments, status=0, environment={}):
-    done = subprocess.run([program, *arguments], cwd=folder, capture_output=True, text=True,
-                          env={**os.environ, "GOMP_SPINCOUNT": "1000", **environment})
-    assert done.returncode == status, f"{arguments}: status {done.returncode}\n{done.stdout}{done.stderr}"
-
-
-class Pages(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.profile = tempfile.mkdtemp()
-        options = webdriver.ChromeOptions()
-        options.binary_location = shutil.which("chromium")
-        for flag in [*FLAGS, f"--user-data-dir={cls.profile}"]:
-            options.add_argument(flag)
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-        shutil.rmtree(cls.profile, ignore_errors=True)
-
-    def open(self, path):
-        """Opens a page, which must tell of no error and ask for nothing but itself."""
-        for log in ["browser", "performance"]:
-            self.browser.get_log(log)
-        self.browser.get((pathlib.Path(folder) / path).as_uri())
-        self.addCleanup(self.expect_quiet)
-
-    def expect_quiet(self):
-        told = [entry for entry in self.browser.get_log("browser") if "Canvas2D" not in entry["message"]]  # read by this test
-        self.assertEqual(told, [])
-        for entry in self.browser.get_log("performance"):
-            message = json.loads(entry["message"])["message"]
-            if message["method"] == "Network.requestWillBeSent":
-                url = message["params"]["request"]["url"]
-                self.assertRegex(url, "^(file|data|chrome):", "a request")  # chrome: of the tab that it begins with
-
-    def all(self, selector):
-        return self.browser.find_elements(By.CSS_SELECTOR, selector)
-
-    def one(self, selector):
-        found = self.all(selector)
-        self.assertEqual(len(found), 1, selector)
-        return found[0]
-
-    def texts(self, selector):
-        return [element.text for element in self.all(selector)]
-
-    def panel(self, title):
-        panels = [p for p in self.all("figure.panel") if p.find_element(By.TAG_NAME, "h3").text == title]
-        self.assertEqual(len(panels), 1, title)
-        return panels[0]
-
-    def expect_curves(self):
-        """Every panel has more than a few points drawn on its canvas."""
-        drawn = self.browser.execute_script("""
-            return [...document.querySelectorAll('figure.panel')].map((panel) => {
-              const canvas = panel.querySelector('canvas');
-              const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
-              const seen = new Set();
-              let points = 0;
-              for (let i = 0; i < pixels.length; i += 4) if (pixels[i + 3] > 200) { ++points; seen.add(pixels.slice(i, i + 3).join()); }
-              return [panel.querySelector('h3').textContent, points, seen.size];
-            });""")
-        self.assertGreater(len(drawn), 2)
-        for title, points, colours in drawn:
-            self.assertGreater(points, 200, title)
-
-    def values(self, panel):
-        return {li.find_element(By.CSS_SELECTOR, "button > span:nth-child(2)").text:
-                li.find_element(By.TAG_NAME, "output").text for li in panel.find_elements(By.CSS_SELECTOR, ".legend li")}
-
-    def hover(self, panel, across=0.5):
-        canvas = panel.find_element(By.CSS_SELECTOR, ".chart canvas:last-of-type")
-        self.browser.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
-        width = canvas.size["width"]
-        ActionChains(self.browser).move_to_element_with_offset(canvas, int((across - 0.5) * width), 0).perform()
 
 
 class RunPage(Pages):
@@ -143,7 +25,7 @@ class RunPage(Pages):
         self.assertIn("Copper rod", self.one("h1").text)
         figures = dict(text.split("\n") for text in self.texts("#figures .figure"))
         self.assertEqual(figures["elements"], "1,842")
-        summary = json.loads((pathlib.Path(folder) / "run/summary.json").read_text())
+        summary = json.loads(place("run/summary.json").read_text())
         self.assertEqual(figures["state"], summary["state_hash"])
         self.assertEqual(self.all(".error"), [])
         for part in ["Energies", "Bodies", "Momentum", "Contact and forces", "Where the time went", "The scene"]:
@@ -164,7 +46,7 @@ class RunPage(Pages):
         self.assertIn("lbf in", self.panel("Small energies").find_element(By.CSS_SELECTOR, ".axis").text)
 
     def test_every_curve_is_that_of_its_column(self):
-        with open(pathlib.Path(folder) / "run/history.csv", encoding="utf-8") as file:
+        with open(place("run/history.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
         columns = {"Momentum": "momentum_{}", **{title: "{}" for title in ("Energy", "Small energies", "Small energies, smallest")}}
         for body in ["rod", "plate"]:
@@ -257,7 +139,7 @@ class RunPage(Pages):
             self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": []})
 
     def test_plays_the_frames_that_were_put_in(self):
-        page = pathlib.Path(folder) / "run/index.html"
+        page = place("run/index.html")
         frames = "".join(f'<img loading="lazy" alt="frame {i}" src="{PIXEL}">' for i in range(3))
         begin, end = "<!-- pictures -->", "<!-- /pictures -->"
         head, rest = page.read_text().split(begin)
@@ -287,12 +169,12 @@ class Panels(Pages):
 
     def with_blocks(self, name, **changes):
         """A page with other columns of the history, {name: function of its values}, and other parts of the summary."""
-        text = (pathlib.Path(folder) / "panels/index.html").read_text()
+        text = place("panels/index.html").read_text()
         for block, change in changes.items():
             head, rest = text.split(f'id="{block}">', 1)
             content, tail = rest.split("</script>", 1)
             text = f'{head}id="{block}">{json.dumps(change(json.loads(content)))}</script>{tail}'
-        (pathlib.Path(folder) / f"panels/{name}.html").write_text(text)
+        place(f"panels/{name}.html").write_text(text)
         self.open(f"panels/{name}.html")
 
     def with_columns(self, name, **columns):
@@ -332,7 +214,7 @@ class Panels(Pages):
     def test_ticks_of_a_comparison_differ_where_curves_hardly_do(self):
         run("compare", "two_blocks", "--vary", "time.cfl=0.5,0.6", "--repeat", "1", "--quiet", "--page", "narrow.html", "--set",
             "time.steps=20")
-        page = pathlib.Path(folder) / "narrow.html"
+        page = place("narrow.html")
         head, rest = page.read_text().split('id="curves">', 1)
         content, tail = rest.split("</script>", 1)
         for spread in (0.05, 1e-6):
@@ -401,7 +283,7 @@ class Panels(Pages):
 class OtherPages(Pages):
     def test_a_run_that_was_stopped_says_so(self):
         run("run", "two_blocks", "--quiet", "--out", "stopped", "--set", "time.steps=20")
-        page = pathlib.Path(folder) / "stopped/index.html"
+        page = place("stopped/index.html")
         head, rest = page.read_text().split('id="summary">')
         summary, tail = rest.split("</script>", 1)
         summary = json.dumps({**json.loads(summary), "status": "stopped"})
@@ -420,7 +302,7 @@ class OtherPages(Pages):
 
     def test_without_dygraphs_there_are_figures_in_place_of_curves(self):
         run("run", "two_blocks", "--quiet", "--out", "bare", "--set", "time.steps=20")
-        page = pathlib.Path(folder) / "bare/index.html"
+        page = place("bare/index.html")
         head, rest = page.read_text().split("/* The code that draws the curves", 1)
         page.write_text(head + rest[rest.index("</script>"):])
         self.open("bare/index.html")
@@ -450,71 +332,9 @@ class OtherPages(Pages):
         self.assertLess(shown(), before)
         self.assertGreater(shown(), 0)
 
-    def test_a_study_shows_values_bands_and_what_an_error_costs(self):
-        run("converge", "two_blocks", "--meshes", "1/2,1,2", "--only", "step", "--only", "chance", "--ensemble", "2", "--quiet",
-            "--of", "energy.kinetic", "--of", "energy.internal", "--out", "study", "--page", "study.html", "--json", "study.json",
-            "--csv", "study.csv")
-        study = json.loads((pathlib.Path(folder) / "study.json").read_text())
-        self.open("study.html")
-        self.assertEqual(self.one("#status").text, "done")
-        self.assertIn(study["sentence"], self.one("#sentence").text)
-        rows = [[cell.text for cell in row.find_elements(By.CSS_SELECTOR, "th, td")] for row in self.all("#quantity_table tbody tr")]
-        self.assertEqual([row[0].split(" ")[0] for row in rows], ["energy.kinetic", "energy.internal"])
-        for row, quantity in zip(rows, study["quantities"], strict=True):
-            self.assertEqual(row[-1], quantity["verdict"])
-            for text, value in zip(row[1:4], quantity["values"], strict=True):
-                self.assertAlmostEqual(number(text), value, delta=1e-5 * abs(value))
-        self.assertEqual(len(self.all("#run_table tbody tr")), 3 + 1 + 2)
-        self.assertEqual(len(self.all("#source_table tbody tr")), 2)
-        banded = sum(quantity["band"] is not None for quantity in study["quantities"])
-        self.assertEqual(len(self.all("#values .plot")), 2)
-        self.assertEqual(len(self.all("#values .plot .band")), banded)
-        self.assertEqual(len(self.all("#values .plot circle.run")), 2 * 3)
-        self.assertEqual(len(self.all("#costs .plot")), banded)
-        self.assert_points_are_inside()
-        with open(pathlib.Path(folder) / "study.csv", encoding="utf-8") as file:
-            lines = list(csv.DictReader(file))
-        self.assertEqual(len(lines), 2 * len(study["points"]))
-        self.assertEqual({line["run"] for line in lines}, {point["settings"] for point in study["points"]})
-        self.assertEqual(float(lines[0]["value"]), study["quantities"][0]["values"][0])
-        picture = self.all("#pictures img")
-        if picture:
-            self.assertGreater(self.browser.execute_script("return arguments[0].naturalWidth", picture[0]), 400)
-        else:
-            self.assertIn("No pictures: ", self.one("#pictures .note").text)
-
-    def test_a_run_shows_the_bands_that_were_kept(self):
-        scene = pathlib.Path(folder) / "kept.toml"
-        scene.write_text((pathlib.Path(__file__).resolve().parents[2] / "data/scenes/two_blocks.toml").read_text())
-        run("converge", "kept.toml", "--meshes", "1/2,1,2", "--only", "mesh", "--quiet", "--of", "upper_velocity_z", "--out", "kept_study", "--keep")
-        (band,) = json.loads((pathlib.Path(folder) / "kept.converged.json").read_text())["quantities"]
-        run("run", "kept.toml", "--quiet", "--out", "kept")
-        self.open("kept/index.html")
-        self.assertIn("Error bands", self.texts("nav a"))
-        cells = [cell.text for cell in self.all("#band_table tbody tr th, #band_table tbody tr td")]
-        self.assertEqual(cells[0], "upper_velocity_z [m/s]")
-        self.assertAlmostEqual(number(cells[1]), band["value"], delta=1e-4)
-        self.assertAlmostEqual(number(cells[2].split(" to ")[0]), band["low"], delta=1e-4)
-        self.assertEqual(cells[4], band["verdict"])
-
-    def assert_points_are_inside(self):
-        """Points of a plot lie in it, and no two of a curve at one place."""
-        for drawing in self.all(".plot svg"):
-            width, height = (float(v) for v in drawing.get_dom_attribute("viewBox").split()[2:])
-            for circle in drawing.find_elements(By.CSS_SELECTOR, "circle"):
-                self.assertTrue(0 < float(circle.get_dom_attribute("cx")) < width, circle.get_dom_attribute("cx"))
-                self.assertTrue(0 < float(circle.get_dom_attribute("cy")) < height, circle.get_dom_attribute("cy"))
-
-    def test_a_study_says_why_there_are_no_pictures(self):
-        run("converge", "two_blocks", "--meshes", "1/2,1,2", "--only", "mesh", "--quiet", "--of", "energy.kinetic", "--out", "study",
-            "--page", "bare.html", environment={"PINBALL_PYTHON": "/no/such/python"})
-        self.open("bare.html")
-        self.assertEqual(self.one("#pictures .note").text, "No pictures: /no/such/python does not start (No such file or directory)")
-        self.assertEqual(self.all("#source_table"), [])
-
     def test_a_verification_has_its_rows(self):
         run("verify", "two_blocks", "uniaxial_strain", "--page", "verify.html", "--json", "verify.json")
-        rows = json.loads((pathlib.Path(folder) / "verify.json").read_text())["rows"]
+        rows = json.loads(place("verify.json").read_text())["rows"]
         self.open("verify.html")
         shown = lambda: [row for row in self.all("#row_table tbody tr") if row.is_displayed()]
         self.assertEqual(len(shown()), len(rows))
@@ -527,10 +347,4 @@ class OtherPages(Pages):
 
 
 if __name__ == "__main__":
-    reason = missing()
-    if reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
-    program, folder = (os.path.abspath(path) for path in sys.argv[1:3])
-    os.makedirs(folder, exist_ok=True)
-    unittest.main(argv=sys.argv[:1])
+    browser.main()
