@@ -208,8 +208,15 @@ TEST_F(Converge, KeptBandsAreInTheResultsOfTheSceneAlone) {
   EXPECT_THAT(run_scene("--set time.cfl=0.5"), HasSubstr(kept + " is of other settings"));
   EXPECT_FALSE(summary().contains("converged"));
   EXPECT_THAT(run_scene("--set output.field_interval=1e-3"), HasSubstr("with finer meshes"));  // fields change nothing
-  std::ofstream(kept) << "[";
-  EXPECT_THAT(run_scene(""), HasSubstr(kept + " is no file of bands"));
+  const Json sound = Json::parse(content(kept));
+  Json number = sound, word = sound, list = sound;
+  number["settings"] = 1;
+  word["quantities"][0]["value"] = "much";
+  list["quantities"] = {1, 2};
+  for (const std::string& text : {std::string("["), number.dump(), word.dump(), list.dump()}) {
+    std::ofstream(kept) << text;
+    EXPECT_THAT(run_scene(""), HasSubstr(kept + " is no file of bands")) << text;
+  }
 }
 
 /// What a search says is what its runs say: nothing that it made reaches the error in less time.

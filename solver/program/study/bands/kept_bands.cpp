@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 
 #include <solver/base/state_hash.hpp>
@@ -34,6 +36,22 @@ OrderedJson band_json(const StudyQuantity& quantity, double value) {
           {"verdict", verdict_word(quantity)}};
 }
 
+/// Whether a file holds what kept_bands_json writes.
+bool is_kept_bands(const OrderedJson& json) {
+  if (!json.is_object() || !json.contains("settings") || !json["settings"].is_string()) return false;
+  if (!json.contains("quantities") || !json["quantities"].is_array()) return false;
+  const auto is_band = [](const OrderedJson& q) {
+    const auto all_are = [&q](std::initializer_list<const char*> names, bool (OrderedJson::*is)() const noexcept) {
+      return std::all_of(names.begin(), names.end(),
+                         [&](const char* name) { return q.contains(name) && (q[name].*is)(); });
+    };
+    return q.is_object() && all_are({"name", "unit", "verdict"}, &OrderedJson::is_string) &&
+           all_are({"value", "extrapolated", "low", "high"}, &OrderedJson::is_number);
+  };
+  const auto& quantities = json["quantities"];
+  return std::all_of(quantities.begin(), quantities.end(), is_band);
+}
+
 }  // namespace
 
 std::string kept_bands_path(const std::string& scene_path) {
@@ -59,8 +77,8 @@ std::string kept_bands_of(const std::string& scene_path, const Scene& scene, std
   std::ifstream file(path);
   if (!file) return "";
   const OrderedJson json = OrderedJson::parse(file, nullptr, false);
-  const bool sound = json.is_object() && json.contains("quantities") && json["quantities"].is_array();
-  if (sound && json.value("settings", "") == hash_of_settings(scene)) return json["quantities"].dump();
+  const bool sound = is_kept_bands(json);
+  if (sound && json["settings"] == hash_of_settings(scene)) return json["quantities"].dump();
   note = fmt::format("{} is {}: no bands are shown; pinball converge --keep writes it anew", path,
                      sound ? "of other settings, or another version" : "no file of bands");
   return "";
@@ -69,10 +87,10 @@ std::string kept_bands_of(const std::string& scene_path, const Scene& scene, std
 std::string kept_bands_text(const std::string& quantities) {
   std::string text;
   for (const OrderedJson& q : OrderedJson::parse(quantities)) {
-    const std::string name = q.value("name", ""), unit = q.value("unit", "");
+    const std::string name = q["name"], unit = q["unit"];
     text +=
         fmt::format("  {}{}: {:.6g}, with finer meshes {:.6g} .. {:.6g}\n", name, unit.empty() ? "" : " [" + unit + "]",
-                    q.value("value", 0.0), q.value("low", 0.0), q.value("high", 0.0));
+                    q["value"].get<double>(), q["low"].get<double>(), q["high"].get<double>());
   }
   return text;
 }
