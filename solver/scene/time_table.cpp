@@ -1,17 +1,13 @@
 #include <algorithm>
 
+#include <solver/base/interpolation.hpp>
 #include <solver/scene_boundary.hpp>
 
 namespace pinball {
 
 double TimeTable::value(double time) const {
   if (times.empty()) return 1.0;
-  const auto after = std::upper_bound(times.begin(), times.end(), time);
-  if (after == times.begin()) return factors.front();
-  if (after == times.end()) return factors.back();
-  const auto i = after - times.begin();
-  const double part = (time - times[i - 1]) / (times[i] - times[i - 1]);
-  return factors[i - 1] + part * (factors[i] - factors[i - 1]);
+  return interpolate(times, factors, time);
 }
 
 namespace {

@@ -23,8 +23,4 @@ class ReferenceTable {
   std::vector<std::vector<double>> columns_;
 };
 
-/// Value at x of the piecewise linear function through the points; that of the first or last point beyond them.
-/// xs: increasing.
-double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x);
-
 }  // namespace pinball

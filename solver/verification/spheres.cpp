@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include <solver/base/interpolation.hpp>
+
 #include "cases.hpp"
 #include "reference_table.hpp"
 #include "solver_run.hpp"

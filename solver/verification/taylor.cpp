@@ -2,6 +2,8 @@
 #include <cmath>
 #include <utility>
 
+#include <solver/base/interpolation.hpp>
+
 #include "cases.hpp"
 #include "reference_table.hpp"
 #include "solver_run.hpp"

@@ -39,13 +39,5 @@ TEST(ReferenceTable, ErrorsNameFileAndLine) {
   EXPECT_THAT(error(folder, ""), testing::EndsWith("curve.csv: no such file, or it is empty"));
 }
 
-TEST(Interpolate, IsLinearBetweenPointsAndConstantOutside) {
-  const std::vector<double> x{1, 2, 4}, y{10, 20, 0};
-  EXPECT_EQ(interpolate(x, y, 0), 10);
-  EXPECT_EQ(interpolate(x, y, 1.5), 15);
-  EXPECT_EQ(interpolate(x, y, 3), 10);
-  EXPECT_EQ(interpolate(x, y, 5), 0);
-}
-
 }  // namespace
 }  // namespace pinball

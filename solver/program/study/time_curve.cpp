@@ -2,21 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include <solver/base/interpolation.hpp>
 
 namespace pinball {
 
 namespace {
 
-/// Beyond its ends the first and the last value; 0 of an empty one.
+/// 0 of an empty one.
 double value_at(const TimeCurve& curve, double time) {
-  if (curve.times.empty()) return 0;
-  const auto after = std::lower_bound(curve.times.begin(), curve.times.end(), time);
-  if (after == curve.times.begin()) return curve.values.front();
-  if (after == curve.times.end()) return curve.values.back();
-  const auto i = static_cast<std::size_t>(after - curve.times.begin());
-  const double length = curve.times[i] - curve.times[i - 1];
-  const double part = length > 0 ? (time - curve.times[i - 1]) / length : 1;
-  return curve.values[i - 1] + part * (curve.values[i] - curve.values[i - 1]);
+  return curve.times.empty() ? 0 : interpolate(curve.times, curve.values, time);
 }
 
 /// Rows of both within the range that both have, each once.
