@@ -17,6 +17,12 @@ constexpr double fixed_iterations = 3;
 /// Part of the run after which its own last steps say all.
 constexpr double settled = 0.7;
 
+/// Of contact that is still to come, over a step; speed, surface: as the forecast has them.
+double contact_to_come(const Scene& scene, double speed, double surface) {
+  if (!(speed > 0)) return 0;
+  return surface * (scene.bodies.size() > 1 ? cost_of_contact : cost_of_folds);
+}
+
 /// With which a material flows at the strains of an impact, as far as it says so by one number [stress].
 double flow_stress(const Material& m) {
   return m.yield_stress + (m.johnson_cook ? m.johnson_cook->hardening_coefficient : 0.0);
@@ -48,7 +54,7 @@ double StepPhases::settled(double waking) const {
 Forecast::Forecast(const Scene& scene, double speed, double surface)
     : end_(scene.time.end),
       shrinking_(shrinking(scene, speed)),
-      contact_(surface * (scene.bodies.size() > 1 ? cost_of_contact : cost_of_folds)),
+      contact_(contact_to_come(scene, speed, surface)),
       most_steps_(scene.time.steps) {}
 
 void Forecast::take(const RunPlace& place) { places_.push_back(place); }

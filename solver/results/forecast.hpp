@@ -43,7 +43,8 @@ struct StepPhases {
 /// does at 0.5 makes 1.35 times as many (1.35). The further a run is, the more its last steps count instead. Elements
 /// at rest wake in the first tenth of a run, or never; those that an impact makes yield take a quarter more
 /// (taylor_bar: 0.21 ms a step at first, 0.35 later, rest among it). Contact that is still to come costs 0.2 of a step
-/// times the part of the elements that lie on the surface; of a body with itself, which folds, 0.7 (crushed_tube).
+/// times the part of the elements that lie on the surface; of a body with itself, which folds, 0.7 (crushed_tube); and
+/// nothing where nothing is expected to meet (fragmenting_plate).
 class Forecast {
  public:
   /// speed: of the fastest impact that is expected; 0: none is [length/time]

@@ -77,13 +77,14 @@ TEST(Forecast, StopsWhereTheNumberOfStepsIsBounded) {
 }
 
 TEST(Forecast, CountsContactAndElementsThatAreStillToCome) {
-  const Forecast inside(scene_of(0, 0), 0, 0), outside(scene_of(0, 0), 0, 1);
+  const Forecast inside(scene_of(0, 0), 1, 0), outside(scene_of(0, 0), 1, 1);
   const double without = after(inside, 2).seconds;
   Scene two = scene_of(0, 0);
   two.bodies.resize(2);
-  EXPECT_NEAR(after(Forecast(two, 0, 1), 2).seconds, 1.2 * without, 0.01 * without);
+  EXPECT_NEAR(after(Forecast(two, 1, 1), 2).seconds, 1.2 * without, 0.01 * without);
   EXPECT_NEAR(after(outside, 2).seconds, 1.7 * without, 0.01 * without);
   EXPECT_NEAR(after(outside, 2, 0, true).seconds, without, 1e-6) << "it is there";
+  EXPECT_NEAR(after(Forecast(scene_of(0, 0), 0, 1), 2).seconds, without, 1e-6) << "nothing is expected to meet";
   EXPECT_GT(after(inside, 2, 0.5).seconds, 1.4 * without) << "half of what rests wakes";
   EXPECT_NEAR(after(inside, 200, 0.5).seconds, after(inside, 200).seconds, 1e-6) << "what rests now will rest";
 }
