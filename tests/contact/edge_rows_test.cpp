@@ -64,10 +64,9 @@ class CrossedCubes {
       return number;
     };
     const std::int32_t lower = number_of(6, 7), upper = number_of(8, 9);
-    SortedPairs::Found found;
-    found[0].push_back({std::min(lower, upper), std::max(lower, upper)});
     EdgeRows<double>::EdgePairs pairs;
-    pairs.sort(found, edges.edges().size(), native_width<double>);
+    pairs.found()[0].add(std::min(lower, upper), std::max(lower, upper));
+    pairs.sort(static_cast<std::int64_t>(edges.edges().size()), native_width<double>);
     for (auto& ends : pairs.node) ends.renew(pairs.first.size());
     pairs.size.renew(pairs.first.size());
     for (std::size_t i = 0; i < pairs.first.size(); ++i) {

@@ -75,13 +75,15 @@ class ErodingBlocks {
     lists.persist(archive, surface_, edges_, spheres_, settings_, model_.nodes.count);
   }
   bool follow(Lists& lists) const { return lists.follow_erosion(surface_, edges_); }
-  /// Takes some of the elements that were on the surface at first.
+  /// Takes some of the elements that were on the surface at first, all in one step.
   void erode_next(std::size_t count) {
+    std::vector<std::int64_t> eroded;
     for (; count > 0; --count) {
       ASSERT_FALSE(erodible_.empty());
-      ASSERT_TRUE(erode(model_, surface_, erodible_.back()));
+      eroded = erode(model_, erodible_.back());
       erodible_.pop_back();
     }
+    ASSERT_TRUE(surface_.remove_eroded(eroded));
     ASSERT_TRUE(surface_.complete()) << "all that comes to the surface waited";
   }
 

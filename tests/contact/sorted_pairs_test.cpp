@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <random>
 #include <set>
@@ -10,25 +12,23 @@
 namespace pinball {
 namespace {
 
-using Pair = SortedPairs::Pair;
-using Found = SortedPairs::Found;
+using Pair = std::array<std::int32_t, 2>;
 
-/// Pairs at random in all pieces, many of them several times; one number is the first of a tenth of them.
-Found random_pairs(std::mt19937& random, int count, std::int32_t firsts, std::int32_t seconds) {
+/// Pairs at random in all pieces of what a list finds, many of them several times; one number is the first of a tenth
+/// of them. Returns each once.
+std::set<Pair> find_random(SortedPairs& list, std::mt19937& random, int count, std::int32_t firsts,
+                           std::int32_t seconds) {
   const auto below = [&](std::int32_t bound) { return static_cast<std::int32_t>(random() % bound); };
-  Found found;
-  for (int n = 0; n < count; ++n) {
-    const std::int32_t first = below(10) == 0 ? firsts / 3 : below(firsts);
-    const Pair pair{first, below(seconds)};
-    for (std::int32_t times = below(3); times >= 0; --times) found[below(fixed_pieces)].push_back(pair);
-  }
-  return found;
-}
-
-std::vector<Pair> once_each(const Found& found) {
   std::set<Pair> pairs;
-  for (const std::vector<Pair>& some : found) pairs.insert(some.begin(), some.end());
-  return {pairs.begin(), pairs.end()};
+  for (PairColumns& piece : list.found()) piece.pairs = 0;
+  for (int n = 0; n < count; ++n) {
+    const std::int32_t first = below(10) == 0 ? firsts / 3 : below(firsts), second = below(seconds);
+    for (std::int32_t times = below(3); times >= 0; --times) {
+      list.found()[below(fixed_pieces)].add(first, second);
+      pairs.insert({first, second});
+    }
+  }
+  return pairs;
 }
 
 std::vector<Pair> pairs_of(const SortedPairs& list) {
@@ -67,20 +67,19 @@ TEST(SortedPairs, HasEachPairOnceInOrderAndPiecesOfWholePacks) {
   SortedPairs list;  // one for all: nothing of a list before is left
   for (const int count : {1, 7, 20000, 300, 100000, 64}) {
     for (const std::int64_t width : {1, 4, 8, 16}) {
-      const Found found = random_pairs(random, count, 500, 300);
-      list.sort(found, 500, width);
-      EXPECT_EQ(pairs_of(list), once_each(found));
-      expect_whole_packs(list, width, 500, 300);
-      EXPECT_EQ(list.pieces.count > 1, count >= 20000);
+      for (const bool grows : {false, true}) {
+        const std::set<Pair> expected = find_random(list, random, count, 500, 300);
+        list.sort(500, width, grows);
+        EXPECT_EQ(pairs_of(list), std::vector<Pair>(expected.begin(), expected.end()));
+        expect_whole_packs(list, width, 500, 300);
+        EXPECT_EQ(list.pieces.count > 1, count >= 20000);
+      }
     }
   }
 }
 
-TEST(SortedPairs, OfOneFirstAreInOnePiece) {
-  std::mt19937 random(5);
-  SortedPairs list;
-  list.sort(random_pairs(random, 50000, 500, 300), 500, 8);
-  ASSERT_GT(list.pieces.count, 8);
+/// Of each piece with pairs, its first number lies behind the last one of the pieces before.
+void expect_firsts_in_one_piece(const SortedPairs& list) {
   int before = -1;
   for (std::int64_t piece = 0; piece < list.pieces.count; ++piece) {
     if (list.pieces.begin[piece] == list.pieces.end[piece]) continue;
@@ -89,56 +88,90 @@ TEST(SortedPairs, OfOneFirstAreInOnePiece) {
   }
 }
 
+TEST(SortedPairs, OfOneFirstAreInOnePiece) {
+  std::mt19937 random(5);
+  SortedPairs list;
+  find_random(list, random, 50000, 500, 300);
+  list.sort(500, 8);
+  ASSERT_GT(list.pieces.count, 8);
+  expect_firsts_in_one_piece(list);
+}
+
 TEST(SortedPairs, OfNothingAreNone) {
-  for (const std::size_t firsts : {0, 1, 100}) {
+  for (const std::int32_t firsts : {0, 1, 100}) {
     SortedPairs list;
-    list.sort({}, firsts, 8);
+    EXPECT_FALSE(list.has(0, 0)) << "before it is made";
+    list.sort(firsts, 8);
     EXPECT_EQ(list.pieces.entries, 0);
     EXPECT_EQ(list.pieces.places, 0);
     EXPECT_TRUE(pairs_of(list).empty());
-    for (std::size_t f = 0; f < firsts; ++f) EXPECT_FALSE(list.has({static_cast<std::int32_t>(f), 0}));
+    for (std::int32_t f = 0; f < firsts; ++f) EXPECT_FALSE(list.has(f, 0));
   }
 }
 
 TEST(SortedPairs, KnowWhatTheyHave) {
   std::mt19937 random(7);
   for (const int count : {30, 600, 30000}) {
-    const Found found = random_pairs(random, count, 200, 100);
     SortedPairs list;
-    list.sort(found, 200, 8);
-    const std::vector<Pair> pairs = once_each(found);
-    const std::set<Pair> expected(pairs.begin(), pairs.end());
+    const std::set<Pair> expected = find_random(list, random, count, 200, 100);
+    list.sort(200, 8);
     std::size_t had = 0;
     for (std::int32_t first = 0; first < 200; ++first) {
       for (std::int32_t second = -1; second <= 100; ++second) {
-        EXPECT_EQ(list.has({first, second}), expected.count({first, second}) == 1);
-        had += list.has({first, second});
+        EXPECT_EQ(list.has(first, second), expected.count({first, second}) == 1);
+        had += list.has(first, second) ? 1 : 0;
       }
     }
     EXPECT_EQ(had, expected.size());
   }
 }
 
-TEST(SortedPairs, AreGivenBackAsIfTheyHadBeenFound) {
+/// As erosion brings them, until there is no room: then the list is as it was.
+TEST(SortedPairs, TakeInMoreWhereThereIsRoom) {
   std::mt19937 random(11);
-  for (const int count : {0, 300, 30000}) {
-    SortedPairs list, again;
-    list.sort(random_pairs(random, count, 500, 300), 500, 8);
-    Found back = random_pairs(random, 100, 500, 300);  // what was found before is no part of it
-    list.give_back(back);
-    std::size_t given = 0;
-    for (const std::vector<Pair>& some : back) given += some.size();
-    EXPECT_EQ(static_cast<std::int64_t>(given), list.pieces.entries);
-    // With more pairs, as erosion brings them.
-    back[5].push_back({17, 299});
-    back[2].push_back({499, 0});
-    back[3].push_back({17, 299});
-    again.sort(back, 500, 8);
-    std::vector<Pair> pairs = pairs_of(list);
-    std::set<Pair> expected(pairs.begin(), pairs.end());
-    expected.insert({{17, 299}, {499, 0}});
-    EXPECT_EQ(pairs_of(again), std::vector<Pair>(expected.begin(), expected.end()));
+  for (const int count : {1, 300, 10000}) {
+    SortedPairs list, more;
+    std::set<Pair> expected = find_random(list, random, count, 500, 300);
+    list.sort(500, 8, true);
+    int taken = 0;
+    for (bool room = true; room; ++taken) {
+      const int some = taken == 0 ? 0 : std::max(1, count / 40);
+      std::set<Pair> others = find_random(more, random, some, 500, 300);
+      for (PairColumns& piece : more.found()) piece.pairs = 0;
+      std::erase_if(others, [&](const Pair& pair) { return expected.count(pair) == 1; });
+      for (const Pair& pair : others) more.found()[random() % fixed_pieces].add(pair[0], pair[1]);
+      more.sort(500, 1);
+      std::vector<std::int32_t> along(list.first.begin(), list.first.end());  // an array along the list
+      const auto made = list.insert(more);
+      room = made.has_value();
+      if (room) {
+        expected.insert(others.begin(), others.end());
+        made->make_in(along.data());
+        std::size_t places = 0;
+        made->for_each_place([&](std::int64_t place) {
+          along[static_cast<std::size_t>(place)] = list.first[static_cast<std::size_t>(place)];
+          ++places;
+        });
+        EXPECT_EQ(places, others.size());
+        EXPECT_TRUE(std::equal(along.begin(), along.end(), list.first.begin()));
+      }
+      ASSERT_EQ(pairs_of(list), std::vector<Pair>(expected.begin(), expected.end()));
+      expect_whole_packs(list, 8, 500, 300);
+      expect_firsts_in_one_piece(list);
+    }
+    EXPECT_GT(taken, 2) << count;
   }
+}
+
+TEST(SortedPairs, WithoutRoomTakeInNothing) {
+  SortedPairs list, more;
+  for (std::int32_t n = 0; n < 8; ++n) list.found()[0].add(n, n);
+  list.sort(100, 8);
+  more.found()[0].add(3, 4);
+  more.sort(100, 1);
+  EXPECT_FALSE(list.insert(more).has_value());
+  EXPECT_EQ(pairs_of(list).size(), 8U);
+  EXPECT_FALSE(SortedPairs().insert(more).has_value());
 }
 
 }  // namespace

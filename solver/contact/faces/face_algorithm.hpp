@@ -45,6 +45,10 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void note_depths();
   /// Has what is listed brought up to date in every step, and nothing else; notes the nodes of it.
   void choose_listed();
+  /// The same of what has come to the lists.
+  void choose_more();
+  void choose_slave(std::int32_t slave);
+  void choose_edge(std::int32_t edge);
 
   SegmentSurface<S> surface_;
   EdgeTable<S> edges_;

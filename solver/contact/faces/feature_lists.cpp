@@ -106,9 +106,10 @@ template <class S>
 void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
   const auto segments = static_cast<std::int32_t>(surface.segments().size());
   parallel_for("features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    for (auto* found : {&found_nodes_, &found_edges_, &found_sphere_segments_, &found_spheres_}) {
-      (*found)[static_cast<std::size_t>(piece)].clear();
-    }
+    nodes_.found()[piece].pairs = 0;
+    edges_.found()[piece].pairs = 0;
+    found_sphere_segments_[piece].clear();
+    found_spheres_[piece].clear();
     const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
     for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
       const std::int32_t a = firsts[pair], b = seconds[pair];
@@ -121,31 +122,36 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
       }
     }
   });
-  sort_all(surface, edges);
+  nodes_.sort(static_cast<std::int64_t>(surface.slaves().size()), native_width<S>, surface.changed());
+  fill_node_pairs(surface);
+  edges_.sort(static_cast<std::int64_t>(edges.edges().size()), native_width<S>, surface.changed());
+  fill_edge_pairs(edges);
   join_sphere_pairs();
-  note_active(surface);
-}
-
-template <class S>
-void FeatureLists<S>::note_active(const SegmentSurface<S>& surface) {
   was_active_.resize(surface.segments().size());
-  for (std::size_t s = 0; s < was_active_.size(); ++s) {
-    was_active_[s] = surface.active_segment(static_cast<std::int32_t>(s)) ? 1 : 0;
-  }
+  parallel_for("active segments", RangePolicy<>{0, segments},
+               [&](std::int64_t s) { was_active_[s] = surface.active_segment(s) ? 1 : 0; });
 }
 
 template <class S>
 void FeatureLists<S>::mark_changed(const SegmentSurface<S>& surface) {
-  changed_slave_.assign(surface.slaves().size(), 0);
-  near_change_.assign(surface.segments().size(), 0);
-  for (std::size_t s = 0; s < was_active_.size(); ++s) {
-    const auto segment = static_cast<std::int32_t>(s);
-    if (surface.active_segment(segment) == (was_active_[s] != 0)) continue;
-    for (const std::int32_t slave : surface.slaves_of(segment)) changed_slave_[slave] = 1;
+  changed_slave_.resize(surface.slaves().size());
+  near_change_.resize(surface.segments().size());
+  for (const std::int32_t changed : surface.just_changed()) {
+    for (const std::int32_t slave : surface.slaves_of(changed)) {
+      if (std::exchange(changed_slave_[slave], std::uint8_t(1)) != 0) continue;
+      for (const std::int32_t s : surface.around(slave)) near_change_[s] = 1;
+    }
   }
-  for (std::size_t slave = 0; slave < changed_slave_.size(); ++slave) {
-    if (changed_slave_[slave] == 0) continue;
-    for (const std::int32_t s : surface.around(slave)) near_change_[s] = 1;
+}
+
+template <class S>
+void FeatureLists<S>::unmark_changed(const SegmentSurface<S>& surface) {
+  for (const std::int32_t changed : surface.just_changed()) {
+    for (const std::int32_t slave : surface.slaves_of(changed)) {
+      if (std::exchange(changed_slave_[slave], std::uint8_t(0)) == 0) continue;
+      for (const std::int32_t s : surface.around(slave)) near_change_[s] = 0;
+    }
+    was_active_[changed] = surface.active_segment(changed) ? 1 : 0;
   }
 }
 
@@ -155,36 +161,59 @@ template <class S>
 bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
   if (!valid_) return false;
   mark_changed(surface);
+  find_more(surface, edges);
+  unmark_changed(surface);
+  more_nodes_.sort(static_cast<std::int64_t>(surface.slaves().size()), 1);
+  more_edges_.sort(static_cast<std::int64_t>(edges.edges().size()), 1);
+  if (more_nodes_.pieces.entries + more_edges_.pieces.entries == 0) return false;
+  take_in_more(surface, edges);
+  return true;
+}
+
+/// Of the pairs of boxes those of segments around a change are looked at. To find these by an index of both boxes, made
+/// once a list, takes as long as to look through all: most lists see a few erosions.
+template <class S>
+void FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
   const auto segments = static_cast<std::int32_t>(surface.segments().size());
-  std::array<bool, fixed_pieces> longer{};
   parallel_for("features after erosion", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    const std::size_t nodes_before = found_nodes_[piece].size(), edges_before = found_edges_[piece].size();
+    more_nodes_.found()[piece].pairs = 0;
+    more_edges_.found()[piece].pairs = 0;
     const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
     for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
       const std::int32_t a = firsts[pair], b = seconds[pair];
       if (b >= segments || (near_change_[a] | near_change_[b]) == 0) continue;
       if (may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::changed, piece);
     }
-    const auto drop_listed = [](std::vector<Pair>& found, std::size_t before, const SortedPairs& list) {
-      const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
-      found.erase(std::remove_if(begin, found.end(), [&](const Pair& pair) { return list.has(pair); }), found.end());
-      return found.size() > before;
-    };
-    const bool nodes = drop_listed(found_nodes_[piece], nodes_before, nodes_);
-    longer[piece] = drop_listed(found_edges_[piece], edges_before, edges_) || nodes;
   });
-  note_active(surface);
-  if (std::none_of(longer.begin(), longer.end(), [](bool some) { return some; })) return false;
-  sort_all(surface, edges);
-  return true;
 }
 
+/// Where a list has no room it is made anew, with some.
 template <class S>
-void FeatureLists<S>::sort_all(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
-  nodes_.sort(found_nodes_, surface.slaves().size(), native_width<S>);
-  fill_node_pairs(surface);
-  edges_.sort(found_edges_, edges.edges().size(), native_width<S>);
-  fill_edge_pairs(edges);
+void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
+  const auto make_anew = [](SortedPairs& list, const SortedPairs& more, std::size_t firsts) {
+    for (PairColumns& some : list.found()) some.pairs = 0;
+    const auto add = [&list](std::int32_t a, std::int32_t b) { list.found()[0].add(a, b); };
+    list.for_each(add);
+    more.for_each(add);
+    list.sort(static_cast<std::int64_t>(firsts), native_width<S>, true);
+  };
+  if (const auto room = nodes_.insert(more_nodes_)) {
+    room->make_in(nodes_.node.data());
+    room->make_in(nodes_.size.data());
+    room->make_in(nodes_.radius.data());
+    room->for_each_place([&](std::int64_t place) { fill_node_pair(surface, place); });
+  } else {
+    make_anew(nodes_, more_nodes_, surface.slaves().size());
+    fill_node_pairs(surface);
+  }
+  if (const auto room = edges_.insert(more_edges_)) {
+    for (auto& node : edges_.node) room->make_in(node.data());
+    room->make_in(edges_.size.data());
+    room->for_each_place([&](std::int64_t place) { fill_edge_pair(edges, place); });
+  } else {
+    make_anew(edges_, more_edges_, edges.edges().size());
+    fill_edge_pairs(edges);
+  }
 }
 
 /// What the one segment has against the other, and the other way round.
@@ -217,8 +246,10 @@ void FeatureLists<S>::find_in_pair(const SegmentSurface<S>& surface, const EdgeT
       if (!bounds_.edge_facing(e).may_face(bounds_.edge_facing(f)) || edges.share_node(e, f)) continue;
       const std::int32_t *const nodes = edges.edges()[e].node, *const others = edges.edges()[f].node;
       if (allowed_ != nullptr && !allowed_->edges(nodes[0], nodes[1], others[0], others[1]).may) continue;
-      if (meet(bounds_.edge_box(e), bounds_.edge_box(f)))
-        found_edges_[piece].push_back({std::min(e, f), std::max(e, f)});
+      if (!meet(bounds_.edge_box(e), bounds_.edge_box(f))) continue;
+      const std::int32_t low = std::min(e, f), high = std::max(e, f);
+      if (take == Take::changed && edges_.has(low, high)) continue;
+      (take == Take::own ? edges_.found() : more_edges_.found())[piece].add(low, high);
     }
   }
 }
@@ -243,7 +274,8 @@ void FeatureLists<S>::find_nodes_in_pair(const SegmentSurface<S>& surface, std::
     if (!bounds_.node_facing(slave).may_face(bounds_.facing(other))) continue;
     if (std::find(slaves.begin(), slaves.begin() + k, slave) != slaves.begin() + k) continue;  // of a triangle
     if (std::find(corners.begin(), corners.end(), surface.slaves()[slave].node) != corners.end()) continue;
-    found_nodes_[piece].push_back({slave, other});
+    if (take == Take::changed && nodes_.has(slave, other)) continue;
+    (take == Take::own ? nodes_.found() : more_nodes_.found())[piece].add(slave, other);
   }
 }
 
@@ -252,31 +284,40 @@ void FeatureLists<S>::fill_node_pairs(const SegmentSurface<S>& surface) {
   nodes_.node.renew(nodes_.first.size());
   nodes_.size.renew(nodes_.first.size());
   nodes_.radius.renew(nodes_.first.size());
-  for (std::size_t i = 0; i < nodes_.first.size(); ++i) {
-    nodes_.node[i] = surface.slaves()[nodes_.first[i]].node;
-    nodes_.size[i] = surface.segments()[nodes_.second[i]].size;
-    nodes_.radius[i] = surface.segments()[nodes_.second[i]].radius;
-  }
+  parallel_for("listed nodes", RangePolicy<>{0, nodes_.pieces.places},
+               [&](std::int64_t place) { fill_node_pair(surface, place); });
+}
+
+template <class S>
+void FeatureLists<S>::fill_node_pair(const SegmentSurface<S>& surface, std::int64_t place) {
+  const auto& segment = surface.segments()[nodes_.second[place]];
+  nodes_.node[place] = surface.slaves()[nodes_.first[place]].node;
+  nodes_.size[place] = segment.size;
+  nodes_.radius[place] = segment.radius;
 }
 
 template <class S>
 void FeatureLists<S>::fill_edge_pairs(const EdgeTable<S>& edges) {
   for (auto& node : edges_.node) node.renew(edges_.first.size());
   edges_.size.renew(edges_.first.size());
-  for (std::size_t i = 0; i < edges_.first.size(); ++i) {
-    const auto &first = edges.edges()[edges_.first[i]], &second = edges.edges()[edges_.second[i]];
-    for (std::size_t end = 0; end < 2; ++end) {
-      edges_.node[end][i] = first.node[end];
-      edges_.node[2 + end][i] = second.node[end];
-    }
-    edges_.size[i] = bounds_.edge_size(edges_.first[i]) + bounds_.edge_size(edges_.second[i]);
+  parallel_for("listed edges", RangePolicy<>{0, edges_.pieces.places},
+               [&](std::int64_t place) { fill_edge_pair(edges, place); });
+}
+
+template <class S>
+void FeatureLists<S>::fill_edge_pair(const EdgeTable<S>& edges, std::int64_t place) {
+  const std::int32_t e = edges_.first[place], f = edges_.second[place];
+  for (std::size_t end = 0; end < 2; ++end) {
+    edges_.node[end][place] = edges.edges()[e].node[end];
+    edges_.node[2 + end][place] = edges.edges()[f].node[end];
   }
+  edges_.size[place] = bounds_.edge_size(e) + bounds_.edge_size(f);
 }
 
 template <class S>
 void FeatureLists<S>::join_sphere_pairs() {
   for (auto* list : {&spheres_.with_segments, &spheres_.with_spheres}) list->clear();
-  const auto join = [](const SortedPairs::Found& found, std::vector<Pair>& list) {
+  const auto join = [](const auto& found, std::vector<Pair>& list) {
     list.clear();
     for (const std::vector<Pair>& some : found) list.insert(list.end(), some.begin(), some.end());
     std::sort(list.begin(), list.end());
@@ -304,8 +345,6 @@ void FeatureLists<S>::persist(StateArchive& archive, const SegmentSurface<S>& su
   nodes.position = position.data();
   nodes.velocity = velocity.data();
   find_pairs(nodes, surface, edges, spheres, settings);
-  nodes_.give_back(found_nodes_);
-  edges_.give_back(found_edges_);
   fill_node_pairs(surface);
   fill_edge_pairs(edges);
 }
@@ -334,8 +373,9 @@ std::size_t FeatureLists<S>::bytes() const {
   std::size_t sum = motion_.bytes() + bounds_.bytes() + pairs_.bytes() + of(scope_.depth) + nodes_.bytes() +
                     nodes_.node.bytes() + nodes_.size.bytes() + nodes_.radius.bytes() + edges_.bytes() +
                     4 * edges_.node[0].bytes() + edges_.size.bytes() + of(spheres_.with_segments) +
-                    of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_);
-  for (const auto* found : {&found_nodes_, &found_edges_, &found_sphere_segments_, &found_spheres_}) {
+                    of(spheres_.with_spheres) + of(was_active_) + of(changed_slave_) + of(near_change_) +
+                    more_nodes_.bytes() + more_edges_.bytes();
+  for (const auto* found : {&found_sphere_segments_, &found_spheres_}) {
     for (const std::vector<Pair>& pairs : *found) sum += of(pairs);
   }
   return sum;

@@ -42,7 +42,7 @@ class FeatureLists {
     std::array<Array<std::int32_t>, 4> node;  ///< ends of the first and of the second
     Array<S> size;                            ///< of the largest segments of both, together [length]
   };
-  using Pair = SortedPairs::Pair;
+  using Pair = std::array<std::int32_t, 2>;
   struct SpherePairs {
     std::vector<Pair> with_segments;  ///< a sphere and a segment
     std::vector<Pair> with_spheres;
@@ -61,8 +61,8 @@ class FeatureLists {
   bool holds(const SurfaceSource<S>& source) const {
     return valid_ && !clock_.over() && motion_.holds(source.position, clock_.elapsed());
   }
-  /// Takes in what segments that have become active, or have ended, make of pairs that were left out. Returns whether
-  /// the lists have become longer.
+  /// Takes in what segments that have just become active, or have ended, make of pairs that were left out: these are in
+  /// more_nodes() and more_edges(). Returns whether the lists have become longer.
   bool follow_erosion(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
   /// The lists hold no longer, and segments, slaves and edges may be numbered anew.
   void invalidate() { valid_ = false; }
@@ -70,6 +70,8 @@ class FeatureLists {
   const NodePairs& nodes() const { return nodes_; }
   const EdgePairs& edges() const { return edges_; }
   const SpherePairs& spheres() const { return spheres_; }
+  const SortedPairs& more_nodes() const { return more_nodes_; }
+  const SortedPairs& more_edges() const { return more_edges_; }
   std::int64_t entries() const {
     return nodes_.pieces.entries + edges_.pieces.entries +
            static_cast<std::int64_t>(spheres_.with_segments.size() + spheres_.with_spheres.size());
@@ -96,13 +98,17 @@ class FeatureLists {
                     Take take, std::int64_t piece);
   void find_nodes_in_pair(const SegmentSurface<S>& surface, std::int32_t own, std::int32_t other,
                           const MovingBox<S>& box, Take take, std::int64_t piece);
-  void note_active(const SegmentSurface<S>& surface);
+  /// Of the segments that erosion has just changed, and of what is around them, or takes the marks away.
   void mark_changed(const SegmentSurface<S>& surface);
-  void sort_all(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  void unmark_changed(const SegmentSurface<S>& surface);
+  void find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
+  void take_in_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges);
   void join_sphere_pairs();
   /// What the kernels read of each pair.
   void fill_node_pairs(const SegmentSurface<S>& surface);
+  void fill_node_pair(const SegmentSurface<S>& surface, std::int64_t place);
   void fill_edge_pairs(const EdgeTable<S>& edges);
+  void fill_edge_pair(const EdgeTable<S>& edges, std::int64_t place);
 
   const ContactPairs* allowed_ = nullptr;
   bool valid_ = false, watched_ = false;
@@ -115,10 +121,11 @@ class FeatureLists {
   NodePairs nodes_;
   EdgePairs edges_;
   SpherePairs spheres_;
-  SortedPairs::Found found_nodes_, found_edges_;
+  SortedPairs more_nodes_, more_edges_;  ///< of the last follow_erosion()
+  // Within follow_erosion(), elsewhere 0: slaves of segments that have changed, and segments around these.
+  std::vector<std::uint8_t> changed_slave_, near_change_;
   // What follows is kept for its memory alone.
-  SortedPairs::Found found_sphere_segments_, found_spheres_;
-  std::vector<std::uint8_t> changed_slave_, near_change_;  // of segments that have changed; segments around these
+  std::array<std::vector<Pair>, fixed_pieces> found_sphere_segments_, found_spheres_;
 };
 
 }  // namespace pinball

@@ -2,66 +2,118 @@
 
 namespace pinball {
 
-void SortedPairs::sort(const Found& found, std::size_t firsts, std::int64_t width) {
-  const auto to_pack = [width](std::int64_t place) { return (place + width - 1) / width * width; };
-  end_.assign(firsts, 0);
-  pieces.entries = 0;
-  for (const std::vector<Pair>& some : found) {
-    for (const Pair& pair : some) ++end_[pair[0]];
-    pieces.entries += static_cast<std::int64_t>(some.size());
-  }
-  pieces.count = ListPieces::count_for(pieces.entries);
-  const auto first_of_piece = [&](std::int64_t piece) {
-    return static_cast<std::int64_t>(firsts) * piece / pieces.count;
-  };
-  begin_.resize(firsts);
+namespace {
+
+std::int64_t to_pack(std::int64_t place, std::int64_t width) { return (place + width - 1) / width * width; }
+
+}  // namespace
+
+void SortedPairs::sort(std::int64_t firsts, std::int64_t width, bool grows) {
+  std::int64_t all = 0;
+  for (const PairColumns& some : found()) all += static_cast<std::int64_t>(some.pairs);
+  pieces.count = ListPieces::count_for(all);
+  PairOrder::Begins begins{};
+  for (std::int64_t p = 0; p <= pieces.count; ++p) begins[p] = static_cast<std::int32_t>(firsts * p / pieces.count);
+  order_.share_out(begins, pieces.count);
   std::int64_t place = 0;
-  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
-    pieces.begin[piece] = place = to_pack(place);
-    for (std::int64_t f = first_of_piece(piece); f < first_of_piece(piece + 1); ++f) {
-      const std::int64_t count = end_[f];
-      begin_[f] = end_[f] = place;
-      place += count;
-    }
-    pieces.end[piece] = place;
+  for (std::int64_t p = 0; p < pieces.count; ++p) {
+    const auto size = static_cast<std::int64_t>(order_.pairs_of(p).size());
+    pieces.begin[p] = place;
+    pieces.end[p] = place + size;
+    place = to_pack(place + size + (grows ? std::max(size / 8, 2 * width) : 0), width);
   }
-  pieces.places = to_pack(place);
-  first.assign(static_cast<std::size_t>(pieces.places), 0);
-  second.assign(static_cast<std::size_t>(pieces.places), 0);
-  for (const std::vector<Pair>& some : found) {
-    for (const Pair& pair : some) {
-      const std::int64_t at = end_[pair[0]]++;
-      first[at] = pair[0];
-      second[at] = pair[1];
-    }
-  }
-  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
-    std::int64_t to = pieces.begin[piece];
-    for (std::int64_t at = to, next = to; at < pieces.end[piece]; at = next) {
-      const std::int32_t number = first[at];
-      next = end_[number];
-      std::sort(second.begin() + at, second.begin() + next);
-      const std::int64_t count = std::unique(second.begin() + at, second.begin() + next) - (second.begin() + at);
-      std::copy_n(second.begin() + at, count, second.begin() + to);
-      std::fill_n(first.begin() + to, count, number);
-      begin_[number] = to;
-      end_[number] = to += count;
-    }
-    pieces.entries -= pieces.end[piece] - to;
-    pieces.end[piece] = to;
-  }
+  pieces.places = place;
+  first.resize(place);
+  second.resize(place);
+  next_.resize(firsts);
+  parallel_for("sorted pairs", RangePolicy<>{0, pieces.count},
+               [&](std::int64_t p) { sort_piece(p, begins[p], begins[p + 1]); });
+  pieces.entries = 0;
+  for (std::int64_t p = 0; p < pieces.count; ++p) pieces.entries += pieces.end[p] - pieces.begin[p];
 }
 
-bool SortedPairs::has(const Pair& pair) const {
-  return std::binary_search(second.begin() + begin_[pair[0]], second.begin() + end_[pair[0]], pair[1]);
+/// Counts, scans and fills by the first number; then few seconds are to be sorted each time.
+void SortedPairs::sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t end) {
+  std::fill(next_.begin() + begin, next_.begin() + end, 0);
+  const auto pairs = order_.pairs_of(piece);
+  for (const PairOrder::Pair& pair : pairs) ++next_[pair.first];
+  std::int64_t place = pieces.begin[piece];
+  for (std::int32_t f = begin; f < end; ++f) place += std::exchange(next_[f], place);
+  for (const PairOrder::Pair& pair : pairs) {
+    const std::int64_t at = next_[pair.first]++;
+    first[at] = pair.first;
+    second[at] = pair.second;
+  }
+  std::int64_t to = pieces.begin[piece];
+  for (std::int64_t at = to, next = to; at < pieces.end[piece]; at = next) {
+    const std::int32_t number = first[at];
+    next = next_[number];
+    std::sort(second.begin() + at, second.begin() + next);
+    const std::int64_t count = std::unique(second.begin() + at, second.begin() + next) - (second.begin() + at);
+    std::copy_n(second.begin() + at, count, second.begin() + to);
+    std::fill_n(first.begin() + to, count, number);
+    to += count;
+  }
+  pieces.end[piece] = to;
+  std::fill(first.begin() + to, first.begin() + room_end(piece), 0);
+  std::fill(second.begin() + to, second.begin() + room_end(piece), 0);
 }
 
-void SortedPairs::give_back(Found& found) const {
-  for (std::vector<Pair>& some : found) some.clear();
-  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
-    for (std::int64_t at = pieces.begin[piece]; at < pieces.end[piece]; ++at)
-      found[0].push_back({first[at], second[at]});
+std::int64_t SortedPairs::place_in(std::int64_t piece, std::int32_t a, std::int32_t b) const {
+  std::int64_t low = pieces.begin[piece], high = pieces.end[piece];
+  while (low < high) {
+    const std::int64_t middle = (low + high) / 2;
+    const bool before = std::pair(first[middle], second[middle]) < std::pair(a, b);
+    (before ? low : high) = before ? middle + 1 : middle;
   }
+  return low;
+}
+
+std::int64_t SortedPairs::piece_of(std::int32_t a) const {
+  std::int64_t found = 0;
+  for (std::int64_t piece = 1; piece < pieces.count; ++piece) {
+    const std::int64_t begin = pieces.begin[piece];
+    if (begin == pieces.end[piece]) continue;
+    if (first[begin] > a) break;
+    found = piece;
+  }
+  return found;
+}
+
+bool SortedPairs::has(std::int32_t a, std::int32_t b) const {
+  if (pieces.count == 0) return false;
+  const std::int64_t piece = piece_of(a), place = place_in(piece, a, b);
+  return place < pieces.end[piece] && first[place] == a && second[place] == b;
+}
+
+std::optional<ListRoom> SortedPairs::insert(const SortedPairs& more) {
+  if (pieces.count == 0) return std::nullopt;
+  std::vector<std::int64_t> at;
+  std::array<std::int64_t, fixed_pieces> up_to{};
+  more.for_each([&](std::int32_t a, std::int32_t b) {
+    const std::int64_t piece = piece_of(a);
+    at.push_back(place_in(piece, a, b));
+    ++up_to[piece];
+  });
+  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
+    if (up_to[piece] > room_end(piece) - pieces.end[piece]) return std::nullopt;
+    if (piece > 0) up_to[piece] += up_to[piece - 1];
+  }
+  ListRoom room(pieces, std::move(at), up_to);
+  room.make_in(first.data());
+  room.make_in(second.data());
+  std::vector<std::int64_t> places;
+  room.for_each_place([&](std::int64_t place) { places.push_back(place); });
+  auto next = places.begin();
+  more.for_each([&](std::int32_t a, std::int32_t b) {
+    first[*next] = a;
+    second[*next++] = b;
+  });
+  for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
+    pieces.end[piece] += up_to[piece] - (piece > 0 ? up_to[piece - 1] : 0);
+  }
+  pieces.entries += more.pieces.entries;
+  return room;
 }
 
 void SortedPairs::check(const StateArchive& archive, std::size_t firsts, std::size_t seconds,
@@ -69,12 +121,8 @@ void SortedPairs::check(const StateArchive& archive, std::size_t firsts, std::si
   const std::int64_t places = pieces.places;
   archive.require(pieces.count >= 1 && pieces.count <= fixed_pieces && places >= 0 && places % width == 0);
   archive.require(first.size() == static_cast<std::size_t>(places) && second.size() == first.size());
-  archive.require(begin_.size() == firsts && end_.size() == firsts);
   archive.require_all(first, 0, static_cast<std::int64_t>(firsts));
   archive.require_all(second, 0, static_cast<std::int64_t>(seconds));
-  archive.require_all(begin_, 0, places + 1);
-  archive.require_all(end_, 0, places + 1);
-  for (std::size_t f = 0; f < firsts; ++f) archive.require(begin_[f] <= end_[f]);
   std::int64_t before = 0, entries = 0;
   for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
     const std::int64_t begin = pieces.begin[piece], end = pieces.end[piece];
@@ -86,8 +134,8 @@ void SortedPairs::check(const StateArchive& archive, std::size_t firsts, std::si
 }
 
 std::size_t SortedPairs::bytes() const {
-  return (first.capacity() + second.capacity()) * sizeof(first[0]) +
-         (begin_.capacity() + end_.capacity()) * sizeof(begin_[0]);
+  return (first.capacity() + second.capacity()) * sizeof(first[0]) + order_.bytes() +
+         next_.capacity() * sizeof(next_[0]);
 }
 
 }  // namespace pinball

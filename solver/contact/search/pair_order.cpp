@@ -2,9 +2,11 @@
 
 namespace pinball {
 
-void PairOrder::sort(const std::array<std::int32_t, fixed_pieces + 1>& begins, Pieces& sorted) {
-  const double pieces_per_number = static_cast<double>(fixed_pieces) / std::max(1, begins.back());
-  const auto piece_of = [&](std::int32_t first) {
+void PairOrder::share_out(const Begins& begins, std::int64_t count) {
+  const auto pieces = static_cast<std::size_t>(count);
+  const double pieces_per_number = static_cast<double>(count) / std::max(1, begins[pieces]);
+  const auto piece_of = [&](std::int32_t first) -> std::size_t {
+    if (pieces == 1) return 0;
     auto piece = static_cast<std::size_t>(pieces_per_number * first);
     while (begins[piece] > first) --piece;
     while (begins[piece + 1] <= first) ++piece;
@@ -20,7 +22,7 @@ void PairOrder::sort(const std::array<std::int32_t, fixed_pieces + 1>& begins, P
     place_[static_cast<std::size_t>(piece)] = places;
   });
   std::size_t next = 0;
-  for (std::size_t to = 0; to < fixed_pieces; ++to) {
+  for (std::size_t to = 0; to < pieces; ++to) {
     piece_start_[to] = next;
     for (auto& of_found : place_) {
       const std::size_t here = of_found[to];
@@ -28,13 +30,17 @@ void PairOrder::sort(const std::array<std::int32_t, fixed_pieces + 1>& begins, P
       next += here;
     }
   }
-  piece_start_.back() = next;
+  piece_start_[pieces] = next;
   pair_.renew(next);
   parallel_for("pairs by piece", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const PairColumns& of = found_[static_cast<std::size_t>(piece)];
     auto& place = place_[static_cast<std::size_t>(piece)];
     for_each_pair(piece, [&](std::size_t i, std::size_t to) { pair_[place[to]++] = {of.first[i], of.second[i]}; });
   });
+}
+
+void PairOrder::sort(const Begins& begins, Pieces& sorted) {
+  share_out(begins, fixed_pieces);
   parallel_for("sorted pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const auto p = static_cast<std::size_t>(piece);
     sort_piece(piece, begins[p], begins[p + 1], sorted[p]);
@@ -44,8 +50,8 @@ void PairOrder::sort(const std::array<std::int32_t, fixed_pieces + 1>& begins, P
 /// Counts, scans and fills by the first number; then few seconds are to be sorted each time.
 void PairOrder::sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t end, PairColumns& sorted) {
   const auto p = static_cast<std::size_t>(piece);
-  const Pair* const pairs = pair_.data() + piece_start_[p];
-  const std::size_t count = piece_start_[p + 1] - piece_start_[p];
+  const std::span<const Pair> pairs = pairs_of(piece);
+  const std::size_t count = pairs.size();
   sorted.pairs = 0;
   sorted.make_room(count);
   sorted.pairs = count;

@@ -16,6 +16,12 @@ struct PairColumns {
   std::vector<std::int32_t> first, second;
   std::size_t pairs = 0;
 
+  void add(std::int32_t a, std::int32_t b) {
+    make_room(1);
+    first[pairs] = a;
+    second[pairs] = b;
+    ++pairs;
+  }
   std::span<const std::int32_t> firsts() const { return {first.data(), pairs}; }
   std::span<const std::int32_t> seconds() const { return {second.data(), pairs}; }
   void make_room(std::size_t more) {
@@ -30,16 +36,23 @@ struct PairColumns {
 class PairOrder {
  public:
   using Pieces = std::array<PairColumns, fixed_pieces>;
-  /// Pairs as they are found: to be filled, its piece by each piece of the work.
-  Pieces& found() { return found_; }
-  /// Sorts what was found into pieces by the first number. begins: first number of each piece, and where the last ends.
-  void sort(const std::array<std::int32_t, fixed_pieces + 1>& begins, Pieces& sorted);
-  std::size_t bytes() const;
-
- private:
+  using Begins = std::array<std::int32_t, fixed_pieces + 1>;
   struct Pair {
     std::int32_t first, second;
   };
+  /// Pairs as they are found: to be filled, its piece by each piece of the work.
+  Pieces& found() { return found_; }
+  /// Sorts what was found into pieces by the first number. begins: first number of each piece, and where the last ends.
+  void sort(const Begins& begins, Pieces& sorted);
+  /// Shares out what was found among `count` pieces, in each of which they have any order: pairs_of().
+  void share_out(const Begins& begins, std::int64_t count);
+  std::span<const Pair> pairs_of(std::int64_t piece) const {
+    const auto p = static_cast<std::size_t>(piece);
+    return {pair_.data() + piece_start_[p], piece_start_[p + 1] - piece_start_[p]};
+  }
+  std::size_t bytes() const;
+
+ private:
   void sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t end, PairColumns& sorted);
 
   Pieces found_;

@@ -27,9 +27,20 @@ double squared_area(const ContactElement& element, int face) {
 
 template <class S>
 bool SegmentSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded) {
+  just_changed_.clear();
   if (!topology_.remove_eroded(eroded)) return false;
   changed_ = true;
-  activate();
+  for (const std::int32_t slot : topology_.rearranged()) {
+    const auto by_slot = [](const Segment& segment, std::int32_t wanted) { return segment.slot < wanted; };
+    auto segment = std::lower_bound(segments_.begin(), segments_.end(), slot, by_slot);
+    for (; segment != segments_.end() && segment->slot == slot; ++segment) {
+      const auto s = static_cast<std::int32_t>(segment - segments_.begin());
+      if (renew_activity(s)) just_changed_.push_back(s);
+    }
+  }
+  for (const std::int32_t s : just_changed_) {
+    for (const std::int32_t slave : slaves_of_[s]) update_slave(slave);
+  }
   return true;
 }
 
@@ -56,7 +67,10 @@ void SegmentSurface<S>::collect_faces(const SurfaceSource<S>& source, const std:
   }
   chosen_.resize(packs());
   std::iota(chosen_.begin(), chosen_.end(), 0);
-  activate();
+  active_segments_ = 0;
+  just_changed_.clear();
+  for (std::size_t s = 0; s < segments_.size(); ++s) renew_activity(static_cast<std::int32_t>(s));
+  for (std::size_t slave = 0; slave < slaves_.size(); ++slave) update_slave(slave);
 }
 
 template <class S>
@@ -144,19 +158,12 @@ void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
   }
 }
 
-/// The segments whose faces are exposed are active.
 template <class S>
-void SegmentSurface<S>::activate() {
-  active_segments_ = 0;
-  std::vector<std::int32_t> slaves;  // of segments that change; some of them several times
-  for (std::size_t s = 0; s < segments_.size(); ++s) {
-    const S active = exposed(segments_[s].slot, segments_[s].face) ? S(1) : S(0);
-    active_segments_ += active > S(0) ? 1 : 0;
-    if (std::exchange(active_[s], active) != active) {
-      slaves.insert(slaves.end(), slaves_of_[s].begin(), slaves_of_[s].end());
-    }
-  }
-  for (const std::int32_t slave : slaves) update_slave(static_cast<std::size_t>(slave));
+bool SegmentSurface<S>::renew_activity(std::int32_t segment) {
+  const bool is = exposed(segments_[segment].slot, segments_[segment].face), was = active_segment(segment);
+  active_[segment] = is ? S(1) : S(0);
+  active_segments_ += static_cast<int>(is) - static_cast<int>(was);
+  return is != was;
 }
 
 /// What the active segments give to a slave is added up in their order.

@@ -52,6 +52,8 @@ class SegmentSurface {
   /// Segments of eroded elements end, and those that waited behind them become active; returns whether there are any.
   /// Nodes that are left without an active segment are slaves no more: they fly on as mass points.
   bool remove_eroded(const std::vector<std::int64_t>& eroded);
+  /// Segments that the last remove_eroded() has made active, or has ended: those of one step.
+  const std::vector<std::int32_t>& just_changed() const { return just_changed_; }
   /// Whether all exposed faces are segments. If not, those that did not wait take part after the next collect().
   bool complete() const { return active_segments_ == topology_.exposed_faces(); }
   /// Whether anything has eroded since the last collect().
@@ -105,7 +107,8 @@ class SegmentSurface {
   void collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
   void collect_segments(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces);
   void collect_slaves(std::size_t nodes);
-  void activate();
+  /// Makes a segment active whose face is exposed, and no other. Returns whether it was not so.
+  bool renew_activity(std::int32_t segment);
   void update_slave(std::size_t number);
   std::size_t packs() const { return (segments_.size() + native_width<S> - 1) / native_width<S>; }
 
@@ -120,6 +123,7 @@ class SegmentSurface {
   std::vector<std::int32_t> chosen_;                    ///< packs of segments
   std::vector<std::uint8_t> asked_for_;                 ///< per pack
   Array<S> sphere_, plane_;
+  std::vector<std::int32_t> just_changed_;
   std::int64_t active_segments_ = 0;
   bool changed_ = false;
 };

@@ -19,6 +19,7 @@ void Surface::erode(std::int64_t slot) {
   exposed_count_ -= exposed_[slot] != 0;
   exposed_faces_ -= __builtin_popcount(exposed_[slot]);
   exposed_[slot] = 0;
+  rearranged_.push_back(static_cast<std::int32_t>(slot));
   for_each_face_behind(slot, [this](std::int32_t behind, unsigned face) {
     std::uint8_t& exposed = exposed_[behind];
     if (exposed == 0) {
@@ -27,12 +28,14 @@ void Surface::erode(std::int64_t slot) {
     }
     exposed |= static_cast<std::uint8_t>(1U << face);
     ++exposed_faces_;
+    rearranged_.push_back(behind);
   });
 }
 
 bool Surface::remove_eroded(const std::vector<std::int64_t>& slots) {
   bool changed = false;
   uncovered_.clear();
+  rearranged_.clear();
   for (const std::int64_t slot : slots) {
     if (!alive(slot)) continue;
     erode(slot);

@@ -23,6 +23,9 @@ class Surface {
 
   /// Elements that the last remove_eroded has brought to the surface; some may have eroded in the same step.
   const std::vector<std::int32_t>& uncovered() const { return uncovered_; }
+  /// Elements of which it has changed the exposed faces: the eroded ones, and what lies behind them, some several
+  /// times.
+  const std::vector<std::int32_t>& rearranged() const { return rearranged_; }
   std::int32_t exposed_count() const { return exposed_count_; }  ///< elements with an exposed face
   std::int64_t exposed_faces() const { return exposed_faces_; }  ///< of all elements
 
@@ -66,7 +69,7 @@ class Surface {
   std::vector<std::uint8_t> alive_;
   std::vector<std::uint8_t> exposed_;
   std::vector<std::array<std::int32_t, 6>> neighbour_;  ///< slot across each face, -1: none
-  std::vector<std::int32_t> uncovered_;
+  std::vector<std::int32_t> uncovered_, rearranged_;
   std::int32_t exposed_count_ = 0;
   std::int64_t exposed_faces_ = 0;
 };
