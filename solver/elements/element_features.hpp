@@ -7,7 +7,7 @@
 /// returned is choice.template of<features>(). Features that the program is built without choose those with less.
 ///
 /// Each kernel is seconds of compiling. Bulk viscosity has none of its own: without coefficients the kernel leaves it
-/// out.
+/// out. Nor have elements without hourglass control: theirs is the viscous form, of which the coefficient is zero.
 namespace pinball {
 
 template <bool plastic, bool erosion, YieldLaw yield, class Choice>
@@ -21,9 +21,10 @@ auto choose_hourglass(const Choice& choice, [[maybe_unused]] HourglassKind kind)
     if (kind == assumed_strain) {
       return choice.template of<ElementFeatures{plastic, erosion, viscosity, assumed_strain, yield}>();
     }
-    if (kind == viscous) return choice.template of<ElementFeatures{plastic, erosion, viscosity, viscous, yield}>();
+    return choice.template of<ElementFeatures{plastic, erosion, viscosity, viscous, yield}>();
+  } else {
+    return choice.template of<ElementFeatures{plastic, erosion, viscosity, none, yield}>();
   }
-  return choice.template of<ElementFeatures{plastic, erosion, viscosity, none, yield}>();
 }
 
 /// YieldLaw::general. Nor has erosion one there, which a limit that is never reached keeps away.

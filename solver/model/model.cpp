@@ -47,7 +47,8 @@ ElementConstants<S> constants_of(const Material& material, const ElementSettings
   c.material.ultimate_stress = static_cast<S>(material.ultimate_stress > 0 ? material.ultimate_stress : infinite);
   c.material.density = static_cast<S>(material.density);
   c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
-  c.hourglass.coefficient = static_cast<S>(settings.hourglass_coefficient);
+  const bool resists = settings.hourglass != HourglassControl::none;
+  c.hourglass.coefficient = static_cast<S>(resists ? settings.hourglass_coefficient : 0.0);
   c.hourglass.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass.coefficient);
   c.hourglass.modulus = c.hourglass.coefficient * hourglass_modulus(c.material.lambda, c.material.mu);
   c.specific_volume = static_cast<S>(1 / material.density);
