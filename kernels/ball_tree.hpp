@@ -36,6 +36,10 @@ struct BoxTreeView {
   int levels;
   bool moves;                      ///< some box is not the same at the beginning and at the end
   const S* box[ball_tree_levels];  ///< groups of G boxes, 12 components
+
+  PINBALL_FUNCTION const S* boxes(int level, std::int64_t group) const {
+    return box[level] + group * 12 * ball_group<S>;
+  }
 };
 
 /// The same over balls; level 0 has a box per group of balls.
@@ -43,13 +47,15 @@ template <class S>
 struct BallTreeView : BoxTreeView<S> {
   std::int32_t groups;  ///< of balls
   const S* ball;        ///< groups of G balls, 7 components: M, H, radius; padding is NaN
+
+  PINBALL_FUNCTION const S* balls(std::int64_t group) const { return ball + group * 7 * ball_group<S>; }
 };
 
 /// The box that nothing is in.
 template <class S>
 PINBALL_FUNCTION MovingBox<S> empty_box() {
   MovingBox<S> box;
-  for (int c = 0; c < 12; ++c) box.bound[c] = static_cast<S>(c % 6 < 3 ? HUGE_VAL : -HUGE_VAL);
+  for (int c = 0; c < 12; ++c) box.bound[c] = c % 6 < 3 ? HUGE_VAL : -HUGE_VAL;
   return box;
 }
 
@@ -147,7 +153,7 @@ PINBALL_FUNCTION void for_each_meeting_box(const BoxTreeView<ScalarOf<T>>& tree,
   const int top = tree.levels - 1;
   for (int l = lowest; l <= top; ++l) first[l] = l == lowest ? from : first[l - 1] / G;
   const auto meeting = [&](int l, std::int32_t g) {
-    const unsigned all = meeting_boxes<T>(tree.box[l] + static_cast<std::int64_t>(g) * 12 * G, box);
+    const unsigned all = meeting_boxes<T>(tree.boxes(l, g), box);
     const std::int32_t before = first[l] - g * G;
     return before > 0 ? all >> before << before : all;
   };

@@ -17,7 +17,7 @@ namespace pinball {
 /// Number of the lowest bit that is set; some bit has to be.
 PINBALL_FUNCTION int lowest_bit(unsigned bits) {
 #if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
-  return __ffs(static_cast<int>(bits)) - 1;
+  return __ffs(bits) - 1;
 #else
   return __builtin_ctz(bits);
 #endif

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "macros.hpp"
+#include "record.hpp"
 #include "tensor.hpp"
 
 /// Contact constraints enforced by impulses. A row i of the contact matrix has the impulse b_i = p_i a_i + q_i, p_i
@@ -50,7 +51,7 @@ PINBALL_FUNCTION Vec3<double> weighted_sum(int count, const std::int32_t* number
                                            const double* records) {
   Vec3<double> sum{0, 0, 0};
   for (int k = 0; k < count; ++k) {
-    const double* const of = records + 4 * static_cast<std::int64_t>(number[k]);
+    const double* const of = record(records, number[k]);
     sum = sum + weight[k] * Vec3<double>{of[0], of[1], of[2]};
   }
   return sum;

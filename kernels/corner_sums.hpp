@@ -22,8 +22,7 @@ PINBALL_FUNCTION void add_corner_forces(const CornersOfNodes& corners, const S* 
   S sum[3] = {force[0], force[1], force[2]};
   for (std::uint32_t c = corners.first[node]; c < corners.first[node + 1]; ++c) {
     const std::uint32_t corner = corners.corner[c];
-    const S* const value = corner_force + place_in_rows<L>(static_cast<std::int64_t>(corner / 8), 24) +
-                           3 * static_cast<int>(corner % 8) * L;
+    const S* const value = corner_force + place_in_rows<L>(corner / 8, 24) + 3 * static_cast<int>(corner % 8) * L;
     for (int k = 0; k < 3; ++k) sum[k] += value[k * L];
   }
   for (int k = 0; k < 3; ++k) force[k] = sum[k];

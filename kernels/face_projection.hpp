@@ -53,7 +53,7 @@ PINBALL_FUNCTION FaceProjection<S> project_onto_face(const Vec3<S> (&x)[4], cons
   const auto from_node = [&y](const S(&w)[4]) { return w[0] * y[0] + w[1] * y[1] + w[2] * y[2] + w[3] * y[3]; };
   const Vec3<S> twist = S(0.25) * ((x[0] - x[1]) + (x[2] - x[3]));  // d2x/dxi deta
   FaceProjection<S> result;
-  result.outside = static_cast<S>(INFINITY);
+  result.outside = INFINITY;
   bool found = false;
   for (int i = 0; i < most_iterations && !found; ++i) {
     const Vec3<S> t1 = face_tangent(x, 0, eta), t2 = face_tangent(x, 1, xi);

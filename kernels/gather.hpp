@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "record.hpp"
 #include "simd.hpp"
 #include "tensor.hpp"
 
@@ -30,18 +31,18 @@ inline constexpr bool has_512_bits = false;
 template <class T>
 PINBALL_FUNCTION void gather_lanes(const ScalarOf<T>* base, const std::int32_t* index, T& a, T& b, T& c, T& d) {
   if constexpr (width_of<T> == 1) {
-    const ScalarOf<T>* record = base + 4 * static_cast<std::int64_t>(index[0]);
-    a = record[0];
-    b = record[1];
-    c = record[2];
-    d = record[3];
+    const ScalarOf<T>* const of = record(base, index[0]);
+    a = of[0];
+    b = of[1];
+    c = of[2];
+    d = of[3];
   } else {
     for (int i = 0; i < width_of<T>; ++i) {
-      const ScalarOf<T>* record = base + 4 * static_cast<std::int64_t>(index[i]);
-      a[i] = record[0];
-      b[i] = record[1];
-      c[i] = record[2];
-      d[i] = record[3];
+      const ScalarOf<T>* const of = record(base, index[i]);
+      a[i] = of[0];
+      b[i] = of[1];
+      c[i] = of[2];
+      d[i] = of[3];
     }
   }
 }
@@ -50,11 +51,11 @@ template <class T>
 PINBALL_FUNCTION void add_lanes(ScalarOf<T>* base, const std::int32_t* index, const T& a, const T& b, const T& c,
                                 const T& d) {
   for (int i = 0; i < width_of<T>; ++i) {
-    ScalarOf<T>* record = base + 4 * static_cast<std::int64_t>(index[i]);
-    record[0] += lane(a, i);
-    record[1] += lane(b, i);
-    record[2] += lane(c, i);
-    record[3] += lane(d, i);
+    ScalarOf<T>* const of = record(base, index[i]);
+    of[0] += lane(a, i);
+    of[1] += lane(b, i);
+    of[2] += lane(c, i);
+    of[3] += lane(d, i);
   }
 }
 
@@ -67,11 +68,11 @@ using Float8 = float __attribute__((vector_size(32)));
 
 template <class V, class S>
 PINBALL_FUNCTION V load_record(const S* base, std::int32_t index) {
-  return *reinterpret_cast<const V*>(base + 4 * static_cast<std::int64_t>(index));
+  return *reinterpret_cast<const V*>(record(base, index));
 }
 template <class V, class S>
 PINBALL_FUNCTION void add_record(S* base, std::int32_t index, V value) {
-  *reinterpret_cast<V*>(base + 4 * static_cast<std::int64_t>(index)) += value;
+  *reinterpret_cast<V*>(record(base, index)) += value;
 }
 
 // Four records of four doubles, or in each 128-bit chunk of a row four floats: a plain 4 x 4 transpose.
@@ -174,8 +175,8 @@ struct WideType<float, 16> {
 // in natural order after one unpack and one shuffle.
 PINBALL_FUNCTION Double8 load_pair(const double* base, std::int32_t low, std::int32_t high) {
   // vinsertf64x4 with its second operand in memory; from a shuffle GCC makes a load and a shuffle.
-  const __m512d first = _mm512_castpd256_pd512(_mm256_load_pd(base + 4 * static_cast<std::int64_t>(low)));
-  return Double8(_mm512_insertf64x4(first, _mm256_load_pd(base + 4 * static_cast<std::int64_t>(high)), 1));
+  const __m512d first = _mm512_castpd256_pd512(_mm256_load_pd(record(base, low)));
+  return Double8(_mm512_insertf64x4(first, _mm256_load_pd(record(base, high)), 1));
 }
 PINBALL_FUNCTION void gather_wide(const double* base, const std::int32_t* index, Double8& a, Double8& b, Double8& c,
                                   Double8& d) {

@@ -38,8 +38,8 @@ struct MotionEnergy {
 
   template <class T>
   PINBALL_FUNCTION void add(double mass, const NodeMotion<T>& node) {
-    kinetic += 0.5 * mass * static_cast<double>(node.kinetic);
-    change += 0.5 * mass * static_cast<double>(node.change);
+    kinetic += 0.5 * mass * node.kinetic;
+    change += 0.5 * mass * node.change;
   }
   PINBALL_FUNCTION void join(const MotionEnergy& other) {
     kinetic += other.kinetic;

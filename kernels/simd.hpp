@@ -87,7 +87,7 @@ namespace stdx = std::experimental;
 
 template <class T, int W>
 struct PackType {
-  using Type = stdx::simd<T, stdx::simd_abi::deduce_t<T, static_cast<std::size_t>(W)>>;
+  using Type = stdx::simd<T, stdx::simd_abi::deduce_t<T, W>>;
 };
 template <class T>
 struct PackType<T, 1> {
@@ -98,7 +98,7 @@ template <class T, class Abi>
 struct NumberTraits<stdx::simd<T, Abi>> {
   using Scalar = T;
   using Mask = stdx::simd_mask<T, Abi>;
-  static constexpr int width = static_cast<int>(stdx::simd<T, Abi>::size());
+  static constexpr int width = stdx::simd<T, Abi>::size();
 };
 
 /// Lanes of the widest register that the compiler may use; 1 in the build without vectorization.
@@ -107,7 +107,7 @@ template <class T>
 inline constexpr int native_width = 1;
 #else
 template <class T>
-inline constexpr int native_width = static_cast<int>(stdx::native_simd<T>::size());
+inline constexpr int native_width = stdx::native_simd<T>::size();
 #endif
 
 #if defined(__clang__) && defined(__AVX512VL__)
@@ -192,7 +192,7 @@ PINBALL_FUNCTION T lane_minimum(const stdx::simd<T, Abi>& a) {
 }
 template <class T, class Abi>
 PINBALL_FUNCTION T lane(const stdx::simd<T, Abi>& a, int i) {
-  return a[static_cast<std::size_t>(i)];
+  return a[i];
 }
 
 #endif
@@ -203,7 +203,7 @@ using Pack = typename PackType<T, W>::Type;
 /// Lanes of the widest register of any processor that this is written for. What is summed in rows of so many has the
 /// same bits for packs of any width.
 template <class T>
-inline constexpr int widest_pack = 64 / static_cast<int>(sizeof(T));
+inline constexpr int widest_pack = 64 / sizeof(T);
 
 /// A constant in all lanes, rounded to the precision of T. (A pack of floats cannot be built from a double.)
 template <class T>

@@ -119,7 +119,7 @@ PINBALL_FUNCTION HashBox* copy_cell(const SpatialHashView& hash, std::uint32_t b
     const HashBox box = hash.box[b];
     *to = box;
     // if (it is of this cell and keeps within the limits) ++to
-    to += static_cast<int>(is_in_cell(box, cell)) & static_cast<int>(meets(box, limits));
+    to += is_in_cell(box, cell) & meets(box, limits);
   }
   return to;
 }

@@ -47,9 +47,8 @@ PINBALL_FUNCTION ExternalWork work_of(const S* force, const S* velocity, const S
                                       const StepLengths& step) {
   ExternalWork work;
   for (int k = 0; k < 3; ++k) {
-    const auto v = static_cast<double>(velocity[k]);
-    work.join(
-        work_of(static_cast<double>(force[k]), v, v + step.velocity() * static_cast<double>(acceleration[k]), step));
+    const double v = velocity[k];
+    work.join(work_of(force[k], v, v + step.velocity() * static_cast<double>(acceleration[k]), step));
   }
   return work;
 }

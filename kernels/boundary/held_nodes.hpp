@@ -143,10 +143,9 @@ struct ForceOfTable {
 
   PINBALL_FUNCTION void operator()(std::int64_t i, ForceSum& sum) const {
     if (held[i].table != table) return;
-    const auto size = static_cast<double>(force[i]);
+    const double size = force[i];
     const auto* const normal = held[i].normal;
-    sum.join({size * static_cast<double>(normal[0]), size * static_cast<double>(normal[1]),
-              size * static_cast<double>(normal[2])});
+    sum.join({size * static_cast<double>(normal[0]), size * static_cast<double>(normal[1]), size * normal[2]});
   }
 };
 

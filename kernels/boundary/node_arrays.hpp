@@ -85,7 +85,7 @@ struct TotalOfForces {
   PINBALL_FUNCTION void operator()(std::int64_t i, ForceSum& sum) const {
     S force[3];
     forces.find(nodes, i, force);
-    sum.join({static_cast<double>(force[0]), static_cast<double>(force[1]), static_cast<double>(force[2])});
+    sum.join({force[0], force[1], force[2]});
   }
 };
 

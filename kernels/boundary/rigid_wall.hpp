@@ -150,14 +150,14 @@ struct PushWall {
 
   PINBALL_FUNCTION void operator()(std::int64_t i, WallPush& sum) const {
     const auto node = std::int64_t(of.nodes[i]);
-    const auto depth = static_cast<double>(step.after - wall_gap(nodes, wall, node, step));
+    const double depth = step.after - wall_gap(nodes, wall, node, step);
     const S mobility = wall_mobility(nodes, node, step);
     if (!(depth > 0) || !(mobility > S(0))) return;
     if (!wall_takes(wall, nodes.position + 4 * node, step.before)) return;
     const S* d = wall_direction(wall, of, i);
-    const auto give = static_cast<double>(mobility * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    const double give = mobility * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
     sum.force += depth / give;
-    sum.slope += static_cast<double>(step.position) / give;
+    sum.slope += step.position / give;
   }
 };
 
@@ -182,7 +182,7 @@ struct StopAtWall {
     if (!(mobility > S(0)) || !wall_takes(wall, x, step.before)) return;
     if (!(over < S(0))) {
       const S rate = (step.after - step.before) / step.position - wall_rate(nodes, wall, node, step);
-      if (S(2) * step.position * rate > over) sum.join({0, static_cast<double>(rate)});
+      if (S(2) * step.position * rate > over) sum.join({0, rate});
       return;
     }
     const S* d = wall_direction(wall, of, i);
@@ -198,7 +198,7 @@ struct StopAtWall {
     }
     // A node that the wall puts on its plane still comes towards it; the next step takes that.
     const S left = wall_height(wall, x) - step.before;
-    sum.join({static_cast<double>(reaction), static_cast<double>(left / step.position)});
+    sum.join({reaction, left / step.position});
   }
 };
 

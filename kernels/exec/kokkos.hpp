@@ -94,7 +94,7 @@ void parallel_reduce(const char* name, RangePolicy<KokkosDefault> range, const F
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
   const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
   Array<Value, KokkosMemory> lanes;
-  lanes.renew(static_cast<std::size_t>(pieces * sum_lanes));
+  lanes.renew(pieces * sum_lanes);
   const KokkosLanes<Value, Functor> sums{range.begin, count, pieces, lanes.data(), functor};
   parallel_for(name, RangePolicy<KokkosDefault>{0, pieces * sum_lanes}, sums);
   parallel_for(name, RangePolicy<KokkosDefault>{0, pieces}, KokkosPieces<Value>{lanes.data()});
@@ -102,8 +102,7 @@ void parallel_reduce(const char* name, RangePolicy<KokkosDefault> range, const F
   on_host.renew(lanes.size());
   KokkosDefault::wait();
   deep_copy(on_host, lanes);
-  result = sum_of_piece<Value>(
-      {0, pieces}, [&](std::int64_t p, Value& sum) { join_to(sum, on_host[static_cast<std::size_t>(sum_lanes * p)]); });
+  result = sum_of_piece<Value>({0, pieces}, [&](std::int64_t p, Value& sum) { join_to(sum, on_host[sum_lanes * p]); });
 }
 
 template <class Value, class Functor>

@@ -76,7 +76,7 @@ void parallel_reduce(const char* name, RangePolicy<Space> range, const Functor& 
   static_assert(std::is_trivially_copyable_v<Value> && fits_space<Space, Functor>);
   const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
   Array<Value> partial;
-  partial.renew(static_cast<std::size_t>(pieces));
+  partial.renew(pieces);
   const PartialSums<Value, Functor> sums{range.begin, count, pieces, partial.data(), functor};
   parallel_for(name, RangePolicy<Space>{0, pieces}, sums);
   result = sum_of_piece<Value>({0, pieces}, [&](std::int64_t p, Value& sum) { join_to(sum, partial[std::size_t(p)]); });

@@ -79,8 +79,8 @@ PINBALL_FUNCTION T logarithm(const T& x) {
   // 2^k of m: exponents are counted from that of sqrt(1/2) on, so that the difference is k + 2^(digits of one).
   const Bits shifted = bits - Bits(L::root_half) + Bits(L::one);
   const Bits exponent = shifted >> L::digits;
-  const T k = detail::same_bits<T>(Bits(exponent | Bits(L::whole))) -
-              T(detail::same_bits<S>(L::whole) + static_cast<S>(L::one >> L::digits));
+  const T k =
+      detail::same_bits<T>(Bits(exponent | Bits(L::whole))) - T(detail::same_bits<S>(L::whole) + (L::one >> L::digits));
   const Bits mantissa = bits - Bits((exponent - Bits(L::one >> L::digits)) << L::digits);
   const T m = detail::same_bits<T>(mantissa);
   const T f = (m - T(1)) / (m + T(1)), f2 = f * f;

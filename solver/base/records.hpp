@@ -2,16 +2,11 @@
 
 #include <cstdint>
 
+#include "../../kernels/record.hpp"
 #include "../../kernels/tensor.hpp"
 
 /// Records of four numbers, of nodes or of what else is numbered (kernels/gather.hpp).
 namespace pinball {
-
-/// Record n of an array of them; S may be const.
-template <class S>
-S* record(S* records, std::int64_t n) {
-  return records + 4 * n;
-}
 
 /// The first three numbers of a record.
 template <class S>
@@ -22,7 +17,7 @@ Vec3<S> vector_of(const S* record) {
 /// The same in double.
 template <class S>
 Vec3<double> double_vector_of(const S* record) {
-  return {static_cast<double>(record[0]), static_cast<double>(record[1]), static_cast<double>(record[2])};
+  return {record[0], record[1], record[2]};
 }
 
 /// Writes a vector to a record, and zero behind it.

@@ -60,7 +60,7 @@ EdgeSides sides_of(const SegmentSurface<S>& surface, const typename EdgeTable<S>
   for (const std::int32_t s : EdgeTable<S>::segments_of(edge)) {
     if (sides.faces == 2) break;
     if (!surface.active_segment(s)) continue;
-    const auto f = static_cast<std::size_t>(sides.faces++);
+    const std::size_t f = sides.faces++;
     sides.unit_normal[f] = double_vector_of(record(surface.plane().data(), s));
     sides.middle[f] = double_vector_of(record(surface.sphere().data(), s));
     sides.normal = sides.normal + sides.unit_normal[f];
@@ -87,7 +87,7 @@ bool is_sharp(const SegmentSurface<S>& surface, const typename EdgeTable<S>::Edg
 /// angle by which they do.
 bool goes_away(const EdgeSides& sides, const Vec3<double>& point, const Vec3<double>& away, double least) {
   for (int f = 0; f < sides.faces; ++f) {
-    const Vec3<double> to = sides.middle[static_cast<std::size_t>(f)] - point;
+    const Vec3<double> to = sides.middle[f] - point;
     if (dot(to, away) < least * std::sqrt(dot(to, to))) return false;
   }
   return dot(sides.normal, away) < 0;
@@ -96,8 +96,8 @@ bool goes_away(const EdgeSides& sides, const Vec3<double>& point, const Vec3<dou
 /// The deepest that a node of either edge was in a row of the step before.
 template <class Edge>
 double depth_before(const StepReach& step, const Edge& first, const Edge& second) {
-  return static_cast<double>(std::max(
-      {step.depth[first.node[0]], step.depth[first.node[1]], step.depth[second.node[0]], step.depth[second.node[1]]}));
+  return std::max(
+      {step.depth[first.node[0]], step.depth[first.node[1]], step.depth[second.node[0]], step.depth[second.node[1]]});
 }
 
 /// Against the faces of edge 1 and away from those of edge 2, across the edges: so far as its share goes, along the way
@@ -117,7 +117,7 @@ template <class S>
 bool is_beside(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
                const typename EdgeTable<S>::Edge& edge, double s, const EdgeSides& sides, const EdgeSides& others,
                const Vec3<double>& point, double depth) {
-  const auto around = surface.around(static_cast<std::size_t>(edge.slave[s < 0.5 ? 0 : 1]));
+  const auto around = surface.around(edge.slave[s < 0.5 ? 0 : 1]);
   const auto own = EdgeTable<S>::segments_of(edge);
   return std::any_of(around.begin(), around.end(), [&](std::int32_t number) {
     if (!surface.active_segment(number) || std::find(own.begin(), own.end(), number) != own.end()) return false;
@@ -126,7 +126,7 @@ bool is_beside(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
     const Vec3<double> area = cross(x[2] - x[0], x[3] - x[1]), middle = 0.25 * ((x[0] + x[1]) + (x[2] + x[3]));
     const Vec3<double> normal = (1 / std::sqrt(dot(area, area))) * area;
     const auto any_of_sides = [](const EdgeSides& of, const auto& holds) {
-      for (std::size_t f = 0; f < static_cast<std::size_t>(of.faces); ++f) {
+      for (int f = 0; f < of.faces; ++f) {
         if (holds(of.unit_normal[f], of.middle[f])) return true;
       }
       return false;
@@ -143,8 +143,7 @@ bool face_each_other(const EdgeSides& first, const EdgeSides& second) {
   double least = 1;
   for (int f = 0; f < first.faces; ++f) {
     for (int g = 0; g < second.faces; ++g) {
-      least = std::min(
-          least, dot(first.unit_normal[static_cast<std::size_t>(f)], second.unit_normal[static_cast<std::size_t>(g)]));
+      least = std::min(least, dot(first.unit_normal[f], second.unit_normal[g]));
     }
   }
   return least < most_facing;
@@ -187,7 +186,7 @@ void EdgeRows<S>::find_near(const SurfaceSource<S>& source, const EdgeTable<S>& 
     unsigned bits = lane_bits<T>(cross_here || lie_along);
     for (; bits != 0; bits &= bits - 1) {
       const std::int64_t at = place + __builtin_ctz(bits);
-      if (at < end) near_pairs.push_back(static_cast<std::int32_t>(at));
+      if (at < end) near_pairs.push_back(at);
     }
   }
 }

@@ -34,7 +34,7 @@ double largest_approach(const SurfaceSource<S>& source, const std::vector<std::i
   if (nodes.empty()) return 0;
   VelocityBox box;
   parallel_reduce(
-      "velocities", RangePolicy<>{0, static_cast<std::int64_t>(nodes.size())}, box,
+      "velocities", RangePolicy<>{0, std::ssize(nodes)}, box,
       [&](std::int64_t begin, std::int64_t end, VelocityBox& partial) {
         for (std::int64_t i = begin; i < end; ++i) {
           const Vec3<double> v = double_vector_of(source.v(nodes[i]));
@@ -53,13 +53,13 @@ FaceAlgorithm<S>::FaceAlgorithm(const ContactSettings& settings, const SurfaceSo
     : ContactAlgorithm<S>(settings, source, start),
       surface_(source, std::move(start.topology)),
       spheres_(source, surface_.topology()),
-      depth_(static_cast<std::size_t>(source.node_count), 0) {
+      depth_(source.node_count, 0) {
   edges_.collect(surface_);
   lists_.set_pairs(this->pairs_.get());
   // Bodies that overlap from the start come no nearer.
   for (const auto& slave : surface_.slaves()) {
     deep_.push_back(slave.node);
-    const auto size = static_cast<double>(surface_.segments()[slave.owner].size);
+    const double size = surface_.segments()[slave.owner].size;
     depth_[slave.node] = static_cast<float>(deepest_at_start * size);
   }
 }
@@ -194,10 +194,10 @@ template <class S>
 void FaceAlgorithm<S>::put_radii(const SurfaceSource<S>& /*source*/, std::vector<double>& slot_radius) const {
   for (const auto& segment : surface_.segments()) {
     if (!surface_.exposed(segment.slot, segment.face)) continue;
-    slot_radius[segment.slot] = static_cast<double>(segment.radius);
+    slot_radius[segment.slot] = segment.radius;
   }
   for (const auto& sphere : spheres_.spheres()) {
-    if (surface_.topology().alive(sphere.slot)) slot_radius[sphere.slot] = static_cast<double>(sphere.radius);
+    if (surface_.topology().alive(sphere.slot)) slot_radius[sphere.slot] = sphere.radius;
   }
 }
 

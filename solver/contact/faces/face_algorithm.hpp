@@ -31,7 +31,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
   ListSize listed() const override {
-    return {static_cast<std::int64_t>(surface_.slaves().size()) + spheres_.count(), lists_.entries(), lists_.places()};
+    return {std::ssize(surface_.slaves()) + spheres_.count(), lists_.entries(), lists_.places()};
   }
   void persist(StateArchive& archive, const SurfaceSource<S>& source) override;
   std::size_t bytes() const override;

@@ -22,7 +22,7 @@ void widen(MovingBox<S>& box, S by) {
   for (int k = 0; k < 12; ++k) box.bound[k] += k % 6 < 3 ? -by : by;
 }
 
-RangePolicy<> all_of(std::size_t count) { return {0, static_cast<std::int64_t>(count)}; }
+RangePolicy<> all_of(std::int64_t count) { return {0, count}; }
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
   last_step_ = scope.last_step;
   // What has closed within the step just made is found, and what closes within the step after the horizon.
   horizon_ = scope.horizon + 2 * last_step_;
-  const auto segments = static_cast<std::int32_t>(surface.segments().size());
+  const std::int32_t segments = surface.segments().size();
   node_box_.resize(surface.slaves().size());
   edge_box_.resize(edges.edges().size());
   edge_size_.resize(edges.edges().size());
@@ -63,17 +63,17 @@ void FeatureBounds<S>::update(const NodeRecords<S>& nodes, const SegmentSurface<
   parallel_for("boxes of segments", all_of(surface.segments().size()), [&](std::int64_t i) {
     const auto& segment = surface.segments()[i];
     MovingBox<S> box = empty_box<S>();
-    for (const std::int32_t slave : surface.slaves_of(static_cast<std::int32_t>(i))) take(box, node_box_[slave]);
+    for (const std::int32_t slave : surface.slaves_of(i)) take(box, node_box_[slave]);
     facing_[i] = facing_of(nodes, segment.node);
     widen(box, static_cast<S>(near_gap) * segment.size);
-    boxes_.set(static_cast<std::int32_t>(i), box);
+    boxes_.set(i, box);
   });
   parallel_for("boxes of edges", all_of(edge_box_.size()), [&](std::int64_t e) {
     const auto& edge = edges.edges()[e];
     MovingBox<S> box = node_box_[edge.slave[0]];
     take(box, node_box_[edge.slave[1]]);
     S size = 0;
-    for (const std::int32_t s : edges.segments_of(static_cast<std::int32_t>(e))) {
+    for (const std::int32_t s : edges.segments_of(e)) {
       size = std::max(size, surface.segments()[s].size);
     }
     widen(box, static_cast<S>(near_gap) * size);
@@ -131,13 +131,12 @@ void FeatureBounds<S>::find_facings(const SegmentSurface<S>& surface, const Edge
   edge_facing_.resize(edges.edges().size());
   around_.resize(facing_.size());
   parallel_for("facing of nodes", all_of(node_facing_.size()),
-               [&](std::int64_t i) { node_facing_[i] = facing_of_all(surface.around(static_cast<std::size_t>(i))); });
-  parallel_for("facing of edges", all_of(edge_facing_.size()), [&](std::int64_t e) {
-    edge_facing_[e] = facing_of_all(edges.segments_of(static_cast<std::int32_t>(e)));
-  });
+               [&](std::int64_t i) { node_facing_[i] = facing_of_all(surface.around(i)); });
+  parallel_for("facing of edges", all_of(edge_facing_.size()),
+               [&](std::int64_t e) { edge_facing_[e] = facing_of_all(edges.segments_of(e)); });
   parallel_for("facing around segments", all_of(around_.size()), [&](std::int64_t i) {
     around_[i] = facing_[i];
-    for (const std::int32_t slave : surface.slaves_of(static_cast<std::int32_t>(i))) {
+    for (const std::int32_t slave : surface.slaves_of(i)) {
       const Vec3<S> d = node_facing_[slave].normal - facing_[i].normal;
       around_[i].angle = maximum(around_[i].angle, S(1.12) * square_root(dot(d, d)) + node_facing_[slave].angle);
     }

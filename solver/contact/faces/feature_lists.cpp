@@ -44,7 +44,7 @@ void FeatureLists<S>::watch_nodes(const SurfaceSource<S>& source, const SegmentS
   motion_.clear(source.node_count);
   for (const auto& slave : surface.slaves()) {
     S least = std::numeric_limits<S>::max();
-    for (const std::int32_t s : surface.around(static_cast<std::size_t>(&slave - surface.slaves().data()))) {
+    for (const std::int32_t s : surface.around(&slave - surface.slaves().data())) {
       least = std::min(least, surface.segments()[s].size);
     }
     motion_.watch(slave.node, least);
@@ -57,7 +57,7 @@ void FeatureLists<S>::watch_nodes(const SurfaceSource<S>& source, const SegmentS
 template <class S>
 S FeatureLists<S>::steps_to_last(const SegmentSurface<S>& surface) const {
   const std::int64_t entries = nodes_.pieces.entries + edges_.pieces.entries;
-  const bool is_short = 4 * entries < static_cast<std::int64_t>(surface.segments().size());
+  const bool is_short = 4 * entries < std::ssize(surface.segments());
   return is_short ? S(1.5) * horizon_steps : S(horizon_steps);
 }
 
@@ -85,7 +85,7 @@ void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurfa
                                  const EdgeTable<S>& edges, const SphereSurface<S>& spheres,
                                  const ContactSettings& settings) {
   bounds_.update(nodes, surface, edges, spheres, motion_, scope_);
-  const auto segments = static_cast<std::int32_t>(surface.segments().size());
+  const std::int32_t segments = surface.segments().size();
   const auto body_of = [&](std::int32_t i) {
     return i < segments ? surface.segments()[i].body : spheres.spheres()[i - segments].body;
   };
@@ -104,7 +104,7 @@ void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurfa
 
 template <class S>
 void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
-  const auto segments = static_cast<std::int32_t>(surface.segments().size());
+  const std::int32_t segments = surface.segments().size();
   parallel_for("features", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     nodes_.found()[piece].pairs = 0;
     edges_.found()[piece].pairs = 0;
@@ -122,9 +122,9 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
       }
     }
   });
-  nodes_.sort(static_cast<std::int64_t>(surface.slaves().size()), native_width<S>, surface.changed());
+  nodes_.sort(surface.slaves().size(), native_width<S>, surface.changed());
   fill_node_pairs(surface);
-  edges_.sort(static_cast<std::int64_t>(edges.edges().size()), native_width<S>, surface.changed());
+  edges_.sort(edges.edges().size(), native_width<S>, surface.changed());
   fill_edge_pairs(edges);
   join_sphere_pairs();
   was_active_.resize(surface.segments().size());
@@ -163,8 +163,8 @@ bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const Edg
   mark_changed(surface);
   find_more(surface, edges);
   unmark_changed(surface);
-  more_nodes_.sort(static_cast<std::int64_t>(surface.slaves().size()), 1);
-  more_edges_.sort(static_cast<std::int64_t>(edges.edges().size()), 1);
+  more_nodes_.sort(surface.slaves().size(), 1);
+  more_edges_.sort(edges.edges().size(), 1);
   if (more_nodes_.pieces.entries + more_edges_.pieces.entries == 0) return false;
   take_in_more(surface, edges);
   return true;
@@ -174,7 +174,7 @@ bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const Edg
 /// once a list, takes as long as to look through all: most lists see a few erosions.
 template <class S>
 void FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTable<S>& edges) {
-  const auto segments = static_cast<std::int32_t>(surface.segments().size());
+  const std::int32_t segments = surface.segments().size();
   parallel_for("features after erosion", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     more_nodes_.found()[piece].pairs = 0;
     more_edges_.found()[piece].pairs = 0;
@@ -195,7 +195,7 @@ void FeatureLists<S>::take_in_more(const SegmentSurface<S>& surface, const EdgeT
     const auto add = [&list](std::int32_t a, std::int32_t b) { list.found()[0].add(a, b); };
     list.for_each(add);
     more.for_each(add);
-    list.sort(static_cast<std::int64_t>(firsts), native_width<S>, true);
+    list.sort(firsts, native_width<S>, true);
   };
   if (const auto room = nodes_.insert(more_nodes_)) {
     room->make_in(nodes_.node.data());
@@ -359,8 +359,8 @@ void FeatureLists<S>::check(const StateArchive& archive, const SegmentSurface<S>
   edges_.check(archive, edges.edges().size(), edges.edges().size(), native_width<S>);
   const auto check_spheres = [&](const std::vector<Pair>& pairs, std::size_t seconds) {
     for (const Pair& pair : pairs) {
-      archive.require_all(std::array{pair[0]}, 0, static_cast<std::int64_t>(spheres.spheres().size()));
-      archive.require_all(std::array{pair[1]}, 0, static_cast<std::int64_t>(seconds));
+      archive.require_all(std::array{pair[0]}, 0, spheres.spheres().size());
+      archive.require_all(std::array{pair[1]}, 0, seconds);
     }
   };
   check_spheres(spheres_.with_segments, segments);

@@ -73,8 +73,8 @@ class FeatureLists {
   const SortedPairs& more_nodes() const { return more_nodes_; }
   const SortedPairs& more_edges() const { return more_edges_; }
   std::int64_t entries() const {
-    return nodes_.pieces.entries + edges_.pieces.entries +
-           static_cast<std::int64_t>(spheres_.with_segments.size() + spheres_.with_spheres.size());
+    return nodes_.pieces.entries + edges_.pieces.entries + std::ssize(spheres_.with_segments) +
+           std::ssize(spheres_.with_spheres);
   }
   std::int64_t places() const { return entries() - nodes_.pieces.entries + nodes_.pieces.places; }
   void persist(StateArchive& archive, const SegmentSurface<S>& surface, const EdgeTable<S>& edges,

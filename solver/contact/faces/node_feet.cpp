@@ -18,13 +18,13 @@ void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& su
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
   const std::int64_t begin = pairs.pieces.begin[piece], end = pairs.pieces.end[piece];
-  near.resize(static_cast<std::size_t>(end - begin + 2 * W));
+  near.resize(end - begin + 2 * W);
   std::int32_t* end_of_near = near.data();
   for (std::int64_t place = begin; place < end; place += W) {
     T within = number<T>(near_gap) * load<T>(pairs.size.data() + place) + number<T>(step.approach);
     if (step.some_deep) {
       alignas(64) S deep[W];
-      for (int i = 0; i < W; ++i) deep[i] = static_cast<S>(step.depth[pairs.node[place + i]]);
+      for (int i = 0; i < W; ++i) deep[i] = step.depth[pairs.node[place + i]];
       within = within + load<T>(deep);
     }
     const Vec3<T> x = gather_vectors<T>(source.position, pairs.node.data() + place);
@@ -39,9 +39,9 @@ void find_near_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& su
     unsigned bits =
         lane_bits<T>(ball > T(0) && dot(d, d) - height * height < beside * beside && absolute(height) < within + warp);
     if (place + W > end) bits &= (1U << (end - place)) - 1;
-    end_of_near += write_numbers<W>(bits, static_cast<std::int32_t>(place), end_of_near);
+    end_of_near += write_numbers<W>(bits, place, end_of_near);
   }
-  near.resize(static_cast<std::size_t>(end_of_near - near.data()));
+  near.resize(end_of_near - near.data());
 }
 
 template <class S>
@@ -52,14 +52,14 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
   constexpr int W = width_of<T>;
   feet.clear();
   for (std::size_t first = 0; first < near.size(); first += W) {
-    const int count = static_cast<int>(std::min<std::size_t>(W, near.size() - first));
+    const int count = std::min<std::size_t>(W, near.size() - first);
     alignas(64) double coordinate[5][3][W];
     for (int i = 0; i < W; ++i) {
-      const std::int32_t place = near[first + static_cast<std::size_t>(std::min(i, count - 1))];
+      const std::int32_t place = near[first + std::min(i, count - 1)];
       const auto& segment = surface.segments()[pairs.second[place]];
       for (int k = 0; k < 5; ++k) {
         const S* x = source.x(k < 4 ? segment.node[k] : pairs.node[place]);
-        for (int c = 0; c < 3; ++c) coordinate[k][c][i] = static_cast<double>(x[c]);
+        for (int c = 0; c < 3; ++c) coordinate[k][c][i] = x[c];
       }
     }
     const auto point = [&](int k) {
@@ -69,7 +69,7 @@ void find_feet(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
     FaceProjection<T> at = foot_on_face(corner, point(4));
     move_to_nearest_side(corner, point(4), at);
     for (int i = 0; i < count; ++i) {
-      const std::int32_t place = near[first + static_cast<std::size_t>(i)];
+      const std::int32_t place = near[first + i];
       const double beyond = std::max(std::abs(lane(at.xi, i)), std::abs(lane(at.eta, i))) - 1;
       const NodeFoot foot{pairs.first[place],
                           pairs.second[place],

@@ -39,7 +39,7 @@ constexpr double right_on_a_node = 0.999;
 /// Whether a face around a node may come to look at another. facing: mean unit normal of that.
 template <class S>
 bool may_face(const SegmentSurface<S>& surface, std::int32_t slave, const Vec3<double>& facing) {
-  const auto around = surface.around(static_cast<std::size_t>(slave));
+  const auto around = surface.around(slave);
   return std::any_of(around.begin(), around.end(), [&](std::int32_t s) {
     return surface.active_segment(s) && dot(double_vector_of(record(surface.plane().data(), s)), facing) < most_facing;
   });
@@ -51,7 +51,7 @@ template <class S>
 bool is_lowest(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, std::int32_t slave,
                const Vec3<double>& normal) {
   const Vec3<double> own = double_vector_of(source.x(surface.slaves()[slave].node));
-  for (const std::int32_t s : surface.around(static_cast<std::size_t>(slave))) {
+  for (const std::int32_t s : surface.around(slave)) {
     if (!surface.active_segment(s)) continue;
     for (const std::int32_t node : surface.segments()[s].node) {
       const Vec3<double> to = double_vector_of(source.x(node)) - own;
@@ -77,7 +77,7 @@ class NodeMeeting {
 
   /// Adds the rows of the node: of one body after the other, by number.
   void add_rows(std::vector<FeatureRow>& rows) const {
-    if (!surface_.active(static_cast<std::size_t>(feet_.front().slave))) return;
+    if (!surface_.active(feet_.front().slave)) return;
     for (std::int32_t body = next_body(-1); body >= 0; body = next_body(body)) add_rows_with(body, rows);
   }
 
@@ -85,10 +85,10 @@ class NodeMeeting {
   const typename SegmentSurface<S>::Segment& segment_of(const NodeFoot& foot) const {
     return surface_.segments()[foot.segment];
   }
-  double radius_of(const NodeFoot& foot) const { return static_cast<double>(segment_of(foot).radius); }
-  double size_of(const NodeFoot& foot) const { return static_cast<double>(segment_of(foot).size); }
+  double radius_of(const NodeFoot& foot) const { return segment_of(foot).radius; }
+  double size_of(const NodeFoot& foot) const { return segment_of(foot).size; }
   /// Difference of distances that is nothing but round-off [length].
-  double as_near() const { return round_off * static_cast<double>(slave_.radius); }
+  double as_near() const { return round_off * slave_.radius; }
 
   /// Whether a foot is on the face or hardly beyond its edges.
   bool is_on_face(const NodeFoot& foot) const { return foot.past_margin <= edge_margin * radius_of(foot); }
@@ -112,11 +112,10 @@ class NodeMeeting {
 
   /// Whether node and face may touch: near each other, looking at each other, and not kept apart by the mesh.
   bool looks(const NodeFoot& foot) const {
-    const auto depth_before = static_cast<double>(step_.depth[slave_.node]);
+    const double depth_before = step_.depth[slave_.node];
     if (!may_touch(foot.gap, closing(foot), size_of(foot), depth_before)) return false;
     const Vec3<S> normal{static_cast<S>(foot.normal.x), static_cast<S>(foot.normal.y), static_cast<S>(foot.normal.z)};
-    return (surface_.faces(static_cast<std::size_t>(foot.slave), normal) ||
-            is_lowest(source_, surface_, foot.slave, foot.normal)) &&
+    return (surface_.faces(foot.slave, normal) || is_lowest(source_, surface_, foot.slave, foot.normal)) &&
            counts(foot);
   }
 
@@ -125,7 +124,7 @@ class NodeMeeting {
   bool counts(const NodeFoot& foot) const {
     const auto mean = double_vector_of(record(surface_.plane().data(), foot.segment));
     return may_face(surface_, foot.slave, mean) &&
-           !surface_.beside(surface_.around(static_cast<std::size_t>(foot.slave)), std::span(&foot.segment, 1));
+           !surface_.beside(surface_.around(foot.slave), std::span(&foot.segment, 1));
   }
 
   /// A foot beyond an edge belongs to the face on its side of the corner; inside, that is at the bottom of a valley,
@@ -239,7 +238,7 @@ class NodeMeeting {
     row.first = slave_.node;
     row.slave = foot.slave;
     row.second = name;
-    row.size = static_cast<double>(slave_.radius + segment.radius);
+    row.size = slave_.radius + segment.radius;
     row.reach = size_of(foot);
     if (step_.pairs != nullptr) {
       row.pair = step_.pairs->node_and_face(slave_.node, segment.slot, segment.face, segment.node);
@@ -289,7 +288,7 @@ void NodeRows<S>::find(const SurfaceSource<S>& source, const SegmentSurface<S>& 
 
 template <class S>
 void NodeRows<S>::drop_mirrored(const SurfaceSource<S>& source, const SegmentSurface<S>& surface) {
-  on_node_.resize(static_cast<std::size_t>(source.node_count), nullptr);
+  on_node_.resize(source.node_count, nullptr);
   // A node of the face that the row's node is as good as on; negative: none.
   const auto met_from = [](const FeatureRow& row, double least) {
     for (int k = 1; k < row.nodes; ++k) {

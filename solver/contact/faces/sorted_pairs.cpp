@@ -10,14 +10,14 @@ std::int64_t to_pack(std::int64_t place, std::int64_t width) { return (place + w
 
 void SortedPairs::sort(std::int64_t firsts, std::int64_t width, bool grows) {
   std::int64_t all = 0;
-  for (const PairColumns& some : found()) all += static_cast<std::int64_t>(some.pairs);
+  for (const PairColumns& some : found()) all += some.pairs;
   pieces.count = ListPieces::count_for(all);
   PairOrder::Begins begins{};
-  for (std::int64_t p = 0; p <= pieces.count; ++p) begins[p] = static_cast<std::int32_t>(firsts * p / pieces.count);
+  for (std::int64_t p = 0; p <= pieces.count; ++p) begins[p] = firsts * p / pieces.count;
   order_.share_out(begins, pieces.count);
   std::int64_t place = 0;
   for (std::int64_t p = 0; p < pieces.count; ++p) {
-    const auto size = static_cast<std::int64_t>(order_.pairs_of(p).size());
+    const std::int64_t size = order_.pairs_of(p).size();
     pieces.begin[p] = place;
     pieces.end[p] = place + size;
     place = to_pack(place + size + (grows ? std::max(size / 8, 2 * width) : 0), width);
@@ -120,9 +120,9 @@ void SortedPairs::check(const StateArchive& archive, std::size_t firsts, std::si
                         std::int64_t width) const {
   const std::int64_t places = pieces.places;
   archive.require(pieces.count >= 1 && pieces.count <= fixed_pieces && places >= 0 && places % width == 0);
-  archive.require(first.size() == static_cast<std::size_t>(places) && second.size() == first.size());
-  archive.require_all(first, 0, static_cast<std::int64_t>(firsts));
-  archive.require_all(second, 0, static_cast<std::int64_t>(seconds));
+  archive.require(std::ssize(first) == places && second.size() == first.size());
+  archive.require_all(first, 0, firsts);
+  archive.require_all(second, 0, seconds);
   std::int64_t before = 0, entries = 0;
   for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
     const std::int64_t begin = pieces.begin[piece], end = pieces.end[piece];

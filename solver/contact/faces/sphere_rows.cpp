@@ -31,13 +31,13 @@ void SphereRows<S>::add_face(const SurfaceSource<S>& source, const SegmentSurfac
   const double distance = std::sqrt(dot(to, to));
   FeatureRow row;
   const bool inside = at.gap < 0;  // the centre has gone through: out by the way that it came
-  const auto radius = static_cast<double>(sphere.radius);
+  const double radius = sphere.radius;
   if (inside && (at.outside > 0 || at.gap < -static_cast<double>(segment.thickness) / 2)) return;
   row.direction = inside || !(distance > 0) ? at.normal : (1 / distance) * to;
   row.first = sphere.node;
   row.second = static_cast<std::int64_t>(segment.slot) * 6 + segment.face;
   row.depth = radius - (inside ? at.gap : distance);
-  row.size = radius + static_cast<double>(segment.radius);
+  row.size = radius + segment.radius;
   row.reach = std::min(radius, static_cast<double>(segment.size));
   row.add_node(sphere.node, -1);
   row.add_side(segment.node, at.weight, 1);
@@ -52,7 +52,7 @@ void SphereRows<S>::add_sphere(const SurfaceSource<S>& source, const Sphere& fir
   const auto radius1 = static_cast<double>(first.radius), radius2 = static_cast<double>(second.radius);
   FeatureRow row;
   row.first = first.node;
-  row.second = ~static_cast<std::int64_t>(second.node);
+  row.second = ~second.node;
   row.direction = (1 / distance) * to;
   row.depth = radius1 + radius2 - distance;
   row.size = radius1 + radius2;

@@ -50,7 +50,7 @@ template <class S>
 std::int32_t HostMesh<S>::node_at(const void* numbers, std::int64_t i) const {
   const std::int64_t number = long_index_ ? static_cast<const std::int64_t*>(numbers)[i]
                                           : std::int64_t{static_cast<const std::int32_t*>(numbers)[i]};
-  return static_cast<std::int32_t>(number - first_index_);
+  return number - first_index_;
 }
 
 template <class S>
@@ -59,9 +59,7 @@ std::array<std::int32_t, 8> HostMesh<S>::corners(std::int32_t element) const {
   if (element >= elements()) {
     nodes.fill(node_at(mesh_.sphere_node, element - elements()));
   } else {
-    for (std::size_t i = 0; i < 8; ++i) {
-      nodes[i] = node_at(mesh_.corners, 8 * std::int64_t{element} + static_cast<std::int64_t>(i));
-    }
+    for (int i = 0; i < 8; ++i) nodes[i] = node_at(mesh_.corners, 8 * std::int64_t{element} + i);
   }
   return nodes;
 }
@@ -94,11 +92,11 @@ std::vector<std::int32_t> HostMesh<S>::tiles() const {
   std::vector<std::int32_t> first;
   const auto cut = [&first, this](std::int32_t begin, std::int32_t end) {
     const std::int64_t size = tile_size(all());
-    for (std::int64_t e = begin; e < end; e += size) first.push_back(static_cast<std::int32_t>(e));
+    for (std::int64_t e = begin; e < end; e += size) first.push_back(e);
   };
   if (mesh_.tile_offsets != nullptr) {
     for (std::int64_t t = 0; t < mesh_.tile_count; ++t) {
-      first.push_back(static_cast<std::int32_t>(mesh_.tile_offsets[t]));
+      first.push_back(mesh_.tile_offsets[t]);
     }
   } else {
     cut(0, elements());

@@ -27,7 +27,7 @@ bool is_sound(const std::array<S, 3>& vector) {
 /// Throws HostError for a stride that leads out of what memory can have.
 template <class S>
 void require_stride(std::int64_t stride, std::int64_t nodes, const char* name) {
-  const std::int64_t most = std::numeric_limits<std::ptrdiff_t>::max() / static_cast<std::ptrdiff_t>(sizeof(S)) / nodes;
+  const std::int64_t most = std::numeric_limits<std::ptrdiff_t>::max() / std::ptrdiff_t{sizeof(S)} / nodes;
   if (stride >= 1 && stride <= most) return;
   throw HostError(PINBALL_CONTACT_BAD_COUNT, name, "stride: expected 1 ... ", most, ", got ", stride);
 }
@@ -63,9 +63,9 @@ class HostMesh {
   HostMesh(const pinball_contact_options& options, const pinball_contact_mesh* mesh,
            const pinball_contact_input* position);
 
-  std::int32_t nodes() const { return static_cast<std::int32_t>(mesh_.node_count); }
-  std::int32_t elements() const { return static_cast<std::int32_t>(mesh_.element_count); }
-  std::int32_t spheres() const { return static_cast<std::int32_t>(mesh_.sphere_count); }
+  std::int32_t nodes() const { return mesh_.node_count; }
+  std::int32_t elements() const { return mesh_.element_count; }
+  std::int32_t spheres() const { return mesh_.sphere_count; }
   std::int32_t all() const { return elements() + spheres(); }
   std::array<std::int32_t, 8> corners(std::int32_t element) const;
   std::int32_t body(std::int32_t element) const;
@@ -75,9 +75,7 @@ class HostMesh {
   double mass(std::int32_t node) const { return number(mesh_.mass, node); }
   const void* element_masses() const { return mesh_.element_mass; }
   const void* element_volumes() const { return mesh_.element_volume; }
-  double number(const void* numbers, std::int64_t i) const {
-    return static_cast<double>(static_cast<const S*>(numbers)[i]);
-  }
+  double number(const void* numbers, std::int64_t i) const { return static_cast<const S*>(numbers)[i]; }
   const std::uint8_t* hidden_faces() const { return mesh_.hidden_faces; }
   std::vector<HeldDirection> held() const;
   /// First element of each tile, spheres with them, and at last their number.

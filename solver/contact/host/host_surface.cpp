@@ -55,18 +55,18 @@ HostSurface<S>::HostSurface(const pinball_contact_options& options, HostMesh<S> 
     : mesh_(std::move(mesh)) {
   this->lists_last = options.keep_lists == 1;
   this->node_count = mesh_.nodes();
-  const auto n = static_cast<std::size_t>(mesh_.nodes());
+  const std::size_t n = mesh_.nodes();
   const HostVectors<S> start(where);
   inverse_.reset(n);
   reference_.resize(3 * n);
   std::vector<std::int32_t> around(n, 0);  // corners at each node
   for (std::int32_t e = 0; e < mesh_.all(); ++e) {
     for (const std::int32_t node : mesh_.corners(e)) {
-      const auto at = static_cast<std::size_t>(node);
+      const std::size_t at = node;
       if (e < mesh_.elements()) ++around[at];
       inverse_[at] = static_cast<S>(1.0 / mesh_.mass(node));
       const std::array<S, 3> x = start[node];
-      std::copy(x.begin(), x.end(), reference_.begin() + static_cast<std::ptrdiff_t>(3 * at));
+      std::copy(x.begin(), x.end(), reference_.begin() + (3 * at));
     }
   }
   masses_from_ = mesh_.element_masses() != nullptr ? mesh_.elements() : 0;
@@ -79,7 +79,7 @@ HostSurface<S>::HostSurface(const pinball_contact_options& options, HostMesh<S> 
     mass_.push_back(mass);
   }
   this->inverse_mass = inverse_.data();
-  alive_before_.assign(static_cast<std::size_t>(mesh_.all()), 1);
+  alive_before_.assign(mesh_.all(), 1);
   is_watched_.assign(n, 0);
   cut_tiles();
 }
@@ -92,15 +92,15 @@ void HostSurface<S>::cut_tiles() {
   packs_.assign(1, 0);
   for (std::size_t t = 0; t + 1 < tiles.size(); ++t) {
     for (std::int32_t e = tiles[t]; e < tiles[t + 1]; ++e) {
-      slot_of_element_.push_back(static_cast<std::int32_t>(element_of_slot_.size()));
+      slot_of_element_.push_back(element_of_slot_.size());
       element_of_slot_.push_back(e);
       corners.push_back(mesh_.corners(e));
     }
-    packs_.push_back((static_cast<std::int64_t>(element_of_slot_.size()) + W - 1) / W);
-    element_of_slot_.resize(static_cast<std::size_t>(packs_.back() * W), -1);
+    packs_.push_back((std::ssize(element_of_slot_) + W - 1) / W);
+    element_of_slot_.resize(packs_.back() * W, -1);
   }
   colours_ = colour_tiles(tiles, corners, mesh_.nodes());
-  this->slots = static_cast<std::int64_t>(element_of_slot_.size());
+  this->slots = element_of_slot_.size();
   this->tile_packs = packs_;
   this->tile_colours = &colours_;
 }
@@ -111,9 +111,8 @@ ContactElement HostSurface<S>::element(std::int64_t slot) const {
   ContactElement element{};
   element.corners = mesh_.corners(e);
   for (std::size_t i = 0; i < 8; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      element.reference[i][k] = static_cast<double>(reference_[3 * static_cast<std::size_t>(element.corners[i]) + k]);
-    }
+    const std::size_t node = element.corners[i];
+    for (std::size_t k = 0; k < 3; ++k) element.reference[i][k] = reference_[3 * node + k];
   }
   element.body = mesh_.body(e);
   element.bulk_modulus = mesh_.bulk_modulus(e);
@@ -137,12 +136,12 @@ InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool wi
   for (std::int32_t e = 0; e < mesh_.elements(); ++e) hexahedra.push_back(mesh_.corners(e));
   const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(hexahedra);
   for (std::int32_t e = 0; e < mesh_.all(); ++e) {
-    const auto slot = static_cast<std::size_t>(slot_of_element_[e]);
+    const std::size_t slot = slot_of_element_[e];
     topology.alive[slot] = 1;
     if (e >= mesh_.elements()) {
       topology.exposed[slot] = 0x3F;
     } else {
-      const double volume = element(static_cast<std::int64_t>(slot)).volume;
+      const double volume = element(slot).volume;
       if (!(volume > 0) || !std::isfinite(volume)) {
         throw HostError(PINBALL_CONTACT_BAD_NUMBER, "position: element ", e,
                         " of mesh->corners has no volume > 0: ", volume);
@@ -151,10 +150,10 @@ InitialSurface HostSurface<S>::start(const pinball_contact_input& where, bool wi
       for (unsigned f = 0; f < 6; ++f) {
         const std::int32_t beyond = neighbours[e][f];
         if (beyond >= 0) topology.neighbour[slot][f] = slot_of_element_[beyond];
-        if (beyond == -1 && (hidden >> f & 1U) == 0) topology.exposed[slot] |= static_cast<std::uint8_t>(1U << f);
+        if (beyond == -1 && (hidden >> f & 1U) == 0) topology.exposed[slot] |= 1U << f;
       }
     }
-    if (topology.exposed[slot] != 0) watch(static_cast<std::int64_t>(slot));
+    if (topology.exposed[slot] != 0) watch(slot);
   }
   InitialSurface start{std::move(topology), with_held ? HeldDirections(mesh_.nodes(), mesh_.held()) : HeldDirections()};
   std::sort(watched_.begin(), watched_.end());
@@ -210,12 +209,12 @@ const S* HostSurface<S>::gather(const pinball_contact_input& from, Array<S>& rec
                                 const std::vector<std::int32_t>& nodes, const char* name) const {
   const HostVectors<S> vectors(from);
   const bool in_place = vectors.are_records();
-  if (!in_place && records.empty()) records.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
+  if (!in_place && records.empty()) records.reset(std::size_t{4} * mesh_.nodes());
   S* const gathered = in_place ? nullptr : records.data();
   const std::int32_t last = vectors.are_together() ? mesh_.nodes() - 1 : 0;
   bool wrong = false;
   parallel_reduce(
-      "gather nodes", RangePolicy<>{0, static_cast<std::int64_t>(nodes.size())}, wrong,
+      "gather nodes", RangePolicy<>{0, std::ssize(nodes)}, wrong,
       [&](std::int64_t begin, std::int64_t end, bool& partial) {
         SoundCheck<S> check;
         for (std::int64_t i = begin; i < end; ++i) {
@@ -279,7 +278,7 @@ void HostSurface<S>::gather_forces(const pinball_contact_arrays& arrays, const s
     this->force = static_cast<S*>(arrays.force.x);
     return;
   }
-  if (forces_.empty()) forces_.reset(4 * static_cast<std::size_t>(mesh_.nodes()));
+  if (forces_.empty()) forces_.reset(std::size_t{4} * mesh_.nodes());
   this->force = forces_.data();
   for (const std::int32_t node : nodes) {
     const std::array<S, 3> f = host[node];

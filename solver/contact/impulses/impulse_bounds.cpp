@@ -26,14 +26,14 @@ void ImpulseSolver<S>::add_bounds(std::span<const NodeBound> bounds, double dt) 
     while (node_[place] != bound.node) place = place + 1 < node_.size() ? place + 1 : 0;
     const auto& n = bound.normal;
     rows_.rows.push_back({{n[0], n[1], n[2]}, rows_.node.size(), 1});
-    rows_.node.push_back(static_cast<std::int32_t>(place));
+    rows_.node.push_back(place);
     rows_.weight.push_back(-1);
     Pair& pair = pairs_.emplace_back();
     pair.depth = pair.seen = 0 - bound.gap;
     pair.rate_before = bound.rate;
     const std::int64_t second = first_bound - bound.wall;
     const auto is = [&](std::size_t at) { return memory_[at].first == bound.node && memory_[at].second == second; };
-    const std::size_t at = names_.find(bound.node, static_cast<std::int32_t>(second), is);
+    const std::size_t at = names_.find(bound.node, second, is);
     if (at != PairNames::none) pair.memory = memory_[at];
     pair.memory.first = bound.node;
     pair.memory.second = second;

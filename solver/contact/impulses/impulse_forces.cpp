@@ -22,7 +22,7 @@ constexpr double remainder = 2e-3;
 /// its compliance has left.
 template <class S>
 bool ImpulseSolver<S>::opens(std::int64_t k) const {
-  const auto i = static_cast<std::size_t>(system_.original(k));
+  const std::size_t i = system_.original(k);
   const ImpulseRow& row = rows_.rows[i];
   const double little = remainder * row.impulse;
   return !is_bound(i) && pairs_[i].memory.force > 0 && system_.impulse_as_added(k, iterations_.impulse(k)) <= little &&
@@ -68,7 +68,7 @@ void ImpulseSolver<S>::release(double velocity_step) {
   if (!any) return;
   release_share_.assign(nodes_.size(), 0);
   for_all("shares of rows that open", nodes_.size(), [&](std::int64_t place) {
-    system_.for_rows_of(static_cast<std::int32_t>(place), [&](std::int32_t k, double weight) {
+    system_.for_rows_of(place, [&](std::int32_t k, double weight) {
       if (opens(k)) release_share_[place] += std::abs(weight) * pairs_[system_.original(k)].memory.force;
     });
   });
@@ -79,9 +79,8 @@ void ImpulseSolver<S>::release(double velocity_step) {
     const Vec3<double> a = vector_of(rows_.rows[system_.original(k)].direction);
     if (released > 0) put_vector(record(row_vector_.data(), k), released * a);
   });
-  for_all("release of nodes", nodes_.size(), [&](std::int64_t place) {
-    system_.move(static_cast<std::int32_t>(place), row_vector_.data(), velocity_.data());
-  });
+  for_all("release of nodes", nodes_.size(),
+          [&](std::int64_t place) { system_.move(place, row_vector_.data(), velocity_.data()); });
   for_all("what is released", active_.size(), [&](std::int64_t k) {
     const Vec3<double> released = vector_of(record(row_vector_.data(), k));
     if (!(dot(released, released) > 0)) return;
@@ -98,7 +97,7 @@ Vec3<double> ImpulseSolver<S>::finish_row(std::int64_t k, const StepLengths& ste
   const Vec3<double> a = vector_of(rows_.rows[i].direction), after = system_.approach(k, velocity_.data());
   const double rate = dot(a, after);
   pair.force = std::max(0.0, system_.impulse_as_added(k, iterations_.impulse(k))) / step.velocity();
-  if (is_bound(static_cast<std::size_t>(i))) {
+  if (is_bound(i)) {
     pair.memory.force = std::exchange(pair.force, 0);
     return {0, 0, 0};
   }
@@ -140,7 +139,7 @@ void ImpulseSolver<S>::give_forces(const SurfaceSource<S>& source, const StepLen
   for_all("forces of rows", active_.size(),
           [&](std::int64_t k) { put_vector(record(row_vector_.data(), k), finish_row(k, step)); });
   for_all("forces of rows on nodes", nodes_.size(), [&](std::int64_t place) {
-    const Vec3<double> sum = system_.impulse_at(static_cast<std::int32_t>(place), row_vector_.data());
+    const Vec3<double> sum = system_.impulse_at(place, row_vector_.data());
     S* const force = source.f(node_[place]);
     force[0] -= static_cast<S>(sum.x);
     force[1] -= static_cast<S>(sum.y);
@@ -180,7 +179,7 @@ void ImpulseSolver<S>::add_pair_forces(std::vector<Point>& sums) const {
     const Pair& pair = pairs_[i];
     const PairOf of = pair_of_row_[i];
     if (!(pair.force > 0) || of.pair < 0) continue;
-    Point& sum = sums[static_cast<std::size_t>(of.pair)];
+    Point& sum = sums[of.pair];
     for (std::size_t c = 0; c < 3; ++c) {
       sum[c] += of.sign * (pair.force * rows_[i].direction[c] + (has_friction() ? pair.memory.friction[c] : 0));
     }

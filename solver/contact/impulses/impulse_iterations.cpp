@@ -16,7 +16,7 @@ using island::IslandSolution;
 }  // namespace
 
 void ImpulseIterations::reset(const RowSystem& system) {
-  const auto rows = static_cast<std::size_t>(system.size());
+  const std::size_t rows = system.size();
   for (Records* records :
        {&impulse_, &sought_, &gradient_, &step_, &of_step_, &direction_, &of_direction_, &residual_, &trial_}) {
     records->renew(4 * rows);
@@ -39,7 +39,7 @@ ImpulseIterations::Result ImpulseIterations::solve(const RowSystem& system, doub
     const std::int64_t rows = system.size();
     const auto begin = rows * piece / fixed_pieces, end = rows * (piece + 1) / fixed_pieces;
     const auto after = [](const Island& island, std::int64_t row) { return island.first_row < row; };
-    auto i = static_cast<std::size_t>(std::lower_bound(islands.begin(), islands.end(), begin, after) - islands.begin());
+    std::size_t i = std::lower_bound(islands.begin(), islands.end(), begin, after) - islands.begin();
     for (; i < islands.size() && islands[i].first_row < end; ++i) {
       if (islands[i].rows() < rows_to_share) solve_one(i);
     }

@@ -34,7 +34,7 @@ ImpulseSolver<S>::ImpulseSolver(const ContactSettings& settings, std::int32_t no
       contact_pairs_(pairs),
       has_friction_(settings.static_friction > 0 || settings.friction > 0 ||
                     (pairs != nullptr && pairs->has_friction())),
-      node_place_(static_cast<std::size_t>(node_count), -1),
+      node_place_(node_count, -1),
       held_(std::move(held)) {}
 
 template <class S>
@@ -76,10 +76,9 @@ void ImpulseSolver<S>::finish_rows(const SurfaceSource<S>& source, double dt) {
   velocity_.renew(4 * node_.size());
   for_all("velocities of nodes", node_.size(), [&](std::int64_t i) {
     const S* const v = source.v(node_[i]);
-    for (int c = 0; c < 3; ++c) record(velocity_.data(), i)[c] = static_cast<double>(v[c]);
+    for (int c = 0; c < 3; ++c) record(velocity_.data(), i)[c] = v[c];
   });
-  for_all("depths of rows", rows_.size(),
-          [&](std::int64_t i) { limit_depth(source, static_cast<std::size_t>(i), dt); });
+  for_all("depths of rows", rows_.size(), [&](std::int64_t i) { limit_depth(source, i, dt); });
 }
 
 /// The depth of a pair grows by approach alone. Erosion exposes a face deep inside another body, a distorted element
@@ -115,7 +114,7 @@ double ImpulseSolver<S>::mobile_share(const SurfaceSource<S>& source, const RowV
     const std::int32_t n = node_[row.node[k]];
     double free = 1;
     for (const Point& held : held_.of(n)) free -= std::pow(held[0] * a[0] + held[1] * a[1] + held[2] * a[2], 2);
-    mobility[row.weight[k] < 0] += std::abs(row.weight[k]) * free * static_cast<double>(source.inverse_mass[n]);
+    mobility[row.weight[k] < 0] += std::abs(row.weight[k]) * free * source.inverse_mass[n];
   }
   const double larger = std::max(mobility[0], mobility[1]);
   return larger > 0 ? larger / (mobility[0] + mobility[1]) : 0.0;
@@ -140,7 +139,7 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
   velocity_.renew(4 * node_.size());
   for_all("nodes of rows", node_.size(), [&](std::int64_t i) {
     const std::int32_t n = node_[i];
-    const auto m = static_cast<double>(source.inverse_mass[n]);
+    const double m = source.inverse_mass[n];
     ImpulseNode& node = nodes_[i];
     node = {{m, m, m}, false};
     double* a = node.inverse_mass;
@@ -172,8 +171,7 @@ void ImpulseSolver<S>::set_budget() {
 
 template <class S>
 void ImpulseSolver<S>::set_rates(double velocity_step, double dt) {
-  for_all("rates of rows", rows_.size(),
-          [&](std::int64_t i) { set_rate(static_cast<std::size_t>(i), velocity_step, dt); });
+  for_all("rates of rows", rows_.size(), [&](std::int64_t i) { set_rate(i, velocity_step, dt); });
 }
 
 template <class S>
@@ -214,7 +212,7 @@ void ImpulseSolver<S>::choose_active() {
     const ImpulseRow& row = rows_.rows[i];
     const bool known = pair.memory.force > 0 || pair.depth > 0 || is_bound(i);
     const bool near = known || pair.rate_free + row.position_rate > -std::abs(pair.rate_free);
-    if (near && row.inverse_mass > 0) active_.push_back(static_cast<std::int32_t>(i));
+    if (near && row.inverse_mass > 0) active_.push_back(i);
   }
 }
 
@@ -224,7 +222,7 @@ void ImpulseSolver<S>::begin_friction(double velocity_step) {
   if (!has_friction()) return;
   frictions_.resize(rows_.size());
   for_all("friction of rows", rows_.size(), [&](std::int64_t i) {
-    const RowView row = rows_[static_cast<std::size_t>(i)];
+    const RowView row = rows_[i];
     const double *a = row.direction, *before = pairs_[i].memory.friction;
     const double along = a[0] * before[0] + a[1] * before[1] + a[2] * before[2];
     FrictionRow& friction = frictions_[i];
@@ -233,7 +231,7 @@ void ImpulseSolver<S>::begin_friction(double velocity_step) {
     for (int k = 0; k < row.nodes; ++k) {
       friction.inverse_mass += row.weight[k] * row.weight[k] * friction_mobility(nodes_[row.node[k]]);
     }
-    friction.coefficient = friction_of(static_cast<std::size_t>(i));
+    friction.coefficient = friction_of(i);
   });
 }
 
@@ -267,7 +265,7 @@ void ImpulseSolver<S>::build_system(double velocity_step) {
   system_.build(rows_, active_, nodes_, frictions_);
   iterations_.reset(system_);
   for_all("rows to begin with", active_.size(), [&](std::int64_t k) {
-    const auto i = static_cast<std::size_t>(system_.original(k));
+    const std::size_t i = system_.original(k);
     const ImpulseRow& row = rows_.rows[i];
     system_.row(k).scale = rate_scale(i) / system_.row(k).length;
     Vec3<double> b = row.impulse * vector_of(row.direction);
@@ -328,7 +326,7 @@ void ImpulseSolver<S>::persist(StateArchive& archive, const SurfaceSource<S>& so
   archive(memory_, pending_, taken_, rows_.rows, rows_.node, rows_.weight, pairs_, node_);
   if (!archive.reads()) return;
   check(archive, source.node_count);
-  node_place_.assign(static_cast<std::size_t>(source.node_count), -1);
+  node_place_.assign(source.node_count, -1);
   name_memory();
 }
 
@@ -344,7 +342,7 @@ void ImpulseSolver<S>::check(const StateArchive& archive, std::int32_t node_coun
   for (const Pair& pair : pairs_) archive.require(is_sound(pair.memory));
   archive.require_all(node_, 0, node_count);
   const std::size_t entries = rows_.node.size();
-  archive.require_all(rows_.node, 0, static_cast<std::int64_t>(node_.size()));
+  archive.require_all(rows_.node, 0, node_.size());
   archive.require(rows_.weight.size() == entries && pairs_.size() == rows_.size());
   for (const ImpulseRow& row : rows_.rows) {
     archive.require(row.first <= entries && row.nodes >= 0 &&

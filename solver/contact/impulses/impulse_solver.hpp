@@ -174,7 +174,7 @@ class ImpulseSolver {
   /// Calls body(i) for i below count, of rows or their nodes, in any order.
   template <class Body>
   void for_all(const char* name, std::size_t count, const Body& body) const {
-    const auto end = static_cast<std::int64_t>(count);
+    const std::int64_t end = count;
     if (rows_.size() < rows_worth_a_thread) {
       parallel_for(name, RangePolicy<Serial>{0, end}, body);
     } else {
@@ -220,13 +220,13 @@ inline void ImpulseSolver<S>::add_free_node(std::int32_t node, double weight) {
   ImpulseRow& row = rows_.rows[number];
   std::int32_t& place = node_place_[node];
   if (place < 0) {
-    place = static_cast<std::int32_t>(node_.size());
+    place = node_.size();
     node_.push_back(node);
     last_entry_.push_back({number, -1});
   }
   LastEntry& last = last_entry_[place];
   if (last.row == number && last.entry >= 0) {
-    rows_.weight[row.first + static_cast<std::size_t>(last.entry)] += weight;
+    rows_.weight[row.first + last.entry] += weight;
     return;
   }
   last = {number, row.nodes};

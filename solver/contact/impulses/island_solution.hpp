@@ -63,14 +63,14 @@ class IslandSolution {
     if constexpr (friction) {
       return vector_of(record(of.data(), k));
     } else {
-      return of[static_cast<std::size_t>(3 * island_.first_row + k)];
+      return of[3 * island_.first_row + k];
     }
   }
   void put(Records& of, std::int64_t k, const Impulse& b) {
     if constexpr (friction) {
       ImpulseIterations::put(of, k, b);
     } else {
-      of[static_cast<std::size_t>(3 * island_.first_row + k)] = b;
+      of[3 * island_.first_row + k] = b;
     }
   }
   /// b along the direction of a row, and as a vector.
@@ -106,20 +106,18 @@ class IslandSolution {
   }
   template <class Body>
   void for_nodes(const Body& body) const {
-    loops_.for_each(island_.first_node, island_.end_node,
-                    [&](std::int64_t i) { body(system_.nodes()[static_cast<std::size_t>(i)]); });
+    loops_.for_each(island_.first_node, island_.end_node, [&](std::int64_t i) { body(system_.nodes()[i]); });
   }
   template <class Result, class Body>
   Result over_nodes(const Body& body) const {
-    return loops_.reduce<Result>(island_.first_node, island_.end_node, [&](std::int64_t i, Result& sum) {
-      body(system_.nodes()[static_cast<std::size_t>(i)], sum);
-    });
+    return loops_.reduce<Result>(island_.first_node, island_.end_node,
+                                 [&](std::int64_t i, Result& sum) { body(system_.nodes()[i], sum); });
   }
 
   FrictionBound bound(std::int64_t k) const {
     const double mu = system_.row(k).coefficient;
     if (part_ == 1) return {mu, 0};
-    return {part_ * mu, (1 - part_) * mu * of_.before_[static_cast<std::size_t>(k)]};
+    return {part_ * mu, (1 - part_) * mu * of_.before_[k]};
   }
   Impulse allowed(std::int64_t k, const Impulse& b) const {
     if constexpr (friction) {
@@ -140,18 +138,18 @@ class IslandSolution {
   /// What of A d a row sees that is free: d, and A d.
   Impulse free_product(std::int64_t k, const Impulse& d, const Impulse& product) const {
     if constexpr (friction) {
-      const FreeRow& free = of_.freedom_[static_cast<std::size_t>(k)];
+      const FreeRow& free = of_.freedom_[k];
       return free_part(free, system_.row(k).direction, product) +
              (free.stiffness * dot(free.turning, d)) * free.turning;
     } else {
-      return of_.free_[static_cast<std::size_t>(k)] * product;
+      return of_.free_[k] * product;
     }
   }
   /// P r: over the row sum, and the stiffness where friction turns.
   Impulse preconditioned(std::int64_t k, const Impulse& r) const {
     const Row& row = system_.row(k);
     if constexpr (friction) {
-      const FreeRow& free = of_.freedom_[static_cast<std::size_t>(k)];
+      const FreeRow& free = of_.freedom_[k];
       const Vec3<double> along = dot(row.direction, r) * row.direction;
       return (1 / row.bound) * along + (1 / (row.bound + free.stiffness)) * (r - along);
     } else {
@@ -163,10 +161,10 @@ class IslandSolution {
     const Row& row = system_.row(k);
     if constexpr (friction) {
       const Vec3<double> sliding = dot(row.direction, g) * row.direction - g;
-      const FreeRow& free = of_.freedom_[static_cast<std::size_t>(k)] = freedom_of(b, row.direction, bound(k), sliding);
+      const FreeRow& free = of_.freedom_[k] = freedom_of(b, row.direction, bound(k), sliding);
       return Vec3<double>{0, 0, 0} - free_part(free, row.direction, g);
     } else {
-      const double free = of_.free_[static_cast<std::size_t>(k)] = b > 0 ? 1.0 : 0.0;
+      const double free = of_.free_[k] = b > 0 ? 1.0 : 0.0;
       return -free * g;
     }
   }
@@ -179,7 +177,7 @@ class IslandSolution {
       put(of_.sought_, k, b);
       put(of_.step_, k, b);
       ImpulseIterations::put(of_.trial_, k, vector(row, b));
-      if (friction) of_.before_[static_cast<std::size_t>(k)] = along(row, b);
+      if (friction) of_.before_[k] = along(row, b);
     });
     multiply();
     const double rate = over_rows<Largest>([&](std::int64_t k, Largest& largest) {
@@ -247,7 +245,7 @@ class IslandSolution {
     const double taken_up = result_.steps < long_time ? 1 : 0.25;
     for_rows([&](std::int64_t k) {
       const double p = std::max(0.0, along(system_.row(k), get(of_.sought_, k)));
-      double& before = of_.before_[static_cast<std::size_t>(k)];
+      double& before = of_.before_[k];
       before = taken_up == 1 ? p : before + taken_up * (p - before);
     });
     return find_projected_step();
@@ -331,7 +329,7 @@ class IslandSolution {
       sum.free += dot(r, z);
       sum.largest = std::max(sum.largest, row.bound * length(z));
       if constexpr (friction) {
-        const RowFreedom freedom = of_.freedom_[static_cast<std::size_t>(k)].freedom;
+        const RowFreedom freedom = of_.freedom_[k].freedom;
         if (freedom == RowFreedom::round) return;  // its bound is a circle, which it leaves as it turns
         if (freedom == RowFreedom::all) {
           const double p = along(row, b);

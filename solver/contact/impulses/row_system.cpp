@@ -8,9 +8,9 @@ namespace pinball {
 
 /// The first place of what a place hangs together with so far; ways to it become shorter.
 std::int32_t RowSystem::root(std::int32_t place) {
-  while (parent_[static_cast<std::size_t>(place)] != place) {
-    std::int32_t& up = parent_[static_cast<std::size_t>(place)];
-    up = parent_[static_cast<std::size_t>(up)];
+  while (parent_[place] != place) {
+    std::int32_t& up = parent_[place];
+    up = parent_[up];
     place = up;
   }
   return place;
@@ -33,11 +33,11 @@ void RowSystem::find_islands(const std::vector<std::int32_t>& active) {
   parent_.resize(nodes_->size());
   std::iota(parent_.begin(), parent_.end(), 0);
   for (const std::int32_t i : active) {
-    const RowView row = (*rows_)[static_cast<std::size_t>(i)];
+    const RowView row = (*rows_)[i];
     std::int32_t all = root(row.node[0]);
     for (int k = 1; k < row.nodes; ++k) {
       const std::int32_t other = root(row.node[k]);
-      parent_[static_cast<std::size_t>(std::max(all, other))] = std::min(all, other);
+      parent_[std::max(all, other)] = std::min(all, other);
       all = std::min(all, other);
     }
   }
@@ -45,23 +45,22 @@ void RowSystem::find_islands(const std::vector<std::int32_t>& active) {
   island_.clear();
   islands_.clear();
   for (const std::int32_t i : active) {
-    std::int32_t& island = next_[static_cast<std::size_t>(root((*rows_)[static_cast<std::size_t>(i)].node[0]))];
+    std::int32_t& island = next_[root((*rows_)[i].node[0])];
     if (island < 0) {
-      island = static_cast<std::int32_t>(islands_.size());
+      island = islands_.size();
       islands_.push_back({0, 0, 0, 0});
     }
     island_.push_back(island);
-    ++islands_[static_cast<std::size_t>(island)].end_row;
+    ++islands_[island].end_row;
   }
 }
 
 /// Counting sorts of rows and nodes by islands.
 void RowSystem::sort(const std::vector<std::int32_t>& active) {
-  const auto places = static_cast<std::int32_t>(nodes_->size());
-  const auto island_of = [this](std::int32_t place) { return next_[static_cast<std::size_t>(root(place))]; };
+  const std::int32_t places = nodes_->size();
+  const auto island_of = [this](std::int32_t place) { return next_[root(place)]; };
   for (std::int32_t place = 0; place < places; ++place) {
-    if (const std::int32_t island = island_of(place); island >= 0)
-      ++islands_[static_cast<std::size_t>(island)].end_node;
+    if (const std::int32_t island = island_of(place); island >= 0) ++islands_[island].end_node;
   }
   std::int32_t rows = 0, nodes = 0;
   for (Island& island : islands_) {
@@ -70,28 +69,26 @@ void RowSystem::sort(const std::vector<std::int32_t>& active) {
     rows += own_rows;
     nodes += own_nodes;
   }
-  order_.resize(static_cast<std::size_t>(rows));
+  order_.resize(rows);
   for (std::size_t a = 0; a < active.size(); ++a) {
-    order_[static_cast<std::size_t>(islands_[static_cast<std::size_t>(island_[a])].end_row++)] = active[a];
+    order_[islands_[island_[a]].end_row++] = active[a];
   }
-  node_order_.resize(static_cast<std::size_t>(nodes));
+  node_order_.resize(nodes);
   for (std::int32_t place = 0; place < places; ++place) {
     const std::int32_t island = island_of(place);
-    if (island >= 0)
-      node_order_[static_cast<std::size_t>(islands_[static_cast<std::size_t>(island)].end_node++)] = place;
+    if (island >= 0) node_order_[islands_[island].end_node++] = place;
   }
 }
 
 /// Entries of the rows, in the order that they have here.
 void RowSystem::copy_entries() {
   first_entry_.assign(1, 0);
-  for (const std::int32_t i : order_)
-    first_entry_.push_back(first_entry_.back() + rows_->rows[static_cast<std::size_t>(i)].nodes);
+  for (const std::int32_t i : order_) first_entry_.push_back(first_entry_.back() + rows_->rows[i].nodes);
   constants_.renew(order_.size());
-  node_of_.renew(static_cast<std::size_t>(first_entry_.back()));
+  node_of_.renew(first_entry_.back());
   weight_of_.renew(node_of_.size());
   for (std::size_t k = 0; k < order_.size(); ++k) {
-    const RowView row = (*rows_)[static_cast<std::size_t>(order_[k])];
+    const RowView row = (*rows_)[order_[k]];
     std::copy_n(row.node, row.nodes, node_of_.data() + first_entry_[k]);
     std::copy_n(row.weight, row.nodes, weight_of_.data() + first_entry_[k]);
   }
@@ -102,19 +99,19 @@ void RowSystem::list_rows_of_nodes() {
   weights_.assign(nodes_->size(), 0);
   for (std::int32_t k = 0; k < size(); ++k) {
     const RowView row = entries(k);
-    for (int e = 0; e < row.nodes; ++e) ++rows_of_node_[static_cast<std::size_t>(row.node[e]) + 1];
+    for (int e = 0; e < row.nodes; ++e) ++rows_of_node_[row.node[e] + 1];
   }
   std::partial_sum(rows_of_node_.begin(), rows_of_node_.end(), rows_of_node_.begin());
   next_.assign(rows_of_node_.begin(), rows_of_node_.end() - 1);
-  row_.renew(static_cast<std::size_t>(rows_of_node_.back()));
+  row_.renew(rows_of_node_.back());
   weight_.renew(row_.size());
   for (std::int32_t k = 0; k < size(); ++k) {
     const RowView row = entries(k);
     for (int e = 0; e < row.nodes; ++e) {
-      const auto at = static_cast<std::size_t>(next_[static_cast<std::size_t>(row.node[e])]++);
+      const std::size_t at = next_[row.node[e]]++;
       row_[at] = k;
       weight_[at] = row.weight[e];
-      weights_[static_cast<std::size_t>(row.node[e])] += std::abs(row.weight[e]);
+      weights_[row.node[e]] += std::abs(row.weight[e]);
     }
   }
 }
@@ -122,9 +119,9 @@ void RowSystem::list_rows_of_nodes() {
 /// The bound: sum over the nodes of |w_iI| times the sum of |w_jI| over all their rows, times what the node moves by.
 void RowSystem::set_constants(const std::vector<FrictionRow>& frictions) {
   for (std::int32_t k = 0; k < size(); ++k) {
-    const ImpulseRow& own = rows_->rows[static_cast<std::size_t>(original(k))];
+    const ImpulseRow& own = rows_->rows[original(k)];
     const RowView row = entries(k);
-    Row& constants = constants_[static_cast<std::size_t>(k)];
+    Row& constants = constants_[k];
     const Vec3<double> added{own.direction[0], own.direction[1], own.direction[2]};
     constants.length = std::sqrt(dot(added, added));
     constants.direction = (1 / constants.length) * added;
@@ -132,12 +129,12 @@ void RowSystem::set_constants(const std::vector<FrictionRow>& frictions) {
     constants.inverse_mass = own.inverse_mass / (constants.length * constants.length);
     constants.coefficient = 0;
     if (!frictions.empty()) {
-      const FrictionRow& friction = frictions[static_cast<std::size_t>(original(k))];
+      const FrictionRow& friction = frictions[original(k)];
       constants.coefficient = friction.inverse_mass > 0 ? friction.coefficient : 0.0;
     }
     constants.sum_along = constants.sum_across = 0;
     for (int e = 0; e < row.nodes; ++e) {
-      const double weights = std::abs(row.weight[e]) * weights_[static_cast<std::size_t>(row.node[e])];
+      const double weights = std::abs(row.weight[e]) * weights_[row.node[e]];
       const ImpulseNode& node = this->node(row.node[e]);
       constants.sum_along += weights * dot(constants.direction, moved_by(node, constants.direction));
       constants.sum_across += weights * friction_mobility(node);

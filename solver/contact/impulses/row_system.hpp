@@ -43,14 +43,14 @@ class RowSystem {
   void build(const ContactRows& rows, const std::vector<std::int32_t>& active, const std::vector<ImpulseNode>& nodes,
              const std::vector<FrictionRow>& frictions);
 
-  std::int32_t size() const { return static_cast<std::int32_t>(order_.size()); }
+  std::int32_t size() const { return order_.size(); }
   /// The number of row k among all rows.
-  std::int32_t original(std::int64_t k) const { return order_[static_cast<std::size_t>(k)]; }
-  const Row& row(std::int64_t k) const { return constants_[static_cast<std::size_t>(k)]; }
-  Row& row(std::int64_t k) { return constants_[static_cast<std::size_t>(k)]; }
+  std::int32_t original(std::int64_t k) const { return order_[k]; }
+  const Row& row(std::int64_t k) const { return constants_[k]; }
+  Row& row(std::int64_t k) { return constants_[k]; }
   RowView entries(std::int64_t k) const {
-    const auto first = static_cast<std::size_t>(first_entry_[static_cast<std::size_t>(k)]);
-    const int nodes = first_entry_[static_cast<std::size_t>(k) + 1] - first_entry_[static_cast<std::size_t>(k)];
+    const std::size_t first = first_entry_[k];
+    const int nodes = first_entry_[k + 1] - first_entry_[k];
     return {&row(k).direction.x, nodes, node_of_.data() + first, weight_of_.data() + first};
   }
   /// p of an impulse p a + q of row k, a being the direction with which it was added.
@@ -63,7 +63,7 @@ class RowSystem {
   /// Places of the nodes, island by island.
   std::span<const std::int32_t> nodes() const { return node_order_; }
   std::size_t places() const { return nodes_->size(); }
-  const ImpulseNode& node(std::int32_t place) const { return (*nodes_)[static_cast<std::size_t>(place)]; }
+  const ImpulseNode& node(std::int32_t place) const { return (*nodes_)[place]; }
 
   /// sum_I w_I v_I of a row. velocities: records of four numbers, per place of a node.
   Vec3<double> approach(std::int64_t k, const double* velocities) const {
@@ -72,9 +72,8 @@ class RowSystem {
   }
   /// sum_i w_iI b_i of a node. impulses: records of four numbers, per row.
   Vec3<double> impulse_at(std::int32_t place, const double* impulses) const {
-    const std::int32_t first = rows_of_node_[static_cast<std::size_t>(place)];
-    return weighted_sum(rows_of_node_[static_cast<std::size_t>(place) + 1] - first, row_.data() + first,
-                        weight_.data() + first, impulses);
+    const std::int32_t first = rows_of_node_[place];
+    return weighted_sum(rows_of_node_[place + 1] - first, row_.data() + first, weight_.data() + first, impulses);
   }
   /// Takes the impulses of its rows from the velocity of a node: records of four numbers both.
   void move(std::int32_t place, const double* impulses, double* velocities) const {
@@ -87,10 +86,10 @@ class RowSystem {
   /// Calls body(k, w) for the rows of a node, in their order.
   template <class Body>
   void for_rows_of(std::int32_t place, const Body& body) const {
-    const std::int32_t first = rows_of_node_[static_cast<std::size_t>(place)];
-    const std::int32_t end = rows_of_node_[static_cast<std::size_t>(place) + 1];
+    const std::int32_t first = rows_of_node_[place];
+    const std::int32_t end = rows_of_node_[place + 1];
     for (std::int32_t e = first; e < end; ++e) {
-      body(row_[static_cast<std::size_t>(e)], weight_[static_cast<std::size_t>(e)]);
+      body(row_[e], weight_[e]);
     }
   }
   std::size_t bytes() const;

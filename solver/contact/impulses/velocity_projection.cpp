@@ -11,8 +11,7 @@ void ImpulseIterations::project(const RowSystem& system, double* velocity) {
   const IslandLoops loops(system.size() >= rows_to_share);
   const auto for_rows = [&](const auto& body) { loops.for_each(0, system.size(), body); };
   const auto for_nodes = [&](const auto& body) {
-    loops.for_each(0, static_cast<std::int32_t>(system.nodes().size()),
-                   [&](std::int64_t i) { body(system.nodes()[static_cast<std::size_t>(i)]); });
+    loops.for_each(0, system.nodes().size(), [&](std::int64_t i) { body(system.nodes()[i]); });
   };
   // u of the rows that close, and the sum of their weights at each node.
   for_rows([&](std::int64_t k) {

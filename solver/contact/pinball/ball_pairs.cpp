@@ -31,9 +31,8 @@ void BallPairs<S>::find(const SurfacePinballs<S>& pinballs, const BallTreeView<S
                         bool self) {
   constexpr int G = ball_group<S>;
   boxes_.reset(pinballs.count);
-  parallel_for("boxes of balls", RangePolicy<>{0, pinballs.count}, [&](std::int64_t i) {
-    boxes_.set(static_cast<std::int32_t>(i), box_of_ball(tree.ball + i / G * 7 * G, static_cast<int>(i % G)));
-  });
+  parallel_for("boxes of balls", RangePolicy<>{0, pinballs.count},
+               [&](std::int64_t i) { boxes_.set(i, box_of_ball(tree.ball + i / G * 7 * G, i % G)); });
   if (tree.moves) {
     find_moving<true>(pinballs, tree, reference, self);
   } else {
@@ -50,7 +49,7 @@ void BallPairs<S>::find_moving(const SurfacePinballs<S>& pinballs, const BallTre
   // The same arithmetic as for groups of balls: as many numbers at a time, of which one is asked for.
   pairs_.find(boxes_, ContactSearch::hash, [&, reference, self](std::int32_t first, std::int32_t second) {
     const S *own = tree.ball + first / G * 7 * G, *others = tree.ball + second / G * 7 * G;
-    const auto i = static_cast<int>(first % G);
+    const int i = first % G;
     unsigned near = test_ball<T, G>(i, maybe_meeting_test<T, moves>(own, others));
     if constexpr (moves) near &= meeting_balls<T>(own, i, others);
     if ((near >> second % G & 1U) == 0) return false;
@@ -58,9 +57,7 @@ void BallPairs<S>::find_moving(const SurfacePinballs<S>& pinballs, const BallTre
     const float* other_reference = reference + second / G * reference_components * G;
     if (own_reference[4 * G + i] != other_reference[4 * G + second % G]) return true;
     const unsigned apart = test_ball<ReferencePack<S>, G>(i, apart_test<S>(own_reference, other_reference));
-    return self && (apart >> second % G & 1U) != 0 &&
-           !share_corner(pinballs.corners[static_cast<std::size_t>(first)],
-                         pinballs.corners[static_cast<std::size_t>(second)]);
+    return self && (apart >> second % G & 1U) != 0 && !share_corner(pinballs.corners[first], pinballs.corners[second]);
   });
 }
 

@@ -47,7 +47,7 @@ template <class S>
 void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConstants<S>& constants, PairList<S>& list,
                                  S dt, std::int64_t piece, const Waiting& waiting, int begin, int pairs, Work& work) {
   using T = Pack<S, W>;
-  const auto number = static_cast<std::size_t>(work.pairs / W);
+  const std::size_t number = work.pairs / W;
   if (number == work.touches.size()) work.touches.resize(std::max<std::size_t>(16, 2 * number));
   Touch& touch = work.touches[number];
   T offsets = load<T>(waiting.offset + begin);
@@ -72,8 +72,8 @@ void PairForces<S>::compute_pack(const PinballView<S>& view, const PenaltyConsta
     const std::int32_t place = waiting.place[begin + i];
     offset_of[place] = offset[i];
     stored_of[place] = stored[i];
-    work.sums.stored += static_cast<double>(stored[i]);
-    work.sums.damped += static_cast<double>(damped[i]);
+    work.sums.stored += stored[i];
+    work.sums.damped += damped[i];
     if (ratio[i] > work.sums.penetration_ratio) {
       work.sums.penetration_ratio = ratio[i];
       work.sums.deepest = touch.first[i];
@@ -98,7 +98,7 @@ void PairForces<S>::compute_piece(const PinballView<S>& view, const PenaltyConst
   for (std::int64_t place = first; place < end; place += W) {
     unsigned bits = touching_pairs<T>(view.centre, list.first() + place, list.second() + place, list.offset() + place);
     if (place + W > end) bits &= (1U << (end - place)) - 1;
-    waiting.append(bits, static_cast<std::int32_t>(place - first), list, place);
+    waiting.append(bits, place - first, list, place);
     if (waiting.count < Waiting::most) continue;
     const int full = waiting.count / W * W;
     for (int i = 0; i < full; i += W) compute_pack(view, constants, list, dt, piece, waiting, i, W, work);
@@ -128,7 +128,7 @@ PairSums<S> PairForces<S>::compute(const PinballView<S>& view, const PenaltyCons
   parallel_for("contact force sums", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     const Work& work = work_of(piece);
     for (std::int64_t i = 0; i < work.pairs; i += W) {
-      const auto pairs = static_cast<int>(std::min<std::int64_t>(W, work.pairs - i));
+      const int pairs = std::min<std::int64_t>(W, work.pairs - i);
       add_to_pinballs<Pack<S, W>>(work.touches[i / W], pairs, list.piece(piece).pinballs_end, force);
     }
   });

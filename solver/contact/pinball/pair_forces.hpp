@@ -62,11 +62,10 @@ template <class Visit>
 void PairForces<S>::for_each_touch(const Visit& visit) const {
   for (const Work& work : work_) {
     for (std::int64_t i = 0; i < work.pairs; ++i) {
-      const Touch& touch = work.touches[static_cast<std::size_t>(i / W)];
-      const auto lane = static_cast<std::size_t>(i % W);
+      const Touch& touch = work.touches[i / W];
+      const std::size_t lane = i % W;
       visit(touch.first[lane], touch.second[lane],
-            Point{static_cast<double>(touch.force[0][lane]), static_cast<double>(touch.force[1][lane]),
-                  static_cast<double>(touch.force[2][lane])});
+            Point{touch.force[0][lane], touch.force[1][lane], touch.force[2][lane]});
     }
   }
 }

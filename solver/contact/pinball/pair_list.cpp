@@ -16,7 +16,7 @@ void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>
   remember();
   boxes_.build(balls);
   collect_references(pinballs);
-  has_pair_.assign(static_cast<std::size_t>(pinballs.count), 0);
+  has_pair_.assign(pinballs.count, 0);
   constexpr std::int64_t most_met = 300;  // above, the tree takes longer (docs/performance.md)
   if (suitable_search(how, boxes_.view(), 0, boxes_.view().groups, most_met) == ContactSearch::hash) {
     find_by_hash(pinballs, self, wanted);
@@ -30,7 +30,7 @@ void PairList<S>::build(const SurfacePinballs<S>& pinballs, const MovingBalls<S>
 template <class S>
 std::int32_t PairList<S>::piece_begin(std::int64_t piece) const {
   const std::int64_t begin = boxes_.view().groups * piece / fixed_pieces * ball_group<S>;
-  return static_cast<std::int32_t>(std::min(begin, static_cast<std::int64_t>(has_pair_.size())));
+  return std::min<std::int64_t>(begin, has_pair_.size());
 }
 
 template <class S>
@@ -38,14 +38,14 @@ void PairList<S>::collect_references(const SurfacePinballs<S>& pinballs) {
   if (pinballs.count == 0) return;
   constexpr std::int64_t G = ball_group<S>;
   const std::int64_t groups = boxes_.view().groups;
-  reference_.renew(static_cast<std::size_t>(groups * reference_components * G));
+  reference_.renew(groups * reference_components * G);
   parallel_for("reference balls", RangePolicy<>{0, groups}, [&](std::int64_t group) {
     float* reference = reference_.data() + group * reference_components * G;
     for (std::int64_t i = 0; i < G; ++i) {
       const std::int64_t last = pinballs.count - 1;
-      const auto p = static_cast<std::size_t>(std::min(group * G + i, last));  // padding repeats the last
+      const std::size_t p = std::min(group * G + i, last);  // padding repeats the last
       for (std::int64_t c = 0; c < 4; ++c) reference[c * G + i] = pinballs.reference[p][c];
-      reference[4 * G + i] = static_cast<float>(pinballs.body[p]);
+      reference[4 * G + i] = pinballs.body[p];
     }
   });
 }
@@ -65,7 +65,7 @@ void PairList<S>::find(const SurfacePinballs<S>& pinballs, bool self, const Want
       if (group == begin || group % G == 0) {
         near.enter(tree, tree.levels > 1 ? get_box(tree.box[1], group / G) : empty_box<S>(), group);
       }
-      const S* own = tree.ball + static_cast<std::int64_t>(group) * 7 * G;
+      const S* own = tree.balls(group);
       const auto groups = near.find(tree, own, group);
       leave_out(self, group, groups);
       NearBalls<S>::leave_out_passing(tree, own, groups);
@@ -96,9 +96,7 @@ void PairList<S>::find_by_hash(const SurfacePinballs<S>& pinballs, bool self, co
 template <class S>
 void PairList<S>::leave_out(bool self, std::int32_t group, std::span<typename NearBalls<S>::Group> near) const {
   constexpr int G = ball_group<S>;
-  const auto reference = [this](std::int32_t g) {
-    return reference_.data() + static_cast<std::int64_t>(g) * reference_components * G;
-  };
+  const auto reference = [this](std::int64_t g) { return reference_.data() + g * reference_components * G; };
   for (auto& other : near) {
     if (other.number == group) {  // each pair once
       for (int i = 0; i < G; ++i) other.balls.clear_in_row(i, (2U << i) - 1);
@@ -122,8 +120,8 @@ void PairList<S>::leave_out_neighbours(const SurfacePinballs<S>& pinballs, std::
     for (int w = 0; w < other.same.words; ++w) {
       for (std::uint64_t bits = other.balls.word[w] & other.same.word[w]; bits != 0; bits &= bits - 1) {
         const int bit = 64 * w + __builtin_ctzll(bits);
-        const auto a = static_cast<std::size_t>(group * G + bit / G);
-        const auto b = static_cast<std::size_t>(other.number * G + bit % G);
+        const std::size_t a = group * G + bit / G;
+        const std::size_t b = other.number * G + bit % G;
         if (share_corner(pinballs.corners[a], pinballs.corners[b])) other.balls.clear_in_row(bit / G, 1U << bit % G);
       }
     }
@@ -138,8 +136,8 @@ void PairList<S>::leave_out_unwanted(const Wanted& wanted, std::int32_t group,
     for (int w = 0; w < other.balls.words; ++w) {
       for (std::uint64_t bits = other.balls.word[w]; bits != 0; bits &= bits - 1) {
         const int bit = 64 * w + __builtin_ctzll(bits);
-        const auto a = static_cast<std::size_t>(group * G + bit / G);
-        const auto b = static_cast<std::size_t>(other.number * G + bit % G);
+        const std::size_t a = group * G + bit / G;
+        const std::size_t b = other.number * G + bit % G;
         if (!wanted(a, b)) other.balls.clear_in_row(bit / G, 1U << bit % G);
       }
     }
@@ -151,7 +149,7 @@ void PairList<S>::keep_wanted(const Wanted& wanted, Found& found) {
   std::size_t kept = 0;
   for (std::size_t pair = 0; pair < found.pairs; ++pair) {
     const std::int32_t first = found.first[pair], second = found.second[pair];
-    if (!wanted(static_cast<std::size_t>(first), static_cast<std::size_t>(second))) continue;
+    if (!wanted(first, second)) continue;
     found.first[kept] = first;
     found.second[kept++] = second;
   }
@@ -190,7 +188,7 @@ void PairList<S>::append(std::int32_t group, std::span<const typename NearBalls<
     for (std::int32_t* const end = first + (second - begin); first < end; first += G) std::fill(first, first + G, i);
     if (second != begin) mark(i);
   }
-  found.pairs = static_cast<std::size_t>(second - found.second.data());
+  found.pairs = second - found.second.data();
   for (std::size_t pair = before; pair < found.pairs; ++pair) mark(found.second[pair]);
 }
 
@@ -206,38 +204,37 @@ void PairList<S>::number(const SurfacePinballs<S>& pinballs) {
   constexpr std::int64_t W = native_width<S>;
   const auto found = [this](std::int64_t p) -> Found& { return found_[p]; };
   parallel_for("listed pinballs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
-    found(p).pinballs = static_cast<std::int32_t>(
-        std::count(has_pair_.begin() + piece_begin(p), has_pair_.begin() + piece_begin(p + 1), 1));
+    found(p).pinballs = std::count(has_pair_.begin() + piece_begin(p), has_pair_.begin() + piece_begin(p + 1), 1);
   });
   std::int64_t places = 0;
   std::int32_t listed = 0;
   for (std::int64_t p = 0; p < fixed_pieces; ++p) {
-    const std::int64_t end = places + static_cast<std::int64_t>(found(p).pairs);
+    const std::int64_t end = places + found(p).pairs;
     piece_[p] = {places, end, listed, listed + found(p).pinballs};
     places = (end + W - 1) / W * W;
     listed += found(p).pinballs;
   }
   number_.resize(has_pair_.size());
-  listed_.resize(static_cast<std::size_t>(listed));
-  slot_.resize(static_cast<std::size_t>(listed));
+  listed_.resize(listed);
+  slot_.resize(listed);
   parallel_for("numbers", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
-    auto next = static_cast<std::size_t>(piece(p).pinballs_begin);
+    std::size_t next = piece(p).pinballs_begin;
     for (std::int32_t i = piece_begin(p); i < piece_begin(p + 1); ++i) {
       if (has_pair_[i] == 0) continue;
-      number_[i] = static_cast<std::int32_t>(next);
+      number_[i] = next;
       listed_[next] = i;
       slot_[next] = pinballs.slot[i];
       ++next;
     }
   });
-  first_.renew(static_cast<std::size_t>(places));
-  second_.renew(static_cast<std::size_t>(places));
-  offset_.renew(static_cast<std::size_t>(places));
-  stored_.renew(static_cast<std::size_t>(places));
+  first_.renew(places);
+  second_.renew(places);
+  offset_.renew(places);
+  stored_.renew(places);
   parallel_for("pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t p) {
     const auto number_of = [this](std::int32_t pinball) { return number_[pinball]; };
-    const auto begin = static_cast<std::size_t>(piece(p).begin);
-    const auto end = p + 1 < fixed_pieces ? static_cast<std::size_t>(piece(p + 1).begin) : first_.size();
+    const std::size_t begin = piece(p).begin;
+    const auto end = p + 1 < fixed_pieces ? piece(p + 1).begin : first_.size();
     const std::size_t pairs = found(p).pairs, place = begin + pairs;
     const std::int32_t *first = found(p).first.data(), *second = found(p).second.data();
     std::transform(first, first + pairs, first_.data() + begin, number_of);
@@ -301,7 +298,7 @@ double PairList<S>::end_pairs_of_inactive(const S* outward) {
   double sum = 0;
   for (std::size_t i = 0; i < offset_.size(); ++i) {
     if (offset_[i] < S(0) || !(inactive(first_[i]) || inactive(second_[i]))) continue;
-    sum += static_cast<double>(stored_[i]);
+    sum += stored_[i];
     offset_[i] = S(-1);
     stored_[i] = S(0);
   }
@@ -323,7 +320,7 @@ void PairList<S>::check(const StateArchive& archive, const SurfacePinballs<S>& p
   for (std::size_t i = 0; i < listed_.size(); ++i) {
     archive.require(slot_[i] == pinballs.slot[listed_[i]] && (i == 0 || listed_[i - 1] < listed_[i]));
   }
-  const auto count = static_cast<std::int64_t>(first_.size());
+  const std::int64_t count = first_.size();
   archive.require(second_.size() == first_.size() && offset_.size() == first_.size() &&
                   stored_.size() == first_.size());
   archive.require_all(first_, 0, size());

@@ -36,12 +36,12 @@ class PairList {
              bool spheres_apart = false);
   double stored_energy() const;  ///< of the springs of all pairs [energy]
 
-  std::int32_t size() const { return static_cast<std::int32_t>(listed_.size()); }  ///< pinballs that have a pair
+  std::int32_t size() const { return listed_.size(); }  ///< pinballs that have a pair
   /// Number among all pinballs of each one that is listed.
   const std::vector<std::int32_t>& listed() const { return listed_; }
   const Piece& piece(std::int64_t number) const { return piece_[number]; }
   std::int64_t pairs() const;
-  std::int64_t places() const { return static_cast<std::int64_t>(first_.size()); }  ///< of pairs, and between pieces
+  std::int64_t places() const { return first_.size(); }  ///< of pairs, and between pieces
   /// Listed pinballs of each place; any valid ones where there is no pair.
   const std::int32_t* first() const { return first_.data(); }
   const std::int32_t* second() const { return second_.data(); }

@@ -33,7 +33,7 @@ S current_radius(const SurfaceSource<S>& source, const std::array<std::int32_t, 
     x[i] = vector_of(source.x(corners[i]));
   }
   const HexahedronModes<S> modes = to_modes(x);
-  return ball_radius_of_cube(static_cast<S>(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes)))));
+  return ball_radius_of_cube(std::cbrt(absolute(hexahedron_volume(uniform_gradient(modes), modes))));
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ PinballAlgorithm<S>::PinballAlgorithm(const ContactSettings& settings, const Sur
   penalty_ = {static_cast<S>(settings.beta), static_cast<S>(settings.damping)};
   std::vector<std::int32_t> exposed;
   for (std::int64_t slot = 0; slot < surface_.slots(); ++slot) {
-    if (surface_.exposed(slot) != 0) exposed.push_back(static_cast<std::int32_t>(slot));
+    if (surface_.exposed(slot) != 0) exposed.push_back(slot);
   }
   all_.update(source, settings.radius_factor, surface_, exposed, all_before_);
   watch_nodes(source);
@@ -152,12 +152,12 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
       static_cast<S>(1.0001 * (this->impulses_ ? pinball_pair_margin : 1.0) * (current && reuse ? radius_growth : 1.0));
   balls_.reset(all_.count);
   parallel_for("balls", RangePolicy<>{0, all_.count}, [&](std::int64_t i) {
-    const auto p = static_cast<std::size_t>(i);
+    const std::size_t p = i;
     std::array<S, 3> way = centre_of(source.velocity, all_.corners[p]);
     for (S& w : way) w *= horizon;
     if (current) radius_[p] = current_radius(source, all_.corners[p]);
     const S radius = current ? radius_[p] : all_.radius[p];
-    balls_.set(static_cast<std::int32_t>(i), centre_of(source.position, all_.corners[p]), way,
+    balls_.set(i, centre_of(source.position, all_.corners[p]), way,
                factor * radius + motion_.allowance(all_.corners[p]));
   });
   const double stored_before = this->lists_outdated_ ? list_.stored_energy() : 0.0;
@@ -185,7 +185,7 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   auto next = pinballs_.slot.begin();
   for (const std::int64_t pack : source.tile_packs) {
     while (next != pinballs_.slot.end() && *next < pack * W) ++next;
-    pinballs_.tile_first.push_back(static_cast<std::int32_t>(next - pinballs_.slot.begin()));
+    pinballs_.tile_first.push_back(next - pinballs_.slot.begin());
   }
   const std::int32_t padded = (n + W - 1) / W * W;
   for (std::int32_t p = 0; p < padded; ++p) {  // padding repeats the corners of the last pinball
@@ -195,7 +195,7 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   update_exposure();
   for (const std::int32_t node : node_) is_listed_[node] = 0;
   node_.clear();
-  is_listed_.resize(static_cast<std::size_t>(source.node_count), 0);
+  is_listed_.resize(source.node_count, 0);
   const auto add = [this](const auto& nodes) {
     for (const std::int32_t node : nodes) {
       std::uint8_t& listed = is_listed_[node];
@@ -224,11 +224,11 @@ ContactWork PinballAlgorithm<S>::spring_forces(const SurfaceSource<S>& source, S
   work.eroded = lost_energy_;
   work.damped_power = sums.damped;
   work.dissipated = std::exchange(ended_energy_, 0.0);
-  work.penetration_ratio = static_cast<double>(sums.penetration_ratio);
+  work.penetration_ratio = sums.penetration_ratio;
   if (sums.deepest >= 0) work.deepest = pinballs_.corners[sums.deepest][0];
   work.pairs = sums.pairs;
   if (on_faces_) {
-    const SphereSums spheres = on_faces_->compute(source, static_cast<double>(dt));
+    const SphereSums spheres = on_faces_->compute(source, dt);
     ContactWork of_spheres;
     of_spheres.stored = spheres.stored;
     of_spheres.damped_power = spheres.damped;
@@ -251,8 +251,7 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
     return pinballs_.corner[place_in_packs<native_width<S>>(p, i, 8)];
   };
   parallel_for_coloured("contact scatter", DefaultExecutionSpace{}, colours.colour_offsets.data(),
-                        static_cast<std::int32_t>(colours.colour_offsets.size()) - 1, colours.items.data(),
-                        [&](std::int32_t tile) {
+                        colours.colour_offsets.size() - 1, colours.items.data(), [&](std::int32_t tile) {
                           for (std::int32_t p = pinballs_.tile_first[tile]; p < pinballs_.tile_first[tile + 1]; ++p) {
                             const S* f = record(force, p);
                             if (!(f[3] > S(0))) continue;
@@ -265,7 +264,7 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
   // Gershgorin: a pair of stiffness p2 enters the row of each of its 16 nodes with p2/8 (8/8 + 8/8) / m_I.
   S largest = 0;
   parallel_reduce(
-      "contact frequency", RangePolicy<>{0, static_cast<std::int64_t>(node_.size())}, largest,
+      "contact frequency", RangePolicy<>{0, std::ssize(node_)}, largest,
       [&](std::int64_t begin, std::int64_t end, S& partial) {
         for (std::int64_t n = begin; n < end; ++n) {
           const std::int32_t node = node_[n];
@@ -274,7 +273,7 @@ void PinballAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Cont
         }
       },
       [](S& whole, const S& partial) { whole = partial > whole ? partial : whole; });
-  work.frequency2 = this->damping_factor_ * static_cast<double>(largest);
+  work.frequency2 = this->damping_factor_ * largest;
 }
 
 template <class S>
@@ -284,7 +283,7 @@ void PinballAlgorithm<S>::add_pair_forces_of_springs(std::vector<Point>& sums) c
     const PairOf of = this->pairs_->elements(pinballs_.slot[first], pinballs_.corners[first], pinballs_.slot[second],
                                              pinballs_.corners[second]);
     if (of.pair < 0) return;
-    Point& sum = sums[static_cast<std::size_t>(of.pair)];
+    Point& sum = sums[of.pair];
     for (std::size_t c = 0; c < 3; ++c) sum[c] += of.sign * force[c];
   });
 }
@@ -300,7 +299,8 @@ void PinballAlgorithm<S>::put_radii(const SurfaceSource<S>& source, std::vector<
 
 template <class S>
 void PinballAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
-  for (std::size_t p = 0; p < static_cast<std::size_t>(pinballs_.count); ++p) {
+  const std::size_t count = pinballs_.count;
+  for (std::size_t p = 0; p < count; ++p) {
     if (!(pinballs_.outward[4 * p + 3] > S(0))) continue;
     for (const std::int32_t node : pinballs_.corners[p]) {
       for (std::size_t k = 0; k < 3; ++k) {

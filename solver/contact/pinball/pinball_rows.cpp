@@ -47,7 +47,7 @@ void add_pinball_rows(const PinballStore<S>& pinballs, const PairList<S>& list, 
       const std::int32_t p = list.first()[place], q = list.second()[place];
       const S *const ball1 = record(pinballs.centre.data(), p), *const ball2 = record(pinballs.centre.data(), q);
       const Vec3<double> d = double_vector_of(ball1) - double_vector_of(ball2);
-      const auto reach = static_cast<double>(ball1[3] + ball2[3]);
+      const double reach = ball1[3] + ball2[3];
       if (dot(d, d) > margin * margin * reach * reach || !takes_part(p) || !takes_part(q)) continue;
       const ContactRow row = row_of(pinballs, p, q, d, reach);
       if (row.nodes1 > 0) found[piece].push_back({p, q, reach, row});

@@ -31,12 +31,12 @@ struct PinballStore {
   /// Makes room for n pinballs; all numbers are zero, `slot` and `tile_first` are empty.
   void reset(std::int32_t n, int width) {
     count = n;
-    const auto padded = static_cast<std::size_t>((n + width - 1) / width * width);
+    const std::size_t padded = (n + width - 1) / width * width;
     corner.reset(8 * padded);
     exposed.reset(6 * padded);
     bulk_modulus.reset(padded);
     for (Array<S>* records : {&centre, &velocity, &outward, &two_sided, &force}) records->reset(4 * padded);
-    corners.resize(static_cast<std::size_t>(n));
+    corners.resize(n);
     slot.clear();
     tile_first.clear();
   }

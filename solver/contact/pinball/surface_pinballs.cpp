@@ -8,7 +8,7 @@ namespace pinball {
 template <class S>
 void SurfacePinballs<S>::update(const SurfaceSource<S>& source, double radius_factor, const Surface& surface,
                                 const std::vector<std::int32_t>& uncovered, SurfacePinballs& before) {
-  chosen.resize(static_cast<std::size_t>(surface.slots()), 0);
+  chosen.resize(surface.slots(), 0);
   std::vector<std::int32_t> added;
   const auto choose = [&](std::int32_t s) {
     std::uint8_t& mark = chosen[s];
@@ -62,10 +62,9 @@ void SurfacePinballs<S>::clear() {
 template <class S>
 void SurfacePinballs<S>::append(const SurfacePinballs& others, std::size_t begin, std::size_t end) {
   const auto add = [begin, end](auto& to, const auto& from) {
-    to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(begin),
-              from.begin() + static_cast<std::ptrdiff_t>(end));
+    to.insert(to.end(), from.begin() + begin, from.begin() + end);
   };
-  count += static_cast<std::int32_t>(end - begin);
+  count += end - begin;
   add(slot, others.slot);
   add(body, others.body);
   add(corners, others.corners);
@@ -79,7 +78,7 @@ template <class S>
 void SurfacePinballs<S>::append(const SurfaceSource<S>& source, double radius_factor, std::int64_t s) {
   const ContactElement element = source.element(s);
   ++count;
-  slot.push_back(static_cast<std::int32_t>(s));
+  slot.push_back(s);
   body.push_back(element.body);
   corners.push_back(element.corners);
   radius.push_back(static_cast<S>((element.sphere ? 1.0 : radius_factor) * element.radius));
@@ -96,7 +95,7 @@ void SurfacePinballs<S>::persist(StateArchive& archive, const SurfaceSource<S>& 
   archive(slots);
   if (!archive.reads()) return;
   clear();
-  chosen.assign(static_cast<std::size_t>(source.slots), 0);
+  chosen.assign(source.slots, 0);
   for (const std::int32_t s : slots) {
     archive.require(source.is_element(s) && (slot.empty() || slot.back() < s));
     chosen[s] = 1;

@@ -29,7 +29,7 @@ std::int64_t numbers_begin(std::int64_t piece, std::int64_t count) { return coun
 
 template <class S>
 void BoxHash<S>::build(const MovingBoxes<S>& boxes) {
-  const auto count = static_cast<std::size_t>(boxes.count());
+  const std::size_t count = boxes.count();
   choose_grid(boxes);
   view_.bits = 9;
   while ((std::size_t(1) << view_.bits) < 2 * count) ++view_.bits;
@@ -40,7 +40,7 @@ void BoxHash<S>::build(const MovingBoxes<S>& boxes) {
   cell_begin_.resize(count);
   make_boxes(boxes);
   sort_into_pieces(boxes.count());
-  box_.renew(static_cast<std::size_t>(piece_start_.back()));
+  box_.renew(piece_start_.back());
   parallel_for("buckets", RangePolicy<>{0, fixed_pieces}, [this](std::int64_t piece) { sort_piece(piece); });
   bucket_start_.back() = piece_start_.back();
   view_.bucket_start = bucket_start_.data();
@@ -101,10 +101,9 @@ HashBox BoxHash<S>::hash_box(const MovingBox<S>& box, std::int32_t number) const
   HashBox result;
   std::int32_t longest = 0;
   for (int k = 0; k < 3; ++k) {
-    const auto at = [&](int c) { return view_.grid.coordinate(static_cast<double>(box.bound[c]), k); };
+    const auto at = [&](int c) { return view_.grid.coordinate(box.bound[c], k); };
     const auto at_end = [&](int c) {
-      return view_.grid.coordinate(
-          static_cast<double>(box.bound[c]) - static_cast<double>(way_[static_cast<std::size_t>(k)]), k);
+      return view_.grid.coordinate(static_cast<double>(box.bound[c]) - static_cast<double>(way_[k]), k);
     };
     const std::int32_t low = std::min(at(k), at_end(6 + k)), high = std::max(at(3 + k), at_end(9 + k));
     result.value[k] = low;
@@ -123,18 +122,17 @@ void BoxHash<S>::make_boxes(const MovingBoxes<S>& boxes) {
   std::array<std::uint32_t, fixed_pieces> levels{};
   std::array<bool, fixed_pieces> moves{};
   parallel_for("boxes of a hash", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    const auto p = static_cast<std::size_t>(piece);
+    const std::size_t p = piece;
     std::array<std::int32_t, fixed_pieces> places{};
     std::uint32_t all_levels = 0;
     bool any_moves = false;
-    for (auto i = static_cast<std::size_t>(numbers_begin(piece, boxes.count()));
-         i < static_cast<std::size_t>(numbers_begin(piece + 1, boxes.count())); ++i) {
-      bounds_[i] = boxes.box(static_cast<std::int32_t>(i));
+    for (std::int64_t i = numbers_begin(piece, boxes.count()); i < numbers_begin(piece + 1, boxes.count()); ++i) {
+      bounds_[i] = boxes.box(i);
       bucket_[i] = no_bucket;
       cell_begin_[i] = -1;
       if (is_empty(bounds_[i])) continue;
       for (int c = 0; c < 6; ++c) any_moves |= bounds_[i].bound[c] != bounds_[i].bound[6 + c];
-      made_[i] = hash_box(bounds_[i], static_cast<std::int32_t>(i));
+      made_[i] = hash_box(bounds_[i], i);
       bucket_[i] = bucket_of(cell_of(made_[i]), view_.bits);
       all_levels |= 1U << made_[i].level();
       ++places[bucket_[i] >> bucket_bits];
@@ -161,21 +159,21 @@ void BoxHash<S>::sort_into_pieces(std::int32_t count) {
     }
   }
   piece_start_.back() = next;
-  member_.renew(static_cast<std::size_t>(next));
+  member_.renew(next);
   const int bucket_bits = view_.bits - 6;
   parallel_for("pieces of buckets", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    auto& place = place_[static_cast<std::size_t>(piece)];
+    auto& place = place_[piece];
     for (std::int64_t i = numbers_begin(piece, count); i < numbers_begin(piece + 1, count); ++i) {
-      const std::uint32_t bucket = bucket_[static_cast<std::size_t>(i)];
+      const std::uint32_t bucket = bucket_[i];
       if (bucket == no_bucket) continue;
-      member_[static_cast<std::size_t>(place[bucket >> bucket_bits]++)] = {static_cast<std::int32_t>(i), bucket};
+      member_[place[bucket >> bucket_bits]++] = {static_cast<std::int32_t>(i), bucket};
     }
   });
 }
 
 template <class S>
 void BoxHash<S>::sort_piece(std::int64_t piece) {
-  const auto p = static_cast<std::size_t>(piece);
+  const std::size_t p = piece;
   std::int32_t* const start = bucket_start_.data();
   const std::size_t first = p * buckets_of_piece(), last = first + buckets_of_piece();
   const Member *begin = member_.data() + piece_start_[p], *end = member_.data() + piece_start_[p + 1];
@@ -188,7 +186,7 @@ void BoxHash<S>::sort_piece(std::int64_t piece) {
     next += here;
   }
   for (const Member* m = begin; m < end; ++m) {  // moves each start to the end of its bucket
-    box_[static_cast<std::size_t>(start[m->bucket]++)] = made_[static_cast<std::size_t>(m->number)];
+    box_[start[m->bucket]++] = made_[m->number];
   }
   for (std::size_t b = last - 1; b > first; --b) start[b] = start[b - 1];  // starts again
   start[first] = piece_start_[p];
@@ -207,7 +205,7 @@ void BoxHash<S>::sort_piece(std::int64_t piece) {
     if (!std::is_sorted(of_bucket, bucket_end, in_order)) std::sort(of_bucket, bucket_end, in_order);
     for (const HashBox* box = of_bucket; box < bucket_end; ++box) {
       if (box > of_bucket && is_in_cell(*box, cell_of(box[-1]))) continue;
-      cell_begin_[static_cast<std::size_t>(box->number())] = static_cast<std::int32_t>(box - box_.data());
+      cell_begin_[box->number()] = box - box_.data();
     }
   }
 }

@@ -22,10 +22,10 @@ class BoxHash {
   const SpatialHashView& view() const { return view_; }
   /// Where the boxes of a cell begin in the view, for the one of them with the lowest number; else -1. So that cells
   /// can be taken in the order of numbers: near ones are then near in time, and still in the caches.
-  std::int32_t cell_begin(std::int32_t number) const { return cell_begin_[static_cast<std::size_t>(number)]; }
+  std::int32_t cell_begin(std::int32_t number) const { return cell_begin_[number]; }
   std::int32_t size() const { return piece_start_.back(); }  ///< boxes in the view
   bool moves() const { return moves_; }
-  const MovingBox<S>& box(std::int32_t number) const { return bounds_[static_cast<std::size_t>(number)]; }
+  const MovingBox<S>& box(std::int32_t number) const { return bounds_[number]; }
   std::size_t bytes() const;
 
  private:

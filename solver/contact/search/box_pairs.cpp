@@ -6,8 +6,7 @@ template <class S>
 void BoxPairs<S>::cut_into_pieces(const MovingBoxes<S>& boxes) {
   for (std::int64_t piece = 0; piece <= fixed_pieces; ++piece) {
     const std::int64_t begin = boxes.groups() * piece / fixed_pieces * ball_group<S>;
-    begins_[static_cast<std::size_t>(piece)] =
-        static_cast<std::int32_t>(std::min(begin, static_cast<std::int64_t>(boxes.count())));
+    begins_[piece] = std::min<std::int64_t>(begin, boxes.count());
   }
 }
 
@@ -22,7 +21,7 @@ ContactSearch BoxPairs<S>::choose(const MovingBoxes<S>& boxes, ContactSearch how
 template <class S>
 std::int64_t BoxPairs<S>::pairs() const {
   std::int64_t sum = 0;
-  for (const PairColumns& found : sorted_) sum += static_cast<std::int64_t>(found.pairs);
+  for (const PairColumns& found : sorted_) sum += found.pairs;
   return sum;
 }
 

@@ -33,7 +33,7 @@ class BoxPairs {
   std::span<const std::int32_t> firsts(std::int64_t piece) const { return sorted_[piece].firsts(); }
   std::span<const std::int32_t> seconds(std::int64_t piece) const { return sorted_[piece].seconds(); }
   /// First box of a piece; that of piece `fixed_pieces` is the number of boxes.
-  std::int32_t piece_begin(std::int64_t piece) const { return begins_[static_cast<std::size_t>(piece)]; }
+  std::int32_t piece_begin(std::int64_t piece) const { return begins_[piece]; }
   std::int64_t pairs() const;
   std::size_t bytes() const;
 
@@ -98,8 +98,8 @@ template <class S>
 template <class Keep>
 void BoxPairs<S>::find_by_hash(const Keep& keep) {
   parallel_for("pairs by a hash", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    PairColumns& found = order_.found()[static_cast<std::size_t>(piece)];
-    NearCells<S>& cells = cells_[static_cast<std::size_t>(piece)];
+    PairColumns& found = order_.found()[piece];
+    NearCells<S>& cells = cells_[piece];
     found.pairs = 0;
     for (std::int32_t number = piece_begin(piece); number < piece_begin(piece + 1); ++number) {
       if (hash_.cell_begin(number) < 0) continue;

@@ -72,7 +72,7 @@ void NearBoxes<S>::enter(const BoxTreeView<S>& tree, std::int32_t group, bool an
   std::size_t near = 0;
   for (const std::int32_t part : part_) {
     near_part_[near] = part;
-    near += meeting_boxes<T>(tree.box[1] + static_cast<std::int64_t>(part) * 12 * G, box) != 0 ? 1 : 0;
+    near += meeting_boxes<T>(tree.boxes(1, part), box) != 0 ? 1 : 0;
   }
   near_part_.resize(near);
 }
@@ -86,17 +86,17 @@ std::size_t NearBoxes<S>::find_moving(const BoxTreeView<S>& tree, int i) {
   std::int32_t* candidate_end = candidate_.data();
   if (tree.levels == 1) *candidate_end++ = 0;
   for (const std::int32_t part : near_part_) {
-    const unsigned bits = meeting_boxes<T, moves>(tree.box[1] + static_cast<std::int64_t>(part) * 12 * G, box);
+    const unsigned bits = meeting_boxes<T, moves>(tree.boxes(1, part), box);
     const std::int32_t before = std::clamp(group_ - part * G, 0, G);  // those that do not count
     candidate_end += write_numbers<G>(bits >> before << before, part * G, candidate_end);
   }
   std::int32_t* end = found_.data();
   for (const std::int32_t* candidate = candidate_.data(); candidate < candidate_end; ++candidate) {
-    const unsigned bits = meeting_boxes<T, moves>(tree.box[0] + static_cast<std::int64_t>(*candidate) * 12 * G, box);
+    const unsigned bits = meeting_boxes<T, moves>(tree.boxes(0, *candidate), box);
     const std::int32_t before = *candidate == group_ ? i + 1 : 0;  // each pair once
     end += write_numbers<G>(bits >> before << before, *candidate * G, end);
   }
-  return static_cast<std::size_t>(end - found_.data());
+  return end - found_.data();
 }
 
 template <class S>

@@ -18,17 +18,18 @@ template <class S>
 void MovingBalls<S>::reset(std::int32_t count) {
   constexpr int G = ball_group<S>;
   count_ = count;
-  record_.renew(static_cast<std::size_t>(7 * G * groups_of(count, G)));
+  record_.renew(7 * G * groups_of(count, G));
   constexpr S nothing = std::numeric_limits<S>::quiet_NaN();
   for (std::int64_t i = count; i < groups_of(count, G) * G; ++i) {
-    set(static_cast<std::int32_t>(i), {nothing, nothing, nothing}, {0, 0, 0}, nothing);
+    set(i, {nothing, nothing, nothing}, {0, 0, 0}, nothing);
   }
 }
 
 template <class S>
 void MovingBalls<S>::set(std::int32_t i, const std::array<S, 3>& centre, const std::array<S, 3>& way, S radius) {
   constexpr int G = ball_group<S>;
-  S* ball = record_.data() + static_cast<std::int64_t>(i / G) * 7 * G + i % G;
+  const std::int64_t group = i / G;
+  S* ball = record_.data() + group * 7 * G + i % G;
   for (std::size_t k = 0; k < 3; ++k) {
     const S half = S(0.5) * way[k];
     ball[k * G] = centre[k] + half;
@@ -53,11 +54,11 @@ bool group_moves(const S* ball) {
 template <class S>
 void BallTree<S>::build(const MovingBalls<S>& balls) {
   constexpr int G = ball_group<S>;
-  view_.groups = static_cast<std::int32_t>(groups_of(balls.count(), G));
+  view_.groups = groups_of(balls.count(), G);
   view_.ball = balls.data();
   view_.moves = false;
   const std::int64_t groups = groups_of(view_.groups, G);
-  lowest_.renew(static_cast<std::size_t>(groups * 12 * G));
+  lowest_.renew(groups * 12 * G);
   parallel_reduce(
       "boxes of balls", RangePolicy<>{0, groups}, view_.moves,
       [this](std::int64_t begin, std::int64_t end, bool& moves) {
@@ -80,8 +81,8 @@ void NearBalls<S>::enter(const BallTreeView<S>& tree, const MovingBox<S>& box, s
   } else {
     for_each_meeting_box<T>(tree, box, 1, from / G, [this](std::int32_t group) { part_.push_back(group); });
   }
-  const auto parts = static_cast<std::int64_t>(part_.size());
-  part_box_.renew(static_cast<std::size_t>(groups_of(parts, G) * 12 * G));
+  const std::int64_t parts = part_.size();
+  part_box_.renew(groups_of(parts, G) * 12 * G);
   for (std::int64_t p = 0; p < groups_of(parts, G) * G; ++p) {
     const MovingBox<S> part_box = p >= parts         ? empty_box<S>()
                                   : tree.levels == 1 ? box_of_boxes<T>(tree.box[0])
@@ -99,7 +100,7 @@ template <bool moves>
 std::size_t NearBalls<S>::find_near(const BallTreeView<S>& tree, const S* own, std::int32_t from) {
   using T = Pack<S, native_width<S>>;
   const MovingBox<S> box = finite_box_of_balls(own);
-  const auto parts = static_cast<std::int32_t>(part_.size());
+  const std::int32_t parts = part_.size();
   std::int32_t* part_end = near_part_.data();
   for (std::int32_t p = 0; p < parts; p += G) {
     part_end += write_numbers<G>(meeting_boxes<T, moves>(part_box_.data() + p * 12, box), p, part_end);
@@ -107,17 +108,17 @@ std::size_t NearBalls<S>::find_near(const BallTreeView<S>& tree, const S* own, s
   std::int32_t* candidate_end = candidate_.data();
   for (const std::int32_t* p = near_part_.data(); p < part_end; ++p) {
     const std::int32_t part = part_[*p];
-    const unsigned bits = meeting_boxes<T, moves>(tree.box[0] + static_cast<std::int64_t>(part) * 12 * G, box);
+    const unsigned bits = meeting_boxes<T, moves>(tree.boxes(0, part), box);
     const std::int32_t before = std::clamp(from - part * G, 0, G);  // those that do not count
     candidate_end += write_numbers<G>(bits >> before << before, part * G, candidate_end);
   }
   Group* near_end = near_.data();
   for (const std::int32_t* candidate = candidate_.data(); candidate < candidate_end; ++candidate) {
     near_end->number = *candidate;
-    near_end->balls = maybe_meeting_balls<T, moves>(own, tree.ball + static_cast<std::int64_t>(*candidate) * 7 * G);
+    near_end->balls = maybe_meeting_balls<T, moves>(own, tree.balls(*candidate));
     near_end += near_end->balls.any() ? 1 : 0;
   }
-  return static_cast<std::size_t>(near_end - near_.data());
+  return near_end - near_.data();
 }
 
 template <class S>
@@ -131,7 +132,7 @@ void NearBalls<S>::leave_out_passing(const BallTreeView<S>& tree, const S* own, 
   using T = Pack<S, native_width<S>>;
   if (!tree.moves) return;
   for (Group& near : found) {
-    const S* others = tree.ball + static_cast<std::int64_t>(near.number) * 7 * G;
+    const S* others = tree.balls(near.number);
     for (int i = 0; near.balls.any() && i < G; ++i) {
       const unsigned maybe = near.balls.row(i);
       if (maybe != 0) near.balls.clear_in_row(i, maybe & ~meeting_balls<T>(own, i, others));

@@ -12,7 +12,7 @@ void MovingBoxes<S>::reset(std::int32_t count) {
   constexpr int G = ball_group<S>;
   count_ = count;
   groups_ = std::max<std::int64_t>(1, (std::int64_t(count) + G - 1) / G);
-  bound_.renew(static_cast<std::size_t>(groups_ * 12 * G));
+  bound_.renew(groups_ * 12 * G);
   for (std::int64_t i = count; i < groups_ * G; ++i) put_box(empty_box<S>(), bound_.data(), i);
 }
 
@@ -38,8 +38,8 @@ void BoxLevels<S>::build(const S* lowest, std::int64_t groups, BoxTreeView<S>& v
   for (std::int64_t boxes = groups; boxes > 1; ++view.levels) {
     const std::int64_t above = (boxes + G - 1) / G;
     const S* below = view.box[view.levels - 1];
-    Array<S>& level = level_[static_cast<std::size_t>(view.levels)];
-    level.renew(static_cast<std::size_t>(above * 12 * G));
+    Array<S>& level = level_[view.levels];
+    level.renew(above * 12 * G);
     view.box[view.levels] = level.data();
     parallel_for("levels of boxes", RangePolicy<>{0, above}, [&level, below, boxes](std::int64_t group) {
       for (std::int64_t b = group * G; b < (group + 1) * G; ++b) {

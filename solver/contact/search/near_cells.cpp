@@ -29,7 +29,7 @@ void NearCells<S>::enter(const BoxHash<S>& hash, std::int32_t first) {
   const HashCell cell = cell_of(view.box[first]);
   std::int32_t next = first + 1;
   while (next < hash.size() && is_in_cell(view.box[next], cell)) ++next;
-  size_ = near_end_ = static_cast<std::size_t>(next - first);
+  size_ = near_end_ = next - first;
   if (near_.size() < size_ + 1) near_.resize(2 * size_ + 64);
   std::copy(view.box + first, view.box + next, near_.begin());
   limits_ = limits_of(near_[0]);
@@ -48,10 +48,10 @@ void NearCells<S>::enter(const BoxHash<S>& hash, std::int32_t first) {
 template <class S>
 void NearCells<S>::add(const SpatialHashView& hash, const HashCell& cell) {
   const std::uint32_t bucket = bucket_of(cell, hash.bits);
-  const auto most = static_cast<std::size_t>(hash.bucket_start[bucket + 1] - hash.bucket_start[bucket]);
+  const std::size_t most = hash.bucket_start[bucket + 1] - hash.bucket_start[bucket];
   if (near_.size() < near_end_ + most + 1) near_.resize(2 * (near_end_ + most) + 64);
   const HashBox* const end = copy_cell(hash, bucket, cell, limits_, near_.data() + near_end_);
-  near_end_ = static_cast<std::size_t>(end - near_.data());
+  near_end_ = end - near_.data();
 }
 
 /// Cells of the same level that follow by their third, second and first coordinate. Boxes reach into the next cell at
@@ -99,14 +99,14 @@ std::size_t NearCells<S>::leave_out(const BoxHash<S>& hash, const MovingBox<S>& 
 /// No loop has a branch that depends on what is found.
 template <class S>
 std::span<const std::int32_t> NearCells<S>::find(const BoxHash<S>& hash, std::int32_t i) {
-  const HashBox& own = near_[static_cast<std::size_t>(i)];
+  const HashBox& own = near_[i];
   const HashBoxLimits limits = limits_of(own);
   std::int32_t* end = found_.data();
-  for (std::size_t n = static_cast<std::size_t>(i) + 1; n < near_end_; ++n) {
+  for (std::size_t n = i + 1; n < near_end_; ++n) {
     *end = near_[n].number();
     end += meets(near_[n], limits) ? 1 : 0;
   }
-  const auto found = static_cast<std::size_t>(end - found_.data());
+  const std::size_t found = end - found_.data();
   const MovingBox<S>& box = hash.box(own.number());
   return {found_.data(), hash.moves() ? leave_out<true>(hash, box, found) : leave_out<false>(hash, box, found)};
 }

@@ -15,8 +15,8 @@ class NearCells {
   /// Takes the boxes of the cell that begins at `first` in the hash, and what may meet them: boxes of the cells of
   /// their level that follow theirs, so that each pair is found from one side, and of all coarser ones.
   void enter(const BoxHash<S>& hash, std::int32_t first);
-  std::int32_t size() const { return static_cast<std::int32_t>(size_); }  ///< boxes of the cell
-  std::int32_t number(std::int32_t i) const { return near_[static_cast<std::size_t>(i)].number(); }
+  std::int32_t size() const { return size_; }  ///< boxes of the cell
+  std::int32_t number(std::int32_t i) const { return near_[i].number(); }
   /// Boxes that meet box i of the cell, and those of the cell behind it; in any order. Valid until the next call.
   std::span<const std::int32_t> find(const BoxHash<S>& hash, std::int32_t i);
   std::size_t bytes() const { return near_.capacity() * sizeof(HashBox) + found_.capacity() * sizeof(found_[0]); }

@@ -3,7 +3,7 @@
 namespace pinball {
 
 void PairOrder::share_out(const Begins& begins, std::int64_t count) {
-  const auto pieces = static_cast<std::size_t>(count);
+  const std::size_t pieces = count;
   const double pieces_per_number = static_cast<double>(count) / std::max(1, begins[pieces]);
   const auto piece_of = [&](std::int32_t first) -> std::size_t {
     if (pieces == 1) return 0;
@@ -13,13 +13,13 @@ void PairOrder::share_out(const Begins& begins, std::int64_t count) {
     return piece;
   };
   const auto for_each_pair = [&](std::int64_t piece, const auto& visit) {
-    const auto firsts = found_[static_cast<std::size_t>(piece)].firsts();
+    const auto firsts = found_[piece].firsts();
     for (std::size_t i = 0; i < firsts.size(); ++i) visit(i, piece_of(firsts[i]));
   };
   parallel_for("pieces of pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     std::array<std::size_t, fixed_pieces> places{};
     for_each_pair(piece, [&](std::size_t, std::size_t to) { ++places[to]; });
-    place_[static_cast<std::size_t>(piece)] = places;
+    place_[piece] = places;
   });
   std::size_t next = 0;
   for (std::size_t to = 0; to < pieces; ++to) {
@@ -33,8 +33,8 @@ void PairOrder::share_out(const Begins& begins, std::int64_t count) {
   piece_start_[pieces] = next;
   pair_.renew(next);
   parallel_for("pairs by piece", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    const PairColumns& of = found_[static_cast<std::size_t>(piece)];
-    auto& place = place_[static_cast<std::size_t>(piece)];
+    const PairColumns& of = found_[piece];
+    auto& place = place_[piece];
     for_each_pair(piece, [&](std::size_t i, std::size_t to) { pair_[place[to]++] = {of.first[i], of.second[i]}; });
   });
 }
@@ -42,14 +42,14 @@ void PairOrder::share_out(const Begins& begins, std::int64_t count) {
 void PairOrder::sort(const Begins& begins, Pieces& sorted) {
   share_out(begins, fixed_pieces);
   parallel_for("sorted pairs", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    const auto p = static_cast<std::size_t>(piece);
+    const std::size_t p = piece;
     sort_piece(piece, begins[p], begins[p + 1], sorted[p]);
   });
 }
 
 /// Counts, scans and fills by the first number; then few seconds are to be sorted each time.
 void PairOrder::sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t end, PairColumns& sorted) {
-  const auto p = static_cast<std::size_t>(piece);
+  const std::size_t p = piece;
   const std::span<const Pair> pairs = pairs_of(piece);
   const std::size_t count = pairs.size();
   sorted.pairs = 0;
@@ -57,7 +57,7 @@ void PairOrder::sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t 
   sorted.pairs = count;
   if (count == 0) return;
   std::vector<std::int32_t>& start = start_[p];
-  start.assign(static_cast<std::size_t>(end - begin) + 1, 0);
+  start.assign(end - begin + 1, 0);
   const auto place_of = [&](std::int32_t first) { return static_cast<std::size_t>(first - begin); };
   for (std::size_t i = 0; i < count; ++i) ++start[place_of(pairs[i].first)];
   std::int32_t next = 0;
@@ -67,7 +67,7 @@ void PairOrder::sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t 
     next += here;
   }
   for (std::size_t i = 0; i < count; ++i) {  // moves each start to where the next one begins
-    const auto place = static_cast<std::size_t>(start[place_of(pairs[i].first)]++);
+    const std::size_t place = start[place_of(pairs[i].first)]++;
     sorted.first[place] = pairs[i].first;
     sorted.second[place] = pairs[i].second;
   }

@@ -30,8 +30,8 @@ PINBALL_FUNCTION T deviation2(const ScalarOf<T>* position, const std::int32_t* n
 
 template <class S>
 void SurfaceMotion<S>::clear(std::int32_t node_count) {
-  is_watched_.resize(static_cast<std::size_t>(node_count), 0);
-  allowance_.resize(static_cast<std::size_t>(node_count), 0);
+  is_watched_.resize(node_count, 0);
+  allowance_.resize(node_count, 0);
   for (const std::int32_t node : node_) is_watched_[node] = 0;
   node_.clear();
   size_.clear();
@@ -47,18 +47,23 @@ void SurfaceMotion<S>::watch(std::int32_t node, S size) {
 }
 
 template <class S>
+std::int64_t SurfaceMotion<S>::packs() const {
+  return count_ / native_width<S>;
+}
+
+template <class S>
 void SurfaceMotion<S>::adapt(const S* position, S elapsed, S horizon) {
   using T = Pack<S, native_width<S>>;
   constexpr std::size_t W = native_width<S>;
   if (!(elapsed > S(0))) return;
   // A steady force makes a node stray with the square of time.
   const S growth = 2 * std::max(S(1), horizon / elapsed * (horizon / elapsed));
-  parallel_for("allowances", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
-    const std::size_t first = static_cast<std::size_t>(pack) * W;
+  parallel_for("allowances", RangePolicy<>{0, packs()}, [&](std::int64_t pack) {
+    const std::size_t first = pack * W;
     const T deviation = square_root(deviation2<T>(position, node_.data() + first, start_.data() + 6 * first, elapsed));
     for (std::size_t i = 0; i < W; ++i) {
       float& allowance = allowance_[node_[first + i]];
-      allowance = std::max(0.5F * allowance, static_cast<float>(growth * lane(deviation, static_cast<int>(i))));
+      allowance = std::max(0.5F * allowance, static_cast<float>(growth * lane(deviation, i)));
     }
   });
 }
@@ -75,17 +80,17 @@ void SurfaceMotion<S>::start(const S* position, const S* velocity, S skin) {
     start_.reset(6 * count_);
     allowed2_.reset(count_);
   }
-  parallel_for("start of nodes", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, [&](std::int64_t pack) {
-    S* const started = start_.data() + static_cast<std::size_t>(pack) * 6 * W;
+  parallel_for("start of nodes", RangePolicy<>{0, packs()}, [&](std::int64_t pack) {
+    S* const started = start_.data() + pack * 6 * W;
     for (std::size_t lane = 0; lane < W; ++lane) {
-      const std::size_t n = static_cast<std::size_t>(pack) * W + lane;
+      const std::size_t n = pack * W + lane;
       const std::int32_t node = node_[n];
       for (std::size_t k = 0; k < 3; ++k) {
         started[k * W + lane] = record(position, node)[k];
         started[(3 + k) * W + lane] = record(velocity, node)[k];
       }
       const S unit = skin * size_[n];
-      const S before = static_cast<S>(allowance_[node]);
+      const S before = allowance_[node];
       const S allowance = before > S(least) * unit ? std::min(before, S(most) * unit) : S(least) * unit;
       allowance_[node] = static_cast<float>(allowance);
       allowed2_[n] = static_cast<S>(allowance_[node]) * static_cast<S>(allowance_[node]);
@@ -99,7 +104,7 @@ bool SurfaceMotion<S>::holds(const S* position, S elapsed) const {
   constexpr std::size_t W = native_width<S>;
   bool deviates = false;
   parallel_reduce(
-      "deviations", RangePolicy<>{0, static_cast<std::int64_t>(count_ / W)}, deviates,
+      "deviations", RangePolicy<>{0, packs()}, deviates,
       [&](std::int64_t begin, std::int64_t end, bool& partial) {
         for (auto pack = static_cast<std::size_t>(begin); pack < static_cast<std::size_t>(end); ++pack) {
           const std::size_t first = pack * W;
@@ -130,8 +135,8 @@ void SurfaceMotion<S>::persist(StateArchive& archive, std::int32_t node_count, b
   std::uint64_t count = count_;
   archive(count, node_, size_, start_, allowed2_, allowance_);
   if (!archive.reads()) return;
-  count_ = static_cast<std::size_t>(count);
-  const bool knows_nodes = allowance_.size() == static_cast<std::size_t>(node_count);
+  count_ = count;
+  const bool knows_nodes = std::ssize(allowance_) == node_count;
   archive.require(knows_nodes || (allowance_.empty() && node_.empty() && !watched));
   archive.require(count_ % native_width<S> == 0 && (count_ == 0 || count_ == node_.size()));
   archive.require(size_.size() == node_.size() && start_.size() == 6 * count_ && allowed2_.size() == count_);

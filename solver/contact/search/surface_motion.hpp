@@ -68,7 +68,7 @@ class SurfaceMotion {
   S allowance(const Corners& corners) const {
     float largest = 0;
     for (const std::int32_t node : corners) largest = std::max(largest, allowance_[node]);
-    return static_cast<S>(largest);
+    return largest;
   }
   /// Node records of what start() was given of the nodes watched; nothing of others.
   void put_start(Array<S>& position, Array<S>& velocity) const;
@@ -77,6 +77,7 @@ class SurfaceMotion {
   std::size_t bytes() const;
 
  private:
+  std::int64_t packs() const;             ///< of nodes
   std::size_t count_ = 0;                 ///< nodes, padded to whole packs
   std::vector<std::int32_t> node_;        ///< number in the store
   std::vector<std::uint8_t> is_watched_;  ///< per node of the store: in node_

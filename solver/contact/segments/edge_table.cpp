@@ -19,10 +19,10 @@ void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
       const auto& segment = surface.segments()[s];
       for (std::int32_t k = 0; k < 4; ++k) {
         const std::int32_t a = segment.node[k], b = segment.node[(k + 1) % 4];
-        const auto next = static_cast<std::size_t>((k + 1) % 4);
+        const std::size_t next = (k + 1) % 4;
         const std::array<std::int32_t, 4>& slaves = surface.slaves_of(s);
         if (a == node && b > node) ends.push_back({b, s, k, slaves[next]});
-        if (b == node && a > node) ends.push_back({a, s, k, slaves[static_cast<std::size_t>(k)]});
+        if (b == node && a > node) ends.push_back({a, s, k, slaves[k]});
       }
     }
     std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) {
@@ -34,7 +34,7 @@ void EdgeTable<S>::collect(const SegmentSurface<S>& surface) {
       edge.segment.fill(-1);
       std::size_t count = 0;
       for (; e < ends.size() && ends[e].other == first.other; ++e) {
-        edges_of_[ends[e].segment][ends[e].side] = static_cast<std::int32_t>(edges_.size());
+        edges_of_[ends[e].segment][ends[e].side] = edges_.size();
         const bool again = count > 0 && edge.segment[count - 1] == ends[e].segment;  // around a node that it has twice
         if (!again && count < most_segments) edge.segment[count++] = ends[e].segment;
       }

@@ -34,7 +34,7 @@ bool SegmentSurface<S>::remove_eroded(const std::vector<std::int64_t>& eroded) {
     const auto by_slot = [](const Segment& segment, std::int32_t wanted) { return segment.slot < wanted; };
     auto segment = std::lower_bound(segments_.begin(), segments_.end(), slot, by_slot);
     for (; segment != segments_.end() && segment->slot == slot; ++segment) {
-      const auto s = static_cast<std::int32_t>(segment - segments_.begin());
+      const std::int32_t s = segment - segments_.begin();
       if (renew_activity(s)) just_changed_.push_back(s);
     }
   }
@@ -53,7 +53,7 @@ void SegmentSurface<S>::collect(const SurfaceSource<S>& source) {
 template <class S>
 void SegmentSurface<S>::collect_faces(const SurfaceSource<S>& source, const std::vector<std::uint8_t>& faces) {
   collect_segments(source, faces);
-  collect_slaves(static_cast<std::size_t>(source.node_count));
+  collect_slaves(source.node_count);
 
   constexpr std::size_t W = native_width<S>;
   const std::size_t padded = packs() * W;
@@ -69,7 +69,7 @@ void SegmentSurface<S>::collect_faces(const SurfaceSource<S>& source, const std:
   std::iota(chosen_.begin(), chosen_.end(), 0);
   active_segments_ = 0;
   just_changed_.clear();
-  for (std::size_t s = 0; s < segments_.size(); ++s) renew_activity(static_cast<std::int32_t>(s));
+  for (std::size_t s = 0; s < segments_.size(); ++s) renew_activity(s);
   for (std::size_t slave = 0; slave < slaves_.size(); ++slave) update_slave(slave);
 }
 
@@ -77,21 +77,20 @@ template <class S>
 void SegmentSurface<S>::finish_choice() {
   chosen_.clear();
   for (std::size_t pack = 0; pack < asked_for_.size(); ++pack) {
-    if (asked_for_[pack] != 0) chosen_.push_back(static_cast<std::int32_t>(pack));
+    if (asked_for_[pack] != 0) chosen_.push_back(pack);
   }
 }
 
 /// Per slot a bit for each face that is to be a segment.
 template <class S>
 std::vector<std::uint8_t> SegmentSurface<S>::exposed_and_waiting(const SurfaceSource<S>& source) const {
-  std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
+  std::vector<std::uint8_t> faces(topology_.slots());
   for (std::int64_t slot = 0; slot < topology_.slots(); ++slot) {
     const std::uint8_t exposed = topology_.exposed(slot);
     if (exposed == 0) continue;
     faces[slot] |= exposed;
     if (!source.may_soon_erode(slot)) continue;
-    topology_.for_each_face_behind(
-        slot, [&](std::int32_t behind, unsigned face) { faces[behind] |= static_cast<std::uint8_t>(1U << face); });
+    topology_.for_each_face_behind(slot, [&](std::int32_t behind, unsigned face) { faces[behind] |= 1U << face; });
   }
   return faces;
 }
@@ -101,7 +100,7 @@ void SegmentSurface<S>::collect_segments(const SurfaceSource<S>& source, const s
   segments_.clear();
   for (std::size_t slot = 0; slot < faces.size(); ++slot) {
     if (faces[slot] == 0) continue;
-    const auto s = static_cast<std::int32_t>(slot);
+    const std::int32_t s = slot;
     const ContactElement element = source.element(s);
     if (element.sphere) continue;
     for (int f = 0; f < 6; ++f) {
@@ -127,7 +126,7 @@ template <class S>
 void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
   std::vector<std::int32_t> place(nodes + 1, 0);  // segments around each node, then where the next of them goes
   for (const Segment& segment : segments_) {
-    for (const std::int32_t node : segment.node) ++place[static_cast<std::size_t>(node) + 1];
+    for (const std::int32_t node : segment.node) ++place[node + 1];
   }
   slaves_.clear();
   around_first_.assign(1, 0);
@@ -138,10 +137,10 @@ void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
     slaves_.push_back({static_cast<std::int32_t>(n), 0, 0, S(0), S(0), S(0)});
     around_first_.push_back(place[n + 1]);
   }
-  around_.resize(static_cast<std::size_t>(place[nodes]));
+  around_.resize(place[nodes]);
   for (std::size_t s = 0; s < segments_.size(); ++s) {
     for (const std::int32_t node : segments_[s].node) {
-      around_[place[node]++] = static_cast<std::int32_t>(s);
+      around_[place[node]++] = s;
     }
   }
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
@@ -152,7 +151,7 @@ void SegmentSurface<S>::collect_slaves(std::size_t nodes) {
   for (std::size_t i = 0; i < slaves_.size(); ++i) {
     for (const std::int32_t s : around(i)) {
       for (std::size_t k = 0; k < 4; ++k) {
-        if (segments_[s].node[k] == slaves_[i].node) slaves_of_[s][k] = static_cast<std::int32_t>(i);
+        if (segments_[s].node[k] == slaves_[i].node) slaves_of_[s][k] = i;
       }
     }
   }
@@ -207,8 +206,8 @@ template <class S>
 void SegmentSurface<S>::update(const SurfaceSource<S>& source) {
   using T = Pack<S, native_width<S>>;
   constexpr int W = width_of<T>;
-  const auto count = static_cast<std::int64_t>(segments_.size());
-  parallel_for("segments", RangePolicy<>{0, static_cast<std::int64_t>(chosen_.size())}, [&](std::int64_t p) {
+  const std::int64_t count = segments_.size();
+  parallel_for("segments", RangePolicy<>{0, std::ssize(chosen_)}, [&](std::int64_t p) {
     const std::int64_t pack = chosen_[p];
     Vec3<T> x[4];
     for (int i = 0; i < 4; ++i) {
@@ -243,22 +242,22 @@ void SegmentSurface<S>::update(const SurfaceSource<S>& source) {
 template <class S>
 void SegmentSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& source) {
   topology_.persist(archive, source);
-  std::vector<std::uint8_t> faces(static_cast<std::size_t>(topology_.slots()));
+  std::vector<std::uint8_t> faces(topology_.slots());
   for (const Segment& s : segments_) {
-    faces[s.slot] |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(s.face));
+    faces[s.slot] |= 1U << static_cast<unsigned>(s.face);
   }
   archive.of_fixed_size(faces);
   for (std::size_t slot = 0; archive.reads() && slot < faces.size(); ++slot) {
-    archive.require(faces[slot] == 0 || (faces[slot] < 64 && source.is_element(static_cast<std::int64_t>(slot))));
+    archive.require(faces[slot] == 0 || (faces[slot] < 64 && source.is_element(slot)));
   }
   if (archive.reads()) collect_faces(source, faces);
   archive(chosen_, changed_);
-  archive.require_all(chosen_, 0, static_cast<std::int64_t>(packs()));
+  archive.require_all(chosen_, 0, packs());
 }
 
 template <class S>
 std::int64_t SegmentSurface<S>::chosen() const {
-  return static_cast<std::int64_t>(chosen_.size()) * native_width<S>;
+  return std::ssize(chosen_) * native_width<S>;
 }
 
 template <class S>

@@ -64,7 +64,7 @@ class SegmentSurface {
   /// Chooses segments that are asked for, by lists or because they lie around a slave that has a list: update() sees to
   /// no others. Between choose_none() and finish_choice().
   void choose_none() { asked_for_.assign(packs(), 0); }
-  void choose(std::int32_t segment) { asked_for_[static_cast<std::size_t>(segment) / native_width<S>] = 1; }
+  void choose(std::int32_t segment) { asked_for_[segment / native_width<S>] = 1; }
   void choose_around(std::size_t slave) {
     for (const std::int32_t segment : around(slave)) choose(segment);
   }
@@ -84,7 +84,7 @@ class SegmentSurface {
   /// Whether some active segments of one body belong to elements that have a corner in common with those of others:
   /// these are kept apart by the mesh.
   bool beside(std::span<const std::int32_t> some, std::span<const std::int32_t> others) const;
-  bool active_segment(std::int32_t segment) const { return active_[static_cast<std::size_t>(segment)] > S(0); }
+  bool active_segment(std::int32_t segment) const { return active_[segment] > S(0); }
   /// Slaves of the nodes of a segment.
   const std::array<std::int32_t, 4>& slaves_of(std::int32_t segment) const { return slaves_of_[segment]; }
   bool exposed(std::int32_t slot, std::int32_t face) const { return (topology_.exposed(slot) >> face & 1) != 0; }

@@ -42,7 +42,7 @@ double SlidelineAlgorithm<S>::end_inactive_touches() {
   for (std::size_t i = 0; i < memory_.size(); ++i) {
     PairMemory& memory = memory_[i];
     if (memory.slot < 0 || (surface_.active(i) && surface_.exposed(memory.slot, memory.face))) continue;
-    lost += static_cast<double>(memory.stored);
+    lost += memory.stored;
     memory = {};
   }
   return lost;
@@ -149,13 +149,12 @@ template <class S>
 template <class Work>
 typename SlidelineAlgorithm<S>::Sums SlidelineAlgorithm<S>::find_touches(const SurfaceSource<S>& source, S open_gap,
                                                                          const Work& work) {
-  const auto n = static_cast<std::int64_t>(surface_.slaves().size());
+  const std::int64_t n = surface_.slaves().size();
   std::array<std::vector<Touch>, fixed_pieces> found;
   std::array<Sums, fixed_pieces> sums;
   parallel_for("slave nodes", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    const auto p = static_cast<std::size_t>(piece);
-    for (auto i = static_cast<std::size_t>(n * piece / fixed_pieces);
-         i < static_cast<std::size_t>(n * (piece + 1) / fixed_pieces); ++i) {
+    const std::size_t p = piece;
+    for (std::int64_t i = n * piece / fixed_pieces; i < n * (piece + 1) / fixed_pieces; ++i) {
       PairMemory& memory = memory_[i];
       Touch touch{};
       if (surface_.active(i) && find_segment(source, i, open_gap, touch)) {
@@ -198,8 +197,8 @@ bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch&
   const S depth = S(0) - touch.at.gap - round_off;
   if (!(depth > S(0)) && memory.slot < 0) return false;
   const S rate = closing_rate<S>(source, slave.node, segment.node, touch.at);
-  sums.damped += static_cast<double>(S(0.5) * memory.damping * rate * dt);  // the second half of the last one's work
-  if (!(depth > S(0))) {  // open within round-off: the node keeps its segment
+  sums.damped += S(0.5) * memory.damping * rate * dt;  // the second half of the last one's work
+  if (!(depth > S(0))) {                               // open within round-off: the node keeps its segment
     memory.offset = memory.elastic = memory.stored = memory.damping = S(0);
     return false;
   }
@@ -211,7 +210,7 @@ bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch&
     // it destroys is counted.
     const S continued = memory.elastic + approach;
     elastic = minimum(elastic, continued);
-    sums.lost += static_cast<double>(S(0.5) * stiffness * (continued * continued - elastic * elastic));
+    sums.lost += S(0.5) * stiffness * (continued * continued - elastic * elastic);
   }
   memory.offset = depth - elastic;
   memory.elastic = elastic;
@@ -230,9 +229,9 @@ bool SlidelineAlgorithm<S>::penalty_force(const SurfaceSource<S>& source, Touch&
   const S spring = S(0.5) * (part_before + part_after) * stiffness * elastic;
   touch.force = maximum(S(0), spring + p1 * rate);  // (3.8), no adhesion
   touch.stiffness = stiffness;
-  sums.stored += static_cast<double>(memory.stored);
+  sums.stored += memory.stored;
   memory.damping = touch.force - spring;
-  sums.damped += static_cast<double>(S(0.5) * memory.damping * rate * dt);
+  sums.damped += S(0.5) * memory.damping * rate * dt;
   ++sums.pairs;
   sums.take_depth(depth / (slave.radius + segment.radius), slave.node);
   return true;
@@ -247,7 +246,7 @@ ContactWork SlidelineAlgorithm<S>::spring_forces(const SurfaceSource<S>& source,
   work.stored = sums.stored;
   work.eroded = lost_energy_;
   work.dissipated = sums.damped + sums.lost;
-  work.penetration_ratio = static_cast<double>(sums.ratio);
+  work.penetration_ratio = sums.ratio;
   work.deepest = sums.deepest;
   work.pairs = sums.pairs;
   return work;
@@ -266,7 +265,7 @@ void SlidelineAlgorithm<S>::add_pair_forces_of_springs(std::vector<Point>& sums)
     const PairOf of = pair_of(touch);
     if (of.pair < 0) continue;
     const Vec3<S> force = touch.force * touch.at.normal;
-    Point& sum = sums[static_cast<std::size_t>(of.pair)];
+    Point& sum = sums[of.pair];
     sum[0] += of.sign * static_cast<double>(force.x);
     sum[1] += of.sign * static_cast<double>(force.y);
     sum[2] += of.sign * static_cast<double>(force.z);
@@ -296,7 +295,7 @@ void SlidelineAlgorithm<S>::add_spring_forces(const SurfaceSource<S>& source, Co
     row(surface_.slaves()[touch.slave].node);
     for (const std::int32_t node : surface_.segments()[touch.segment].node) row(node);
   }
-  work.frequency2 = this->damping_factor_ * static_cast<double>(largest);
+  work.frequency2 = this->damping_factor_ * largest;
 }
 
 template <class S>
@@ -321,11 +320,10 @@ void SlidelineAlgorithm<S>::collect_impulses(const SurfaceSource<S>& source, dou
     const auto& segment = surface_.segments()[touch.segment];
     const Vec3<S>& n = touch.at.normal;
     // Named by the slave alone, which has one segment: what it remembers goes with it from one to the next.
-    impulses.add_row(slave.node, -1, {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)},
-                     -static_cast<double>(touch.at.gap), static_cast<double>(slave.radius + segment.radius),
+    impulses.add_row(slave.node, -1, {n.x, n.y, n.z}, -static_cast<double>(touch.at.gap), slave.radius + segment.radius,
                      pair_of(touch));
     impulses.add_node(slave.node, -1);
-    for (int i = 0; i < 4; ++i) impulses.add_node(segment.node[i], static_cast<double>(touch.at.weight[i]));
+    for (int i = 0; i < 4; ++i) impulses.add_node(segment.node[i], touch.at.weight[i]);
   }
   impulses.finish_rows(source, dt);
 }
@@ -341,11 +339,11 @@ void SlidelineAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) cons
   }
   for (const Touch& touch : touches_) {
     const auto add = [&](std::int32_t node, S weight) {
-      const double f = static_cast<double>(weight * touch.force);
+      const double f = weight * touch.force;
       Point& sum = node_force[node];
-      sum[0] += f * static_cast<double>(touch.at.normal.x);
-      sum[1] += f * static_cast<double>(touch.at.normal.y);
-      sum[2] += f * static_cast<double>(touch.at.normal.z);
+      sum[0] += f * touch.at.normal.x;
+      sum[1] += f * touch.at.normal.y;
+      sum[2] += f * touch.at.normal.z;
     };
     add(surface_.slaves()[touch.slave].node, S(1));
     const auto& segment = surface_.segments()[touch.segment];
@@ -365,7 +363,7 @@ void SlidelineAlgorithm<S>::persist(StateArchive& archive, const SurfaceSource<S
   }
   for (const Touch& touch : touches_) {
     archive.require(touch.slave < surface_.slaves().size() && touch.segment >= 0);
-    archive.require(static_cast<std::size_t>(touch.segment) < surface_.segments().size());
+    archive.require(touch.segment < std::ssize(surface_.segments()));
   }
 }
 

@@ -38,7 +38,7 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   const Surface& surface() const override { return surface_.topology(); }
   ListSize listed() const override {
     const std::int64_t entries = search_.entries();
-    return {static_cast<std::int64_t>(surface_.slaves().size()), entries, entries};
+    return {std::ssize(surface_.slaves()), entries, entries};
   }
   void persist(StateArchive& archive, const SurfaceSource<S>& source) override;
   std::size_t bytes() const override;

@@ -9,9 +9,7 @@ namespace pinball {
 
 template <class S>
 SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, bool self)
-    : self_(self),
-      reference_node_(static_cast<std::size_t>(source.node_count)),
-      reference_centre_(static_cast<std::size_t>(source.slots)) {
+    : self_(self), reference_node_(source.node_count), reference_centre_(source.slots) {
   for (auto& node : reference_node_) node[3] = std::numeric_limits<float>::max();
   const auto single = [](const Point& p) {
     return std::array{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
@@ -52,7 +50,7 @@ void SlidelineSearch<S>::watch_nodes(const SurfaceSource<S>& source, const Segme
 /// its distance is largest at the beginning or at the end; both may stray.
 template <class S>
 void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon) {
-  const auto count = static_cast<std::int32_t>(surface.segments().size());
+  const std::int32_t count = surface.segments().size();
   segments_.reset(count);
   parallel_for("segments", RangePolicy<>{0, count}, [&](std::int64_t s) {
     const auto& segment = surface.segments()[s];
@@ -75,20 +73,19 @@ void SlidelineSearch<S>::move_segments(const SurfaceSource<S>& source, const Seg
       farthest2 = std::max({farthest2, now2, then2});
     }
     const S touching = square_root(farthest2) + SegmentSurface<S>::deepest * segment.radius;
-    segments_.set(static_cast<std::int32_t>(s), centre, way,
-                  S(1.0001) * touching + 3 * motion_.allowance(segment.node));
+    segments_.set(s, centre, way, S(1.0001) * touching + 3 * motion_.allowance(segment.node));
   });
 }
 
 template <class S>
 void SlidelineSearch<S>::move_slaves(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon) {
-  const auto count = static_cast<std::int32_t>(surface.slaves().size());
+  const std::int32_t count = surface.slaves().size();
   slaves_.reset(count);
   parallel_for("slaves", RangePolicy<>{0, count}, [&](std::int64_t i) {
     const std::int32_t node = surface.slaves()[i].node;
     const S* x = source.x(node);
     const S* v = source.v(node);
-    slaves_.set(static_cast<std::int32_t>(i), {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
+    slaves_.set(i, {x[0], x[1], x[2]}, {horizon * v[0], horizon * v[1], horizon * v[2]},
                 motion_.allowance(std::array{node}));
   });
 }
@@ -114,7 +111,7 @@ void SlidelineSearch<S>::find(const SegmentSurface<S>& surface, const ContactPai
   constexpr int G = ball_group<S>;
   const BallTreeView<S>& tree = boxes_.view();
   const std::int64_t groups = (slaves_.count() + G - 1) / G;
-  start_.assign(static_cast<std::size_t>(slaves_.count()) + 1, 0);
+  start_.assign(slaves_.count() + 1, 0);
   // Slaves are worked in fixed pieces, each with a list of its own; the lists are joined in order.
   std::array<std::vector<std::int32_t>, fixed_pieces> found;
   parallel_for("slave candidates", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
@@ -127,7 +124,7 @@ void SlidelineSearch<S>::find(const SegmentSurface<S>& surface, const ContactPai
       const auto near_groups = near.find(tree, own, 0);
       NearBalls<S>::leave_out_passing(tree, own, near_groups);
       for (int i = 0; i < G && group * G + i < slaves_.count(); ++i) {
-        const auto slave = static_cast<std::size_t>(group * G + i);
+        const std::size_t slave = group * G + i;
         const Slave& own_slave = surface.slaves()[slave];
         const S least = S(0.999) * least_radius(own_slave);  // for the rounding of means
         const std::size_t before = list.size();
@@ -143,13 +140,13 @@ void SlidelineSearch<S>::find(const SegmentSurface<S>& surface, const ContactPai
             list.push_back(s);
           }
         }
-        start_[slave + 1] = static_cast<std::int64_t>(list.size() - before);
+        start_[slave + 1] = list.size() - before;
       }
     }
   });
   for (std::size_t i = 0; i + 1 < start_.size(); ++i) start_[i + 1] += start_[i];
   candidate_.clear();
-  candidate_.reserve(static_cast<std::size_t>(start_.back()));
+  candidate_.reserve(start_.back());
   for (const std::vector<std::int32_t>& list : found) candidate_.insert(candidate_.end(), list.begin(), list.end());
 }
 
@@ -161,8 +158,8 @@ void SlidelineSearch<S>::persist(StateArchive& archive, const SegmentSurface<S>&
   if (!archive.reads() || !valid_) return;
   archive.require(start_.size() == surface.slaves().size() + 1 && start_.front() == 0);
   archive.require(std::is_sorted(start_.begin(), start_.end()));
-  archive.require(start_.back() == static_cast<std::int64_t>(candidate_.size()));
-  archive.require_all(candidate_, 0, static_cast<std::int64_t>(surface.segments().size()));
+  archive.require(start_.back() == std::ssize(candidate_));
+  archive.require_all(candidate_, 0, surface.segments().size());
 }
 
 template <class S>

@@ -44,11 +44,11 @@ class SlidelineSearch {
   /// which last, have all that may pass.
   bool may_touch(const Slave& own, const Segment& other) const { return may_touch(own, other, own.radius); }
   void persist(StateArchive& archive, const SegmentSurface<S>& surface, std::int32_t node_count);
-  std::int64_t entries() const { return static_cast<std::int64_t>(candidate_.size()); }  ///< of all lists
+  std::int64_t entries() const { return candidate_.size(); }  ///< of all lists
   std::size_t bytes() const;
 
  private:
-  S least_radius(const Slave& own) const { return static_cast<S>(reference_node_[own.node][3]); }
+  S least_radius(const Slave& own) const { return reference_node_[own.node][3]; }
   bool may_touch(const Slave& own, const Segment& other, S own_radius) const;
   void watch_nodes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface);
   void move_segments(const SurfaceSource<S>& source, const SegmentSurface<S>& surface, S horizon);

@@ -18,12 +18,12 @@ template <class S>
 void NearFaces<S>::collect(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
                            const SphereSurface<S>& spheres, const SphereLists<S>& lists, std::int64_t number) {
   candidates_.clear();
-  const auto& sphere = spheres.spheres()[static_cast<std::size_t>(number)];
+  const auto& sphere = spheres.spheres()[number];
   const Vec3<double> centre = double_vector_of(source.x(sphere.node));
   for (std::int64_t place = lists.first(number); place < lists.first(number + 1); ++place) {
     const std::int32_t s = lists.segment(place);
     if (!surface.active_segment(s)) continue;
-    const auto& segment = surface.segments()[static_cast<std::size_t>(s)];
+    const auto& segment = surface.segments()[s];
     const double within =
         std::max(static_cast<double>(sphere.radius), deepest_centre * static_cast<double>(segment.thickness));
     Vec3<double> x[4];
@@ -41,11 +41,11 @@ void NearFaces<S>::collect(const SurfaceSource<S>& source, const SegmentSurface<
 template <class S>
 bool NearFaces<S>::is_least(const SegmentSurface<S>& surface, const Candidate& candidate) const {
   if (candidate.at.rim[0] < 0) return true;
-  const auto& own = surface.segments()[static_cast<std::size_t>(candidate.segment)].node;
+  const auto& own = surface.segments()[candidate.segment].node;
   const std::int32_t rim[2] = {own[candidate.at.rim[0]], own[candidate.at.rim[1]]};
   for (const Candidate& other : candidates_) {
     if (other.segment == candidate.segment) continue;
-    const auto& node = surface.segments()[static_cast<std::size_t>(other.segment)].node;
+    const auto& node = surface.segments()[other.segment].node;
     const auto has = [&node](std::int32_t n) { return std::find(node, node + 4, n) != node + 4; };
     if (!has(rim[0]) || !has(rim[1])) continue;
     const bool inside = other.at.rim[0] < 0;
@@ -73,7 +73,7 @@ const std::vector<FaceTouch>& NearFaces<S>::find(const SurfaceSource<S>& source,
                                                  std::int64_t number) {
   collect(source, surface, spheres, lists, number);
   touches_.clear();
-  const auto radius = static_cast<double>(spheres.spheres()[static_cast<std::size_t>(number)].radius);
+  const double radius = spheres.spheres()[number].radius;
   for (const Candidate& candidate : candidates_) {
     if (!is_least(surface, candidate)) continue;
     const Outward outward = outward_at(source, surface, candidate.segment, candidate.at.rim);
@@ -84,9 +84,7 @@ const std::vector<FaceTouch>& NearFaces<S>::find(const SurfaceSource<S>& source,
     touch.segment = candidate.segment;
     std::copy(std::begin(candidate.at.weight), std::end(candidate.at.weight), touch.weight);
     touch.depth = radius + (behind ? candidate.at.distance : -candidate.at.distance);
-    if (behind && !(candidate.at.distance <
-                    deepest_centre * static_cast<double>(
-                                         surface.segments()[static_cast<std::size_t>(candidate.segment)].thickness))) {
+    if (behind && !(candidate.at.distance < deepest_centre * surface.segments()[candidate.segment].thickness)) {
       continue;
     }
     if (!(touch.depth > 0)) continue;

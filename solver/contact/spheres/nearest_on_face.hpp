@@ -63,7 +63,7 @@ PINBALL_FUNCTION NearestOnFace<S> nearest_on_face(const Vec3<S> (&x)[4], const V
   const Vec3<S> y[4] = {x[0] - point, x[1] - point, x[2] - point, x[3] - point};
   const Vec3<S> middle = S(0.25) * (y[0] + y[1] + y[2] + y[3]);
   NearestOnFace<S> nearest{};
-  S least = static_cast<S>(INFINITY);
+  S least = INFINITY;
   for (int k = 0; k < 4; ++k) {
     const int next = (k + 1) % 4;
     S w[3];

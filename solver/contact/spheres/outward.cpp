@@ -28,8 +28,8 @@ Outward at_edge(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, s
                 std::int32_t b) {
   Vec3<double> sum{0, 0, 0};
   int faces = 0;
-  for (const std::int32_t s : surface.around(static_cast<std::size_t>(slave))) {
-    const auto& node = surface.segments()[static_cast<std::size_t>(s)].node;
+  for (const std::int32_t s : surface.around(slave)) {
+    const auto& node = surface.segments()[s].node;
     const auto has = [&node](std::int32_t n) { return std::find(node, node + 4, n) != node + 4; };
     if (!surface.active_segment(s) || !has(a) || !has(b)) continue;
     sum = sum + face_normal(nodes, node);
@@ -42,9 +42,9 @@ template <class S>
 Outward at_node(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, std::int32_t slave, std::int32_t own) {
   Vec3<double> sum{0, 0, 0};
   std::vector<std::int32_t> ends;  // of the edges here: each belongs to two faces
-  for (const std::int32_t s : surface.around(static_cast<std::size_t>(slave))) {
+  for (const std::int32_t s : surface.around(slave)) {
     if (!surface.active_segment(s)) continue;
-    const auto& node = surface.segments()[static_cast<std::size_t>(s)].node;
+    const auto& node = surface.segments()[s].node;
     const auto at = std::find(node, node + 4, own) - node;
     std::int32_t next = own, before = own;  // a collapsed face has the node twice
     for (int k = 3; k > 0; --k) {
@@ -69,10 +69,9 @@ Outward at_node(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, s
 template <class S>
 Outward outward_at(const NodeRecords<S>& nodes, const SegmentSurface<S>& surface, std::int32_t segment,
                    const int (&rim)[2]) {
-  const auto& node = surface.segments()[static_cast<std::size_t>(segment)].node;
+  const auto& node = surface.segments()[segment].node;
   if (rim[0] < 0) return {face_normal(nodes, node), true};
-  const std::int32_t a = node[rim[0]], b = node[rim[1]],
-                     slave = surface.slaves_of(segment)[static_cast<std::size_t>(rim[0])];
+  const std::int32_t a = node[rim[0]], b = node[rim[1]], slave = surface.slaves_of(segment)[rim[0]];
   return a == b ? at_node(nodes, surface, slave, a) : at_edge(nodes, surface, slave, a, b);
 }
 

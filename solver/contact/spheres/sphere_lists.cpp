@@ -45,24 +45,24 @@ bool are_apart(const MovingBox<S>& a, const MovingBox<S>& b) {
 template <class S>
 void SphereLists<S>::set_boxes(const SurfaceSource<S>& source, const SegmentSurface<S>& surface,
                                const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion, S horizon) {
-  const auto segments = static_cast<std::int32_t>(surface.segments().size());
+  const std::int32_t segments = surface.segments().size();
   boxes_.reset(segments + spheres.count());
   MovingBox<S> all = empty_box<S>();
   for (std::int32_t i = 0; i < spheres.count(); ++i) {
-    const auto& sphere = spheres.spheres()[static_cast<std::size_t>(i)];
+    const auto& sphere = spheres.spheres()[i];
     const S within = S(1.01) * sphere.radius + motion.allowance(std::array{sphere.node});
     const MovingBox<S> box = box_of(source, sphere.node, horizon, within);
     take(all, box);
     boxes_.set(segments + i, box);
   }
   parallel_for("boxes of segments", RangePolicy<>{0, segments}, [&](std::int64_t i) {
-    const auto& segment = surface.segments()[static_cast<std::size_t>(i)];
+    const auto& segment = surface.segments()[i];
     MovingBox<S> box = empty_box<S>();
     for (const std::int32_t node : segment.node) {
       const S within = static_cast<S>(deepest_centre) * segment.thickness + motion.allowance(std::array{node});
       take(box, box_of(source, node, horizon, within));
     }
-    boxes_.set(static_cast<std::int32_t>(i), are_apart(box, all) ? empty_box<S>() : box);
+    boxes_.set(i, are_apart(box, all) ? empty_box<S>() : box);
   });
 }
 
@@ -71,12 +71,12 @@ void SphereLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface<
                            const SphereSurface<S>& spheres, const SurfaceMotion<S>& motion,
                            const ContactSettings& settings, S horizon) {
   set_boxes(source, surface, spheres, motion, horizon);
-  const auto segments = static_cast<std::int32_t>(surface.segments().size());
+  const std::int32_t segments = surface.segments().size();
   // As for pinballs: what belongs to one body may touch where it was apart in the undeformed mesh.
   const auto may_touch = [&](std::int32_t a, std::int32_t b) {
     if (a >= segments || b < segments) return false;
-    const auto& segment = surface.segments()[static_cast<std::size_t>(a)];
-    const auto& sphere = spheres.spheres()[static_cast<std::size_t>(b - segments)];
+    const auto& segment = surface.segments()[a];
+    const auto& sphere = spheres.spheres()[b - segments];
     const auto& corners = segment.corners;
     if (std::find(corners.begin(), corners.end(), sphere.node) != corners.end()) return false;
     if (segment.body != sphere.body) return true;
@@ -94,17 +94,17 @@ void SphereLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface<
 /// Pairs come by their segments, ascending, and are counted and filled in by their spheres.
 template <class S>
 void SphereLists<S>::sort(std::int32_t segments, std::int32_t spheres) {
-  first_.assign(static_cast<std::size_t>(spheres) + 1, 0);
-  segment_.resize(static_cast<std::size_t>(pairs_.pairs()));
+  first_.assign(spheres + 1, 0);
+  segment_.resize(pairs_.pairs());
   for (std::int64_t piece = 0; piece < fixed_pieces; ++piece) {
-    for (const std::int32_t sphere : pairs_.seconds(piece)) ++first_[static_cast<std::size_t>(sphere - segments) + 1];
+    for (const std::int32_t sphere : pairs_.seconds(piece)) ++first_[sphere - segments + 1];
   }
   for (std::size_t s = 0; s + 1 < first_.size(); ++s) first_[s + 1] += first_[s];
   std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
   for (std::int64_t piece = 0; piece < fixed_pieces; ++piece) {
     const auto firsts = pairs_.firsts(piece), seconds = pairs_.seconds(piece);
     for (std::size_t i = 0; i < firsts.size(); ++i) {
-      segment_[static_cast<std::size_t>(next[static_cast<std::size_t>(seconds[i] - segments)]++)] = firsts[i];
+      segment_[next[seconds[i] - segments]++] = firsts[i];
     }
   }
 }

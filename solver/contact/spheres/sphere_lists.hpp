@@ -26,9 +26,9 @@ class SphereLists {
              const SurfaceMotion<S>& motion, const ContactSettings& settings, S horizon);
 
   /// Numbers of the segments that sphere s may touch: places first(s) to first(s + 1), ascending.
-  std::int64_t first(std::int64_t s) const { return first_[static_cast<std::size_t>(s)]; }
-  std::int32_t segment(std::int64_t place) const { return segment_[static_cast<std::size_t>(place)]; }
-  std::int64_t pairs() const { return static_cast<std::int64_t>(segment_.size()); }
+  std::int64_t first(std::int64_t s) const { return first_[s]; }
+  std::int32_t segment(std::int64_t place) const { return segment_[place]; }
+  std::int64_t pairs() const { return segment_.size(); }
   std::size_t bytes() const;
 
  private:

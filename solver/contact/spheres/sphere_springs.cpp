@@ -15,7 +15,7 @@ constexpr double round_off = 1e-6;
 template <class S>
 SurfaceTopology without_spheres(const SurfaceSource<S>& source, SurfaceTopology topology) {
   for (std::size_t slot = 0; slot < topology.alive.size(); ++slot) {
-    if (topology.alive[slot] != 0 && source.element(static_cast<std::int64_t>(slot)).sphere) topology.exposed[slot] = 0;
+    if (topology.alive[slot] != 0 && source.element(slot).sphere) topology.exposed[slot] = 0;
   }
   return topology;
 }
@@ -37,7 +37,7 @@ bool SphereSprings<S>::wanted(const ContactSettings& settings, const SurfaceSour
                               const SurfaceTopology& topology) {
   if (settings.gap != ContactGap::face || settings.enforcement != Enforcement::penalty) return false;
   for (std::size_t slot = 0; slot < topology.alive.size(); ++slot) {
-    if (topology.alive[slot] != 0 && source.element(static_cast<std::int64_t>(slot)).sphere) return true;
+    if (topology.alive[slot] != 0 && source.element(slot).sphere) return true;
   }
   return false;
 }
@@ -56,8 +56,7 @@ template <class S>
 void SphereSprings<S>::collect_stiffness(const SurfaceSource<S>& source) {
   stiffness_.clear();
   for (const auto& segment : surface_.segments()) {
-    stiffness_.push_back(source.element(segment.slot).bulk_modulus * settings_.radius_factor *
-                         static_cast<double>(segment.radius));
+    stiffness_.push_back(source.element(segment.slot).bulk_modulus * settings_.radius_factor * segment.radius);
   }
 }
 
@@ -67,7 +66,7 @@ double SphereSprings<S>::remove_eroded(const std::vector<std::int64_t>& eroded) 
   double lost = 0;
   const auto ends = [this](const Touch& touch) {
     return !surface_.exposed(touch.slot, touch.face) ||
-           !surface_.topology().alive(spheres_.spheres()[static_cast<std::size_t>(touch.sphere)].slot);
+           !surface_.topology().alive(spheres_.spheres()[touch.sphere].slot);
   };
   for (const Touch& touch : touches_) lost += ends(touch) ? touch.stored() : 0.0;
   touches_.erase(std::remove_if(touches_.begin(), touches_.end(), ends), touches_.end());
@@ -88,9 +87,9 @@ std::vector<std::int32_t> SphereSprings<S>::listed_nodes() const {
   std::vector<std::int32_t> nodes;
   for (std::int32_t s = 0; s < spheres_.count(); ++s) {
     if (lists_.first(s) == lists_.first(s + 1)) continue;
-    nodes.push_back(spheres_.spheres()[static_cast<std::size_t>(s)].node);
+    nodes.push_back(spheres_.spheres()[s].node);
     for (std::int64_t place = lists_.first(s); place < lists_.first(s + 1); ++place) {
-      const auto& of = surface_.segments()[static_cast<std::size_t>(lists_.segment(place))].node;
+      const auto& of = surface_.segments()[lists_.segment(place)].node;
       nodes.insert(nodes.end(), std::begin(of), std::end(of));
     }
   }
@@ -109,9 +108,9 @@ template <class S>
 double SphereSprings<S>::stiffness_at(std::int32_t slave) const {
   double sum = 0;
   int faces = 0;
-  for (const std::int32_t s : surface_.around(static_cast<std::size_t>(slave))) {
+  for (const std::int32_t s : surface_.around(slave)) {
     if (!surface_.active_segment(s)) continue;
-    sum += stiffness_[static_cast<std::size_t>(s)];
+    sum += stiffness_[s];
     ++faces;
   }
   return sum / std::max(faces, 1);
@@ -119,10 +118,10 @@ double SphereSprings<S>::stiffness_at(std::int32_t slave) const {
 
 template <class S>
 typename SphereSprings<S>::Touch SphereSprings<S>::touch_of(std::int32_t sphere, const FaceTouch& at) const {
-  const auto& own = spheres_.spheres()[static_cast<std::size_t>(sphere)];
-  const auto number = static_cast<std::size_t>(at.segment);
+  const auto& own = spheres_.spheres()[sphere];
+  const std::size_t number = at.segment;
   const auto& segment = surface_.segments()[number];
-  const auto radius = static_cast<double>(own.radius);
+  const double radius = own.radius;
   Touch touch{};
   touch.sphere = sphere;
   touch.slot = segment.slot;
@@ -137,8 +136,8 @@ typename SphereSprings<S>::Touch SphereSprings<S>::touch_of(std::int32_t sphere,
   touch.depth = at.depth;
   double elements = 0;
   for (std::size_t k = 0; k < 4; ++k) elements += at.weight[k] * stiffness_at(surface_.slaves_of(at.segment)[k]);
-  touch.stiffness = 0.5 * settings_.beta * (elements + bulk_modulus_[static_cast<std::size_t>(sphere)] * radius);
-  touch.ratio = at.depth / (radius + settings_.radius_factor * static_cast<double>(segment.radius));
+  touch.stiffness = 0.5 * settings_.beta * (elements + bulk_modulus_[sphere] * radius);
+  touch.ratio = at.depth / (radius + settings_.radius_factor * segment.radius);
   return touch;
 }
 
@@ -166,7 +165,7 @@ template <class S>
 void SphereSprings<S>::give_force(const SurfaceSource<S>& source, Touch& touch, double rate) const {
   double inverse_mass = 0;
   for (int k = 0; k < 5; ++k) {
-    inverse_mass += touch.weight[k] * touch.weight[k] * static_cast<double>(source.inverse_mass[touch.node[k]]);
+    inverse_mass += touch.weight[k] * touch.weight[k] * source.inverse_mass[touch.node[k]];
   }
   const double p1 = 2 * settings_.damping * std::sqrt(touch.stiffness / inverse_mass);
   const double spring = touch.stiffness * touch.elastic;
@@ -180,7 +179,7 @@ void SphereSprings<S>::compute_sphere(const SurfaceSource<S>& source, std::int32
   const auto of_sphere = [](const Touch& touch, std::int32_t s) { return touch.sphere < s; };
   const auto begin = std::lower_bound(touches_.begin(), touches_.end(), sphere, of_sphere);
   const auto end = std::lower_bound(begin, touches_.end(), sphere + 1, of_sphere);
-  const bool alive = surface_.topology().alive(spheres_.spheres()[static_cast<std::size_t>(sphere)].slot);
+  const bool alive = surface_.topology().alive(spheres_.spheres()[sphere].slot);
   const std::size_t first = work.touches.size();
   if (alive) {
     for (const FaceTouch& at : work.near.find(source, surface_, spheres_, lists_, sphere)) {
@@ -188,7 +187,7 @@ void SphereSprings<S>::compute_sphere(const SurfaceSource<S>& source, std::int32
     }
   }
   work.ended.clear();
-  const auto now = work.touches.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto now = work.touches.begin() + first;
   for (auto before = begin; before != end; ++before) {
     const bool goes_on = std::any_of(now, work.touches.end(), [&](const Touch& t) { return t.is_of(*before); });
     if (goes_on) continue;
@@ -208,10 +207,10 @@ void SphereSprings<S>::compute_sphere(const SurfaceSource<S>& source, std::int32
 template <class S>
 SphereSums SphereSprings<S>::compute(const SurfaceSource<S>& source, double dt) {
   parallel_for("spheres on faces", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
-    Work& work = work_[static_cast<std::size_t>(piece)];
+    Work& work = work_[piece];
     work.touches.clear();
     work.lost = 0;
-    const auto until = [&](std::int64_t p) { return static_cast<std::int32_t>(spheres_.count() * p / fixed_pieces); };
+    const auto until = [&](std::int64_t p) -> std::int32_t { return spheres_.count() * p / fixed_pieces; };
     for (std::int32_t s = until(piece); s < until(piece + 1); ++s) compute_sphere(source, s, dt, work);
   });
   touches_.clear();
@@ -251,7 +250,7 @@ template <class S>
 void SphereSprings<S>::add_node_forces(std::vector<Point>& node_force) const {
   for (const Touch& touch : touches_) {
     for (int k = 0; k < 5; ++k) {
-      Point& sum = node_force[static_cast<std::size_t>(touch.node[k])];
+      Point& sum = node_force[touch.node[k]];
       const double along = touch.weight[k] * touch.force;
       sum[0] += along * touch.direction.x;
       sum[1] += along * touch.direction.y;

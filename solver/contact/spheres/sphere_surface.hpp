@@ -27,7 +27,7 @@ class SphereSurface {
     }
   }
   const std::vector<Sphere>& spheres() const { return spheres_; }
-  std::int32_t count() const { return static_cast<std::int32_t>(spheres_.size()); }
+  std::int32_t count() const { return spheres_.size(); }
   std::size_t bytes() const { return spheres_.capacity() * sizeof(Sphere); }
 
  private:

@@ -16,9 +16,9 @@ constexpr std::int32_t most_groups = 4096;
 ContactPairs::ContactPairs(SurfaceSides sides) : sides_(std::move(sides)), active_(sides_.rules.size(), 0) {
   find_edge_groups();
   for (std::int32_t t = 0; t < sides_.ties; ++t) {
-    const std::int32_t side = 2 * static_cast<std::int32_t>(sides_.rules.size()) + t;
+    const std::int32_t side = 2 * sides_.rules.size() + t;
     for (std::size_t g = 0; g < groups_; ++g) {
-      second_of_tie_.push_back(sides_.patterns.has(static_cast<std::int32_t>(g), side) ? 1 : 0);
+      second_of_tie_.push_back(sides_.patterns.has(g, side) ? 1 : 0);
     }
   }
   fill_tables();
@@ -38,9 +38,9 @@ void ContactPairs::find_edge_groups() {
     for (const std::int32_t b : of_nodes) found.push_back({a, b, sides_.patterns.common(a, b, sides_.sides())});
     require_few();
   }
-  groups_ = static_cast<std::size_t>(sides_.patterns.count());
+  groups_ = sides_.patterns.count();
   edge_.assign(groups_ * groups_, SidePatterns::none);
-  for (const auto& [a, b, group] : found) edge_[static_cast<std::size_t>(a) * groups_ + b] = group;
+  for (const auto& [a, b, group] : found) edge_[a * groups_ + b] = group;
 }
 
 bool ContactPairs::set_time(double time) {
@@ -70,7 +70,7 @@ void ContactPairs::fill_pair(std::int16_t pair) {
   std::vector<std::size_t> faces[2], things[2];  // groups on either side: of faces, and with those of nodes alone
   for (std::size_t g = 0; g < groups_; ++g) {
     for (int s = 0; s < 2; ++s) {
-      const auto group = static_cast<std::int32_t>(g);
+      const std::int32_t group = g;
       const std::int32_t side = s == 0 ? first : second;
       const bool of_faces = sides_.patterns.has(group, side);
       if (of_faces) faces[s].push_back(g);

@@ -38,7 +38,7 @@ struct SurfaceSides {
   std::vector<std::array<std::int32_t, 6>> face;  ///< group per slot and face; empty: that of the element
   std::vector<std::int32_t> node;                 ///< group per node of the store
 
-  std::int32_t sides() const { return 2 * static_cast<std::int32_t>(rules.size()) + ties; }
+  std::int32_t sides() const { return 2 * rules.size() + ties; }
 };
 
 /// Which things may touch which, and by which pair: tables over groups, looked up when lists are made. Where several
@@ -53,7 +53,7 @@ class ContactPairs {
   /// Which tie holds each node; -1: none. Empty: nothing is tied.
   void set_tied(std::vector<std::int16_t> tie_of_node) { tie_of_node_ = std::move(tie_of_node); }
   std::size_t count() const { return sides_.rules.size(); }
-  const PairRule& rule(std::int16_t pair) const { return sides_.rules[static_cast<std::size_t>(pair)]; }
+  const PairRule& rule(std::int16_t pair) const { return sides_.rules[pair]; }
   bool has_friction() const;
 
   /// Of a node and a face with these corners.
@@ -87,17 +87,15 @@ class ContactPairs {
 
  private:
   std::int32_t face_group(std::int64_t slot, std::int32_t face) const {
-    return sides_.face.empty() ? sides_.element[slot] : sides_.face[slot][static_cast<std::size_t>(face)];
+    return sides_.face.empty() ? sides_.element[slot] : sides_.face[slot][face];
   }
   std::int32_t edge_group(std::int32_t a, std::int32_t b) const {
-    return edge_[static_cast<std::size_t>(sides_.node[a]) * groups_ + sides_.node[b]];
+    return edge_[sides_.node[a] * groups_ + sides_.node[b]];
   }
-  PairOf touching(std::int32_t own, std::int32_t other) const {
-    return touching_[static_cast<std::size_t>(own) * groups_ + other];
-  }
+  PairOf touching(std::int32_t own, std::int32_t other) const { return touching_[own * groups_ + other]; }
   bool tied_to(std::int32_t node, std::int32_t group) const {
     if (tie_of_node_.empty() || tie_of_node_[node] < 0) return false;
-    return second_of_tie_[static_cast<std::size_t>(tie_of_node_[node]) * groups_ + group] != 0;
+    return second_of_tie_[tie_of_node_[node] * groups_ + group] != 0;
   }
   bool any_tied_to(std::span<const std::int32_t> nodes, std::int32_t group) const {
     for (const std::int32_t node : nodes) {

@@ -21,7 +21,7 @@ class SidePatterns {
   /// To those sides below `end` that both have.
   std::int32_t common(std::int32_t a, std::int32_t b, std::int32_t end);
   bool has(std::int32_t group, std::int32_t side) const;
-  std::int32_t count() const { return static_cast<std::int32_t>(sides_.size()); }
+  std::int32_t count() const { return sides_.size(); }
 
  private:
   using Sides = std::vector<std::int32_t>;  ///< sorted

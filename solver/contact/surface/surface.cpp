@@ -26,7 +26,7 @@ void Surface::erode(std::int64_t slot) {
       uncovered_.push_back(behind);
       ++exposed_count_;
     }
-    exposed |= static_cast<std::uint8_t>(1U << face);
+    exposed |= 1U << face;
     ++exposed_faces_;
     rearranged_.push_back(behind);
   });

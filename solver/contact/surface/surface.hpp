@@ -49,7 +49,7 @@ class Surface {
     archive(exposed_count_, exposed_faces_);
     if (archive.reads()) check(archive, [&source](std::int64_t slot) { return source.is_element(slot); });
   }
-  std::int64_t slots() const { return static_cast<std::int64_t>(alive_.size()); }
+  std::int64_t slots() const { return alive_.size(); }
   std::size_t bytes() const { return alive_.capacity() * (2 + sizeof(neighbour_[0])); }
 
  private:

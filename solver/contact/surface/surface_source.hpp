@@ -44,7 +44,7 @@ struct ContactElement {
 inline bool share_corner(const std::array<std::int32_t, 8>& a, const std::array<std::int32_t, 8>& b) {
   std::int32_t equal = 0;
   for (const std::int32_t m : a) {
-    for (const std::int32_t n : b) equal |= static_cast<std::int32_t>(m == n);
+    for (const std::int32_t n : b) equal |= m == n;
   }
   return equal != 0;
 }
@@ -89,9 +89,7 @@ struct SurfaceTopology {
   std::vector<std::array<std::int32_t, 6>> neighbour;  ///< slot across each face, negative: none
 
   explicit SurfaceTopology(std::int64_t slots)
-      : alive(static_cast<std::size_t>(slots), 0),
-        exposed(alive.size(), 0),
-        neighbour(alive.size(), {-1, -1, -1, -1, -1, -1}) {}
+      : alive(slots, 0), exposed(alive.size(), 0), neighbour(alive.size(), {-1, -1, -1, -1, -1, -1}) {}
 };
 
 /// What contact is given once, to keep.

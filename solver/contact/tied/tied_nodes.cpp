@@ -24,7 +24,7 @@ TiedNodes<S>::TiedNodes(std::vector<TiedNode> nodes, std::vector<TieTimes> times
       times_(std::move(times)),
       active_(nodes_.size(), 0),
       offset_(nodes_.size()),
-      place_(nodes_.empty() ? 0 : static_cast<std::size_t>(node_count), -1),
+      place_(nodes_.empty() ? 0 : node_count, -1),
       free_inverse_mass_(place_.size()) {}
 
 template <class S>
@@ -36,7 +36,7 @@ void TiedNodes<S>::remember_masses(const TiedMotion<S>& motion) {
   }
   std::sort(concerned.begin(), concerned.end());
   concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
-  for (const std::int32_t n : concerned) mass_.emplace_back(n, (*motion.node_mass)[static_cast<std::size_t>(n)]);
+  for (const std::int32_t n : concerned) mass_.emplace_back(n, (*motion.node_mass)[n]);
   copy_inverse_masses(motion.inverse_mass, free_inverse_mass_);
 }
 
@@ -44,20 +44,20 @@ void TiedNodes<S>::remember_masses(const TiedMotion<S>& motion) {
 template <class S>
 void TiedNodes<S>::set_masses(const TiedMotion<S>& motion) {
   std::vector<double>& mass = *motion.node_mass;
-  for (const auto& [n, own] : mass_) mass[static_cast<std::size_t>(n)] = own;
+  for (const auto& [n, own] : mass_) mass[n] = own;
   std::fill(place_.begin(), place_.end(), -1);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (active_[i] == 0) continue;
     const TiedNode& tied = nodes_[i];
-    place_[static_cast<std::size_t>(tied.node)] = static_cast<std::int32_t>(i);
-    double& own = mass[static_cast<std::size_t>(tied.node)];
-    for (std::size_t k = 0; k < 4; ++k) mass[static_cast<std::size_t>(tied.corner[k])] += tied.weight[k] * own;
+    place_[tied.node] = i;
+    double& own = mass[tied.node];
+    for (std::size_t k = 0; k < 4; ++k) mass[tied.corner[k]] += tied.weight[k] * own;
     own = 0;
   }
   for (const auto& [n, without] : mass_) {
-    const double own = mass[static_cast<std::size_t>(n)];
+    const double own = mass[n];
     motion.inverse_mass[n] = own > 0 ? static_cast<S>(1.0 / own) : S(0);
-    free_inverse_mass_[static_cast<std::size_t>(n)] = static_cast<S>(1.0 / (own > 0 ? own : without));
+    free_inverse_mass_[n] = static_cast<S>(1.0 / (own > 0 ? own : without));
   }
 }
 
@@ -67,8 +67,8 @@ double TiedNodes<S>::kinetic(const TiedMotion<S>& motion) const {
   double twice = 0;
   for (const auto& [n, without] : mass_) {
     for (int k = 0; k < 3; ++k) {
-      const auto v = static_cast<double>(record(motion.velocity, n)[k]);
-      twice += (*motion.node_mass)[static_cast<std::size_t>(n)] * v * v;
+      const double v = record(motion.velocity, n)[k];
+      twice += (*motion.node_mass)[n] * v * v;
     }
   }
   return 0.5 * twice;
@@ -138,20 +138,20 @@ void TiedNodes<S>::distribute(S* force) const {
 template <class S>
 void TiedNodes<S>::follow(const TiedMotion<S>& motion) const {
   const auto put = [&](std::int64_t number) {
-    const auto i = static_cast<std::size_t>(number);
+    const std::size_t i = number;
     if (active_[i] == 0) return;
     const TiedNode& tied = nodes_[i];
     for (std::size_t c = 0; c < 3; ++c) {
       double x = offset_[i][c], v = 0;
       for (std::size_t k = 0; k < 4; ++k) {
-        x += tied.weight[k] * static_cast<double>(record(motion.position, tied.corner[k])[c]);
-        v += tied.weight[k] * static_cast<double>(record(motion.velocity, tied.corner[k])[c]);
+        x += tied.weight[k] * record(motion.position, tied.corner[k])[c];
+        v += tied.weight[k] * record(motion.velocity, tied.corner[k])[c];
       }
       record(motion.position, tied.node)[c] = static_cast<S>(x);
       record(motion.velocity, tied.node)[c] = static_cast<S>(v);
     }
   };
-  const auto count = static_cast<std::int64_t>(nodes_.size());
+  const std::int64_t count = nodes_.size();
   if (nodes_.size() < worth_a_thread) {
     for (std::int64_t i = 0; i < count; ++i) put(i);
   } else {
@@ -163,7 +163,7 @@ template <class S>
 std::vector<std::int16_t> TiedNodes<S>::ties_of_nodes() const {
   std::vector<std::int16_t> ties(place_.size(), -1);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (active_[i] != 0) ties[static_cast<std::size_t>(nodes_[i].node)] = nodes_[i].tie;
+    if (active_[i] != 0) ties[nodes_[i].node] = nodes_[i].tie;
   }
   return ties;
 }

@@ -70,8 +70,8 @@ class TiedNodes {
   void follow(const TiedMotion<S>& motion) const;
   /// The tie of a node at present; null: it has none.
   const TiedNode* tie_of(std::int32_t node) const {
-    const std::int32_t place = place_[static_cast<std::size_t>(node)];
-    return place < 0 ? nullptr : &nodes_[static_cast<std::size_t>(place)];
+    const std::int32_t place = place_[node];
+    return place < 0 ? nullptr : &nodes_[place];
   }
   /// Number of the tied contact that holds each node at present; -1: none.
   std::vector<std::int16_t> ties_of_nodes() const;
@@ -105,7 +105,7 @@ bool TiedNodes<S>::update(const TiedMotion<S>& motion, double time, const Alive&
   if (nodes_.empty()) return false;
   const std::vector<std::uint8_t> before = active_;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    const TieTimes& times = times_[static_cast<std::size_t>(nodes_[i].tie)];
+    const TieTimes& times = times_[nodes_[i].tie];
     active_[i] = time >= times.start && time < times.end && alive(nodes_[i].slot) ? 1 : 0;
   }
   if (active_ == before) return false;
