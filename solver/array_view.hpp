@@ -49,15 +49,15 @@ struct BasicArrayView {
   double number(std::int64_t record, std::int64_t component = 0) const {
     switch (type) {
       case NumberType::float32:
-        return static_cast<double>(*at<float>(record, component));
+        return *at<float>(record, component);
       case NumberType::float64:
         return *at<double>(record, component);
       case NumberType::int32:
-        return static_cast<double>(*at<std::int32_t>(record, component));
+        return *at<std::int32_t>(record, component);
       case NumberType::int64:
         break;
     }
-    return static_cast<double>(*at<std::int64_t>(record, component));
+    return *at<std::int64_t>(record, component);
   }
   /// The same to be read only.
   operator BasicArrayView<const void>() const requires(!std::is_const_v<Void>) {
@@ -72,7 +72,7 @@ using ConstArrayView = BasicArrayView<const void>;
 template <class T>
 auto view_records(T* data, std::int64_t count, std::int64_t components) {
   using Void = std::conditional_t<std::is_const_v<T>, const void, void>;
-  constexpr auto size = static_cast<std::int64_t>(sizeof(T));
+  constexpr std::int64_t size = sizeof(T);
   return BasicArrayView<Void>{data, number_type_of<std::remove_const_t<T>>(), count, components, components * size,
                               size};
 }

@@ -31,8 +31,8 @@ class NodeColours {
   /// Lowest colour that is not taken; widens the masks if all are.
   std::int32_t first_free() {
     for (std::size_t word = 0; word < words_; ++word)
-      if (~used_[word] != 0) return static_cast<std::int32_t>(64 * word) + std::countr_one(used_[word]);
-    const auto colour = static_cast<std::int32_t>(64 * words_);
+      if (~used_[word] != 0) return 64 * word + std::countr_one(used_[word]);
+    const std::int32_t colour = 64 * words_;
     widen();
     return colour;
   }
@@ -70,8 +70,7 @@ class NodeColours {
 
 void check(const std::vector<std::int32_t>& offsets, const std::vector<Hexahedron>& hexahedra,
            std::int32_t node_count) {
-  bool ascending =
-      !offsets.empty() && offsets.front() == 0 && static_cast<std::size_t>(offsets.back()) == hexahedra.size();
+  bool ascending = !offsets.empty() && offsets.front() == 0 && offsets.back() == std::ssize(hexahedra);
   for (std::size_t i = 1; i < offsets.size(); ++i) ascending = ascending && offsets[i - 1] <= offsets[i];
   if (!ascending)
     throw InputError(
@@ -86,8 +85,8 @@ void check(const std::vector<std::int32_t>& offsets, const std::vector<Hexahedro
 /// First-fit leaves few tiles in the last colours. Tiles of colours above the mean move to the emptiest colour that is
 /// free for them, if that evens the two out.
 void balance(NodeColours& nodes, std::vector<std::int32_t>& colour, std::vector<std::int32_t>& count) {
-  const auto tiles = static_cast<std::int32_t>(colour.size());
-  const auto colours = static_cast<std::int32_t>(count.size());
+  const std::int32_t tiles = colour.size();
+  const std::int32_t colours = count.size();
   for (std::int32_t tile = 0; tile < tiles; ++tile) {
     const std::int32_t from = colour[tile];
     if (std::int64_t{count[from]} * colours <= tiles) continue;
@@ -113,11 +112,11 @@ Colouring colour_tiles(const std::vector<std::int32_t>& tile_offsets_in_elements
   std::vector<std::int32_t> colour(tile_offsets_in_elements.size() - 1);
   std::vector<std::int32_t> count;
   for (std::size_t tile = 0; tile < colour.size(); ++tile) {
-    const auto index = static_cast<std::int32_t>(tile);
+    const std::int32_t index = tile;
     nodes.gather(index);
     colour[tile] = nodes.first_free();
     nodes.add(index, colour[tile]);
-    if (static_cast<std::size_t>(colour[tile]) == count.size()) count.push_back(0);
+    if (colour[tile] == std::ssize(count)) count.push_back(0);
     ++count[colour[tile]];
   }
   balance(nodes, colour, count);
@@ -127,8 +126,7 @@ Colouring colour_tiles(const std::vector<std::int32_t>& tile_offsets_in_elements
   for (std::size_t c = 0; c < count.size(); ++c) result.colour_offsets[c + 1] = result.colour_offsets[c] + count[c];
   result.items.resize(colour.size());
   std::vector<std::int32_t> next = result.colour_offsets;
-  for (std::size_t tile = 0; tile < colour.size(); ++tile)
-    result.items[next[colour[tile]]++] = static_cast<std::int32_t>(tile);
+  for (std::size_t tile = 0; tile < colour.size(); ++tile) result.items[next[colour[tile]]++] = tile;
   return result;
 }
 

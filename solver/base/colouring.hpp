@@ -20,10 +20,10 @@ Colouring chosen_of(const Colouring& all, const Keep& keep) {
   chosen.colour_offsets = {0};
   for (std::size_t c = 0; c + 1 < all.colour_offsets.size(); ++c) {
     for (std::int32_t i = all.colour_offsets[c]; i < all.colour_offsets[c + 1]; ++i) {
-      const std::int32_t tile = all.items[static_cast<std::size_t>(i)];
+      const std::int32_t tile = all.items[i];
       if (keep(tile)) chosen.items.push_back(tile);
     }
-    const auto end = static_cast<std::int32_t>(chosen.items.size());
+    const std::int32_t end = chosen.items.size();
     if (end > chosen.colour_offsets.back()) chosen.colour_offsets.push_back(end);
   }
   return chosen;

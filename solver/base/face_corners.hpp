@@ -12,7 +12,7 @@ namespace pinball {
 /// Nodes of face 0 to 5 of a hexahedron, in the order of face_nodes.
 inline std::array<std::int32_t, 4> face_of(const std::array<std::int32_t, 8>& hexahedron, std::size_t face) {
   std::array<std::int32_t, 4> corners{};
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = hexahedron[static_cast<std::size_t>(face_nodes[face][i])];
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = hexahedron[face_nodes[face][i]];
   return corners;
 }
 

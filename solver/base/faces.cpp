@@ -82,7 +82,7 @@ void check_twins(const std::vector<Hexahedron>& hexahedra, const std::vector<std
     for (std::size_t face = 1; face < 6; ++face) {
       const std::int32_t other = beyond[face];
       if (other < 0 || std::find(beyond.begin(), beyond.begin() + face, other) == beyond.begin() + face) continue;
-      if (have_same_nodes(hexahedra[element], hexahedra[static_cast<std::size_t>(other)]))
+      if (have_same_nodes(hexahedra[element], hexahedra[other]))
         throw InputError(message_of("mesh: elements ", element, " and ", other, " have the same nodes"));
     }
   }
@@ -105,7 +105,7 @@ std::int32_t checked_node_count(const std::vector<Hexahedron>& hexahedra) {
 std::vector<std::array<std::int32_t, 6>> face_neighbours(const std::vector<Hexahedron>& hexahedra) {
   if (hexahedra.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()) / 6)
     throw InputError(message_of("mesh: ", hexahedra.size(), " elements are more than face numbers can count"));
-  const auto element_count = static_cast<std::int32_t>(hexahedra.size());
+  const std::int32_t element_count = hexahedra.size();
   const std::int32_t node_count = checked_node_count(hexahedra);
 
   // Counting sort of all faces by their lowest node: the two sides of a face fall into one short bucket.

@@ -10,7 +10,7 @@ namespace pinball {
 /// the last of several at one place.
 /// xs: at least one, rising.
 inline double interpolate(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
-  const auto after = static_cast<std::size_t>(std::upper_bound(xs.begin(), xs.end(), x) - xs.begin());
+  const std::size_t after = std::upper_bound(xs.begin(), xs.end(), x) - xs.begin();
   if (after == 0) return ys.front();
   if (after == xs.size()) return ys.back();
   const double part = (x - xs[after - 1]) / (xs[after] - xs[after - 1]);

@@ -67,7 +67,7 @@ class StateArchive {
   void require_all(const Numbers& numbers, std::int64_t least, std::int64_t end) const {
     if (!reads()) return;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const auto number = static_cast<std::int64_t>(numbers[i]);
+      const std::int64_t number = numbers[i];
       if (number < least || number >= end) throw_foreign();
     }
   }
@@ -134,7 +134,7 @@ class StateArchive {
     std::uint64_t number = present;
     value(number);
     if (reads() && number > left() / bytes_of_each) throw_foreign();
-    return static_cast<std::size_t>(number);
+    return number;
   }
 
   void raw(void* data, std::size_t bytes) {

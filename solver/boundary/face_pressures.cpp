@@ -24,11 +24,11 @@ FaceList faces_of(const Model<S>& model, const Pressure& given) {
   for (const auto& [node, place] : places) {
     if (faces.nodes.empty() || faces.nodes.back() != node) {
       faces.nodes.push_back(node);
-      faces.first.push_back(static_cast<std::int32_t>(faces.places.size()));
+      faces.first.push_back(faces.places.size());
     }
     faces.places.push_back(place);
   }
-  faces.first.push_back(static_cast<std::int32_t>(faces.places.size()));
+  faces.first.push_back(faces.places.size());
   return faces;
 }
 

@@ -70,7 +70,7 @@ void GravityLoads<S>::add_forces(const Model<S>& model, double time, const Named
     if (gravity.given.name.empty()) continue;
     double mass = 0;
     for (std::size_t i = 0; i < gravity.theirs.nodes.size(); ++i) {
-      mass += gravity.theirs.share[i] * model.node_mass[static_cast<std::size_t>(gravity.theirs.nodes[i])];
+      mass += gravity.theirs.share[i] * model.node_mass[gravity.theirs.nodes[i]];
     }
     add(gravity.given, mass);
   }

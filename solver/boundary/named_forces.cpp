@@ -26,7 +26,7 @@ const std::string& NamedForces::name_of_constraint(const Scene& scene, std::size
 
 void NamedForces::add(const std::string& name, const Point& force, std::vector<Point>& sums) const {
   if (name.empty()) return;
-  Point& sum = sums[static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin())];
+  Point& sum = sums[std::ranges::find(names_, name) - names_.begin()];
   for (std::size_t k = 0; k < 3; ++k) sum[k] += force[k];
 }
 
@@ -40,11 +40,11 @@ std::vector<Point> BoundaryConditions<S>::named_forces(const Model<S>& model, do
   };
   for (std::size_t t = 0; constrains_ && t < scene.constraints.size() + scene.fixed_constraints.size(); ++t) {
     const std::string& name = NamedForces::name_of_constraint(scene, t);
-    if (!name.empty()) add(name, held_->force_of_constraint(static_cast<std::int32_t>(t)));
+    if (!name.empty()) add(name, held_->force_of_constraint(t));
   }
   for (std::size_t t = 0; prescribes_ && t < scene.prescribed_velocities.size(); ++t) {
     const std::string& name = scene.prescribed_velocities[t].name;
-    if (!name.empty()) add(name, held_->force_of_prescribed(static_cast<std::int32_t>(t)));
+    if (!name.empty()) add(name, held_->force_of_prescribed(t));
   }
   if (named_.any()) gravity_.add_forces(model, time, named_, sums);
   return sums;

@@ -32,9 +32,7 @@ double mean_factor(const PrescribedVelocity& given, double time, const StepLengt
 template <class S>
 double along(const Model<S>& model, std::int32_t n, const S (&normal)[3]) {
   double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    sum += static_cast<double>(model.nodes.velocity[4 * static_cast<std::size_t>(n) + k] * normal[k]);
-  }
+  for (std::size_t k = 0; k < 3; ++k) sum += record(model.nodes.velocity.data(), n)[k] * normal[k];
   return sum;
 }
 
@@ -50,8 +48,8 @@ PrescribedMotions::PrescribedMotions(const Model<S>& model) : given_(model.scene
   const auto take = [this](double change) { jump_at_start_ = std::max(jump_at_start_, std::abs(change)); };
   for (const NodeConstraint<S>& held : model.constraints) take(along(model, held.node, held.normal));
   for (const NodePrescription<S>& moved : model.prescribed) {
-    const PrescribedVelocity& given = given_[static_cast<std::size_t>(moved.table)];
-    take(static_cast<double>(moved.speed) * starting_factor(given) - along(model, moved.node, moved.normal));
+    const PrescribedVelocity& given = given_[moved.table];
+    take(moved.speed * starting_factor(given) - along(model, moved.node, moved.normal));
   }
 }
 

@@ -54,13 +54,13 @@ std::vector<NodeBound> RigidWalls<S>::bounds(const NodeArrays<S>& nodes, std::sp
     for (const std::int32_t node : of) {
       const S* const x = nodes.position + 4 * std::int64_t(node);
       const S* const v = nodes.velocity + 4 * std::int64_t(node);
-      if (wall.takes[static_cast<std::size_t>(node)] == 0) continue;
+      if (wall.takes[node] == 0) continue;
       if (!wall_takes(wall.plane, x, static_cast<S>(result.displacement))) continue;
-      const auto rate = static_cast<double>(n[0] * v[0] + n[1] * v[1] + n[2] * v[2]);
+      const double rate = n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
       found.push_back({node,
                        static_cast<std::int32_t>(w),
-                       {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])},
-                       static_cast<double>(wall_height(wall.plane, x)) - after,
+                       {n[0], n[1], n[2]},
+                       wall_height(wall.plane, x) - after,
                        velocity - rate});
     }
   }

@@ -71,7 +71,7 @@ typename RigidWalls<S>::Wall RigidWalls<S>::wall_of(const Model<S>& model, const
   if (!plane.ends) stand_back(model, given, plane);
   Wall wall{plane, given.when, WallMotion(given), kernels.wall(plane.friction > S(0)), {}};
   if (model.scene.contact.method != ContactMethod::none) {
-    wall.takes.assign(static_cast<std::size_t>(model.nodes.count), 0);
+    wall.takes.assign(model.nodes.count, 0);
     for (const std::int32_t n : nodes_behind(model.mesh, given)) wall.takes[model.node_of_scene_node[n]] = 1;
   }
   return wall;

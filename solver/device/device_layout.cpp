@@ -16,24 +16,22 @@ constexpr std::size_t multiple_of(std::size_t places) {
 }  // namespace
 
 template <class S>
-DeviceLayout<S>::DeviceLayout(const Model<S>& model)
-    : place_of_slot_(static_cast<std::size_t>(model.elements.slots), std::int64_t{-1}) {
+DeviceLayout<S>::DeviceLayout(const Model<S>& model) : place_of_slot_(model.elements.slots, std::int64_t{-1}) {
   std::size_t tile = 0;
   for (std::size_t part = 0; part < model.parts.size(); ++part) {
-    const auto first = static_cast<std::int64_t>(slot_of_place_.size());
+    const std::int64_t first = slot_of_place_.size();
     for (; tile < model.tile_part.size() && model.tile_part[tile] == static_cast<std::int32_t>(part); ++tile) {
-      for (const std::int64_t slot : model.slots_of(static_cast<std::int64_t>(tile))) {
+      for (const std::int64_t slot : model.slots_of(tile)) {
         if (model.is_padding(slot)) continue;
-        place_of_slot_[static_cast<std::size_t>(slot)] = static_cast<std::int64_t>(slot_of_place_.size());
+        place_of_slot_[slot] = slot_of_place_.size();
         slot_of_place_.push_back(slot);
       }
       slot_of_place_.resize(multiple_of<widest_pack<S>>(slot_of_place_.size()), -1);
-      tile_.resize(slot_of_place_.size() / widest_pack<S>, static_cast<std::int32_t>(tile));
+      tile_.resize(slot_of_place_.size() / widest_pack<S>, tile);
     }
     slot_of_place_.resize(multiple_of<device_row>(slot_of_place_.size()), -1);
-    tile_.resize(slot_of_place_.size() / widest_pack<S>, static_cast<std::int32_t>(tile - 1));
-    parts_.push_back(
-        {model.parts[part].features, model.constants[part], first, static_cast<std::int64_t>(slot_of_place_.size())});
+    tile_.resize(slot_of_place_.size() / widest_pack<S>, tile - 1);
+    parts_.push_back({model.parts[part].features, model.constants[part], first, std::ssize(slot_of_place_)});
   }
 }
 
@@ -42,13 +40,12 @@ template <class S>
 template <class T>
 Array<T> DeviceLayout<S>::rows_of(const Array<T>& packs, int components) const {
   if (packs.empty()) return {};
-  Array<T> rows(static_cast<std::size_t>(components) * slot_of_place_.size());
+  Array<T> rows(components * slot_of_place_.size());
   for (std::size_t place = 0; place < slot_of_place_.size(); ++place) {
     const std::int64_t slot = slot_of_place_[place];
     if (slot < 0) continue;
     for (int c = 0; c < components; ++c) {
-      rows[place_in_packs<device_row>(static_cast<std::int64_t>(place), c, components)] =
-          packs[ElementStore<S>::at(slot, c, components)];
+      rows[place_in_packs<device_row>(place, c, components)] = packs[ElementStore<S>::at(slot, c, components)];
     }
   }
   return rows;
@@ -62,8 +59,7 @@ void DeviceLayout<S>::rows_to(const Array<T>& rows, int components, Array<T>& pa
     const std::int64_t slot = slot_of_place_[place];
     if (slot < 0) continue;
     for (int c = 0; c < components; ++c) {
-      packs[ElementStore<S>::at(slot, c, components)] =
-          rows[place_in_packs<device_row>(static_cast<std::int64_t>(place), c, components)];
+      packs[ElementStore<S>::at(slot, c, components)] = rows[place_in_packs<device_row>(place, c, components)];
     }
   }
 }
@@ -73,7 +69,7 @@ template <class S>
 void DeviceLayout<S>::repeat_last_element(Array<std::int32_t>& corner) const {
   for (std::size_t place = 1; place < slot_of_place_.size(); ++place) {
     if (slot_of_place_[place] >= 0) continue;
-    const auto here = static_cast<std::int64_t>(place);
+    const std::int64_t here = place;
     for (int i = 0; i < 8; ++i) {
       corner[place_in_packs<device_row>(here, i, 8)] = corner[place_in_packs<device_row>(here - 1, i, 8)];
     }
@@ -84,18 +80,18 @@ template <class S>
 DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   DeviceMesh<S> mesh;
   mesh.nodes = model.nodes.count;
-  mesh.places = static_cast<std::int64_t>(slot_of_place_.size());
+  mesh.places = slot_of_place_.size();
   mesh.parts = parts_;
   mesh.corner = rows_of(model.elements.corner, 8);
   repeat_last_element(mesh.corner);
-  mesh.tiles = static_cast<std::int32_t>(model.tile_count());
+  mesh.tiles = model.tile_count();
   mesh.tile = Array<std::int32_t>(tile_.size());
   std::copy(tile_.begin(), tile_.end(), mesh.tile.data());
   mesh.mass_share = rows_of(model.elements.mass_share, 1);
   mesh.folding_onset = rows_of(model.elements.folding_onset, 1);
   mesh.material_numbers = model.elements.material_numbers;
-  mesh.inverse_mass = Array<S>(static_cast<std::size_t>(mesh.nodes));
-  mesh.node_mass = Array<double>(static_cast<std::size_t>(mesh.nodes));
+  mesh.inverse_mass = Array<S>(mesh.nodes);
+  mesh.node_mass = Array<double>(mesh.nodes);
   std::copy_n(model.nodes.inverse_mass.data(), mesh.nodes, mesh.inverse_mass.data());
   std::copy_n(model.node_mass.data(), mesh.nodes, mesh.node_mass.data());
   add_corners_of_nodes(model, mesh);
@@ -114,7 +110,7 @@ void DeviceLayout<S>::add_corners_of_nodes(const Model<S>& model, DeviceMesh<S>&
         for (int i = 0; i < 8; ++i) {
           for (std::int64_t slot = row; slot < end; ++slot) {
             if (model.is_padding(slot)) continue;
-            visit(static_cast<std::size_t>(model.elements.corner[ElementStore<S>::at(slot, i, 8)]),
+            visit(model.elements.corner[ElementStore<S>::at(slot, i, 8)],
                   static_cast<std::uint32_t>(8 * place_of_slot(slot) + i));
           }
         }
@@ -126,7 +122,7 @@ void DeviceLayout<S>::add_corners_of_nodes(const Model<S>& model, DeviceMesh<S>&
   for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.nodes); ++n) {
     mesh.first_of_node[n + 1] += mesh.first_of_node[n];
   }
-  mesh.corners_of_node = Array<std::uint32_t>(mesh.first_of_node[static_cast<std::size_t>(mesh.nodes)]);
+  mesh.corners_of_node = Array<std::uint32_t>(mesh.first_of_node[mesh.nodes]);
   std::vector<std::uint32_t> next(mesh.first_of_node.data(), mesh.first_of_node.data() + mesh.nodes);
   for_each_corner([&](std::size_t node, std::uint32_t corner) { mesh.corners_of_node[next[node]++] = corner; });
 }

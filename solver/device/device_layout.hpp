@@ -21,11 +21,11 @@ class DeviceLayout {
   DeviceState<S> state(const Model<S>& model) const;
   void to_model(const DeviceState<S>& state, Model<S>& model) const;
 
-  std::int64_t slot_of_place(std::int64_t place) const { return slot_of_place_[static_cast<std::size_t>(place)]; }
+  std::int64_t slot_of_place(std::int64_t place) const { return slot_of_place_[place]; }
   /// Per slot; -1: padding.
   const std::vector<std::int64_t>& places_of_slots() const { return place_of_slot_; }
   /// Of no padding.
-  std::int64_t place_of_slot(std::int64_t slot) const { return place_of_slot_[static_cast<std::size_t>(slot)]; }
+  std::int64_t place_of_slot(std::int64_t slot) const { return place_of_slot_[slot]; }
 
  private:
   template <class T>

@@ -130,8 +130,8 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Sche
   result.time_step_slot = totals.place < 0 ? -1 : layout_.slot_of_place(totals.place);
   if (resting.index >= 0 && resting.time_step < result.time_step) {
     result.time_step = resting.time_step;
-    const std::int32_t tile = resting_[static_cast<std::size_t>(resting.index)];
-    result.time_step_slot = forces.tiles()[static_cast<std::size_t>(tile)].time_step_slot;
+    const std::int32_t tile = resting_[resting.index];
+    result.time_step_slot = forces.tiles()[tile].time_step_slot;
   }
   if (model.scene.skip.resting) result.resting_elements = resting.elements;
   result.eroded_count = totals.eroded_count;

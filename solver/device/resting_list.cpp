@@ -12,7 +12,7 @@ void keep_time_steps(const Model<S>& model, const DeviceLayout<S>& layout, const
     std::int64_t of = -1;
     for (const std::int64_t slot : model.slots_of(tile.number)) {
       if (model.is_padding(slot)) continue;
-      const S here = rates[static_cast<std::size_t>(layout.place_of_slot(slot))];
+      const S here = rates[layout.place_of_slot(slot)];
       if (!(here > rate)) continue;
       rate = here;
       of = slot;
@@ -28,19 +28,19 @@ DeviceResting<S> resting_list(const Model<S>& model, const RestingTiles<S>& rest
   DeviceResting<S> list;
   list.worked = !model.scene.skip.resting;
   for (const auto& tile : resting.tiles()) {
-    const auto index = static_cast<std::int32_t>(list.tile.size());
+    const std::int32_t index = list.tile.size();
     list.tile.push_back(tile.number);
     list.elements.push_back(tile.elements);
     list.record.push_back(tile.nodes.front().first);
-    list.time_step.push_back(results[static_cast<std::size_t>(tile.number)].time_step);
-    list.first_piece.push_back(static_cast<std::int32_t>(list.pieces.size()));
+    list.time_step.push_back(results[tile.number].time_step);
+    list.first_piece.push_back(list.pieces.size());
     for (const NodeRange& range : tile.nodes) {
       for (std::int32_t n = range.first; n < range.end; n += piece) {
         list.pieces.push_back({n, std::min(n + piece, range.end), index});
       }
     }
   }
-  list.first_piece.push_back(static_cast<std::int32_t>(list.pieces.size()));
+  list.first_piece.push_back(list.pieces.size());
   return list;
 }
 

@@ -22,7 +22,8 @@ struct ComparesVelocities {
   PINBALL_FUNCTION void operator()(std::int64_t i) const {
     const RestingPiece piece = pieces[i];
     if (rests[tile[piece.tile]] == 0) return;
-    const S* const expected = velocity + 4 * static_cast<std::int64_t>(record[piece.tile]);
+    const std::int64_t first = record[piece.tile];
+    const S* const expected = velocity + 4 * first;
     bool other = false;
     for (std::int64_t n = piece.first; n < piece.end; ++n) {
       const S* const v = velocity + 4 * n;
@@ -58,7 +59,7 @@ class SpaceResting {
  public:
   /// tiles: of the model.
   void set(const DeviceResting<S>& resting, std::int32_t tiles) {
-    count_ = static_cast<std::int64_t>(resting.tile.size());
+    count_ = resting.tile.size();
     worked_ = resting.worked;
     tile_ = list_in<Space>(resting.tile);
     elements_ = list_in<Space>(resting.elements);
@@ -67,8 +68,8 @@ class SpaceResting {
     first_piece_ = list_in<Space>(resting.first_piece);
     pieces_ = list_in<Space>(resting.pieces);
     moved_.reset(resting.pieces.size());
-    std::vector<std::uint8_t> rests(static_cast<std::size_t>(tiles), 0);
-    for (const std::int32_t tile : resting.tile) rests[static_cast<std::size_t>(tile)] = 1;
+    std::vector<std::uint8_t> rests(tiles, 0);
+    for (const std::int32_t tile : resting.tile) rests[tile] = 1;
     rests_ = list_in<Space>(rests);
   }
   /// Wakes the tiles whose nodes no longer have one velocity.
@@ -76,7 +77,7 @@ class SpaceResting {
     RestingTotals<S> totals;
     if (count_ == 0) return totals;
     parallel_for(
-        "tiles at rest", RangePolicy<Space>{0, static_cast<std::int64_t>(pieces_.size())},
+        "tiles at rest", RangePolicy<Space>{0, std::ssize(pieces_)},
         ComparesVelocities<S>{pieces_.data(), tile_.data(), record_.data(), rests_.data(), velocity, moved_.data()});
     parallel_reduce("tiles at rest", RangePolicy<Space>{0, count_},
                     WakesTiles<S>{tile_.data(), elements_.data(), first_piece_.data(), moved_.data(), time_step_.data(),

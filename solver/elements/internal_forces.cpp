@@ -8,7 +8,7 @@
 namespace pinball {
 
 template <class S>
-InternalForces<S>::InternalForces(const Model<S>& model) : results_(static_cast<std::size_t>(model.tile_count())) {
+InternalForces<S>::InternalForces(const Model<S>& model) : results_(model.tile_count()) {
   for (const Part& part : model.parts) kernel_of_part_.push_back(choose_tile_kernel<S>(part.features));
 }
 

@@ -50,8 +50,8 @@ class InternalForces {
   const std::vector<TileResult<S>>& tiles() const { return results_; }
   /// The stable step that a tile keeps while it rests, where it is not this class that works it.
   void keep_time_step(std::int32_t tile, S time_step, std::int64_t slot) {
-    results_[static_cast<std::size_t>(tile)].time_step = time_step;
-    results_[static_cast<std::size_t>(tile)].time_step_slot = slot;
+    results_[tile].time_step = time_step;
+    results_[tile].time_step_slot = slot;
   }
   std::size_t bytes() const { return results_.capacity() * sizeof(TileResult<S>); }
 

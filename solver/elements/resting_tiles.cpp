@@ -10,20 +10,20 @@ namespace pinball {
 
 namespace {
 
-/// Whether nodes have another velocity than `record`, or one that is not a number.
+/// Whether nodes have another velocity than `expected`, or one that is not a number.
 template <class S>
-bool differ(const S* velocities, const NodeRange& nodes, const S* record) {
-  const S* v = velocities + 4 * static_cast<std::int64_t>(nodes.first);
-  const S* end = velocities + 4 * static_cast<std::int64_t>(nodes.end);
+bool differ(const S* velocities, const NodeRange& nodes, const S* expected) {
+  const S* v = record(velocities, nodes.first);
+  const S* end = record(velocities, nodes.end);
   if constexpr (native_width<S> >= 4) {  // a record is a pack, of which the fourth number is not used
     using T = Pack<S, 4>;
-    const T expected = load<T>(record);
+    const T numbers = load<T>(expected);
     MaskOf<T> other(false);
-    for (; v != end; v += 4) other = other || load<T>(v) != expected;
+    for (; v != end; v += 4) other = other || load<T>(v) != numbers;
     return any_lane(other && lane_numbers<T>() < T(3));
   } else {
     bool other = false;
-    for (; v != end; v += 4) other = other || v[0] != record[0] || v[1] != record[1] || v[2] != record[2];
+    for (; v != end; v += 4) other = other || v[0] != expected[0] || v[1] != expected[1] || v[2] != expected[2];
     return other;
   }
 }
@@ -44,7 +44,7 @@ std::vector<NodeRange> ranges_of(std::vector<std::int32_t> nodes) {
 template <class S>
 std::int32_t whole_elements(const Model<S>& model, std::int64_t first_slot, std::int64_t last_slot) {
   std::int32_t count = 0;
-  for (auto slot = static_cast<std::size_t>(first_slot); slot < static_cast<std::size_t>(last_slot); ++slot) {
+  for (std::int64_t slot = first_slot; slot < last_slot; ++slot) {
     if (model.element_of_slot[slot] < 0) continue;
     if (!(model.elements.mass[slot] > S(0))) return 0;
     ++count;
@@ -71,15 +71,15 @@ RestingTiles<S>::RestingTiles(const Model<S>& model)
     : tiles_(model.tile_part.size()), rests_(model.tile_part.size(), 0) {
   const S* velocities = model.nodes.velocity.data();
   parallel_for("tiles at rest", RangePolicy<>{0, model.tile_count()}, [&](std::int64_t number) {
-    const auto t = static_cast<std::size_t>(number);
-    tiles_[t].number = static_cast<std::int32_t>(number);
-    if (std::isfinite(model.constants[static_cast<std::size_t>(model.tile_part[t])].failure.limits.time)) return;
+    const std::size_t t = number;
+    tiles_[t].number = number;
+    if (std::isfinite(model.constants[model.tile_part[t]].failure.limits.time)) return;
     const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
     const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;
     const std::int32_t* first = model.elements.corner.data() + 8 * first_slot;
     const std::int32_t* last = model.elements.corner.data() + 8 * last_slot;
-    const S* record = velocities + 4 * static_cast<std::int64_t>(*first);
-    const auto moves = [&](std::int32_t node) { return differ(velocities, {node, node + 1}, record); };
+    const S* const expected = record(velocities, *first);
+    const auto moves = [&](std::int32_t node) { return differ(velocities, {node, node + 1}, expected); };
     if (std::any_of(first, last, moves)) return;  // found by its first elements, most often
     const std::int32_t elements = whole_elements(model, first_slot, last_slot);
     if (elements == 0 || !untouched(model.elements, first_slot, last_slot)) return;
@@ -94,7 +94,7 @@ template <class S>
 RestingTiles<S>::RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests)
     : tiles_(rests.size()), rests_(rests) {
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
-    tiles_[t].number = static_cast<std::int32_t>(t);
+    tiles_[t].number = t;
     if (rests_[t] == 0) continue;
     const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
     const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;
@@ -108,10 +108,10 @@ RestingTiles<S>::RestingTiles(const Model<S>& model, const std::vector<std::uint
 template <class S>
 bool RestingTiles<S>::wake(const NodeStore<S>& nodes) {
   const S* velocities = nodes.velocity.data();
-  parallel_for("tiles at rest", RangePolicy<>{0, static_cast<std::int64_t>(tiles_.size())}, [&](std::int64_t i) {
+  parallel_for("tiles at rest", RangePolicy<>{0, std::ssize(tiles_)}, [&](std::int64_t i) {
     const Tile& tile = tiles_[i];
-    const S* record = velocities + 4 * static_cast<std::int64_t>(tile.nodes.front().first);
-    const auto moves = [&](const NodeRange& range) { return differ(velocities, range, record); };
+    const S* const expected = record(velocities, tile.nodes.front().first);
+    const auto moves = [&](const NodeRange& range) { return differ(velocities, range, expected); };
     if (std::any_of(tile.nodes.begin(), tile.nodes.end(), moves)) rests_[tile.number] = 0;
   });
   const std::size_t before = tiles_.size();

@@ -35,15 +35,15 @@ Subcycling<S>::Subcycling(const Model<S>& model, bool every_node) : every_node_(
 
 template <class S>
 void Subcycling<S>::find_neighbours(const Model<S>& model) {
-  const auto nodes = static_cast<std::size_t>(model.nodes.count);
+  const std::size_t nodes = model.nodes.count;
   std::vector<std::int32_t> last(nodes, -1);
   const auto for_each_node_of_tile = [&](const auto& visit) {
     std::fill(last.begin(), last.end(), -1);
     for (std::int32_t t = 0; t < model.tile_count(); ++t) {
-      const auto tile = static_cast<std::size_t>(t);
+      const std::size_t tile = t;
       constexpr std::int64_t corners = 8 * ElementStore<S>::width;
       for (std::int64_t i = corners * model.tile_packs[tile]; i < corners * model.tile_packs[tile + 1]; ++i) {
-        const auto node = static_cast<std::size_t>(model.elements.corner[i]);
+        const std::size_t node = model.elements.corner[i];
         if (last[node] == t) continue;
         last[node] = t;
         visit(node, t);
@@ -53,7 +53,7 @@ void Subcycling<S>::find_neighbours(const Model<S>& model) {
   tile_of_node_offsets_.assign(nodes + 1, 0);
   for_each_node_of_tile([&](std::size_t node, std::int32_t) { ++tile_of_node_offsets_[node + 1]; });
   for (std::size_t n = 0; n < nodes; ++n) tile_of_node_offsets_[n + 1] += tile_of_node_offsets_[n];
-  tile_of_node_.resize(static_cast<std::size_t>(tile_of_node_offsets_.back()));
+  tile_of_node_.resize(tile_of_node_offsets_.back());
   std::vector<std::int32_t> place(tile_of_node_offsets_.begin(), tile_of_node_offsets_.end() - 1);
   neighbours_.resize(highest_.size());
   for_each_node_of_tile([&](std::size_t node, std::int32_t tile) {
@@ -73,7 +73,7 @@ template <class S>
 std::vector<StepGroup> Subcycling<S>::groups(const std::vector<TileResult<S>>& tiles, double contact_frequency2) const {
   std::vector<StepGroup> groups(tiles.size());
   for (std::size_t t = 0; t < tiles.size(); ++t) {
-    const auto step = static_cast<double>(tiles[t].time_step);
+    const double step = tiles[t].time_step;
     const double frequency2 = 4 / (step * step);
     const double contact2 = highest_[t] == 0 ? contact_frequency2 : 0;  // its nodes are on no other level
     groups[t] = {elements_[t] > 0 ? 2 / std::sqrt(frequency2 + contact2) : std::numeric_limits<double>::infinity(),
@@ -90,7 +90,7 @@ void Subcycling<S>::lower_beside_squeezed(const std::vector<StepGroup>& groups, 
   std::vector<int> lowered = levels;
   for (std::size_t t = 0; t < levels.size(); ++t) {
     const double ratio = groups[t].stable_step / smallest * (1 + 1e-9);
-    if (ratio >= 0.75 * static_cast<double>(1 << own_[t])) continue;
+    if (ratio >= 0.75 * (1 << own_[t])) continue;
     const int stable = static_cast<int>(std::floor(std::log2(ratio)));
     for (const std::int32_t other : neighbours_[t]) {
       int& level = lowered[other];
@@ -137,10 +137,10 @@ void Subcycling<S>::sort_by_level(const Model<S>& model) {
   }
 
   const std::int32_t count = model.nodes.count;
-  std::vector<std::int8_t> kicked(static_cast<std::size_t>(count));  // level at which a node gets impulses
+  std::vector<std::int8_t> kicked(count);  // level at which a node gets impulses
   mixed_.assign(static_cast<std::size_t>(top_) + 1, {});
   for (std::int32_t n = 0; n < count; ++n) {
-    const auto node = static_cast<std::size_t>(n);
+    const std::size_t node = n;
     unsigned levels = 0;  // of its tiles, a bit each
     for (std::int32_t i = tile_of_node_offsets_[node]; i < tile_of_node_offsets_[node + 1]; ++i) {
       levels |= 1U << level_[tile_of_node_[i]];
@@ -166,9 +166,9 @@ void Subcycling<S>::sort_by_level(const Model<S>& model) {
 
 template <class S>
 ElementStep<S> Subcycling<S>::step(std::int32_t tile, bool begins_cycle, const ElementStep<S>& smallest) const {
-  const auto t = static_cast<std::size_t>(tile);
-  const auto before = static_cast<S>(1 << level_[t]);
-  const auto after = begins_cycle ? static_cast<S>(1 << next_level_[t]) : before;
+  const std::size_t t = tile;
+  const S before = 1 << level_[t];
+  const auto after = begins_cycle ? (1 << next_level_[t]) : before;
   return {before * smallest.length, S(0.5) * (before + after), smallest.time};
 }
 
@@ -176,8 +176,8 @@ ElementStep<S> Subcycling<S>::step(std::int32_t tile, bool begins_cycle, const E
 template <class S>
 template <class Body>
 void Subcycling<S>::for_each_mixed_node(const MixedNodes& mixed, NodeStore<S>& nodes, const Body& body) {
-  parallel_for("mixed nodes", RangePolicy<>{0, static_cast<std::int64_t>(mixed.node.size())}, [&](std::int64_t i) {
-    const auto node = static_cast<std::int64_t>(mixed.node[i]);
+  parallel_for("mixed nodes", RangePolicy<>{0, std::ssize(mixed.node)}, [&](std::int64_t i) {
+    const std::int64_t node = mixed.node[i];
     body(nodes.velocity.data() + 4 * node, 3 * static_cast<std::size_t>(i));
   });
 }
@@ -241,7 +241,7 @@ std::int64_t Subcycling<S>::count_elements(const std::vector<TileResult<S>>& til
     if (level_[t] > due(step)) left_out += elements_[t];
     if (tiles[t].eroded_count == 0) continue;
     elements_[t] -= tiles[t].eroded_count;
-    lower_around(static_cast<std::int32_t>(t));
+    lower_around(t);
   }
   return left_out;
 }
@@ -263,7 +263,7 @@ void Subcycling<S>::lower_around(std::int32_t tile) {
 
 template <class S>
 std::vector<std::int64_t> Subcycling<S>::elements_of_levels() const {
-  std::vector<std::int64_t> sums(static_cast<std::size_t>(levels()), 0);
+  std::vector<std::int64_t> sums(levels(), 0);
   for (std::size_t t = 0; t < level_.size(); ++t) sums[level_[t]] += elements_[t];
   return sums;
 }

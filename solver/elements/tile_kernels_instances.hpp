@@ -19,7 +19,7 @@ template <class T, ElementFeatures features>
 class PackAhead {
   using S = ScalarOf<T>;
   static constexpr int W = width_of<T>;
-  static constexpr int line = 64 / static_cast<int>(sizeof(S));  ///< scalars of a cache line
+  static constexpr int line = 64 / sizeof(S);  ///< scalars of a cache line
 
  public:
   /// there: whether the tile has such a pack. Small tiles have few, in small meshes, which lie in the caches anyway.
@@ -79,8 +79,8 @@ template <class T, ElementFeatures features, class Forces>
 PINBALL_FUNCTION void update_pack_of_tile(const TilePacks<ScalarOf<T>>& tile, std::int64_t pack, const Forces& forces,
                                           ElementSums<T>& sums) {
   const PackAhead<T, features> ahead(tile.elements, tile.nodes, pack + 3, pack + 3 < tile.last);
-  update_element_pack<T, features>(tile.elements, tile.nodes, tile.constants, tile.step, pack,
-                                   static_cast<int>(pack - tile.first), sums, forces, ahead);
+  update_element_pack<T, features>(tile.elements, tile.nodes, tile.constants, tile.step, pack, pack - tile.first, sums,
+                                   forces, ahead);
 }
 
 /// A block of packs that are narrower than it: their forces are kept until all are known.
@@ -117,12 +117,12 @@ PINBALL_FUNCTION void update_packs(const TilePacks<ScalarOf<T>>& tile, TileResul
       update_block_of_tile<T, features>(tile, pack, sums);
     }
   }
-  result.internal = static_cast<double>(lane_sum(sums.internal));
-  result.hourglass = static_cast<double>(lane_sum(sums.hourglass));
-  result.viscous = static_cast<double>(lane_sum(sums.viscous));
-  result.eroded = static_cast<double>(lane_sum(sums.eroded));
-  result.hourglass_plastic = static_cast<double>(lane_sum(sums.hourglass_plastic));
-  result.folding = static_cast<double>(lane_sum(sums.folding));
+  result.internal = lane_sum(sums.internal);
+  result.hourglass = lane_sum(sums.hourglass);
+  result.viscous = lane_sum(sums.viscous);
+  result.eroded = lane_sum(sums.eroded);
+  result.hourglass_plastic = lane_sum(sums.hourglass_plastic);
+  result.folding = lane_sum(sums.folding);
   result.eroded_count = sums.eroded_count;
   result.inverted_count = sums.inverted_count;
   result.inside_out_count = sums.inside_out_count;

@@ -62,7 +62,7 @@ Mesh copy_mesh(const ArrayMesh& arrays) {
       }
       const std::int64_t node = index - arrays.first_index;
       used[node] = true;
-      mesh.hexahedra[e][i] = static_cast<std::int32_t>(node);
+      mesh.hexahedra[e][i] = node;
     }
   }
   for (std::size_t n = 0; n < used.size(); ++n) {

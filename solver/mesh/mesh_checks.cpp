@@ -157,7 +157,7 @@ std::vector<std::int32_t> nodes_with_neighbours(const std::vector<Point>& nodes,
                                                 double tolerance) {
   std::vector<std::uint64_t> keys(nodes.size());
   std::vector<std::uint8_t> at_border(nodes.size());
-  parallel_for("keys_of_nodes", RangePolicy<>{0, static_cast<std::int64_t>(nodes.size())}, [&](std::int64_t n) {
+  parallel_for("keys_of_nodes", RangePolicy<>{0, std::ssize(nodes)}, [&](std::int64_t n) {
     const Cell cell(nodes[n], tolerance);
     keys[n] = cell.key(0);
     at_border[n] = cell.next != std::array<int, 3>{};
@@ -178,7 +178,7 @@ std::vector<std::int32_t> nodes_with_neighbours(const std::vector<Point>& nodes,
   }
   std::vector<std::int32_t> found;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (used[n] && repeated.has(keys[n])) found.push_back(static_cast<std::int32_t>(n));
+    if (used[n] && repeated.has(keys[n])) found.push_back(n);
   }
   return found;
 }
@@ -186,7 +186,7 @@ std::vector<std::int32_t> nodes_with_neighbours(const std::vector<Point>& nodes,
 /// Elements that have, or may have, the same nodes as another one; ascending.
 std::vector<std::int32_t> elements_with_equals(const std::vector<Hexahedron>& hexahedra) {
   std::vector<std::uint64_t> keys(hexahedra.size());
-  parallel_for("keys_of_elements", RangePolicy<>{0, static_cast<std::int64_t>(hexahedra.size())},
+  parallel_for("keys_of_elements", RangePolicy<>{0, std::ssize(hexahedra)},
                [&](std::int64_t e) { keys[e] = key_of_nodes(hexahedra[e]); });
   KeyFilter all(hexahedra.size()), repeated(hexahedra.size());
   for (const std::uint64_t key : keys) {
@@ -194,7 +194,7 @@ std::vector<std::int32_t> elements_with_equals(const std::vector<Hexahedron>& he
   }
   std::vector<std::int32_t> found;
   for (std::size_t e = 0; e < keys.size(); ++e) {
-    if (repeated.has(keys[e])) found.push_back(static_cast<std::int32_t>(e));
+    if (repeated.has(keys[e])) found.push_back(e);
   }
   return found;
 }
@@ -208,7 +208,7 @@ ShapeFindings check_shapes(const std::vector<Point>& nodes, const std::vector<He
   };
   Found found;
   parallel_reduce(
-      "check_shapes", RangePolicy<>{0, static_cast<std::int64_t>(hexahedra.size())}, found,
+      "check_shapes", RangePolicy<>{0, std::ssize(hexahedra)}, found,
       [&](std::int64_t begin, std::int64_t end, Found& part) {
         for (std::int64_t e = begin; e < end; ++e) {
           std::array<Point, 8> x;
@@ -216,9 +216,9 @@ ShapeFindings check_shapes(const std::vector<Point>& nodes, const std::vector<He
           const Shape shape = shape_of(x, hexahedra[e]);
           part.shortest = std::min(part.shortest, shape.square_of_shortest);
           if (!(shape.centre > 0)) {
-            part.at_centre.push_back(static_cast<std::int32_t>(e));
+            part.at_centre.push_back(e);
           } else if (shape.worst < 0) {
-            part.somewhere.push_back(static_cast<std::int32_t>(e));
+            part.somewhere.push_back(e);
           }
         }
       },

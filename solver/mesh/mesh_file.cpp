@@ -77,9 +77,9 @@ std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::stri
     return elements;
   }
   if (const MeshPart* found = find_named(file.parts, part)) {
-    const auto place = static_cast<std::int32_t>(found - file.parts.data());
+    const std::int32_t place = found - file.parts.data();
     for (std::size_t e = 0; e < file.part.size(); ++e) {
-      if (file.part[e] == place) elements.push_back(static_cast<std::int32_t>(e));
+      if (file.part[e] == place) elements.push_back(e);
     }
     return elements;
   }
@@ -170,7 +170,7 @@ void keep_used_nodes(MeshFile& file) {
 }
 
 std::int64_t number_of(const std::vector<std::int64_t>& ids, std::int32_t place) {
-  return ids.empty() ? place : ids[static_cast<std::size_t>(place)];
+  return ids.empty() ? place : ids[place];
 }
 
 std::string element_name(const MeshFile& file, std::int32_t e) {

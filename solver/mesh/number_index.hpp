@@ -18,11 +18,11 @@ class NumberIndex {
     first_ = *low;
     const std::uint64_t range = static_cast<std::uint64_t>(*high) - static_cast<std::uint64_t>(*low);
     if (range < 2 * numbers.size() + 1024) {
-      table_.assign(static_cast<std::size_t>(range) + 1, -1);
+      table_.assign(range + 1, -1);
       for (std::size_t i = 0; i < numbers.size(); ++i) {
         std::int32_t& place = table_[numbers[i] - first_];
-        if (place >= 0 && repeated_ < 0) repeated_ = static_cast<std::int32_t>(i);
-        if (place < 0) place = static_cast<std::int32_t>(i);
+        if (place >= 0 && repeated_ < 0) repeated_ = i;
+        if (place < 0) place = i;
       }
       return;
     }
@@ -38,7 +38,7 @@ class NumberIndex {
   /// Place of the first of that number; -1: none.
   std::int32_t find(std::int64_t number) const {
     if (!table_.empty()) {
-      const bool inside = number >= first_ && number - first_ < static_cast<std::int64_t>(table_.size());
+      const bool inside = number >= first_ && number - first_ < std::ssize(table_);
       return inside ? table_[number - first_] : -1;
     }
     const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{number, std::int32_t{-1}});

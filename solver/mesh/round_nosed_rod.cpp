@@ -274,9 +274,9 @@ void add_mirror_image(Mesh& mesh) {
   for (std::size_t node = 0; node < node_count; ++node) {
     const Point x = mesh.nodes[node];
     if (x[1] == 0.0) {
-      image[node] = static_cast<std::int32_t>(node);
+      image[node] = node;
     } else {
-      image[node] = static_cast<std::int32_t>(mesh.nodes.size());
+      image[node] = mesh.nodes.size();
       mesh.nodes.push_back({x[0], -x[1], x[2]});
     }
   }

@@ -88,7 +88,7 @@ SectionMesh disc_section(const std::array<int, 2>& counts, int ring, const std::
   for (int j = j0; j <= q; ++j)
     for (int i = i0; i <= p; ++i) {
       if (!disc.on_boundary(i, j)) continue;
-      column[core(i, j)] = static_cast<std::int32_t>(mesh.nodes.size());
+      column[core(i, j)] = mesh.nodes.size();
       for (int m = 1; m <= ring; ++m) mesh.nodes.push_back(disc.ring_point(i, j, m));
     }
   const auto node = [&](int i, int j, int m) { return m == 0 ? core(i, j) : column[core(i, j)] + m - 1; };
@@ -130,7 +130,7 @@ Mesh turn_section(const SectionMesh& section, double angle) {
 
 Mesh extrude_section(const SectionMesh& section, double length, int layers) {
   Mesh mesh;
-  const auto count = static_cast<std::int32_t>(section.nodes.size());
+  const std::int32_t count = section.nodes.size();
   for (int k = 0; k <= layers; ++k)
     for (const auto& [x, y] : section.nodes) mesh.nodes.push_back({x, y, length * (static_cast<double>(k) / layers)});
   for (int k = 0; k < layers; ++k)

@@ -86,7 +86,7 @@ class Sphere {
       for (int j = low_[1]; j <= c_; ++j)
         for (int i = low_[0]; i <= c_; ++i) {
           const Lattice p{i, j, k};
-          layer_node_[index(p)] = static_cast<std::int32_t>(nodes_.size());
+          layer_node_[index(p)] = nodes_.size();
           Point u, inner;
           bool surface = false;
           for (int axis = 0; axis < 3; ++axis) {

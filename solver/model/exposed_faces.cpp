@@ -33,7 +33,7 @@ std::vector<std::uint8_t> find_exposed_faces(const ModelMesh& mesh, const std::v
         continued = std::all_of(std::begin(face_nodes[f]), std::end(face_nodes[f]),
                                 [&](int corner) { return held[p][mesh.hexahedra[e][corner]]; });
       }
-      if (!continued) exposed[e] |= static_cast<std::uint8_t>(1U << f);
+      if (!continued) exposed[e] |= 1U << f;
     }
   }
   return exposed;

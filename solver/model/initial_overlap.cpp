@@ -21,7 +21,7 @@ std::int64_t points_inside(const ModelMesh& mesh, const BodyParts& of, const Bod
     const Point centre = element_centre(mesh, e);
     look(centre);
     // Nodes and centres of regular meshes may all lie on faces of the other body's elements.
-    for (const Point& corner : mesh.corners(static_cast<std::int64_t>(e))) {
+    for (const Point& corner : mesh.corners(e)) {
       const Point to = minus(corner, centre);
       look({centre[0] + 0.55 * to[0], centre[1] + 0.55 * to[1], centre[2] + 0.55 * to[2]});
     }
@@ -58,7 +58,7 @@ std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const Mode
     depths.for_each(a, b, box, deep_node, [&](std::size_t node, const BodyDepth& depth) {
       ++pair.nodes;
       if (!(depth.depth > pair.depth)) return;
-      pair.node = static_cast<std::int32_t>(node);
+      pair.node = node;
       pair.depth = depth.depth;
       pair.share = depth.depth / depth.size;
     });

@@ -7,7 +7,7 @@ namespace pinball {
 namespace {
 
 std::size_t node_at(const std::vector<std::int32_t>& node_of_scene_node, std::int32_t corner) {
-  return static_cast<std::size_t>(node_of_scene_node[static_cast<std::size_t>(corner)]);
+  return node_of_scene_node[corner];
 }
 
 }  // namespace
@@ -18,8 +18,8 @@ std::vector<MassShares> mass_shares(const Model<S>& model, const std::vector<std
   std::vector<double> of_all(model.node_mass.size(), 0.0), theirs(of_all);
   std::vector<std::vector<std::size_t>> members(groups);
   for (std::size_t e = 0; e < model.mesh.hexahedra.size(); ++e) {
-    const std::int32_t group = group_of_body[static_cast<std::size_t>(model.mesh.body[e])];
-    if (group >= 0) members[static_cast<std::size_t>(group)].push_back(e);
+    const std::int32_t group = group_of_body[model.mesh.body[e]];
+    if (group >= 0) members[group].push_back(e);
     for (const std::int32_t corner : model.mesh.hexahedra[e])
       of_all[node_at(model.node_of_scene_node, corner)] += model.element_mass[e];
   }
@@ -29,15 +29,15 @@ std::vector<MassShares> mass_shares(const Model<S>& model, const std::vector<std
     for (const std::size_t e : members[g]) {
       for (const std::int32_t corner : model.mesh.hexahedra[e]) {
         const std::size_t node = node_at(model.node_of_scene_node, corner);
-        if (!(theirs[node] > 0)) nodes.push_back(static_cast<std::int32_t>(node));
+        if (!(theirs[node] > 0)) nodes.push_back(node);
         theirs[node] += model.element_mass[e];
       }
     }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const std::int32_t n : nodes) {
-      double& mass = theirs[static_cast<std::size_t>(n)];
-      all[g].share.push_back(mass / of_all[static_cast<std::size_t>(n)]);
+      double& mass = theirs[n];
+      all[g].share.push_back(mass / of_all[n]);
       mass = 0;
     }
   }

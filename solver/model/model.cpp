@@ -112,8 +112,7 @@ std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh
   std::vector<Point> centres(count), extents(count);
   for (std::size_t e = 0; e < count; ++e) {
     const std::int32_t body = mesh.body[e];
-    members[{parts.of_body[body], levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0}].push_back(
-        static_cast<std::int32_t>(e));
+    members[{parts.of_body[body], levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0}].push_back(e);
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
   }
@@ -121,7 +120,7 @@ std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh
   for (auto& [kind, elements] : members) {
     // Threads share the tiles of one level: each level needs several.
     const std::size_t together = levels.empty() ? count : elements.size();
-    const std::int64_t size = tile_size(static_cast<std::int64_t>(together));
+    const std::int64_t size = tile_size(together);
     const auto [part, level, body] = kind;
     groups.push_back({part, level, body, compact_tiles(centres, extents, std::move(elements), size, pack)});
   }
@@ -183,13 +182,13 @@ Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vecto
       }
       model.tile_packs.push_back(pack + (last - first + W - 1) / W);
       model.element_of_slot.resize(model.tile_packs.back() * W, -1);
-      model.tile_part.push_back(static_cast<std::int32_t>(part));
+      model.tile_part.push_back(part);
       if (by_body) model.tile_body.push_back(body);
       if (!levels.own.empty()) model.tile_levels.push_back({level, own});
-      tile_elements.push_back(static_cast<std::int32_t>(ordered.size()));
+      tile_elements.push_back(ordered.size());
     }
   }
-  model.tile_colours = colour_tiles(tile_elements, ordered, static_cast<std::int32_t>(model.mesh.nodes.size()));
+  model.tile_colours = colour_tiles(tile_elements, ordered, model.mesh.nodes.size());
   return ordered;
 }
 
@@ -201,14 +200,14 @@ void set_failure_limits(Model<S>& model, const ElementParts& parts, const std::v
       std::ranges::any_of(materials, [](const Material& m) { return m.erosion && m.erosion->step_share > 0; });
   const double smallest = any ? smallest_stable_step(model.scene, model.mesh, parts, mass_factor) : 0;
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
-    const Material& material = materials[static_cast<std::size_t>(model.parts[p].material)];
+    const Material& material = materials[model.parts[p].material];
     model.constants[p].failure.limits = failure_limits<S>(material, smallest);
   }
 }
 
 template <class S>
 void fill_nodes(Model<S>& model) {
-  model.nodes = NodeStore<S>(static_cast<std::int32_t>(model.mesh.nodes.size()));
+  model.nodes = NodeStore<S>(model.mesh.nodes.size());
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
     S* position = model.nodes.position_of(model.node_of_scene_node[n]);
     for (std::size_t k = 0; k < 3; ++k) position[k] = static_cast<S>(model.mesh.nodes[n][k]);
@@ -282,7 +281,7 @@ void set_initial_velocity(Model<S>& model) {
     for (double& c : centroid[b]) c /= mass[b];
   }
   std::mt19937_64 random(20240101);  // the same noise in every run
-  const auto noise = [&random] { return 2.0 * (static_cast<double>(random() >> 11) * 0x1.0p-53) - 1.0; };
+  const auto noise = [&random] { return 2.0 * ((random() >> 11) * 0x1.0p-53) - 1.0; };
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
     const std::int32_t b = model.mesh.body_of_node[n];
     const Body& body = model.scene.bodies[b];
@@ -377,7 +376,7 @@ Model<S> build_model(const Scene& given) {
   const std::vector<double> onset = folding_onsets(model.mesh);
   features.folding_onset = !onset.empty();
   const Hexahedra ordered = add_tiles(model, parts, mass_factor);
-  const auto node_count = static_cast<std::int32_t>(model.mesh.nodes.size());
+  const std::int32_t node_count = model.mesh.nodes.size();
   model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));
   fill_nodes(model);
   fill_elements(model, features, mass_factor, onset);

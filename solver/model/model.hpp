@@ -47,7 +47,7 @@ struct ModelMesh {
   std::vector<std::string> warnings{};            ///< what is wrong with meshes of files
   std::vector<float> edge;  ///< per node the shortest edge of its elements; empty: nothing asks for it [length]
 
-  std::int64_t element_count() const { return static_cast<std::int64_t>(hexahedra.size()); }
+  std::int64_t element_count() const { return hexahedra.size(); }
   const std::string& body_of_element(std::int64_t element) const { return body_names[body[element]]; }
   /// Place of corner 0 to 7 of an element [length].
   const Point& corner(std::int64_t element, int i) const { return nodes[hexahedra[element][i]]; }
@@ -134,7 +134,7 @@ struct Model {
   double material_mass_of_node(std::size_t node) const {
     return added_node_mass.empty() ? node_mass[node] : node_mass[node] - added_node_mass[node];
   }
-  std::int32_t tile_count() const { return static_cast<std::int32_t>(tile_part.size()); }
+  std::int32_t tile_count() const { return tile_part.size(); }
   /// Slots of a tile, its padding among them.
   SlotRange slots_of(std::int64_t tile) const {
     constexpr int W = ElementStore<S>::width;
@@ -143,7 +143,7 @@ struct Model {
   /// Number of the part that the element of a slot is of.
   std::size_t part_of_slot(std::int64_t slot) const {
     const auto tile = std::upper_bound(tile_packs.begin(), tile_packs.end(), slot / ElementStore<S>::width);
-    return static_cast<std::size_t>(tile_part[static_cast<std::size_t>(tile - tile_packs.begin() - 1)]);
+    return tile_part[tile - tile_packs.begin() - 1];
   }
   bool is_padding(std::int64_t slot) const { return element_of_slot[slot] < 0; }
   /// Whether a number that was read is the slot of an element, or negative: none.

@@ -75,7 +75,7 @@ std::vector<GivenDirection> given_directions(const Model<S>& model, double time)
     const PrescribedVelocity& given = scene.prescribed_velocities[t];
     for (const std::int32_t n : select_nodes(model.mesh, given.nodes)) {
       if (!given.when.contains(time)) break;
-      const auto table = static_cast<std::int32_t>(t);
+      const std::int32_t table = t;
       if (given.direction) {
         move(n, *given.direction, dot(given.velocity, *given.direction), table);
         continue;

@@ -112,8 +112,8 @@ class Assembly {
       }
       for (std::size_t e = 0; e < file.part.size(); ++e) {
         if (file.part[e] < 0) continue;
-        const std::string& name = names[static_cast<std::size_t>(file.part[e])];
-        if (!name.empty() && uses[name] == 1) of_part[name].push_back(static_cast<std::int32_t>(e));
+        const std::string& name = names[file.part[e]];
+        if (!name.empty() && uses[name] == 1) of_part[name].push_back(e);
       }
     }
     std::vector<std::int32_t> elements_of(const std::string& part) const {
@@ -165,14 +165,14 @@ class Assembly {
       throw InputError(
           fmt::format("{}body {}: more than 500 million nodes", message_head(scene_), scene_.bodies[b].name));
     }
-    all_.body_of_node.insert(all_.body_of_node.end(), count, static_cast<std::int32_t>(b));
-    return static_cast<std::int32_t>(all_.nodes.size());
+    all_.body_of_node.insert(all_.body_of_node.end(), count, b);
+    return all_.nodes.size();
   }
 
   template <class Name>
   void add_element(const std::array<std::int32_t, 8>& hexahedron, std::size_t b, const Name& name) {
     all_.hexahedra.push_back(hexahedron);
-    all_.body.push_back(static_cast<std::int32_t>(b));
+    all_.body.push_back(b);
     require_none(rounding_problem(all_.corners(all_.element_count() - 1), scene_.precision), b, name);
   }
 
@@ -184,7 +184,7 @@ class Assembly {
       if (other < b) return files_[file_of_body_[b] = file_of_body_[other]];
       parts.push_back(std::get_if<FileMesh>(&scene_.bodies[other].mesh)->part);
     }
-    file_of_body_[b] = static_cast<std::int32_t>(files_.size());
+    file_of_body_[b] = files_.size();
     Placed placed{read_mesh_file(*settings, parts), {}, {}, {}};
     place_of_body(placed.file.mesh, b);
     placed.node.assign(placed.file.mesh.nodes.size(), -1);
@@ -217,7 +217,7 @@ class Assembly {
       for (std::int32_t& node : hexahedron) node = placed.node[node];
       require_none(volume_problem(all_.corners_of(hexahedron), scene_.precision), b,
                    [&] { return element_name(file, e); });
-      placed.element[e] = static_cast<std::int32_t>(all_.element_count());
+      placed.element[e] = all_.element_count();
       add_element(hexahedron, b, [&] { return element_name(file, e); });
     }
   }

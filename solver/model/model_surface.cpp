@@ -27,13 +27,13 @@ ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(mod
 
 template <class S>
 ContactElement ModelSurface<S>::element(std::int64_t slot) const {
-  const auto e = static_cast<std::size_t>(model_.element_of_slot[static_cast<std::size_t>(slot)]);
+  const std::size_t e = model_.element_of_slot[slot];
   const Material& material = model_.scene.materials[model_.parts[model_.part_of_slot(slot)].material];
   ContactElement element{};
   for (int i = 0; i < 8; ++i) {
-    const auto corner = static_cast<std::size_t>(i);
+    const std::size_t corner = i;
     element.corners[corner] = model_.elements.corner[ElementStore<S>::at(slot, i, 8)];
-    element.reference[corner] = model_.mesh.nodes[static_cast<std::size_t>(model_.mesh.hexahedra[e][corner])];
+    element.reference[corner] = model_.mesh.nodes[model_.mesh.hexahedra[e][corner]];
   }
   element.body = model_.mesh.body[e];
   element.mass = model_.element_mass[e];
@@ -48,15 +48,13 @@ bool ModelSurface<S>::may_soon_erode(std::int64_t slot) const {
   const std::size_t part = model_.part_of_slot(slot);
   if (!model_.parts[part].features.erosion) return false;
   const S limit = std::min(S(1), model_.constants[part].failure.plastic_strain);
-  return model_.elements.plastic_strain[static_cast<std::size_t>(slot)] > S(0.7) * limit;
+  return model_.elements.plastic_strain[slot] > S(0.7) * limit;
 }
 
 template <class S>
 HeldDirections held_directions(const Model<S>& model) {
   std::vector<HeldDirection> held;
-  const auto hold = [&held](std::int32_t node, const S* n) {
-    held.push_back({node, {static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])}});
-  };
+  const auto hold = [&held](std::int32_t node, const S* n) { held.push_back({node, {n[0], n[1], n[2]}}); };
   for (const NodeConstraint<S>& c : model.constraints) hold(c.node, c.normal);
   for (const NodePrescription<S>& p : model.prescribed) hold(p.node, p.normal);
   return {model.nodes.count, held};
@@ -68,13 +66,12 @@ SurfaceTopology surface_topology(const Model<S>& model) {
   const std::vector<std::array<std::int32_t, 6>> neighbours = face_neighbours(model.mesh.hexahedra);
   const std::vector<std::uint8_t> exposed = find_exposed_faces(model.mesh, model.scene.constraints, neighbours);
   for (std::size_t e = 0; e < neighbours.size(); ++e) {
-    const auto slot = static_cast<std::size_t>(model.slot_of_element[e]);
+    const std::size_t slot = model.slot_of_element[e];
     topology.alive[slot] = 1;
     topology.exposed[slot] = exposed[e];
     for (std::size_t f = 0; f < 6; ++f) {
       if (neighbours[e][f] < 0) continue;
-      topology.neighbour[slot][f] =
-          static_cast<std::int32_t>(model.slot_of_element[static_cast<std::size_t>(neighbours[e][f])]);
+      topology.neighbour[slot][f] = model.slot_of_element[neighbours[e][f]];
     }
   }
   return topology;

@@ -27,7 +27,7 @@ std::vector<std::int32_t> first_touch_node_order(const std::vector<std::array<st
 
 std::vector<std::int32_t> inverse_permutation(const std::vector<std::int32_t>& order) {
   std::vector<std::int32_t> inverse(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) inverse[order[i]] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < order.size(); ++i) inverse[order[i]] = i;
   return inverse;
 }
 

@@ -130,7 +130,7 @@ ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh, con
   std::vector<std::uint8_t> of_node(mesh.nodes.size(), highest_step_level);
   for_each_node_acted_on(scene, mesh, [&](std::int32_t n) { of_node[n] = 0; });
   for (std::size_t e = 0; e < count; ++e) {
-    levels.own.push_back(static_cast<std::uint8_t>(level_for({stable_steps[e], 1, highest_step_level}, step)));
+    levels.own.push_back(level_for({stable_steps[e], 1, highest_step_level}, step));
     for (const std::int32_t n : mesh.hexahedra[e]) {
       std::uint8_t& node = of_node[n];
       node = std::min(node, levels.own.back());

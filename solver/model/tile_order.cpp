@@ -26,7 +26,7 @@ class Halving {
     const Layers layers = count_layers(begin, end);
     if (end - begin <= largest_) {
       sort_rows(begin, end, layers);
-      tiles_.offsets.push_back(static_cast<std::int32_t>(end));
+      tiles_.offsets.push_back(end);
       return;
     }
     const std::size_t axis = std::max_element(layers.begin(), layers.end()) - layers.begin();
@@ -51,12 +51,12 @@ class Halving {
         const double c = centres_[*e][k];
         low[k] = std::min(low[k], c);
         high[k] = std::max(high[k], c);
-        thickness[k] += extents_[*e][k] / static_cast<double>(end - begin);
+        thickness[k] += extents_[*e][k] / (end - begin);
       }
     }
     // Not more layers than elements, however far small bodies are apart.
     for (std::size_t k = 0; k < 3; ++k) {
-      thickness[k] = std::max(thickness[k], (high[k] - low[k]) / static_cast<double>(end - begin));
+      thickness[k] = std::max(thickness[k], (high[k] - low[k]) / (end - begin));
     }
     Layers count{1, 1, 1};
     for (auto e = at(begin); e != at(end); ++e) {
@@ -117,7 +117,7 @@ class Halving {
 TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Point>& extents,
                         std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple) {
   TileOrder tiles{std::move(elements), {0}};
-  const auto n = static_cast<std::int64_t>(tiles.order.size());
+  const std::int64_t n = tiles.order.size();
   if (n > 0) Halving(centres, extents, largest, multiple, tiles).cut(0, n);
   return tiles;
 }

@@ -109,13 +109,13 @@ class MeshSurface {
   Point middle(std::size_t e, std::size_t face) const {
     Point mean{};
     for (const int corner : face_nodes[face]) {
-      for (std::size_t k = 0; k < 3; ++k) mean[k] += mesh_.corner(static_cast<std::int64_t>(e), corner)[k] / 4;
+      for (std::size_t k = 0; k < 3; ++k) mean[k] += mesh_.corner(e, corner)[k] / 4;
     }
     return mean;
   }
   /// Outward, of unit length; zero for a collapsed face.
   Point normal(std::size_t e, std::size_t face) const {
-    const auto corner = [&](int i) { return mesh_.corner(static_cast<std::int64_t>(e), face_nodes[face][i]); };
+    const auto corner = [&](int i) { return mesh_.corner(e, face_nodes[face][i]); };
     Point area = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
     const double size = norm(area);
     for (double& a : area) a /= size > 0 ? size : 1;

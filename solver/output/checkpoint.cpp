@@ -54,7 +54,7 @@ StateBytes read_content(const std::string& path) {
     throw InputError(fmt::format("{}: damaged: expected {} bytes, got {}", path, header.bytes, size - sizeof header));
   }
   StateBytes content(header.bytes);
-  file.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(content.size()));
+  file.read(reinterpret_cast<char*>(content.data()), content.size());
   StateHash hash;
   hash.add(content.data(), content.size());
   if (!file || hash.value() != header.hash) throw InputError(path + ": damaged: its checksum is wrong");

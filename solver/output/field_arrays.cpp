@@ -64,7 +64,7 @@ double triaxiality(const std::array<double, 6>& s) {
 /// parallelepiped, 0 where the element has no volume [-].
 double corner_share(const FieldSnapshot& s, std::size_t element) {
   std::array<Point, 8> corners;
-  for (std::size_t i = 0; i < 8; ++i) corners[i] = s.position[static_cast<std::size_t>(s.hexahedra[element][i])];
+  for (std::size_t i = 0; i < 8; ++i) corners[i] = s.position[s.hexahedra[element][i]];
   const double volume = hexahedron_volume(corners);
   return volume == 0 ? 0.0 : std::copysign(1.0, volume) * least_corner_share(corners);
 }

@@ -96,8 +96,7 @@ FieldWriter::FieldWriter(std::string folder, std::string base_name, std::vector<
   for (const auto& entry : std::filesystem::directory_iterator(folder_.empty() ? "." : folder_, error)) {
     const std::string stem = entry.path().stem().string();
     if (entry.path().extension() == ".vtu" && stem.size() > prefix.size() && stem.starts_with(prefix) &&
-        std::all_of(stem.begin() + static_cast<std::ptrdiff_t>(prefix.size()), stem.end(),
-                    [](char c) { return c >= '0' && c <= '9'; })) {
+        std::all_of(stem.begin() + prefix.size(), stem.end(), [](char c) { return c >= '0' && c <= '9'; })) {
       stale.push_back(entry.path());
     }
   }

@@ -34,7 +34,7 @@ std::string FirstMoments::expected(const Simulation& simulation) {
   const RunSummary summary = simulation.summary();
   const double at_once =
       static_cast<double>(summary.elements) * static_cast<double>(std::max<std::int64_t>(1, summary.steps));
-  const ExpectedRun run = forecast_.expected(static_cast<double>(summary.element_steps_resting) / at_once);
+  const ExpectedRun run = forecast_.expected(summary.element_steps_resting / at_once);
   if (run.seconds < worth_saying) return "";
   return fmt::format("expected: {:.2g} steps, {}", run.steps, readable_duration(run.seconds));
 }

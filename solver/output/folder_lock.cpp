@@ -24,7 +24,7 @@ namespace {
 std::string holder(int descriptor) {
   std::array<char, 256> text{};
   const ssize_t length = ::pread(descriptor, text.data(), text.size(), 0);
-  const std::string line(text.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+  const std::string line(text.data(), length > 0 ? length : 0);
   return line.empty() ? "another run" : line.substr(0, line.find('\n'));
 }
 

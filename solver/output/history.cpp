@@ -141,8 +141,8 @@ void HistoryWriter::cut(const std::string& head, const HistoryPart& kept) {
   std::string piece(std::max<std::size_t>(head.size(), 1U << 16), '\0');
   bool begins = true;
   for (std::uint64_t left = kept.bytes; left > 0 && file;) {
-    file.read(piece.data(), static_cast<std::streamsize>(std::min<std::uint64_t>(left, piece.size())));
-    const auto count = static_cast<std::size_t>(file.gcount());
+    file.read(piece.data(), std::min<std::uint64_t>(left, piece.size()));
+    const std::size_t count = file.gcount();
     if (left == kept.bytes) begins = std::string_view(piece).substr(0, count).starts_with(head);
     hash_.add(piece.data(), count);
     left -= count;

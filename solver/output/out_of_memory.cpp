@@ -14,12 +14,12 @@ std::size_t mebibytes(double bytes) { return static_cast<std::size_t>(bytes / 10
 /// Most that the process has had at a time [bytes].
 double most_held() {
   struct rusage usage {};
-  return ::getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * static_cast<double>(usage.ru_maxrss) : 0.0;
+  return ::getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * usage.ru_maxrss : 0.0;
 }
 
 double elements_of(const MeshSettings& mesh) {
   if (std::holds_alternative<FileMesh>(mesh)) return 0;
-  return static_cast<double>(generate(mesh).hexahedra.size());
+  return generate(mesh).hexahedra.size();
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace pinball {
 
 std::string readable_duration(double seconds) {
   if (!std::isfinite(seconds) || seconds > 1e9) return "?";
-  const auto total = static_cast<std::int64_t>(std::llround(std::max(seconds, 0.0)));
+  const std::int64_t total = std::llround(std::max(seconds, 0.0));
   if (total < 60) return fmt::format("{} s", total);
   if (total < 3600) return fmt::format("{} min {:02} s", total / 60, total % 60);
   return fmt::format("{} h {:02} min", total / 3600, total / 60 % 60);
@@ -91,9 +91,9 @@ std::string Progress::time_left(double done, double elapsed) const {
 
 /// As element_steps_per_second in summary.json, of the steps since the beginning.
 std::string Progress::speed(const ProgressState& state, double elapsed) const {
-  const auto steps = static_cast<double>(state.step - steps_before_);
+  const double steps = state.step - steps_before_;
   if (!settings_.alone || steps <= 0 || elapsed <= 0) return "";
-  return fmt::format("  {:.3g} M element steps/s", static_cast<double>(state.elements) * steps / elapsed * 1e-6);
+  return fmt::format("  {:.3g} M element steps/s", state.elements * steps / elapsed * 1e-6);
 }
 
 /// What matters most comes first: a narrow terminal cuts off the rest.

@@ -80,7 +80,7 @@ class RunningVariant {
   /// Mean part of the run that a step has been.
   double done_per_step() const {
     const std::int64_t steps = solver_->state().step;
-    return steps > 0 ? done() / static_cast<double>(steps) : 0.0;
+    return steps > 0 ? done() / steps : 0.0;
   }
 
   /// Its turn: steps until this part of the run is done.

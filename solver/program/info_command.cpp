@@ -50,7 +50,7 @@ void print_bodies(const Model<S>& model, const Units& units) {
   Mesh all_nodes;
   for (std::size_t b = 0; b < model.scene.bodies.size(); ++b) {
     const Body& body = model.scene.bodies[b];
-    const auto number = static_cast<std::int32_t>(b);
+    const std::int32_t number = b;
     double mass = 0, added = 0;
     for (std::size_t e = 0; e < model.mesh.body.size(); ++e) {
       if (model.mesh.body[e] != number) continue;
@@ -169,7 +169,7 @@ void print_steps(const Subcycling<S>& subcycling) {
   std::string text;
   double all = 0, computed = 0;
   for (std::size_t level = 0; level < elements.size(); ++level) {
-    all += static_cast<double>(elements[level]);
+    all += elements[level];
     computed += std::ldexp(static_cast<double>(elements[level]), -static_cast<int>(level));
     if (elements[level] == 0) continue;
     text += fmt::format("{}{} elements make {}", text.empty() ? "" : ", ", elements[level],
@@ -185,7 +185,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   fmt::print("what will run\n");
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     const ElementFeatures& f = model.parts[p].features;
-    const Material& material = scene.materials[static_cast<std::size_t>(model.parts[p].material)];
+    const Material& material = scene.materials[model.parts[p].material];
     const ElementSettings& settings = model.parts[p].settings;
     fmt::print("  elements of {}{}: {}", material.name, own_settings_text(scene, settings, material.name),
                material.plastic ? "plasticity" : "elasticity");

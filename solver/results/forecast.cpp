@@ -45,8 +45,8 @@ double shrinking(const Scene& scene, double speed) {
 double StepPhases::settled(double waking) const {
   const double all = elements + searches + impulses + others;
   if (!(all > 0)) return waking;
-  const double list = lists > 0 ? searches / static_cast<double>(lists) : of_list;
-  const double later = list > 0 ? list * static_cast<double>(steps) / steps_of_lists : searches;
+  const double list = lists > 0 ? searches / lists : of_list;
+  const double later = list > 0 ? list * steps / steps_of_lists : searches;
   const double iterations_part = std::min(1.0, (usual_iterations + fixed_iterations) / (iterations + fixed_iterations));
   return (elements * waking + later + impulses * iterations_part + others) / all;
 }
@@ -61,8 +61,8 @@ void Forecast::take(const RunPlace& place) { places_.push_back(place); }
 
 double Forecast::seconds_per_step() const {
   const RunPlace &first = places_.front(), &now = places_.back();
-  if (now.steps == first.steps) return now.seconds / static_cast<double>(std::max<std::int64_t>(now.steps, 1));
-  return (now.seconds - first.seconds) / static_cast<double>(now.steps - first.steps);
+  if (now.steps == first.steps) return now.seconds / std::max<std::int64_t>(now.steps, 1);
+  return (now.seconds - first.seconds) / (now.steps - first.steps);
 }
 
 double Forecast::length_of_steps(double trust) const {
@@ -72,7 +72,7 @@ double Forecast::length_of_steps(double trust) const {
       places_, [&](const RunPlace& place) { return place.seconds >= (first.seconds + now.seconds) / 2; });
   const RunPlace& from = half == places_.end() - 1 && places_.size() > 1 ? places_[places_.size() - 2] : *half;
   const bool known = now.steps > from.steps && now.time > from.time;
-  const double last = known ? (now.time - from.time) / static_cast<double>(now.steps - from.steps) : now.dt;
+  const double last = known ? (now.time - from.time) / (now.steps - from.steps) : now.dt;
   // The first ones may be short for an impact, and what contact bounds is not what elements are stable with.
   const double longest = std::ranges::max(places_, {}, &RunPlace::dt).dt;
   return std::pow(last, trust) * std::pow(longest / shrinking_, 1 - trust);
@@ -91,7 +91,7 @@ ExpectedRun Forecast::expected(double at_rest, const StepPhases& phases) const {
   double cost = seconds_per_step() * phases.settled(yielding * (1 - will_rest) / (1 - at_rest));
   const bool touched = std::ranges::any_of(places_, [](const RunPlace& place) { return place.touching; });
   if (!touched) cost *= 1 + contact_ * (1 - trust);
-  return {static_cast<double>(now.steps) + left, now.seconds + left * cost, std::min(end_, now.time + left * step)};
+  return {now.steps + left, now.seconds + left * cost, std::min(end_, now.time + left * step)};
 }
 
 }  // namespace pinball

@@ -56,8 +56,7 @@ Probes<S>::Probes(const Model<S>& model) {
   const ModelMesh& mesh = model.mesh;
   for (const Probe& probe : model.scene.probes) {
     const bool node = probe.kind == ProbeKind::node;
-    const std::size_t i =
-        probe.number ? static_cast<std::size_t>(place_of_number(mesh, probe)) : nearest_place(mesh, probe);
+    const std::size_t i = probe.number ? place_of_number(mesh, probe) : nearest_place(mesh, probe);
     const std::string& first = mesh.body_names[node ? mesh.body_of_node[i] : mesh.body[i]];
     watched_.push_back({probe, i, probe.body.empty() ? first : probe.body, place_of(mesh, probe, i)});
   }
@@ -83,9 +82,9 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_
   std::int32_t node = 0;
   if (w.probe.kind == ProbeKind::element) {
     const std::int64_t slot = model.slot_of_element[w.number];
-    for (int c = 0; c < 6; ++c) stress[c] = static_cast<double>(model.elements.stress_of(slot, c));
+    for (int c = 0; c < 6; ++c) stress[c] = model.elements.stress_of(slot, c);
     const auto& strains = model.elements.plastic_strain;
-    if (!strains.empty()) plastic_strain = static_cast<double>(strains[slot]);
+    if (!strains.empty()) plastic_strain = strains[slot];
   } else {
     node = model.node_of_scene_node[w.number];
   }
@@ -99,8 +98,8 @@ void Probes<S>::add_values(const Model<S>& model, const Watched& w, double time_
     } else {
       const S *x = model.nodes.position_of(node), *v = model.nodes.velocity_of(node);
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto velocity = static_cast<double>(v[k]);
-        const double position = static_cast<double>(x[k]) - time_ahead * velocity;
+        const double velocity = v[k];
+        const double position = x[k] - time_ahead * velocity;
         values.push_back(quantity == "velocity" ? velocity : quantity == "position" ? position : position - w.start[k]);
       }
     }

@@ -13,7 +13,7 @@ std::vector<std::int64_t> numbers_of(const ModelMesh& mesh, Numbers FileNodes::*
   std::vector<std::int64_t> result;
   for (const FileNodes& file : mesh.files) {
     if (!(file.*numbers).empty()) result.resize(count, -1);
-    for (const auto& [number, place] : file.*numbers) result[static_cast<std::size_t>(place)] = number;
+    for (const auto& [number, place] : file.*numbers) result[place] = number;
   }
   return result;
 }

@@ -14,13 +14,13 @@ namespace {
 /// The first three of each record of four.
 template <class S>
 ConstArrayView vectors(const Array<S>& array) {
-  ConstArrayView view = view_records(array.data(), static_cast<std::int64_t>(array.size() / 4), 4);
+  ConstArrayView view = view_records(array.data(), array.size() / 4, 4);
   view.components = 3;
   return view;
 }
 template <class S>
 ArrayView vectors_to_change(Array<S>& array) {
-  ArrayView view = view_records(array.data(), static_cast<std::int64_t>(array.size() / 4), 4);
+  ArrayView view = view_records(array.data(), array.size() / 4, 4);
   view.components = 3;
   return view;
 }
@@ -44,7 +44,7 @@ void put(const ArrayView& to, std::int64_t record, std::int64_t component, doubl
 }
 
 void copy_initial_positions(std::span<const Point> nodes, const ArrayView& to) {
-  check_target(to, static_cast<std::int64_t>(nodes.size()), 3);
+  check_target(to, nodes.size(), 3);
   for (std::int64_t n = 0; n < to.count; ++n) {
     for (std::int64_t k = 0; k < 3; ++k) put(to, n, k, nodes[n][k]);
   }
@@ -54,7 +54,7 @@ void copy_initial_positions(std::span<const Point> nodes, const ArrayView& to) {
 IndexRange range_of(const ModelMesh& mesh, const std::vector<std::int32_t>& owner, const std::string& body) {
   const auto name = std::find(mesh.body_names.begin(), mesh.body_names.end(), body);
   if (name == mesh.body_names.end()) throw InputError(fmt::format("body: there is no body named \"{}\"", body));
-  const auto number = static_cast<std::int32_t>(name - mesh.body_names.begin());
+  const std::int32_t number = name - mesh.body_names.begin();
   const auto [first, last] = std::equal_range(owner.begin(), owner.end(), number);
   return {first - owner.begin(), last - first};
 }
@@ -99,7 +99,7 @@ ArrayView Simulation::external_forces() {
 ConstArrayView Simulation::plastic_strains() const {
   return implementation_->read([](const auto& s) -> ConstArrayView {
     const auto& strains = s.model().elements.plastic_strain;
-    return view_records(strains.data(), static_cast<std::int64_t>(strains.size()), 1);
+    return view_records(strains.data(), strains.size(), 1);
   });
 }
 std::span<const std::int64_t> Simulation::place_of_element() const {
@@ -130,11 +130,10 @@ void Simulation::copy(ElementField field, const ArrayView& to) const {
       const std::int64_t slot = model.slot_of_element[e];
       switch (field) {
         case ElementField::stress:
-          for (int c = 0; c < 6; ++c) put(to, e, c, static_cast<double>(model.elements.stress_of(slot, c)));
+          for (int c = 0; c < 6; ++c) put(to, e, c, model.elements.stress_of(slot, c));
           break;
         case ElementField::plastic_strain:
-          put(to, e, 0,
-              model.elements.plastic_strain.empty() ? 0.0 : static_cast<double>(model.elements.plastic_strain[slot]));
+          put(to, e, 0, model.elements.plastic_strain.empty() ? 0.0 : model.elements.plastic_strain[slot]);
           break;
         case ElementField::mass:
           put(to, e, 0, model.elements.alive(slot) ? model.element_mass[e] : 0.0);

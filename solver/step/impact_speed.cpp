@@ -50,9 +50,8 @@ double longest_contact_step(const Model<S>& model) {
   std::vector<Velocities> of_body(mesh.body_names.size(),
                                   {{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}});
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const S* v = &model.nodes.velocity[4 * static_cast<std::size_t>(model.node_of_scene_node[n])];
-    of_body[mesh.body_of_node[n]].take(
-        {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
+    const S* v = record(model.nodes.velocity.data(), model.node_of_scene_node[n]);
+    of_body[mesh.body_of_node[n]].take({v[0], v[1], v[2]});
   }
   const double speed = largest_relative_speed(of_body);
   double volume = infinite;

@@ -27,7 +27,7 @@ FoldedElement most_folded(const Model<S>& model, double dt, bool of_bodies_that_
   FoldedElement most;
   for (const std::int64_t slot : model.slot_of_element) {  // the first in the order of the scene
     if (!model.elements.alive(slot)) continue;
-    const Body& body = model.scene.bodies[static_cast<std::size_t>(model.mesh.body[model.element_of_slot[slot]])];
+    const Body& body = model.scene.bodies[model.mesh.body[model.element_of_slot[slot]]];
     if (of_bodies_that_stop && policy_of(model.scene, body) != InsideOut::stop) continue;
     const double share = least_corner_share(corners_at_forces(model, slot, dt));
     if (most.slot >= 0 && !(share < most.share)) continue;

@@ -33,7 +33,7 @@ MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLen
           if (!due.contain(span)) continue;
           const std::int64_t first = span * nodes_per_span;
           const std::int64_t last = std::min<std::int64_t>(model.nodes.count, first + nodes_per_span);
-          partial.join(integrate(first, last, position_step * static_cast<S>(due.steps(span))));
+          partial.join(integrate(first, last, position_step * due.steps(span)));
         }
       },
       [](MotionEnergy& whole, const MotionEnergy& partial) { whole.join(partial); });
@@ -45,7 +45,7 @@ double kinetic_energy(const Model<S>& model) {
   double twice = 0;
   for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto v = static_cast<double>(model.nodes.velocity[4 * n + k]);
+      const double v = model.nodes.velocity[4 * n + k];
       twice += model.node_mass[n] * v * v;
     }
   }

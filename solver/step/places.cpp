@@ -17,13 +17,13 @@ namespace {
 /// alike.
 template <class S>
 double kept_hourglass_energy(const ElementStore<S>& elements, std::int64_t slot) {
-  const int components = static_cast<int>(elements.hourglass_state.size() / static_cast<std::size_t>(elements.slots));
+  const int components = elements.hourglass_state.size() / elements.slots;
   double square = 0;
   for (int c = 0; c < components; ++c) {
-    const auto p = static_cast<double>(elements.hourglass_state[ElementStore<S>::at(slot, c, components)]);
+    const double p = elements.hourglass_state[ElementStore<S>::at(slot, c, components)];
     square += p * p;
   }
-  return square * static_cast<double>(elements.mass[slot]);
+  return square * elements.mass[slot];
 }
 
 /// Mass times square of the velocities of the hourglass modes.
@@ -37,7 +37,7 @@ double moving_hourglass_energy(const Model<S>& model, std::int64_t slot) {
   for (int k = 0; k < 3; ++k) {
     double mode[4] = {};
     for (int i = 0; i < 8; ++i) {
-      const auto v = static_cast<double>(model.nodes.velocity_of(corners[i])[k]);
+      const double v = model.nodes.velocity_of(corners[i])[k];
       mode[0] += eta[i] * zeta[i] * v;
       mode[1] += zeta[i] * xi[i] * v;
       mode[2] += xi[i] * eta[i] * v;
@@ -45,7 +45,7 @@ double moving_hourglass_energy(const Model<S>& model, std::int64_t slot) {
     }
     for (const double m : mode) square += m * m;
   }
-  return static_cast<double>(model.elements.mass[slot]) * square;
+  return model.elements.mass[slot] * square;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ std::string node_name(const Model<S>& model, std::int64_t node) {
 
 template <class S>
 std::int64_t most_pushed_node(const Model<S>& model, const ContactAlgorithm<S>& contact) {
-  std::vector<Point> force(static_cast<std::size_t>(model.nodes.count), Point{});
+  std::vector<Point> force(model.nodes.count, Point{});
   contact.add_node_forces(force);
   std::int64_t most = -1;
   double largest = 0;

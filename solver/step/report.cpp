@@ -19,7 +19,7 @@ Point momentum(const Model<S>& model) {
   Point sum{};
   for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
     for (std::size_t k = 0; k < 3; ++k) {
-      sum[k] += model.node_mass[n] * static_cast<double>(model.nodes.velocity[4 * n + k]);
+      sum[k] += model.node_mass[n] * model.nodes.velocity[4 * n + k];
     }
   }
   return sum;
@@ -50,7 +50,7 @@ std::vector<BodyResult> body_results(const Model<S>& model) {
     r.mass_remaining += model.element_mass[e];
     for (const std::int32_t node : model.elements.corners(slot)) {
       const S* const v = model.nodes.velocity_of(node);
-      for (int k = 0; k < 3; ++k) r.velocity[k] += model.element_mass[e] / 8 * static_cast<double>(v[k]);
+      for (int k = 0; k < 3; ++k) r.velocity[k] += model.element_mass[e] / 8 * v[k];
     }
     if (!model.elements.plastic_strain.empty()) {
       r.max_plastic_strain = std::max(r.max_plastic_strain, static_cast<double>(model.elements.plastic_strain[slot]));
@@ -91,13 +91,13 @@ void take_material_numbers(const Model<S>& model, FieldSnapshot& s) {
     if (std::none_of(model.constants.begin(), model.constants.end(), has)) return;
     field.resize(s.hexahedra.size());
     for (std::size_t t = 0; t + 1 < model.tile_packs.size(); ++t) {
-      const auto part = static_cast<std::size_t>(model.tile_part[t]);
+      const std::size_t part = model.tile_part[t];
       const int place = model.constants[part].places.*kept;
-      const double rest = at_rest(model.scene.materials[static_cast<std::size_t>(model.parts[part].material)]);
+      const double rest = at_rest(model.scene.materials[model.parts[part].material]);
       for (const std::int64_t slot : model.slots_of(t)) {
         const std::int32_t element = model.element_of_slot[slot];
         if (element < 0) continue;
-        field[element] = rest + (place < 0 ? 0.0 : static_cast<double>(model.elements.material_number(slot, place)));
+        field[element] = rest + (place < 0 ? 0.0 : model.elements.material_number(slot, place));
       }
     }
   };
@@ -122,9 +122,9 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
     const std::int32_t node = model.node_of_scene_node[n];
     const S *const x = model.nodes.position_of(node), *const v = model.nodes.velocity_of(node);
     for (int k = 0; k < 3; ++k) {
-      s.velocity[n][k] = static_cast<double>(v[k]);
+      s.velocity[n][k] = v[k];
       // Positions are one step ahead of the stresses: back to their time.
-      s.position[n][k] = static_cast<double>(x[k]) - solver.dt() * s.velocity[n][k];
+      s.position[n][k] = x[k] - solver.dt() * s.velocity[n][k];
     }
   }
   s.stress.resize(elements);
@@ -134,14 +134,14 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
   s.alive.resize(elements);
   for (std::size_t e = 0; e < elements; ++e) {
     const std::int64_t slot = model.slot_of_element[e];
-    for (int c = 0; c < 6; ++c) s.stress[e][c] = static_cast<double>(model.elements.stress_of(slot, c));
+    for (int c = 0; c < 6; ++c) s.stress[e][c] = model.elements.stress_of(slot, c);
     if (!model.elements.plastic_strain.empty()) {
-      s.plastic_strain[e] = static_cast<double>(model.elements.plastic_strain[slot]);
+      s.plastic_strain[e] = model.elements.plastic_strain[slot];
     }
     s.alive[e] = model.elements.alive(slot) ? 1 : 0;
   }
   if (solver.contact() != nullptr) {
-    std::vector<double> radius(static_cast<std::size_t>(model.elements.slots), 0.0);
+    std::vector<double> radius(model.elements.slots, 0.0);
     s.contact_force = contact_forces_on_nodes(solver);
     solver.contact()->put_radii(ModelSurface<S>(model), radius);
     for (std::size_t e = 0; e < elements; ++e) {
@@ -190,7 +190,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.device = device_name(scene.device);
   summary.simd_width = ElementStore<S>::width;
   summary.elements = model.element_count();
-  summary.nodes = static_cast<std::int64_t>(model.mesh.nodes.size());
+  summary.nodes = model.mesh.nodes.size();
   summary.steps = clock.steps();
   summary.end_time = clock.force_time();
   summary.dt_min = clock.dt_min();
@@ -237,7 +237,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.pairs_max = counts_so_far.pairs_max();
   fill_soundness(solver, summary);
   summary.state_hash = state_hash(model);
-  const auto bytes = static_cast<std::int64_t>(solver.bytes());
+  const std::int64_t bytes = solver.bytes();
   summary.bytes_per_element = bytes / std::max<std::int64_t>(1, summary.elements);
 }
 
@@ -251,7 +251,7 @@ std::uint64_t fingerprint(const Model<S>& model) {
     add(model.node_mass);
   } else {  // ties move masses in the course of a run
     std::vector<double> mass = model.node_mass;
-    for (const auto& [n, without] : *model.masses_without_ties) mass[static_cast<std::size_t>(n)] = without;
+    for (const auto& [n, without] : *model.masses_without_ties) mass[n] = without;
     add(mass);
   }
   add(model.element_mass);

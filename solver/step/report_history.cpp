@@ -52,7 +52,7 @@ std::vector<Point> contact_forces_on_bodies(const Solver<S>& solver) {
   std::vector<Point> sums(model.scene.bodies.size(), Point{});
   for (std::size_t n = 0; n < in_store.size(); ++n) {
     const Point& force = in_store[model.node_of_scene_node[n]];
-    Point& sum = sums[static_cast<std::size_t>(model.mesh.body_of_node[n])];
+    Point& sum = sums[model.mesh.body_of_node[n]];
     for (std::size_t k = 0; k < 3; ++k) sum[k] += force[k];
   }
   return sums;

@@ -45,7 +45,7 @@ std::string large_added_mass(const Model<S>& model) {
   if (model.added_mass.empty()) return "";
   std::vector<double> changed(model.mesh.body_names.size(), 0.0), material(changed.size(), 0.0);
   for (std::size_t e = 0; e < model.added_mass.size(); ++e) {
-    const auto body = static_cast<std::size_t>(model.mesh.body[e]);
+    const std::size_t body = model.mesh.body[e];
     changed[body] += std::abs(model.added_mass[e]);
     material[body] += model.material_mass(e);
   }

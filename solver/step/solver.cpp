@@ -109,7 +109,7 @@ void Solver<S>::finish() {
   std::vector<Point> places;
   for (const std::int32_t n : model_.node_of_scene_node) {
     const S* x = model_.nodes.position_of(n);
-    places.push_back({static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2])});
+    places.push_back({x[0], x[1], x[2]});
   }
   std::swap(model_.mesh.nodes, places);
   overlap_at_end_ = find_initial_overlap(model_.mesh, model_.scene.contact_pairs, sound::depth_at_end);
@@ -172,8 +172,8 @@ template <class S>
 void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs) {
   timers_.measure(Phase::time_step, [&] {
     clock_.choose(due,
-                  schedule_.bound(model_, due, internal_forces_.tiles(), static_cast<double>(element.time_step),
-                                  element.time_step_slot, springs.frequency2),
+                  schedule_.bound(model_, due, internal_forces_.tiles(), element.time_step, element.time_step_slot,
+                                  springs.frequency2),
                   due.first ? std::max(model_.look.closing_speed, boundary_.jump_at_start())
                             : std::max(springs.expected_change, boundary_.closing(clock_.time(), clock_.dt())));
   });

@@ -25,11 +25,9 @@ class StartElements {
       : scene_(scene), mesh_(mesh), parts_(element_parts(scene)), mass_factor_(mass_factors(scene, mesh, parts_)) {}
 
   const ElementSettings& settings(std::int64_t e) const { return part(e).settings; }
-  double mass_factor(std::int64_t e) const {
-    return mass_factor_.empty() ? 1.0 : mass_factor_[static_cast<std::size_t>(e)];
-  }
+  double mass_factor(std::int64_t e) const { return mass_factor_.empty() ? 1.0 : mass_factor_[e]; }
   ElementStart start(std::int64_t e) const {
-    return element_start(mesh_, static_cast<std::size_t>(e), scene_.materials[part(e).material], settings(e));
+    return element_start(mesh_, e, scene_.materials[part(e).material], settings(e));
   }
   double stable_step(std::int64_t e) const { return start(e).stable_step(mass_factor(e)); }
   /// The viscosity eta = rho b2^2 L^2 |rate| (bulk_viscosity.hpp) with the rate of a speed over L raises 2/dt by at
@@ -43,7 +41,7 @@ class StartElements {
 
  private:
   const ElementPart& part(std::int64_t e) const {
-    const auto body = static_cast<std::size_t>(mesh_.body[static_cast<std::size_t>(e)]);
+    const std::size_t body = mesh_.body[e];
     return parts_.parts[parts_.of_body[body]];
   }
 
@@ -68,7 +66,7 @@ SmallestStep smallest_step(const StartElements& elements, const ModelMesh& mesh)
 
 /// How a message names the settings of an element: those of its body, or of all.
 std::string settings_of(const Scene& scene, const ModelMesh& mesh, std::int64_t element) {
-  const auto body = static_cast<std::size_t>(mesh.body[static_cast<std::size_t>(element)]);
+  const std::size_t body = mesh.body[element];
   return scene.bodies[body].element ? fmt::format("body.{}.element", scene.bodies[body].name) : "element";
 }
 
@@ -147,7 +145,7 @@ std::string find_many_steps(const Scene& scene, const ModelMesh& mesh, const Sma
   const double step = scene.time.cfl * smallest.step, all = scene.time.end / step;
   const double steps = scene.time.steps >= 0 ? std::min(all, static_cast<double>(scene.time.steps)) : all;
   if (!(steps >= most_steps)) return "";
-  const Point extent = element_extent(mesh, static_cast<std::size_t>(smallest.element));
+  const Point extent = element_extent(mesh, smallest.element);
   return fmt::format(
       "time.end = {:.6g} takes {:.3g} steps of {:.3g} or more, set by {}, which is {:.3g} x {:.3g} x {:.3g}: look at "
       "time.end and at units, or give such elements mass with time.smallest_step",

@@ -23,8 +23,7 @@ StepClock::StepClock(const TimeSettings& settings, double damping)
 bool StepClock::at_end(std::int32_t cycle_steps) const {
   // What the last cycle has still to do
   const std::int64_t steps = steps_ > 0 ? cycle_steps - 1 : 0;
-  return time_ + static_cast<double>(steps) * dt_ >= end_ * (1 - 1e-12) ||
-         (steps_at_end_ >= 0 && steps_ + steps >= steps_at_end_);
+  return time_ + steps * dt_ >= end_ * (1 - 1e-12) || (steps_at_end_ >= 0 && steps_ + steps >= steps_at_end_);
 }
 
 void StepClock::limit_by_impact_speed(double step) { longest_impact_step_ = std::min(longest_impact_step_, step); }

@@ -50,14 +50,14 @@ std::vector<VerificationRow> verify_patch_test(const Scene& scene) {
   for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
     Point& x = model.mesh.nodes[n];
     if (std::any_of(x.begin(), x.end(), [h](double c) { return c < 0.5 * h || c > 2.5 * h; })) {
-      outer.push_back(static_cast<std::int32_t>(n));
+      outer.push_back(n);
       continue;
     }
     inner.push_back(n);
     const std::int32_t place = model.node_of_scene_node[n];
     double *position = model.nodes.position_of(place), *velocity = model.nodes.velocity_of(place);
     for (std::size_t k = 0; k < 3; ++k) {
-      x[k] += 0.25 * h * (2 * (static_cast<double>(random() >> 11) * 0x1p-53) - 1);
+      x[k] += 0.25 * h * (2 * ((random() >> 11) * 0x1p-53) - 1);
       position[k] = x[k];
     }
     for (std::size_t k = 0; k < 3; ++k) velocity[k] = move(x, 1)[k] - x[k];
@@ -109,7 +109,7 @@ std::vector<VerificationRow> verify_patch_test(const Scene& scene) {
     const Stress s = stress_of(solver, e);
     for (std::size_t c = 0; c < 6; ++c) {
       worst_stress = std::max(worst_stress, std::abs(s[c] - exact[c]));
-      mean[c] += s[c] / static_cast<double>(model.mesh.hexahedra.size());
+      mean[c] += s[c] / model.mesh.hexahedra.size();
     }
   }
   const std::string paper = "MacNeal & Harder 1985, small strain";
@@ -185,7 +185,7 @@ std::vector<VerificationRow> verify_uniaxial_strain(const Scene& scene) {
 
   // Mid-step strain increments e add up to the logarithm but for a part e^2/12; the margin of 4 is for their being
   // unequal. Deviations of stress are measured by the yield stress, a thousandth of the bulk modulus.
-  const double increment = turn / (0.5 * static_cast<double>(solver.steps()));
+  const double increment = turn / (0.5 * solver.steps());
   const double relative = 4 * increment * increment / 12;
   const double deviation = relative * turn * m.bulk_modulus / m.yield_stress;
   const std::string source = "closed form in the logarithmic strain";
@@ -256,9 +256,9 @@ std::vector<VerificationRow> verify_spinning_block(const Scene& scene) {
     worst_balance = std::max(worst_balance, std::abs(solver.balance_error()));
   });
   const Point after = angular_momentum(solver);
-  const double h = mesh.size[0] / static_cast<double>(elements);
+  const double h = mesh.size[0] / elements;
   const auto exact = [&](std::size_t element) {
-    const double x = (static_cast<double>(element) + 0.5) * h - half_length;
+    const double x = (element + 0.5) * h - half_length;
     return 0.5 * m.density * spin * spin * (half_length * half_length - x * x);
   };
   const std::string steady = "steady state, rho w^2 (l^2 - x^2)/2";

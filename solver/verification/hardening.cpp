@@ -114,7 +114,7 @@ std::vector<VerificationRow> verify_cyclic_shear(const Scene& scene) {
 
   // Strain increments of the middle of a step add up to the logarithm but for a part (dk)^2/12; the margin of 4 is for
   // steps that are unequal. What errs is the elastic stress of the way, 3 G times it, five times 0.02.
-  const double increment = 0.1 / static_cast<double>(solver.steps());
+  const double increment = 0.1 / solver.steps();
   const double relative = 4 * increment * increment / 12, way = to_effective * 0.1;
   const Material& m = scene.materials[0];
   const double deviation = relative * way * 3 * m.shear_modulus / m.yield_stress;

@@ -62,7 +62,7 @@ Behind behind_shock(const Scene& scene) {
   Behind behind{0, 0};
   for (std::size_t e = first; e < last; ++e) {
     const std::array<double, 6> s = stress_of(solver, e);
-    behind.pressure -= (s[0] + s[1] + s[2]) / 3 / static_cast<double>(last - first);
+    behind.pressure -= (s[0] + s[1] + s[2]) / 3 / (last - first);
   }
   const double height = position_of(solver, 4 * last)[2] - position_of(solver, 4 * first)[2];
   behind.volume = height / (mesh.size[2] * static_cast<double>(last - first) / static_cast<double>(layers));

@@ -27,9 +27,9 @@ LimitLoad limit_load(const Scene& cantilever, int layers, HourglassControl hourg
   scene.element.hourglass_coefficient = default_hourglass_coefficient(hourglass);
   Solver<double> solver(scene);
   const std::vector<Point>& nodes = solver.mesh().nodes;
-  const auto end = static_cast<std::size_t>(
+  const std::size_t end =
       std::find_if(nodes.begin(), nodes.end(), [&](const Point& p) { return p[0] > mesh.size[0] * (1 - 1e-9); }) -
-      nodes.begin());
+      nodes.begin();
   const PrescribedVelocity& moved = scene.prescribed_velocities[0];
   const double start = nodes[end][1], last = moved.velocity[1] * (scene.time.end - 0.5 * moved.table.times.back());
   LimitLoad load{};

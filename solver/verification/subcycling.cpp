@@ -52,7 +52,7 @@ LayerRun run_layer(const Scene& scene, bool subcycling) {
   fill_summary(solver, summary);
   run.energy_error = summary.balance_error_max;
   run.momentum_drift = std::abs(momentum(solver.model())[2] - before[2]) / (0.5 * mass * impact);
-  run.element_steps = static_cast<double>(summary.element_steps);
+  run.element_steps = summary.element_steps;
   return run;
 }
 

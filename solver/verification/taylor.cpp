@@ -38,7 +38,7 @@ BarHistory run_bar(Solver<double>& solver, double radius, double length) {
       sum += std::hypot(x[0], x[1]);
     }
     history.times.push_back(solver.time());
-    history.radius.push_back(sum / static_cast<double>(edge.size()));
+    history.radius.push_back(sum / edge.size());
     history.length.push_back(position_of(solver, tail)[2]);
   });
   return history;

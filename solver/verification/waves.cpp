@@ -62,9 +62,9 @@ ColumnRun run_column(const Scene& scene) {
     run.times.push_back(solver.time() - 0.5 * solver.dt());
     for (std::size_t s = 0; s < std::size(stations); ++s) {
       // Between the two nodes around the station, along one edge of the column: four nodes per layer.
-      const double place = std::stod(stations[s]) / length * static_cast<double>(n);
+      const double place = std::stod(stations[s]) / length * n;
       const auto layer = static_cast<std::size_t>(place);
-      const double part = place - static_cast<double>(layer);
+      const double part = place - layer;
       const double below = velocity_of(solver, 4 * layer)[2], above = velocity_of(solver, 4 * (layer + 1))[2];
       run.velocity[s].push_back((1 - part) * below + part * above);
     }
@@ -72,7 +72,7 @@ ColumnRun run_column(const Scene& scene) {
     double sum = 0;
     const std::size_t quarter = n / 4;
     for (std::size_t e = 0; e < quarter; ++e) sum -= stress_of(solver, e)[2];
-    run.plateau.push_back(sum / static_cast<double>(quarter));
+    run.plateau.push_back(sum / quarter);
   };
   run_to_end(solver, after_step);
   return run;
@@ -89,7 +89,7 @@ double velocity_error(const ColumnRun& run, const ReferenceTable& exact, double 
       sum += std::abs(interpolate(run.times, run.velocity[s], times[i]) - v[i]) / impact_velocity;
     }
   }
-  return sum / static_cast<double>(count);
+  return sum / count;
 }
 
 /// First time at which the velocity at a station passes a value.

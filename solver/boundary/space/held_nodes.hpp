@@ -10,9 +10,9 @@ template <class Entry>
 std::vector<std::int32_t> first_of_nodes(const std::vector<Entry>& list) {
   std::vector<std::int32_t> first;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    if (i == 0 || list[i].node != list[i - 1].node) first.push_back(static_cast<std::int32_t>(i));
+    if (i == 0 || list[i].node != list[i - 1].node) first.push_back(i);
   }
-  if (!list.empty()) first.push_back(static_cast<std::int32_t>(list.size()));
+  if (!list.empty()) first.push_back(list.size());
   return first;
 }
 
@@ -49,25 +49,25 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   }
   void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const override {
     const MovingForce<S> forces{prescribed_.data(), reaction_.data()};
-    add_sum<Space>("work of prescribed velocities", static_cast<std::int64_t>(prescribed_.size()),
+    add_sum<Space>("work of prescribed velocities", prescribed_.size(),
                    WorkOfForces<S, MovingForce<S>>{nodes, forces, step}, sum);
   }
   double energy_along(const NodeArrays<S>& nodes, const StepLengths& step) const override {
     double sum = 0;
-    add_sum<Space>("energy of constrained motion", static_cast<std::int64_t>(constraints_.size()),
+    add_sum<Space>("energy of constrained motion", constraints_.size(),
                    EnergyAlong<S>{nodes, constraints_.data(), step.before}, sum);
     return sum;
   }
   ForceSum force_of_constraint(std::int32_t table) const override {
     ForceSum sum;
     const ForceOfTable<double, NodeConstraint<S>> of_table{constraints_.data(), table, held_.data()};
-    add_sum<Space>("force of a constraint", static_cast<std::int64_t>(held_.size()), of_table, sum);
+    add_sum<Space>("force of a constraint", held_.size(), of_table, sum);
     return sum;
   }
   ForceSum force_of_prescribed(std::int32_t table) const override {
     ForceSum sum;
     const ForceOfTable<S, NodePrescription<S>> of_table{prescribed_.data(), table, reaction_.data()};
-    add_sum<Space>("force of a prescribed velocity", static_cast<std::int64_t>(reaction_.size()), of_table, sum);
+    add_sum<Space>("force of a prescribed velocity", reaction_.size(), of_table, sum);
     return sum;
   }
   std::size_t bytes() const override {

@@ -36,7 +36,7 @@ template <class S, class Space, class Forces, class Share>
 class SpaceSharedForces final : public SpaceNodeForces<S, Space, Forces> {
  public:
   SpaceSharedForces(const char* name, const std::vector<std::int32_t>& nodes, const std::vector<Share>& share)
-      : SpaceNodeForces<S, Space, Forces>(name, static_cast<std::int64_t>(nodes.size()), Forces{}),
+      : SpaceNodeForces<S, Space, Forces>(name, nodes.size(), Forces{}),
         nodes_(list_in<Space>(nodes)),
         share_(list_in<Space>(share)) {
     this->forces_.nodes = nodes_.data();

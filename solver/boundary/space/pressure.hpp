@@ -20,7 +20,7 @@ class SpacePressure final : public PressureKernels<S> {
         force_(3 * faces.nodes.size()) {}
 
   void add(const NodeArrays<S>& nodes, S pressure) override {
-    for_each<Space>("pressure", static_cast<std::int64_t>(element_.size()),
+    for_each<Space>("pressure", element_.size(),
                     PressFaces<S>{nodes, element_.data(), corners_.data(), pressure, corner_force_.data()});
     for_each<Space>(
         "force of pressure", node_count(),
@@ -42,7 +42,7 @@ class SpacePressure final : public PressureKernels<S> {
  private:
   using Memory = typename Space::memory_space;
   PressureForce<S> forces() const { return {nodes_.data(), force_.data()}; }
-  std::int64_t node_count() const { return static_cast<std::int64_t>(nodes_.size()); }
+  std::int64_t node_count() const { return nodes_.size(); }
 
   Array<std::int64_t, Memory> element_;
   Array<std::int32_t, Memory> corners_, nodes_, first_, places_;  ///< FaceList

@@ -40,7 +40,7 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
   std::unique_ptr<PressureKernels<S>> pressure(const FaceList& faces) const override {
     if (place_of_slot_.empty()) return std::make_unique<SpacePressure<S, Space>>(faces);
     FaceList there = faces;
-    for (std::int64_t& element : there.element) element = place_of_slot_[static_cast<std::size_t>(element)];
+    for (std::int64_t& element : there.element) element = place_of_slot_[element];
     return std::make_unique<SpacePressure<S, Space>>(there);
   }
   std::unique_ptr<WallKernels<S>> wall(bool rubs) const override { return std::make_unique<SpaceWall<S, Space>>(rubs); }

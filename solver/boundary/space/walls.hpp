@@ -38,7 +38,7 @@ class SpaceWall final : public WallKernels<S> {
 
  private:
   using Memory = typename Space::memory_space;
-  std::int64_t count() const { return static_cast<std::int64_t>(nodes_.size()); }
+  std::int64_t count() const { return nodes_.size(); }
   WallNodes<S> of() {
     const std::int64_t oblique = static_cast<std::int64_t>(free_.size()) / 3;
     return {nodes_.data(), count() - oblique, free_.data(), reaction_.data(), rubs_ ? drag_.data() : nullptr};
@@ -62,7 +62,7 @@ class SpaceReflection final : public ReflectionKernels<S> {
     const auto [x, y, z] = point_;
     const auto [a, b, c] = inward_;
     for_each<Space>(
-        "symmetry walls", static_cast<std::int64_t>(nodes_.size()),
+        "symmetry walls", nodes_.size(),
         ReflectNodes<S>{
             nodes_.data(), {S(x), S(y), S(z)}, {S(a), S(b), S(c)}, position_step, nodes.position, nodes.velocity});
   }

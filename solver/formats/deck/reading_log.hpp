@@ -32,7 +32,7 @@ class ReadingLog {
     if (parameter < 32) parameters_[keyword] |= 1U << parameter;
   }
   /// Nothing is left of a keyword, which is told by other means.
-  void done(const void* keyword) { reached(keyword, static_cast<std::size_t>(-1)); }
+  void done(const void* keyword) { reached(keyword, -1); }
 
   bool is_done(const void* keyword) const { return lines_of(keyword) == static_cast<std::size_t>(-1); }
   /// Whether anybody has looked into it.

@@ -67,9 +67,9 @@ class ExodusReader {
     Names names;
     const std::string property = kind + "_prop1", text = kind + "_names";
     if (in_.has(property)) names.ids = in_.integers(property);
-    if (count > 1'000'000 || (!names.ids.empty() && static_cast<std::int64_t>(names.ids.size()) != count))
+    if (count > 1'000'000 || (!names.ids.empty() && std::ssize(names.ids) != count))
       in_.fail(property, fmt::format("expected {} numbers, got {}", count, names.ids.size()));
-    for (std::int64_t i = 0; names.ids.size() < static_cast<std::size_t>(count); ++i) names.ids.push_back(i + 1);
+    for (std::int64_t i = 0; std::ssize(names.ids) < count; ++i) names.ids.push_back(i + 1);
     if (in_.has(text)) names.names = in_.texts(text);
     names.names.resize(names.ids.size());
     return names;
@@ -82,12 +82,12 @@ class ExodusReader {
     std::vector<double> all;
     const bool together = !in_.has("coordx") && in_.has("coord");
     if (together) all = in_.numbers("coord");
-    if (together && static_cast<std::int64_t>(all.size()) != 3 * count)
+    if (together && std::ssize(all) != 3 * count)
       in_.fail("coord", fmt::format("expected {} numbers, got {}", 3 * count, all.size()));
     for (std::size_t k = 0; k < 3; ++k) {
       const std::string name = together ? "coord" : std::string("coord") + "xyz"[k];
       const std::vector<double> one = together ? std::vector<double>() : in_.numbers(name);
-      if (!together && static_cast<std::int64_t>(one.size()) != count)
+      if (!together && std::ssize(one) != count)
         in_.fail(name, fmt::format("expected {} numbers, got {}", count, one.size()));
       file_.mesh.nodes.resize(count);
       const double* const values = together ? all.data() + k * count : one.data();
@@ -104,8 +104,7 @@ class ExodusReader {
   std::vector<std::int64_t> numbers(const std::string& map, std::int64_t count) const {
     if (in_.has(map)) {
       std::vector<std::int64_t> ids = in_.integers(map);
-      if (static_cast<std::int64_t>(ids.size()) != count)
-        in_.fail(map, fmt::format("expected {} numbers, got {}", count, ids.size()));
+      if (std::ssize(ids) != count) in_.fail(map, fmt::format("expected {} numbers, got {}", count, ids.size()));
       return ids;
     }
     std::vector<std::int64_t> ids(count);
@@ -130,9 +129,9 @@ class ExodusReader {
     const bool hexahedra = form.starts_with("HEX") && shape[1] == 8,
                wedges = form.starts_with("WEDGE") && shape[1] == 6;
     if (!hexahedra && !wedges) return refuse(blocks, b, type, shape[1], count);
-    const auto first = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+    const std::int32_t first = file_.mesh.hexahedra.size();
     if (first + count > std::numeric_limits<std::int32_t>::max() / 8) fail("has more elements than a mesh can hold");
-    for (std::int64_t e = 0; e < count; ++e) place_.push_back(first + static_cast<std::int32_t>(e));
+    for (std::int64_t e = 0; e < count; ++e) place_.push_back(first + e);
     file_.mesh.hexahedra.resize(first + count);
     std::int32_t* const corners = file_.mesh.hexahedra[first].data();
     if (hexahedra) {
@@ -141,14 +140,14 @@ class ExodusReader {
       read_wedges(variable, count, corners);
     }
     is_wedge_.resize(first + count, wedges);
-    const auto nodes = static_cast<std::int32_t>(file_.mesh.nodes.size());
+    const std::int32_t nodes = file_.mesh.nodes.size();
     for (std::int64_t i = 0; i < 8 * count; ++i) {
       if (corners[i] < 1 || corners[i] > nodes)
         in_.fail(variable,
                  fmt::format("element {}: expected nodes from 1 to {}, got {}", i / 8 + 1, nodes, corners[i]));
       --corners[i];
     }
-    file_.part.resize(first + count, static_cast<std::int32_t>(file_.parts.size()));
+    file_.part.resize(first + count, file_.parts.size());
     file_.parts.push_back({blocks.ids[b], blocks.names[b]});
   }
 
@@ -171,7 +170,7 @@ class ExodusReader {
 
   /// Blocks that were left out have numbers, too.
   void read_element_numbers() {
-    const auto count = static_cast<std::int64_t>(place_.size());
+    const std::int64_t count = place_.size();
     if (count != in_.dimension("num_elem"))
       fail(fmt::format("expected {} elements in the blocks, got {}", in_.dimension("num_elem"), count));
     const std::vector<std::int64_t> ids = numbers("elem_num_map", count);
@@ -185,11 +184,11 @@ class ExodusReader {
     for (std::size_t s = 0; s < sets.ids.size(); ++s) {
       const std::string variable = "node_ns" + std::to_string(s + 1);
       MeshSet set{sets.ids[s], sets.names[s], {}};
-      const auto nodes = static_cast<std::int64_t>(file_.mesh.nodes.size());
+      const std::int64_t nodes = file_.mesh.nodes.size();
       for (const std::int64_t node : members(variable, "num_nod_ns" + std::to_string(s + 1))) {
         if (node < 1 || node > nodes)
           in_.fail(variable, fmt::format("expected nodes from 1 to {}, got {}", nodes, node));
-        set.members.push_back(static_cast<std::int32_t>(node - 1));
+        set.members.push_back(node - 1);
       }
       file_.node_sets.push_back(std::move(set));
     }
@@ -203,7 +202,7 @@ class ExodusReader {
 
   /// Place of an element; -1: of a block that was left out.
   std::int32_t place_of(const std::string& variable, std::int64_t element) const {
-    if (element < 1 || element > static_cast<std::int64_t>(place_.size()))
+    if (element < 1 || element > std::ssize(place_))
       in_.fail(variable, fmt::format("expected elements from 1 to {}, got {}", place_.size(), element));
     return place_[element - 1];
   }

@@ -41,7 +41,7 @@ std::int64_t NetcdfFile::dimension(const std::string& name) const {
   std::size_t length = 0;
   if (nc_inq_dimid(file_, name.c_str(), &number) != NC_NOERR) return 0;
   if (nc_inq_dimlen(file_, number, &length) != NC_NOERR) return 0;
-  return static_cast<std::int64_t>(length);
+  return length;
 }
 
 bool NetcdfFile::has(const std::string& variable) const {
@@ -65,10 +65,10 @@ std::vector<std::int64_t> NetcdfFile::shape(const std::string& variable) const {
   for (int d = 0; d < rank; ++d) {
     std::size_t length = 0;
     require(nc_inq_dimlen(file_, dimensions[d], &length), variable);
-    lengths.push_back(static_cast<std::int64_t>(length));
-    all *= static_cast<double>(length);
+    lengths.push_back(length);
+    all *= length;
   }
-  if (all > static_cast<double>(most_)) fail(variable, "is longer than the file can hold");
+  if (all > most_) fail(variable, "is longer than the file can hold");
   return lengths;
 }
 

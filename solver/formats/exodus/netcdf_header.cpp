@@ -65,7 +65,7 @@ class Header {
   void skip(std::uint64_t bytes) {
     if (bytes > left_) fail("is cut short: the header of a netCDF file is not complete");
     left_ -= bytes;
-    file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
+    file_.seekg(bytes, std::ios::cur);
   }
   static std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
   void skip_name() {

@@ -32,7 +32,7 @@ bool GmshCollector::wants(std::span<const std::int64_t> groups) const {
 
 void GmshCollector::add_volume(const std::array<std::int32_t, 8>& corners, std::span<const std::int64_t> groups,
                                std::int64_t id, int line) {
-  const auto next = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+  const std::int32_t next = file_.mesh.hexahedra.size();
   std::int32_t place = next;
   const std::int64_t first = groups.empty() ? 0 : groups.front();
   if (repeats_) {
@@ -96,7 +96,7 @@ void GmshCollector::name_parts(const GmshGroups& groups) {
   file_.part.assign(count, -1);
   std::size_t named = 0;
   for (const auto& [group, elements] : members_) {
-    for (const std::int32_t e : elements) file_.part[e] = static_cast<std::int32_t>(file_.parts.size());
+    for (const std::int32_t e : elements) file_.part[e] = file_.parts.size();
     file_.parts.push_back({group, groups.name_of(3, group)});
     named += elements.size();
   }

@@ -89,7 +89,7 @@ class GmshReader {
       const std::int64_t dimension = scan_.count("the dimension of a physical group");
       if (dimension > 3) scan_.fail("a dimension from 0 to 3", std::to_string(dimension));
       const std::int64_t tag = scan_.integer("the tag of a physical group");
-      groups_.add_name(static_cast<int>(dimension), tag, scan_.quoted("a physical name in quotes"));
+      groups_.add_name(dimension, tag, scan_.quoted("a physical name in quotes"));
     }
   }
 
@@ -162,7 +162,7 @@ class GmshReader {
         for (std::int64_t k = 0; parametric && k < dimension; ++k) scan_.data_number("a parametric coordinate");
       }
     }
-    if (static_cast<std::int64_t>(nodes_.size()) != total)
+    if (std::ssize(nodes_) != total)
       scan_.fail(fmt::format("{} nodes in the blocks", total), std::to_string(nodes_.size()));
   }
 
@@ -182,7 +182,7 @@ class GmshReader {
   }
 
   void index_nodes() {
-    if (nodes_.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    if (nodes_.size() > std::numeric_limits<std::int32_t>::max())
       throw InputError(fmt::format("{}: {} nodes are more than a mesh can hold", scan_.name(), nodes_.size()));
     NumberIndex index(node_ids_);
     if (const std::int32_t again = index.repeated(); again >= 0) {
@@ -244,9 +244,9 @@ class GmshReader {
                          count = scan_.data_count("the number of elements in the block");
       if (gmsh::nodes_of(type) > 0 && gmsh::dimension_of(type) != dimension)
         scan_.fail(fmt::format("a type of elements of dimension {}", dimension), std::to_string(type));
-      const auto groups = groups_.of_entity(static_cast<int>(dimension), entity);
+      const auto groups = groups_.of_entity(dimension, entity);
       for (std::int64_t i = 0; i < count; ++i) {
-        read_nodes_of_element(static_cast<int>(dimension), type, groups, scan_.data_long("the tag of an element"));
+        read_nodes_of_element(dimension, type, groups, scan_.data_long("the tag of an element"));
       }
     }
   }

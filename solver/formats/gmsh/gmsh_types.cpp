@@ -23,9 +23,7 @@ constexpr std::array<Type, 32> types{{
     {3, 35, "tetrahedra"}, {3, 56, "tetrahedra"},
 }};
 
-const Type& type_of(std::int64_t type) {
-  return types[type > 0 && type < static_cast<std::int64_t>(types.size()) ? type : 0];
-}
+const Type& type_of(std::int64_t type) { return types[type > 0 && type < std::ssize(types) ? type : 0]; }
 
 }  // namespace
 

@@ -120,10 +120,9 @@ class Builder {
   void add_cell(std::size_t cell, std::int64_t part, bool has_parts) {
     const int type = grid_.types[cell];
     const std::int64_t begin = cell == 0 ? 0 : grid_.ends[cell - 1];
-    const std::span<const std::int32_t> points(grid_.connectivity.data() + begin,
-                                               static_cast<std::size_t>(grid_.ends[cell] - begin));
+    const std::span<const std::int32_t> points(grid_.connectivity.data() + begin, grid_.ends[cell] - begin);
     for (const std::int32_t point : points) {
-      if (point < 0 || point >= static_cast<std::int32_t>(file_.mesh.nodes.size()))
+      if (point < 0 || point >= std::ssize(file_.mesh.nodes))
         fail(fmt::format("cell {}: expected points from 0 to {}, got {}", cell, file_.mesh.nodes.size() - 1, point));
     }
     const bool volume = type == voxel || type == hexahedron || type == wedge;
@@ -134,7 +133,7 @@ class Builder {
       fail(fmt::format("cell {}: expected {} points of a cell of type {}, got {}", cell, points_of(type), type,
                        points.size()));
     if (volume) {
-      cell_place_[cell] = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+      cell_place_[cell] = file_.mesh.hexahedra.size();
       file_.mesh.hexahedra.push_back(corners_of(type, points));
     } else if (known && has_parts) {
       add_boundary(type, points, part);
@@ -170,8 +169,7 @@ class Builder {
   void number_elements() {
     const VtkArray* own = numbers(true);
     for (std::size_t cell = 0; cell < cell_place_.size(); ++cell) {
-      if (cell_place_[cell] >= 0)
-        file_.element_ids.push_back(own ? own->values[cell] : static_cast<std::int64_t>(cell));
+      if (cell_place_[cell] >= 0) file_.element_ids.push_back(own ? own->values[cell] : cell);
     }
   }
   void number_nodes() {
@@ -180,7 +178,7 @@ class Builder {
       return;
     }
     file_.node_ids.resize(file_.mesh.nodes.size());
-    for (std::size_t n = 0; n < file_.node_ids.size(); ++n) file_.node_ids[n] = static_cast<std::int64_t>(n);
+    for (std::size_t n = 0; n < file_.node_ids.size(); ++n) file_.node_ids[n] = n;
   }
   const VtkArray* numbers(bool of_cells) const {
     for (const VtkArray& array : grid_.arrays) {

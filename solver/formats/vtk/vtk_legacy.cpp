@@ -90,7 +90,7 @@ class LegacyReader {
   std::vector<T> values(std::int64_t count, VtkType type, const char* what) {
     std::vector<T> all;
     scan_.begin_data();
-    scan_.require_room(count, static_cast<std::int64_t>(size_of(type)), 1, fmt::format("as many numbers ({})", what));
+    scan_.require_room(count, size_of(type), 1, fmt::format("as many numbers ({})", what));
     if (scan_.binary()) {
       const std::size_t read = append_numbers(scan_.data_bytes(count * size_of(type), what), type,
                                               std::endian::native == std::endian::little, all);
@@ -109,7 +109,7 @@ class LegacyReader {
 
   void skip(std::int64_t count, VtkType type) {
     scan_.begin_data();
-    scan_.require_room(count, static_cast<std::int64_t>(size_of(type)), 1, "as many numbers");
+    scan_.require_room(count, size_of(type), 1, "as many numbers");
     if (scan_.binary()) {
       scan_.data_bytes(count * size_of(type), "numbers");
     } else {
@@ -145,7 +145,7 @@ class LegacyReader {
       if (points < 0 || points > second - at)
         scan_.fail(fmt::format("{} cells within {} integers", first, second), fmt::format("{}", cell));
       grid_.connectivity.insert(grid_.connectivity.end(), all.begin() + at, all.begin() + at + points);
-      grid_.ends.push_back(static_cast<std::int64_t>(grid_.connectivity.size()));
+      grid_.ends.push_back(grid_.connectivity.size());
       at += points;
     }
   }
@@ -167,7 +167,7 @@ class LegacyReader {
     const auto all = values<std::int32_t>(count, VtkType::i32, "the type of a cell");
     for (const std::int32_t type : all) {
       if (type < 0 || type > 255) scan_.fail("a type of cells from 0 to 255", std::to_string(type));
-      grid_.types.push_back(static_cast<std::uint8_t>(type));
+      grid_.types.push_back(type);
     }
   }
 

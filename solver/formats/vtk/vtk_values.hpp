@@ -32,10 +32,8 @@ std::optional<T> converted(From value) {
   } else if constexpr (std::is_unsigned_v<From>) {
     if (value > static_cast<std::uint64_t>(std::numeric_limits<T>::max())) return {};
   } else {
-    const auto wide = static_cast<std::int64_t>(value);
-    if (wide < static_cast<std::int64_t>(std::numeric_limits<T>::min()) ||
-        (sizeof(T) < 8 && wide > static_cast<std::int64_t>(std::numeric_limits<T>::max())))
-      return {};
+    const std::int64_t wide = value;
+    if (wide < std::numeric_limits<T>::min() || (sizeof(T) < 8 && wide > std::numeric_limits<T>::max())) return {};
   }
   return static_cast<T>(value);
 }
@@ -106,7 +104,7 @@ bool append_word(std::string_view& text, std::vector<T>& to) {
     if (!std::isfinite(value)) return false;
   }
   to.push_back(value);
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  text.remove_prefix(end - text.data());
   return true;
 }
 

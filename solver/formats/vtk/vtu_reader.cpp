@@ -67,7 +67,7 @@ class VtuReader {
 
   std::ptrdiff_t line_at(std::ptrdiff_t offset) const {
     const std::string& text = head_.empty() ? bytes_ : head_;
-    const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
+    const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, text.size());
     return 1 + std::count(text.begin(), end, '\n');
   }
 
@@ -108,7 +108,7 @@ class VtuReader {
 
   void read_piece(const pugi::xml_node& piece) {
     const std::int64_t points = count_of(piece, "NumberOfPoints"), cells = count_of(piece, "NumberOfCells");
-    const auto first_point = static_cast<std::int64_t>(grid_.points.size());
+    const std::int64_t first_point = grid_.points.size();
     if (first_point + points > most_points) fail(piece, "has more points than a mesh can hold");
     read_points(piece, points);
     read_cells(piece, cells, first_point);
@@ -130,15 +130,15 @@ class VtuReader {
     const pugi::xml_node cells = piece.child("Cells");
     std::vector<std::int64_t> ends;
     read_values(array_of(cells, "offsets"), count, ends);
-    const auto before = static_cast<std::int64_t>(grid_.connectivity.size());
+    const std::int64_t before = grid_.connectivity.size();
     if (!std::ranges::is_sorted(ends) ||
         (!ends.empty() && (ends.front() < 0 || ends.back() > most_points * 8 - before)))
       fail(array_of(cells, "offsets"), "expected numbers that ascend");
     read_values(array_of(cells, "connectivity"), ends.empty() ? 0 : ends.back(), grid_.connectivity);
-    for (std::size_t i = static_cast<std::size_t>(before); first_point > 0 && i < grid_.connectivity.size(); ++i) {
+    for (std::size_t i = before; first_point > 0 && i < grid_.connectivity.size(); ++i) {
       if (grid_.connectivity[i] < 0)
         fail(array_of(cells, "connectivity"), "expected points of the piece, got a negative number");
-      grid_.connectivity[i] += static_cast<std::int32_t>(first_point);
+      grid_.connectivity[i] += first_point;
     }
     for (const std::int64_t end : ends) grid_.ends.push_back(before + end);
     read_types(array_of(cells, "types"), count);
@@ -149,7 +149,7 @@ class VtuReader {
     read_values(array, count, types);
     for (const std::int32_t type : types) {
       if (type < 0 || type > 255) fail(array, fmt::format("expected types of cells from 0 to 255, got {}", type));
-      grid_.types.push_back(static_cast<std::uint8_t>(type));
+      grid_.types.push_back(type);
     }
   }
 
@@ -186,7 +186,7 @@ class VtuReader {
     if (format != "binary" && format != "appended")
       fail(array, fmt::format("expected format ascii, binary or appended, got \"{}\"", format));
     std::string whole, problem;
-    const std::size_t expected = static_cast<std::size_t>(count) * size_of(*type);
+    const std::size_t expected = count * size_of(*type);
     const std::string_view data =
         format == "binary" ? vtu_bytes(inline_text(array), true, encoding_, expected, whole, problem)
                            : vtu_bytes(appended_text(array), appended_base64_, encoding_, expected, whole, problem);
@@ -198,7 +198,7 @@ class VtuReader {
   template <class T>
   void read_text(const pugi::xml_node& array, std::int64_t count, std::vector<T>& to) const {
     std::string_view text = array.child_value();
-    if (count > static_cast<std::int64_t>(text.size() + 1) / 2)
+    if (count > (std::ssize(text) + 1) / 2)
       fail(array, fmt::format("expected {} numbers, got no more than {}", count, (text.size() + 1) / 2));
     to.reserve(to.size() + count);
     for (std::int64_t i = 0; i < count; ++i) {
@@ -218,7 +218,7 @@ class VtuReader {
   std::string_view appended_text(const pugi::xml_node& array) const {
     std::vector<std::int64_t> offset;
     std::string_view text = array.attribute("offset").value();
-    if (!append_word(text, offset) || offset[0] < 0 || offset[0] > static_cast<std::int64_t>(appended_.size()))
+    if (!append_word(text, offset) || offset[0] < 0 || offset[0] > std::ssize(appended_))
       fail(array, fmt::format("expected an offset within the {} bytes of appended data, got \"{}\"", appended_.size(),
                               array.attribute("offset").value()));
     return appended_.substr(offset[0]);

@@ -50,7 +50,7 @@ std::uint64_t hash_of_file(const std::string& path) {
   std::vector<char> piece(1U << 16);
   StateHash hash;
   while (file) {
-    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    file.read(piece.data(), piece.size());
     hash.add(piece.data(), file.gcount());
   }
   if (!file.eof()) throw InputError(path + ": cannot be read");
@@ -64,8 +64,8 @@ std::string bytes_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (problem || !file) throw InputError(path + ": no such file, or it cannot be read");
   require_memory(path, size);
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::string bytes(size, '\0');
+  file.read(bytes.data(), bytes.size());
   if (!file) throw InputError(path + ": cannot be read");
   return bytes;
 }

@@ -32,7 +32,7 @@ class MiddleNodes {
     if (!is_new) return found->second;
     Point middle{};
     for (const std::int32_t node : nodes) {
-      for (std::size_t k = 0; k < 3; ++k) middle[k] += nodes_[node][k] / static_cast<double>(nodes.size());
+      for (std::size_t k = 0; k < 3; ++k) middle[k] += nodes_[node][k] / nodes.size();
     }
     nodes_.push_back(middle);
     parents_.push_back(parents);
@@ -69,8 +69,7 @@ void require_splittable(const MeshFile& file) {
     std::sort(corners.begin(), corners.end());
     if (std::adjacent_find(corners.begin(), corners.end()) == corners.end()) continue;
     throw InputError(fmt::format("{}: {} is collapsed: expected hexahedra of eight nodes, others are not refined",
-                                 place_of_element(file, static_cast<std::int32_t>(e)),
-                                 element_name(file, static_cast<std::int32_t>(e))));
+                                 place_of_element(file, e), element_name(file, e)));
   }
 }
 
@@ -80,7 +79,7 @@ void add_eight(const std::array<std::int32_t, 8>& corners, MiddleNodes& middles,
   std::array<std::int32_t, 27> lattice;  // several of the eight have its points in common
   lattice.fill(-1);
   const auto node_at = [&](int x, int y, int z) {
-    std::int32_t& node = lattice[static_cast<std::size_t>(9 * x + 3 * y + z)];
+    std::int32_t& node = lattice[9 * x + 3 * y + z];
     if (node >= 0) return node;
     std::vector<std::int32_t> around;
     for (std::size_t c = 0; c < 8; ++c) {
@@ -109,11 +108,11 @@ void repeat_eight_times(std::vector<Value>& of_elements) {
 
 void add_new_members(MeshSet& set, const std::vector<Parents>& parents, std::size_t old_nodes) {
   std::vector<bool> is_in(old_nodes, false);
-  for (const std::int32_t node : set.members) is_in[static_cast<std::size_t>(node)] = true;
+  for (const std::int32_t node : set.members) is_in[node] = true;
   for (std::size_t n = 0; n < parents.size(); ++n) {
-    const auto all_in = [&](std::int32_t node) { return node < 0 || is_in[static_cast<std::size_t>(node)]; };
+    const auto all_in = [&](std::int32_t node) { return node < 0 || is_in[node]; };
     if (std::all_of(parents[n].begin(), parents[n].end(), all_in)) {
-      set.members.push_back(static_cast<std::int32_t>(old_nodes + n));
+      set.members.push_back(old_nodes + n);
     }
   }
 }
@@ -171,7 +170,7 @@ void split_hexahedra(MeshFile& file) {
   if (file.held.empty()) return;
   for (const Parents& parents : middles.parents()) {
     std::uint8_t bits = 7;
-    for (const std::int32_t node : parents) bits &= node < 0 ? 7 : file.held[static_cast<std::size_t>(node)];
+    for (const std::int32_t node : parents) bits &= node < 0 ? 7 : file.held[node];
     file.held.push_back(bits);
   }
 }

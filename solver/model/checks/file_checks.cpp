@@ -46,7 +46,7 @@ class Check {
     for (std::size_t e = 0; e < body_.size(); ++e) {
       if (body_[e] < 0) continue;
       hexahedra_.push_back(file_.mesh.hexahedra[e]);
-      element_.push_back(static_cast<std::int32_t>(e));
+      element_.push_back(e);
     }
   }
   const std::vector<std::array<std::int32_t, 8>>& taken() const {

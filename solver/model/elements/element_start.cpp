@@ -23,7 +23,7 @@ double ElementStart::mass_factor(double stable_step) const {
 
 ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Material& material,
                            const ElementSettings& settings) {
-  const HexahedronModes<double> x = modes_of(mesh.corners(static_cast<std::int64_t>(element)));
+  const HexahedronModes<double> x = modes_of(mesh.corners(element));
   const UniformGradient<double> b = uniform_gradient(x);
   const Symmetric<double> b_b = gradient_square(b);
   ElementStart start{};
@@ -47,7 +47,7 @@ double smallest_stable_step(const Scene& scene, const ModelMesh& mesh, const Ele
                             const std::vector<double>& mass_factor) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const ElementPart& part = parts.parts[parts.of_body[static_cast<std::size_t>(mesh.body[e])]];
+    const ElementPart& part = parts.parts[parts.of_body[mesh.body[e]]];
     const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
     smallest = std::min(smallest, start.stable_step(mass_factor.empty() ? 1.0 : mass_factor[e]));
   }

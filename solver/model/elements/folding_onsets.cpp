@@ -10,7 +10,7 @@ namespace pinball {
 std::vector<double> folding_onsets(const ModelMesh& mesh) {
   std::vector<double> onsets;
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const double share = least_corner_share(mesh.corners(static_cast<std::int64_t>(e)));
+    const double share = least_corner_share(mesh.corners(e));
     if (share >= 2 * folding_onset<double>) continue;
     if (onsets.empty()) onsets.assign(mesh.hexahedra.size(), folding_onset<double>);
     onsets[e] = std::max(0.0, 0.5 * share);

@@ -17,13 +17,12 @@ std::vector<double> mass_factors(const Scene& scene, const ModelMesh& mesh, cons
   if (!(time.smallest_step > 0)) return {};
   std::vector<double> factors(mesh.hexahedra.size());
   for (std::size_t e = 0; e < factors.size(); ++e) {
-    const ElementPart& part = parts.parts[parts.of_body[static_cast<std::size_t>(mesh.body[e])]];
+    const ElementPart& part = parts.parts[parts.of_body[mesh.body[e]]];
     const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
     const double factor = start.mass_factor(time.smallest_step / time.cfl);
     if (!(factor > 0) || !std::isfinite(factor)) {
       throw InputError(fmt::format("{}time.smallest_step: expected a step for which {} can have a mass, got {:.9g}",
-                                   message_head(scene), element_name(mesh, static_cast<std::int64_t>(e)),
-                                   time.smallest_step));
+                                   message_head(scene), element_name(mesh, e), time.smallest_step));
     }
     factors[e] = time.mass_scaling == MassScaling::all ? factor : std::max(1.0, factor);
   }

@@ -19,7 +19,7 @@ constexpr double one_surface = 0.7, against = -0.3;
 std::vector<Bounds> boxes_of(const ModelMesh& mesh, const std::vector<std::size_t>& elements) {
   std::vector<Bounds> boxes(elements.size());
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    for (const Point& corner : mesh.corners(static_cast<std::int64_t>(elements[i]))) boxes[i].take(corner);
+    for (const Point& corner : mesh.corners(elements[i])) boxes[i].take(corner);
   }
   return boxes;
 }

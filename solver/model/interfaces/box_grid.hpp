@@ -84,12 +84,12 @@ class BoxGrid {
     return cell;
   }
   std::size_t number(const std::array<int, 3>& cell) const {  // 10^6 cells at most
-    return static_cast<std::size_t>((cell[2] * cells_ + cell[1]) * cells_ + cell[0]);
+    return (cell[2] * cells_ + cell[1]) * cells_ + cell[0];
   }
   template <class Visit>
   void for_ring(const std::array<int, 3>& middle, int ring, const Visit& visit) const {
-    const auto low = [&](int k) { return std::max(0, middle[static_cast<std::size_t>(k)] - ring); };
-    const auto high = [&](int k) { return std::min(cells_ - 1, middle[static_cast<std::size_t>(k)] + ring); };
+    const auto low = [&](int k) { return std::max(0, middle[k] - ring); };
+    const auto high = [&](int k) { return std::min(cells_ - 1, middle[k] + ring); };
     for (int z = low(2); z <= high(2); ++z) {
       for (int y = low(1); y <= high(1); ++y) {
         const bool shell = std::abs(z - middle[2]) == ring || std::abs(y - middle[1]) == ring;

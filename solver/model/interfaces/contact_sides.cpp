@@ -44,7 +44,7 @@ SideMembers find_members(const ModelMesh& mesh, const ContactSide& side, const s
   for (const std::string& body : side.bodies) {
     const auto found = std::ranges::find(mesh.body_names, body);
     if (found == mesh.body_names.end()) throw InputError(fmt::format("{}: no body named \"{}\"", where, body));
-    members.body[static_cast<std::size_t>(found - mesh.body_names.begin())] = 1;
+    members.body[found - mesh.body_names.begin()] = 1;
   }
   const auto add = [&](const std::vector<MeshSetName>& names, const char* kind, auto sets, auto of, auto& all) {
     for (const MeshSetName& name : names) {
@@ -66,7 +66,7 @@ std::vector<bool> nodes_of_side(const ModelMesh& mesh, const ContactSide& side, 
   const SideMembers members = find_members(mesh, side, where);
   std::vector<bool> of_side(mesh.nodes.size(), false);
   const auto add = [&of_side](const auto& nodes) {
-    for (const std::int32_t node : nodes) of_side[static_cast<std::size_t>(node)] = true;
+    for (const std::int32_t node : nodes) of_side[node] = true;
   };
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     if (members.body[mesh.body[e]] != 0) add(mesh.hexahedra[e]);
@@ -106,7 +106,7 @@ class SidesOfModel {
       sides_.rules.push_back(
           {pair.friction, pair.static_friction, pair.friction_decay, pair.start, pair.end, pair.second.empty()});
     }
-    sides_.ties = static_cast<std::int32_t>(scene.tied_contacts.size());
+    sides_.ties = scene.tied_contacts.size();
     std::int32_t side = 0;
     for (const ContactPair& pair : scene.contact_pairs) {
       take(find_members(model_.mesh, pair.first, pair.where + ".first"), side++);
@@ -124,7 +124,7 @@ class SidesOfModel {
   struct FaceHash {
     std::size_t operator()(const std::array<std::int32_t, 4>& key) const {
       std::size_t hash = 0;
-      for (const std::int32_t n : key) hash = hash * 0x9E3779B97F4A7C15ULL + static_cast<std::size_t>(n);
+      for (const std::int32_t n : key) hash = hash * 0x9E3779B97F4A7C15ULL + n;
       return hash ^ hash >> 29;
     }
   };
@@ -147,7 +147,7 @@ class SidesOfModel {
   /// From elements of the scene to slots, faces and nodes of the store.
   void spread() {
     SidePatterns& patterns = sides_.patterns;
-    sides_.element.assign(static_cast<std::size_t>(model_.elements.slots), SidePatterns::none);
+    sides_.element.assign(model_.elements.slots, SidePatterns::none);
     if (!faces_of_.empty()) sides_.face.assign(sides_.element.size(), {});
     sides_.node.assign(model_.mesh.nodes.size(), SidePatterns::none);
     for (std::size_t n = 0; n < node_.size(); ++n) sides_.node[model_.node_of_scene_node[n]] = node_[n];

@@ -64,7 +64,7 @@ void NodeDepths::of_one_in_other(std::size_t of, std::size_t in, const Bounds& b
   for (const std::size_t n : bodies_.parts(of).nodes) {
     const Point& x = mesh_.nodes[n];
     if (!box.holds(x) || !other.holds(x, off_by_rounding)) continue;
-    const BodyDepth depth = surface(in).depth_of(x, surface(of).normals_at(static_cast<std::int32_t>(n)));
+    const BodyDepth depth = surface(in).depth_of(x, surface(of).normals_at(n));
     if (depth.depth > least * depth.size + forgiven * depth.facets) visit(n, depth);
   }
 }

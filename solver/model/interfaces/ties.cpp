@@ -89,8 +89,7 @@ class TieSearch {
       for (unsigned f = 0; f < 6; ++f) {
         if ((exposed_[e] >> f & 1U) == 0) continue;
         const auto nodes = face_of(mesh_.hexahedra[e], f);
-        if (whole || std::binary_search(keys.begin(), keys.end(), face_key(nodes)))
-          visit(static_cast<std::int32_t>(e), nodes);
+        if (whole || std::binary_search(keys.begin(), keys.end(), face_key(nodes))) visit(e, nodes);
       }
     }
   }
@@ -150,14 +149,14 @@ class TieSearch {
   /// Per node the faces that it lies near, in their order.
   std::vector<std::vector<std::int32_t>> faces_near(const std::vector<std::int32_t>& nodes,
                                                     const std::vector<Face>& faces) const {
-    const auto first_node = static_cast<std::int32_t>(faces.size());
+    const std::int32_t first_node = faces.size();
     MovingBoxes<double> boxes(first_node + static_cast<std::int32_t>(nodes.size()));
     const auto box_of = [&](const std::int32_t* node, int count, double reach) {
       MovingBox<double> box = empty_box<double>();
       for (int k = 0; k < 3; ++k) {
         double low = INFINITY, high = -INFINITY;
         for (int i = 0; i < count; ++i) {
-          const double x = mesh_.nodes[node[i]][static_cast<std::size_t>(k)];
+          const double x = mesh_.nodes[node[i]][k];
           low = std::min(low, x);
           high = std::max(high, x);
         }
@@ -217,7 +216,7 @@ class TieSearch {
   void put_on_faces() {
     std::vector<std::uint8_t> moved(mesh_.nodes.size(), 0);
     for (const TiedNode& tied : ties_) {
-      if (scene_.tied_contacts[static_cast<std::size_t>(tied.tie)].start > 0) continue;
+      if (scene_.tied_contacts[tied.tie].start > 0) continue;
       moved[tied.node] = 1;
       for (std::size_t c = 0; c < 3; ++c) {
         double x = 0;

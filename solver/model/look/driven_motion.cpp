@@ -49,21 +49,18 @@ class DrivenMotions {
   }
 
  private:
-  std::size_t group_of(std::size_t node) const {
-    return static_cast<std::size_t>(group_[static_cast<std::size_t>(mesh_.body_of_node[node])]);
-  }
+  std::size_t group_of(std::size_t node) const { return group_[mesh_.body_of_node[node]]; }
   /// How many nodes of each group a selection has.
   std::vector<std::int64_t> counts(const NodeSelection& selection) const {
     std::vector<std::int64_t> count(all_.size(), 0);
-    for (const std::int32_t n : matching_nodes(mesh_, selection)) ++count[group_of(static_cast<std::size_t>(n))];
+    for (const std::int32_t n : matching_nodes(mesh_, selection)) ++count[group_of(n)];
     return count;
   }
   void weigh() {
     const std::vector<std::size_t> material = material_of_bodies(scene_);
     for (std::size_t e = 0; e < mesh_.hexahedra.size(); ++e) {
-      const auto body = static_cast<std::size_t>(mesh_.body[e]);
-      mass_[static_cast<std::size_t>(group_[body])] +=
-          scene_.materials[material[body]].density * element_volume(mesh_, e);
+      const std::size_t body = mesh_.body[e];
+      mass_[group_[body]] += scene_.materials[material[body]].density * element_volume(mesh_, e);
     }
   }
 
@@ -106,8 +103,7 @@ class DrivenMotions {
   void fall(const Gravity& gravity) {
     std::vector<bool> falls(all_.size(), gravity.bodies.empty());
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-      if (std::ranges::find(gravity.bodies, scene_.bodies[b].name) != gravity.bodies.end())
-        falls[static_cast<std::size_t>(group_[b])] = true;
+      if (std::ranges::find(gravity.bodies, scene_.bodies[b].name) != gravity.bodies.end()) falls[group_[b]] = true;
     }
     for (std::size_t g = 0; g < all_.size(); ++g) {
       if (falls[g]) add(all_[g], gravity.acceleration, gravity.table, 0);
@@ -125,7 +121,7 @@ class DrivenMotions {
     const std::vector<std::int64_t> count = counts(load.nodes);
     for (std::size_t g = 0; g < all_.size(); ++g) {
       if (count[g] == 0 || !(mass_[g] > 0)) continue;
-      const double factor = (load.each ? static_cast<double>(count[g]) : 1.0) / mass_[g];
+      const double factor = (load.each ? count[g] : 1.0) / mass_[g];
       add(all_[g], times(factor, load.force), load.table, 0);
     }
   }
@@ -133,9 +129,9 @@ class DrivenMotions {
   void press(const Pressure& pressure) {
     std::vector<Point> force(all_.size(), Point{});
     for (const PressedFace& face : pressed_faces(mesh_, scene_.constraints, pressure)) {
-      const auto at = [&](std::size_t i) { return mesh_.nodes[static_cast<std::size_t>(face.corners[i])]; };
+      const auto at = [&](std::size_t i) { return mesh_.nodes[face.corners[i]]; };
       const Point area = cross(minus(at(2), at(0)), minus(at(3), at(1)));
-      Point& own = force[group_of(static_cast<std::size_t>(face.corners[0]))];
+      Point& own = force[group_of(face.corners[0])];
       for (std::size_t k = 0; k < 3; ++k) own[k] -= pressure.pressure * area[k] / 2;
     }
     for (std::size_t g = 0; g < all_.size(); ++g) {

@@ -11,7 +11,7 @@ std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh)
   std::vector<Point> centre(scene.bodies.size(), Point{}), velocity(mesh.nodes.size());
   std::vector<double> count(scene.bodies.size(), 0.0);
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const auto b = static_cast<std::size_t>(mesh.body_of_node[n]);
+    const std::size_t b = mesh.body_of_node[n];
     for (std::size_t k = 0; k < 3; ++k) centre[b][k] += mesh.nodes[n][k];
     ++count[b];
   }
@@ -19,14 +19,14 @@ std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh)
     for (double& c : centre[b]) c /= std::max(count[b], 1.0);
   }
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const auto b = static_cast<std::size_t>(mesh.body_of_node[n]);
+    const std::size_t b = mesh.body_of_node[n];
     const Body& body = scene.bodies[b];
     const Point r = minus(mesh.nodes[n], centre[b]), spin = cross(body.angular_velocity, r);
     for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = body.velocity[k] + spin[k] + dot(body.velocity_gradient[k], r);
   }
   for (const InitialVelocity& given : scene.initial_velocities) {
     for (const std::int32_t n : matching_nodes(mesh, given.nodes)) {
-      const auto place = static_cast<std::size_t>(n);
+      const std::size_t place = n;
       const Point spin = cross(given.angular_velocity, minus(mesh.nodes[place], given.centre));
       for (std::size_t k = 0; k < 3; ++k) {
         if (given.components[k]) velocity[place][k] = given.velocity[k] + spin[k];

@@ -49,8 +49,7 @@ class LookAt {
   }
 
   std::string names(const Meeting& met) const {
-    return fmt::format("{} and {}", mesh_.body_names[static_cast<std::size_t>(met.first)],
-                       mesh_.body_names[static_cast<std::size_t>(met.second)]);
+    return fmt::format("{} and {}", mesh_.body_names[met.first], mesh_.body_names[met.second]);
   }
   std::string when(const Meeting& met) const {
     return met.time > 0 ? fmt::format("from time {} on", number(met.time, units_.time)) : "from the start on";
@@ -76,7 +75,7 @@ class LookAt {
 
   double wave_of_body(std::int32_t body) const {
     for (const Material& material : scene_.materials) {
-      if (material.name == scene_.bodies[static_cast<std::size_t>(body)].material) return wave_speed(material);
+      if (material.name == scene_.bodies[body].material) return wave_speed(material);
     }
     return 0;
   }
@@ -108,9 +107,8 @@ class LookAt {
       }
       if (!mover.meets_wall || mover.speed <= wave || told) continue;
       told = true;
-      tell_speed(fmt::format("body {} and a rigid wall meet",
-                             mesh_.body_names[static_cast<std::size_t>(mover.bodies.front())]),
-                 mover.speed, wave);
+      tell_speed(fmt::format("body {} and a rigid wall meet", mesh_.body_names[mover.bodies.front()]), mover.speed,
+                 wave);
     }
   }
   void tell_speed(const std::string& who, double speed, double wave) {

@@ -23,7 +23,7 @@ class Groups {
     for (const TiedContact& tied : scene.tied_contacts) join(tied, scene);
     std::vector<std::int32_t> number(group.size(), -1);
     for (std::int32_t& own : group) {
-      std::int32_t& of_root = number[static_cast<std::size_t>(root(own))];
+      std::int32_t& of_root = number[root(own)];
       if (of_root < 0) of_root = count++;
       named_.push_back(of_root);
     }
@@ -34,18 +34,17 @@ class Groups {
 
  private:
   std::int32_t root(std::int32_t body) const {
-    while (group[static_cast<std::size_t>(body)] != body) body = group[static_cast<std::size_t>(body)];
+    while (group[body] != body) body = group[body];
     return body;
   }
   void join(std::int32_t a, std::int32_t b) {
     a = root(a);
     b = root(b);
-    group[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    group[std::max(a, b)] = std::min(a, b);
   }
   void join_by_nodes(const ModelMesh& mesh) {
     for (std::size_t b = 0; b < mesh.shared.size(); ++b) {
-      for (const std::int32_t n : mesh.shared[b])
-        join(static_cast<std::int32_t>(b), mesh.body_of_node[static_cast<std::size_t>(n)]);
+      for (const std::int32_t n : mesh.shared[b]) join(b, mesh.body_of_node[n]);
     }
   }
   /// Of sets only the file knows whose they are: all bodies of files are then taken for tied.
@@ -56,8 +55,7 @@ class Groups {
       for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
         const Body& body = scene.bodies[b];
         const bool named = std::ranges::find(side->bodies, body.name) != side->bodies.end();
-        if (named || (sets && std::holds_alternative<FileMesh>(body.mesh)))
-          members.push_back(static_cast<std::int32_t>(b));
+        if (named || (sets && std::holds_alternative<FileMesh>(body.mesh))) members.push_back(b);
       }
     }
     for (const std::int32_t member : members) join(member, members.front());
@@ -68,7 +66,7 @@ class Groups {
 
 Extent box_of(const ModelMesh& mesh, std::size_t element) {
   Extent box;
-  for (const std::int32_t n : mesh.hexahedra[element]) box.take(mesh.nodes[static_cast<std::size_t>(n)]);
+  for (const std::int32_t n : mesh.hexahedra[element]) box.take(mesh.nodes[n]);
   return box;
 }
 
@@ -76,15 +74,14 @@ Extent box_of(const ModelMesh& mesh, std::size_t element) {
 void cut_into_cells(const ModelMesh& mesh, const std::vector<std::int32_t>& group, std::vector<Mover>& movers) {
   const std::size_t bodies = mesh.body_names.size();
   std::vector<Extent> whole(bodies);
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
-    whole[static_cast<std::size_t>(mesh.body_of_node[n])].take(mesh.nodes[n]);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) whole[mesh.body_of_node[n]].take(mesh.nodes[n]);
   for (std::size_t b = 0; b < mesh.shared.size(); ++b) {
-    for (const std::int32_t n : mesh.shared[b]) whole[b].take(mesh.nodes[static_cast<std::size_t>(n)]);
+    for (const std::int32_t n : mesh.shared[b]) whole[b].take(mesh.nodes[n]);
   }
   constexpr std::size_t all = cells_along * cells_along * cells_along;
   std::vector<Extent> cells(bodies * all);
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const auto b = static_cast<std::size_t>(mesh.body[e]);
+    const std::size_t b = mesh.body[e];
     const Extent box = box_of(mesh, e);
     std::size_t cell = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -95,8 +92,8 @@ void cut_into_cells(const ModelMesh& mesh, const std::vector<std::int32_t>& grou
     cells[b * all + cell].take(box);
   }
   for (std::size_t b = 0; b < bodies; ++b) {
-    Mover& mover = movers[static_cast<std::size_t>(group[b])];
-    mover.bodies.push_back(static_cast<std::int32_t>(b));
+    Mover& mover = movers[group[b]];
+    mover.bodies.push_back(b);
     for (std::size_t c = 0; c < all; ++c) {
       if (cells[b * all + c].empty()) continue;
       mover.cells.push_back({cells[b * all + c], static_cast<std::int32_t>(b)});
@@ -186,7 +183,7 @@ Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
   for (std::size_t j = 0; j <= steps; ++j)
     movers.times.push_back(scene.time.end * static_cast<double>(j) / static_cast<double>(steps));
   const Groups groups(scene, mesh);
-  const auto count = static_cast<std::size_t>(groups.count);
+  const std::size_t count = groups.count;
   movers.all.resize(count);
   cut_into_cells(mesh, groups.group, movers.all);
   const std::vector<InitialMotion> initial = initial_motions(scene, mesh, groups.group, count);

@@ -18,7 +18,7 @@ constexpr double nodes_of_layer = 1.99;
 constexpr double most_faces = 0.6;
 
 Point normal_of(const ModelMesh& mesh, std::size_t element, int face) {
-  const auto corner = [&](int i) { return mesh.corner(static_cast<std::int64_t>(element), face_nodes[face][i]); };
+  const auto corner = [&](int i) { return mesh.corner(element, face_nodes[face][i]); };
   Point normal = cross(minus(corner(2), corner(0)), minus(corner(3), corner(1)));
   const double length = norm(normal);
   for (double& n : normal) n /= length > 0 ? length : 1;
@@ -31,7 +31,7 @@ class Stopped {
   Stopped(const Scene& scene, const ModelMesh& mesh) : of_node_(mesh.nodes.size()) {
     const auto stop = [&](const NodeSelection& nodes, const std::vector<Point>& directions) {
       for (const std::int32_t n : matching_nodes(mesh, nodes)) {
-        auto& own = of_node_[static_cast<std::size_t>(n)];
+        auto& own = of_node_[n];
         own.insert(own.end(), directions.begin(), directions.end());
       }
     };
@@ -44,7 +44,7 @@ class Stopped {
   bool stops(const ModelMesh& mesh, std::size_t element, int face) const {
     const Point normal = normal_of(mesh, element, face);
     for (const int i : face_nodes[face]) {
-      const auto n = static_cast<std::size_t>(mesh.hexahedra[element][static_cast<std::size_t>(i)]);
+      const std::size_t n = mesh.hexahedra[element][i];
       const bool held =
           std::ranges::any_of(of_node_[n], [&](const Point& d) { return std::abs(dot(d, normal)) > 0.7; });
       if (!held) return false;
@@ -65,19 +65,19 @@ struct Candidate {
 std::vector<Candidate> candidates(const Scene& scene, const ModelMesh& mesh) {
   const std::vector<std::size_t> material = material_of_bodies(scene);
   std::vector<double> nodes(scene.bodies.size(), 0.0), elements(scene.bodies.size(), 0.0);
-  for (const std::int32_t b : mesh.body_of_node) ++nodes[static_cast<std::size_t>(b)];
-  for (const std::int32_t b : mesh.body) ++elements[static_cast<std::size_t>(b)];
+  for (const std::int32_t b : mesh.body_of_node) ++nodes[b];
+  for (const std::int32_t b : mesh.body) ++elements[b];
   std::vector<Candidate> found;
   std::vector<std::int32_t> place(scene.bodies.size(), -1);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (!scene.materials[material[b]].plastic || nodes[b] < nodes_of_layer * elements[b]) continue;
-    place[b] = static_cast<std::int32_t>(found.size());
+    place[b] = found.size();
     found.push_back({static_cast<std::int32_t>(b), {}});
   }
   if (found.empty()) return found;
   for (std::size_t e = 0; e < mesh.body.size(); ++e) {
-    const std::int32_t own = place[static_cast<std::size_t>(mesh.body[e])];
-    if (own >= 0) found[static_cast<std::size_t>(own)].elements.push_back(e);
+    const std::int32_t own = place[mesh.body[e]];
+    if (own >= 0) found[own].elements.push_back(e);
   }
   return found;
 }
@@ -89,9 +89,7 @@ double share_of_one_layer(const ModelMesh& mesh, const std::vector<std::size_t>&
   const auto neighbours = face_neighbours(hexahedra);
   double outer = 0, opposite = 0;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const auto is_free = [&](int f) {
-      return neighbours[i][static_cast<std::size_t>(f)] == -1 && !stopped.stops(mesh, elements[i], f);
-    };
+    const auto is_free = [&](int f) { return neighbours[i][f] == -1 && !stopped.stops(mesh, elements[i], f); };
     for (int f = 0; f < 6; f += 2) {  // faces 2 k and 2 k + 1 lie opposite to each other
       const bool one = is_free(f), other = is_free(f + 1);
       outer += (one ? 1 : 0) + (other ? 1 : 0);
@@ -112,7 +110,7 @@ std::string find_thin_body(const Scene& scene, const ModelMesh& mesh) {
     return fmt::format(
         "body {} has one layer of elements through its thickness, {} in all: what yields in bending, or is pierced, "
         "needs three layers or more",
-        mesh.body_names[static_cast<std::size_t>(candidate.body)], candidate.elements.size());
+        mesh.body_names[candidate.body], candidate.elements.size());
   }
   return "";
 }

@@ -36,8 +36,7 @@ double slope_from(const YieldCurve& curve, std::size_t k) {
 /// Number of the last point at or before a plastic strain.
 std::size_t point_before(const YieldCurve& curve, double strain) {
   const auto& e = curve.plastic_strain;
-  return static_cast<std::size_t>(
-      std::max<std::ptrdiff_t>(0, std::upper_bound(e.begin(), e.end(), strain) - e.begin() - 1));
+  return std::max<std::ptrdiff_t>(0, std::upper_bound(e.begin(), e.end(), strain) - e.begin() - 1);
 }
 
 std::vector<double> all_strains(const std::vector<YieldCurve>& curves) {
@@ -88,8 +87,8 @@ template <class S>
 HardeningConstants<S> hardening_constants(const Material& m, const YieldCurves<S>& curves) {
   HardeningConstants<S> h{};
   h.kinematic_modulus = static_cast<S>((1 - m.isotropic_share) * m.plastic_modulus);
-  h.points = static_cast<int>(curves.strain.size());
-  h.curves = static_cast<int>(curves.rate.size());
+  h.points = curves.strain.size();
+  h.curves = curves.rate.size();
   h.strain = curves.strain.data();
   h.stress = curves.stress.data();
   h.slope = curves.slope.data();

@@ -39,7 +39,7 @@ std::vector<MeshSet> parts_as_sets(const MeshFile& file, const std::vector<std::
     if (element[e] >= 0) {
       set.members.push_back(element[e]);
     } else {
-      set.left_out.add(number_of(file.element_ids, static_cast<std::int32_t>(e)));
+      set.left_out.add(number_of(file.element_ids, e));
     }
   }
   for (MeshSet& set : sets) std::sort(set.members.begin(), set.members.end());

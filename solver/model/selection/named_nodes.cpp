@@ -29,10 +29,10 @@ const FileNodes& file_of(const ModelMesh& mesh, const std::string& name, const s
 std::vector<std::int32_t> nodes_of_body(const ModelMesh& mesh, const std::string& name) {
   const auto found = std::ranges::find(mesh.body_names, name);
   if (found == mesh.body_names.end()) return {};
-  const auto body = static_cast<std::int32_t>(found - mesh.body_names.begin());
+  const std::int32_t body = found - mesh.body_names.begin();
   std::vector<std::int32_t> nodes = mesh.shared[body];
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    if (mesh.body_of_node[n] == body) nodes.push_back(static_cast<std::int32_t>(n));
+    if (mesh.body_of_node[n] == body) nodes.push_back(n);
   }
   std::sort(nodes.begin(), nodes.end());
   return nodes;
@@ -100,9 +100,9 @@ const FileNodes& file_of(const ModelMesh& mesh, const Probe& probe) {
     return mesh.files.front();
   }
   const auto body = std::ranges::find(mesh.body_names, probe.body) - mesh.body_names.begin();
-  const std::int32_t file = mesh.file_of_body[static_cast<std::size_t>(body)];
+  const std::int32_t file = mesh.file_of_body[body];
   if (file < 0) fail("numbers of nodes and elements are those of a mesh file, and its body is from none");
-  return mesh.files[static_cast<std::size_t>(file)];
+  return mesh.files[file];
 }
 
 }  // namespace
@@ -127,9 +127,8 @@ std::int32_t place_of_number(const ModelMesh& mesh, const Probe& probe) {
   if (probe.body.empty()) return place;
   const auto body = std::ranges::find(mesh.body_names, probe.body) - mesh.body_names.begin();
   const auto& body_of = node ? mesh.body_of_node : mesh.body;
-  const auto& shared = mesh.shared[static_cast<std::size_t>(body)];
-  const bool theirs = body_of[static_cast<std::size_t>(place)] == body ||
-                      (node && std::binary_search(shared.begin(), shared.end(), place));
+  const auto& shared = mesh.shared[body];
+  const bool theirs = body_of[place] == body || (node && std::binary_search(shared.begin(), shared.end(), place));
   if (!theirs) fail("body " + probe.body + " uses");
   return place;
 }

@@ -21,7 +21,7 @@ class PlaceTolerance {
   double near(std::int32_t node) const;  ///< up to which somebody may have meant the node: a tenth of its edge [length]
 
  private:
-  double edge_of(std::int32_t node) const { return mesh_.edge.empty() ? 0.0 : static_cast<double>(mesh_.edge[node]); }
+  double edge_of(std::int32_t node) const { return mesh_.edge.empty() ? 0.0 : mesh_.edge[node]; }
 
   const ModelMesh& mesh_;
   double given_, rounding_ = 0, least_ = 0;

@@ -78,7 +78,7 @@ double seconds_of(const Work& work) {
 template <class S>
 double bytes_of(const Solver<S>& solver) {
   const auto contact = solver.contact() != nullptr ? solver.contact()->bytes() : 0;
-  return static_cast<double>(solver.model().bytes() + contact);
+  return solver.model().bytes() + contact;
 }
 
 /// Of all that a run writes, without writing it [s]. program: what it took to come up [s].
@@ -120,7 +120,7 @@ StepPhases after(const StepPhases& some, StepPhases all) {
   all.others -= some.others;
   all.steps -= some.steps;
   all.lists -= some.lists;
-  if (all.lists == 0 && some.lists > 0) all.of_list = some.searches / static_cast<double>(some.lists);
+  if (all.lists == 0 && some.lists > 0) all.of_list = some.searches / some.lists;
   return all;
 }
 
@@ -141,7 +141,7 @@ void print_store(const Solver<S>& solver) {
              DefaultExecutionSpace::concurrency() == 1 ? "" : "s");
   const double bytes = bytes_of(solver);
   fmt::print("  memory of the stores: {}, {:.0f} bytes per element\n", readable_bytes(bytes),
-             bytes / static_cast<double>(model.element_count()));
+             bytes / model.element_count());
 }
 
 }  // namespace
@@ -180,14 +180,14 @@ void print_cost(Solver<S>& solver, const Units& units, const SpentSoFar& spent) 
     return;
   }
   const double element_steps = static_cast<double>(solver.element_count()) * static_cast<double>(solver.steps());
-  const double resting = static_cast<double>(solver.counts().work().resting_element_steps);
+  const double resting = solver.counts().work().resting_element_steps;
   const ExpectedRun run = forecast.expected(resting / element_steps, after(begun, phases_of(solver)));
   const double seconds = spent.built + run.seconds + seconds_of_outputs(solver, run, spent.program);
   const double per_step = run.seconds / run.steps;
   fmt::print("  {:.0f} steps to {}, {}run time {} ({:.3g} ms per step, {:.3g} million element steps per second)\n",
              run.steps, with_unit(solver.at_end() ? solver.time() : scene.time.end, units.time),
              solver.at_end() ? "all made just now, " : "", time_text(seconds), 1e3 * per_step,
-             1e-6 * static_cast<double>(solver.element_count()) / per_step);
+             1e-6 * solver.element_count() / per_step);
 }
 
 template void print_cost(Solver<double>&, const Units&, const SpentSoFar&);

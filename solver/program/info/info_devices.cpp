@@ -25,7 +25,7 @@ void print_devices() {
   for (const Device device : {Device::none, Device::mock, Device::cuda, Device::hip}) {
     const DeviceReport report = report_of(device);
     fmt::print("  {}: {}{}", device_name(device), report.is_there ? "" : "not there: ", report.what);
-    if (report.memory > 0) fmt::print(", {} of memory", readable_bytes(static_cast<double>(report.memory)));
+    if (report.memory > 0) fmt::print(", {} of memory", readable_bytes(report.memory));
     fmt::print("\n");
   }
 }

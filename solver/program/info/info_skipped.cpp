@@ -33,7 +33,7 @@ std::vector<MovingBox> boxes_of_bodies(const Model<S>& model) {
     MovingBox& box = boxes[model.mesh.body_of_node[n]];
     const S* velocity = model.nodes.velocity_of(model.node_of_scene_node[n]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto v = static_cast<double>(velocity[k]);
+      const double v = velocity[k];
       box.low[k] = std::min(box.low[k], model.mesh.nodes[n][k]);
       box.high[k] = std::max(box.high[k], model.mesh.nodes[n][k]);
       box.slowest[k] = std::min(box.slowest[k], v);
@@ -81,7 +81,7 @@ template <class S>
 void print_element_features(const Model<S>& model) {
   const Scene& scene = model.scene;
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
-    const Material& material = scene.materials[static_cast<std::size_t>(model.parts[p].material)];
+    const Material& material = scene.materials[model.parts[p].material];
     const ElementFeatures& f = model.parts[p].features;
     if (!material.plastic) skip(fmt::format("plasticity of {}", material.name), "its model is elastic");
     if (!f.erosion) {
@@ -101,8 +101,8 @@ void print_element_features(const Model<S>& model) {
   if (store.viscous_stress.empty()) skip("viscous stress array", "no bulk viscosity");
   if (store.hourglass_state.empty()) skip("hourglass force array", "no hourglass control that keeps forces");
   if (const double bytes = bytes_not_stored(store); bytes > 0) {
-    skip("memory of these arrays", fmt::format("{:.0f} bytes per element, neither stored nor read",
-                                               bytes / static_cast<double>(model.element_count())));
+    skip("memory of these arrays",
+         fmt::format("{:.0f} bytes per element, neither stored nor read", bytes / model.element_count()));
   }
 }
 

@@ -40,7 +40,7 @@ std::string read_to_end(int descriptor) {
   std::string text;
   std::array<char, 4096> piece{};
   for (ssize_t n = 0; (n = ::read(descriptor, piece.data(), piece.size())) != 0;) {
-    if (n > 0) text.append(piece.data(), static_cast<std::size_t>(n));
+    if (n > 0) text.append(piece.data(), n);
     if (n < 0 && errno != EINTR) break;
   }
   return text;

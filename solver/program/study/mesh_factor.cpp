@@ -121,7 +121,7 @@ void refine(Body& body, const MeshFactor& factor) {
       fail(fmt::format("is even {} times, since the section is cut through it", factor.text()));
     }
     if (result > most_in_line) fail(fmt::format("is at most {} {} times", most_in_line, factor.text()));
-    count = static_cast<int>(result);
+    count = result;
   });
 }
 

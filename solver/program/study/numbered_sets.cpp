@@ -67,10 +67,8 @@ class NumberedMesh {
  private:
   std::int32_t place_of(std::int64_t number, const NodeSelection& selection) const {
     const bool by_place = file_.node_ids.empty();
-    const auto count = static_cast<std::int64_t>(file_.mesh.nodes.size());
-    const std::int32_t place = !by_place                       ? places_.find(number)
-                               : number >= 0 && number < count ? static_cast<std::int32_t>(number)
-                                                               : -1;
+    const std::int64_t count = file_.mesh.nodes.size();
+    const std::int32_t place = !by_place ? places_.find(number) : number >= 0 && number < count ? number : -1;
     if (place >= 0) return place;
     throw InputError(fmt::format("{}: {} has no node {}", selection.where, file_.path, number));
   }

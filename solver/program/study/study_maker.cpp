@@ -90,8 +90,7 @@ void StudyMaker::run_sources() {
   const auto own = study_.own_mesh();
   const auto first = std::find_if(study_.meshes.begin(), study_.meshes.end(), came_to_its_end);
   if (first == study_.meshes.end()) return;
-  study_.sources_mesh =
-      own && came_to_its_end(study_.meshes[*own]) ? *own : static_cast<std::size_t>(first - study_.meshes.begin());
+  study_.sources_mesh = own && came_to_its_end(study_.meshes[*own]) ? *own : (first - study_.meshes.begin());
   const Scene refined = refined_by(scene_, study_.meshes[study_.sources_mesh].factor);
   std::vector<SourceVariation> variations = vary_sources(refined, settings_.sources, settings_.ensemble);
   for (SourceVariation& body : vary_bodies(refined, settings_.bodies)) variations.push_back(std::move(body));

@@ -88,7 +88,7 @@ void add_curve_sources(const ConvergenceStudy& study, StudyQuantity& quantity) {
     const TimeCurve mean = mean_of(curves);
     double squares = 0;
     for (const TimeCurve& curve : curves) squares += std::pow(distance(curve, mean), 2);
-    quantity.moved.back() = std::sqrt(squares / static_cast<double>(curves.size() - 1));
+    quantity.moved.back() = std::sqrt(squares / (curves.size() - 1));
     quantity.mean_of_chance = quantity.value_in(*plain);
   }
 }
@@ -97,7 +97,7 @@ void add_curve_sources(const ConvergenceStudy& study, StudyQuantity& quantity) {
 void add_chance(const std::vector<double>& values, StudyQuantity& quantity) {
   double sum = 0, squares = 0;
   for (const double value : values) sum += value;
-  const double count = static_cast<double>(values.size()), mean = sum / count;
+  const double count = values.size(), mean = sum / count;
   for (const double value : values) squares += (value - mean) * (value - mean);
   quantity.moved.push_back(std::sqrt(squares / (count - 1)));
   quantity.mean_of_chance = mean;

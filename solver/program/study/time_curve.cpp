@@ -55,7 +55,7 @@ TimeCurve mean_of(const std::vector<TimeCurve>& curves) {
   for (std::size_t i = 0; i < mean.times.size(); ++i) {
     double sum = 0;
     for (const TimeCurve& curve : curves) sum += value_at(curve, mean.times[i]);
-    mean.values[i] = sum / static_cast<double>(curves.size());
+    mean.values[i] = sum / curves.size();
   }
   return mean;
 }

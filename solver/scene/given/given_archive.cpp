@@ -57,7 +57,7 @@ GivenValue::Any empty_of(std::size_t wanted) {
 }
 
 void persist(StateArchive& archive, GivenValue& value) {
-  std::uint8_t kind = static_cast<std::uint8_t>(value.any.index());
+  std::uint8_t kind = value.any.index();
   archive(kind);
   archive.require(kind < std::variant_size_v<GivenValue::Any>);
   if (archive.reads()) value.any = empty_of(kind);

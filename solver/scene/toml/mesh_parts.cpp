@@ -64,7 +64,7 @@ MeshSettings read_rod(const SceneTable& table, const MeshScale& scale) {
     table.fail("length",
                fmt::format("expected a number > radius = {}, the depth of the nose, got {}", mesh.radius, mesh.length));
   }
-  const double across = (static_cast<double>(mesh.core[0]) + 2.0 * mesh.ring) * (mesh.core[1] + 2.0 * mesh.ring);
+  const double across = (mesh.core[0] + 2.0 * mesh.ring) * (mesh.core[1] + 2.0 * mesh.ring);
   check_count(table, "layers", across * (static_cast<double>(mesh.layers) + mesh.ring), scale);
   return mesh;
 }

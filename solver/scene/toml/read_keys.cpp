@@ -17,8 +17,8 @@ std::vector<std::string> texts_of(const schema::AnyKey& key) {
 }  // namespace
 
 int to_count(const SceneTable& table, std::string_view key, std::int64_t count) {
-  if (count > std::numeric_limits<int>::max()) fail_too_many(table, key, static_cast<double>(count));
-  return static_cast<int>(count);
+  if (count > std::numeric_limits<int>::max()) fail_too_many(table, key, count);
+  return count;
 }
 
 void read_value(const SceneTable& table, const schema::AnyKey& key, double& value) {

@@ -15,8 +15,7 @@ BodyEnergies<S>::BodyEnergies(const Model<S>& model) {
   shares_ = mass_shares(model, group, bodies);
   for (const MassShares& body : shares_) {
     std::vector<double>& mass = mass_.emplace_back();
-    for (std::size_t i = 0; i < body.nodes.size(); ++i)
-      mass.push_back(body.share[i] * model.node_mass[static_cast<std::size_t>(body.nodes[i])]);
+    for (std::size_t i = 0; i < body.nodes.size(); ++i) mass.push_back(body.share[i] * model.node_mass[body.nodes[i]]);
   }
   energies_.resize(bodies);
 }
@@ -25,7 +24,7 @@ template <class S>
 void BodyEnergies<S>::book(const Model<S>& model, const std::vector<TileResult<S>>& tiles) {
   if (!any()) return;
   for (std::size_t t = 0; t < tiles.size(); ++t) {
-    Sums& body = energies_[static_cast<std::size_t>(model.tile_body[t])];
+    Sums& body = energies_[model.tile_body[t]];
     body.internal += tiles[t].internal - tiles[t].eroded;
     body.hourglass += tiles[t].hourglass;
     body.bulk_viscosity += tiles[t].viscous;
@@ -40,10 +39,10 @@ void BodyEnergies<S>::take_kinetic(const Model<S>& model, const StepLengths& ste
     const MassShares& body = shares_[b];
     double twice = 0;
     parallel_reduce(
-        "energy of a body", RangePolicy<>{0, static_cast<std::int64_t>(body.nodes.size())}, twice,
+        "energy of a body", RangePolicy<>{0, std::ssize(body.nodes)}, twice,
         [&](std::int64_t begin, std::int64_t end, double& partial) {
           for (std::int64_t index = begin; index < end; ++index) {
-            const auto i = static_cast<std::size_t>(index), n = static_cast<std::size_t>(body.nodes[i]);
+            const std::size_t i = index, n = body.nodes[i];
             const S factor = energy_step * nodes.inverse_mass[n];
             S v2 = 0;
             for (std::size_t k = 4 * n; k < 4 * n + 3; ++k)
@@ -65,7 +64,7 @@ std::vector<BodyShare> BodyEnergies<S>::results(const Model<S>& model) const {
     for (std::size_t i = 0; i < shares_[b].nodes.size(); ++i) {
       const S* v = model.nodes.velocity_of(shares_[b].nodes[i]);
       body.mass += mass_[b][i];
-      for (std::size_t k = 0; k < 3; ++k) body.momentum[k] += mass_[b][i] * static_cast<double>(v[k]);
+      for (std::size_t k = 0; k < 3; ++k) body.momentum[k] += mass_[b][i] * v[k];
     }
   }
   return results;

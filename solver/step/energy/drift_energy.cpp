@@ -42,8 +42,7 @@ double drift_energy(const Model<S>& model, const Point& momentum) {
   }
   const auto add = [&held](const auto& nodes) {  // of one direction of one node each
     for (const auto& node : nodes) {
-      held.add({static_cast<double>(node.normal[0]), static_cast<double>(node.normal[1]),
-                static_cast<double>(node.normal[2])});
+      held.add({node.normal[0], node.normal[1], node.normal[2]});
     }
   };
   add(model.constraints);

@@ -84,7 +84,7 @@ class Boundary {
   Boundary(AbaqusData& data, DeckScene& scene) : data_(data), scene_(scene) {}
 
   void translate() {
-    for (int step = 0; step <= static_cast<int>(data_.steps.size()); ++step) read_step(step);
+    for (int step = 0; step <= std::ssize(data_.steps); ++step) read_step(step);
     for (const BoundaryLine& line : lines_) write(line);
     for (const auto& [kind, singles] : singles_) {
       begin_fixed(*singles.first).set("nodes", singles.numbers);
@@ -132,8 +132,7 @@ class Boundary {
     const Held held = held_of(data_, block, f);
     if (held.directions == 0) return;
     const AbaqusNodes nodes = data_.nodes(f.text(0), card.place);
-    if (nodes.set.empty() && !data_.used[static_cast<std::size_t>(nodes.members[0])])
-      return data_.report.ignore_node(card.place, "*BOUNDARY");
+    if (nodes.set.empty() && !data_.used[nodes.members[0]]) return data_.report.ignore_node(card.place, "*BOUNDARY");
     BoundaryLine line{&block, card.place, nodes, held, false, {}, block.step > 0 ? data_.step_of(block).start : 0.0};
     if (block.step > 0) line.curve = data_.curve(block);
     line.moves = held.magnitude != 0 || line.curve.absolute || block.option("TYPE") == "ACCELERATION";
@@ -197,7 +196,7 @@ class Boundary {
   std::vector<std::int64_t> numbers_of(const BoundaryLine& line) const {
     std::vector<std::int64_t> numbers;
     for (const std::int32_t node : line.nodes.members) {
-      const auto at = static_cast<std::size_t>(node);
+      const std::size_t at = node;
       if (data_.used[at]) numbers.push_back(data_.mesh.file.node_ids[at]);
     }
     return numbers;

@@ -99,7 +99,7 @@ void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_fil
     keys.comment("");
     keys.set("name", body.name);
     keys.set("material", data.material_name(body.material));
-    const DeckElement& element = data.body_elements[static_cast<std::size_t>(&body - data.bodies.data())];
+    const DeckElement& element = data.body_elements[&body - data.bodies.data()];
     if (element != data.body_elements.front()) set_body_element(element, keys);
     InnerKeys<FileMesh> mesh;
     mesh.set("type", "abaqus");

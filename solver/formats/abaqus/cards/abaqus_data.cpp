@@ -24,7 +24,7 @@ AbaqusData::AbaqusData(const AbaqusDeck& deck_, const AbaqusMesh& mesh_, DeckRep
     : deck(deck_), mesh(mesh_), report(report_), numbers_(mesh_.file.node_ids) {
   used.assign(mesh.file.mesh.nodes.size(), false);
   for (const auto& hexahedron : mesh.file.mesh.hexahedra) {
-    for (const std::int32_t node : hexahedron) used[static_cast<std::size_t>(node)] = true;
+    for (const std::int32_t node : hexahedron) used[node] = true;
   }
   for (std::size_t i = 0; i < mesh.keys.node_sets.size(); ++i) node_sets_[mesh.keys.node_sets[i]] = i;
   for (std::size_t i = 0; i < mesh.keys.element_sets.size(); ++i) element_sets_[mesh.keys.element_sets[i]] = i;
@@ -61,7 +61,7 @@ const AbaqusBlock* AbaqusData::last(const std::string& name) const {
 void AbaqusData::require_sections() const {
   for (std::size_t e = 0; e < mesh.file.part.size(); ++e) {
     if (static_cast<std::size_t>(mesh.file.part[e]) < mesh.sections.size()) continue;
-    const std::string& name = mesh.file.parts[static_cast<std::size_t>(mesh.file.part[e])].name;
+    const std::string& name = mesh.file.parts[mesh.file.part[e]].name;
     throw_at_element(e, name);
   }
 }
@@ -74,7 +74,7 @@ void AbaqusData::throw_at_element(std::size_t e, const std::string& part) const 
 
 void AbaqusData::name_bodies() {
   std::vector<std::int64_t> elements(mesh.file.parts.size(), 0);
-  for (const std::int32_t part : mesh.file.part) ++elements[static_cast<std::size_t>(part)];
+  for (const std::int32_t part : mesh.file.part) ++elements[part];
   std::set<std::string> taken;
   for (std::size_t s = 0; s < mesh.sections.size(); ++s) {
     if (elements[s] == 0) continue;
@@ -114,9 +114,7 @@ void AbaqusData::read_steps() {
   if (steps.empty()) fail_without({std::make_shared<const std::string>(mesh.file.path), 1});
 }
 
-const AbaqusStep& AbaqusData::step_of(const AbaqusBlock& block) const {
-  return steps[static_cast<std::size_t>(std::max(block.step, 1) - 1)];
-}
+const AbaqusStep& AbaqusData::step_of(const AbaqusBlock& block) const { return steps[std::max(block.step, 1) - 1]; }
 
 namespace {
 
@@ -161,7 +159,7 @@ void AbaqusData::read_amplitude(const AbaqusBlock& block) {
     const double interval = block.number("FIXEDINTERVAL", 0.0), begin = block.number("BEGIN", 0.0);
     if (!(interval > 0)) fail_at(block.place, "*AMPLITUDE: FIXED INTERVAL: expected more than 0");
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      curve.times.push_back(begin + static_cast<double>(i) * interval);
+      curve.times.push_back(begin + i * interval);
       curve.factors.push_back(numbers[i]);
     }
   } else {
@@ -189,8 +187,8 @@ namespace {
 double factor_at(const AbaqusCurve& curve, double time) {
   const auto after = std::ranges::upper_bound(curve.times, time) - curve.times.begin();
   if (after == 0) return curve.factors.front();
-  if (static_cast<std::size_t>(after) == curve.times.size()) return curve.factors.back();
-  const auto i = static_cast<std::size_t>(after);
+  if (after == std::ssize(curve.times)) return curve.factors.back();
+  const std::size_t i = after;
   const double share = (time - curve.times[i - 1]) / (curve.times[i] - curve.times[i - 1]);
   return curve.factors[i - 1] + share * (curve.factors[i] - curve.factors[i - 1]);
 }
@@ -240,7 +238,7 @@ AbaqusNodes AbaqusData::nodes(const std::string& label, const DeckPlace& place) 
   if (!number) fail_at(place, fmt::format("there is no set of nodes {}", label));
   if (range != nullptr) {
     const std::int32_t node = numbers_.find(*number + range->added);
-    const auto after = static_cast<std::size_t>(node) - range->first_node;
+    const auto after = node - range->first_node;
     if (node >= 0 && after < range->nodes) return {"", *number + range->added, {node}};
   }
   fail_at(place, fmt::format("node {} is not there", label));
@@ -279,8 +277,7 @@ std::vector<std::int32_t> AbaqusData::elements(const std::string& label, const D
   const AbaqusRange* range = range_of(parts ? parts->first : "");
   if (!number) fail_at(place, fmt::format("there is no set of elements {}", label));
   if (range != nullptr) {
-    const auto begin = mesh.file.element_ids.begin() + static_cast<std::ptrdiff_t>(range->first_element),
-               end = begin + static_cast<std::ptrdiff_t>(range->elements),
+    const auto begin = mesh.file.element_ids.begin() + range->first_element, end = begin + range->elements,
                found = std::find(begin, end, *number + range->added);
     if (found != end) return {static_cast<std::int32_t>(found - mesh.file.element_ids.begin())};
   }
@@ -290,11 +287,11 @@ std::vector<std::int32_t> AbaqusData::elements(const std::string& label, const D
 std::vector<std::string> AbaqusData::whole_bodies(const std::string& label, const DeckPlace& place) const {
   std::vector<std::string> names;
   std::vector<bool> member(mesh.file.part.size(), false);
-  for (const std::int32_t e : elements(label, place)) member[static_cast<std::size_t>(e)] = true;
+  for (const std::int32_t e : elements(label, place)) member[e] = true;
   std::vector<std::int64_t> inside(mesh.file.parts.size(), 0), all(mesh.file.parts.size(), 0);
   for (std::size_t e = 0; e < member.size(); ++e) {
-    ++all[static_cast<std::size_t>(mesh.file.part[e])];
-    if (member[e]) ++inside[static_cast<std::size_t>(mesh.file.part[e])];
+    ++all[mesh.file.part[e]];
+    if (member[e]) ++inside[mesh.file.part[e]];
   }
   for (const AbaqusBody& body : bodies) {
     if (inside[body.section] == 0) continue;

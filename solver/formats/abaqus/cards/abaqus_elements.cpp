@@ -46,7 +46,7 @@ std::vector<std::set<std::string>> types_of_parts(const AbaqusMesh& mesh) {
     const std::size_t end = run + 1 < mesh.types.size() ? mesh.types[run + 1].first : mesh.file.part.size();
     std::int32_t last = -1;
     for (std::size_t e = mesh.types[run].first; e < end; ++e) {
-      if (mesh.file.part[e] != last) types[static_cast<std::size_t>(mesh.file.part[e])].insert(mesh.types[run].type);
+      if (mesh.file.part[e] != last) types[mesh.file.part[e]].insert(mesh.types[run].type);
       last = mesh.file.part[e];
     }
   }

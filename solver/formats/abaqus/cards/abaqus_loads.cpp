@@ -13,7 +13,7 @@ void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& car
   const double magnitude = f.number(2, "magnitude", 0.0);
   const AbaqusCurve curve = data.curve(block);
   Point force{};
-  force[static_cast<std::size_t>(degree - 1)] = curve.times.empty() ? magnitude : 1.0;
+  force[degree - 1] = curve.times.empty() ? magnitude : 1.0;
   const auto keys = scene.entry<NodalLoad>("load", card_of(block, card.place));
   keys.set("force", force);
   keys.set("each", true);
@@ -54,12 +54,12 @@ void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataL
                          DeckScene& scene) {
   std::vector<std::vector<std::int64_t>> faces;
   for (const std::int32_t e : data.elements(DataFields(card).text(0), card.place)) {
-    const auto& hexahedron = data.mesh.file.mesh.hexahedra[static_cast<std::size_t>(e)];
+    const auto& hexahedron = data.mesh.file.mesh.hexahedra[e];
     const int face = abaqus_face(hexahedron, number);
     if (face < 0) fail_at(card.place, fmt::format("*DLOAD: a wedge has no face P{}", number));
     faces.emplace_back();
     for (const std::int32_t node : corners_of_face(hexahedron, face))
-      faces.back().push_back(data.mesh.file.node_ids[static_cast<std::size_t>(node)]);
+      faces.back().push_back(data.mesh.file.node_ids[node]);
   }
   begin_pressure(data, block, card, scene).set("faces", faces);
 }

@@ -17,8 +17,7 @@ Share share_of(const AbaqusFaces& faces, const AbaqusFaces& other, std::size_t b
 }
 
 AbaqusOutside::AbaqusOutside(const AbaqusData& data) : data_(data), body_of_part_(data.mesh.file.parts.size(), -1) {
-  for (std::size_t b = 0; b < data.bodies.size(); ++b)
-    body_of_part_[data.bodies[b].section] = static_cast<std::int32_t>(b);
+  for (std::size_t b = 0; b < data.bodies.size(); ++b) body_of_part_[data.bodies[b].section] = b;
   find_outside();
 }
 
@@ -28,9 +27,9 @@ void AbaqusOutside::find_outside() {
   outside_.of_body.resize(data_.bodies.size());
   outside_.whole.assign(data_.bodies.size(), true);
   for (std::size_t e = 0; e < neighbours.size(); ++e) {
-    const auto body = static_cast<std::size_t>(body_of_part_[static_cast<std::size_t>(file.part[e])]);
+    const std::size_t body = body_of_part_[file.part[e]];
     for (std::size_t k = 0; k < 6; ++k) {
-      if (neighbours[e][k] == -1) outside_.of_body[body].push_back(static_cast<std::int64_t>(6 * e + k));
+      if (neighbours[e][k] == -1) outside_.of_body[body].push_back(6 * e + k);
     }
   }
 }
@@ -57,7 +56,7 @@ AbaqusFaces AbaqusOutside::of_faces(const FaceSet& set) const {
   for (std::size_t e = 0; e < file.part.size(); ++e) {
     for (int k = 0; k < 6; ++k) {
       if (!std::ranges::binary_search(wanted, sorted(corners_of_face(file.mesh.hexahedra[e], k)))) continue;
-      const auto body = static_cast<std::size_t>(body_of_part_[static_cast<std::size_t>(file.part[e])]);
+      const std::size_t body = body_of_part_[file.part[e]];
       faces.of_body[body].push_back(static_cast<std::int64_t>(6 * e) + k);
     }
   }
@@ -66,15 +65,15 @@ AbaqusFaces AbaqusOutside::of_faces(const FaceSet& set) const {
 
 AbaqusFaces AbaqusOutside::of_nodes(const std::vector<std::int32_t>& nodes) const {
   std::vector<bool> member(data_.used.size(), false);
-  for (const std::int32_t node : nodes) member[static_cast<std::size_t>(node)] = true;
+  for (const std::int32_t node : nodes) member[node] = true;
   AbaqusFaces faces;
   faces.of_nodes = true;
   faces.of_body.resize(data_.bodies.size());
   const MeshFile& file = data_.mesh.file;
   for (std::size_t e = 0; e < file.part.size(); ++e) {
-    const auto has = [&](std::int32_t node) { return member[static_cast<std::size_t>(node)]; };
+    const auto has = [&](std::int32_t node) { return member[node]; };
     if (!std::ranges::any_of(file.mesh.hexahedra[e], has)) continue;
-    faces.of_body[static_cast<std::size_t>(body_of_part_[static_cast<std::size_t>(file.part[e])])] = {-1};
+    faces.of_body[body_of_part_[file.part[e]]] = {-1};
   }
   return complete(std::move(faces));
 }

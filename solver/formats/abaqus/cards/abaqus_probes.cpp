@@ -18,7 +18,7 @@ class Probes {
 
   void add_nodes(const AbaqusBlock& block) {
     for (const std::int32_t node : data_.nodes(block.require("NSET"), block.place).members) {
-      const auto at = static_cast<std::size_t>(node);
+      const std::size_t at = node;
       if (!data_.used[at]) {
         data_.report.ignore_node(block.place, block.star_name());
         continue;
@@ -28,7 +28,7 @@ class Probes {
   }
   void add_elements(const AbaqusBlock& block) {
     for (const std::int32_t element : data_.elements(block.require("ELSET"), block.place)) {
-      const auto at = static_cast<std::size_t>(element);
+      const std::size_t at = element;
       add(block, data_.mesh.file.element_ids[at],
           component_of(at, &AbaqusRange::first_element, &AbaqusRange::elements));
     }
@@ -54,7 +54,7 @@ class Probes {
     const auto after = std::ranges::upper_bound(ranges, at, {}, first);
     auto range = std::prev(after);
     while (at - (*range).*first >= (*range).*count) --range;
-    return static_cast<std::size_t>(range - ranges.begin());
+    return range - ranges.begin();
   }
 
   const AbaqusData& data_;

@@ -22,8 +22,8 @@ bool overlap(const std::vector<Moving>& all, std::size_t nodes) {
   std::vector<bool> taken(nodes, false);
   for (const Moving& one : all) {
     for (const std::int32_t node : one.nodes.members) {
-      if (taken[static_cast<std::size_t>(node)]) return true;
-      taken[static_cast<std::size_t>(node)] = true;
+      if (taken[node]) return true;
+      taken[node] = true;
     }
   }
   return false;
@@ -42,8 +42,8 @@ void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const
   }
   std::map<Point, std::vector<std::int64_t>> nodes;
   for (const auto& [node, velocity] : of_node) {
-    if (data.used[static_cast<std::size_t>(node)]) {
-      nodes[velocity].push_back(data.mesh.file.node_ids[static_cast<std::size_t>(node)]);
+    if (data.used[node]) {
+      nodes[velocity].push_back(data.mesh.file.node_ids[node]);
     } else {
       data.report.ignore_node(block.place, "*INITIAL CONDITIONS");
     }
@@ -72,8 +72,8 @@ void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
       if (!is_translation(data, block, card->place, degree)) continue;
       const auto [found, is_new] = known.try_emplace(label_key(f.text(0)), all.size());
       if (is_new) all.push_back({data.nodes(f.text(0), card->place), card->place, {}, {}});
-      all[found->second].velocity[static_cast<std::size_t>(degree - 1)] = value;
-      all[found->second].given[static_cast<std::size_t>(degree - 1)] = true;
+      all[found->second].velocity[degree - 1] = value;
+      all[found->second].given[degree - 1] = true;
     }
   }
   const bool singles = std::ranges::any_of(all, [](const Moving& one) { return one.nodes.set.empty(); });

@@ -91,21 +91,20 @@ class AbaqusMeshReader {
     range.nodes = file_.node_ids.size() - range.first_node;
     nodes_.push_back(index_of(file_.node_ids, range.first_node));
     if (const std::int32_t twice = nodes_.back().repeated(); twice >= 0)
-      fail_twice(component, "NODE", "node", file_.node_ids[range.first_node + static_cast<std::size_t>(twice)]);
+      fail_twice(component, "NODE", "node", file_.node_ids[range.first_node + twice]);
     for (const AbaqusBlock* block : component.blocks) {
       if (block->name == "ELEMENT") read_elements(*block, c, range.first_node);
     }
     range.elements = file_.element_ids.size() - range.first_element;
     elements_.push_back(index_of(file_.element_ids, range.first_element));
     if (const std::int32_t twice = elements_.back().repeated(); twice >= 0)
-      fail_twice(component, "ELEMENT", "element",
-                 file_.element_ids[range.first_element + static_cast<std::size_t>(twice)]);
+      fail_twice(component, "ELEMENT", "element", file_.element_ids[range.first_element + twice]);
     mesh_.ranges.push_back(range);
   }
 
   static NumberIndex index_of(const std::vector<std::int64_t>& numbers, std::size_t first) {
     if (first == 0) return NumberIndex(numbers);
-    return NumberIndex({numbers.begin() + static_cast<std::ptrdiff_t>(first), numbers.end()});
+    return NumberIndex({numbers.begin() + first, numbers.end()});
   }
 
   /// The line of the second one is looked for only now.
@@ -146,7 +145,7 @@ class AbaqusMeshReader {
     const std::size_t first = file_.element_ids.size();
     mesh_.types.push_back({first, type});
     DataLines lines(block);
-    while (const auto card = lines.next()) read_element(*card, lines, static_cast<std::size_t>(corners), first_node);
+    while (const auto card = lines.next()) read_element(*card, lines, corners, first_node);
     if (const auto name = block.value("ELSET")) named_.push_back({c, false, *name, first, file_.element_ids.size()});
   }
 
@@ -178,10 +177,10 @@ class AbaqusMeshReader {
       const std::int64_t number = numbers[1 + (corners == 8 ? of_hexahedron : of_wedge)[i]];
       const std::int32_t node = nodes_.back().find(number);
       if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
-      hexahedron[i] = node + static_cast<std::int32_t>(first_node);
+      hexahedron[i] = node + first_node;
     }
     file_.element_ids.push_back(numbers[0]);
-    file_.line.push_back(static_cast<std::int32_t>(place.line));
+    file_.line.push_back(place.line);
     file_.mesh.hexahedra.push_back(hexahedron);
   }
 
@@ -189,7 +188,7 @@ class AbaqusMeshReader {
   void assign_parts(AbaqusSets& sets) {
     file_.part.assign(file_.element_ids.size(), -1);
     for (const AbaqusSection& section : mesh_.sections) {
-      const auto part = static_cast<std::int32_t>(file_.parts.size());
+      const std::int32_t part = file_.parts.size();
       file_.parts.push_back({0, section.part});
       const std::string set = section.block->require("ELSET");
       for (const std::int32_t e : sets.members(section.component, false, set, section.block->place)) {
@@ -206,7 +205,7 @@ class AbaqusMeshReader {
       for (std::size_t e = range.first_element; e < range.first_element + range.elements; ++e) {
         if (file_.part[e] >= 0) continue;
         if (rest < 0) {
-          rest = static_cast<std::int32_t>(file_.parts.size());
+          rest = file_.parts.size();
           file_.parts.push_back({0, mesh_.components[c].name});
         }
         file_.part[e] = rest;

@@ -130,7 +130,7 @@ std::vector<AbaqusSets::SetKey> AbaqusSets::sets_in(const SetKey& key, const Set
 void AbaqusSets::fill(const SetKey& key, Set& set) {
   try {
     for (const auto& [first, last] : set.ranges) {
-      for (std::size_t i = first; i < last; ++i) set.members.push_back(static_cast<std::int32_t>(i));
+      for (std::size_t i = first; i < last; ++i) set.members.push_back(i);
     }
     for (const AbaqusBlock* block : set.blocks) add_block(key.component, key.of_nodes, *block, set.members);
   } catch (const InputError& error) {
@@ -180,8 +180,7 @@ void AbaqusSets::generate(std::size_t component, bool of_nodes, const DataLine& 
                     count = of_nodes ? range.nodes : range.elements, before = members.size();
   const std::vector<std::int64_t>& numbers = of_nodes ? file_.node_ids : file_.element_ids;
   for (std::size_t i = begin; i < begin + count; ++i) {
-    if (numbers[i] >= first && numbers[i] <= last && (numbers[i] - first) % step == 0)
-      members.push_back(static_cast<std::int32_t>(i));
+    if (numbers[i] >= first && numbers[i] <= last && (numbers[i] - first) % step == 0) members.push_back(i);
   }
   if (members.size() == before)
     fail_at(card.place, fmt::format("GENERATE: there is no {} from {} to {}", kind(of_nodes), first, last));
@@ -237,7 +236,7 @@ const std::vector<std::int32_t>& AbaqusSets::members(std::size_t component, bool
 void AbaqusSets::add_nodes_of_elements(const std::vector<std::int32_t>& elements,
                                        std::vector<std::int32_t>& nodes) const {
   for (const std::int32_t e : elements) {
-    const auto& hexahedron = file_.mesh.hexahedra[static_cast<std::size_t>(e)];
+    const auto& hexahedron = file_.mesh.hexahedra[e];
     nodes.insert(nodes.end(), hexahedron.begin(), hexahedron.end());
   }
 }

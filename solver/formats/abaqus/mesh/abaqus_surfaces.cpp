@@ -18,7 +18,7 @@ int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, int number) {
 
 std::array<std::int32_t, 4> corners_of_face(const std::array<std::int32_t, 8>& hexahedron, int face) {
   std::array<std::int32_t, 4> corners{};
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = hexahedron[static_cast<std::size_t>(face_nodes[face][i])];
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = hexahedron[face_nodes[face][i]];
   for (int turns = 0; turns < 3; ++turns) {  // of a triangle the last corner stands twice
     const bool triangle = corners[0] == corners[1] || corners[1] == corners[2] || corners[3] == corners[0];
     if (triangle && corners[2] != corners[3]) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
@@ -39,15 +39,14 @@ void AbaqusSets::add_faces(std::size_t component, const DataLine& card,
   std::vector<std::int32_t> all;
   if (f.blank(0)) {
     const std::size_t elements = file_.mesh.hexahedra.size();
-    for (std::size_t e = 0; e < elements; ++e) all.push_back(static_cast<std::int32_t>(e));
+    for (std::size_t e = 0; e < elements; ++e) all.push_back(e);
   }
   const std::vector<std::int32_t>& elements = f.blank(0) ? all : members(component, false, f.text(0), card.place);
   for (const std::int32_t e : elements) {
-    const auto& hexahedron = file_.mesh.hexahedra[static_cast<std::size_t>(e)];
+    const auto& hexahedron = file_.mesh.hexahedra[e];
     if (face.empty()) {
       for (int k = 0; k < 6; ++k) {
-        if (neighbours()[static_cast<std::size_t>(e)][static_cast<std::size_t>(k)] == -1)
-          faces.push_back(corners_of_face(hexahedron, k));
+        if (neighbours()[e][k] == -1) faces.push_back(corners_of_face(hexahedron, k));
       }
       continue;
     }

@@ -69,7 +69,7 @@ class NodesByKind {
   void add(const KeywordBlock& block, const DeckPlace& place, std::int64_t number, const Kind& kind) {
     const std::int32_t found = data_.nodes.find(number);
     if (found < 0) fail_at(place, fmt::format("{}: node {} is not there", block.star_name(), number));
-    if (!data_.used[static_cast<std::size_t>(found)]) return data_.report.ignore_node(place, block.star_name());
+    if (!data_.used[found]) return data_.report.ignore_node(place, block.star_name());
     Nodes& nodes = nodes_[kind];
     if (nodes.numbers.empty()) nodes.first = place;
     nodes.numbers.push_back(number);

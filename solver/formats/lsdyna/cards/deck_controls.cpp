@@ -114,9 +114,8 @@ void translate_controls(DeckData& data, DeckScene& scene) {
   const auto title = last_card(data, "TITLE");
   scene.top().set("title", title ? std::string(trimmed(title->text)) : std::string());
   scene.top().set("units", "");
-  for (int i = 0; i < static_cast<int>(layout::control_contact.size()); ++i) {
-    if (const auto card = last_card(data, "CONTROL_CONTACT", i))
-      data.fields(*card, *layout::control_contact[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < std::ssize(layout::control_contact); ++i) {
+    if (const auto card = last_card(data, "CONTROL_CONTACT", i)) data.fields(*card, *layout::control_contact[i]);
   }
   if (const auto card = last_card(data, "CONTROL_SOLUTION")) data.fields(*card, layout::solution);
   write_time(data, scene);

@@ -271,8 +271,7 @@ void DeckData::name_bodies() {
     if (found == all_parts_.end()) {
       const auto first = std::ranges::find(mesh.part, static_cast<std::int32_t>(p)) - mesh.part.begin();
       throw InputError(fmt::format("{}: element {} is of part {}, which no *PART defines",
-                                   place_of_element(mesh, static_cast<std::int32_t>(first)), mesh.element_ids[first],
-                                   mesh.parts[p].id));
+                                   place_of_element(mesh, first), mesh.element_ids[first], mesh.parts[p].id));
     }
     found->second.solids = elements[p];
     parts.push_back(found->second);

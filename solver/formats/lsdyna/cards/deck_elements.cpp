@@ -59,7 +59,7 @@ DeckElement element_of(DeckData& data, const DeckPart& part, const DeckHourglass
     element.coefficient = h.coefficient;
   } else {
     data.report.refuse(part.place, fmt::format("hourglass control of form {} (IHQ)", h.form), "give 1 to 7",
-                       static_cast<int>(part.solids));
+                       part.solids);
   }
   return element;
 }

@@ -62,7 +62,7 @@ struct DeckRate {
   DeckRate(const Fields& f, const char* constant_field, const char* exponent_field)
       : constant(f.number(constant_field)),
         exponent(f.number(exponent_field)),
-        vp(static_cast<int>(f.integer("VP"))),
+        vp(f.integer("VP")),
         constant_name(lower_case(constant_field)),
         exponent_name(lower_case(exponent_field)) {}
   bool is_law() const { return constant != 0 && exponent != 0; }
@@ -218,8 +218,7 @@ std::optional<DeckCurve> curve_of_points(const std::vector<double>& eps, const s
     curve.abscissa.push_back(eps[i]);
     curve.ordinate.push_back(es[i]);
   }
-  if (std::any_of(eps.begin() + static_cast<std::ptrdiff_t>(i), eps.end(), given) ||
-      std::any_of(es.begin() + static_cast<std::ptrdiff_t>(i), es.end(), given))
+  if (std::any_of(eps.begin() + i, eps.end(), given) || std::any_of(es.begin() + i, es.end(), given))
     fail_at(place, fmt::format("eps1 to eps8: expected ascending strains, got {} after {}", eps[i], eps[i - 1]));
   return curve;
 }
@@ -336,7 +335,7 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
         break;
       default:
         data.report.refuse(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
-                           static_cast<int>(part.solids));
+                           part.solids);
     }
     const auto keys = scene.entry<Body>("body", {"*PART", part.place});
     keys.comment("");

@@ -28,7 +28,7 @@ class ProbeKeywords {
         if (number == 0) continue;
         if (block.name.ends_with("_SET")) {
           for (const std::int32_t place : members(block, set_number(block, number), card->place))
-            write(block, static_cast<std::size_t>(place), card->place, scene);
+            write(block, place, card->place, scene);
         } else {
           write(block, place_of(block, number + add, card->place), card->place, scene);
         }
@@ -40,7 +40,7 @@ class ProbeKeywords {
   std::size_t place_of(const KeywordBlock& block, std::int64_t number, const DeckPlace& place) const {
     const std::int32_t found = index_.find(number);
     if (found < 0) fail_at(place, fmt::format("{}: {} {} is not there", block.star_name(), kind_.name, number));
-    return static_cast<std::size_t>(found);
+    return found;
   }
   const std::vector<std::int32_t>& members(const KeywordBlock& block, std::int64_t number,
                                            const DeckPlace& place) const {

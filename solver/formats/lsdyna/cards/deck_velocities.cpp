@@ -85,7 +85,7 @@ Point axis_of(const DeckData& data, const KeywordBlock& block, const Fields& f, 
       const std::int64_t node = node_number(block, f.integer(i == 0 ? "NY" : "NZ"));
       const std::int32_t place = data.nodes.find(node);
       if (place < 0) fail_at(f.place(), fmt::format("{}: node {} is not there", block.star_name(), node));
-      ends[i] = data.mesh.mesh.nodes[static_cast<std::size_t>(place)];
+      ends[i] = data.mesh.mesh.nodes[place];
     }
     axis = minus(ends[1], ends[0]);
     system = 0;

@@ -37,7 +37,7 @@ struct CardField {
   /// wide: numbers of nodes and elements have ten columns. twenty: all fields have twenty.
   constexpr std::size_t columns_of(bool wide, bool twenty) const {
     if (twenty) return 20;
-    return static_cast<std::size_t>(wide && width == 8 && type == FieldType::whole ? 10 : width);
+    return wide && width == 8 && type == FieldType::whole ? 10 : width;
   }
   constexpr CardField told(std::string_view why = {}) const { return with(FieldUse::told, why); }
   constexpr CardField refused(std::string_view why) const { return with(FieldUse::refused, why); }

@@ -95,7 +95,7 @@ class KeywordMeshReader {
       given_.add(fmt::format("part {}", id), card.place, block.of_case);
       std::string_view name = trimmed(title.text);
       if (deck_integer(name)) name = {};  // parts are found by their numbers, which no title takes away
-      file_.parts[static_cast<std::size_t>(part_of(id))].name = std::string(name);
+      file_.parts[part_of(id)].name = std::string(name);
     };
     for_each_part(block, read, [](const Card&) {});
   }
@@ -120,7 +120,7 @@ class KeywordMeshReader {
       file_.element_ids.push_back(head.integer(eid) + to_element);
       const std::int32_t part = part_of(head.integer(pid) + to_part);
       file_.part.push_back(part);
-      file_.line.push_back(static_cast<std::int32_t>(card->place.line));
+      file_.line.push_back(card->place.line);
       bool one_line = false;
       for (std::size_t i = n1; i < 10; ++i) one_line |= !head.blank(i);
       if (one_line) {
@@ -165,7 +165,7 @@ class KeywordMeshReader {
 
   static std::size_t different(std::array<std::int32_t, 8> corners) {
     std::sort(corners.begin(), corners.end());
-    return static_cast<std::size_t>(std::unique(corners.begin(), corners.end()) - corners.begin());
+    return std::unique(corners.begin(), corners.end()) - corners.begin();
   }
 
   [[noreturn]] void fail_element(const Fields& fields, const std::string& problem) const {
@@ -175,18 +175,18 @@ class KeywordMeshReader {
   void check_element_numbers() const {
     const std::int32_t repeated = NumberIndex(file_.element_ids).repeated();
     if (repeated < 0) return;
-    const std::int64_t number = file_.element_ids[static_cast<std::size_t>(repeated)];
+    const std::int64_t number = file_.element_ids[repeated];
     const auto first = std::ranges::find(file_.element_ids, number) - file_.element_ids.begin();
     throw InputError(fmt::format("{}: element {} is given twice, first in {}", place_of_element(file_, repeated),
-                                 number, place_of_element(file_, static_cast<std::int32_t>(first))));
+                                 number, place_of_element(file_, first)));
   }
 
   void check_node_numbers() const {
     const std::int32_t repeated = NumberIndex(file_.node_ids).repeated();
     if (repeated < 0) return;
-    const std::int64_t number = file_.node_ids[static_cast<std::size_t>(repeated)];
-    const auto first = static_cast<std::size_t>(std::ranges::find(file_.node_ids, number) - file_.node_ids.begin());
-    fail_at(place_of_node(static_cast<std::size_t>(repeated)),
+    const std::int64_t number = file_.node_ids[repeated];
+    const std::size_t first = std::ranges::find(file_.node_ids, number) - file_.node_ids.begin();
+    fail_at(place_of_node(repeated),
             fmt::format("node {} is given twice, first in {}", number, place_of_node(first).text()));
   }
 

@@ -190,14 +190,14 @@ KeywordSets::Places KeywordSets::all(const KeywordBlock& block) const {
 KeywordSets::Places KeywordSets::of_part(const KeywordBlock& block, std::int64_t part, const DeckPlace& place) const {
   const auto found = std::ranges::find(file_.parts, part, &MeshPart::id);
   if (found == file_.parts.end()) fail_at(place, fmt::format("{}: no part has the number {}", block.star_name(), part));
-  const auto wanted = static_cast<std::int32_t>(found - file_.parts.begin());
+  const std::int32_t wanted = found - file_.parts.begin();
   Places places;
   for (std::size_t e = 0; e < file_.part.size(); ++e) {
     if (file_.part[e] != wanted) continue;
     if (of_nodes(block)) {
       places.insert(places.end(), file_.mesh.hexahedra[e].begin(), file_.mesh.hexahedra[e].end());
     } else {
-      places.push_back(static_cast<std::int32_t>(e));
+      places.push_back(e);
     }
   }
   sort_and_keep_one_of_each(places);

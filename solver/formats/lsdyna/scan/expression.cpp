@@ -150,7 +150,7 @@ class Parser {
     }
     const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + length, value);
     if (error != std::errc()) fail("a number");
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    rest_.remove_prefix(end - rest_.data());
     return value;
   }
   double call(const std::string& name) {

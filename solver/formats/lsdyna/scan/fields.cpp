@@ -88,7 +88,7 @@ std::int64_t Fields::integer(std::size_t field) const {
   if (given.empty() && !one.required) return static_cast<std::int64_t>(one.otherwise);
   const std::optional<std::int64_t> plain = deck_integer(given);
   const std::int64_t value = plain ? *plain : LineFields::integer(field, one.name);
-  require_bounds(one, static_cast<double>(value));
+  require_bounds(one, value);
   return value;
 }
 

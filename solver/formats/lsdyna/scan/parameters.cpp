@@ -138,7 +138,7 @@ const Parameters::Value& Parameters::find(std::string_view name, const DeckPlace
 double Parameters::number(std::string_view name, const DeckPlace& place) const {
   const Value& value = find(name, place);
   if (const auto* real = std::get_if<double>(&value)) return *real;
-  if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
   fail_at(place, fmt::format("parameter {}: expected a number, it is a text", name));
 }
 
