@@ -36,7 +36,8 @@ target_compile_options(contact_header_compiles_as_c PRIVATE -std=c99 -Wall -Wext
 # Includes go down from room to room; the test plants others, which have to be found.
 add_test(NAME rooms COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/rooms_test.py)
 add_test(NAME function_lengths COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/function_lengths_test.py)
-set_tests_properties(rooms function_lengths PROPERTIES LABELS layout)
+add_test(NAME casts COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/casts_test.py)
+set_tests_properties(rooms function_lengths casts PROPERTIES LABELS layout)
 
 # The kernels as device code, where a compiler for it is found. Threads are of the host alone.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/kernels/*.hpp)
