@@ -7,8 +7,8 @@
 
 /// Penalty forces of pairs of pinballs, a pack of pairs at a time.
 ///
-/// Of the pairs that a list holds few touch: they are told by touching_pairs and gathered into full packs for
-/// pair_force. Each pair is worked out once, and the force on its second pinball is the opposite of that on the first.
+/// Of the pairs that a list holds few touch: they are found by touching_pairs and gathered into full packs for
+/// pair_force. Each pair is computed once, and the force on its second pinball is the opposite of that on the first.
 namespace pinball {
 
 /// Pinball records of four scalars each, one record per pinball. A pinball whose B R is zero takes no part: its element

@@ -92,7 +92,7 @@ PINBALL_FUNCTION std::int64_t place_in_rows(std::int64_t first, int n) {
 /// The step that elements have just made.
 template <class S>
 struct ElementStep {
-  S length;      ///< since they were worked before [time]
+  S length;      ///< since they were updated before [time]
   S weight = 1;  ///< of their forces: how many steps of their nodes they act for, where these are shorter [-]
   S time = 0;    ///< at its end [time]
 };

@@ -32,8 +32,8 @@ namespace pinball {
 
 /// pack: number of the pack; pack_in_tile: the same counted from the start of its tile. L: of the rows (ElementView).
 /// forces: AddedToNodes or KeptAtCorners. ahead(0) ... ahead(7) are called in turn, spread over the work: places to ask
-/// the caches for what is worked next. All at once would fill the queue of lines on their way, and the processor would
-/// stand still.
+/// the caches for what is computed next. All at once would fill the queue of lines on their way, and the processor
+/// would stand still.
 template <class T, ElementFeatures features, int L = width_of<T>, class Forces, class Ahead = NothingAhead>
 PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
                                           const ElementConstants<ScalarOf<T>>& constants,

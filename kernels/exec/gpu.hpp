@@ -40,7 +40,7 @@ class GpuError : public std::runtime_error {
 
 inline void require_gpu(PINBALL_GPU(Error_t) status, const char* what) {
   if (status == PINBALL_GPU(Success)) return;
-  (void)PINBALL_GPU(GetLastError)();  // it would be told again
+  (void)PINBALL_GPU(GetLastError)();  // it would be reported again
   throw GpuError(what, status);
 }
 

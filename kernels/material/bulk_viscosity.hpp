@@ -16,7 +16,7 @@ struct ViscosityConstants {
   S quadratic;  ///< b2 [-]
 };
 
-/// Without coefficients there is none: nothing of it is read, written or worked out. No kernel of its own for that, as
+/// Without coefficients there is none: nothing of it is read, written or computed. No kernel of its own for that, as
 /// it takes a branch that goes one way in all packs of a part.
 template <class S>
 PINBALL_FUNCTION bool has_bulk_viscosity(const ViscosityConstants<S>& constants) {

@@ -92,9 +92,9 @@ enum pinball_contact_radius { PINBALL_CONTACT_RADIUS_INITIAL = 0, PINBALL_CONTAC
 /** What a message is about. */
 enum pinball_contact_log_level { PINBALL_CONTACT_NOTE = 0, PINBALL_CONTACT_ERROR = 1, PINBALL_CONTACT_WARNING = 2 };
 
-/** Told what an instance has to say; message: valid during the call only. It returns: what it throws goes no further. */
+/** Called with what an instance has to say; message: valid during the call only. It returns: what it throws goes no further. */
 typedef void (*pinball_contact_log_hook)(void *user, int level, const char *message);
-/** Told of an internal check that failed, before the call returns PINBALL_CONTACT_FAILED. It may end the program;
+/** Called with an internal check that failed, before the call returns PINBALL_CONTACT_FAILED. It may end the program;
  * what it throws goes no further. */
 typedef void (*pinball_contact_assert_hook)(void *user, const char *expression, const char *file, int line);
 
@@ -117,9 +117,9 @@ typedef struct pinball_contact_options {
   double static_friction;  /**< the same at rest, >= friction; negative: as friction [-]; -1 */
   double radius_factor;    /**< on the radii of the balls of elements, > 0 [-]; 1 */
   double skin;             /**< how far a node may stray before a search, over its radius, > 0 [-]; 0.5 */
-  pinball_contact_log_hook log;        /**< null: nobody is told; null */
+  pinball_contact_log_hook log;        /**< null: nobody is informed; null */
   void *log_user;                      /**< handed to log */
-  pinball_contact_assert_hook failed;  /**< null: nobody is told; null */
+  pinball_contact_assert_hook failed;  /**< null: nobody is informed; null */
   void *failed_user;                   /**< handed to failed */
 } pinball_contact_options;
 

@@ -22,7 +22,7 @@ struct DeviceResting {
   std::vector<S> time_step;               ///< of each: the stable step that it keeps [time]
   std::vector<std::int32_t> first_piece;  ///< [tiles + 1]
   std::vector<RestingPiece> pieces;
-  bool worked = false;  ///< they are worked all the same (skip.resting = false)
+  bool updated = false;  ///< they are updated all the same (skip.resting = false)
 };
 
 /// What tiles at rest have in common.

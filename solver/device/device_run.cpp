@@ -99,7 +99,7 @@ void DeviceRun<S>::tell_resting(const Model<S>& model, const Schedule<S>& schedu
   knows_resting_ = true;
 }
 
-/// Which tiles rest is found before they are worked, which changes nothing of it. They are worked once more, for the
+/// Which tiles rest is found before they are updated, which changes nothing of it. They are updated once more, for the
 /// stable steps that they keep from then on.
 template <class S>
 InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Schedule<S>& schedule,

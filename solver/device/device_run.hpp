@@ -63,7 +63,7 @@ class DeviceRun {
   DeviceState<S> state_;  ///< what crosses over, in the device's layout
   bool host_is_newer_ = true, device_is_newer_ = false;
   bool knows_resting_ = false;         ///< the device, which tiles rest
-  std::vector<std::int32_t> resting_;  ///< those of which it was told
+  std::vector<std::int32_t> resting_;  ///< those that it knows of
 };
 
 }  // namespace pinball

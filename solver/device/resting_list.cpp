@@ -26,7 +26,7 @@ DeviceResting<S> resting_list(const Model<S>& model, const RestingTiles<S>& rest
                               const std::vector<TileResult<S>>& results) {
   constexpr std::int32_t piece = 16;
   DeviceResting<S> list;
-  list.worked = !model.scene.skip.resting;
+  list.updated = !model.scene.skip.resting;
   for (const auto& tile : resting.tiles()) {
     const std::int32_t index = list.tile.size();
     list.tile.push_back(tile.number);

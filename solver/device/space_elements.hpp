@@ -12,7 +12,7 @@ namespace pinball {
 struct RestingElements {
   const std::int32_t* tile;   ///< per pack of the widest kind
   const std::uint8_t* rests;  ///< per tile; null: nothing rests
-  bool worked;                ///< all the same
+  bool updated;               ///< all the same
 
   template <class S>
   PINBALL_FUNCTION bool has(std::int64_t place) const {
@@ -41,7 +41,7 @@ struct UpdatesElements {
   PINBALL_FUNCTION void operator()(std::int64_t pack, ElementTotals<S>& totals) const {
     const std::int64_t first = pack * width_of<T>;
     const bool rests = launch.resting.template has<S>(first);
-    if (rests && !launch.resting.worked) return;
+    if (rests && !launch.resting.updated) return;
     ElementSums<T> sums;
     update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants, launch.step, pack, 0,
                                                  sums, KeptAtCorners<S>{launch.corner_force});

@@ -60,7 +60,7 @@ class SpaceResting {
   /// tiles: of the model.
   void set(const DeviceResting<S>& resting, std::int32_t tiles) {
     count_ = resting.tile.size();
-    worked_ = resting.worked;
+    updated_ = resting.updated;
     tile_ = list_in<Space>(resting.tile);
     elements_ = list_in<Space>(resting.elements);
     record_ = list_in<Space>(resting.record);
@@ -88,7 +88,7 @@ class SpaceResting {
   }
   /// Null: nothing rests.
   const std::uint8_t* rests() const { return count_ > 0 ? rests_.data() : nullptr; }
-  bool worked() const { return worked_; }
+  bool updated() const { return updated_; }
   /// Per tile of the model: whether it rests.
   std::vector<std::uint8_t> read() const {
     std::vector<std::uint8_t> rests(rests_.size());
@@ -102,7 +102,7 @@ class SpaceResting {
 
  private:
   std::int64_t count_ = 0;  ///< of the list
-  bool worked_ = false;
+  bool updated_ = false;
   Array<std::int32_t, Memory> tile_, elements_, record_, first_piece_;
   Array<S, Memory> time_step_;
   Array<RestingPiece, Memory> pieces_;

@@ -149,7 +149,7 @@ class SpaceStep final : public DeviceStep<S> {
                                part.constants,
                                step,
                                corner_force_.data(),
-                               {tile_.data(), resting_.rests(), resting_.worked()},
+                               {tile_.data(), resting_.rests(), resting_.updated()},
                                rates,
                                part.first,
                                part.last}));

@@ -27,9 +27,9 @@ struct InternalForceResult : ElementWork {
   std::int64_t time_step_slot = -1;
   std::int64_t eroded_count = 0;
   std::int64_t inverted_count = 0;
-  std::int64_t inside_out_count = 0;    ///< elements with a corner that has turned over, also of tiles not worked
-  std::int64_t resting_elements = 0;    ///< not worked, because their tiles rest
-  std::int64_t subcycled_elements = 0;  ///< not worked, because their step is not over; without eroded ones
+  std::int64_t inside_out_count = 0;    ///< elements with a corner that has turned over, also of tiles not updated
+  std::int64_t resting_elements = 0;    ///< not updated, because their tiles rest
+  std::int64_t subcycled_elements = 0;  ///< not updated, because their step is not over; without eroded ones
 };
 
 /// Element stresses and internal forces (report figure 4, steps 3a-c in one sweep): tiles of one colour side by side,

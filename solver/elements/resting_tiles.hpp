@@ -20,11 +20,11 @@ struct NodeRange {
 /// Tiles of a material that fails at a time do not rest: nothing would tell them.
 ///
 /// Whatever reaches a tile (a wave, contact, a load, a rigid wall) gives some of its nodes another velocity than the
-/// others. From then on the tile is worked, for good.
+/// others. From then on the tile is updated, for good.
 template <class S>
 class RestingTiles {
  public:
-  /// The tiles that rest now. They are to be worked once, in the geometry in which they are found at rest: from then
+  /// The tiles that rest now. They are to be updated once, in the geometry in which they are found at rest: from then
   /// on they keep the stable step of that, because round-off of positions in flight would change its last bits.
   explicit RestingTiles(const Model<S>& model);
 

@@ -18,7 +18,7 @@ namespace pinball {
 
 /// Which step is made.
 struct Due {
-  std::int32_t step_of_cycle = 0;  ///< 0: all elements are worked, and then all energies are of one time
+  std::int32_t step_of_cycle = 0;  ///< 0: all elements are updated, and then all energies are of one time
   bool first = false;              ///< of the run
   bool last = false;               ///< the step without a length that brings everything to one time
 
@@ -30,7 +30,7 @@ struct StepBound {
   double stable = 0;             ///< largest stable step, the smallest one where steps differ [time]
   std::int64_t slot = -1;        ///< of the element that sets it
   bool by_contact = false;       ///< contact has the higher frequency
-  std::int32_t cycle_steps = 1;  ///< steps until all elements have been worked
+  std::int32_t cycle_steps = 1;  ///< steps until all elements have been updated
 };
 
 /// Elements and nodes that are due in a step: with subcycling those whose own step ends in it, else all, but for tiles
@@ -41,10 +41,10 @@ class Schedule {
   explicit Schedule(const Model<S>& model);
 
   std::int32_t cycle_steps() const { return subcycling_ ? subcycling_->cycle_steps() : 1; }
-  /// Before the elements of a step are worked. results: of each tile, when it was last worked.
+  /// Before the elements of a step are updated. results: of each tile, when it was last updated.
   void begin_step(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results);
 
-  /// The highest level whose tiles are due; they are worked from the highest to level 0.
+  /// The highest level whose tiles are due; they are updated from the highest to level 0.
   int highest_level(const Due& due) const { return subcycling_ ? subcycling_->due(due.step_of_cycle) : 0; }
   /// The tiles of a level, by colour.
   const Colouring& tiles(int level) const { return subcycling_ ? subcycling_->tiles()[level] : awake_; }
@@ -52,10 +52,10 @@ class Schedule {
   ElementStep<S> step_of(std::int32_t tile, const Due& due, const ElementStep<S>& smallest) const {
     return subcycling_ ? subcycling_->step(tile, due.all(), smallest) : smallest;
   }
-  /// Whether a tile is worked although it rests (skip.resting = false): then it keeps its stable step.
+  /// Whether a tile is updated although it rests (skip.resting = false): then it keeps its stable step.
   bool rests(std::int32_t tile) const { return resting_ && resting_->rests(tile); }
   /// Nodes between two levels have a mean velocity over the step of the higher one: it takes the place of the present
-  /// velocity while the tiles of that level are worked.
+  /// velocity while the tiles of that level are updated.
   void show_mean_velocities(NodeStore<S>& nodes, int level) {
     if (subcycling_) subcycling_->use_mean_velocities(nodes, level);
   }
@@ -63,14 +63,14 @@ class Schedule {
     if (subcycling_) subcycling_->use_present_velocities(nodes, level);
   }
 
-  /// Elements that were not worked in a step.
+  /// Elements that were not updated in a step.
   struct LeftOut {
     std::int64_t resting = 0, subcycled = 0;  ///< the latter without eroded ones
   };
-  /// After the elements of a step were worked.
+  /// After the elements of a step were updated.
   LeftOut end_work(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results);
 
-  /// The bound of elements and contact together; where all elements were worked, of the cycle that begins.
+  /// The bound of elements and contact together; where all elements were updated, of the cycle that begins.
   /// element_step, slot: smallest stable step of the elements and who sets it; contact_frequency2: bound on the square
   /// of the contact frequency [1/time^2].
   StepBound bound(const Model<S>& model, const Due& due, const std::vector<TileResult<S>>& results, double element_step,
@@ -84,7 +84,7 @@ class Schedule {
     if (subcycling_) subcycling_->count_step(nodes);
   }
 
-  /// To be told when velocities or element states were changed by others than the step: the next one works all tiles
+  /// To be called when velocities or element states were changed by others than the step: the next one works all tiles
   /// and looks anew which of them rest.
   void forget_resting() { resting_.reset(); }
   /// Null: not known, or nobody asks for it.
@@ -103,7 +103,7 @@ class Schedule {
   void choose_awake(const Model<S>& model);
 
   std::optional<Subcycling<S>> subcycling_;  ///< only where the scene asks for it
-  std::optional<RestingTiles<S>> resting_;   ///< without subcycling; known once all tiles have been worked
+  std::optional<RestingTiles<S>> resting_;   ///< without subcycling; known once all tiles have been updated
   Colouring awake_;                          ///< the tiles to work, without subcycling
   double contact_frequency2_ = 0;            ///< largest since the cycle began [1/time^2]
 };

@@ -17,16 +17,16 @@ namespace pinball {
 
 /// Elements with a small stable step make it, the others a multiple of it (time.subcycling).
 ///
-/// A cycle is as many of the smallest steps as the largest one holds. A tile of level l is worked at every 2^l-th step,
-/// for the time since it was worked before, and gives its nodes the impulse of its forces over 2^l steps at once: as
-/// the force of one step, with the weight 2^l. Between such impulses nodes move uniformly. Every impulse sums to zero
-/// over the nodes of an element and has no moment, so that momentum and angular momentum are conserved to round-off,
-/// and for elastic bodies the map from step to step is symplectic (asynchronous variational integrators: Lew, Marsden,
-/// Ortiz, West, Arch. Rational Mech. Anal. 167, 85-146, 2003): the energy strays by the square of the step, but does
-/// not drift.
+/// A cycle is as many of the smallest steps as the largest one holds. A tile of level l is updated at every 2^l-th
+/// step, for the time since it was updated before, and gives its nodes the impulse of its forces over 2^l steps at
+/// once: as the force of one step, with the weight 2^l. Between such impulses nodes move uniformly. Every impulse sums
+/// to zero over the nodes of an element and has no moment, so that momentum and angular momentum are conserved to
+/// round-off, and for elastic bodies the map from step to step is symplectic (asynchronous variational integrators:
+/// Lew, Marsden, Ortiz, West, Arch. Rational Mech. Anal. 167, 85-146, 2003): the energy strays by the square of the
+/// step, but does not drift.
 ///
-/// Where tiles of several levels meet, a node is kicked more often than the tiles of the higher level are worked. These
-/// see its mean velocity since they were worked before, which is the way that it has made.
+/// Where tiles of several levels meet, a node is kicked more often than the tiles of the higher level are updated.
+/// These see its mean velocity since they were updated before, which is the way that it has made.
 ///
 /// Levels come from the mesh (step_levels.hpp) and are chosen again at the beginning of a cycle, from the stable steps
 /// that the tiles then have; a tile never goes above the level that it has from the mesh. Where elements erode, what
@@ -39,17 +39,17 @@ class Subcycling {
 
   std::int32_t cycle_steps() const { return 1 << top_; }
   int levels() const { return top_ + 1; }
-  /// The highest level that is worked in a step of the cycle; step 0 works all.
+  /// The highest level that is updated in a step of the cycle; step 0 updates all.
   int due(std::int32_t step) const { return step == 0 ? top_ : std::countr_zero(static_cast<std::uint32_t>(step)); }
 
-  /// Chooses the levels of the coming cycle, before the tiles are worked in the step that begins it.
+  /// Chooses the levels of the coming cycle, before the tiles are updated in the step that begins it.
   /// contact_frequency2: bound on the square of the contact frequency [1/time^2].
   void plan(const std::vector<TileResult<S>>& tiles, double contact_frequency2);
-  /// Takes what was planned, after the tiles were worked.
+  /// Takes what was planned, after the tiles were updated.
   void begin_cycle(const Model<S>& model);
 
   const std::vector<Colouring>& tiles() const { return tiles_; }  ///< of each level, by colour
-  /// The step that a tile makes when it is worked; dt: the smallest step, of the time since it was worked before.
+  /// The step that a tile makes when it is updated; dt: the smallest step, of the time since it was updated before.
   ElementStep<S> step(std::int32_t tile, bool begins_cycle, const ElementStep<S>& smallest) const;
   /// Puts mean velocities in the places of those of nodes that move otherwise within the steps of a level; and back.
   void use_mean_velocities(NodeStore<S>& nodes, int level);
@@ -67,8 +67,8 @@ class Subcycling {
   };
   StableStep stable_step(const std::vector<TileResult<S>>& tiles, double contact_frequency2) const;
 
-  /// To be told of what every step has done; returns the elements, without eroded ones, of the tiles that were not
-  /// worked in it.
+  /// To be called with what every step has done; returns the elements, without eroded ones, of the tiles that were not
+  /// updated in it.
   std::int64_t count_elements(const std::vector<TileResult<S>>& tiles, std::int32_t step);
   /// Elements per level, in the present cycle.
   std::vector<std::int64_t> elements_of_levels() const;
@@ -79,10 +79,10 @@ class Subcycling {
   /// Nodes that are kicked within the steps of a level.
   struct MixedNodes {
     std::vector<std::int32_t> node;
-    /// Records of the velocity in the first step since the level was worked, of the sum of what the steps after it
+    /// Records of the velocity in the first step since the level was updated, of the sum of what the steps after it
     /// differ by (so that uniform motion stays exact), and of the present velocity, while the mean one has its place.
     std::vector<S> first, differences, present;
-    int steps = 0;  ///< since the level was worked
+    int steps = 0;  ///< since the level was updated
   };
 
   /// The tiles of each level, and what follows from them for the nodes.

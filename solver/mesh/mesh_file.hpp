@@ -10,7 +10,7 @@
 
 namespace pinball {
 
-/// Nodes or elements of a set that no body has: nothing is done with them, which who uses the set is told.
+/// Nodes or elements of a set that no body has: nothing is done with them, which is reported to who uses the set.
 struct LeftOut {
   std::size_t count = 0;
   std::int64_t first = 0;  ///< the smallest of their numbers in the file

@@ -10,7 +10,7 @@
 namespace pinball {
 
 /// Inverted or flat, or with volumes that the precision cannot hold. Of an element that lies so far from the origin
-/// that its shape cannot be told this says nothing: rounding_problem does.
+/// that its shape cannot be known this says nothing: rounding_problem does.
 std::string volume_problem(const std::array<Point, 8>& corners, Precision precision);
 
 /// Too far from the origin for its size (mesh_rounding.hpp).

@@ -26,7 +26,7 @@ InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<Con
                                     double depth = 0.1);
 
 /// All bodies that overlap, two by two in the order of the scene: with points more than a tenth of an element inside,
-/// or with nodes more than a hundredth of a face. A node inside is told from the facets that a curved surface is made
+/// or with nodes more than a hundredth of a face. A node inside is known from the facets that a curved surface is made
 /// of: how far these stand out of the surface follows from the angles between them.
 std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const ModelMesh& mesh);
 

@@ -93,7 +93,7 @@ class RecordedRun {
     write_run_page(options_.out, simulation_.scene(), summary, {summary.error, options_.source, options_.converged});
   }
 
-  /// Returns what there is to say after the error; what cannot be written now is told after it, not in place of it.
+  /// Returns what there is to say after the error; what cannot be written now is reported after it, not in place of it.
   std::string leave_failed(const std::string& error) {
     std::string more;
     const auto attempt = [&more](const char* loss, const auto& save) {
@@ -121,9 +121,9 @@ class RecordedRun {
 
 namespace {
 
-/// What fails with a memory that is full is told with what was being done.
+/// What fails with a memory that is full is reported with what was being done.
 template <class Act>
-auto with_memory_told(const Scene& scene, const RunFolder& folder, const Act& act) {
+auto with_memory_reported(const Scene& scene, const RunFolder& folder, const Act& act) {
   try {
     return act();
   } catch (const OutOfMemory&) {
@@ -140,7 +140,7 @@ RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
   RunFolder folder(scene, options);
   if (!folder.warning().empty() && !options.silent) print_message("warning: " + folder.warning());
   try {
-    return with_memory_told(scene, folder, [&] { return RecordedRun(scene, options, folder).run(); });
+    return with_memory_reported(scene, folder, [&] { return RecordedRun(scene, options, folder).run(); });
   } catch (const InputError& error) {
     if (folder.begun()) folder.fail(error.what());
     throw;  // else the folder becomes what it was

@@ -129,12 +129,12 @@ void RunFolder::end(const RunSummary& summary) {
   ended_ = true;
 }
 
-void RunFolder::fail(const std::string& told) noexcept {
+void RunFolder::fail(const std::string& error) noexcept {
   if (folder_.empty() || ended_ || (continues() && !begun_)) return;
   try {
     if (!begun_) remove_earlier();
     head_.status = RunStatus::failed;
-    head_.error = told;
+    head_.error = error;
     write_head(head_);
     ended_ = true;
   } catch (const std::exception&) {

@@ -29,8 +29,8 @@ class RunFolder {
   void begin(const RunSummary& summary);
   /// Writes the summary of a run that has ended, however it has.
   void end(const RunSummary& summary);
-  /// Writes that the run has failed, unless end() has told more; `told`: its error.
-  void fail(const std::string& told) noexcept;
+  /// Writes that the run has failed, unless end() has said more; error: why.
+  void fail(const std::string& error) noexcept;
 
   const std::string& started() const { return head_.started; }  ///< RunSummary::started
   bool begun() const { return begun_; }

@@ -17,7 +17,7 @@ namespace pinball {
 
 namespace {
 
-/// What each variant's run would have been warned of, by the variant's name; what a failed one is told of stands in the
+/// What each variant's run would have been warned of, by the variant's name; what a failed one reports stands in the
 /// table.
 void print_warnings(const std::vector<VariantRuns>& runs) {
   for (const VariantRuns& variant : runs) {

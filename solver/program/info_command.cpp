@@ -175,7 +175,7 @@ void print_steps(const Subcycling<S>& subcycling) {
     text += fmt::format("{}{} elements make {}", text.empty() ? "" : ", ", elements[level],
                         level == 0 ? "the smallest step" : fmt::format("{} times it", 1 << level));
   }
-  fmt::print("  steps: {}; {:.3g} % of the element steps are worked\n", text, 100 * computed / all);
+  fmt::print("  steps: {}; {:.3g} % of the element steps are computed\n", text, 100 * computed / all);
 }
 
 template <class S>

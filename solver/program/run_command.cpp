@@ -46,9 +46,9 @@ void print_result(const RunSummary& s, const std::string& out) {
 
 /// All of them, also those of the start, which progress has moved far away by now; where there was none, these once.
 void print_warnings(const RunSummary& summary, bool quiet) {
-  const std::vector<std::string> told = quiet ? start_warnings(summary) : std::vector<std::string>();
+  const std::vector<std::string> reported = quiet ? start_warnings(summary) : std::vector<std::string>();
   for (const std::string& warning : warnings(summary)) {
-    if (std::ranges::find(told, warning) == told.end()) print_message("warning: " + warning);
+    if (std::ranges::find(reported, warning) == reported.end()) print_message("warning: " + warning);
   }
 }
 

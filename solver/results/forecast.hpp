@@ -30,7 +30,7 @@ struct StepPhases {
   /// What these would have taken later in a run, over what they took: lists serve 20 steps (horizon_steps) and not
   /// those few with which a run begins; impulses need the iterations of an impact at its beginning alone, later 10 in
   /// the mean (taylor_plate, crushed_tube, contact_patch, sliding_block, sphere_floor: 23, 4, 22, 12, 9); elements that
-  /// rest wake. waking: times as many are worked on.
+  /// rest wake. waking: times as many are updated.
   double settled(double waking) const;
 };
 

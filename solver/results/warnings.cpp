@@ -35,13 +35,13 @@ std::string overlap_text(const OverlapResult& overlap) {
                             overlap.place, overlap.depth, percent(overlap.share));
 }
 
-/// The deepest overlaps first; many of them are told by their number.
+/// The deepest overlaps first; many of them are reported by their number.
 void add_overlaps(const RunSummary& summary, std::vector<std::string>& found) {
-  constexpr std::size_t most_told = 5;
+  constexpr std::size_t most_reported = 5;
   std::vector<OverlapResult> overlaps = summary.overlaps;
   std::stable_sort(overlaps.begin(), overlaps.end(),
                    [](const OverlapResult& a, const OverlapResult& b) { return a.share > b.share; });
-  for (std::size_t i = 0; i < std::min(overlaps.size(), most_told); ++i) {
+  for (std::size_t i = 0; i < std::min(overlaps.size(), most_reported); ++i) {
     const bool deep = overlaps[i].nodes == 0 || overlaps[i].share > sound::overlap_held;
     found.push_back(overlap_text(overlaps[i]) +
                     (deep
@@ -50,11 +50,11 @@ void add_overlaps(const RunSummary& summary, std::vector<std::string>& found) {
                          : ": contact keeps them as they are, without stress: contact.overlap = \"adjust\" puts the "
                            "nodes on the surface"));
   }
-  if (overlaps.size() > most_told) {
+  if (overlaps.size() > most_reported) {
     found.push_back(
         fmt::format("{} more pairs of bodies overlap at the start, less deep: contact.overlaps of summary.json "
                     "has them all",
-                    overlaps.size() - most_told));
+                    overlaps.size() - most_reported));
   }
 }
 

@@ -24,7 +24,7 @@ enum class Watched {
 
 /// Energies that should be small, of which a warning at the end tells how large they got, since when and where.
 ///
-/// Energies that arise with the work of a load or of a wall are compared with what has been worked so far, which is
+/// Energies that arise with the work of a load or of a wall are compared with the work done so far, which is
 /// next to nothing in the first steps: what counts is when they went beyond their bound for the last time, and at the
 /// end their largest value over that of what they are compared with.
 class EnergyWatch {

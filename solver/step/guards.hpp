@@ -20,8 +20,8 @@ class Guards {
   /// model: up to date where a number is not finite, or an element has no volume.
   Guards(const Model<S>& model, const StepClock& clock) : model_(model), clock_(clock) {}
 
-  /// What is known to make the scene unstable: told in place of other advice.
-  void blame(std::string cause) { cause_ = std::move(cause); }
+  /// What is known to make the scene unstable: reported in place of other advice.
+  void set_cause(std::string cause) { cause_ = std::move(cause); }
 
   /// Elements that are turned inside out, where they are not to be eroded for it.
   void check_volumes(const InternalForceResult<S>& element) const;

@@ -26,7 +26,7 @@ Point largest_relative_velocity(const Velocities& a, const Velocities& b) {
   return most;
 }
 
-/// Of all pairs. Of many bodies nearly all pairs are told by their squares to be slower.
+/// Of all pairs. Of many bodies nearly all pairs are known by their squares to be slower.
 double largest_relative_speed(const std::vector<Velocities>& of_body) {
   double speed = 0, square = 0;
   for (std::size_t a = 0; a < of_body.size(); ++a) {

@@ -11,7 +11,7 @@
 
 namespace pinball {
 
-/// What the steps of a run have worked, left out and found.
+/// What the steps of a run have computed, left out and found.
 class RunCounts {
  public:
   const WorkCounts& work() const { return work_; }

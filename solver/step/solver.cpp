@@ -70,7 +70,7 @@ Solver<S>::Solver(const Scene& scene)
   many_steps_ = find_many_steps(model_.scene, model_.mesh, smallest);
   near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
-  guards_.blame(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
+  guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum(model_);
 }
 
@@ -121,7 +121,7 @@ void Solver<S>::finish() {
 template <class S>
 void Solver<S>::make_step(const Due& due) {
   const InternalForceResult<S> element = internal_forces(due);  // 3    f -= B^T sigma V, and the stable step
-  const ContactWork ties = tie_and_let_go();                    //      which nodes are tied from now on
+  const ContactWork ties = update_ties();                       //      which nodes are tied from now on
   const ContactWork springs = contact_before_constraints();     // 4    f += penalty of contact
   choose_time_step(due, element, springs);                      //      dt_(n+1/2)
   boundary_forces(due);                                         // 1-2  f += loads, damping; ties; constraints, given v
@@ -145,7 +145,7 @@ InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
 
 /// After what erodes in this step is known, before contact looks at what may touch.
 template <class S>
-ContactWork Solver<S>::tie_and_let_go() {
+ContactWork Solver<S>::update_ties() {
   ContactWork work;
   if (!tied_.any()) return work;
   timers_.measure(Phase::boundary_conditions, [&] {

@@ -39,7 +39,7 @@ namespace pinball {
 /// to the middle between them. finish() ends with a step of no length, after which everything belongs to one time.
 ///
 /// With subcycling, step() makes the steps of a cycle, of the smallest elements, and ends with the one in which all
-/// elements are worked; what is said above then holds for the steps that step() ends with.
+/// elements are updated; what is said above then holds for the steps that step() ends with.
 template <class S>
 class Solver {
  public:
@@ -129,7 +129,7 @@ class Solver {
   NodeArrays<S> nodes();
 
   InternalForceResult<S> internal_forces(const Due& due);
-  ContactWork tie_and_let_go();
+  ContactWork update_ties();
   ContactWork contact_before_constraints();
   void choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   void boundary_forces(const Due& due);

@@ -24,7 +24,7 @@ struct pinball_contact {
 
 namespace {
 
-/// What hooks throw goes no further: they are told, and not asked.
+/// What hooks throw goes no further: they are informed, and not asked.
 template <class Hook>
 void call_hook(const Hook& hook) noexcept {
   try {

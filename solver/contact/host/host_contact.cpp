@@ -108,7 +108,7 @@ class HostContactOf final : public HostContact {
     return work;
   }
 
-  /// What a host is told of a step that is booked.
+  /// What a host hears of a step that is booked.
   pinball_contact_result result_of(const ContactWork& now) const {
     pinball_contact_result result{};
     result.stored = now.stored;
@@ -129,7 +129,7 @@ class HostContactOf final : public HostContact {
   std::int32_t threads_;
   HostSurface<S> source_;
   std::unique_ptr<ContactAlgorithm<S>> contact_;
-  std::vector<std::int64_t> eroded_;  ///< slots that contact has not been told of yet
+  std::vector<std::int64_t> eroded_;  ///< slots that contact does not know of yet
   ContactWork springs_;               ///< of update, whose forces add_forces adds
   double dt_before_ = 0;
   bool updated_ = false;  ///< add_forces is due

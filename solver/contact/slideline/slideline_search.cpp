@@ -112,7 +112,7 @@ void SlidelineSearch<S>::find(const SegmentSurface<S>& surface, const ContactPai
   const BallTreeView<S>& tree = boxes_.view();
   const std::int64_t groups = (slaves_.count() + G - 1) / G;
   start_.assign(slaves_.count() + 1, 0);
-  // Slaves are worked in fixed pieces, each with a list of its own; the lists are joined in order.
+  // Slaves are searched in fixed pieces, each with a list of its own; the lists are joined in order.
   std::array<std::vector<std::int32_t>, fixed_pieces> found;
   parallel_for("slave candidates", RangePolicy<>{0, fixed_pieces}, [&](std::int64_t piece) {
     std::vector<std::int32_t>& list = found[piece];

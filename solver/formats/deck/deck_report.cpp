@@ -24,9 +24,9 @@ std::string DeckReport::line(const Count& one) {
 }
 
 void DeckReport::require_all_done(const std::string& file) const {
-  if (refused_.empty()) return;
+  if (rejected_.empty()) return;
   std::string text = fmt::format("{}: cannot be run, for this version has not:", file);
-  for (const Count& one : refused_) text += "\n  " + line(one);
+  for (const Count& one : rejected_) text += "\n  " + line(one);
   for (const std::string& error : errors_) text += "\nand besides: " + error;
   throw InputError(text);
 }

@@ -25,11 +25,11 @@ class DeckReport {
   void leave_out(const DeckPlace& place, const std::string& what) { count(left_out_, what, place, ""); }
   /// A keyword, or something of one that is done otherwise. elements: how many of them that is; -1: it is none of
   /// elements.
-  void refuse(const DeckPlace& place, const std::string& what, const std::string& reason = "", int elements = -1) {
-    if (elements != 0) count(refused_, what, place, reason, elements);
+  void reject(const DeckPlace& place, const std::string& what, const std::string& reason = "", int elements = -1) {
+    if (elements != 0) count(rejected_, what, place, reason, elements);
   }
 
-  bool refuses() const { return !refused_.empty(); }
+  bool rejects() const { return !rejected_.empty(); }
   /// What is wrong besides.
   void add_error(const std::string& error) { errors_.push_back(error); }
 
@@ -51,7 +51,7 @@ class DeckReport {
   static std::string line(const Count& one);
 
   std::vector<std::string> understood_, errors_;
-  std::vector<Count> ignored_, unused_, refused_, left_out_;
+  std::vector<Count> ignored_, unused_, rejected_, left_out_;
 };
 
 }  // namespace pinball

@@ -9,7 +9,7 @@ namespace pinball {
 class CardLayout;
 
 /// What of a deck somebody has asked for: lines, fields of lines and parameters of keywords. What is left when all is
-/// translated stands in the deck and has not become anything, which is told, whoever has forgotten it.
+/// translated stands in the deck and has not become anything, which is reported, whoever has forgotten it.
 class ReadingLog {
  public:
   /// So many lines of a keyword have been read. The keyword has to stay where it is.
@@ -31,7 +31,7 @@ class ReadingLog {
   void asked(const void* keyword, std::size_t parameter) {
     if (parameter < 32) parameters_[keyword] |= 1U << parameter;
   }
-  /// Nothing is left of a keyword, which is told by other means.
+  /// Nothing is left of a keyword, which is reported by other means.
   void done(const void* keyword) { reached(keyword, -1); }
 
   bool is_done(const void* keyword) const { return lines_of(keyword) == static_cast<std::size_t>(-1); }

@@ -7,7 +7,7 @@ enum class Treatment {
   done,     ///< becomes part of the scene
   mesh,     ///< is read with the mesh
   ignored,  ///< cannot change the answer: output, and controls of what is not there
-  refused   ///< known, and not there yet
+  rejected  ///< known, and not there yet
 };
 
 }  // namespace pinball

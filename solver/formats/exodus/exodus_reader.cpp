@@ -128,7 +128,7 @@ class ExodusReader {
     const std::string type = in_.attribute(variable, "elem_type"), form = upper(type);
     const bool hexahedra = form.starts_with("HEX") && shape[1] == 8,
                wedges = form.starts_with("WEDGE") && shape[1] == 6;
-    if (!hexahedra && !wedges) return refuse(blocks, b, type, shape[1], count);
+    if (!hexahedra && !wedges) return reject(blocks, b, type, shape[1], count);
     const std::int32_t first = file_.mesh.hexahedra.size();
     if (first + count > std::numeric_limits<std::int32_t>::max() / 8) fail("has more elements than a mesh can hold");
     for (std::int64_t e = 0; e < count; ++e) place_.push_back(first + e);
@@ -158,7 +158,7 @@ class ExodusReader {
     for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = nodes[i / 8 * 6 + corner[i % 8]];
   }
 
-  void refuse(const Names& blocks, std::size_t b, const std::string& type, std::int64_t nodes, std::int64_t count) {
+  void reject(const Names& blocks, std::size_t b, const std::string& type, std::int64_t nodes, std::int64_t count) {
     const std::string what = fmt::format("block {}{} has {} elements of type {} with {} nodes", blocks.ids[b],
                                          blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", count,
                                          type.empty() ? "unknown" : type, nodes);

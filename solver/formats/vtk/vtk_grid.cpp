@@ -126,7 +126,7 @@ class Builder {
         fail(fmt::format("cell {}: expected points from 0 to {}, got {}", cell, file_.mesh.nodes.size() - 1, point));
     }
     const bool volume = type == voxel || type == hexahedron || type == wedge;
-    if (!volume && !is_of_lower_dimension(type)) return refuse(cell, type, is_wanted(part, has_parts));
+    if (!volume && !is_of_lower_dimension(type)) return reject(cell, type, is_wanted(part, has_parts));
     const bool face = type == triangle || type == quadrangle || type == pixel,
                known = volume || face || type == vertex || type == line;
     if (known && points.size() != points_of(type))
@@ -140,7 +140,7 @@ class Builder {
     }
   }
 
-  void refuse(std::size_t cell, int type, bool wanted) const {
+  void reject(std::size_t cell, int type, bool wanted) const {
     if (!wanted) return;
     fail(fmt::format("cell {}: expected hexahedra (type 12), voxels (11) or wedges (13), got {} (type {})", cell,
                      name_of(type), type));

@@ -95,13 +95,13 @@ class Check {
       Coincidence& found = by_bodies[std::minmax(body_of_node[a], body_of_node[b])];
       if (found.count++ == 0) found.first = {a, b};
     }
-    std::size_t told = 0;
+    std::size_t reported = 0;
     for (const auto& [bodies, found] : by_bodies) {
-      if (told++ < most_warnings) tell(bodies, found);
+      if (reported++ < most_warnings) report(bodies, found);
     }
-    if (told > most_warnings) {
+    if (reported > most_warnings) {
       warnings_.push_back(
-          fmt::format("{}: nodes of {} more pairs of bodies lie on each other", file_.path, told - most_warnings));
+          fmt::format("{}: nodes of {} more pairs of bodies lie on each other", file_.path, reported - most_warnings));
     }
   }
 
@@ -119,7 +119,7 @@ class Check {
 
   std::int64_t number(std::int32_t node) const { return file_.node_ids.empty() ? node : file_.node_ids[node]; }
 
-  void tell(const std::pair<std::int32_t, std::int32_t>& bodies, const Coincidence& found) {
+  void report(const std::pair<std::int32_t, std::int32_t>& bodies, const Coincidence& found) {
     const Point& x = file_.mesh.nodes[found.first.first];
     const bool one = bodies.first == bodies.second;
     const std::string who = one ? "body " + names_[bodies.first]

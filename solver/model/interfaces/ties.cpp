@@ -23,7 +23,7 @@ namespace {
 
 /// Tolerance without one, over the shorter diagonal of a face: that of LS-DYNA for faces of solids.
 constexpr double default_tolerance = 0.05;
-/// Up to so many times the tolerance a node that is not tied is told [-].
+/// Up to so many times the tolerance a node that is not tied is reported [-].
 constexpr double near = 5;
 /// Weights that are nothing but round-off [-].
 constexpr double nothing = 1e-10;
@@ -192,7 +192,7 @@ class TieSearch {
       Vec3<double> x[4];
       for (std::size_t k = 0; k < 4; ++k) x[k] = place(mesh_, face.node[k]);
       const FaceProjection<double> at = project_onto_face(x, place(mesh_, node), 0.0, 0.0);
-      Vec3<double> to = place(mesh_, node);  // what a foot lies outside of a face is told up to its size alone
+      Vec3<double> to = place(mesh_, node);  // what a foot lies outside of a face is known up to its size alone
       for (std::size_t k = 0; k < 4; ++k) to = to - at.weight[k] * x[k];
       const double distance = at.outside < INFINITY ? std::sqrt(dot(to, to)) : INFINITY;
       if (!(distance <= near * face.tolerance)) continue;

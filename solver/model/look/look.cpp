@@ -30,22 +30,22 @@ class LookAt {
     decide_contact();
     check_speeds();
     check_whether_anything_meets();
-    if (meetings_.possible || meets_wall()) tell(find_thin_body(scene_, mesh_));
+    if (meetings_.possible || meets_wall()) report(find_thin_body(scene_, mesh_));
     return std::move(look_);
   }
 
  private:
-  void tell(std::string sentence) {
+  void report(std::string sentence) {
     if (!sentence.empty()) look_.unlikely.push_back(std::move(sentence));
   }
   /// What makes a run fail, too. The first one counts.
-  void blame(const std::string& sentence) {
+  void report_cause(const std::string& sentence) {
     if (look_.cause.empty()) look_.cause = sentence;
-    tell(sentence);
+    report(sentence);
   }
 
   void check_materials() {
-    for (const Material& material : scene_.materials) blame(unlikely_material(material, units_));
+    for (const Material& material : scene_.materials) report_cause(unlikely_material(material, units_));
   }
 
   std::string names(const Meeting& met) const {
@@ -58,7 +58,7 @@ class LookAt {
   void decide_contact() {
     ContactMethod& method = scene_.contact.method;
     if (scene_.of_deck && method == ContactMethod::none && meetings_.expected) {
-      tell(
+      report(
           fmt::format("bodies {} meet {}, and no card of the deck has them touch: they go through each other; "
                       "--set contact.method=pinball makes all bodies touch",
                       names(*meetings_.expected), when(*meetings_.expected)));
@@ -96,24 +96,25 @@ class LookAt {
         look_.impact_speed = share * met.speed;
       }
       const double wave = std::min(wave_of_body(met.first), wave_of_body(met.second));
-      if (met.speed > wave) tell_speed(fmt::format("bodies {} meet", names(met)), met.speed, wave);
+      if (met.speed > wave) report_speed(fmt::format("bodies {} meet", names(met)), met.speed, wave);
     }
-    bool told = false;
+    bool reported = false;
     for (const Mover& mover : movers_.all) {
       const double wave = wave_of_body(mover.bodies.front());
       if (mover.meets_wall) {
         look_.closing_speed = std::max(look_.closing_speed, mover.speed);
         look_.impact_speed = std::max(look_.impact_speed, mover.speed);
       }
-      if (!mover.meets_wall || mover.speed <= wave || told) continue;
-      told = true;
-      tell_speed(fmt::format("body {} and a rigid wall meet", mesh_.body_names[mover.bodies.front()]), mover.speed,
-                 wave);
+      if (!mover.meets_wall || mover.speed <= wave || reported) continue;
+      reported = true;
+      report_speed(fmt::format("body {} and a rigid wall meet", mesh_.body_names[mover.bodies.front()]), mover.speed,
+                   wave);
     }
   }
-  void tell_speed(const std::string& who, double speed, double wave) {
-    blame(fmt::format("{} at {}, {:.3g} times the speed of waves in them, {}: look at velocities, densities and moduli",
-                      who, number(speed, units_.velocity), speed / wave, number(wave, units_.velocity)));
+  void report_speed(const std::string& who, double speed, double wave) {
+    report_cause(
+        fmt::format("{} at {}, {:.3g} times the speed of waves in them, {}: look at velocities, densities and moduli",
+                    who, number(speed, units_.velocity), speed / wave, number(wave, units_.velocity)));
   }
 
   bool meets_wall() const {
@@ -126,14 +127,15 @@ class LookAt {
     // Balls reach out of the faces that are looked at here.
     const bool balls = scene_.contact.method == ContactMethod::pinball && scene_.contact.gap == ContactGap::pinball;
     if (!alone && scene_.contact.method != ContactMethod::none && !balls) {
-      tell(fmt::format(
+      report(fmt::format(
           "contact.method is on, and no two of the {} bodies can meet until time.end = {}: look at positions "
           "and velocities",
           scene_.bodies.size(), number(scene_.time.end, units_.time)));
     }
     if (!scene_.rigid_walls.empty()) {
-      tell(fmt::format("no body can reach a rigid wall until time.end = {}: look at positions, velocities and normals",
-                       number(scene_.time.end, units_.time)));
+      report(
+          fmt::format("no body can reach a rigid wall until time.end = {}: look at positions, velocities and normals",
+                      number(scene_.time.end, units_.time)));
     }
   }
 

@@ -67,8 +67,8 @@ function results() {
     rows: quantities().map(([name, text]) => [name, ...variants.map(text)]), numbers: names.map((_, i) => i + 1)});
   const differs = (row) => new Set([...row.querySelectorAll('td')].map((cell) => cell.textContent)).size > 1;
   fill('results', filter(list, 'Search quantities', [{label: 'only what differs', keep: differs}]), list);
-  const told = variants.flatMap((v, i) => v.summary.warnings.map((text) => make('li', {text: `${names[i]}: ${text}`})));
-  if (told.length) fill('results', make('details', {}, make('summary', {text: `Warnings (${told.length})`}), make('ul', {}, ...told)));
+  const warned = variants.flatMap((v, i) => v.summary.warnings.map((text) => make('li', {text: `${names[i]}: ${text}`})));
+  if (warned.length) fill('results', make('details', {}, make('summary', {text: `Warnings (${warned.length})`}), make('ul', {}, ...warned)));
 }
 
 const columnOf = (curve, name) => curve.data[curve.columns.indexOf(name)];

@@ -20,11 +20,11 @@ function keyFigures() {
 function failures() {
   const runs = [...study.meshes.map((mesh) => [`mesh ${mesh.factor}`, mesh]),
     ...study.sources.flatMap((source) => source.runs.map((run) => [source.name, run]))];
-  const told = runs.flatMap(([name, run]) => run.failure !== null ? [make('p', {class: 'error', text: `${name}: ${run.failure}`})]
+  const failed = runs.flatMap(([name, run]) => run.failure !== null ? [make('p', {class: 'error', text: `${name}: ${run.failure}`})]
       : run.left_out !== null ? [make('p', {class: 'note', text: `${name} left out: ${run.left_out}`})] : []);
-  if (told.length === 0) return;
+  if (failed.length === 0) return;
   place('failures').hidden = false;
-  fill('failures', ...told);
+  fill('failures', ...failed);
 }
 
 function quantities() {
@@ -74,16 +74,16 @@ function costPanel(cost, index) {
 }
 
 function costs() {
-  const told = study.costs.map((cost, i) => [cost, i]).filter(([cost]) => cost.sentence !== null);
+  const stated = study.costs.map((cost, i) => [cost, i]).filter(([cost]) => cost.sentence !== null);
   if (study.points.length === 0) return place('costs').hidden = true;
   fill('costs', ...(study.search_sentence ? [make('p', {text: study.search_sentence})] : []),
     make('p', {class: 'note', text: 'The line joins the runs that no other is both faster and better than, by errors against the extrapolated value.'}),
-    make('div', {class: 'panels'}, ...told.map(([cost, i]) => costPanel(cost, i))),
+    make('div', {class: 'panels'}, ...stated.map(([cost, i]) => costPanel(cost, i))),
     make('details', {open: study.quantities.length <= 4}, make('summary', {text: `All runs (${study.points.length})`}),
-      table({caption: 'Runs', id: 'run_table', head: ['run', 'seconds', 'memory', ...told.map(([cost]) => `error of ${cost.name}`)],
-        numbers: [1, 2, ...told.map((_, i) => i + 3)],
+      table({caption: 'Runs', id: 'run_table', head: ['run', 'seconds', 'memory', ...stated.map(([cost]) => `error of ${cost.name}`)],
+        numbers: [1, 2, ...stated.map((_, i) => i + 3)],
         rows: study.points.map((p) => [make('span', {text: p.settings, title: p.what}), figure(p.seconds, 3), bytes(p.bytes),
-          ...told.map(([, i]) => p.errors[i] === null ? '–' : percent(p.errors[i]))])})));
+          ...stated.map(([, i]) => p.errors[i] === null ? '–' : percent(p.errors[i]))])})));
 }
 
 function sources() {

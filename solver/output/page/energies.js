@@ -12,11 +12,11 @@ const energyNames = {
 function energyChecks(checks) {
   const verdict = ({warning}) => warning === null ? make('span', {class: 'done', text: 'sound'})
       : make('span', {class: 'failed', text: 'not sound'});
-  const told = checks.some((c) => c.warning !== null);  // else there is nothing to try
+  const advised = checks.some((c) => c.warning !== null);  // else there is nothing to try
   return table({caption: 'Whether the energies can be trusted', id: 'energy_checks', numbers: [1, 2],
-    head: ['what', 'largest', 'sound up to', 'verdict', ...(told ? ['what happened, and what to try'] : [])],
+    head: ['what', 'largest', 'sound up to', 'verdict', ...(advised ? ['what happened, and what to try'] : [])],
     rows: checks.map((c) => [c.what, percent(c.share), percent(c.bound), verdict(c),
-      ...(told ? [make('span', {class: 'bad', text: c.warning ?? ''})] : [])])});
+      ...(advised ? [make('span', {class: 'bad', text: c.warning ?? ''})] : [])])});
 }
 
 /// Each energy at the start and the end, and the sum that is kept: all less the work from outside.

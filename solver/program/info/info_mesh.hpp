@@ -11,7 +11,7 @@ namespace pinball {
 /// Edges and shapes of elements in a sentence without its end. length: unit of the mesh; empty: none.
 std::string quality_text(const MeshQuality& q, const std::string& length);
 
-/// Parts and sets of the mesh files, and what is told of them at the start.
+/// Parts and sets of the mesh files, and what is reported of them at the start.
 void print_mesh_files(const ModelMesh& mesh);
 
 /// What a mesh file holds, which is no scene and no deck. Throws InputError.

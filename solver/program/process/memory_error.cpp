@@ -5,7 +5,7 @@
 namespace pinball {
 
 std::string memory_error(const std::bad_alloc& error) {
-  if (const auto* told = dynamic_cast<const OutOfMemory*>(&error)) return told->what();
+  if (const auto* known = dynamic_cast<const OutOfMemory*>(&error)) return known->what();
   return OutOfMemory("").what();
 }
 

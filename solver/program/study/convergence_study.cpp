@@ -41,7 +41,7 @@ bool ConvergenceStudy::failed() const {
 
 ConvergenceStudy study_convergence(const Scene& scene, const StudySettings& settings) {
   require_refinable(scene);
-  // What cannot be is told before a run.
+  // What cannot be is reported before a run.
   for (const MeshFactor& factor : settings.factors) refined_by(scene, factor);
   vary_bodies(scene, settings.bodies);
   StudyMaker maker(scene, settings);

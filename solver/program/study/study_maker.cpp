@@ -28,7 +28,7 @@ bool came_to_its_end(const StudyMesh& mesh) { return mesh.run.results.has_value(
 
 double number_of(const StudyRun& run, const char* key) { return run.results->value(key).value_or(0); }
 
-/// Of one thread: as if all of several worked all the time.
+/// Of one thread: as if all of several were busy all the time.
 double work_of(const StudyRun& run) {
   return number_of(run, "wall_seconds") * std::max(1.0, number_of(run, "threads"));
 }

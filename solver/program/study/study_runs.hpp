@@ -35,7 +35,7 @@ std::string study_settings_text(const Scene& scene);
 /// Runs the scene in OUT/NAME, without field output but for the end where that is asked for, and leaves
 /// study_settings.txt beside its results: all keys of the scene, what its mesh files hold, the version and the device.
 /// Where that is there already, and the run was done, it reads the results instead. A run that fails, or that a signal
-/// ends, is told and made again the next time. Throws InputError for a scene that cannot be run. what: for the line
+/// ends, is reported and made again the next time. Throws InputError for a scene that cannot be run. what: for the line
 /// that says which run it is. expected: what it will take [s]; where the budget has less left, it is left out. None:
 /// nothing is known of it, and it is made.
 StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,

@@ -65,11 +65,12 @@ constexpr void describe(Of<ContactSettings>, Visit&& visit) {
             "numbers; `\"hash\"`, cells of grids for each size. What suits is measured when lists are made. A "
             "slideline always takes a tree",
             {.otherwise = "what suits the scene"}});
-  visit(Key{"overlap", &T::overlap,
-            "what becomes of nodes that lie in another body at the start, which are told with their depth: `\"keep\"`: "
-            "they come no deeper, without stress, and what is deeper than about a quarter of an element passes; "
-            "`\"adjust\"`: they are put on the surface of the other body, without stress, half of the way done by each "
-            "of two bodies where nodes of both lie inside; nodes that are held or tied stay"});
+  visit(Key{
+      "overlap", &T::overlap,
+      "what becomes of nodes that lie in another body at the start, which are reported with their depth: `\"keep\"`: "
+      "they come no deeper, without stress, and what is deeper than about a quarter of an element passes; "
+      "`\"adjust\"`: they are put on the surface of the other body, without stress, half of the way done by each "
+      "of two bodies where nodes of both lie inside; nodes that are held or tied stay"});
   visit(Key{"skin",
             &T::skin,
             "how far a node may stray from its straight way before what may touch is searched anew: scale over the "

@@ -91,20 +91,20 @@ template <class T, class Value>
 struct Key : FileKey<Value> {
   Value T::*member;
   bool (*applies)(const T&) = nullptr;  ///< which objects have it; none: all
-  const char* refused = nullptr;        ///< where another object is read that has it; none: it may have it
+  const char* rejected = nullptr;       ///< where another object is read that has it; none: it may have it
 
   constexpr Key(const char* name_, Value T::*member_, const char* meaning_, About about_ = {})
       : FileKey<Value>(name_, meaning_, about_), member(member_) {}
   /// The same key, of some objects only. What was read before says of which.
-  constexpr Key only_where(bool (*applies_)(const T&), const char* refused_ = nullptr) const {
+  constexpr Key only_where(bool (*applies_)(const T&), const char* rejected_ = nullptr) const {
     Key key = *this;
     key.applies = applies_;
-    key.refused = refused_;
+    key.rejected = rejected_;
     return key;
   }
   const char* field() const { return *this->about.field ? this->about.field : this->name; }
   /// Also where it is of no use, unless that is refused.
-  bool may_be_of(const T& object) const { return refused == nullptr || applies(object); }
+  bool may_be_of(const T& object) const { return rejected == nullptr || applies(object); }
 };
 
 /// A member whose own keys stand in the same table, but for some.

@@ -60,7 +60,7 @@ constexpr void describe(Of<ElementSettings>, Visit&& visit) {
             {.otherwise = "\"erode\" where a material erodes, else \"stop\""}});
   visit(Key{"inside_out", &T::inside_out,
             "what happens to an element with a corner that has turned over, whatever its volume: `\"warn\"`: it is "
-            "counted, and told at the end; `\"erode\"`; `\"stop\"` ends the run"});
+            "counted, and reported at the end; `\"erode\"`; `\"stop\"` ends the run"});
   visit(Key{"folding_resistance",
             &T::folding_resistance,
             "modulus with which corners resist that are about to turn over, over the bulk modulus; 0: none does. It "
@@ -75,7 +75,7 @@ constexpr void describe(Of<SkipSettings>, Visit&& visit) {
   visit(Key{"contact_search", &T::contact_search,
             "lists of what may touch last while `contact.skin` allows it; `false`: search at every step"});
   visit(Key{"resting", &T::resting,
-            "tiles of up to 2,048 elements without stress whose nodes all have one velocity are not worked until "
+            "tiles of up to 2,048 elements without stress whose nodes all have one velocity are not updated until "
             "something changes that; `false`: they are, with the same bits"});
 }
 

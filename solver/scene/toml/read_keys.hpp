@@ -94,7 +94,7 @@ class KeyReader {
   template <class Value>
   bool is_left_out(const schema::Key<T, Value>& key) const {
     if (key.may_be_of(object_)) return false;
-    if (table_.has(key.name)) table_.fail(key.name, fmt::format("not used {}", key.refused));
+    if (table_.has(key.name)) table_.fail(key.name, fmt::format("not used {}", key.rejected));
     return true;
   }
 

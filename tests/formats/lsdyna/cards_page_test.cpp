@@ -33,7 +33,7 @@ std::string fields_of(const CardLayout& layout, FieldUse use) {
 
 std::string row_of(const std::string& keywords, std::size_t line, const CardLayout& layout) {
   return fmt::format("| {} | {} | {} | {} | {} |\n", keywords, line, fields_of(layout, FieldUse::used),
-                     fields_of(layout, FieldUse::told), fields_of(layout, FieldUse::refused));
+                     fields_of(layout, FieldUse::reported), fields_of(layout, FieldUse::rejected));
 }
 
 std::string page_text() {
@@ -44,13 +44,13 @@ std::string page_text() {
       "where that is not 0 or blank,\n"
       "in parentheses how many columns it has where those are not 10. What a card says other than the "
       "default of a field that is\n"
-      "not used is told by the name of the field, with the reason, and of one that is refused it ends "
+      "not used is reported by the name of the field, with the reason, and of one that is refused it ends "
       "the program with all else\n"
       "that is refused. `tests/formats/lsdyna/every_field_test.cpp` sets each field to something else:"
       " the scene or the mesh\n"
       "changes, or a sentence names it.\n"
       "\n"
-      "| keyword | line | used | told | refused |\n|---|---|---|---|---|\n";
+      "| keyword | line | used | reported | refused |\n|---|---|---|---|---|\n";
   const auto& table = keyword_cards();
   for (std::size_t first = 0, next = 0; first < table.size(); first = next) {
     std::string keywords;

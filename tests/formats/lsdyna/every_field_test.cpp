@@ -181,7 +181,7 @@ class EveryField : public FolderTest {
     if (deck.keyword == "NODE" || deck.keyword == "ELEMENT_SOLID") return;
     const std::string name = fmt::format("field {}", at + 1);
     fields.resize(std::max(fields.size(), at + 1));
-    try_one(deck, before, line, fields, at, layout::number(name).told(), "3");
+    try_one(deck, before, line, fields, at, layout::number(name).reported(), "3");
   }
 
   void try_one(const CardDeck& deck, const Outcome& before, std::size_t line, std::vector<std::string> fields,
@@ -194,9 +194,9 @@ class EveryField : public FolderTest {
     const bool named = after.names(before, deck.keyword, name);
     ++tried_;
     const std::string where = fmt::format("*{} {}, line {}, {} = {}", deck.keyword, deck.form, line + 1, name, value);
-    if (field.use == FieldUse::told) {
+    if (field.use == FieldUse::reported) {
       EXPECT_TRUE(named && after.error.empty()) << where << " is not told: " << after.error;
-    } else if (field.use == FieldUse::refused) {
+    } else if (field.use == FieldUse::rejected) {
       EXPECT_TRUE(named && !after.error.empty()) << where << " is not refused by name: " << after.error;
     } else {
       EXPECT_TRUE(named || !after.error.empty() || after.made != before.made) << where << " is silent";

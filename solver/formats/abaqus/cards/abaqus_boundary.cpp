@@ -23,7 +23,7 @@ void set_nodes(const AbaqusNodes& nodes, const DeckKeys<NodeSelection>& keys) {
 bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree) {
   if (degree >= 4 && degree <= 6) data.report.ignore(place, block.star_name() + " of rotations of nodes of solids");
   if (degree < 1 || degree > 6)
-    data.report.refuse(place, fmt::format("{} with degree of freedom {}", block.star_name(), degree));
+    data.report.reject(place, fmt::format("{} with degree of freedom {}", block.star_name(), degree));
   return degree >= 1 && degree <= 3;
 }
 
@@ -164,13 +164,13 @@ class Boundary {
 
   bool may_move(const BoundaryLine& line) {
     const std::string quantity = quantity_of(line);
-    std::string refused;
-    if (line.block->step == 0) refused = "*BOUNDARY that moves nodes before the step";
-    if (line.block->step > 1 && quantity != "velocity") refused = "*BOUNDARY: a later step may give velocities alone";
+    std::string rejected;
+    if (line.block->step == 0) rejected = "*BOUNDARY that moves nodes before the step";
+    if (line.block->step > 1 && quantity != "velocity") rejected = "*BOUNDARY: a later step may give velocities alone";
     if (quantity == "displacement" && line.curve.times.empty())
-      refused = "*BOUNDARY: a displacement at once, without AMPLITUDE";
-    if (!refused.empty()) data_.report.refuse(line.place, refused);
-    return refused.empty();
+      rejected = "*BOUNDARY: a displacement at once, without AMPLITUDE";
+    if (!rejected.empty()) data_.report.reject(line.place, rejected);
+    return rejected.empty();
   }
 
   static std::string quantity_of(const BoundaryLine& line) {

@@ -25,7 +25,7 @@ Friction read_friction(AbaqusData& data, const AbaqusBlock& block) {
   if (block.has("EXPONENTIALDECAY"))
     return {f.number(1, "coefficient while sliding"), first, f.number(2, "decay", 0.0)};
   for (std::size_t i = 1; i < 7; ++i) {
-    if (!f.blank(i)) data.report.refuse(block.place, "*FRICTION that depends on slip rate, pressure or temperature");
+    if (!f.blank(i)) data.report.reject(block.place, "*FRICTION that depends on slip rate, pressure or temperature");
   }
   return {first, first, 0.0};
 }

@@ -25,7 +25,7 @@ void set_mass_scaling(AbaqusData& data, double factor, DeckKeys<TimeSettings> ke
     const double step = block.number("DT", 0.0);
     if (!(step > 0)) fail_at(block.place, "*FIXED MASS SCALING: DT: expected more than 0");
     if (data.whole_bodies(block.value("ELSET").value_or(""), block.place).size() != data.bodies.size())
-      data.report.refuse(block.place, "*FIXED MASS SCALING of some elements");
+      data.report.reject(block.place, "*FIXED MASS SCALING of some elements");
     keys.from(card_of(block, block.place));
     keys.set("smallest_step", factor * step);
     if (block.option("TYPE") == "SETEQUALDT") keys.set("mass_scaling", "all");
@@ -39,7 +39,7 @@ double scale_factor(AbaqusData& data) {
   if (!(factor > 0)) fail_at(last.place, "*DYNAMIC: SCALE FACTOR: expected more than 0");
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name == "DYNAMIC" && block.number("SCALEFACTOR", 1.0) != factor)
-      data.report.refuse(last.place, "*DYNAMIC: another SCALE FACTOR than in a step before");
+      data.report.reject(last.place, "*DYNAMIC: another SCALE FACTOR than in a step before");
   }
   return factor;
 }

@@ -100,7 +100,7 @@ void AbaqusData::read_steps() {
       if (steps.size() > 1)
         report.understood(fmt::format("*STEP ({}): begins at {:.6g}", block.place.text(), steps.back().start));
       if (steps.size() > 1 && (steps.back().ramps || steps.front().ramps))
-        report.refuse(block.place, "*STEP, AMPLITUDE=RAMP beside other steps");
+        report.reject(block.place, "*STEP, AMPLITUDE=RAMP beside other steps");
     }
     if (block.name != "DYNAMIC" || steps.empty()) continue;
     DataLines lines(block);

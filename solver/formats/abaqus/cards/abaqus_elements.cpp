@@ -86,7 +86,7 @@ std::pair<double, double> bulk_viscosity(AbaqusData& data) {
     const DataLine card = lines.require("the coefficients");
     const DataFields f(card);
     const std::pair here{f.number(0, "b1", 0.06), f.number(1, "b2", 1.2)};
-    if (found && found != here) data.report.refuse(block.place, "*BULK VISCOSITY that is another one than before");
+    if (found && found != here) data.report.reject(block.place, "*BULK VISCOSITY that is another one than before");
     found = here;
   }
   return found.value_or(std::pair{0.06, 1.2});

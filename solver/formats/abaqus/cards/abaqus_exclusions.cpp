@@ -78,7 +78,7 @@ std::vector<AbaqusSides> AbaqusExclusions::left_of(const std::string& first, con
   const auto any = [&out](Share share) {
     return std::ranges::any_of(out, [share](const auto& row) { return std::ranges::count(row, share) > 0; });
   };
-  if (any(Share::some)) refuse(*partial_);
+  if (any(Share::some)) reject(*partial_);
   if (!any(Share::all)) return {all};
   return alone ? among(one, out) : between(one, other, out);
 }
@@ -161,7 +161,7 @@ DeckSide AbaqusExclusions::part_of(const Side& side, const Places& places) {
   for (const std::size_t place : places) {
     const std::size_t body = side.bodies[place];
     if (!side.faces->whole[body]) {
-      refuse(*whole_);
+      reject(*whole_);
       break;
     }
     names.push_back(data_.bodies[body].name);
@@ -169,10 +169,10 @@ DeckSide AbaqusExclusions::part_of(const Side& side, const Places& places) {
   return {names};
 }
 
-void AbaqusExclusions::refuse(const Exclusion& exclusion) {
+void AbaqusExclusions::reject(const Exclusion& exclusion) {
   const auto name = [](const std::string& label) { return label.empty() ? "all bodies" : label; };
   const std::string second = exclusion.second == exclusion.first ? "itself" : name(exclusion.second);
-  data_.report.refuse(exclusion.place, fmt::format("*CONTACT EXCLUSIONS of {} and {}", name(exclusion.first), second),
+  data_.report.reject(exclusion.place, fmt::format("*CONTACT EXCLUSIONS of {} and {}", name(exclusion.first), second),
                       "only whole bodies, and whole surfaces of a pair, can be left out");
 }
 

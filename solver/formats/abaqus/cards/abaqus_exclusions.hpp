@@ -54,7 +54,7 @@ class AbaqusExclusions {
   std::vector<AbaqusSides> between(const Side& first, const Side& second, const Table& out);
   /// Some of the bodies of a side, by their places among them.
   DeckSide part_of(const Side& side, const std::vector<std::size_t>& places);
-  void refuse(const Exclusion& exclusion);
+  void reject(const Exclusion& exclusion);
 
   AbaqusData& data_;
   std::vector<Exclusion> exclusions_;

@@ -26,7 +26,7 @@ void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& c
   const DataFields f(card);
   const std::vector<std::string> bodies = data.whole_bodies(f.text(0), card.place);
   if (bodies.empty()) {
-    data.report.refuse(card.place, "*DLOAD, GRAV of a part of a section");
+    data.report.reject(card.place, "*DLOAD, GRAV of a part of a section");
     return;
   }
   Point direction{f.number(3, "direction", 0.0), f.number(4, "direction", 0.0), f.number(5, "direction", 0.0)};

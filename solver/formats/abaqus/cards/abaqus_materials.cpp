@@ -156,13 +156,13 @@ void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKe
   if (material.option("PLASTIC")->option("HARDENING") == "KINEMATIC") {
     set_kinematic(curves.front(), keys);
     if (rate != nullptr || curves.size() > 1)
-      data.report.refuse(material.head->place, "*PLASTIC, HARDENING=KINEMATIC that depends on the rate");
+      data.report.reject(material.head->place, "*PLASTIC, HARDENING=KINEMATIC that depends on the rate");
   } else if (curves.size() > 1) {
     GivenArray of_rates;
     for (const Curve& curve : curves) of_rates.push_back(given_curve(curve, 1.0, curve.rate));
     keys.set("yield_curves", of_rates);
     keys.set("strain_rate", "plastic");
-    if (rate != nullptr) data.report.refuse(rate->place, "*RATE DEPENDENT beside *PLASTIC, RATE=");
+    if (rate != nullptr) data.report.reject(rate->place, "*RATE DEPENDENT beside *PLASTIC, RATE=");
   } else if (rate != nullptr) {
     set_rate(*rate, curves.front(), keys);
     keys.set("strain_rate", "plastic");
@@ -204,7 +204,7 @@ void write_damping(AbaqusData& data, const std::map<std::string, AbaqusMaterial>
     if (damping == nullptr) continue;
     last = damping;
   }
-  if (factors.size() > 1) data.report.refuse(last->place, "*DAMPING, ALPHA of some materials alone");
+  if (factors.size() > 1) data.report.reject(last->place, "*DAMPING, ALPHA of some materials alone");
   if (last == nullptr || *factors.begin() == 0) return;
   const auto keys = scene.table<DampingSettings>("damping", card_of(*last, last->place));
   keys.comment("");

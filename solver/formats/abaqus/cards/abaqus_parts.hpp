@@ -30,7 +30,7 @@ bool translate_abaqus_contact(AbaqusData& data, DeckScene& scene);
 void translate_abaqus_probes(AbaqusData& data, DeckScene& scene);
 
 /// Whether a degree of freedom is a translation, 1 to 3. Rotations, 4 to 6, which nodes of solids do not have, are
-/// told; others are refused.
+/// reported; others are refused.
 bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree);
 
 /// A keyword at the place of one of its lines.

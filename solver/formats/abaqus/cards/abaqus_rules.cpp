@@ -99,19 +99,19 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"MONITOR", ignored, "output of another program"},
       {"DIAGNOSTICS", ignored, "output of another program"},
       {"RESTART", ignored, "WRITE; READ is refused"},
-      {"VARIABLE MASS SCALING", refused, ""},
-      {"RIGID BODY", refused, "rigid bodies"},
-      {"MPC", refused, ""},
-      {"EQUATION", refused, ""},
-      {"COUPLING", refused, ""},
-      {"TRANSFORM", refused, "local systems of nodes"},
-      {"SYSTEM", refused, "local systems of nodes"},
-      {"NGEN", refused, "meshes that the deck generates"},
-      {"NFILL", refused, "meshes that the deck generates"},
-      {"NCOPY", refused, "meshes that the deck generates"},
-      {"ELGEN", refused, "meshes that the deck generates"},
-      {"ELCOPY", refused, "meshes that the deck generates"},
-      {"PARAMETER", refused, ""},
+      {"VARIABLE MASS SCALING", rejected, ""},
+      {"RIGID BODY", rejected, "rigid bodies"},
+      {"MPC", rejected, ""},
+      {"EQUATION", rejected, ""},
+      {"COUPLING", rejected, ""},
+      {"TRANSFORM", rejected, "local systems of nodes"},
+      {"SYSTEM", rejected, "local systems of nodes"},
+      {"NGEN", rejected, "meshes that the deck generates"},
+      {"NFILL", rejected, "meshes that the deck generates"},
+      {"NCOPY", rejected, "meshes that the deck generates"},
+      {"ELGEN", rejected, "meshes that the deck generates"},
+      {"ELCOPY", rejected, "meshes that the deck generates"},
+      {"PARAMETER", rejected, ""},
   };
   return rules;
 }
@@ -165,7 +165,7 @@ bool may_come_later(const std::string& name) {
 }
 
 /// What a keyword is refused for besides its parameters.
-std::string refused_option(const AbaqusBlock& block) {
+std::string rejected_option(const AbaqusBlock& block) {
   if (block.name == "DYNAMIC" && !block.has("EXPLICIT")) return "*DYNAMIC without EXPLICIT";
   if (block.name == "FIXEDMASSSCALING" && !block.has("TYPE")) return "*FIXED MASS SCALING, TYPE=UNIFORM";
   if (block.name == "RESTART" && block.has("READ")) return "*RESTART, READ";
@@ -176,24 +176,24 @@ std::string refused_option(const AbaqusBlock& block) {
 
 void sort_abaqus_keyword(const AbaqusBlock& block, bool lenient, DeckReport& report) {
   const AbaqusRule* rule = abaqus_rule_of(block.name);
-  if (const std::string option = refused_option(block); !option.empty()) {
-    report.refuse(block.place, option);
+  if (const std::string option = rejected_option(block); !option.empty()) {
+    report.reject(block.place, option);
   } else if (rule == nullptr) {
     if (lenient && is_output_or_control(block.name)) {
       report.leave_out(block.place, block.star_name());
     } else {
-      report.refuse(block.place, block.star_name());
+      report.reject(block.place, block.star_name());
     }
   } else if (rule->treatment == Treatment::ignored) {
     report.ignore(block.place, block.star_name());
-  } else if (rule->treatment == Treatment::refused) {
-    report.refuse(block.place, block.star_name(), rule->remark);
+  } else if (rule->treatment == Treatment::rejected) {
+    report.reject(block.place, block.star_name(), rule->remark);
   } else if (rule->treatment == Treatment::done && block.step > 1 && !may_come_later(block.name)) {
-    report.refuse(block.place, block.star_name() + " in a step behind the first");
+    report.reject(block.place, block.star_name() + " in a step behind the first");
   } else {
     for (const auto& [name, value] : block.parameters) {
       if (!is_known(*rule, name, value))
-        report.refuse(block.place, fmt::format("{}, {}{}", block.star_name(), name, value.empty() ? "" : '=' + value));
+        report.reject(block.place, fmt::format("{}, {}{}", block.star_name(), name, value.empty() ? "" : '=' + value));
     }
   }
 }

@@ -23,7 +23,7 @@ bool depends_on_more(const AbaqusBlock& block, std::size_t fields, bool one_line
 }
 
 /// The first kind of load of *DLOAD or *DSLOAD that is not done; empty: none.
-std::string refused_load(const AbaqusBlock& block) {
+std::string rejected_load(const AbaqusBlock& block) {
   DataLines lines(block);
   while (const auto card = lines.next()) {
     const std::string kind = squeezed(DataFields(*card).text(1));
@@ -34,7 +34,7 @@ std::string refused_load(const AbaqusBlock& block) {
 }
 
 /// What of the data lines of a keyword is not done; empty: nothing.
-std::string refused_data(const AbaqusBlock& block) {
+std::string rejected_data(const AbaqusBlock& block) {
   const std::string& name = block.name;
   if (name == "ELEMENT" && abaqus_corners(block.option("TYPE")) == 0) return "*ELEMENT, TYPE=" + block.option("TYPE");
   const bool depends = (name == "DENSITY" && depends_on_more(block, 1, true)) ||
@@ -42,7 +42,7 @@ std::string refused_data(const AbaqusBlock& block) {
                        (name == "SHEARFAILURE" && depends_on_more(block, 1, true)) ||
                        ((name == "PLASTIC" || name == "RATEDEPENDENT") && depends_on_more(block, 2, false));
   if (depends) return block.star_name() + " that depends on temperature or fields";
-  if (name == "DLOAD" || name == "DSLOAD") return refused_load(block);
+  if (name == "DLOAD" || name == "DSLOAD") return rejected_load(block);
   if (name == "DAMPING" && block.number("BETA", 0.0) != 0) return "*DAMPING, BETA";
   return "";
 }
@@ -51,7 +51,7 @@ std::string refused_data(const AbaqusBlock& block) {
 void sort_keywords(const AbaqusDeck& deck, bool lenient, DeckReport& report) {
   for (const AbaqusBlock& block : deck.blocks) {
     sort_abaqus_keyword(block, lenient, report);
-    if (const std::string what = refused_data(block); !what.empty()) report.refuse(block.place, what);
+    if (const std::string what = rejected_data(block); !what.empty()) report.reject(block.place, what);
   }
 }
 

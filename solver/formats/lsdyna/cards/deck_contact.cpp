@@ -55,12 +55,12 @@ DeckSide side_of(DeckData& data, const KeywordBlock& block, const Fields& f, std
   } else if (kind == 0 || (kind == 4 && which == 0 && block.name.find("NODES_TO_SURFACE") != std::string::npos)) {
     return {{}, kind == 0 ? "faces" : "nodes", std::to_string(set)};
   } else {
-    data.report.refuse(f.place(), fmt::format("{} with SSTYP or MSTYP {}", block.star_name(), kind),
+    data.report.reject(f.place(), fmt::format("{} with SSTYP or MSTYP {}", block.star_name(), kind),
                        "give segments (0), parts (2, 3, 6) or, of NODES_TO_SURFACE, nodes (4)");
     return side;
   }
   if (side.bodies.empty())
-    data.report.refuse(f.place(), fmt::format("{} with a side that has no parts with solids", block.star_name()),
+    data.report.reject(f.place(), fmt::format("{} with a side that has no parts with solids", block.star_name()),
                        "give a side with solids, or leave the contact out");
   return side;
 }
@@ -71,11 +71,11 @@ void read_friction(DeckData& data, const KeywordBlock& block, const Fields& f, c
   const double fs = f.number("FS"), fd = f.number("FD");
   if (fs == 0 && fd == 0) return;
   if (fs < 0 || fs == 2)
-    data.report.refuse(f.place(),
+    data.report.reject(f.place(),
                        fmt::format("{} with FS = {}, friction of parts or from a table", block.star_name(), fs),
                        "give FS, FD and DC here");
   if (f.number("VC") != 0)
-    data.report.refuse(f.place(), block.star_name() + " with a limit of the friction stress (VC)", "leave it 0");
+    data.report.reject(f.place(), block.star_name() + " with a limit of the friction stress (VC)", "leave it 0");
   const double given = scales.number("FSF"), factor = given > 0 ? given : 1.0, dc = f.number("DC");
   if (dc <= 0 && fd != 0 && fd != fs)
     data.report.unused(f.place(), block.star_name() + ": FD", "without DC friction is FS, whatever the speed");
@@ -89,11 +89,11 @@ void read_times(DeckData& data, const KeywordBlock& block, const Fields& f, Deck
   contact.start = f.number("BT");
   contact.end = f.number("DT");
   if (contact.start < 0 || contact.end < 0)
-    data.report.refuse(f.place(), block.star_name() + " with a negative birth or death", "give times (BT, DT)");
+    data.report.reject(f.place(), block.star_name() + " with a negative birth or death", "give times (BT, DT)");
   if (contact.end >= 1e19) contact.end = 0;
 }
 
-/// What follows the three cards of each contact; nothing of it becomes anything, and all of it is told.
+/// What follows the three cards of each contact; nothing of it becomes anything, and all of it is reported.
 void read_more(const DeckData& data, const KeywordBlock& block, Cards& cards) {
   if (block.name.starts_with("CONTACT_ERODING")) data.fields(cards.next_or_blank(), layout::contact_eroding);
   for (const CardLayout* optional : layout::contact_optional) {

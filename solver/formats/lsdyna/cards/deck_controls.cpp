@@ -22,7 +22,7 @@ void set_mass_scaling(DeckData& data, const Fields& f, double factor, const Deck
   if (second) {
     const Fields more = data.fields(*second, layout::timestep_scaling);
     if (dt2ms != 0 && more.integer("IMSCL") != 0)
-      data.report.refuse(second->place, "*CONTROL_TIMESTEP with selective mass scaling (IMSCL)",
+      data.report.reject(second->place, "*CONTROL_TIMESTEP with selective mass scaling (IMSCL)",
                          "leave it 0: mass is added to nodes");
   }
   if (dt2ms == 0) return;
@@ -75,7 +75,7 @@ void write_damping(DeckData& data, DeckScene& scene) {
   const Fields f = data.fields(*card, layout::damping);
   const Point factors = f.point("STX");
   if (factors[1] != factors[0] || factors[2] != factors[0]) {
-    data.report.refuse(card->place, "*DAMPING_GLOBAL with STX, STY and STZ that differ",
+    data.report.reject(card->place, "*DAMPING_GLOBAL with STX, STY and STZ that differ",
                        "damping has no direction: give one factor for all");
     return;
   }

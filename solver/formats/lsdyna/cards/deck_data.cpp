@@ -217,7 +217,7 @@ void DeckData::read_part_set(const KeywordBlock& block) {
   const bool collects = take_ending(form, "_COLLECT");
   form.erase(0, std::string_view("SET_PART").size());
   if (form != "" && form != "_LIST" && form != "_LIST_GENERATE" && form != "_ADD" && form != "_GENERATE") {
-    report.refuse(block.place, block.star_name(), "give its parts as _LIST, _GENERATE or _ADD");
+    report.reject(block.place, block.star_name(), "give its parts as _LIST, _GENERATE or _ADD");
     return;
   }
   Cards cards(block);

@@ -107,7 +107,7 @@ class DeckData {
   /// That of the parts of a material that needs one; none: it is refused.
   std::optional<DeckStateEquation> state_equation_of(std::int64_t material);
   /// Refuses parts whose material has a bulk modulus and needs none.
-  void refuse_state_equations(std::int64_t material, const std::string& keyword);
+  void reject_state_equations(std::int64_t material, const std::string& keyword);
   /// Throws InputError where the deck gives this ("section 1") already.
   void give_once(const KeywordBlock& block, const std::string& what, const DeckPlace& place) {
     given_.add(what, place, block.of_case);

@@ -58,7 +58,7 @@ DeckElement element_of(DeckData& data, const DeckPart& part, const DeckHourglass
     element.hourglass = "stiffness";
     element.coefficient = h.coefficient;
   } else {
-    data.report.refuse(part.place, fmt::format("hourglass control of form {} (IHQ)", h.form), "give 1 to 7",
+    data.report.reject(part.place, fmt::format("hourglass control of form {} (IHQ)", h.form), "give 1 to 7",
                        part.solids);
   }
   return element;

@@ -17,7 +17,7 @@ void translate_node_load(DeckData& data, const KeywordBlock& block, DeckScene& s
     if (degree < 1 || degree > 3) {
       if (degree >= 5 && degree <= 7)
         return data.report.ignore(card.place, block.star_name() + " of moments on nodes of solids");
-      data.report.refuse(card.place, fmt::format("{} with DOF {}", block.star_name(), degree),
+      data.report.reject(card.place, fmt::format("{} with DOF {}", block.star_name(), degree),
                          "1 to 3 are read: give components of forces that turn with nodes");
       return;
     }

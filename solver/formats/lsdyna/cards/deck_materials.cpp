@@ -37,7 +37,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
 
-/// Fields that have a value and no effect are told.
+/// Fields that have a value and no effect are reported.
 void not_used(DeckData& data, const KeywordBlock& block, const Fields& f, std::string_view fields, const char* reason) {
   data.report.unused(f.place(), fmt::format("{}: {}", block.star_name(), fields), reason);
 }
@@ -123,7 +123,7 @@ double tension_limit(DeckData& data, const Fields& f) {
   const double cutoff = f.number("PC");
   if (cutoff == 0) return 0;
   if (f.number("SPALL") != 1)
-    data.report.refuse(f.place(), "*MAT_JOHNSON_COOK with PC and a SPALL other than 1",
+    data.report.reject(f.place(), "*MAT_JOHNSON_COOK with PC and a SPALL other than 1",
                        "give 1: a limit of the pressure");
   return std::abs(cutoff);
 }
@@ -247,9 +247,9 @@ void set_piecewise_linear(DeckData& data, const KeywordBlock& block, const Field
   if ((lcss != 0 || points) && f.number("ETAN") != 0)
     not_used(data, block, f, "ETAN", "hardening is that of the curve");
   if (is_table && lcsr != 0)
-    data.report.refuse(f.place(), "*MAT_024 with a table (LCSS) and with LCSR", "give one of both");
+    data.report.reject(f.place(), "*MAT_024 with a table (LCSS) and with LCSR", "give one of both");
   if (by_curves && rate.is_law())
-    data.report.refuse(f.place(), "*MAT_024 with curves of the strain rate (LCSS, LCSR) and with C and P",
+    data.report.reject(f.place(), "*MAT_024 with curves of the strain rate (LCSS, LCSR) and with C and P",
                        "give one of both");
   if (is_table) {
     set_table(data, f, lcss, keys);
@@ -272,7 +272,7 @@ void set_piecewise_linear(DeckData& data, const KeywordBlock& block, const Field
     if (rate.is_law() && rate.vp == 1 && f.number("SIGY") > 0) keys.set("rate_stress", yield_stress(f), "sigy");
   }
   if (f.number("FAIL") < 0) {
-    data.report.refuse(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)", "give a strain");
+    data.report.reject(f.place(), "*MAT_024 with a failure that the user programs (FAIL < 0)", "give a strain");
   } else {
     set_failure(f, "FAIL", keys);
   }
@@ -310,7 +310,7 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
     }
     return;
   }
-  data.refuse_state_equations(id, block.star_name());
+  data.reject_state_equations(id, block.star_name());
   set_elasticity(f, keys);
   if (kind == "MAT_PLASTIC_KINEMATIC") set_plastic_kinematic(data, block, f, cards, keys);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") set_piecewise_linear(data, block, f, cards, keys);
@@ -334,7 +334,7 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
             "part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form->second));
         break;
       default:
-        data.report.refuse(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
+        data.report.reject(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
                            part.solids);
     }
     const auto keys = scene.entry<Body>("body", {"*PART", part.place});

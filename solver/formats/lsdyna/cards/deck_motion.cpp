@@ -18,7 +18,7 @@ Point direction_of(const DeckData& data, const KeywordBlock& block, std::int64_t
 }
 
 /// What is not done of a card; empty: all of it is.
-std::string refused_of(const KeywordBlock& block, std::int64_t degree, std::int64_t quantity) {
+std::string rejected_of(const KeywordBlock& block, std::int64_t degree, std::int64_t quantity) {
   const bool along = (degree >= 1 && degree <= 4) || degree == -4;
   if (!along) return fmt::format("{} with DOF {}", block.star_name(), degree);
   return quantity < 0 || quantity > 2 ? fmt::format("{} with VAD {}", block.star_name(), quantity) : "";
@@ -46,8 +46,8 @@ void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f
                                        block.star_name(), f.place().text(), degree));
     return;
   }
-  if (const std::string refused = refused_of(block, degree, quantity); !refused.empty()) {
-    data.report.refuse(f.place(), refused, "DOF 1 to 4 and -4 are read, and VAD 0 to 2");
+  if (const std::string rejected = rejected_of(block, degree, quantity); !rejected.empty()) {
+    data.report.reject(f.place(), rejected, "DOF 1 to 4 and -4 are read, and VAD 0 to 2");
     return;
   }
   const Point direction = direction_of(data, block, degree, f);

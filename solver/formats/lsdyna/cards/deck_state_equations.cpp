@@ -70,12 +70,12 @@ std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t materi
   for (const DeckPart& part : parts) {
     if (part.material != material) continue;
     if (part.state_equation == 0) {
-      report.refuse(part.place, "*MAT_JOHNSON_COOK without an equation of state", "give the part an EOSID",
+      report.reject(part.place, "*MAT_JOHNSON_COOK without an equation of state", "give the part an EOSID",
                     part.solids);
       return std::nullopt;
     }
     if (first != nullptr && first->state_equation != part.state_equation) {
-      report.refuse(part.place, "one material with several equations of state", "give each its own *MAT_...",
+      report.reject(part.place, "one material with several equations of state", "give each its own *MAT_...",
                     part.solids);
       return std::nullopt;
     }
@@ -84,16 +84,16 @@ std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t materi
   if (first == nullptr) return std::nullopt;
   const auto found = state_equation_blocks_.find(first->state_equation);
   if (found != state_equation_blocks_.end()) return read_state_equation(*found->second);
-  report.refuse(first->place,
+  report.reject(first->place,
                 fmt::format("*PART with EOSID {}, which no *EOS_... has that is read", first->state_equation),
                 "give an *EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", first->solids);
   return std::nullopt;
 }
 
-void DeckData::refuse_state_equations(std::int64_t material, const std::string& keyword) {
+void DeckData::reject_state_equations(std::int64_t material, const std::string& keyword) {
   for (const DeckPart& part : parts) {
     if (part.material != material || part.state_equation == 0) continue;
-    report.refuse(part.place, fmt::format("*PART with an equation of state (EOSID) and {}", keyword),
+    report.reject(part.place, fmt::format("*PART with an equation of state (EOSID) and {}", keyword),
                   "leave it 0: this material has a bulk modulus", part.solids);
   }
 }

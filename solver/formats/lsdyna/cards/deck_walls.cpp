@@ -33,7 +33,7 @@ void set_friction(DeckData& data, const KeywordBlock& block, const Fields& plane
   } else if (friction < 1) {
     keys.set("friction", friction, "fric");
   } else {
-    data.report.refuse(plane.place(), block.star_name() + " with nodes that stick (FRIC > 1)", "1: nodes do not slide");
+    data.report.reject(plane.place(), block.star_name() + " with nodes that stick (FRIC > 1)", "1: nodes do not slide");
   }
 }
 

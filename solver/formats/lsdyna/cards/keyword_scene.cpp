@@ -55,7 +55,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   MeshFile mesh = keyword_mesh(deck);
   if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT_SOLID), there are none");
   DeckData data(deck, mesh, report);
-  refuse_of_parts(std::exchange(of_parts, {}), &data, report);
+  reject_of_parts(std::exchange(of_parts, {}), &data, report);
 
   DeckScene scene;
   translate_controls(data, scene);
@@ -101,10 +101,10 @@ TranslatedDeck translate_deck_text(std::string text, const std::string& path, co
     if (!unread.of_mesh) translated = scene_of(deck, path, options, unread.of_parts, report);
     tell_unread(deck, log, report);
   } catch (const InputError& error) {
-    if (!report.refuses() && unread.of_parts.empty()) throw;
+    if (!report.rejects() && unread.of_parts.empty()) throw;
     report.add_error(error.what());
   }
-  refuse_of_parts(unread.of_parts, nullptr, report);
+  reject_of_parts(unread.of_parts, nullptr, report);
   report.require_all_done(path);
   translated.understood = report.understood();
   translated.ignored = report.ignored();

@@ -23,7 +23,7 @@ bool is_output_or_control(const std::string& name) {
 enum class OfParts { no, material, section, state_equation };
 
 OfParts kind_of(const KeywordBlock& block, const KeywordRule* rule) {
-  if (rule != nullptr && rule->treatment != Treatment::refused) return OfParts::no;
+  if (rule != nullptr && rule->treatment != Treatment::rejected) return OfParts::no;
   if (block.name.starts_with("MAT_") && !block.name.starts_with("MAT_NONLOCAL")) return OfParts::material;
   if (block.name.starts_with("SECTION_")) return OfParts::section;
   return block.name.starts_with("EOS_") ? OfParts::state_equation : OfParts::no;
@@ -75,14 +75,14 @@ UnreadKeywords sort_keywords(KeywordDeck& deck, bool lenient, DeckReport& report
     } else if (is_read && (rule->in_other_units || units_of(block).are_own())) {
       read.push_back(std::move(block));
     } else if (is_read) {
-      report.refuse(block.place, block.star_name(),
+      report.reject(block.place, block.star_name(),
                     "in an included file of other units: move it into a file of the deck's own");
     } else if (rule != nullptr && rule->treatment == Treatment::ignored) {
       report.ignore(block.place, block.star_name());
     } else if (rule == nullptr && lenient && is_output_or_control(block.name)) {
       report.leave_out(block.place, block.star_name());
     } else {
-      report.refuse(block.place, block.star_name(), rule == nullptr ? "" : rule->remark, count_of(block));
+      report.reject(block.place, block.star_name(), rule == nullptr ? "" : rule->remark, count_of(block));
       unread.of_mesh |= block.name.starts_with("ELEMENT_SOLID") || block.name.starts_with("NODE_");
     }
   }
@@ -90,7 +90,7 @@ UnreadKeywords sort_keywords(KeywordDeck& deck, bool lenient, DeckReport& report
   return unread;
 }
 
-void refuse_of_parts(const std::vector<KeywordBlock>& blocks, const DeckData* data, DeckReport& report) {
+void reject_of_parts(const std::vector<KeywordBlock>& blocks, const DeckData* data, DeckReport& report) {
   for (const KeywordBlock& block : blocks) {
     const KeywordRule* rule = rule_of(keyword_alias(block.name));
     const OfParts kind = kind_of(block, rule);
@@ -99,7 +99,7 @@ void refuse_of_parts(const std::vector<KeywordBlock>& blocks, const DeckData* da
     if (number && std::ranges::none_of(data->parts, is_of)) {
       report.unused(block.place, block.star_name(), "no part with solids has it");
     } else {
-      report.refuse(block.place, block.star_name(), rule == nullptr ? "" : rule->remark);
+      report.reject(block.place, block.star_name(), rule == nullptr ? "" : rule->remark);
     }
   }
 }

@@ -16,6 +16,6 @@ UnreadKeywords sort_keywords(KeywordDeck& deck, bool lenient, DeckReport& report
 
 /// Refuses what parts with solids have, and tells the others as not used. data: null: nobody knows what parts have, so
 /// that all are refused.
-void refuse_of_parts(const std::vector<KeywordBlock>& blocks, const DeckData* data, DeckReport& report);
+void reject_of_parts(const std::vector<KeywordBlock>& blocks, const DeckData* data, DeckReport& report);
 
 }  // namespace pinball

@@ -24,8 +24,8 @@ void tell_fields(const std::string& star_name, const DeckPlace& place, const Rea
       continue;
     }
     const CardField& field = (*left.layout)[i];
-    if (field.use == FieldUse::refused) {
-      report.refuse(place, fmt::format("{} with {}", star_name, field.name), std::string(field.remark));
+    if (field.use == FieldUse::rejected) {
+      report.reject(place, fmt::format("{} with {}", star_name, field.name), std::string(field.remark));
     } else {
       names[field.remark].emplace_back(field.name);
     }

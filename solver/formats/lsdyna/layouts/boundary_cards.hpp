@@ -13,9 +13,9 @@ constexpr CardLayout held(std::string_view target) {
           whole("DOFX").from(0, 1),
           whole("DOFY").from(0, 1),
           whole("DOFZ").from(0, 1),
-          whole("DOFRX").told(no_rotations),
-          whole("DOFRY").told(no_rotations),
-          whole("DOFRZ").told(no_rotations)};
+          whole("DOFRX").reported(no_rotations),
+          whole("DOFRY").reported(no_rotations),
+          whole("DOFRZ").reported(no_rotations)};
 }
 inline constexpr CardLayout held_node = held("NID"), held_set = held("NSID");
 inline constexpr CardLayout held_span{number("BIRTH"), number("DEATH", 1e20)};
@@ -27,7 +27,7 @@ constexpr CardLayout motion(std::string_view target) {
 inline constexpr CardLayout motion_node = motion("NID"), motion_set = motion("NSID"), motion_part = motion("PID");
 
 inline constexpr CardLayout velocity_nodes{whole("NSID"), whole("NSIDEX"), whole("BOXID"),
-                                           whole("IRIGID").told(no_rigid_bodies), whole("ICID")};
+                                           whole("IRIGID").reported(no_rigid_bodies), whole("ICID")};
 inline constexpr CardLayout velocity{number("VX"),    number("VY"),    number("VZ"),
                                      rotation("VXR"), rotation("VYR"), rotation("VZR")};
 inline constexpr CardLayout velocity_exempt{number("VXE"),    number("VYE"),    number("VZE"),
@@ -40,7 +40,7 @@ inline constexpr CardLayout velocity_generation{whole("ID"),
                                                 number("VX"),
                                                 number("VY"),
                                                 number("VZ"),
-                                                whole("IVATN").told(no_rigid_bodies),
+                                                whole("IVATN").reported(no_rigid_bodies),
                                                 whole("ICID")};
 inline constexpr CardLayout velocity_axis{number("XC"),
                                           number("YC"),
@@ -48,27 +48,33 @@ inline constexpr CardLayout velocity_axis{number("XC"),
                                           number("NX"),
                                           number("NY"),
                                           number("NZ"),
-                                          whole("PHASE").refused("velocities are those of the start"),
-                                          whole("IRIGID").told(no_rigid_bodies)};
+                                          whole("PHASE").rejected("velocities are those of the start"),
+                                          whole("IRIGID").reported(no_rigid_bodies)};
 
 inline constexpr CardLayout wall_nodes{whole("NSID"),
                                        whole("NSIDEX"),
                                        whole("BOXID"),
-                                       number("OFFSET").told("nodes further from the wall are looked at, too"),
+                                       number("OFFSET").reported("nodes further from the wall are looked at, too"),
                                        number("BIRTH"),
                                        number("DEATH", 1e20),
-                                       number("RWKSF", 1).told("walls have no penalty stiffness")};
+                                       number("RWKSF", 1).reported("walls have no penalty stiffness")};
 inline constexpr CardLayout wall_plane{
     number("XT"), number("YT"), number("ZT"),   number("XH"),
-    number("YH"), number("ZH"), number("FRIC"), number("WVEL").told("of nodes that stick (FRIC 2 and 3)")};
+    number("YH"), number("ZH"), number("FRIC"), number("WVEL").reported("of nodes that stick (FRIC 2 and 3)")};
 inline constexpr CardLayout wall_rectangle{number("XHEV"), number("YHEV"), number("ZHEV"), number("LENL"),
                                            number("LENM")};
 inline constexpr CardLayout wall_mass{number("MASS"), number("V0")};
 
 inline constexpr std::string_view follower = "of forces that turn with their nodes, which are not there";
 constexpr CardLayout node_load(std::string_view target) {
-  return {whole(target).always(), whole("DOF").always(),      whole("LCID").always(),     number("SF", 1),
-          whole("CID"),           whole("M1").told(follower), whole("M2").told(follower), whole("M3").told(follower)};
+  return {whole(target).always(),
+          whole("DOF").always(),
+          whole("LCID").always(),
+          number("SF", 1),
+          whole("CID"),
+          whole("M1").reported(follower),
+          whole("M2").reported(follower),
+          whole("M3").reported(follower)};
 }
 inline constexpr CardLayout load_node = node_load("NID"), load_node_set = node_load("NSID");
 inline constexpr CardLayout load_segment{whole("LCID").always(),
@@ -78,16 +84,16 @@ inline constexpr CardLayout load_segment{whole("LCID").always(),
                                          whole("N2"),
                                          whole("N3"),
                                          whole("N4"),
-                                         whole("N5").refused("faces have four corners: leave N5 to N8 out")};
+                                         whole("N5").rejected("faces have four corners: leave N5 to N8 out")};
 inline constexpr CardLayout load_segment_set{whole("SSID").always(), whole("LCID").always(), number("SF", 1),
                                              number("AT")};
 inline constexpr std::string_view no_spin = "of loads by a spin, which are not there";
 inline constexpr CardLayout body_load{whole("LCID").always(),
                                       number("SF", 1),
-                                      whole("LCIDDR").told("there is no dynamic relaxation"),
-                                      number("XC").told(no_spin),
-                                      number("YC").told(no_spin),
-                                      number("ZC").told(no_spin),
+                                      whole("LCIDDR").reported("there is no dynamic relaxation"),
+                                      number("XC").reported(no_spin),
+                                      number("YC").reported(no_spin),
+                                      number("ZC").reported(no_spin),
                                       whole("CID")};
 inline constexpr CardLayout body_load_vector{number("V1"), number("V2"), number("V3")};
 inline constexpr CardLayout body_load_parts{whole("PSID").always()};

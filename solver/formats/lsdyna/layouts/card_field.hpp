@@ -12,9 +12,9 @@
 namespace pinball {
 
 enum class FieldUse : std::uint8_t {
-  used,    ///< asked for; what a deck says and nobody has asked for is told all the same
-  told,    ///< never asked for: what a deck says other than the default is told by name
-  refused  ///< the same is refused by name
+  used,      ///< asked for; what a deck says and nobody has asked for is reported all the same
+  reported,  ///< never asked for: what a deck says other than the default is reported by name
+  rejected   ///< the same ends the program, by name
 };
 
 enum class FieldType : std::uint8_t { whole, number, text };
@@ -39,8 +39,8 @@ struct CardField {
     if (twenty) return 20;
     return wide && width == 8 && type == FieldType::whole ? 10 : width;
   }
-  constexpr CardField told(std::string_view why = {}) const { return with(FieldUse::told, why); }
-  constexpr CardField refused(std::string_view why) const { return with(FieldUse::refused, why); }
+  constexpr CardField reported(std::string_view why = {}) const { return with(FieldUse::reported, why); }
+  constexpr CardField rejected(std::string_view why) const { return with(FieldUse::rejected, why); }
   constexpr CardField of(Dimension what) const {
     CardField field = *this;
     field.dimension = what;

@@ -10,7 +10,7 @@ inline constexpr std::string_view no_rotations = "nodes of solids have no rotati
                                   no_splines = "there are no splines",
                                   as_they_are = "curves are taken as they are, at each of their points";
 
-constexpr CardField rotation(std::string_view name) { return number(name).told(no_rotations); }
+constexpr CardField rotation(std::string_view name) { return number(name).reported(no_rotations); }
 
 /// Nodes, solids, parts or sets of a list.
 inline constexpr CardLayout members{whole("ID1"), whole("ID2"), whole("ID3"), whole("ID4"),

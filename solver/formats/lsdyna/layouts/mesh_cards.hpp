@@ -32,43 +32,43 @@ inline constexpr CardLayout part{whole("PID").always(),
                                  whole("MID"),
                                  whole("EOSID"),
                                  whole("HGID"),
-                                 whole("GRAV").told("gravity acts on all parts that *LOAD_BODY_PARTS names"),
-                                 whole("ADPOPT").told("meshes stay as they are"),
-                                 whole("TMID").told(of_thermal)};
+                                 whole("GRAV").reported("gravity acts on all parts that *LOAD_BODY_PARTS names"),
+                                 whole("ADPOPT").reported("meshes stay as they are"),
+                                 whole("TMID").reported(of_thermal)};
 inline constexpr std::string_view of_parts = "friction and stiffness are those of *CONTACT_...: give them there";
-inline constexpr CardLayout part_contact{number("FS").told(of_parts),     number("FD").told(of_parts),
-                                         number("DC").told(of_parts),     number("VC").told(of_parts),
-                                         number("OPTT").told(of_parts),   number("SFT", 1).told(of_parts),
-                                         number("SSF", 1).told(of_parts), number("CPARM8").told(of_parts)};
+inline constexpr CardLayout part_contact{number("FS").reported(of_parts),     number("FD").reported(of_parts),
+                                         number("DC").reported(of_parts),     number("VC").reported(of_parts),
+                                         number("OPTT").reported(of_parts),   number("SFT", 1).reported(of_parts),
+                                         number("SSF", 1).reported(of_parts), number("CPARM8").reported(of_parts)};
 
 inline constexpr CardLayout section_solid{whole("SECID").always(),
                                           whole("ELFORM", 1),
-                                          whole("AET").told("of materials that flow"),
+                                          whole("AET").reported("of materials that flow"),
                                           gap,
                                           gap,
                                           gap,
-                                          number("COHOFF").told("of cohesive elements"),
-                                          number("GASKETT").told("of gaskets")};
+                                          number("COHOFF").reported("of cohesive elements"),
+                                          number("GASKETT").reported("of gaskets")};
 
 inline constexpr CardLayout hourglass{whole("HGID").always(),
                                       whole("IHQ"),
                                       number("QM"),
-                                      whole("IBQ").told("the bulk viscosity is the standard one"),
+                                      whole("IBQ").reported("the bulk viscosity is the standard one"),
                                       number("Q1"),
                                       number("Q2"),
-                                      number("QB", 0.1).told(of_shells),
-                                      number("QW", 0.1).told(of_shells)};
+                                      number("QB", 0.1).reported(of_shells),
+                                      number("QW", 0.1).reported(of_shells)};
 
 constexpr CardField attribute(std::string_view name) {
-  return number(name).told("attributes of sets are for keywords that are not read");
+  return number(name).reported("attributes of sets are for keywords that are not read");
 }
 inline constexpr CardLayout set_head{whole("SID").always(),
                                      attribute("DA1"),
                                      attribute("DA2"),
                                      attribute("DA3"),
                                      attribute("DA4"),
-                                     text("SOLVER", "MECH").told("there is one solver"),
-                                     text("ITS", "1").told("there is one scale")};
+                                     text("SOLVER", "MECH").reported("there is one solver"),
+                                     text("ITS", "1").reported("there is one scale")};
 inline constexpr CardLayout set_ranges{whole("B1BEG"), whole("B1END"), whole("B2BEG"), whole("B2END"),
                                        whole("B3BEG"), whole("B3END"), whole("B4BEG"), whole("B4END")};
 inline constexpr CardLayout set_steps{whole("BBEG"), whole("BEND"), whole("INCR", 1).at_least(1)};
@@ -92,14 +92,15 @@ inline constexpr CardLayout transformation_step{text("OPTION"), number("A1"), nu
                                                 number("A4"),   number("A5"), number("A6"), number("A7")};
 
 inline constexpr CardLayout include_offsets{
-    whole("IDNOFF"), whole("IDEOFF"), whole("IDPOFF"),
-    whole("IDMOFF"), whole("IDSOFF"), whole("IDFOFF").told("curves and tables have IDDOFF, and there are no functions"),
+    whole("IDNOFF"), whole("IDEOFF"),
+    whole("IDPOFF"), whole("IDMOFF"),
+    whole("IDSOFF"), whole("IDFOFF").reported("curves and tables have IDDOFF, and there are no functions"),
     whole("IDDOFF")};
 inline constexpr std::string_view by_number = "what has a title is found by its number, which stays";
-inline constexpr CardLayout include_other{whole("IDROFF"), text("PREFIX").told(by_number),
-                                          text("SUFFIX").told(by_number)};
+inline constexpr CardLayout include_other{whole("IDROFF"), text("PREFIX").reported(by_number),
+                                          text("SUFFIX").reported(by_number)};
 inline constexpr CardLayout include_units{number("FCTMAS", 1), number("FCTTIM", 1), number("FCTLEN", 1), text("FCTTEM"),
-                                          whole("INCOUT1").told("nothing is written of it")};
+                                          whole("INCOUT1").reported("nothing is written of it")};
 inline constexpr CardLayout include_transformation{whole("TRANID")};
 inline constexpr CardLayout case_head{whole("CASEID").always(), text("JOBID")};
 inline constexpr CardLayout case_members{text("SCID1"), text("SCID2"), text("SCID3"), text("SCID4"),

@@ -14,12 +14,12 @@ namespace pinball {
 namespace {
 
 constexpr double usual_error = 0.01;
-constexpr std::size_t few = 4;       ///< quantities that have room in a table of runs
-constexpr double least_told = 1e-9;  ///< errors below say nothing
+constexpr std::size_t few = 4;           ///< quantities that have room in a table of runs
+constexpr double least_reported = 1e-9;  ///< errors below say nothing
 
 /// "; finer than 0.02 % is chance"; empty: the study can tell errors as small as numbers have digits.
 std::string limit_text(const std::optional<KnownTo>& known) {
-  if (!known || !(known->error > least_told)) return "";
+  if (!known || !(known->error > least_reported)) return "";
   const std::string error = percent_cell(known->error);
   return known->chance ? fmt::format("; finer than {} is chance", error)
                        : fmt::format("; what finer meshes say is known to {}", error);
