@@ -61,8 +61,6 @@ PINBALL_FUNCTION unsigned lane_bits(const MaskOf<T>& mask) {
 }
 PINBALL_FUNCTION double lane_sum(double a) { return a; }
 PINBALL_FUNCTION float lane_sum(float a) { return a; }
-PINBALL_FUNCTION void add_lanes_to(double& sum, double a) { sum += a; }
-PINBALL_FUNCTION void add_lanes_to(float& sum, float a) { sum += a; }
 PINBALL_FUNCTION double lane_maximum(double a) { return a; }
 PINBALL_FUNCTION float lane_maximum(float a) { return a; }
 PINBALL_FUNCTION double lane_minimum(double a) { return a; }
@@ -176,11 +174,6 @@ PINBALL_FUNCTION T lane_sum(const stdx::simd<T, Abi>& a) {
   T sum = a[0];
   for (std::size_t i = 1; i < a.size(); ++i) sum += a[i];
   return sum;
-}
-/// Adds lane after lane: a sum over several packs does not depend on where one pack ends and the next begins.
-template <class T, class Abi>
-PINBALL_FUNCTION void add_lanes_to(T& sum, const stdx::simd<T, Abi>& a) {
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i];
 }
 template <class T, class Abi>
 PINBALL_FUNCTION T lane_maximum(const stdx::simd<T, Abi>& a) {

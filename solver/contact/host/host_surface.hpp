@@ -45,7 +45,6 @@ class HostSurface final : public SurfaceSource<S> {
  private:
   void cut_tiles();
   void watch(std::int64_t slot);
-  void watch_behind(std::int64_t slot, const Surface& surface);
   std::uint8_t alive_at(std::int64_t slot) const;
   /// The records of nodes: those of the host, or `records`, into which they are copied.
   const S* gather(const pinball_contact_input& from, Array<S>& records, const std::vector<std::int32_t>& nodes,
