@@ -111,9 +111,9 @@ __global__ void box_balls(const S* ball, S* level, S* next) {
 template <class S>
 __global__ void find_meeting_boxes(BallTreeView<S> tree, std::int32_t* count) {
   const std::int64_t group = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
-  const MovingBox<S> box = get_box(tree.box[0], group);
+  const MovingBox<S> box = get_box(tree.boxes(0, 0), group);
   for_each_meeting_box<S>(tree, box, 0, 0, [&](std::int32_t) { ++count[group]; });
-  count[group] += __popc(meeting_boxes<S, false>(tree.box[0], empty_box<S>()));
+  count[group] += __popc(meeting_boxes<S, false>(tree.boxes(0, 0), empty_box<S>())) + (tree.balls(group)[0] > S(0) ? 1 : 0);
 }
 
 template <class S>
