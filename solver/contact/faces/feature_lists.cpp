@@ -72,8 +72,9 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
   motion_.start(source.position, source.velocity, last ? static_cast<S>(settings.skin) : S(0));
   scope_.last_step = std::max(dt, clock_.last_step());
   scope_.horizon = horizon;
-  scope_.depth.clear();
-  for (const auto& slave : surface.slaves()) scope_.depth.push_back(depth[slave.node]);
+  scope_.depth.resize(surface.slaves().size());
+  parallel_for("depths", RangePolicy<>{0, std::ssize(scope_.depth)},
+               [&](std::int64_t i) { scope_.depth[i] = depth[surface.slaves()[i].node]; });
   clock_.restart(horizon);
   valid_ = true;
   find_pairs(source, surface, edges, spheres, settings);

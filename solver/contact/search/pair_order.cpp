@@ -79,7 +79,7 @@ void PairOrder::sort_piece(std::int64_t piece, std::int32_t begin, std::int32_t 
 }
 
 std::size_t PairOrder::bytes() const {
-  std::size_t sum = pair_.bytes();
+  std::size_t sum = pair_.bytes() + sizeof place_;
   for (const PairColumns& found : found_) sum += found.bytes();
   for (const auto& start : start_) sum += start.capacity() * sizeof(std::int32_t);
   return sum;
