@@ -27,6 +27,7 @@ SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>&
     if (side < 0) {
       for (double& c : inward) c = -c;
     }
+    std::ranges::sort(nodes);  // all are looked at in each step after the first erosion: in the order in which they lie
     walls_.push_back(kernels.reflection(nodes, plane.point, inward));
   }
 }
