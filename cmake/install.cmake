@@ -68,7 +68,8 @@ if(PINBALL_SOLVER)
     endforeach()
   endif()
   # Where the program looks: ../share/pinball/data from its own folder.
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/decks ${PROJECT_SOURCE_DIR}/data/reference
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/scenes ${PROJECT_SOURCE_DIR}/data/decks ${PROJECT_SOURCE_DIR}/data/materials
+                    ${PROJECT_SOURCE_DIR}/data/reference
           DESTINATION share/pinball/data COMPONENT program)
   include(cmake/install_documents.cmake)
   # ../share/pinball/view: what `pinball view` starts.

@@ -9,19 +9,21 @@
 #include <solver/base/text_distance.hpp>
 #include <solver/scene.hpp>
 
+#include "data_folders.hpp"
+
 namespace pinball {
 
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The scenes that were installed with a library, program or Python module in `folder`: data beside it, or
-/// share/pinball/data below the prefix, some folders up from lib/x86_64-linux-gnu or lib/python3/dist-packages/pinball.
-void add_installed(std::vector<fs::path>& folders, fs::path folder) {
-  folders.push_back(folder / "data" / "scenes");
+/// What was installed with a library, program or Python module in `folder`: data beside it, or share/pinball/data below
+/// the prefix, some folders up from lib/x86_64-linux-gnu or lib/python3/dist-packages/pinball.
+void add_installed(std::vector<std::string>& folders, fs::path folder) {
+  folders.push_back(folder / "data");
   for (int up = 1; up <= 4 && folder.has_relative_path(); ++up) {
     folder = folder.parent_path();
-    folders.push_back(folder / "share" / "pinball" / "data" / "scenes");
+    folders.push_back(folder / "share" / "pinball" / "data");
   }
 }
 
@@ -34,27 +36,13 @@ fs::path own_folder() {
   return problem ? fs::path{} : file.parent_path();
 }
 
-/// Folders that may hold scenes, the most particular first: what the user says, what was installed with this library
-/// or program, the source tree.
-std::vector<fs::path> scene_folders() {
-  std::vector<fs::path> folders;
-  if (const char* data = std::getenv("PINBALL_DATA"); data && *data) folders.push_back(fs::path(data) / "scenes");
-  if (const fs::path own = own_folder(); !own.empty()) add_installed(folders, own);
-  std::error_code none;
-  const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  if (!none) {
-    folders.push_back((program.parent_path() / ".." / "share" / "pinball" / "data" / "scenes").lexically_normal());
-  }
-  folders.push_back(fs::path(PINBALL_SOURCE_DATA) / "scenes");
-  return folders;
-}
-
 /// Throws nothing: a folder that cannot be read holds no scenes.
-std::set<std::string> scenes_in(const std::vector<fs::path>& folders) {
+std::set<std::string> scenes_in(const std::vector<std::string>& folders) {
   std::set<std::string> names;
-  for (const auto& folder : folders) {
+  for (const fs::path folder : folders) {
     std::error_code problem;
-    for (fs::directory_iterator entry(folder, problem), end; !problem && entry != end; entry.increment(problem)) {
+    for (fs::directory_iterator entry(folder / "scenes", problem), end; !problem && entry != end;
+         entry.increment(problem)) {
       if (entry->path().extension() == ".toml") names.insert(entry->path().stem().string());
     }
   }
@@ -68,13 +56,24 @@ bool is_file(const fs::path& path) {
 
 }  // namespace
 
+std::vector<std::string> data_folders() {
+  std::vector<std::string> folders;
+  if (const char* data = std::getenv("PINBALL_DATA"); data && *data) folders.push_back(data);
+  if (const fs::path own = own_folder(); !own.empty()) add_installed(folders, own);
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  if (!none) folders.push_back((program.parent_path() / ".." / "share" / "pinball" / "data").lexically_normal());
+  folders.push_back(PINBALL_SOURCE_DATA);
+  return folders;
+}
+
 std::string find_scene(const std::string& name_or_path) {
   if (name_or_path.empty()) throw InputError("expected a scene, got an empty name");
   if (is_file(name_or_path)) return name_or_path;
-  const auto folders = scene_folders();
-  for (const auto& folder : folders) {
-    const fs::path decks = folder.parent_path() / "decks";
-    for (const auto& candidate : {folder / name_or_path, folder / (name_or_path + ".toml"), decks / name_or_path,
+  const auto folders = data_folders();
+  for (const fs::path folder : folders) {
+    const fs::path scenes = folder / "scenes", decks = folder / "decks";
+    for (const auto& candidate : {scenes / name_or_path, scenes / (name_or_path + ".toml"), decks / name_or_path,
                                   decks / (name_or_path + ".k")}) {
       if (is_file(candidate)) return candidate.string();
     }

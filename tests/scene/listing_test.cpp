@@ -55,8 +55,8 @@ SceneEntry entry_of(const std::string& table, const std::string& key) {
 TEST(SceneListing, HasEveryKeyOfTheTablesThatAllScenesHave) {
   const std::vector<SceneEntry> all = list_scene(example());
   const std::set<std::string> apart{
-      "name", "young_modulus", "poisson_ratio", "mesh", "pair",    "tied",     "times",  // otherwise
-      "box",  "set",           "nodes",         "file", "without", "tolerance"};         // where they are given
+      "name", "use", "young_modulus", "poisson_ratio", "mesh",    "pair",     "tied", "times",  // otherwise
+      "box",  "set", "nodes",         "file",          "without", "tolerance"};                 // where they are given
   for (const auto& [kind, table] :
        std::vector<std::pair<std::string, std::string>>{{"time", "time"},
                                                         {"element", "element"},

@@ -79,6 +79,21 @@ void define(SchemaJson& all, const SchemaJson& rule = {}, const SchemaJson& anot
   all[kind(schema::Of<T>{}).name] = std::move(table);
 }
 
+/// What is required, but where a published material gives it.
+SchemaJson material_schema() {
+  SchemaJson table = table_schema<Material>();
+  const SchemaJson yield{
+      {"if", where("model", "von_mises")},
+      {"then", {{"anyOf", {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"})}}}}};
+  const SchemaJson moduli{{"oneOf",
+                           {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
+                            required({"equation_of_state", "shear_modulus"})}}};
+  const SchemaJson all_of_it{{"required", table["required"]}, {"allOf", {moduli, yield}}};
+  table["required"] = {"name"};
+  table["allOf"] = {{{"if", required({"use"})}, {"then", SchemaJson::object()}, {"else", all_of_it}}};
+  return table;
+}
+
 SchemaJson definitions() {
   SchemaJson all;
   define<TimeSettings>(all);
@@ -91,14 +106,7 @@ SchemaJson definitions() {
   define<GuardSettings>(all);
   define<OutputSettings>(all);
   define<DampingSettings>(all);
-  const SchemaJson yield{
-      {"if", where("model", "von_mises")},
-      {"then", {{"anyOf", {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"})}}}}};
-  define<Material>(all,
-                   {{"oneOf",
-                     {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
-                      required({"equation_of_state", "shear_modulus"})}}},
-                   yield);
+  all[kind(schema::Of<Material>{}).name] = material_schema();
   define<schema::OneYieldCurve>(all);
   define<YieldCurve>(all);
   define<JohnsonCookSettings>(all);

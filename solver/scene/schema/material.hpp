@@ -140,6 +140,10 @@ constexpr void describe(Of<Material>, Visit&& visit) {
   using T = Material;
   const auto plastic = [](const Material& material) { return material.plastic; };
   visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});
+  visit(FileKey<std::string>{"use",
+                             "name of a published material of `data/materials`, which gives what is not given here, in "
+                             "the units of the scene",
+                             {.otherwise = "none"}});
   visit(Key{"model",
             &T::plastic,
             "neo-Hookean, for large strains, too; or von Mises plasticity",

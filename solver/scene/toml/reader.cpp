@@ -8,6 +8,7 @@
 #include <solver/scene.hpp>
 #include <solver/scene/given/given_scene.hpp>
 #include <solver/scene/given/toml_file.hpp>
+#include <solver/scene/material/known_materials.hpp>
 #include <solver/scene/names.hpp>
 #include <solver/scene/schema/kinds.hpp>
 #include <solver/scene/units/units.hpp>
@@ -158,6 +159,9 @@ Scene read_tables(const GivenTable& root, const Given& given, const SceneOverrid
 
   Names materials, body_names;
   for (const auto& table : top.tables("material", "material")) {
+    if (table.has("use") && !parse_units(scene.units).known()) {
+      table.fail("use", "expected `units` of the scene, in which the values are to be, got none");
+    }
     const Material material = read_material(table);
     table.require_none(materials.add(material.name, table.where("name")));
     scene.materials.push_back(material);
@@ -211,6 +215,7 @@ Scene read_changed(const Given& given, const Changes& changes, const SceneOverri
     apply_variant(root, name, fmt::format("{} variant={}", option, name));
   }
   for (const auto& [option, key_value] : changes.keys) apply_override(root, parse_override(option, key_value));
+  take_known_materials(root);
   return read_tables(root, given, overrides);
 }
 

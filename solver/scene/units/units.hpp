@@ -19,6 +19,7 @@ struct Units {
   bool known() const { return kilograms > 0; }
   double density_si() const { return kilograms / (metres * metres * metres); }   ///< [kg/m^3]
   double stress_si() const { return kilograms / (metres * seconds * seconds); }  ///< [Pa]
+  double velocity_si() const { return metres / seconds; }                        ///< [m/s]
 };
 
 /// What is not understood gives no names.
