@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from report_parts.builds import Failed
+
 from .reference import relative, table
 from .study import Quantity, Setup, Study
 from .variants import PLAIN_TITLE
@@ -15,7 +17,8 @@ HELD = '[[constraint]]\ntype = "fixed"\nplane = { normal = [0.0, 0.0, 1.0] }\ndi
 def setup(core, variant):
     times = ", ".join(str(1e-3 * t) for t in (0, *table("taylor_bar_history.csv")["t_us"]))
     settings = [f"body.bar.mesh.core={core}", f"body.bar.mesh.ring={core // 2}", f"body.bar.mesh.layers={10 * core}",
-                f"output.field_times=[{times}]", 'output.fields=["alive"]', f"time.cfl={variant.step}"]
+                f"output.field_times=[{times}]", "output.field_interval=0", 'output.fields=["alive"]',
+                f"time.cfl={variant.step}"]
     return Setup("taylor_bar", settings, replace=((WALL, HELD),))
 
 
@@ -30,6 +33,9 @@ def measure(run, core, variant):
         radius.append(float(np.mean(np.hypot(x, y)[edge])))
         length.append(float(z[tail]))
         times.append(1e3 * time)
+
+    if len(times) != 1 + len(published["t_us"]):
+        raise Failed(f"taylor_bar left {len(times)} fields, where the published times and the start are wanted")
 
     def worst(values, column):
         expected = np.interp(times[1:], published["t_us"], published[column])
