@@ -25,10 +25,13 @@ FUNCTION = re.compile(r"`((?:[A-Za-z_]+::)?[a-z_]+(?:\(\))?|[A-Z][A-Za-z]+(?:::[
 SOURCES = ["kernels", "solver", "python"]
 
 
+def without_samples(text):
+    return re.sub(r"^```(?!text).*?^```$", "", text, flags=re.M | re.S)  # they are checked elsewhere
+
+
 def paths(text):
     """What a page names as a path of the tree: what begins with one of its folders, with `*` for placeholders."""
-    text = re.sub(r"^```(?!text).*?^```$", "", text, flags=re.M | re.S)  # samples are checked elsewhere
-    for token in TOKEN.findall(re.sub(r"\]\([^)]*\)", "", text)):
+    for token in TOKEN.findall(re.sub(r"\]\([^)]*\)", "", without_samples(text))):
         if token.startswith("<pinball/"):
             token = token.removeprefix("<pinball/")
             token = re.sub("^contact/", "solver/contact/", token)
@@ -39,7 +42,7 @@ def paths(text):
 
 def missing_paths(page, text):
     found = [path for path in paths(text) if not any(ROOT.glob(path.rstrip("/")))]
-    links = [link for link in LINK.findall(text) if not re.match(r"[a-z]+:", link)]
+    links = [link for link in LINK.findall(without_samples(text)) if not re.match(r"[a-z]+:", link)]
     return found + [link for link in links if not (page.parent / link).exists()]
 
 
