@@ -14,6 +14,8 @@ constexpr double cost_of_contact = 0.2, cost_of_folds = 0.7, cost_of_yielding = 
 constexpr double steps_of_lists = 20, usual_iterations = 10;
 /// What a solution costs besides, in iterations.
 constexpr double fixed_iterations = 3;
+/// Pairs that later lists have, over those of the first ones, where nothing touches.
+constexpr double of_later_lists = 0.25;
 /// Part of the run after which its own last steps say all.
 constexpr double settled = 0.7;
 
@@ -48,12 +50,13 @@ double StepPhases::settled(double waking) const {
   const double list = lists > 0 ? searches / lists : of_list;
   const double later = list > 0 ? list * steps / steps_of_lists : searches;
   const double iterations_part = std::min(1.0, (usual_iterations + fixed_iterations) / (iterations + fixed_iterations));
-  return (elements * waking + later + impulses * iterations_part + others) / all;
+  return (elements * waking + later + impulses * (touching ? iterations_part : of_later_lists) + others) / all;
 }
 
 Forecast::Forecast(const Scene& scene, double speed, double surface)
     : end_(scene.time.end),
       shrinking_(shrinking(scene, speed)),
+      strikes_(speed > 0),
       contact_(contact_to_come(scene, speed, surface)),
       most_steps_(scene.time.steps) {}
 
@@ -87,7 +90,7 @@ ExpectedRun Forecast::expected(double at_rest, const StepPhases& phases) const {
   left = std::max(left, 0.0);
   at_rest = std::clamp(at_rest, 0.0, 0.95);
   const double will_rest = share > wakes_within ? at_rest : at_rest / 2;
-  const double yielding = shrinking_ > 1 ? 1 + cost_of_yielding * (1 - trust) : 1;
+  const double yielding = strikes_ && shrinking_ > 1 ? 1 + cost_of_yielding * (1 - trust) : 1;
   double cost = seconds_per_step() * phases.settled(yielding * (1 - will_rest) / (1 - at_rest));
   const bool touched = std::ranges::any_of(places_, [](const RunPlace& place) { return place.touching; });
   if (!touched) cost *= 1 + contact_ * (1 - trust);

@@ -26,11 +26,13 @@ struct StepPhases {
   std::int64_t steps = 0, lists = 0;  ///< steps that were made, and lists of contact
   double iterations = 0;              ///< mean number of them [-]
   double of_list = 0;                 ///< where none was made: what one takes
+  bool touching = true;               ///< some bodies are in contact
 
   /// What these would have taken later in a run, over what they took: lists serve 20 steps (horizon_steps) and not
   /// those few with which a run begins; impulses need the iterations of an impact at its beginning alone, later 10 in
-  /// the mean (taylor_plate, crushed_tube, contact_patch, sliding_block, sphere_floor: 23, 4, 22, 12, 9); elements that
-  /// rest wake. waking: times as many are updated.
+  /// the mean (taylor_plate, crushed_tube, contact_patch, sliding_block, sphere_floor: 23, 4, 22, 12, 9); where
+  /// nothing touches, what looks for contact has the first lists, before these know how little nodes stray; elements
+  /// that rest wake. waking: times as many are updated.
   double settled(double waking) const;
 };
 
@@ -63,6 +65,7 @@ class Forecast {
   double length_of_steps(double trust) const;
 
   double end_, shrinking_;
+  bool strikes_;    ///< an impact is expected
   double contact_;  ///< what it is still to cost, over a step
   std::int64_t most_steps_;
   std::vector<RunPlace> places_;

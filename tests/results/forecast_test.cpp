@@ -99,6 +99,8 @@ TEST(Forecast, LeavesOutWhatOnlyABeginningHas) {
   EXPECT_DOUBLE_EQ(phases.settled(1), 0.7) << "one list in 20 steps";
   phases.lists = 1;
   EXPECT_DOUBLE_EQ(phases.settled(1), 1);
+  phases = {.elements = 6, .searches = 0, .impulses = 4, .others = 0, .touching = false};
+  EXPECT_DOUBLE_EQ(phases.settled(1), 0.7) << "first lists are long";
   phases = {
       .elements = 6, .searches = 0, .impulses = 0, .others = 0, .steps = 10, .lists = 0, .iterations = 0, .of_list = 4};
   EXPECT_DOUBLE_EQ(phases.settled(1), 8.0 / 6) << "none yet";

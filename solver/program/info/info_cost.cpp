@@ -109,6 +109,7 @@ StepPhases phases_of(const Solver<S>& solver) {
   const bool lists_last = solver.contact() != nullptr && solver.scene().skip.contact_search;
   phases.lists = lists_last ? solver.contact()->searches() : 0;
   phases.iterations = solver.counts().work().iterations.mean();
+  phases.touching = solver.counts().pairs_max() > 0;
   return phases;
 }
 
