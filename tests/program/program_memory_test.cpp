@@ -3,7 +3,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -75,15 +74,10 @@ mesh = { type = "block", size = [1, 1, 1], elements = [10, 10, 10] }
     if (f.status == 0 || said == std::string::npos) GTEST_SKIP() << "this machine holds any mesh: " << f.text;
     double most = 0, gibibytes = 0;
     ASSERT_EQ(std::sscanf(f.text.c_str() + said, "expected at most %lg for %lg", &most, &gibibytes), 2) << f.text;
+    const auto kilobytes =
+        static_cast<double>(peak_memory(folder_ / "out", "8", path) - peak_memory(folder_ / "out", "1", path));
+    const double measured = kilobytes * 1024 / (80 * 80 * 80 - 10 * 10 * 10);
     const double assumed = gibibytes * 1073741824 / most;
-    double measured = 0;
-    // Beside work that has cut the memory of the machine to pieces a run gets fewer large pages, and takes less at
-    // times.
-    for (int time = 0; time < 3 && assumed >= 1.05 * measured; ++time) {
-      const auto kilobytes =
-          static_cast<double>(peak_memory(folder_ / "out", "5", path) - peak_memory(folder_ / "out", "1", path));
-      measured = std::max(measured, kilobytes * 1024 / (50 * 50 * 50 - 10 * 10 * 10));
-    }
     EXPECT_LT(assumed, 1.05 * measured) << settings;
     EXPECT_GT(assumed, 0.7 * measured) << settings;
   }
