@@ -99,14 +99,9 @@ void FaceAlgorithm<S>::search(const SurfaceSource<S>& source, double dt) {
 }
 
 template <class S>
-void FaceAlgorithm<S>::choose_slave(std::int32_t slave) {
-  if (std::exchange(listed_slave_[slave], std::uint8_t(1)) == 0) listed_nodes_.push_back(surface_.slaves()[slave].node);
-}
-
-template <class S>
 void FaceAlgorithm<S>::choose_edge(std::int32_t edge) {
   for (const std::int32_t s : edges_.segments_of(edge)) surface_.choose(s);
-  for (const std::int32_t slave : edges_.edges()[edge].slave) choose_slave(slave);
+  for (const std::int32_t slave : edges_.edges()[edge].slave) listed_slave_[slave] = 1;
 }
 
 template <class S>
@@ -115,13 +110,13 @@ void FaceAlgorithm<S>::choose_listed() {
   listed_slave_.assign(surface_.slaves().size(), 0);
   for (const std::int32_t segment : lists_.nodes().second) {
     surface_.choose(segment);
-    for (const std::int32_t slave : surface_.slaves_of(segment)) choose_slave(slave);
+    for (const std::int32_t slave : surface_.slaves_of(segment)) listed_slave_[slave] = 1;
   }
   std::int32_t before = -1;
   for (const std::int32_t slave : lists_.nodes().first) {
     if (slave == std::exchange(before, slave)) continue;
     surface_.choose_around(slave);
-    choose_slave(slave);
+    listed_slave_[slave] = 1;
   }
   for (const auto* list : {&lists_.edges().first, &lists_.edges().second}) {
     before = -1;
@@ -129,26 +124,31 @@ void FaceAlgorithm<S>::choose_listed() {
       if (e != std::exchange(before, e)) choose_edge(e);
     }
   }
-  surface_.finish_choice();
-  listed_nodes_.clear();  // in the order in which they lie
-  for (std::size_t slave = 0; slave < listed_slave_.size(); ++slave) {
-    if (listed_slave_[slave] != 0) listed_nodes_.push_back(surface_.slaves()[slave].node);
-  }
+  finish_choice();
 }
 
 template <class S>
 void FaceAlgorithm<S>::choose_more() {
   lists_.more_nodes().for_each([this](std::int32_t slave, std::int32_t segment) {
     surface_.choose(segment);
-    for (const std::int32_t other : surface_.slaves_of(segment)) choose_slave(other);
+    for (const std::int32_t other : surface_.slaves_of(segment)) listed_slave_[other] = 1;
     surface_.choose_around(slave);
-    choose_slave(slave);
+    listed_slave_[slave] = 1;
   });
   lists_.more_edges().for_each([this](std::int32_t e, std::int32_t f) {
     choose_edge(e);
     choose_edge(f);
   });
+  finish_choice();
+}
+
+template <class S>
+void FaceAlgorithm<S>::finish_choice() {
   surface_.finish_choice();
+  listed_nodes_.clear();
+  for (std::size_t slave = 0; slave < listed_slave_.size(); ++slave) {
+    if (listed_slave_[slave] != 0) listed_nodes_.push_back(surface_.slaves()[slave].node);
+  }
 }
 
 template <class S>

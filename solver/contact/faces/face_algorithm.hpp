@@ -47,8 +47,8 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void choose_listed();
   /// The same of what has come to the lists.
   void choose_more();
-  void choose_slave(std::int32_t slave);
   void choose_edge(std::int32_t edge);
+  void finish_choice();
 
   SegmentSurface<S> surface_;
   EdgeTable<S> edges_;

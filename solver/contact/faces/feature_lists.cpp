@@ -164,9 +164,11 @@ bool FeatureLists<S>::follow_erosion(const SegmentSurface<S>& surface, const Edg
   mark_changed(surface);
   find_more(surface, edges);
   unmark_changed(surface);
+  const auto is_empty = [](const PairColumns& found) { return found.pairs == 0; };
+  if (std::ranges::all_of(more_nodes_.found(), is_empty) && std::ranges::all_of(more_edges_.found(), is_empty))
+    return false;
   more_nodes_.sort(surface.slaves().size(), 1);
   more_edges_.sort(edges.edges().size(), 1);
-  if (more_nodes_.pieces.entries + more_edges_.pieces.entries == 0) return false;
   take_in_more(surface, edges);
   return true;
 }

@@ -89,10 +89,12 @@ bool SortedPairs::has(std::int32_t a, std::int32_t b) const {
 std::optional<ListRoom> SortedPairs::insert(const SortedPairs& more) {
   if (pieces.count == 0) return std::nullopt;
   std::vector<std::int64_t> at;
+  std::vector<PairOrder::Pair> pairs;
   std::array<std::int64_t, fixed_pieces> up_to{};
   more.for_each([&](std::int32_t a, std::int32_t b) {
     const std::int64_t piece = piece_of(a);
     at.push_back(place_in(piece, a, b));
+    pairs.push_back({a, b});
     ++up_to[piece];
   });
   for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
@@ -102,12 +104,11 @@ std::optional<ListRoom> SortedPairs::insert(const SortedPairs& more) {
   ListRoom room(pieces, std::move(at), up_to);
   room.make_in(first.data());
   room.make_in(second.data());
-  std::vector<std::int64_t> places;
-  room.for_each_place([&](std::int64_t place) { places.push_back(place); });
-  auto next = places.begin();
-  more.for_each([&](std::int32_t a, std::int32_t b) {
-    first[*next] = a;
-    second[*next++] = b;
+  auto next = pairs.begin();
+  room.for_each_place([&](std::int64_t place) {
+    first[place] = next->first;
+    second[place] = next->second;
+    ++next;
   });
   for (std::int64_t piece = 0; piece < pieces.count; ++piece) {
     pieces.end[piece] += up_to[piece] - (piece > 0 ? up_to[piece - 1] : 0);
