@@ -135,14 +135,15 @@ std::string names_of(const std::vector<GivenTable>& known, const std::string& wa
                      nearest(wanted, names));
 }
 
-void take_known_material(GivenTable& material, const GivenValue& use, const GivenTable& scene) {
+/// known: where it has none yet, it gets all.
+void take_known_material(GivenTable& material, const GivenValue& use, const Units& units,
+                         std::vector<GivenTable>& known) {
   const std::string place = use.place.text("material"),
                     key = fmt::format("material.{}.use", text_under(material, "name"));
   const auto* const wanted = use.as<std::string>();
   if (wanted == nullptr) fail(place, key, fmt::format("expected a text, got {}", describe(use)));
-  const Units units = parse_units(text_under(scene, "units"));
   if (!units.known()) return;
-  const std::vector<GivenTable> known = known_materials();
+  if (known.empty()) known = known_materials();
   const auto found = std::ranges::find(known, *wanted, [](const GivenTable& one) { return text_under(one, "name"); });
   if (found == known.end()) fail(place, key, names_of(known, *wanted));
   GivenTable filling = in_units(*found, units);
@@ -172,10 +173,12 @@ void take_known_materials(GivenTable& scene) {
   GivenValue* const all = scene.find("material");
   auto* const materials = all != nullptr ? all->as<GivenArray>() : nullptr;
   if (materials == nullptr) return;
+  const Units units = parse_units(text_under(scene, "units"));
+  std::vector<GivenTable> known;
   for (GivenValue& value : *materials) {
     auto* const material = value.as<GivenTable>();
     const GivenValue* const use = material != nullptr ? material->find("use") : nullptr;
-    if (use != nullptr) take_known_material(*material, *use, scene);
+    if (use != nullptr) take_known_material(*material, *use, units, known);
   }
 }
 
