@@ -51,6 +51,8 @@ TEST(Forecast, HasElementsThatComeToYield) {
   const ExpectedRun elastic = after(Forecast(scene_of(1e9, 0), 0, 0), 2);
   const ExpectedRun yields = after(Forecast(scene_of(3.5, 0), 1, 0), 2);
   EXPECT_NEAR(yields.seconds / yields.steps, 1.25 * elastic.seconds / elastic.steps, 0.01);
+  const ExpectedRun stretched = after(Forecast(scene_of(3.5, 0.5), 0, 0), 2);
+  EXPECT_NEAR(stretched.seconds / stretched.steps, elastic.seconds / elastic.steps, 0.01) << "nothing strikes it";
 }
 
 TEST(Forecast, TrustsItsLastStepsTheMoreTheFurtherTheRunIs) {
