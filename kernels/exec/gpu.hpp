@@ -155,38 +155,106 @@ __device__ void join_lanes(Value& own) {
   }
 }
 
+/// By one block. Thread 0 has the sum.
+template <class Value, class Functor>
+__device__ void sum_piece_of_range(std::int64_t begin, std::int64_t count, const Functor& functor, Value& own) {
+  const SumPiece piece = sum_piece(count, blockIdx.x, gridDim.x);
+  for (std::int64_t i = piece.begin + threadIdx.x; i < piece.end; i += sum_lanes) functor(begin + i, own);
+  join_lanes(own);
+}
+
 template <class Value, class Functor>
 __global__ void __launch_bounds__(Gpu::block, least_blocks<Functor>())
     sum_pieces_of_range(std::int64_t begin, std::int64_t count, Functor functor, Value* partial) {
-  const SumPiece piece = sum_piece(count, blockIdx.x, gridDim.x);
   Value own{};
-  for (std::int64_t i = piece.begin + threadIdx.x; i < piece.end; i += sum_lanes) functor(begin + i, own);
-  join_lanes(own);
+  sum_piece_of_range(begin, count, functor, own);
   if (threadIdx.x == 0) partial[blockIdx.x] = own;
 }
 
-/// By one block.
+/// What other blocks have written: by words, and not from a cache of this processor's own.
 template <class Value>
-__global__ void __launch_bounds__(Gpu::block) join_pieces(std::int64_t pieces, const Value* partial, Value* result) {
+__device__ Value written_by_another(const Value* value) {
+  using Word = std::conditional_t<alignof(Value) % 8 == 0, std::uint64_t, std::uint32_t>;
+  static_assert(sizeof(Value) % sizeof(Word) == 0);
+  union Words {
+    Word word[sizeof(Value) / sizeof(Word)];
+    Value value;
+    __device__ Words() {}
+  } copy;
+  const volatile Word* const from = reinterpret_cast<const volatile Word*>(value);
+  PINBALL_UNROLL
+  for (int w = 0; w < int(sizeof(Value) / sizeof(Word)); ++w) copy.word[w] = from[w];
+  return copy.value;
+}
+
+/// The block that ends last joins the sums of all pieces in their order, whichever it is. ended: 0 before and after.
+template <class Value, class Functor>
+__global__ void __launch_bounds__(Gpu::block, least_blocks<Functor>())
+    sum_range(std::int64_t begin, std::int64_t count, Functor functor, Value* partial, unsigned* ended, Value* result) {
+  __shared__ bool last;
   Value own{};
-  for (std::int64_t p = threadIdx.x; p < pieces; p += sum_lanes) join_to(own, partial[p]);
+  sum_piece_of_range(begin, count, functor, own);
+  if (threadIdx.x == 0) {
+    partial[blockIdx.x] = own;
+    __threadfence();
+    last = atomicInc(ended, gridDim.x - 1) == gridDim.x - 1;
+  }
+  __syncthreads();
+  if (!last) return;
+  own = Value{};
+  _Pragma("unroll 4") for (unsigned p = threadIdx.x; p < gridDim.x; p += sum_lanes)
+      join_to(own, written_by_another(partial + p));
   join_lanes(own);
   if (threadIdx.x == 0) *result = own;
 }
 
-/// Memory of the device for partial results, of each thread of the host.
+/// Memory for partial results and for results, of each thread of the host.
 class GpuScratch {
  public:
+  /// Of the device.
   template <class Value>
   static Value* values(std::int64_t count) {
     return static_cast<Value*>(of_this_thread().bytes(static_cast<std::size_t>(count) * sizeof(Value)));
+  }
+  /// Of the host, where kernels may write: what needs no copy.
+  template <class Value>
+  static Value* result() {
+    static_assert(sizeof(Value) <= result_room);
+    GpuScratch& scratch = of_this_thread();
+    if (scratch.result_ == nullptr) scratch.make_result();
+    return static_cast<Value*>(scratch.result_);
+  }
+  /// Of the device: a number that is 0 between kernels.
+  static unsigned* counter() {
+    GpuScratch& scratch = of_this_thread();
+    if (scratch.counter_ == nullptr) {
+      scratch.counter_ = static_cast<unsigned*>(GpuSpace::allocate(GpuSpace::room(sizeof(unsigned))));
+      GpuSpace::zero(scratch.counter_, sizeof(unsigned));
+    }
+    return scratch.counter_;
   }
   GpuScratch(const GpuScratch&) = delete;
   GpuScratch& operator=(const GpuScratch&) = delete;
 
  private:
+  static constexpr std::size_t result_room = 4096;
   GpuScratch() = default;
-  ~GpuScratch() { GpuSpace::release(memory_, room_); }
+  ~GpuScratch() {
+    GpuSpace::release(memory_, room_);
+    GpuSpace::release(counter_, 0);
+#if defined(__HIPCC__)
+    (void)hipHostFree(result_);
+#else
+    (void)cudaFreeHost(result_);
+#endif
+  }
+  void make_result() {
+#if defined(__HIPCC__)
+    require_gpu(hipHostMalloc(&result_, result_room, hipHostMallocDefault), "memory for results");
+#else
+    require_gpu(cudaHostAlloc(&result_, result_room, cudaHostAllocDefault), "memory for results");
+#endif
+  }
   static GpuScratch& of_this_thread() {
     static thread_local GpuScratch scratch;
     return scratch;
@@ -203,6 +271,8 @@ class GpuScratch {
   }
   void* memory_ = nullptr;
   std::size_t room_ = 0;
+  void* result_ = nullptr;
+  unsigned* counter_ = nullptr;
 };
 
 /// The same sums in the same order as on the host (sums.hpp). least_blocks of the functor counts here, too.
@@ -210,11 +280,13 @@ template <class Functor, class Value>
 void parallel_reduce(const char* name, RangePolicy<Gpu> range, const Functor& functor, Value& result) {
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
   const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
-  auto* const partial = GpuScratch::values<Value>(pieces + 1);
-  sum_pieces_of_range<<<static_cast<unsigned>(pieces), Gpu::block>>>(range.begin, count, functor, partial);
+  auto* const partial = GpuScratch::values<Value>(pieces);
+  auto* const written = GpuScratch::result<Value>();
+  sum_range<<<static_cast<unsigned>(pieces), Gpu::block>>>(range.begin, count, functor, partial, GpuScratch::counter(),
+                                                           written);
   require_gpu(PINBALL_GPU(GetLastError)(), name);
-  join_pieces<<<1, Gpu::block>>>(pieces, static_cast<const Value*>(partial), partial + pieces);
-  require_gpu(PINBALL_GPU(Memcpy)(&result, partial + pieces, sizeof(Value), PINBALL_GPU(MemcpyDeviceToHost)), name);
+  require_gpu(PINBALL_GPU(StreamSynchronize)(nullptr), name);
+  result = *written;
 }
 
 /// The term of each index, for its sums.
