@@ -155,11 +155,16 @@ __device__ void join_lanes(Value& own) {
   }
 }
 
-/// By one block. Thread 0 has the sum.
+/// By one block. Thread 0 has the sum. A functor that can do better than to take one index after another says so:
+/// sum_lane(first, end, sum) takes first, first + sum_lanes, ... in their order.
 template <class Value, class Functor>
 __device__ void sum_piece_of_range(std::int64_t begin, std::int64_t count, const Functor& functor, Value& own) {
   const SumPiece piece = sum_piece(count, blockIdx.x, gridDim.x);
-  for (std::int64_t i = piece.begin + threadIdx.x; i < piece.end; i += sum_lanes) functor(begin + i, own);
+  if constexpr (requires { functor.sum_lane(begin, begin, own); }) {
+    functor.sum_lane(begin + piece.begin + threadIdx.x, begin + piece.end, own);
+  } else {
+    for (std::int64_t i = piece.begin + threadIdx.x; i < piece.end; i += sum_lanes) functor(begin + i, own);
+  }
   join_lanes(own);
 }
 

@@ -4,6 +4,7 @@
 
 #include "device_mesh.hpp"
 #include "element_totals.hpp"
+#include "fetched_elements.hpp"
 
 /// The element kernel on an execution space: a thread works one lane of a device, or one pack of the host.
 namespace pinball {
@@ -39,14 +40,60 @@ struct UpdatesElements {
   ElementLaunch<S> launch;
 
   PINBALL_FUNCTION void operator()(std::int64_t pack, ElementTotals<S>& totals) const {
-    const std::int64_t first = pack * width_of<T>;
-    const bool rests = launch.resting.template has<S>(first);
-    if (rests && !launch.resting.updated) return;
+    if (!takes(pack)) return;
     ElementSums<T> sums;
     update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants, launch.step, pack, 0,
                                                  sums, KeptAtCorners<S>{launch.corner_force});
+    count(pack, sums, totals);
+  }
+
+#if defined(PINBALL_DEVICE_COMPILER)
+  /// The elements first, first + sum_lanes, ... before end, with what the next needs on its way.
+  __device__ void sum_lane(std::int64_t first, std::int64_t end, ElementTotals<S>& totals) const {
+    using Fetched = FetchedElements<S, features>;
+    Fetched fetched(launch.elements, *shared_values<typename Fetched::Memory, 1>());
+    const auto wanted = [&](std::int64_t element) { return element < end && takes(element); };
+    bool takes_this = wanted(first);
+    fetched.fetch_first(first, takes_this);
+    fetched.fetch_state(first, takes_this);
+    for (std::int64_t element = first; element < end; element += sum_lanes) {
+      fetched.next_round();
+      wait_for_all_groups_but_one();
+      const std::int64_t next = element + sum_lanes;
+      const bool takes_next = wanted(next);
+      fetched.fetch_first(next, takes_next);
+      if (takes_this) update(fetched, element, totals);
+      wait_for_all_groups_but_one();
+      fetched.fetch_state(next, takes_next);
+      takes_this = takes_next;
+    }
+  }
+#endif
+
+ private:
+#if defined(PINBALL_DEVICE_COMPILER)
+  __device__ void update(const FetchedElements<S, features>& fetched, std::int64_t element,
+                         ElementTotals<S>& totals) const {
+    const ElementView<S> view = fetched.view(element);
+    const std::int64_t lane = threadIdx.x;
+    ElementSums<T> sums;
+    update_element_pack<T, features, device_row>(view, launch.nodes, launch.constants, launch.step, lane, 0, sums,
+                                                 KeptAtCorners<S>{launch.corner_force + (element - lane) * 24},
+                                                 WaitsForState{});
+    wait_for_all_groups_but_one();  // a pack that is not there asks for nothing
+    fetched.write(element, sums.eroded_count > 0);
+    count(element, sums, totals);
+  }
+#endif
+
+  /// Whether the kernel has to look at a pack.
+  PINBALL_FUNCTION bool takes(std::int64_t pack) const { return launch.resting.updated || !rests(pack); }
+  PINBALL_FUNCTION bool rests(std::int64_t pack) const { return launch.resting.template has<S>(pack * width_of<T>); }
+
+  PINBALL_FUNCTION void count(std::int64_t pack, ElementSums<T>& sums, ElementTotals<S>& totals) const {
+    const std::int64_t first = pack * width_of<T>;
     if (launch.rates != nullptr) store(sums.stable_rate, launch.rates + first);
-    if (rests) sums.stable_rate = T(0);
+    if (rests(pack)) sums.stable_rate = T(0);
     totals.add(sums, first);
   }
 };
