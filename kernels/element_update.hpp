@@ -33,7 +33,7 @@ namespace pinball {
 /// pack: number of the pack; pack_in_tile: the same counted from the start of its tile. L: of the rows (ElementView).
 /// forces: AddedToNodes or KeptAtCorners. ahead(0) ... ahead(7) are called in turn, spread over the work: places to ask
 /// the caches for what is computed next. All at once would fill the queue of lines on their way, and the processor
-/// would stand still.
+/// would stand still. What an element keeps from step to step, but for its mass, is loaded after ahead(2).
 template <class T, ElementFeatures features, int L = width_of<T>, class Forces, class Ahead = NothingAhead>
 PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
                                           const ElementConstants<ScalarOf<T>>& constants,

@@ -112,7 +112,7 @@ class FetchedElements {
   int lane_, turn_ = 1;
 };
 
-/// Between the parts of an element's kernel: its state has to be there before the third.
+/// What update_element_pack calls: what follows ahead(2) loads the state.
 struct WaitsForState {
   __device__ void operator()(int part) const {
     if (part == 2) wait_for_all_groups_but_one();

@@ -68,10 +68,8 @@ struct UpdatesElements {
       takes_this = takes_next;
     }
   }
-#endif
 
  private:
-#if defined(PINBALL_DEVICE_COMPILER)
   __device__ void update(const FetchedElements<S, features>& fetched, std::int64_t element,
                          ElementTotals<S>& totals) const {
     const ElementView<S> view = fetched.view(element);
@@ -86,6 +84,7 @@ struct UpdatesElements {
   }
 #endif
 
+ private:
   /// Whether the kernel has to look at a pack.
   PINBALL_FUNCTION bool takes(std::int64_t pack) const { return launch.resting.updated || !rests(pack); }
   PINBALL_FUNCTION bool rests(std::int64_t pack) const { return launch.resting.template has<S>(pack * width_of<T>); }
