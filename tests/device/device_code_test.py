@@ -14,7 +14,8 @@ import unittest
 
 NVCC, HOST, SOURCE, WORK = sys.argv[1:5]
 SOURCES = {name: os.path.join(SOURCE, "tests/device", name + ".cu") for name in ["kernels", "exec"]}
-SOLVER = {"boundary_kernels_gpu": os.path.join(SOURCE, "solver/boundary/space/boundary_kernels_gpu.cu")}
+SOLVER = {"boundary_kernels_gpu": os.path.join(SOURCE, "solver/boundary/space/boundary_kernels_gpu.cu"),
+          "bench_device": os.path.join(SOURCE, "bench/bench_device.cu")}  # whole steps, with few of their kernels
 ARCHITECTURES = ([], ["-arch=sm_90"])  # the compiler's default, and an H200
 
 DROPPED = """
@@ -83,7 +84,7 @@ class DeviceCode(unittest.TestCase):
 
     def test_no_kernel_is_empty(self):
         for architecture in ARCHITECTURES:
-            for name, least in [("kernels", 20), ("exec", 4), ("boundary_kernels_gpu", 30)]:
+            for name, least in [("kernels", 20), ("exec", 5), ("boundary_kernels_gpu", 30)]:
                 ptx = compiled((SOURCES | SOLVER)[name], *architecture, name=name)
                 self.assertGreater(len(kernels(ptx)), least)
                 self.assertEqual(kernels_that_write_nothing(ptx), [])

@@ -29,6 +29,16 @@ struct Fill {
   PINBALL_FUNCTION void operator()(std::int64_t i) const { to[i] = 1.0 / double(i * i % 1001 + 1) - 0.01; }
 };
 
+/// Sums of plain numbers, of 8 and of 4 bytes.
+struct Adds {
+  const double* value;
+  PINBALL_FUNCTION void operator()(std::int64_t i, double& sum) const { sum += value[i]; }
+};
+struct Counts {
+  const double* value;
+  PINBALL_FUNCTION void operator()(std::int64_t i, std::int32_t& count) const { count += value[i] > 0 ? 1 : 0; }
+};
+
 struct Listed {
   const double* value;
   std::int32_t* list;
@@ -43,7 +53,8 @@ struct Listed {
 struct Found {
   std::vector<double> values;
   test::Record record;
-  std::int32_t total = 0;
+  double sum = 0;
+  std::int32_t positive = 0, total = 0;
   std::vector<std::int32_t> list;
   bool operator==(const Found&) const = default;
 };
@@ -54,10 +65,12 @@ Found found_by(std::int64_t count) {
   const auto size = static_cast<std::size_t>(count);
   Array<double, Memory> values(size);
   Array<std::int32_t, Memory> list(size);
-  Found found{std::vector<double>(size), {}, 0, std::vector<std::int32_t>(size)};
+  Found found{std::vector<double>(size), {}, 0, 0, 0, std::vector<std::int32_t>(size)};
   parallel_for("fill", RangePolicy<Space>{0, count}, Fill{values.data()});
   fence<Space>();
   parallel_reduce("record", RangePolicy<Space>{0, count}, RecordInTwoBlocks{{values.data()}}, found.record);
+  parallel_reduce("sum", RangePolicy<Space>{0, count}, Adds{values.data()}, found.sum);
+  parallel_reduce("count", RangePolicy<Space>{0, count}, Counts{values.data()}, found.positive);
   parallel_scan("list", RangePolicy<Space>{0, count}, Listed{values.data(), list.data()}, found.total);
   deep_copy(found.values.data(), values);
   deep_copy(found.list.data(), list);
