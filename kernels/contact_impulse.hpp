@@ -36,6 +36,7 @@ namespace pinball {
 struct ImpulseNode {
   double inverse_mass[6];  ///< xx yy zz xy yz zx [1/mass]
   bool held;               ///< in some direction: else the tensor is a number
+  std::int32_t body = -1;  ///< number of a rigid body that it moves with, whatever its own mass is; -1: of none
 };
 
 /// M^-1 b.

@@ -13,6 +13,8 @@
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::YieldCurve>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Material>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::Body>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::RigidBody>)
+PYBIND11_MAKE_OPAQUE(std::vector<pinball::RigidMotion>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::PlaneConstraint>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::FixedConstraint>)
 PYBIND11_MAKE_OPAQUE(std::vector<pinball::RigidWall>)

@@ -68,6 +68,18 @@ struct ForceResult {
   Point force{};  ///< at present [force]
 };
 
+/// Where a rigid body is and how it moves; about its centre.
+struct RigidBodyResult {
+  std::string name;
+  double mass = 0.0;               ///< [mass]
+  std::array<Point, 3> inertia{};  ///< at the start [mass length^2]
+  Point centre{};                  ///< [length]
+  Point velocity{};                ///< of the centre [length/time]
+  Point angular_velocity{};        ///< [1/time]
+  Point angular_momentum{};        ///< [mass length^2/time]
+  Point force{}, moment{};         ///< of what holds and moves it, at present [force], [force length]
+};
+
 /// What the two sides of a contact pair have done to each other.
 struct PairResult {
   std::string name;
@@ -197,6 +209,7 @@ struct RunSummary {
   std::int64_t element_steps_eroded = 0;     ///< not computed, because the element is eroded
   std::int64_t element_steps_resting = 0;    ///< not computed, because its tile rests
   std::int64_t element_steps_subcycled = 0;  ///< not computed, because the element makes a larger step
+  std::int64_t element_steps_rigid = 0;      ///< not computed, because the element is of a rigid body
   Energies energy;                           ///< at the end
   double initial_total = 0.0, final_total = 0.0, balance_error_max = 0.0;
   /// What is in motion in its own frame, or the largest work from outside where that is more [energy].
@@ -216,6 +229,7 @@ struct RunSummary {
   std::string large_added_mass;  ///< where it is more than is sound, as a sentence; empty: nowhere
   Point momentum_initial{}, momentum_final{};
   std::vector<BodyResult> bodies;
+  std::vector<RigidBodyResult> rigid_bodies;
   std::vector<WallResult> walls;
   std::vector<PressureResult> pressures;
   std::vector<ProbeResult> probes;

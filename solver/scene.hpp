@@ -12,6 +12,7 @@
 #include "scene_boundary.hpp"
 #include "scene_contact.hpp"
 #include "scene_material.hpp"
+#include "scene_rigid.hpp"
 
 /// A scene: plain data with defaults, read from a file or filled in by a host; no arrays of the size of the mesh.
 /// Every field carries the TOML key that sets it. Units are the scene's own consistent set. What is called "not set"
@@ -143,6 +144,8 @@ struct Scene {
   GuardSettings guard;
   std::vector<Material> materials;
   std::vector<Body> bodies;
+  std::vector<RigidBody> rigid_bodies;
+  std::vector<RigidMotion> rigid_motions;
   DampingSettings damping;
   std::vector<PlaneConstraint> constraints;        ///< [[constraint]] type = "symmetry"
   std::vector<FixedConstraint> fixed_constraints;  ///< [[constraint]] type = "fixed"

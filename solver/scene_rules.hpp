@@ -48,6 +48,10 @@ std::optional<Problem> problem_of(const TimeTable& table);
 std::optional<Problem> problem_of(const TimeSpan& when);
 std::optional<Problem> problem_of(const RigidWall& wall);
 std::optional<Problem> problem_of(const Box& box);
+/// Of one by itself, and beside the rest of the scene.
+std::optional<Problem> problem_of(const RigidBody& rigid);
+std::optional<Problem> problem_of(const RigidBody& rigid, const Scene& scene);
+std::optional<Problem> problem_of(const RigidMotion& motion);
 
 /// Names are parts of dotted keys and of column headings: letters, digits, "_" and "-" only.
 std::optional<Problem> name_problem(const std::string& name);

@@ -21,6 +21,7 @@ class Pinball(CMakePackage):
     depends_on("fmt@9:", when="+solver")
     depends_on("cli11@2:", when="+solver", type="build")
     depends_on("nlohmann-json@3.11:", when="+solver", type="build")
+    depends_on("eigen@3.4:", when="+solver", type="build")
     depends_on("tomlplusplus@3.3:", when="+solver")
     depends_on("pkgconfig", when="+solver", type=("build", "link"))
     # For meshes of Exodus and VTK.

@@ -9,23 +9,20 @@ namespace pinball {
 
 namespace {
 
-double displacement(const PrescribedVelocity& given, double time) {
-  switch (given.quantity) {
+double displacement(const TimeTable& table, MotionQuantity quantity, double time) {
+  switch (quantity) {
     case MotionQuantity::velocity:
-      return given.table.integral(time);
+      return table.integral(time);
     case MotionQuantity::displacement:
-      return given.table.value(time);
+      return table.value(time);
     case MotionQuantity::acceleration:
-      return given.table.second_integral(time);
+      return table.second_integral(time);
   }
   return 0;
 }
 
 double mean_factor(const PrescribedVelocity& given, double time, const StepLengths& step) {
-  if (step.after > 0) return (displacement(given, time + step.after) - displacement(given, time)) / step.after;
-  if (given.quantity == MotionQuantity::velocity) return given.table.value(time);
-  if (given.quantity == MotionQuantity::acceleration) return given.table.integral(time);
-  return step.before > 0 ? (given.table.value(time) - given.table.value(time - step.before)) / step.before : 0.0;
+  return mean_factor(given.table, given.quantity, time, step);
 }
 
 /// Of the velocity of node n along a direction.
@@ -42,6 +39,14 @@ double starting_factor(const PrescribedVelocity& given) {
 }
 
 }  // namespace
+
+double mean_factor(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step) {
+  if (step.after > 0)
+    return (displacement(table, quantity, time + step.after) - displacement(table, quantity, time)) / step.after;
+  if (quantity == MotionQuantity::velocity) return table.value(time);
+  if (quantity == MotionQuantity::acceleration) return table.integral(time);
+  return step.before > 0 ? (table.value(time) - table.value(time - step.before)) / step.before : 0.0;
+}
 
 template <class S>
 PrescribedMotions::PrescribedMotions(const Model<S>& model) : given_(model.scene.prescribed_velocities) {

@@ -7,14 +7,18 @@
 
 namespace pinball {
 
+/// The factor of a velocity that is given over time: the mean over the coming step, so that places are those of the
+/// integral of the table, or the velocity where that has no length; of a displacement the mean over the step before
+/// then [-].
+double mean_factor(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step);
+
 /// The velocities that [[prescribed_velocity]] gives to nodes over time, and how far they leap.
 class PrescribedMotions {
  public:
   template <class S>
   explicit PrescribedMotions(const Model<S>& model);
 
-  /// Of each the factor of its velocity: the mean over the coming step, so that places are those of the integral of the
-  /// table, or the velocity where that has no length; of a displacement the mean over the step before then.
+  /// Of each the factor of its velocity (mean_factor).
   std::vector<double> factors(double time, const StepLengths& step) const;
   /// Largest change that nodes which are moved, or held, undergo as the run begins [length/time].
   double jump_at_start() const { return jump_at_start_; }

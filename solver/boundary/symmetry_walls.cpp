@@ -23,6 +23,8 @@ SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>&
       const bool in_plane = std::binary_search(held.begin(), held.end(), static_cast<std::int32_t>(n));
       if (!in_plane) nodes.push_back(model.node_of_scene_node[n]);
     }
+    for (const RigidNodes& rigid : model.rigid)  // they do not cross it one by one
+      std::erase_if(nodes, [&](std::int32_t n) { return std::ranges::binary_search(rigid.nodes, n); });
     Point inward = plane.normal;
     if (side < 0) {
       for (double& c : inward) c = -c;

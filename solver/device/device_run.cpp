@@ -22,6 +22,7 @@ std::string missing_on_device(const Scene& scene) {
   const ContactMethod method = scene.contact.method;  // not set: of a scene whose bodies are not known yet
   add(method == ContactMethod::pinball || method == ContactMethod::slideline, "contact");
   add(!scene.tied_contacts.empty(), "tied contact");
+  add(!scene.rigid_bodies.empty(), "rigid bodies");
   add(scene.time.subcycling, "subcycling");
   add(scene.output.body_energies, "output.body_energies");
   return fmt::format("{}", fmt::join(missing, ", "));

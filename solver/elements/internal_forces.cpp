@@ -9,7 +9,11 @@ namespace pinball {
 
 template <class S>
 InternalForces<S>::InternalForces(const Model<S>& model) : results_(model.tile_count()) {
-  for (const Part& part : model.parts) kernel_of_part_.push_back(choose_tile_kernel<S>(part.features));
+  for (const Part& part : model.parts)
+    kernel_of_part_.push_back(part.rigid ? nullptr : choose_tile_kernel<S>(part.features));
+  for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
+    if (model.is_rigid(tile)) results_[tile].time_step = std::numeric_limits<S>::infinity();  // and is never worked
+  }
 }
 
 namespace {

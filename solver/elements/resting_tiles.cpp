@@ -73,6 +73,7 @@ RestingTiles<S>::RestingTiles(const Model<S>& model)
   parallel_for("tiles at rest", RangePolicy<>{0, model.tile_count()}, [&](std::int64_t number) {
     const std::size_t t = number;
     tiles_[t].number = number;
+    if (model.is_rigid(number)) return;
     if (std::isfinite(model.constants[model.tile_part[t]].failure.limits.time)) return;
     const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
     const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;

@@ -19,7 +19,7 @@ void Schedule<S>::begin_step(const Model<S>& model, const Due& due, const std::v
   if (subcycling_) {
     if (due.all() && !due.first && !due.last) subcycling_->plan(results, contact_frequency2_);
   } else if (!resting_) {
-    awake_ = model.tile_colours;
+    awake_ = deformable(model);
   } else if (resting_->wake(model.nodes)) {
     choose_awake(model);
   }
@@ -66,11 +66,19 @@ StepBound Schedule<S>::bound(const Model<S>& model, const Due& due, const std::v
   return bound;
 }
 
-/// The tiles of model.tile_colours without those that are to be skipped, colours in the same order.
+/// The tiles of model.tile_colours without those of rigid bodies, colours in the same order.
+template <class S>
+Colouring Schedule<S>::deformable(const Model<S>& model) const {
+  if (model.rigid.empty()) return model.tile_colours;
+  return chosen_of(model.tile_colours, [&](std::int32_t tile) { return !model.is_rigid(tile); });
+}
+
+/// The same without those that are to be skipped.
 template <class S>
 void Schedule<S>::choose_awake(const Model<S>& model) {
-  awake_ = chosen_of(model.tile_colours,
-                     [&](std::int32_t tile) { return !model.scene.skip.resting || !resting_->rests(tile); });
+  awake_ = chosen_of(model.tile_colours, [&](std::int32_t tile) {
+    return !model.is_rigid(tile) && (!model.scene.skip.resting || !resting_->rests(tile));
+  });
 }
 
 template <class S>

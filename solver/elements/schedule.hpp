@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct StepBound {
   std::int64_t slot = -1;        ///< of the element that sets it
   bool by_contact = false;       ///< contact has the higher frequency
   std::int32_t cycle_steps = 1;  ///< steps until all elements have been updated
+  double longest = std::numeric_limits<double>::infinity();  ///< beyond which no step goes, whatever is stable [time]
 };
 
 /// Elements and nodes that are due in a step: with subcycling those whose own step ends in it, else all, but for tiles
@@ -101,6 +103,7 @@ class Schedule {
 
  private:
   void choose_awake(const Model<S>& model);
+  Colouring deformable(const Model<S>& model) const;
 
   std::optional<Subcycling<S>> subcycling_;  ///< only where the scene asks for it
   std::optional<RestingTiles<S>> resting_;   ///< without subcycling; known once all tiles have been updated

@@ -28,6 +28,7 @@
 #include "material/material_held.hpp"
 #include "material/material_laws.hpp"
 #include "ordering.hpp"
+#include "rigid/rigid_nodes.hpp"
 #include "step_levels.hpp"
 
 namespace pinball {
@@ -133,10 +134,14 @@ using Hexahedra = std::vector<std::array<std::int32_t, 8>>;
 template <class S>
 ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
   ElementStoreFeatures stored;
-  for (const auto& [number, settings] : parts.parts) {
+  for (const auto& [number, settings, rigid] : parts.parts) {
     const Material& material = model.scene.materials[number];
     model.constants.push_back(constants_of<S>(material, settings));
     require_held(model.scene, material, model.constants.back());
+    if (rigid) {
+      model.parts.push_back({static_cast<std::int32_t>(number), {}, settings, true});
+      continue;
+    }
     if (has_general_yield(material)) {
       model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
@@ -368,6 +373,9 @@ Model<S> build_model(const Scene& given) {
   model.tied_nodes = find_ties(model.scene, model.mesh, model.tie_counts);
   model.look = look_at(model.scene, model.mesh);
   adjust_initial_overlaps(model.scene, model.tied_nodes, model.mesh);
+  model.rigid_of_body = rigid_body_of_bodies(model.scene);
+  model.rigid = find_rigid_nodes(model.scene, model.mesh, model.tied_nodes);
+  set_given_masses(model.scene, model.mesh);
   const ElementParts parts = element_parts(model.scene);
   ElementStoreFeatures features = add_parts(model, parts);
   const std::vector<double> mass_factor = mass_factors(model.scene, model.mesh, parts);
@@ -382,6 +390,7 @@ Model<S> build_model(const Scene& given) {
   fill_elements(model, features, mass_factor, onset);
   invert_node_masses(model);
   number_ties(model);
+  number_rigid_nodes(model.rigid, model.node_of_scene_node);
   set_constraints(model, 0);
   set_initial_velocity(model);
   const std::vector<std::string> left_out = find_left_out(model.scene, model.mesh);

@@ -65,6 +65,14 @@ struct Part {
   std::int32_t material = 0;
   ElementFeatures features{};
   ElementSettings settings;
+  bool rigid = false;  ///< of rigid bodies: no kernel works them
+};
+
+/// A rigid body: which nodes move with it, and in which directions nothing moves it.
+struct RigidNodes {
+  std::vector<std::int32_t> nodes;    ///< of the store, ascending
+  std::vector<Point> held;            ///< along which its centre does not move, orthonormal
+  std::vector<Point> held_rotations;  ///< about which it does not turn, orthonormal
 };
 
 /// Steps that a tile may make where elements have steps of their own (step_levels.hpp).
@@ -107,6 +115,9 @@ struct Model {
   std::vector<NodeConstraint<S>> constraints;   ///< orthonormal per node
   std::vector<NodePrescription<S>> prescribed;  ///< orthonormal per node, with the constraints
 
+  std::vector<RigidNodes> rigid;            ///< per rigid body of the scene
+  std::vector<std::int32_t> rigid_of_body;  ///< per body of the scene: number of its rigid body; -1: it deforms
+
   std::vector<TiedNode> tied_nodes;         ///< in the numbers of the stores
   std::vector<TiedResult> tie_counts;       ///< per tied contact
   const S* contact_inverse_mass = nullptr;  ///< what contact by springs divides by; null: that of the nodes [1/mass]
@@ -140,6 +151,11 @@ struct Model {
     constexpr int W = ElementStore<S>::width;
     return {tile_packs[tile] * W, tile_packs[tile + 1] * W};
   }
+  std::int64_t rigid_element_count() const {
+    return std::ranges::count_if(mesh.body, [this](std::int32_t body) { return rigid_of_body[body] >= 0; });
+  }
+  /// Whether the elements of a tile are of a rigid body.
+  bool is_rigid(std::int64_t tile) const { return parts[tile_part[tile]].rigid; }
   /// Number of the part that the element of a slot is of.
   std::size_t part_of_slot(std::int64_t slot) const {
     const auto tile = std::upper_bound(tile_packs.begin(), tile_packs.end(), slot / ElementStore<S>::width);

@@ -51,7 +51,12 @@ std::vector<GivenDirection> given_directions(const Model<S>& model, double time)
   const double tolerance = 1e-9 * mesh_size(model.mesh);
   std::vector<GivenDirection> directions;
   std::int32_t constraint = 0;
+  std::vector<bool> is_rigid(model.rigid.empty() ? 0 : model.nodes.count, false);  // these are held as a whole
+  for (const RigidNodes& rigid : model.rigid) {
+    for (const std::int32_t n : rigid.nodes) is_rigid[n] = true;
+  }
   const auto hold = [&](std::int32_t scene_node, const Point& direction) {
+    if (!is_rigid.empty() && is_rigid[model.node_of_scene_node[scene_node]]) return;
     directions.push_back({model.node_of_scene_node[scene_node], direction, 0, constraint, true});
   };
   const auto move = [&](std::int32_t scene_node, const Point& direction, double speed, std::int32_t table) {

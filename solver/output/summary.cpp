@@ -67,6 +67,16 @@ Json wall_json(const WallResult& wall) {
   return json;
 }
 
+Json rigid_json(const RigidBodyResult& rigid) {
+  return {{"name", rigid.name},
+          {"mass", rigid.mass},
+          {"inertia", rigid.inertia},
+          {"centre", rigid.centre},
+          {"velocity", rigid.velocity},
+          {"angular_velocity", rigid.angular_velocity},
+          {"angular_momentum", rigid.angular_momentum}};
+}
+
 Json pressure_json(const PressureResult& pressure) {
   return {{"name", pressure.name}, {"force", pressure.force}, {"work", pressure.work}};
 }
@@ -161,6 +171,8 @@ std::string summary_json(const RunSummary& s) {
   Json bodies = Json::array();
   for (const BodyResult& body : s.bodies) bodies.push_back(body_json(body));
   Json walls = Json::array(), pressures = Json::array(), probes = Json::array();
+  Json rigid_bodies = Json::array();
+  for (const RigidBodyResult& rigid : s.rigid_bodies) rigid_bodies.push_back(rigid_json(rigid));
   for (const WallResult& wall : s.walls) walls.push_back(wall_json(wall));
   for (const PressureResult& pressure : s.pressures) pressures.push_back(pressure_json(pressure));
   for (const ProbeResult& probe : s.probes) probes.push_back(probe_json(probe));
@@ -180,15 +192,18 @@ std::string summary_json(const RunSummary& s) {
       {"wall_seconds", s.wall_seconds},
       {"phase_seconds", phases},
       {"element_steps", s.element_steps},
-      {"element_steps_skipped", s.element_steps_eroded + s.element_steps_resting + s.element_steps_subcycled},
+      {"element_steps_skipped",
+       s.element_steps_eroded + s.element_steps_resting + s.element_steps_subcycled + s.element_steps_rigid},
       {"element_steps_eroded", s.element_steps_eroded},
       {"element_steps_resting", s.element_steps_resting},
       {"element_steps_subcycled", s.element_steps_subcycled},
+      {"element_steps_rigid", s.element_steps_rigid},
       {"element_steps_per_second", element_steps / s.wall_seconds},  // no wall time: null
       {"energy", energy_json(s)},
       {"momentum", {{"initial", s.momentum_initial}, {"final", s.momentum_final}}},
       {"bodies", bodies},
       {"mass_scaling", {{"added", s.mass_added}, {"percent", added_percent(s)}}},
+      {"rigid_bodies", rigid_bodies},
       {"rigid_walls", walls},
       {"pressures", pressures},
       {"contact",

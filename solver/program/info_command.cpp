@@ -21,6 +21,7 @@
 #include "info/info_devices.hpp"
 #include "info/info_material.hpp"
 #include "info/info_mesh.hpp"
+#include "info/info_rigid.hpp"
 #include "info/info_skipped.hpp"
 #include "scene_input.hpp"
 
@@ -184,6 +185,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   const Scene& scene = model.scene;
   fmt::print("what will run\n");
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    if (model.parts[p].rigid) continue;
     const ElementFeatures& f = model.parts[p].features;
     const Material& material = scene.materials[model.parts[p].material];
     const ElementSettings& settings = model.parts[p].settings;
@@ -203,6 +205,7 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
     }
     fmt::print("\n");
   }
+  print_rigid_bodies(scene, solver.rigid().results(), units);
   if (solver.subcycling() != nullptr) print_steps(*solver.subcycling());
   if (solver.contact() != nullptr) {
     print_contact(*solver.contact(), scene.contact, model.element_count());

@@ -27,6 +27,7 @@ struct WorkCounts {
   std::int64_t resting_element_steps = 0;    ///< left out, because the tile rests
   std::int64_t subcycled_element_steps = 0;  ///< left out, because the element makes a larger step
   std::int64_t eroded_element_steps = 0;
+  std::int64_t rigid_element_steps = 0;    ///< of rigid bodies, which no kernel works
   std::int64_t surface_element_steps = 0;  ///< of pinballs, or elements with segments
   std::int64_t inner_element_steps = 0;    ///< of elements without an exposed face, in a scene with contact
   std::int64_t searches = 0, searches_skipped = 0;
@@ -40,7 +41,8 @@ inline SkippedSeconds estimate_skipped(const WorkCounts& counts, const Timers& t
     return done > 0 ? seconds * static_cast<double>(skipped) / static_cast<double>(done) : 0.0;
   };
   SkippedSeconds s;
-  const std::int64_t computed = all_element_steps - counts.resting_element_steps - counts.subcycled_element_steps;
+  const std::int64_t computed =
+      all_element_steps - counts.resting_element_steps - counts.subcycled_element_steps - counts.rigid_element_steps;
   s.resting = share(timers.seconds(Phase::internal_forces), computed, counts.resting_element_steps);
   s.subcycling = share(timers.seconds(Phase::internal_forces), computed, counts.subcycled_element_steps);
   // A step that does not search still asks whether the lists hold.

@@ -184,6 +184,27 @@ void check_contact(Scene& scene) {
   });
 }
 
+void check_rigid_bodies(Scene& scene, const BodyNames& names) {
+  Names rigid_bodies;
+  for_each(scene.rigid_bodies, "rigid_body", [&](const Table& table, RigidBody& rigid, const auto& where) {
+    if (rigid.where.empty()) rigid.where = where;
+    table.require_none(problem_of(rigid));
+    table.require_none(name_problem(rigid.name));
+    table.require_none(rigid_bodies.add(rigid.name));
+    table.keys(rigid);
+    names.check_bodies(table, rigid.bodies);
+    table.require_none(problem_of(rigid, scene));
+  });
+  for_each(scene.rigid_motions, "rigid_motion", [&](const Table& table, RigidMotion& motion, const auto& where) {
+    if (motion.where.empty()) motion.where = where;
+    table.keys(motion);
+    table.require_none(rigid_bodies.reference_problem("rigid_body", "rigid_body", motion.rigid_body));
+    table.require_none(problem_of(motion));
+    table.require_none(problem_of(motion.table));
+    table.require_none(problem_of(motion.when));
+  });
+}
+
 void check_constraints(Scene& scene, const BodyNames& names) {
   for_each(scene.constraints, "symmetry constraint",
            [&](const Table& table, PlaneConstraint& plane, const auto& where) {
@@ -289,6 +310,7 @@ Scene checked_scene(Scene scene) {
   for (Body& body : scene.bodies) check_body(body, materials, bodies);
   check_contact(scene);
   const BodyNames names(scene);
+  check_rigid_bodies(scene, names);
   check_constraints(scene, names);
   check_walls(scene, names);
   check_motion(scene, names);

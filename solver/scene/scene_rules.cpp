@@ -55,6 +55,15 @@ void complete_scene(Scene& scene) {
     if (body.axis) make_unit(*body.axis);
     if (body.element) complete(*body.element);
   }
+  for (RigidBody& rigid : scene.rigid_bodies) {
+    for (Point& direction : rigid.held) make_unit(direction);
+    for (Point& direction : rigid.held_rotations) make_unit(direction);
+    if (rigid.name.empty() && !rigid.bodies.empty()) rigid.name = rigid.bodies.front();
+  }
+  for (RigidMotion& motion : scene.rigid_motions) {
+    if (motion.direction) make_unit(*motion.direction);
+    if (motion.axis) make_unit(*motion.axis);
+  }
   for (PlaneConstraint& plane : scene.constraints) make_unit(plane.normal);
   for (FixedConstraint& fixed : scene.fixed_constraints) {
     make_unit(fixed.nodes);

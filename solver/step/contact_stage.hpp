@@ -26,6 +26,10 @@ class ContactStage {
   const ContactAlgorithm<S>* contact() const { return contact_.get(); }
   /// Whether after_constraints adds forces, some of them perhaps in held directions.
   bool acts_on_velocities() const { return built::contact && contact_ && contact_->acts_on_velocities(); }
+  /// sides: of rigid bodies; have to stay where they are.
+  void set_rigid_sides(const RigidSides& sides) {
+    if (contact_) contact_->set_rigid_sides(&sides);
+  }
   /// Elements that take part; negative without contact.
   std::int64_t surface_elements() const { return built::contact && contact_ ? contact_->surface_elements() : -1; }
   void set_ties(const TiedNodes<S>& ties, bool changed) {

@@ -106,6 +106,17 @@ void take_material_numbers(const Model<S>& model, FieldSnapshot& s) {
   take(s.damage, &MaterialPlaces::damage, [](const Material&) { return 0.0; });
 }
 
+/// Rigid bodies turn, and their nodes do not come back on straight ways.
+template <class S>
+void put_rigid_positions(const Solver<S>& solver, std::vector<Point>& position) {
+  if (!solver.rigid().any()) return;
+  const Model<S>& model = solver.model();
+  std::vector<Point> in_store(position.size());
+  for (std::size_t n = 0; n < position.size(); ++n) in_store[model.node_of_scene_node[n]] = position[n];
+  solver.rigid().put_positions_of_forces(in_store);
+  for (std::size_t n = 0; n < position.size(); ++n) position[n] = in_store[model.node_of_scene_node[n]];
+}
+
 template <class S>
 FieldSnapshot snapshot(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
@@ -127,6 +138,7 @@ FieldSnapshot snapshot(const Solver<S>& solver) {
       s.position[n][k] = x[k] - solver.dt() * s.velocity[n][k];
     }
   }
+  put_rigid_positions(solver, s.position);
   s.stress.resize(elements);
   s.plastic_strain.assign(elements, 0.0);
   take_material_numbers(model, s);
@@ -201,11 +213,13 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   }
   WorkCounts counts = counts_so_far.work();
   const std::int64_t all_element_steps = model.element_count() * clock.steps();
+  counts.rigid_element_steps = model.rigid_element_count() * clock.steps();
+  summary.element_steps_rigid = counts.rigid_element_steps;
   summary.element_steps_eroded = counts.eroded_element_steps;
   summary.element_steps_resting = counts.resting_element_steps;
   summary.element_steps_subcycled = counts.subcycled_element_steps;
-  summary.element_steps =
-      all_element_steps - counts.eroded_element_steps - counts.resting_element_steps - counts.subcycled_element_steps;
+  summary.element_steps = all_element_steps - counts.eroded_element_steps - counts.resting_element_steps -
+                          counts.subcycled_element_steps - counts.rigid_element_steps;
   summary.energy = reported_energies(solver);
   summary.initial_total = solver.initial_energy();
   summary.final_total = solver.energies().total();
@@ -214,6 +228,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.momentum_final = momentum(model);
   summary.bodies = body_results(model);
   for (const double added : model.added_mass) summary.mass_added += added;
+  summary.rigid_bodies = solver.rigid().results();
   summary.walls = solver.boundary().walls();
   summary.pressures = solver.boundary().pressures();
   summary.probes = solver.probes().results(model, solver.dt());
@@ -259,6 +274,7 @@ std::uint64_t fingerprint(const Model<S>& model) {
   add(model.tile_packs);
   add(model.tile_part);
   add(model.tile_colours.items);
+  for (const RigidNodes& rigid : model.rigid) add(rigid.nodes);
   return hash.value();
 }
 
@@ -271,6 +287,8 @@ std::string step_limit(const Model<S>& model, const StepClock& clock) {
       return "contact";
     case StepLimit::impact_speed:
       return "the speed of impact";
+    case StepLimit::rigid_bodies:
+      return "rigid bodies";
     case StepLimit::none:
       break;
   }

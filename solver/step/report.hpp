@@ -17,7 +17,8 @@ Point momentum(const Model<S>& model);
 /// The name of the element of a slot (place_names.hpp); "no element" for padding and a negative slot.
 template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot);
-/// What set the smallest step: the name of an element, "contact", "the speed of impact"; empty before the first step.
+/// What set the smallest step: the name of an element, "contact", "the speed of impact", "rigid bodies"; empty before
+/// the first step.
 template <class S>
 std::string step_limit(const Model<S>& model, const StepClock& clock);
 template <class S>

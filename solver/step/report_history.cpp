@@ -1,10 +1,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 
 #include "report.hpp"
 
 namespace pinball {
+
+namespace {
+
+/// Of each rigid body: its centre, and what holds and moves it.
+constexpr std::array rigid_quantities{"centre", "centre_velocity", "angular_velocity", "reaction_force",
+                                      "reaction_moment"};
+
+}  // namespace
 
 template <class S>
 std::vector<std::string> more_columns(const Solver<S>& solver) {
@@ -14,6 +23,11 @@ std::vector<std::string> more_columns(const Solver<S>& solver) {
     if (!wall.moves) continue;
     for (const char* quantity : {"displacement", "velocity"})
       columns.push_back(fmt::format("{}_{}", wall.name, quantity));
+  }
+  for (const RigidBody& rigid : solver.scene().rigid_bodies) {
+    for (const char* quantity : rigid_quantities) {
+      for (const char axis : {'x', 'y', 'z'}) columns.push_back(fmt::format("{}_{}_{}", rigid.name, quantity, axis));
+    }
   }
   for (const PressureResult& pressure : solver.boundary().pressures()) {
     for (const char* quantity : {"force_x", "force_y", "force_z", "work"})
@@ -74,6 +88,10 @@ HistoryRow history_row(const Solver<S>& solver) {
     row.more.push_back(wall.force);
     row.more.push_back(wall.impulse);
     if (wall.moves) row.more.insert(row.more.end(), {wall.displacement, wall.velocity});
+  }
+  for (const RigidBodyResult& rigid : solver.rigid().results()) {
+    for (const Point& quantity : {rigid.centre, rigid.velocity, rigid.angular_velocity, rigid.force, rigid.moment})
+      row.more.insert(row.more.end(), quantity.begin(), quantity.end());
   }
   for (const PressureResult& pressure : solver.boundary().pressures()) {
     row.more.insert(row.more.end(), pressure.force.begin(), pressure.force.end());

@@ -28,8 +28,8 @@ namespace {
 template <class S>
 constexpr double rounding = sizeof(S) == sizeof(double) ? 1e-9 : 1e-3;
 
-/// See Solver::sound_swallowing. Plastic bodies, friction, springs that are damped more than by default, and damping of
-/// all that moves are meant to swallow.
+/// See Solver::sound_swallowing. Plastic bodies, rigid ones that meet, friction, springs that are damped more than by
+/// default, and damping of all that moves are meant to swallow.
 double sound_swallowing_of(const Scene& scene) {
   const ContactSettings& contact = scene.contact;
   const bool springs = contact.enforcement == Enforcement::penalty;
@@ -39,7 +39,8 @@ double sound_swallowing_of(const Scene& scene) {
                                    [&scene](std::size_t material) { return scene.materials[material].plastic; });
   const bool rubs = std::any_of(scene.contact_pairs.begin(), scene.contact_pairs.end(),
                                 [](const ContactPair& pair) { return pair.static_friction > 0; });
-  return damped || plastic || rubs || contact.static_friction > 0 ? 0.0 : sound::contact_swallowed;
+  const bool stop_dead = !springs && scene.rigid_bodies.size() > 1;
+  return damped || plastic || stop_dead || rubs || contact.static_friction > 0 ? 0.0 : sound::contact_swallowed;
 }
 
 }  // namespace
@@ -55,6 +56,7 @@ Solver<S>::Solver(const Scene& scene)
       probes_(model_),
       body_energies_(model_),
       tied_(model_),
+      rigid_(model_),
       contact_(model_),
       clock_(model_.scene.time, model_.scene.damping.mass),
       guards_(model_, clock_) {
@@ -72,6 +74,7 @@ Solver<S>::Solver(const Scene& scene)
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum(model_);
+  if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
 }
 
 template <class S>
@@ -125,11 +128,13 @@ void Solver<S>::make_step(const Due& due) {
   const ContactWork springs = contact_before_constraints();     // 4    f += penalty of contact
   choose_time_step(due, element, springs);                      //      dt_(n+1/2)
   boundary_forces(due);                                         // 1-2  f += loads, damping; ties; constraints, given v
-  const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; constraints again
+  share_rigid_forces();                                         //      f of rigid bodies: those of their common motion
+  const ContactWork impulses = contact_after_constraints(due);  //      f += impulses of contact; the last two again
   wall_reactions();                                             //      f += rigid walls
   const MotionEnergy motion = integrate(due);                   // 5-6  v += dt f/m, x += dt v, f = 0
   reflect_at_symmetry_planes();                                 //      what erosion has set free
   follow_ties();                                                //      tied nodes go where their faces do
+  move_rigid_bodies();                                          //      nodes of rigid bodies go where these do
   keep_accounts(due, element, ties + springs + impulses, motion);  //      energies, counts, guards
   clock_.advance(due);
 }
@@ -157,6 +162,7 @@ ContactWork Solver<S>::update_ties() {
 
 template <class S>
 ContactWork Solver<S>::contact_before_constraints() {
+  rigid_.begin_step(clock_.time());
   return contact_.before_constraints(model_, internal_forces_.tiles(), clock_.time(), clock_.dt(), timers_, counts_);
 }
 
@@ -167,13 +173,14 @@ void Solver<S>::follow_ties() {
   timers_.measure(Phase::integration, [&] { tied_.follow(model_); });
 }
 
-/// The largest step that elements and contact allow, for the whole cycle.
+/// The largest step that elements, contact and rigid bodies allow, for the whole cycle.
 template <class S>
 void Solver<S>::choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs) {
   timers_.measure(Phase::time_step, [&] {
-    clock_.choose(due,
-                  schedule_.bound(model_, due, internal_forces_.tiles(), element.time_step, element.time_step_slot,
-                                  springs.frequency2),
+    StepBound bound = schedule_.bound(model_, due, internal_forces_.tiles(), element.time_step, element.time_step_slot,
+                                      springs.frequency2);
+    if (rigid_.any()) bound.longest = rigid_.longest_step();
+    clock_.choose(due, bound,
                   due.first ? std::max(model_.look.closing_speed, boundary_.jump_at_start())
                             : std::max(springs.expected_change, boundary_.closing(clock_.time(), clock_.dt())));
   });
@@ -196,6 +203,12 @@ void Solver<S>::boundary_forces(const Due& due) {
 }
 
 template <class S>
+void Solver<S>::share_rigid_forces() {
+  if (!rigid_.any()) return;
+  timers_.measure(Phase::boundary_conditions, [&] { rigid_.share_forces(model_, clock_.time(), clock_.lengths()); });
+}
+
+template <class S>
 ContactWork Solver<S>::contact_after_constraints(const Due& due) {
   const std::vector<NodeBound> bounds =
       boundary_.bounds(nodes(), contact_.impulse_nodes(), clock_.time(), clock_.lengths());
@@ -203,6 +216,7 @@ ContactWork Solver<S>::contact_after_constraints(const Due& due) {
   if (contact_.acts_on_velocities()) {  // they may have loaded nodes that are held
     timers_.measure(Phase::boundary_conditions,
                     [&] { boundary_.hold(nodes(), clock_.time(), clock_.lengths(), schedule_.due_spans(due)); });
+    share_rigid_forces();
   }
   return work;
 }
@@ -220,10 +234,18 @@ MotionEnergy Solver<S>::integrate(const Due& due) {
   return timers_.measure(Phase::integration, [&] {
     if (due.all() && body_energies_.any()) body_energies_.take_kinetic(model_, clock_.lengths());
     if (device_) return device_->integrate(clock_.lengths());
-    const MotionEnergy motion = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths());
+    MotionEnergy motion = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths());
+    if (rigid_.any()) motion.kinetic += rigid_.kinetic_beside(clock_.lengths());
     schedule_.end_step(model_.nodes);
     return motion;
   });
+}
+
+/// The last word on their nodes.
+template <class S>
+void Solver<S>::move_rigid_bodies() {
+  if (!rigid_.any()) return;
+  timers_.measure(Phase::integration, [&] { rigid_.move(model_, clock_.lengths()); });
 }
 
 template <class S>
@@ -236,7 +258,7 @@ void Solver<S>::reflect_at_symmetry_planes() {
 template <class S>
 void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
                               const MotionEnergy& motion) {
-  ledger_.book(element, contact, boundary_.work(), clock_.dt_before());
+  ledger_.book(element, contact, boundary_.work() + rigid_.work(), clock_.dt_before());
   body_energies_.book(model_, internal_forces_.tiles());
   counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count(), clock_.force_time());
   const double energy = motion.kinetic + energies().total();
@@ -291,6 +313,7 @@ Array<S>& Solver<S>::change_velocities() {
 
 template <class S>
 void Solver<S>::take_changed_velocities() {
+  if (rigid_.any()) rigid_.take_velocities(model_);
   const double added = kinetic_energy(model_) - *kinetic_before_change_;
   kinetic_before_change_.reset();
   schedule_.forget_resting();
@@ -313,7 +336,7 @@ Array<S>& Solver<S>::host_forces() {
 template <class S>
 std::size_t Solver<S>::bytes() const {
   return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
-         boundary_.bytes() + tied_.bytes() + body_energies_.bytes() + (device_ ? device_->bytes() : 0);
+         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() + (device_ ? device_->bytes() : 0);
 }
 
 template <class S>
@@ -330,6 +353,7 @@ void Solver<S>::persist(StateArchive& archive) {
   if (archive.reads()) contact_.take_held_directions(model_);
   tied_.persist(archive, model_);
   if (archive.reads() && tied_.any()) contact_.set_ties(tied_.nodes(), false);
+  rigid_.persist(archive);
   contact_.persist(archive, model_);
   clock_.persist(archive);
   ledger_.persist(archive);

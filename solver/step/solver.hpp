@@ -19,6 +19,7 @@
 #include <solver/results.hpp>
 #include <solver/results/probes.hpp>
 #include <solver/results/timers.hpp>
+#include <solver/rigid/rigid_bodies.hpp>
 
 #include "contact_stage.hpp"
 #include "energy/body_energies.hpp"
@@ -94,6 +95,7 @@ class Solver {
   const RunCounts& counts() const { return counts_; }
   const ContactAlgorithm<S>* contact() const { return contact_.contact(); }
   const TiedStage<S>& tied() const { return tied_; }
+  const RigidBodies<S>& rigid() const { return rigid_; }
   const std::vector<PairResult>& contact_pairs() const { return contact_.pairs(); }
   const BoundaryConditions<S>& boundary() const { return boundary_; }
   const Subcycling<S>* subcycling() const { return schedule_.subcycling(); }
@@ -133,11 +135,13 @@ class Solver {
   ContactWork contact_before_constraints();
   void choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   void boundary_forces(const Due& due);
+  void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions();
   MotionEnergy integrate(const Due& due);
   void reflect_at_symmetry_planes();
   void follow_ties();
+  void move_rigid_bodies();
   void keep_accounts(const Due& due, const InternalForceResult<S>& element, const ContactWork& contact,
                      const MotionEnergy& motion);
   void watch_corners(std::int64_t inside_out);
@@ -152,6 +156,7 @@ class Solver {
   Probes<S> probes_;
   BodyEnergies<S> body_energies_;
   TiedStage<S> tied_;
+  RigidBodies<S> rigid_;
   ContactStage<S> contact_;
   StepClock clock_;
   EnergyLedger ledger_;

@@ -25,6 +25,13 @@ class StartElements {
       : scene_(scene), mesh_(mesh), parts_(element_parts(scene)), mass_factor_(mass_factors(scene, mesh, parts_)) {}
 
   const ElementSettings& settings(std::int64_t e) const { return part(e).settings; }
+  bool deforms(std::int64_t e) const { return !part(e).rigid; }
+  bool any_deforms() const {
+    for (std::int64_t e = 0; e < mesh_.element_count(); ++e) {
+      if (deforms(e)) return true;
+    }
+    return false;
+  }
   double mass_factor(std::int64_t e) const { return mass_factor_.empty() ? 1.0 : mass_factor_[e]; }
   ElementStart start(std::int64_t e) const {
     return element_start(mesh_, e, scene_.materials[part(e).material], settings(e));
@@ -54,6 +61,7 @@ class StartElements {
 SmallestStep smallest_step(const StartElements& elements, const ModelMesh& mesh) {
   SmallestStep smallest;
   for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
+    if (!elements.deforms(e)) continue;
     const double step = elements.stable_step(e);
     if (step < smallest.step) {
       smallest.step = step;
@@ -79,7 +87,7 @@ std::string viscous_sentence(const Scene& scene, const ModelMesh& mesh) {
   double most = 0, furthest = 1;
   std::int64_t worst = -1;
   for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
-    if (!is_viscous(elements.settings(e))) continue;
+    if (!is_viscous(elements.settings(e)) || !elements.deforms(e)) continue;
     const ElementStart element = elements.start(e);
     const double factor = elements.mass_factor(e);
     const double step = scene.time.cfl * (scene.time.subcycling ? element.stable_step(factor) : least);
@@ -115,7 +123,9 @@ std::string stiff_sentence(const ElementSettings& element, const std::string& na
 }  // namespace
 
 SmallestStep check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step) {
-  const SmallestStep smallest = smallest_step(StartElements(scene, mesh), mesh);
+  const StartElements elements(scene, mesh);
+  const SmallestStep smallest = smallest_step(elements, mesh);
+  if (!elements.any_deforms()) return smallest;
   const double stable = scene.time.cfl * smallest.step, step = std::min(stable, longest_impact_step);
   const double end = scene.time.end;
   const std::string at = element_name(mesh, smallest.element);

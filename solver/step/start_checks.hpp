@@ -21,7 +21,7 @@ struct SmallestStep {
 ///
 /// longest_impact_step: StepClock::longest_impact_step [time]
 ///
-/// Returns the smallest stable step of all elements.
+/// Returns the smallest stable step of all elements that deform, infinite where none does.
 SmallestStep check_against_steps(const Scene& scene, const ModelMesh& mesh, double longest_impact_step);
 
 /// A sentence on a run of a million steps or more; else empty.

@@ -72,7 +72,7 @@ void StepClock::choose(const Due& due, const StepBound& bound, double closing) {
   const double stable = step_into_impact(bound.stable, closing);
   // Impacts are seen two steps ahead.
   const double most = dt_ > 0 ? 2 * dt_ : std::numeric_limits<double>::infinity();
-  const double chosen = std::min({longest_step(stable), longest_impact_step_, most});
+  const double chosen = std::min({longest_step(stable), longest_impact_step_, most, bound.longest});
   // A step that followed the vibrations of its element would feed them: a free cube at strains of 1e-3 gained half its
   // energy in 70,000 steps. So the step is kept until it is too long, or well below what is allowed.
   constexpr double raised_from = 1.05;
@@ -89,6 +89,7 @@ void StepClock::choose(const Due& due, const StepBound& bound, double closing) {
   if (dt_min_ == 0 || chosen < dt_min_) {
     dt_min_ = chosen;
     limited_by_ = chosen == longest_impact_step_ || stable < bound.stable ? StepLimit::impact_speed
+                  : chosen == bound.longest                               ? StepLimit::rigid_bodies
                   : bound.by_contact                                      ? StepLimit::contact
                                                                           : StepLimit::element;
     limiting_slot_ = bound.slot;
@@ -106,7 +107,7 @@ void StepClock::persist(StateArchive& archive) {
           limiting_slot_);
   archive.require(std::isfinite(time_) && time_ >= 0 && force_time_ >= 0 && force_time_ <= time_ && steps_ >= 0);
   archive.require(std::isfinite(dt_) && dt_ >= 0 && dt_before_ >= 0 && longest_impact_step_ > 0 && change_ >= 0);
-  archive.require(limited_by_ >= StepLimit::none && limited_by_ <= StepLimit::impact_speed);
+  archive.require(limited_by_ >= StepLimit::none && limited_by_ <= StepLimit::rigid_bodies);
 }
 
 }  // namespace pinball

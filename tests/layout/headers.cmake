@@ -9,7 +9,7 @@ foreach(header ${headers})
   list(APPEND sources ${source})
 endforeach()
 add_library(headers_compile_alone OBJECT ${sources})
-target_link_libraries(headers_compile_alone PRIVATE Pinball::kernels fmt::fmt PkgConfig::tomlplusplus nlohmann_json::nlohmann_json
+target_link_libraries(headers_compile_alone PRIVATE Pinball::kernels fmt::fmt PkgConfig::tomlplusplus nlohmann_json::nlohmann_json Eigen3::Eigen
                       pinball_warnings pinball_codegen)
 target_compile_options(headers_compile_alone PRIVATE -Werror)
 # Nearly all headers end up reading this one, which takes four fifths of the time. What it includes itself, <functional>

@@ -34,7 +34,7 @@ ROOMS = {
     "mesh": (["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"], ["base"]),
     "scene": (
         ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_contact.hpp",
-         "solver/scene_material.hpp", "solver/scene_rules.hpp"],
+         "solver/scene_material.hpp", "solver/scene_rigid.hpp", "solver/scene_rules.hpp"],
         ["contact interface", "mesh"]),
     "formats/deck": (["solver/formats/deck/"], ["scene"]),
     "formats/abaqus": (["solver/formats/abaqus/"], ["formats/deck"]),
@@ -49,8 +49,9 @@ ROOMS = {
     "results": (["solver/results/", "solver/results.hpp", "solver/field_base.hpp"], ["model"]),
     "elements": (["solver/elements/"], ["model"]),
     "boundary": (["solver/boundary/"], ["results"]),
+    "rigid": (["solver/rigid/"], ["boundary"]),
     "device": (["solver/device/"], ["elements", "boundary"]),
-    "step": (["solver/step/"], ["device"]),
+    "step": (["solver/step/"], ["device", "rigid"]),
     "simulation": (["solver/simulation/", "solver/simulation.hpp"], ["step"]),
     "output": (
         ["solver/output/", "solver/recorded_run.hpp", "solver/restart.hpp", "solver/run_page.hpp", "solver/summary.hpp"],

@@ -56,14 +56,14 @@ std::vector<std::string> keys(const Json& object) {
 TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   const Json json = Json::parse(summary_json(example()));
   using testing::ElementsAre;
-  EXPECT_THAT(
-      keys(json),
-      ElementsAre("scene", "title", "status", "error", "started", "units", "unit_names", "version", "precision",
-                  "device", "threads", "simd_width", "elements", "nodes", "steps", "end_time", "dt", "wall_seconds",
-                  "phase_seconds", "element_steps", "element_steps_skipped", "element_steps_eroded",
-                  "element_steps_resting", "element_steps_subcycled", "element_steps_per_second", "energy", "momentum",
-                  "bodies", "mass_scaling", "rigid_walls", "pressures", "contact", "inside_out", "skipped",
-                  "skipped_seconds", "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
+  EXPECT_THAT(keys(json), ElementsAre("scene", "title", "status", "error", "started", "units", "unit_names", "version",
+                                      "precision", "device", "threads", "simd_width", "elements", "nodes", "steps",
+                                      "end_time", "dt", "wall_seconds", "phase_seconds", "element_steps",
+                                      "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
+                                      "element_steps_subcycled", "element_steps_rigid", "element_steps_per_second",
+                                      "energy", "momentum", "bodies", "mass_scaling", "rigid_bodies", "rigid_walls",
+                                      "pressures", "contact", "inside_out", "skipped", "skipped_seconds", "state_hash",
+                                      "bytes_per_element", "probes", "warnings", "notes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(
       keys(json["energy"]),
@@ -166,10 +166,11 @@ void expect_own_numbers(double sign) {
   s.element_steps_eroded = n.whole("/element_steps_eroded");
   s.element_steps_resting = n.whole("/element_steps_resting");
   s.element_steps_subcycled = n.whole("/element_steps_subcycled");
+  s.element_steps_rigid = n.whole("/element_steps_rigid");
   n.also("/skipped/resting_element_steps", static_cast<double>(s.element_steps_resting));
   n.also("/skipped/subcycled_element_steps", static_cast<double>(s.element_steps_subcycled));
-  n.also("/element_steps_skipped",
-         static_cast<double>(s.element_steps_eroded + s.element_steps_resting + s.element_steps_subcycled));
+  n.also("/element_steps_skipped", static_cast<double>(s.element_steps_eroded + s.element_steps_resting +
+                                                       s.element_steps_subcycled + s.element_steps_rigid));
   Energies& e = s.energy;
   e.kinetic = n("/energy/kinetic");
   e.kinetic_below_zero = n("/energy/kinetic_below_zero");
@@ -214,6 +215,13 @@ void expect_own_numbers(double sign) {
   }
   s.mass_added = n("/mass_scaling/added");
   n.also("/mass_scaling/percent", 100 * s.mass_added / (material_mass - s.mass_added));
+  RigidBodyResult& rigid = s.rigid_bodies.emplace_back();
+  rigid.mass = n("/rigid_bodies/0/mass");
+  for (std::size_t k = 0; k < 3; ++k) rigid.inertia[k] = n.vector("/rigid_bodies/0/inertia/" + std::to_string(k));
+  rigid.centre = n.vector("/rigid_bodies/0/centre");
+  rigid.velocity = n.vector("/rigid_bodies/0/velocity");
+  rigid.angular_velocity = n.vector("/rigid_bodies/0/angular_velocity");
+  rigid.angular_momentum = n.vector("/rigid_bodies/0/angular_momentum");
   WallResult& wall = s.walls.emplace_back();
   wall.moves = true;
   wall.impulse = n("/rigid_walls/0/impulse");
@@ -289,6 +297,7 @@ TEST(Summary, EveryKeyHoldsItsOwnText) {
   set("/dt/limited_by", s.dt_limited_by);
   set("/inside_out/first_place", s.inside_out.first_place);
   set("/bodies/0/name", s.bodies.emplace_back().name);
+  set("/rigid_bodies/0/name", s.rigid_bodies.emplace_back().name);
   set("/rigid_walls/0/name", s.walls.emplace_back().name);
   set("/pressures/0/name", s.pressures.emplace_back().name);
   set("/probes/0/name", s.probes.emplace_back().name);

@@ -86,6 +86,10 @@ class ContactAlgorithm {
     if (impulses_) impulses_->set_ties(&ties);
     lists_outdated_ = lists_outdated_ || changed;
   }
+  /// sides: null, or kept by whoever keeps this: the rigid bodies that nodes are of.
+  void set_rigid_sides(const RigidSides* sides) {
+    if (impulses_) impulses_->set_rigid_sides(sides);
+  }
   /// Takes eroded elements out and brings up to date what the other stages read of the surface. eroded: slots of those
   /// that eroded since the last call, ascending; padding and elements that are out already may be among them.
   virtual void update_surface(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded) = 0;

@@ -98,6 +98,7 @@ void FeatureLists<S>::find_pairs(const NodeRecords<S>& nodes, const SegmentSurfa
   pairs_.find(bounds_.boxes(), settings.search, [&](std::int32_t a, std::int32_t b) {
     if (!allowed(a, b)) return false;
     const bool one_body = body_of(a) == body_of(b);
+    if (one_body && b < segments && surface.segments()[b].rigid) return false;
     if (b >= segments) return settings.self || !one_body;
     return (settings.self || !one_body) && bounds_.around(a).may_face(bounds_.around(b));
   });

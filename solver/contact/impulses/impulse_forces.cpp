@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "impulse_solver.hpp"
+#include "rigid_nodes_of_rows.hpp"
 
 /// What follows from the impulses of a step: releases, forces on the nodes, energies, and what pairs remember.
 namespace pinball {
@@ -25,7 +26,8 @@ bool ImpulseSolver<S>::opens(std::int64_t k) const {
   const std::size_t i = system_.original(k);
   const ImpulseRow& row = rows_.rows[i];
   const double little = remainder * row.impulse;
-  return !is_bound(i) && pairs_[i].memory.force > 0 && system_.impulse_as_added(k, iterations_.impulse(k)) <= little &&
+  return !is_bound(i) && pairs_[i].memory.force > 0 && (!rigid_ || has_free_node(rows_[i])) &&
+         system_.impulse_as_added(k, iterations_.impulse(k)) <= little &&
          pairs_[i].rate_free + row.position_rate <= little * row.inverse_mass;
 }
 
@@ -38,9 +40,17 @@ double ImpulseSolver<S>::shared_inverse_mass(std::int64_t k) const {
   double alone = 0, shared = 0;
   for (int e = 0; e < row.nodes; ++e) {
     const double* m = nodes_[row.node[e]].inverse_mass;
+    if (nodes_[row.node[e]].body >= 0) continue;
     const double most = std::abs(row.weight[e]) * std::max({m[0], m[1], m[2]});
     alone += most * std::abs(row.weight[e]);
     shared += most * release_share_[row.node[e]];
+  }
+  if (rigid_) {
+    for_rigid_entries(row, nodes_.data(), rigid_, [&](const RigidEntry& entry) {
+      const double root = std::sqrt(entry.most(rigid_.side(entry.body)));
+      alone += root * root;
+      shared += root * rigid_release_share_[entry.body];
+    });
   }
   const double inverse_mass = rows_.rows[i].inverse_mass;
   return alone > 0 ? inverse_mass * shared / (alone * pairs_[i].memory.force) : inverse_mass;
@@ -59,6 +69,43 @@ double ImpulseSolver<S>::released_by(std::int64_t k, double velocity_step) const
   return std::clamp((sum + root) / (2 * inverse_mass), 0.0, 0.5 * pair.memory.force * velocity_step);
 }
 
+/// The part of what mobile nodes are moved by that is theirs alone: where there is none, a row is between rigid bodies,
+/// or what nothing moves. Nothing of them swings back, so that no other half of an impulse is due.
+template <class S>
+bool ImpulseSolver<S>::has_free_node(const RowView& row) const {
+  for (int e = 0; e < row.nodes; ++e) {
+    const std::int32_t place = row.node[e];
+    const double* const m = nodes_[place].inverse_mass;
+    if (rigid_.sides->body_of_node[node_[place]] < 0 && m[0] + m[1] + m[2] > 0) return true;
+  }
+  return false;
+}
+
+/// Sums over the rows of each rigid body that open, in their order.
+template <class S>
+void ImpulseSolver<S>::share_releases() {
+  rigid_release_share_.assign(rigid_.sides->bodies.size(), 0);
+  for (std::int32_t k = 0; k < system_.size(); ++k) {
+    if (!opens(k)) continue;
+    const double force = pairs_[system_.original(k)].memory.force;
+    for_rigid_entries(system_.entries(k), nodes_.data(), rigid_, [&](const RigidEntry& entry) {
+      rigid_release_share_[entry.body] += std::sqrt(entry.most(rigid_.side(entry.body))) * force;
+    });
+  }
+}
+
+template <class S>
+void ImpulseSolver<S>::move_by_releases() {
+  for_all("release of nodes", nodes_.size(), [&](std::int64_t place) {
+    if (nodes_[place].body < 0) system_.move(place, row_vector_.data(), velocity_.data());
+  });
+  for_rigid_nodes(system_, 0, std::ssize(system_.groups()), IslandLoops(rows_.size() >= rows_worth_a_thread),
+                  row_vector_.data(), [&](std::int32_t place, const Vec3<double>& change) {
+                    double* const v = record(velocity_.data(), place);
+                    put_vector(v, vector_of(v) - change);
+                  });
+}
+
 /// Rows that open together move the same nodes: what one of them may give is measured by what all of them do, each by
 /// its part of the last force. (Where rows outnumber nodes some hold nothing but round-off.)
 template <class S>
@@ -72,6 +119,7 @@ void ImpulseSolver<S>::release(double velocity_step) {
       if (opens(k)) release_share_[place] += std::abs(weight) * pairs_[system_.original(k)].memory.force;
     });
   });
+  if (rigid_) share_releases();
   row_vector_.reset(4 * active_.size());
   for_all("release", active_.size(), [&](std::int64_t k) {
     if (!opens(k)) return;
@@ -79,8 +127,7 @@ void ImpulseSolver<S>::release(double velocity_step) {
     const Vec3<double> a = vector_of(rows_.rows[system_.original(k)].direction);
     if (released > 0) put_vector(record(row_vector_.data(), k), released * a);
   });
-  for_all("release of nodes", nodes_.size(),
-          [&](std::int64_t place) { system_.move(place, row_vector_.data(), velocity_.data()); });
+  move_by_releases();
   for_all("what is released", active_.size(), [&](std::int64_t k) {
     const Vec3<double> released = vector_of(record(row_vector_.data(), k));
     if (!(dot(released, released) > 0)) return;
@@ -204,6 +251,7 @@ void ImpulseSolver<S>::name_memory() {
 
 #define PINBALL_INSTANTIATE(S)                                                              \
   template void ImpulseSolver<S>::release(double);                                          \
+  template bool ImpulseSolver<S>::has_free_node(const RowView&) const;                      \
   template void ImpulseSolver<S>::give_forces(const SurfaceSource<S>&, const StepLengths&); \
   template void ImpulseSolver<S>::sum_up(ImpulseResult&);                                   \
   template void ImpulseSolver<S>::add_node_forces(std::vector<Point>&) const;               \

@@ -114,7 +114,14 @@ double ImpulseSolver<S>::mobile_share(const SurfaceSource<S>& source, const RowV
     const std::int32_t n = node_[row.node[k]];
     double free = 1;
     for (const Point& held : held_.of(n)) free -= std::pow(held[0] * a[0] + held[1] * a[1] + held[2] * a[2], 2);
-    mobility[row.weight[k] < 0] += std::abs(row.weight[k]) * free * source.inverse_mass[n];
+    double inverse_mass = free * source.inverse_mass[n];
+    const std::int32_t body = rigid_ ? rigid_.sides->body_of_node[n] : -1;
+    if (body >= 0) {
+      const RigidSide& side = rigid_.side(body);
+      const Vec3<double> direction{a[0], a[1], a[2]};
+      inverse_mass = dot(direction, mobility_at(side, double_vector_of(source.x(n)) - side.centre) * direction);
+    }
+    mobility[row.weight[k] < 0] += std::abs(row.weight[k]) * inverse_mass;
   }
   const double larger = std::max(mobility[0], mobility[1]);
   return larger > 0 ? larger / (mobility[0] + mobility[1]) : 0.0;
@@ -137,6 +144,8 @@ template <class S>
 void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocity_step) {
   nodes_.resize(node_.size());
   velocity_.renew(4 * node_.size());
+  if (rigid_) arm_.renew(4 * node_.size());
+  rigid_.arm = arm_.data();
   for_all("nodes of rows", node_.size(), [&](std::int64_t i) {
     const std::int32_t n = node_[i];
     const double m = source.inverse_mass[n];
@@ -151,6 +160,14 @@ void ImpulseSolver<S>::load_nodes(const SurfaceSource<S>& source, double velocit
       a[3] -= m * x * y;
       a[4] -= m * y * z;
       a[5] -= m * z * x;
+    }
+    const std::int32_t body = rigid_ ? rigid_.sides->body_of_node[n] : -1;
+    if (body >= 0) {
+      const RigidSide& side = rigid_.side(body);
+      const Vec3<double> arm = double_vector_of(source.x(n)) - side.centre;
+      const Symmetric<double> t = mobility_at(side, arm);
+      node = {{t.xx, t.yy, t.zz, t.xy, t.yz, t.zx}, true, side.is_mobile() ? body : -1};
+      put_vector(record(arm_.data(), i), arm);
     }
     double* const v = record(velocity_.data(), i);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -174,6 +191,15 @@ void ImpulseSolver<S>::set_rates(double velocity_step, double dt) {
   for_all("rates of rows", rows_.size(), [&](std::int64_t i) { set_rate(i, velocity_step, dt); });
 }
 
+/// The part of G M^-1 G^T of a row by itself that is of rigid bodies [1/mass].
+template <class S>
+double ImpulseSolver<S>::rigid_inverse_mass(std::size_t i, const Vec3<double>& direction) const {
+  double sum = 0;
+  for_rigid_entries(rows_[i], nodes_.data(), rigid_,
+                    [&](const RigidEntry& entry) { sum += entry.along(rigid_.side(entry.body), direction); });
+  return sum;
+}
+
 template <class S>
 void ImpulseSolver<S>::set_rate(std::size_t i, double velocity_step, double dt) {
   ImpulseRow& own = rows_.rows[i];
@@ -185,9 +211,10 @@ void ImpulseSolver<S>::set_rate(std::size_t i, double velocity_step, double dt) 
   for (int k = 0; k < row.nodes; ++k) {
     const double* m = nodes_[row.node[k]].inverse_mass;
     const Symmetric<double> mobility{m[0], m[1], m[2], m[3], m[4], m[5]};
-    inverse_mass += row.weight[k] * row.weight[k] * dot(a, mobility * a);
+    if (nodes_[row.node[k]].body < 0) inverse_mass += row.weight[k] * row.weight[k] * dot(a, mobility * a);
     v = v + row.weight[k] * vector_of(record(velocity_.data(), row.node[k]));
   }
+  if (rigid_) inverse_mass += rigid_inverse_mass(i, a);
   own.inverse_mass = inverse_mass;
   if (is_bound(i)) {
     own.position_rate = pair.depth / dt;
@@ -229,7 +256,12 @@ void ImpulseSolver<S>::begin_friction(double velocity_step) {
     for (int c = 0; c < 3; ++c) friction.impulse[c] = velocity_step * (before[c] - along * a[c]);
     friction.inverse_mass = 0;
     for (int k = 0; k < row.nodes; ++k) {
-      friction.inverse_mass += row.weight[k] * row.weight[k] * friction_mobility(nodes_[row.node[k]]);
+      const ImpulseNode& node = nodes_[row.node[k]];
+      if (node.body < 0) friction.inverse_mass += row.weight[k] * row.weight[k] * friction_mobility(node);
+    }
+    if (rigid_) {
+      for_rigid_entries(row, nodes_.data(), rigid_,
+                        [&](const RigidEntry& entry) { friction.inverse_mass += entry.most(rigid_.side(entry.body)); });
     }
     friction.coefficient = friction_of(i);
   });
@@ -262,7 +294,7 @@ template <class S>
 void ImpulseSolver<S>::build_system(double velocity_step) {
   choose_active();
   begin_friction(velocity_step);
-  system_.build(rows_, active_, nodes_, frictions_);
+  system_.build(rows_, active_, nodes_, frictions_, rigid_);
   iterations_.reset(system_);
   for_all("rows to begin with", active_.size(), [&](std::int64_t k) {
     const std::size_t i = system_.original(k);
@@ -355,7 +387,7 @@ std::size_t ImpulseSolver<S>::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return rows_.bytes() + system_.bytes() + iterations_.bytes() + velocity_.bytes() + row_vector_.bytes() +
          of(frictions_) + of(pairs_) + of(active_) + of(nodes_) + of(node_) + of(last_entry_) + of(memory_) +
-         of(release_share_) + names_.bytes() + of(node_place_) + held_.bytes();
+         of(release_share_) + arm_.bytes() + names_.bytes() + of(node_place_) + held_.bytes();
 }
 
 template class ImpulseSolver<double>;

@@ -86,6 +86,8 @@ class ImpulseSolver {
   }
   /// ties: null, or kept by whoever keeps this.
   void set_ties(const TiedNodes<S>* ties) { ties_ = ties; }
+  /// sides: null, or kept by whoever keeps this.
+  void set_rigid_sides(const RigidSides* sides) { rigid_.sides = sides; }
   /// All rows are there. dt: the step just made.
   void finish_rows(const SurfaceSource<S>& source, double dt);
   /// Largest change of velocity that stopping a gap will give one of its sides, of the gaps that close within two steps
@@ -133,6 +135,8 @@ class ImpulseSolver {
     PairMemory memory;
   };
 
+  double rigid_inverse_mass(std::size_t i, const Vec3<double>& direction) const;
+  bool has_free_node(const RowView& row) const;
   double mobile_share(const SurfaceSource<S>& source, const RowView& row) const;
 
   /// Where a node stands last in a row.
@@ -160,6 +164,8 @@ class ImpulseSolver {
   double budget_of(const Pair& pair) const { return budget_share_ * std::max(0.0, pair.memory.lost); }
   bool opens(std::int64_t k) const;
   double shared_inverse_mass(std::int64_t k) const;
+  void share_releases();
+  void move_by_releases();
   double released_by(std::int64_t k, double velocity_step) const;
   void release(double velocity_step);
   Vec3<double> finish_row(std::int64_t k, const StepLengths& step);
@@ -185,6 +191,9 @@ class ImpulseSolver {
   void add_free_node(std::int32_t node, double weight);
 
   const TiedNodes<S>* ties_ = nullptr;
+  RigidPlaces rigid_;
+  Array<double> arm_;                        ///< records, per entry of node_, where there are rigid bodies [length]
+  std::vector<double> rigid_release_share_;  ///< as release_share_, per rigid body
   bool lagrange_ = false;
   PairRule friction_;                  ///< of rows without a pair
   const ContactPairs* contact_pairs_;  ///< or null

@@ -8,6 +8,7 @@
 #include "impulse_iterations.hpp"
 #include "island_loops.hpp"
 #include "island_sums.hpp"
+#include "rigid_nodes_of_rows.hpp"
 
 namespace pinball::island {
 
@@ -104,9 +105,15 @@ class IslandSolution {
   Result over_rows(const Body& body) const {
     return loops_.reduce<Result>(island_.first_row, island_.end_row, body);
   }
+  /// Those that move by themselves.
   template <class Body>
   void for_nodes(const Body& body) const {
-    loops_.for_each(island_.first_node, island_.end_node, [&](std::int64_t i) { body(system_.nodes()[i]); });
+    loops_.for_each(island_.first_node, island_.end_free, [&](std::int64_t i) { body(system_.nodes()[i]); });
+  }
+  /// give(place, change) for the nodes of rigid bodies, moved by impulses.
+  template <class Give>
+  void for_nodes_of_bodies(const Records& impulses, const Give& give) const {
+    for_rigid_nodes(system_, island_.first_group, island_.end_group, loops_, impulses.data(), give);
   }
   template <class Result, class Body>
   Result over_nodes(const Body& body) const {
@@ -201,6 +208,9 @@ class IslandSolution {
     for_nodes([&](std::int32_t place) {
       ImpulseIterations::put(of_.change_, place,
                              moved_by(system_.node(place), system_.impulse_at(place, of_.trial_.data())));
+    });
+    for_nodes_of_bodies(of_.trial_, [&](std::int32_t place, const Vec3<double>& change) {
+      ImpulseIterations::put(of_.change_, place, change);
     });
     for_rows([&](std::int64_t k) {
       constexpr double e = ImpulseIterations::softness;
@@ -348,6 +358,9 @@ class IslandSolution {
       ImpulseIterations::put(of_.impulse_, k, vector(system_.row(k), allowed_at_last(k, get(of_.sought_, k))));
     });
     for_nodes([&](std::int32_t place) { system_.move(place, of_.impulse_.data(), velocity_); });
+    for_nodes_of_bodies(of_.impulse_, [&](std::int32_t place, const Vec3<double>& change) {
+      put_vector(record(velocity_, place), vector_of(record(velocity_, place)) - change);
+    });
   }
 
   const RowSystem& system_;

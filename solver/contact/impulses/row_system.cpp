@@ -17,15 +17,18 @@ std::int32_t RowSystem::root(std::int32_t place) {
 }
 
 void RowSystem::build(const ContactRows& rows, const std::vector<std::int32_t>& active,
-                      const std::vector<ImpulseNode>& nodes, const std::vector<FrictionRow>& frictions) {
+                      const std::vector<ImpulseNode>& nodes, const std::vector<FrictionRow>& frictions,
+                      const RigidPlaces& rigid) {
   rows_ = &rows;
   nodes_ = &nodes;
+  rigid_ = rigid;
   rubs_ = !frictions.empty();
   find_islands(active);
   sort(active);
   copy_entries();
   list_rows_of_nodes();
   set_constants(frictions);
+  if (rigid_) add_rigid_constants();
 }
 
 /// Each row gets the number of its island, in the order of their first rows.
@@ -41,6 +44,8 @@ void RowSystem::find_islands(const std::vector<std::int32_t>& active) {
       all = std::min(all, other);
     }
   }
+  groups_.clear();
+  if (rigid_) join_rigid_bodies();
   next_.assign(nodes_->size(), -1);  // island of a root
   island_.clear();
   islands_.clear();
@@ -76,7 +81,45 @@ void RowSystem::sort(const std::vector<std::int32_t>& active) {
   node_order_.resize(nodes);
   for (std::int32_t place = 0; place < places; ++place) {
     const std::int32_t island = island_of(place);
-    if (island >= 0) node_order_[islands_[island].end_node++] = place;
+    if (island >= 0 && node(place).body < 0) node_order_[islands_[island].end_node++] = place;
+  }
+  for (Island& island : islands_) island.end_free = island.end_node;
+  if (rigid_) sort_rigid_nodes();
+}
+
+/// All places of a body hang together.
+void RowSystem::join_rigid_bodies() {
+  rigid_places_.clear();
+  for (std::size_t place = 0; place < nodes_->size(); ++place) {
+    if (node(static_cast<std::int32_t>(place)).body >= 0) rigid_places_.push_back(static_cast<std::int32_t>(place));
+  }
+  std::stable_sort(rigid_places_.begin(), rigid_places_.end(),
+                   [this](std::int32_t a, std::int32_t b) { return node(a).body < node(b).body; });
+  for (std::size_t i = 1; i < rigid_places_.size(); ++i) {
+    if (node(rigid_places_[i - 1]).body != node(rigid_places_[i]).body) continue;
+    const std::int32_t one = root(rigid_places_[i - 1]), other = root(rigid_places_[i]);
+    parent_[std::max(one, other)] = std::min(one, other);
+  }
+}
+
+/// Behind the free nodes of their islands, body by body.
+void RowSystem::sort_rigid_nodes() {
+  for (const std::int32_t place : rigid_places_) {
+    const std::int32_t number = next_[root(place)], body = node(place).body;
+    if (number < 0) continue;
+    const std::int32_t at = islands_[number].end_node++;
+    node_order_[at] = place;
+    if (groups_.empty() || groups_.back().body != body) groups_.push_back({body, at, at});
+    groups_.back().end_node = at + 1;
+  }
+  std::sort(groups_.begin(), groups_.end(),
+            [](const RigidGroup& a, const RigidGroup& b) { return a.first_node < b.first_node; });
+  std::int32_t group = 0;
+  const std::int32_t groups = groups_.size();
+  for (Island& island : islands_) {
+    island.first_group = group;
+    while (group < groups && groups_[group].first_node < island.end_node) ++group;
+    island.end_group = group;
   }
 }
 
@@ -136,6 +179,7 @@ void RowSystem::set_constants(const std::vector<FrictionRow>& frictions) {
     for (int e = 0; e < row.nodes; ++e) {
       const double weights = std::abs(row.weight[e]) * weights_[row.node[e]];
       const ImpulseNode& node = this->node(row.node[e]);
+      if (node.body >= 0) continue;  // add_rigid_constants
       constants.sum_along += weights * dot(constants.direction, moved_by(node, constants.direction));
       constants.sum_across += weights * friction_mobility(node);
     }
@@ -144,11 +188,38 @@ void RowSystem::set_constants(const std::vector<FrictionRow>& frictions) {
   }
 }
 
+/// The same over the rows of rigid bodies, by the bound of rigid_rows.hpp.
+void RowSystem::add_rigid_constants() {
+  const ImpulseNode* const nodes = nodes_->data();
+  const auto for_entries = [&](const auto& visit) {
+    for (std::int32_t k = 0; k < size(); ++k) {
+      for_rigid_entries(entries(k), nodes, rigid_, [&](const RigidEntry& entry) {
+        const RigidSide& side = rigid_.side(entry.body);
+        visit(constants_[k], entry.body, std::sqrt(entry.along(side, constants_[k].direction)),
+              std::sqrt(entry.most(side)));
+      });
+    }
+  };
+  along_.assign(rigid_.sides->bodies.size(), 0);
+  most_.assign(along_.size(), 0);
+  for_entries([&](const Row&, std::int32_t body, double along, double most) {
+    along_[body] += along;
+    most_[body] += most;
+  });
+  for_entries([&](Row& row, std::int32_t body, double along, double most) {
+    row.sum_along += along * along_[body];
+    row.sum_across += most * most_[body];
+  });
+  for (Row& row : std::span(constants_.data(), constants_.size())) {
+    row.bound = row.coefficient > 0 ? std::max(row.sum_along, row.sum_across) : row.sum_along;
+  }
+}
+
 std::size_t RowSystem::bytes() const {
   const auto of = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return of(order_) + of(first_entry_) + node_of_.bytes() + weight_of_.bytes() + of(node_order_) + of(islands_) +
          constants_.bytes() + of(rows_of_node_) + row_.bytes() + weight_.bytes() + of(weights_) + of(parent_) +
-         of(island_) + of(next_);
+         of(island_) + of(next_) + of(groups_) + of(rigid_places_) + of(along_) + of(most_);
 }
 
 }  // namespace pinball

@@ -10,6 +10,7 @@
 #include <solver/base/records.hpp>
 
 #include "contact_rows.hpp"
+#include "rigid_rows.hpp"
 
 namespace pinball {
 
@@ -17,8 +18,15 @@ namespace pinball {
 struct Island {
   std::int32_t first_row, end_row;
   std::int32_t first_node, end_node;
+  std::int32_t end_free = 0;                    ///< of the nodes that move by themselves; then those of rigid bodies
+  std::int32_t first_group = 0, end_group = 0;  ///< of rigid bodies
 
   std::int32_t rows() const { return end_row - first_row; }
+};
+
+/// Consecutive nodes of a system that are of one rigid body.
+struct RigidGroup {
+  std::int32_t body, first_node, end_node;
 };
 
 /// The rows of a contact system that take part, numbered anew island by island, else in the order in which they were
@@ -38,10 +46,10 @@ class RowSystem {
     double scale;            ///< rate that impulses are to change [length/time]
   };
 
-  /// active: numbers of the rows that take part, ascending; nodes: per place of a node; frictions: per row, or empty.
-  /// rows and nodes have to outlive the use of this. Scales are for the caller to set.
+  /// active: numbers of the rows that take part, ascending; nodes: per place of a node; frictions: per row, or empty;
+  /// rigid: of the places. rows, nodes and rigid have to outlive the use of this. Scales are for the caller to set.
   void build(const ContactRows& rows, const std::vector<std::int32_t>& active, const std::vector<ImpulseNode>& nodes,
-             const std::vector<FrictionRow>& frictions);
+             const std::vector<FrictionRow>& frictions, const RigidPlaces& rigid = {});
 
   std::int32_t size() const { return order_.size(); }
   /// The number of row k among all rows.
@@ -60,6 +68,9 @@ class RowSystem {
   /// Whether there is friction.
   bool rubs() const { return rubs_; }
   std::span<const Island> islands() const { return islands_; }
+  /// Nodes of rigid bodies, body by body, in the order of the islands: all that rows have of a body is in one.
+  std::span<const RigidGroup> groups() const { return groups_; }
+  const RigidPlaces& rigid() const { return rigid_; }
   /// Places of the nodes, island by island.
   std::span<const std::int32_t> nodes() const { return node_order_; }
   std::size_t places() const { return nodes_->size(); }
@@ -100,10 +111,14 @@ class RowSystem {
   void copy_entries();
   void list_rows_of_nodes();
   void set_constants(const std::vector<FrictionRow>& frictions);
+  void join_rigid_bodies();
+  void sort_rigid_nodes();
+  void add_rigid_constants();
   std::int32_t root(std::int32_t place);
 
   const ContactRows* rows_ = nullptr;
   const std::vector<ImpulseNode>* nodes_ = nullptr;
+  RigidPlaces rigid_;
   bool rubs_ = false;
   std::vector<std::int32_t> order_;        ///< number among all rows, per row
   std::vector<std::int32_t> first_entry_;  ///< of each row; rows + 1
@@ -111,6 +126,7 @@ class RowSystem {
   Array<double> weight_of_;                ///< per entry
   std::vector<std::int32_t> node_order_;   ///< place, per node
   std::vector<Island> islands_;
+  std::vector<RigidGroup> groups_;
   Array<Row> constants_;                    ///< per row
   std::vector<std::int32_t> rows_of_node_;  ///< where the rows of a place begin in row_ and weight_; places + 1
   Array<std::int32_t> row_;
@@ -119,6 +135,8 @@ class RowSystem {
   // Only while this is built; kept for their memory.
   std::vector<std::int32_t> parent_;  ///< of a place in the tree of its island
   std::vector<std::int32_t> island_, next_;
+  std::vector<std::int32_t> rigid_places_;  ///< places of rigid bodies, body by body
+  std::vector<double> along_, most_;        ///< per rigid body: sums over its rows of roots of what they have of it
 };
 
 }  // namespace pinball

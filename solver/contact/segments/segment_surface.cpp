@@ -110,6 +110,7 @@ void SegmentSurface<S>::collect_segments(const SurfaceSource<S>& source, const s
       segment.slot = s;
       segment.face = f;
       segment.body = element.body;
+      segment.rigid = element.rigid;
       segment.corners = element.corners;
       segment.radius = static_cast<S>(element.radius);
       const double area2 = squared_area(element, f);

@@ -25,6 +25,7 @@ class SegmentSurface {
     std::int32_t slot;     ///< of the element
     std::int32_t face;     ///< in the order of face_nodes
     std::int32_t body;
+    bool rigid;                           ///< the body moves as one
     std::array<std::int32_t, 8> corners;  ///< node numbers of the element
     S radius;                             ///< of the ball of the element's volume, report eq. (3.2): its size [length]
     S thickness;                          ///< V / A, of the undeformed element: its extent across the face [length]

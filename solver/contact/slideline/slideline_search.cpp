@@ -30,7 +30,7 @@ SlidelineSearch<S>::SlidelineSearch(const SurfaceSource<S>& source, const Segmen
 template <class S>
 bool SlidelineSearch<S>::may_touch(const Slave& own, const Segment& other, S own_radius) const {
   if (own.body != other.body) return true;
-  if (!self_) return false;
+  if (!self_ || other.rigid) return false;
   const std::array<float, 4>& p = reference_node_[own.node];
   const std::array<float, 3>& q = reference_centre_[other.slot];
   float d2 = 0;

@@ -29,6 +29,7 @@ struct ContactElement {
   double radius;        ///< of the ball of this volume [length]
   double bulk_modulus;  ///< [stress]
   bool sphere = false;
+  bool rigid = false;  ///< of a body that moves as one, and never touches itself
 
   /// Mean of the corners, undeformed [length].
   Point centre() const {

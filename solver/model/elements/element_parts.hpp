@@ -8,10 +8,11 @@
 namespace pinball {
 
 /// Elements that one kernel with one set of constants works: of a material, with the settings of [element] or those
-/// that a body has in their place.
+/// that a body has in their place; rigid or not.
 struct ElementPart {
   std::size_t material = 0;
   ElementSettings settings;
+  bool rigid = false;  ///< of rigid bodies: no kernel works them, no step has to be stable for them
 };
 
 struct ElementParts {

@@ -48,6 +48,7 @@ double smallest_stable_step(const Scene& scene, const ModelMesh& mesh, const Ele
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     const ElementPart& part = parts.parts[parts.of_body[mesh.body[e]]];
+    if (part.rigid) continue;
     const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
     smallest = std::min(smallest, start.stable_step(mass_factor.empty() ? 1.0 : mass_factor[e]));
   }

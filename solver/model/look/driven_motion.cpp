@@ -1,5 +1,7 @@
 #include "driven_motion.hpp"
 
+#include <algorithm>
+
 #include <solver/base/error.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
@@ -9,7 +11,8 @@ namespace pinball {
 namespace {
 
 /// Of a prescribed motion, as a multiple of what stands beside its table.
-double displacement(const PrescribedVelocity& given, double time) {
+template <class Motion>
+double displacement(const Motion& given, double time) {
   const double from = std::max(0.0, given.when.start), to = std::min(time, given.when.end);
   if (to <= from) return 0;
   switch (given.quantity) {
@@ -42,6 +45,7 @@ class DrivenMotions {
   std::vector<DrivenMotion> find() {
     hold();
     for (const PrescribedVelocity& given : scene_.prescribed_velocities) prescribe(given);
+    for (const RigidMotion& given : scene_.rigid_motions) prescribe(given);
     for (const Gravity& gravity : scene_.gravities) fall(gravity);
     for (const NodalLoad& load : scene_.loads) push(load);
     for (const Pressure& pressure : scene_.pressures) press(pressure);
@@ -69,6 +73,26 @@ class DrivenMotions {
     for (const FixedConstraint& fixed : scene_.fixed_constraints) {
       if (fixed.frame == Frame::global) stop(counts(fixed.nodes), fixed.directions, fixed.when.always());
     }
+    for (const RigidBody& rigid : scene_.rigid_bodies) hold(rigid);
+  }
+  DrivenMotion& motion_of(const RigidBody& rigid) {
+    const auto first = std::ranges::find(scene_.bodies, rigid.bodies.front(), &Body::name);
+    return all_[group_[first - scene_.bodies.begin()]];
+  }
+  void hold(const RigidBody& rigid) {
+    const bool moved =
+        std::ranges::find(scene_.rigid_motions, rigid.name, &RigidMotion::rigid_body) != scene_.rigid_motions.end();
+    DrivenMotion& own = motion_of(rigid);
+    if (rigid.held.size() == 3 && rigid.held_rotations.size() == 3 && !moved && rigid.bodies.size() == bodies_of(rigid))
+      own.held = true;
+    for (const Point& d : rigid.held) {
+      for (std::size_t k = 0; k < 3; ++k) own.stopped[k] = own.stopped[k] || std::abs(d[k]) > 0.5;
+    }
+  }
+  /// In its group: others hang on it by nodes or ties.
+  std::size_t bodies_of(const RigidBody& rigid) const {
+    const auto first = std::ranges::find(scene_.bodies, rigid.bodies.front(), &Body::name) - scene_.bodies.begin();
+    return std::ranges::count(group_, group_[first]);
   }
   void stop(const std::vector<std::int64_t>& count, const std::vector<Point>& directions, bool always = true) {
     for (std::size_t g = 0; g < all_.size(); ++g) {
@@ -94,6 +118,23 @@ class DrivenMotions {
         if (j > 0) own.speed = std::max(own.speed, speed(now - before, j, given.velocity));
         before = now;
       }
+    }
+  }
+  /// Of a direction that is given, others are free, but for those that are held.
+  void prescribe(const RigidMotion& given) {
+    const auto rigid = std::ranges::find(scene_.rigid_bodies, given.rigid_body, &RigidBody::name);
+    DrivenMotion& own = motion_of(*rigid);
+    double before = 0;
+    for (std::size_t j = 0; j < times_.size(); ++j) {
+      const double now = displacement(given, times_[j]);
+      if (given.axis) {
+        own.turned = std::max(own.turned, std::abs(now * given.angular_speed));
+      } else {
+        const Point way = times(given.speed, *given.direction);
+        own.moved[j].take(times(now, way));
+        if (j > 0) own.speed = std::max(own.speed, speed(now - before, j, way));
+      }
+      before = now;
     }
   }
   double speed(double change, std::size_t j, const Point& vector) const {

@@ -17,6 +17,7 @@ struct DrivenMotion {
   bool wholly = false;            ///< all its nodes move as prescribed, in all directions
   bool held = false;              ///< all its nodes are held in all directions
   double speed = 0;               ///< largest prescribed one [length/time]
+  double turned = 0;              ///< largest angle by which a rigid body is turned as given [rad]
 };
 
 /// Of each of the groups that the bodies are in. times: ascending.

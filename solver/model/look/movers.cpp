@@ -1,7 +1,10 @@
 #include "movers.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include <solver/model/rigid/rigid_nodes.hpp>
 
 #include "driven_motion.hpp"
 #include "initial_motion.hpp"
@@ -21,6 +24,7 @@ class Groups {
     std::iota(group.begin(), group.end(), 0);
     join_by_nodes(mesh);
     for (const TiedContact& tied : scene.tied_contacts) join(tied, scene);
+    join_rigid_bodies(rigid_body_of_bodies(scene));
     std::vector<std::int32_t> number(group.size(), -1);
     for (std::int32_t& own : group) {
       std::int32_t& of_root = number[root(own)];
@@ -45,6 +49,11 @@ class Groups {
   void join_by_nodes(const ModelMesh& mesh) {
     for (std::size_t b = 0; b < mesh.shared.size(); ++b) {
       for (const std::int32_t n : mesh.shared[b]) join(b, mesh.body_of_node[n]);
+    }
+  }
+  void join_rigid_bodies(const std::vector<std::int32_t>& rigid) {
+    for (std::size_t b = 0; b < rigid.size(); ++b) {
+      if (rigid[b] >= 0) join(std::ranges::find(rigid, rigid[b]) - rigid.begin(), b);
     }
   }
   /// Of sets only the file knows whose they are: all bodies of files are then taken for tied.
@@ -190,7 +199,8 @@ Movers find_movers(const Scene& scene, const ModelMesh& mesh) {
   const std::vector<DrivenMotion> driven = driven_motions(scene, mesh, groups.group, count, movers.times);
   for (std::size_t g = 0; g < count; ++g) {
     Mover& mover = movers.all[g];
-    if (initial[g].turning * scene.time.end > turns && !driven[g].held) make_round(mover, initial[g]);
+    const double turned = std::max(initial[g].turning * scene.time.end, driven[g].turned);
+    if (turned > turns && !driven[g].held) make_round(mover, initial[g]);
     move(mover, initial[g], driven[g], movers.times);
     meet_walls(scene, movers.times, mover);
     const bool moves = mover.speed > 0 || mover.moved.back().reach() > 0 || mover.strayed.back().reach() > 0;

@@ -9,11 +9,11 @@
 
 namespace pinball {
 
-namespace {
-
 std::string vector_text(const Point& p, const std::string& unit) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g}){}{}", p[0], p[1], p[2], unit.empty() ? "" : " ", unit);
 }
+
+namespace {
 
 std::string table_text(const TimeTable& table) {
   return table.times.empty() ? "constant" : fmt::format("{} points in time", table.times.size());

@@ -81,6 +81,7 @@ template <class S>
 void print_element_features(const Model<S>& model) {
   const Scene& scene = model.scene;
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
+    if (model.parts[p].rigid) continue;
     const Material& material = scene.materials[model.parts[p].material];
     const ElementFeatures& f = model.parts[p].features;
     if (!material.plastic) skip(fmt::format("plasticity of {}", material.name), "its model is elastic");
@@ -153,6 +154,8 @@ void print_what_is_skipped(const Solver<S>& solver, const Units& units) {
     skip(fmt::format("stresses and forces of {} elements", resting),
          "at rest or in free uniform flight, until something reaches their tile");
   }
+  if (const std::int64_t rigid = model.rigid_element_count(); rigid > 0)
+    skip(fmt::format("stresses and forces of {} elements", rigid), "of rigid bodies, which do not deform");
   print_contact_parts(solver, units);
   print_boundary_parts(solver);
   if (output.field_interval <= 0 && output.field_times.empty()) {

@@ -114,6 +114,8 @@ SchemaJson definitions() {
   define<ErosionSettings>(all);
   define<Body>(all);
   all["mesh"] = mesh_definitions(all);
+  define<RigidBody>(all);
+  define<RigidMotion>(all, {{"oneOf", {required({"direction"}), required({"axis"})}}});
   define<Plane>(all);
   define<Line>(all);
   define<Box>(all);

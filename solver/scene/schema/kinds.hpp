@@ -35,6 +35,8 @@ constexpr Kind kind(Of<BlockMesh>) { return {"block", "body.NAME.mesh"}; }
 constexpr Kind kind(Of<RoundNosedRodMesh>) { return {"round_nosed_rod", "body.NAME.mesh"}; }
 constexpr Kind kind(Of<CylinderMesh>) { return {"cylinder", "body.NAME.mesh"}; }
 constexpr Kind kind(Of<SphereMesh>) { return {"sphere", "body.NAME.mesh"}; }
+constexpr Kind kind(Of<RigidBody>) { return {"rigid_body", "rigid_body.NAME"}; }
+constexpr Kind kind(Of<RigidMotion>) { return {"rigid_motion", "rigid_motion.NUMBER"}; }
 constexpr Kind kind(Of<PlaneConstraint>) { return {"symmetry", "constraint.NUMBER"}; }
 constexpr Kind kind(Of<FixedConstraint>) { return {"fixed", "constraint.NUMBER"}; }
 constexpr Kind kind(Of<Plane>) { return {"plane", "plane"}; }

@@ -9,6 +9,7 @@
 #include "key.hpp"
 #include "material.hpp"
 #include "meshes.hpp"
+#include "rigid.hpp"
 #include "settings.hpp"
 
 /// The keys of bodies and of the scene itself, and all others with them.
@@ -76,6 +77,8 @@ constexpr void describe(Of<Scene>, Visit&& visit) {
   visit(Tables{"output", "output", &T::output, "what a run leaves"});
   visit(Tables{"material", "materials", &T::materials, "what bodies are of"});
   visit(Tables{"body", "bodies", &T::bodies, "what moves"});
+  visit(Tables{"rigid_body", "rigid_bodies", &T::rigid_bodies, "bodies that do not deform"});
+  visit(Tables{"rigid_motion", "rigid_motions", &T::rigid_motions, "rigid bodies that move as given"});
   visit(Tables{"constraint", "symmetry_planes", &T::constraints, "nodes on a plane do not move across it"});
   visit(Tables{"constraint", "fixed", &T::fixed_constraints, "nodes do not move along some directions"});
   visit(Tables{"rigid_wall", "rigid_walls", &T::rigid_walls, "planes that nodes do not cross"});

@@ -1,4 +1,5 @@
 #include <solver/scene/schema/boundary.hpp>
+#include <solver/scene/schema/rigid.hpp>
 
 #include "entries.hpp"
 #include "list_keys.hpp"
@@ -65,6 +66,11 @@ void list_probes(const Scene& scene, std::vector<SceneEntry>& all) {
 }  // namespace
 
 void list_boundary(const Scene& scene, std::vector<SceneEntry>& all) {
+  for (const RigidBody& rigid : scene.rigid_bodies) {
+    Entries table(all, "rigid_body." + rigid.name);
+    list_keys(table, rigid);
+  }
+  list_numbered("rigid_motion", scene.rigid_motions, all);
   list_constraints(scene, all);
   list_walls(scene, all);
   list_numbered("prescribed_velocity", scene.prescribed_velocities, all);

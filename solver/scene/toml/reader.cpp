@@ -18,6 +18,7 @@
 #include "overrides.hpp"
 #include "parts.hpp"
 #include "read_keys.hpp"
+#include "rigid_parts.hpp"
 #include "table.hpp"
 
 namespace pinball {
@@ -176,6 +177,7 @@ Scene read_tables(const GivenTable& root, const Given& given, const SceneOverrid
     scene.bodies.push_back(body);
   }
   read_contact_parts(top.table("contact", "contact"), scene);
+  read_rigid_bodies(top, scene);
   read_keys(top.table("damping", "damping"), scene.damping);
   read_boundary(top, scene);
   return scene;

@@ -47,6 +47,12 @@ double drift_energy(const Model<S>& model, const Point& momentum) {
   };
   add(model.constraints);
   add(model.prescribed);
+  for (const RigidNodes& rigid : model.rigid) {
+    for (const Point& direction : rigid.held) held.add(direction);
+  }
+  for (const RigidMotion& motion : scene.rigid_motions) {
+    if (motion.direction) held.add(*motion.direction);
+  }
   double mass = 0;
   for (const double m : model.node_mass) mass += m;
   if (!(mass > 0)) return 0;

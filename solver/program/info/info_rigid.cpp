@@ -1,0 +1,44 @@
+#include "info_rigid.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "info_boundary.hpp"
+#include "info_material.hpp"
+
+namespace pinball {
+
+namespace {
+
+std::string directions_text(const std::vector<Point>& directions) {
+  std::string text;
+  for (const Point& d : directions) text += (text.empty() ? "" : ", ") + vector_text(d, "");
+  return text;
+}
+
+std::string per_time(const Units& units) { return units.time.empty() ? "" : "1/" + units.time; }
+
+}  // namespace
+
+void print_rigid_bodies(const Scene& scene, const std::vector<RigidBodyResult>& results, const Units& units) {
+  for (std::size_t r = 0; r < results.size(); ++r) {
+    const RigidBody& rigid = scene.rigid_bodies[r];
+    fmt::print("  rigid body {} of {}: mass {}, centre {}{}\n", rigid.name, fmt::join(rigid.bodies, ", "),
+               with_unit(results[r].mass, units.mass), vector_text(results[r].centre, units.length),
+               rigid.inertia == std::array<Point, 3>{} ? ", inertia of its nodes" : ", inertia as given");
+    if (!rigid.held.empty()) fmt::print("    held along {}\n", directions_text(rigid.held));
+    if (!rigid.held_rotations.empty())
+      fmt::print("    does not turn about {}\n", directions_text(rigid.held_rotations));
+    for (const RigidMotion& motion : scene.rigid_motions) {
+      if (motion.rigid_body != rigid.name) continue;
+      if (motion.direction)
+        fmt::print("    moves along {} with {}\n", vector_text(*motion.direction, ""),
+                   with_unit(motion.speed, units.velocity));
+      if (motion.axis)
+        fmt::print("    turns about {} with {}\n", vector_text(*motion.axis, ""),
+                   with_unit(motion.angular_speed, per_time(units)));
+    }
+  }
+}
+
+}  // namespace pinball

@@ -1,0 +1,229 @@
+#include "rigid_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <solver/boundary/prescribed_motions.hpp>
+#include <solver/boundary/space/loops.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// Of a step [rad]: contact sees velocities that are those of its beginning.
+constexpr double most_turned = 0.01;
+
+using Space = DefaultExecutionSpace;
+
+Point times(const std::array<Point, 3>& rows, const double* v) {
+  Point product;
+  for (std::size_t i = 0; i < 3; ++i) product[i] = rows[i][0] * v[0] + rows[i][1] * v[1] + rows[i][2] * v[2];
+  return product;
+}
+
+/// The motion of a body as its nodes have it.
+struct CommonMotion {
+  std::array<Point, 3> rotation;
+  Point acceleration, angular_acceleration;
+
+  explicit CommonMotion(const RigidBodyMotion& motion)
+      : rotation(motion.rotation()),
+        acceleration(motion.acceleration()),
+        angular_acceleration(motion.angular_acceleration()) {}
+};
+
+/// The force of a node of the mass in the common motion, as it is stored. One copy: what was stored is subtracted.
+template <class S>
+[[gnu::noinline]] void common_force(const CommonMotion& motion, const double* arm, double mass, S* force) {
+  const Point a = velocity_at(motion.acceleration, motion.angular_acceleration, times(motion.rotation, arm));
+  for (std::size_t k = 0; k < 3; ++k) force[k] = static_cast<S>(mass * a[k]);
+}
+
+}  // namespace
+
+template <class S>
+void RigidBodies<S>::begin_step(double time) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    Body& body = bodies_[b];
+    choose_given(body, time);
+    body.motion.begin(body.given);
+    body.shared = false;
+    before_[b] = body.motion.state();
+    sides_.bodies[b] = body.motion.side();
+  }
+}
+
+template <class S>
+void RigidBodies<S>::choose_given(Body& body, double time) const {
+  body.given = body.held;
+  body.given_by.clear();
+  for (const bool turns : {false, true}) {
+    for (const std::size_t m : body.motions) {
+      const RigidMotion& motion = motions_[m];
+      if (motion.axis.has_value() != turns || !motion.when.contains(time)) continue;
+      (turns ? body.given.about : body.given.along).push_back(turns ? *motion.axis : *motion.direction);
+      (turns ? body.given.angular_speeds : body.given.speeds).push_back(0);
+      body.given_by.push_back(m);
+    }
+  }
+}
+
+template <class S>
+void RigidBodies<S>::set_speeds(Body& body, double time, const StepLengths& step) const {
+  std::size_t along = body.held.along.size(), about = body.held.about.size();
+  for (const std::size_t m : body.given_by) {
+    const RigidMotion& motion = motions_[m];
+    const double factor = mean_factor(motion.table, motion.quantity, time, step);
+    if (motion.axis) {
+      body.given.angular_speeds[about++] = factor * motion.angular_speed;
+    } else {
+      body.given.speeds[along++] = factor * motion.speed;
+    }
+  }
+}
+
+template <class S>
+void RigidBodies<S>::share_forces(Model<S>& model, double time, const StepLengths& step) {
+  for (Body& body : bodies_) {
+    set_speeds(body, time, step);
+    const CommonMotion before(body.motion);
+    Wrench sum = body.shared ? body.motion.wrench() : Wrench();
+    S* const forces = model.nodes.force.data();
+    const auto add = [&](std::int64_t i, Wrench& partial) {
+      const std::int32_t n = body.nodes[i];
+      const double* const arm = record(body.arm.data(), i);
+      S common[3] = {0, 0, 0};
+      if (body.shared) common_force(before, arm, model.node_mass[n], common);
+      const S* const f = record(forces, n);
+      Wrench own;
+      for (std::size_t k = 0; k < 3; ++k) own.force[k] = static_cast<double>(f[k]) - static_cast<double>(common[k]);
+      own.moment = cross(times(before.rotation, arm), own.force);
+      partial.join(own);
+    };
+    add_sum<Space>("forces of a rigid body", std::ssize(body.nodes), add, sum);
+    body.motion.load(sum, body.given, step.velocity());
+    body.shared = true;
+    const CommonMotion now(body.motion);
+    for_each<Space>("forces of nodes of a rigid body", std::ssize(body.nodes), [&](std::int64_t i) {
+      const std::int32_t n = body.nodes[i];
+      common_force(now, record(body.arm.data(), i), model.node_mass[n], record(forces, n));
+    });
+  }
+}
+
+template <class S>
+void RigidBodies<S>::move(Model<S>& model, const StepLengths& step) {
+  done_ += last_.now + last_.later;
+  last_ = {};
+  for (Body& body : bodies_) {
+    last_.join(body.motion.move(body.given, step));
+    put_nodes(model, body);
+  }
+}
+
+/// Places and velocities of the nodes by those of the body.
+template <class S>
+void RigidBodies<S>::put_nodes(Model<S>& model, const Body& body) const {
+  RigidBodyMotion motion = body.motion;
+  motion.begin({});
+  const RigidState& state = motion.state();
+  const std::array<Point, 3> rotation = motion.rotation();
+  const Point angular_velocity = motion.angular_velocity();
+  S* const positions = model.nodes.position.data();
+  S* const velocities = model.nodes.velocity.data();
+  for_each<Space>("nodes of a rigid body", std::ssize(body.nodes), [&](std::int64_t i) {
+    const std::int32_t n = body.nodes[i];
+    const Point r = times(rotation, record(body.arm.data(), i));
+    const Point v = velocity_at(state.velocity, angular_velocity, r);
+    for (std::size_t k = 0; k < 3; ++k) {
+      record(positions, n)[k] = static_cast<S>(state.centre[k] + r[k]);
+      record(velocities, n)[k] = static_cast<S>(v[k]);
+    }
+  });
+}
+
+template <class S>
+double RigidBodies<S>::longest_step() const {
+  double fastest = 0;
+  for (const Body& body : bodies_) {
+    fastest = std::max(fastest, norm(body.motion.angular_velocity()));
+    for (const double speed : body.given.angular_speeds) fastest = std::max(fastest, std::abs(speed));
+  }
+  return std::min(of_run_, fastest > 0 ? most_turned / fastest : std::numeric_limits<double>::infinity());
+}
+
+template <class S>
+double RigidBodies<S>::kinetic_beside(const StepLengths& step) const {
+  double twice = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const Body& body = bodies_[b];
+    if (!body.has_own_inertia) continue;
+    const Point w = body.motion.angular_velocity();
+    Point later = w;
+    for (std::size_t k = 0; k < 3; ++k) later[k] += step.before * body.motion.angular_acceleration()[k];
+    twice += dot(w, times(body.motion.turned(body.more_inertia), later.data()));
+  }
+  return 0.5 * twice;
+}
+
+template <class S>
+void RigidBodies<S>::put_positions_of_forces(std::vector<Point>& positions) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    RigidBodyMotion then = bodies_[b].motion;
+    then.state() = before_[b];
+    const std::array<Point, 3> rotation = then.rotation();
+    for (std::size_t i = 0; i < bodies_[b].nodes.size(); ++i) {
+      const Point r = times(rotation, record(bodies_[b].arm.data(), static_cast<std::int64_t>(i)));
+      for (std::size_t k = 0; k < 3; ++k) positions[bodies_[b].nodes[i]][k] = before_[b].centre[k] + r[k];
+    }
+  }
+}
+
+template <class S>
+std::vector<RigidBodyResult> RigidBodies<S>::results() const {
+  std::vector<RigidBodyResult> results;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    RigidBodyMotion now = bodies_[b].motion;
+    now.begin({});
+    RigidBodyResult& result = results.emplace_back();
+    result.name = bodies_[b].name;
+    result.mass = now.mass();
+    result.inertia = now.inertia();
+    result.centre = before_[b].centre;
+    result.velocity = now.state().velocity;
+    result.angular_velocity = now.angular_velocity();
+    result.angular_momentum = now.state().angular_momentum;
+    result.force = now.state().reaction.force;
+    result.moment = now.state().reaction.moment;
+  }
+  return results;
+}
+
+template <class S>
+void RigidBodies<S>::persist(StateArchive& archive) {
+  std::vector<RigidState> states;
+  for (const Body& body : bodies_) states.push_back(body.motion.state());
+  archive.of_fixed_size(states);
+  archive.of_fixed_size(before_);
+  archive(done_, last_);
+  if (!archive.reads()) return;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    double square = 0;
+    for (const double q : states[b].orientation) square += q * q;
+    archive.require(std::abs(square - 1) < 1e-9);
+    bodies_[b].motion.state() = states[b];
+  }
+}
+
+template <class S>
+std::size_t RigidBodies<S>::bytes() const {
+  std::size_t sum = sides_.body_of_node.capacity() * sizeof(std::int32_t);
+  for (const Body& body : bodies_) sum += body.arm.bytes() + body.nodes.capacity() * sizeof(std::int32_t);
+  return sum;
+}
+
+template class RigidBodies<double>;
+template class RigidBodies<float>;
+
+}  // namespace pinball

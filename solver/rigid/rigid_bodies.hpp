@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <kernels/exec/array.hpp>
+#include <solver/base/state_archive.hpp>
+#include <solver/model/model.hpp>
+#include <solver/results.hpp>
+
+#include "rigid_body_motion.hpp"
+
+namespace pinball {
+
+/// The rigid bodies of a scene in a step. All that acts on them acts on their nodes: forces of the nodes are summed up,
+/// and what then stands in their place are those of the motion that they give to all nodes together, m (A + a x r). So
+/// contact by impulses sees the velocities that it has to change, and integration and energies need not know of rigid
+/// bodies. Then the nodes are put where the body has gone, so that its shape stays.
+///
+/// Sums are taken in fixed pieces, bodies one after the other: the same bits for any number of threads.
+template <class S>
+class RigidBodies {
+ public:
+  /// Takes the velocities of the nodes. model: has to stay where it is. Throws InputError where those at the start are
+  /// no motion of a rigid body, and for given motions that are not at right angles.
+  explicit RigidBodies(Model<S>& model);
+
+  bool any() const { return !bodies_.empty(); }
+  /// Longest step that turns no body by more than a hundredth of a radian; where nothing of a scene deforms also a
+  /// thousandth of the run, and with contact by springs the step that the elements would need [time].
+  double longest_step() const;
+  /// The same bodies for contact, from begin_step() on.
+  const RigidSides& sides() const { return sides_; }
+
+  // In a step, in this order. time: of the forces.
+
+  void begin_step(double time);
+  /// Forces of all on the nodes become those of the common motion; once more where contact has added some since.
+  void share_forces(Model<S>& model, double time, const StepLengths& step);
+  /// After the integration: puts the nodes where their bodies go.
+  void move(Model<S>& model, const StepLengths& step);
+
+  /// Of what holds and moves them, up to the time of the forces [energy].
+  double work() const { return done_ + last_.now; }
+  /// What the kinetic energy is above that of the nodes at the time of the forces: of bodies with a given inertia
+  /// [energy].
+  double kinetic_beside(const StepLengths& step) const;
+  /// To be called when velocities of nodes were changed by others: bodies take the momenta that they have.
+  void take_velocities(Model<S>& model);
+
+  /// Of the body of a node at the time of the forces, for output: where the nodes were. positions: per node of the
+  /// store.
+  void put_positions_of_forces(std::vector<Point>& positions) const;
+  std::vector<RigidBodyResult> results() const;
+  void persist(StateArchive& archive);
+  std::size_t bytes() const;
+
+ private:
+  struct Body {
+    std::string name;
+    std::vector<std::int32_t> nodes;      ///< of the store, ascending
+    Array<double> arm;                    ///< records: from the centre to the nodes at the start [length]
+    GivenMotion held;                     ///< at all times
+    std::vector<std::size_t> motions;     ///< of the scene, that move it
+    GivenMotion given;                    ///< in this step
+    std::vector<std::size_t> given_by;    ///< motions of `given`, those along directions and then those about axes
+    std::array<Point, 3> more_inertia{};  ///< given inertia less that of the nodes, at the start [mass length^2]
+    bool has_own_inertia = false;
+    bool shared = false;  ///< the forces of its nodes are those of load()
+    RigidBodyMotion motion;
+  };
+  void add_body(const Model<S>& model, std::size_t number);
+  void check_motions(const Scene& scene) const;
+  void take_velocities(Model<S>& model, std::size_t number, bool of_start);
+  void choose_given(Body& body, double time) const;
+  void set_speeds(Body& body, double time, const StepLengths& step) const;
+  void put_nodes(Model<S>& model, const Body& body) const;
+
+  std::vector<RigidMotion> motions_;
+  std::vector<Body> bodies_;
+  std::vector<RigidState> before_;  ///< per body, at the time of the forces
+  RigidSides sides_;
+  double of_run_ = 0;  ///< longest step by the length of the run, or infinite [time]
+  double done_ = 0;    ///< work of all steps before the last [energy]
+  ExternalWork last_;
+};
+
+}  // namespace pinball

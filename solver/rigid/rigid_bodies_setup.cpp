@@ -1,0 +1,206 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <solver/base/error.hpp>
+#include <solver/model/elements/element_start.hpp>
+
+#include "rigid_bodies.hpp"
+
+namespace pinball {
+
+namespace {
+
+constexpr double least_steps = 1000;  ///< of a run in which nothing deforms
+
+/// Mass, centre, and moments about it, of some nodes.
+struct MassOfNodes {
+  double mass = 0;
+  Point centre{};
+  std::array<Point, 3> inertia{};
+};
+
+/// mass, place: of the i-th of them.
+template <class Mass, class Place>
+MassOfNodes mass_of(std::size_t count, const Mass& mass, const Place& place) {
+  MassOfNodes all;
+  for (std::size_t i = 0; i < count; ++i) {
+    all.mass += mass(i);
+    for (std::size_t k = 0; k < 3; ++k) all.centre[k] += mass(i) * place(i)[k];
+  }
+  for (double& c : all.centre) c /= all.mass;
+  Point rest{};  // the sum of large coordinates has lost something
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point r = minus(place(i), all.centre);
+    for (std::size_t k = 0; k < 3; ++k) rest[k] += mass(i) * r[k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) all.centre[k] += rest[k] / all.mass;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point r = minus(place(i), all.centre);
+    const double square = dot(r, r);
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t l = 0; l < 3; ++l) all.inertia[k][l] += mass(i) * ((k == l ? square : 0.0) - r[k] * r[l]);
+    }
+  }
+  return all;
+}
+
+/// A scene in which nothing deforms. Springs between bodies are as stiff as their elements would be: their step.
+template <class S>
+double longest_step_of_run(const Model<S>& model) {
+  const double step = model.scene.time.end / least_steps;
+  const ContactSettings& contact = model.scene.contact;
+  if (contact.method == ContactMethod::none || contact.enforcement != Enforcement::penalty) return step;
+  ElementParts as_if_elastic = element_parts(model.scene);
+  for (ElementPart& part : as_if_elastic.parts) part.rigid = false;
+  return std::min(step, model.scene.time.cfl * smallest_stable_step(model.scene, model.mesh, as_if_elastic, {}));
+}
+
+bool at_right_angles(const Point& a, const Point& b) { return std::abs(dot(a, b)) < 1e-6; }
+
+bool overlap(const TimeSpan& a, const TimeSpan& b) {
+  return std::max({0.0, a.start, b.start}) < std::min(a.end, b.end);
+}
+
+}  // namespace
+
+template <class S>
+RigidBodies<S>::RigidBodies(Model<S>& model) : motions_(model.scene.rigid_motions) {
+  if (model.rigid.empty()) return;
+  bool deforms = false;
+  for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) deforms = deforms || !model.is_rigid(tile);
+  of_run_ = deforms ? std::numeric_limits<double>::infinity() : longest_step_of_run(model);
+  sides_.body_of_node.assign(model.nodes.count, -1);
+  for (std::size_t r = 0; r < model.rigid.size(); ++r) add_body(model, r);
+  check_motions(model.scene);
+  sides_.bodies.resize(bodies_.size());
+  before_.resize(bodies_.size());
+  for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, true);
+  begin_step(0);
+}
+
+template <class S>
+void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number) {
+  const RigidBody& given = model.scene.rigid_bodies[number];
+  const std::vector<std::int32_t>& nodes = model.rigid[number].nodes;
+  std::vector<std::int32_t> scene_node(model.nodes.count);
+  for (std::size_t n = 0; n < scene_node.size(); ++n) scene_node[model.node_of_scene_node[n]] = n;
+  const auto place = [&](std::size_t i) { return model.mesh.nodes[scene_node[nodes[i]]]; };
+  const MassOfNodes own = mass_of(
+      nodes.size(), [&](std::size_t i) { return model.node_mass[nodes[i]]; }, place);
+  const bool has_own = given.inertia != std::array<Point, 3>{};
+  Body& body = bodies_.emplace_back(Body{given.name,
+                                         nodes,
+                                         Array<double>(4 * nodes.size()),
+                                         {},
+                                         {},
+                                         {},
+                                         {},
+                                         {},
+                                         has_own,
+                                         false,
+                                         RigidBodyMotion(own.mass, has_own ? given.inertia : own.inertia, own.centre)});
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Point r = minus(place(i), own.centre);
+    std::copy(r.begin(), r.end(), record(body.arm.data(), static_cast<std::int64_t>(i)));
+    sides_.body_of_node[nodes[i]] = static_cast<std::int32_t>(number);
+  }
+  if (has_own) {
+    for (std::size_t k = 0; k < 3; ++k) body.more_inertia[k] = minus(given.inertia[k], own.inertia[k]);
+  }
+  body.held.along = model.rigid[number].held;
+  body.held.about = model.rigid[number].held_rotations;
+  body.held.speeds.assign(body.held.along.size(), 0.0);
+  body.held.angular_speeds.assign(body.held.about.size(), 0.0);
+  for (std::size_t m = 0; m < motions_.size(); ++m) {
+    if (motions_[m].rigid_body == given.name) body.motions.push_back(m);
+  }
+}
+
+/// Each of what moves a body is beside what holds it, and beside what else moves it at the same time.
+template <class S>
+void RigidBodies<S>::check_motions(const Scene& scene) const {
+  for (const Body& body : bodies_) {
+    for (std::size_t i = 0; i < body.motions.size(); ++i) {
+      const RigidMotion& motion = scene.rigid_motions[body.motions[i]];
+      const Point& own = motion.axis ? *motion.axis : *motion.direction;
+      bool fits = true;
+      for (const Point& held : motion.axis ? body.held.about : body.held.along)
+        fits = fits && at_right_angles(own, held);
+      for (std::size_t j = 0; j < i; ++j) {
+        const RigidMotion& other = scene.rigid_motions[body.motions[j]];
+        if (other.axis.has_value() != motion.axis.has_value() || !overlap(motion.when, other.when)) continue;
+        fits = fits && at_right_angles(own, other.axis ? *other.axis : *other.direction);
+      }
+      if (fits) continue;
+      throw InputError(
+          fmt::format("{}: expected a direction at right angles to those in which the rigid body {} is "
+                      "held, or moved by another [[rigid_motion]]",
+                      motion.where, body.name));
+    }
+  }
+}
+
+/// With momenta of those of its nodes that are of no other body before it: what other bodies say of their velocities
+/// ends where they share nodes with a rigid one.
+template <class S>
+void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, bool of_start) {
+  Body& body = bodies_[number];
+  std::vector<std::int32_t> scene_node(model.nodes.count);
+  for (std::size_t n = 0; n < scene_node.size(); ++n) scene_node[model.node_of_scene_node[n]] = n;
+  std::vector<std::int32_t> nodes;
+  for (const std::int32_t n : body.nodes) {
+    const bool is_own =
+        model.rigid_of_body[model.mesh.body_of_node[scene_node[n]]] == static_cast<std::int32_t>(number);
+    if (!of_start || is_own) nodes.push_back(n);
+  }
+  const auto x = [&](std::size_t i) {
+    const S* const p = model.nodes.position_of(nodes[i]);
+    return Point{p[0], p[1], p[2]};
+  };
+  const auto v = [&](std::size_t i) {
+    const S* const p = model.nodes.velocity_of(nodes[i]);
+    return Point{p[0], p[1], p[2]};
+  };
+  const MassOfNodes own = mass_of(
+      nodes.size(), [&](std::size_t i) { return model.node_mass[nodes[i]]; }, x);
+  Point velocity{}, momentum{};
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) velocity[k] += model.node_mass[nodes[i]] * v(i)[k] / own.mass;
+  }
+  double fastest = norm(velocity);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Point turn = cross(minus(x(i), own.centre), minus(v(i), velocity));
+    for (std::size_t k = 0; k < 3; ++k) momentum[k] += model.node_mass[nodes[i]] * turn[k];
+    fastest = std::max(fastest, norm(v(i)));
+  }
+  RigidBodyMotion of_nodes(own.mass, own.inertia, own.centre);
+  of_nodes.state().angular_momentum = momentum;
+  of_nodes.begin({});
+  const Point spin = of_nodes.angular_velocity();
+  for (std::size_t i = 0; i < nodes.size() && of_start; ++i) {
+    const double off = norm(minus(v(i), velocity_at(velocity, spin, minus(x(i), own.centre))));
+    if (off <= (sizeof(S) == sizeof(double) ? 1e-6 : 1e-4) * fastest) continue;
+    throw InputError(
+        fmt::format("{}: the initial velocities of its nodes are no motion of the rigid body {}: expected "
+                    "velocity and angular_velocity of all of it alike",
+                    model.scene.rigid_bodies[number].where, body.name));
+  }
+  const Point to_centre = minus(body.motion.state().centre, own.centre);
+  body.motion.set_velocities(velocity_at(velocity, spin, to_centre), spin);
+  put_nodes(model, body);
+}
+
+template <class S>
+void RigidBodies<S>::take_velocities(Model<S>& model) {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, false);
+}
+
+template RigidBodies<double>::RigidBodies(Model<double>&);
+template RigidBodies<float>::RigidBodies(Model<float>&);
+template void RigidBodies<double>::take_velocities(Model<double>&);
+template void RigidBodies<float>::take_velocities(Model<float>&);
+
+}  // namespace pinball

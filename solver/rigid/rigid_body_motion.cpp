@@ -1,0 +1,138 @@
+#include "rigid_body_motion.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+
+#include "rigid_rotation.hpp"
+
+namespace pinball {
+
+namespace {
+
+using Matrix = Eigen::Matrix3d;
+using Vector = Eigen::Vector3d;
+using Quaternion = Eigen::Quaterniond;
+
+Vector of(const Point& p) { return {p[0], p[1], p[2]}; }
+Point point(const Vector& v) { return {v.x(), v.y(), v.z()}; }
+Matrix of(const std::array<Point, 3>& rows) {
+  Matrix m;
+  for (int i = 0; i < 3; ++i) m.row(i) = of(rows[i]);
+  return m;
+}
+std::array<Point, 3> rows_of(const Matrix& m) { return {point(m.row(0)), point(m.row(1)), point(m.row(2))}; }
+Quaternion of(const std::array<double, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
+
+GivenAxes axes(const std::vector<Point>& directions) {
+  std::array<Vector, 3> all;
+  for (std::size_t k = 0; k < directions.size(); ++k) all[k] = of(directions[k]);
+  return axes_of({all.data(), directions.size()});
+}
+Vector rates(const std::vector<double>& speeds) {
+  Vector all = Vector::Zero();
+  for (std::size_t k = 0; k < speeds.size(); ++k) all[static_cast<int>(k)] = speeds[k];
+  return all;
+}
+Symmetric<double> symmetric(const Matrix& m) { return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)}; }
+
+double largest_principal_value_of(const Matrix& m) {
+  return Eigen::SelfAdjointEigenSolver<Matrix>(m, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+/// What changes the velocities along given directions to the given ones in a step.
+Vector accelerations(const GivenAxes& along, const Vector& speeds, const Vector& velocity, double step) {
+  return step > 0 ? Vector((speeds - along.basis.transpose() * velocity) / step) : Vector::Zero();
+}
+
+/// The part of a vector along given directions.
+Vector part_along(const GivenAxes& along, const Vector& v) {
+  Vector part = Vector::Zero();
+  for (int k = 0; k < along.count; ++k) part += along.basis.col(k).dot(v) * along.basis.col(k);
+  return part;
+}
+
+}  // namespace
+
+RigidBodyMotion::RigidBodyMotion(double mass, const std::array<Point, 3>& inertia, const Point& centre)
+    : mass_(mass), inertia_(inertia) {
+  state_.centre = centre;
+}
+
+void RigidBodyMotion::set_velocities(const Point& velocity, const Point& angular_velocity) {
+  state_.velocity = velocity;
+  state_.angular_momentum = point(of(turned(inertia_)) * of(angular_velocity));
+}
+
+std::array<Point, 3> RigidBodyMotion::rotation() const { return rows_of(of(state_.orientation).toRotationMatrix()); }
+
+std::array<Point, 3> RigidBodyMotion::turned(const std::array<Point, 3>& tensor) const {
+  const Matrix r = of(state_.orientation).toRotationMatrix();
+  return rows_of(r * of(tensor) * r.transpose());
+}
+
+void RigidBodyMotion::begin(const GivenMotion& given) {
+  now_ = turned(inertia_);
+  const Matrix inverse = of(now_).inverse();
+  inverse_now_ = rows_of(inverse);
+  angular_velocity_ = point(inverse * of(state_.angular_momentum));
+  const Matrix translation = mobility_across(axes(given.along), mass_ * Matrix::Identity());
+  const Matrix rotation = mobility_across(axes(given.about), of(now_));
+  side_ = {{state_.centre[0], state_.centre[1], state_.centre[2]}, symmetric(translation), symmetric(rotation), 0, 0};
+  side_.most_translation = given.along.size() < 3 ? 1 / mass_ : 0.0;
+  side_.most_rotation = given.about.size() < 3 ? largest_principal_value_of(rotation) : 0.0;
+}
+
+void RigidBodyMotion::load(const Wrench& wrench, const GivenMotion& given, double velocity_step) {
+  wrench_ = wrench;
+  const GivenAxes along = axes(given.along), about = axes(given.about);
+  const Vector faster = accelerations(along, rates(given.speeds), of(state_.velocity), velocity_step);
+  const Vector turning = accelerations(about, rates(given.angular_speeds), of(angular_velocity_), velocity_step);
+  const Vector force = of(wrench.force), moment = of(wrench.moment);
+  const Vector a = motion_with(along, faster, mass_ * Matrix::Identity(), force);
+  const Vector b = motion_with(about, turning, of(now_), moment);
+  acceleration_ = point(a);
+  angular_acceleration_ = point(b);
+  state_.reaction = {point(part_along(along, mass_ * a - force)), point(part_along(about, of(now_) * b - moment))};
+}
+
+/// Where speeds about axes are given the inertia about them may change as the body turns, and with it the energy: the
+/// work of the reaction within the step. (Where they are held, that is of the order of what the midpoint rule leaves.)
+ExternalWork RigidBodyMotion::move(const GivenMotion& given, const StepLengths& step) {
+  const double h = step.velocity();
+  ExternalWork work;
+  const Point before = angular_velocity_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double faster = state_.velocity[k] + h * acceleration_[k];
+    work.join(work_of(state_.reaction.force[k], state_.velocity[k], faster, step));
+    work.join(work_of(state_.reaction.moment[k], before[k], before[k] + h * angular_acceleration_[k], step));
+    state_.velocity[k] = faster;
+    state_.angular_momentum[k] += h * (wrench_.moment[k] + state_.reaction.moment[k]);
+    state_.centre[k] += step.after * faster;
+  }
+  const Quaternion orientation = of(state_.orientation);
+  const Matrix inertia = of(inertia_);
+  const Vector momentum = of(state_.angular_momentum);
+  Quaternion turned_to = orientation;
+  if (given.about.empty()) {
+    turned_to = turned_freely(orientation, inertia, momentum, step.after);
+  } else if (step.after > 0) {
+    turned_to =
+        turned_about(axes(given.about), rates(given.angular_speeds), orientation, inertia, momentum, step.after);
+  }
+  state_.orientation = {turned_to.w(), turned_to.x(), turned_to.y(), turned_to.z()};
+  if (given.about.empty() || !(step.after > 0)) return work;
+  const double twice_before = momentum.dot(of(inverse_now_) * momentum);
+  const Matrix now = of(turned(inertia_));
+  const Vector rate = motion_with(axes(given.about), rates(given.angular_speeds), now, momentum);
+  state_.angular_momentum = point(now * rate);
+  const bool driven =
+      std::any_of(given.angular_speeds.begin(), given.angular_speeds.end(), [](double speed) { return speed != 0; });
+  if (driven) work.later += 0.5 * (rate.dot(now * rate) - twice_before);
+  return work;
+}
+
+double RigidBodyMotion::kinetic() const {
+  return 0.5 * mass_ * dot(state_.velocity, state_.velocity) + 0.5 * dot(angular_velocity_, state_.angular_momentum);
+}
+
+}  // namespace pinball

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <solver/base/point.hpp>
+#include <solver/scene_rules.hpp>
+
+namespace pinball {
+
+namespace {
+
+std::optional<Problem> angle_problem(const char* key, const std::vector<Point>& directions) {
+  constexpr double square = 1e-9;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::abs(dot(directions[i], directions[j])) < square) continue;
+      return Problem{key, fmt::format("expected directions at right angles, numbers {} and {} are not", j + 1, i + 1)};
+    }
+  }
+  return {};
+}
+
+/// Of a body, no principal moment is larger than the sum of the others, and all are > 0. Both hold where the tensor
+/// J = tr(I)/2 - I, the integral of r r^T, has no principal value below 0 and at most one that is 0.
+std::optional<Problem> inertia_problem(const std::array<Point, 3>& inertia) {
+  double size = 0;
+  for (const Point& row : inertia) {
+    for (const double component : row) size = std::max(size, std::abs(component));
+  }
+  if (size == 0) return {};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (std::abs(inertia[i][j] - inertia[j][i]) <= 1e-9 * size) continue;
+      return Problem{"inertia", fmt::format("expected a symmetric tensor, got {} and {} across the diagonal",
+                                            inertia[i][j], inertia[j][i])};
+    }
+  }
+  std::array<Point, 3> j = inertia;
+  const double half = 0.5 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) j[i][k] = (i == k ? half : 0.0) - inertia[i][k];
+  }
+  const double minors = j[0][0] * j[1][1] - j[0][1] * j[1][0] + j[1][1] * j[2][2] - j[1][2] * j[2][1] +
+                        j[2][2] * j[0][0] - j[2][0] * j[0][2];
+  const double determinant = dot(j[0], cross(j[1], j[2]));
+  constexpr double little = 1e-9;
+  if (half > 0 && minors > little * size * size && determinant >= -little * size * size * size) return {};
+  return Problem{"inertia", "expected that of a body: principal moments > 0, none larger than the sum of the others"};
+}
+
+}  // namespace
+
+std::optional<Problem> problem_of(const RigidBody& rigid) {
+  if (rigid.bodies.empty()) return Problem{"bodies", "expected the name of a body at least, got none"};
+  if (auto problem = angle_problem("held", rigid.held)) return problem;
+  if (auto problem = angle_problem("held_rotations", rigid.held_rotations)) return problem;
+  return inertia_problem(rigid.inertia);
+}
+
+std::optional<Problem> problem_of(const RigidMotion& motion) {
+  if (motion.direction && motion.axis) return Problem{"axis", "expected either direction or axis, got both"};
+  if (!motion.direction && !motion.axis) return Problem{"direction", "missing, expected a direction or an axis"};
+  if (motion.direction && motion.angular_speed != 0)
+    return Problem{"angular_speed", "expected speed beside direction, not angular_speed"};
+  if (motion.axis && motion.speed != 0) return Problem{"speed", "expected angular_speed beside axis, not speed"};
+  return {};
+}
+
+/// What rigid bodies are not there for is refused.
+std::optional<Problem> problem_of(const RigidBody& rigid, const Scene& scene) {
+  const auto refuse = [](const std::string& text) { return Problem{"bodies", text}; };
+  for (const std::string& name : rigid.bodies) {
+    std::size_t times = 0;
+    for (const RigidBody& any : scene.rigid_bodies) times += std::ranges::count(any.bodies, name);
+    if (times > 1) return refuse(fmt::format("expected each body once in all rigid bodies, got {} again", name));
+    const auto body = std::ranges::find(scene.bodies, name, &Body::name);
+    if (body == scene.bodies.end()) continue;  // said elsewhere
+    if (body->velocity_noise > 0 || body->velocity_gradient != std::array<Point, 3>{})
+      return refuse(fmt::format("body {} deforms by its velocity_gradient or velocity_noise: expected none", name));
+  }
+  if (scene.output.body_energies && rigid.inertia != std::array<Point, 3>{})
+    return Problem{"inertia", "expected output.body_energies = false, whose sums are those of the masses of nodes"};
+  if (scene.time.subcycling)
+    return refuse("expected time.subcycling = false, with which there are no rigid bodies in this version");
+  if (scene.contact.method != ContactMethod::none && scene.contact.enforcement == Enforcement::projection)
+    return refuse("expected contact.enforcement = \"lagrange\" or \"penalty\", \"projection\" knows no rigid bodies");
+  return {};
+}
+
+}  // namespace pinball

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "../../scene_rigid.hpp"
+#include "key.hpp"
+#include "selection.hpp"
+
+/// The keys of rigid bodies and of what moves them.
+namespace pinball::schema {
+
+template <class Visit>
+constexpr void describe(Of<RigidBody>, Visit&& visit) {
+  using T = RigidBody;
+  visit(Key{"name",
+            &T::name,
+            "of its columns in `history.csv`",
+            {.form = Form::name, .otherwise = "that of the first of its bodies", .listed = Listed::never}});
+  visit(Key{"bodies",
+            &T::bodies,
+            "names of the bodies that move as one and do not deform",
+            {.need = Need::required, .done = Done::reading_by_hand}});
+  visit(Key{"held",
+            &T::held,
+            "`\"all\"`, or directions at right angles along which its centre does not move: `\"x\"`, `\"y\"`, `\"z\"` "
+            "or 3 numbers",
+            {.unit = "-", .otherwise = "none", .done = Done::reading_by_hand}});
+  visit(Key{"held_rotations",
+            &T::held_rotations,
+            "`\"all\"`, or directions at right angles about which it does not turn",
+            {.unit = "-", .otherwise = "none", .done = Done::reading_by_hand}});
+  visit(Key{"mass",
+            &T::mass,
+            "in the place of that of its materials, whose densities follow",
+            {.unit = "M", .bound = not_negative, .unset = Unset::zero, .otherwise = "that of its elements"}});
+  visit(Key{"inertia",
+            &T::inertia,
+            "3 rows of 3, at the start, about its centre along x, y, z; all 0: that of the masses of its nodes",
+            {.unit = "M L^2"}});
+  visit(Field{"where", &T::where, "for messages"});
+}
+
+template <class Visit>
+constexpr void describe(Of<RigidMotion>, Visit&& visit) {
+  using T = RigidMotion;
+  visit(Key{"rigid_body", &T::rigid_body, "name of a `[[rigid_body]]`", {.need = Need::required}});
+  visit(Key{"direction",
+            &T::direction,
+            "in which its centre moves",
+            {.unit = "-", .need = Need::one_of, .form = Form::direction, .otherwise = "required, or `axis`"}});
+  visit(Key{"speed", &T::speed, "along the direction", {.unit = "L/T"}});
+  visit(Key{"axis",
+            &T::axis,
+            "about which it turns",
+            {.unit = "-", .need = Need::one_of, .form = Form::direction, .otherwise = "required, or `direction`"}});
+  visit(Key{"angular_speed", &T::angular_speed, "about the axis", {.unit = "1/T"}});
+  visit(Key{"quantity", &T::quantity,
+            "what the factors make of it: with `\"displacement\"` and `\"acceleration\"` speeds are ways, angles and "
+            "accelerations"});
+  visit(Group{"table", &T::table, "factors"});
+  visit(Group{"when", &T::when, "the body is free before and after; factors are of the time of the run"});
+  visit(Field{"where", &T::where, "for messages"});
+}
+
+}  // namespace pinball::schema

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <tests/support/solver_case.hpp>
+
+/// Impacts of rigid bodies against closed forms.
+namespace pinball {
+namespace {
+
+using namespace test;
+
+RigidBody rigid(const std::string& body) {
+  RigidBody of;
+  of.name = body;
+  of.bodies = {body};
+  return of;
+}
+
+Scene by_impulses(const std::vector<Body>& bodies, double end) {
+  Scene scene = scene_of(bodies, end);
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  return scene;
+}
+
+void run(Solver<double>& solver) {
+  while (!solver.at_end()) solver.step();
+  solver.finish();
+}
+
+/// Rows of a body differ, and the compliance leaves a ten-thousandth of what they change.
+TEST(RigidContact, OfTwoRigidBodiesIsPlastic) {
+  Scene scene = by_impulses(
+      {block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {0, 0, 3}), block("b", {3, 3, 3}, 0.1, {-0.05, -0.05, 0.21}, {0, 0, -1})},
+      0.02);
+  scene.rigid_bodies = {rigid("a"), rigid("b")};
+  Solver<double> solver(scene);
+  run(solver);
+  const auto after = solver.rigid().results();
+  const double common = (8 * 3.0 - 27 * 1.0) / 35;
+  EXPECT_NEAR(after[0].velocity[2], common, 1e-4 * 4);
+  EXPECT_NEAR(after[1].velocity[2], common, 1e-4 * 4);
+  EXPECT_NEAR(norm(after[0].angular_velocity), 0, 1e-8);
+  EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-12);
+}
+
+TEST(RigidContact, WithSpringsIsElastic) {
+  Scene scene = scene_of(
+      {block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {0, 0, 3}), block("b", {2, 2, 2}, 0.1, {0, 0, 0.25}, {0, 0, -1})}, 0.05);
+  scene.contact.damping = 0;
+  scene.time.cfl = 0.05;
+  scene.rigid_bodies = {rigid("a"), rigid("b")};
+  Solver<double> solver(scene);
+  run(solver);
+  const auto after = solver.rigid().results();
+  EXPECT_NEAR(after[0].velocity[2], -1, 1e-3);
+  EXPECT_NEAR(after[1].velocity[2], 3, 1e-3);
+}
+
+/// A block that stands on its corner hits a plate beside its centre: with arms r from the centres and n = z
+///
+///     p = u / (1/M1 + 1/M2 + (r1 x n) . I1^-1 (r1 x n) + (r2 x n) . I2^-1 (r2 x n)) ,   u: the closing speed.
+///
+/// The inverses are taken by Cramer's rule, independently of the solver's.
+double turning(const std::array<Point, 3>& inertia, const Point& moment, Point& spin) {
+  const double det = dot(inertia[0], cross(inertia[1], inertia[2]));
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<Point, 3> m = inertia;  // symmetric: rows for columns
+    m[k] = moment;
+    spin[k] = dot(m[0], cross(m[1], m[2])) / det;
+  }
+  return dot(moment, spin);
+}
+
+TEST(RigidContact, BesideTheCentresTurnsBoth) {
+  Scene scene =
+      by_impulses({block("plate", {4, 4, 1}, 0.1, {0, 0, -0.1}), block("corner", {1, 2, 3}, 0.1, {0, 0, 0})}, 1e-4);
+  scene.bodies[1].axis = {1, 1, 1};
+  scene.bodies[1].velocity = {0, 0, -5};
+  const auto lowest = [](const Scene& of) {
+    const ModelMesh mesh = build_mesh(of);
+    Point low{0, 0, 1e9};
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+      if (mesh.body_of_node[n] == 1 && mesh.nodes[n][2] < low[2]) low = mesh.nodes[n];
+    }
+    return low;
+  };
+  const Point at = lowest(scene), wanted{0.13, 0.07, 1e-4};
+  for (std::size_t k = 0; k < 3; ++k) scene.bodies[1].position[k] += wanted[k] - at[k];
+  scene.rigid_bodies = {rigid("plate"), rigid("corner")};
+  Solver<double> solver(scene);
+  const auto before = solver.rigid().results();
+  while (solver.counts().pairs() == 0) solver.step();
+  for (int i = 0; i < 3; ++i) solver.step();
+  const auto after = solver.rigid().results();
+  double inverse = 1 / before[0].mass + 1 / before[1].mass;
+  std::array<Point, 2> spin{};
+  for (std::size_t b = 0; b < 2; ++b) {
+    Point r = minus(wanted, before[b].centre);
+    const Point moment = cross(r, {0, 0, b == 0 ? -1.0 : 1.0});
+    inverse += turning(before[b].inertia, moment, spin[b]);
+  }
+  const double p = 5 / inverse;
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_NEAR(after[b].velocity[2], before[b].velocity[2] + (b == 0 ? -p : p) / before[b].mass, 1e-3);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(after[b].angular_velocity[k], p * spin[b][k], 1e-4 * p * norm(spin[b])) << b << k;
+  }
+}
+
+TEST(RigidContact, SlidesAsFrictionHasIt) {
+  Scene scene = by_impulses(
+      {block("floor", {12, 4, 1}, 0.2, {-0.7, -0.41, -0.2}), block("block", {4, 4, 2}, 0.05, {0, 0, 0}, {2, 0, 0})},
+      0.5);
+  scene.contact.friction = scene.contact.static_friction = 0.3;
+  scene.rigid_bodies = {rigid("floor"), rigid("block")};
+  scene.rigid_bodies[0].held = scene.rigid_bodies[0].held_rotations = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  scene.gravities = {{.acceleration = {0, 0, -10}}};
+  Solver<double> solver(scene);
+  const double start = solver.rigid().results()[1].centre[0];
+  run(solver);
+  const RigidBodyResult after = solver.rigid().results()[1];
+  EXPECT_NEAR(after.centre[0] - start, 2 * 0.5 - 0.5 * 0.3 * 10 * 0.25, 1e-5);
+  EXPECT_NEAR(after.velocity[0], 2 - 0.3 * 10 * 0.5, 1e-5);
+  EXPECT_NEAR(after.centre[2], 0.05, 1e-6);
+}
+
+/// A rigid block on a bar of the same section: the bar's end gets the block's velocity, and the stress is that of a
+/// wave, rho c v; the block slows down by exp(-rho c A t/M).
+TEST(RigidContact, OnABarSlowsDownAsThePressureOfTheWaveHasIt) {
+  const double h = 0.01, v = 1;
+  Scene scene =
+      by_impulses({block("bar", {1, 1, 200}, h, {0, 0, 0}), block("block", {1, 1, 4}, h, {0, 0, 2 + 1e-6})}, 3e-5);
+  scene.materials = {elastic_material("steel", 0.0)};
+  scene.element.bulk_viscosity = true;
+  scene.bodies[1].velocity = {0, 0, -v};
+  scene.rigid_bodies = {rigid("block")};
+  Solver<double> solver(scene);
+  run(solver);
+  const RigidBodyResult after = solver.rigid().results()[0];
+  const double c = std::sqrt(2.1e11 / 7850), time = 3e-5 - 1e-6;
+  EXPECT_NEAR(-after.velocity[2], v * std::exp(-7850 * c * h * h * time / after.mass), 0.02);
+  EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-4);
+}
+
+}  // namespace
+}  // namespace pinball
