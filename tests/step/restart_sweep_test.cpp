@@ -162,7 +162,53 @@ std::set<std::string> keys_of_times(const std::string& text) {
   return keys;
 }
 
-TEST_F(RestartSweep, TheSceneHasEveryKeyOfTimes) { EXPECT_EQ(keys_of_times(test::changing_scene), keys_of_times()); }
+/// Rigid bodies, which are not beside subcycling and rigid walls.
+const std::string rigid_scene = R"(units = "kg-m-s"
+title = "A rigid body that is moved for a while"
+[time]
+end = 6e-4
+[[material]]
+name = "steel"
+model = "elastic"
+density = 7850
+young_modulus = 2.1e11
+poisson_ratio = 0.3
+[[body]]
+name = "plate"
+material = "steel"
+mesh = { type = "block", size = [0.4, 0.4, 0.1], elements = [4, 4, 1] }
+[[body]]
+name = "punch"
+material = "steel"
+position = [0.1, 0.1, 0.1001]
+mesh = { type = "block", size = [0.2, 0.2, 0.1], elements = [2, 2, 1] }
+[contact]
+method = "pinball"
+[[rigid_body]]
+name = "punch"
+bodies = ["punch"]
+[[rigid_motion]]
+rigid_body = "punch"
+direction = [0, 0, 1]
+speed = -20
+times = [0, 2e-4, 4e-4]
+factors = [1, 2, 0.5]
+start = 9e-5
+end = 3e-4
+)";
+
+TEST_F(RestartSweep, TheSceneHasEveryKeyOfTimes) {
+  std::set<std::string> all = keys_of_times(test::changing_scene);
+  all.merge(keys_of_times(rigid_scene));
+  EXPECT_EQ(all, keys_of_times());
+}
+
+TEST_F(RestartSweep, ARigidBodyThatIsMovedForAWhile) {
+  const std::string path = (folder_ / "rigid.toml").string();
+  std::ofstream(path) << rigid_scene;
+  const Scene scene = read_scene(path);
+  expect_same_after_restarts(scene, some_steps(8, steps_of(scene), 5));
+}
 
 TEST_F(RestartSweep, AnyStepOfAllThatBeginsAndEnds) {
   const Scene scene = changing();
