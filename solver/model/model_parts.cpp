@@ -1,0 +1,112 @@
+#include "model_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <solver/scene_rules.hpp>
+
+#include "material/material_held.hpp"
+#include "material/material_laws.hpp"
+
+namespace pinball {
+
+namespace {
+
+template <class S>
+ElementConstants<S> constants_of(const Material& material, const ElementSettings& settings) {
+  const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus;
+  const double modulus = lambda + 2 * material.shear_modulus;
+  const double infinite = std::numeric_limits<double>::infinity();
+  ElementConstants<S> c{};
+  c.material.lambda = static_cast<S>(lambda);
+  c.material.mu = static_cast<S>(material.shear_modulus);
+  c.material.yield_stress = static_cast<S>(material.plastic ? material.yield_stress : infinite);
+  c.material.plastic_modulus = static_cast<S>(material.plastic_modulus);
+  c.material.ultimate_stress = static_cast<S>(material.ultimate_stress > 0 ? material.ultimate_stress : infinite);
+  c.material.density = static_cast<S>(material.density);
+  c.material.sound_speed = static_cast<S>(std::sqrt(modulus / material.density));
+  const bool resists = settings.hourglass != HourglassControl::none;
+  c.hourglass.coefficient = static_cast<S>(resists ? settings.hourglass_coefficient : 0.0);
+  c.hourglass.assumed_strain = assumed_strain_moduli(c.material.lambda, c.material.mu, c.hourglass.coefficient);
+  c.hourglass.modulus = c.hourglass.coefficient * hourglass_modulus(c.material.lambda, c.material.mu);
+  c.specific_volume = static_cast<S>(1 / material.density);
+  if (settings.bulk_viscosity) {
+    c.viscosity.linear = static_cast<S>(settings.linear_viscosity);
+    c.viscosity.quadratic = static_cast<S>(settings.quadratic_viscosity);
+  }
+  const NegativeVolume policy =
+      settings.negative_volume.value_or(erodes(material) ? NegativeVolume::erode : NegativeVolume::stop);
+  c.failure.plastic_strain = static_cast<S>(material.erosion_strain > 0 ? material.erosion_strain : infinite);
+  c.failure.negative_volume = policy == NegativeVolume::erode;
+  c.failure.inside_out = settings.inside_out == InsideOut::erode;
+  // What does not yield has hourglass forces that resist.
+  if (material.plastic) {
+    c.folding_energy = static_cast<S>(settings.folding_resistance * material.bulk_modulus / (8 * material.density));
+  }
+  c.never_yields = !material.plastic;
+  return c;
+}
+
+HourglassKind hourglass_kind(HourglassControl control) {
+  switch (control) {
+    case HourglassControl::assumed_strain:
+      return HourglassKind::assumed_strain;
+    case HourglassControl::stiffness:
+      return HourglassKind::stiffness;
+    case HourglassControl::viscous:
+      return HourglassKind::viscous;
+    case HourglassControl::none:
+      break;
+  }
+  return HourglassKind::none;
+}
+
+/// erodes_anyway: for a reason other than its material's.
+ElementFeatures features_of(const Material& material, const ElementSettings& settings, bool erodes_anyway) {
+  ElementFeatures f{};
+  f.erosion = erodes_anyway || erodes(material);
+  f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
+  f.bulk_viscosity = settings.bulk_viscosity;
+  f.hourglass = hourglass_kind(settings.hourglass);
+  if (has_general_yield(material)) f.yield = YieldLaw::general;
+  return f;
+}
+
+}  // namespace
+
+template <class S>
+ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
+  ElementStoreFeatures stored;
+  for (const auto& [number, settings, rigid] : parts.parts) {
+    const Material& material = model.scene.materials[number];
+    model.constants.push_back(constants_of<S>(material, settings));
+    require_held(model.scene, material, model.constants.back());
+    if (rigid) {
+      model.parts.push_back({static_cast<std::int32_t>(number), {}, settings, true});
+      continue;
+    }
+    if (has_general_yield(material)) {
+      model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
+      model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
+      model.constants.back().johnson_cook = johnson_cook_constants<S>(material);
+      model.constants.back().pressure = pressure_constants<S>(material);
+      model.constants.back().places = material_places(material);
+      stored.material_numbers = std::max(stored.material_numbers, model.constants.back().places.numbers);
+    }
+    const FailureConstants<S>& failure = model.constants.back().failure;
+    const ElementFeatures f = features_of(material, settings, failure.negative_volume || failure.inside_out);
+    model.parts.push_back({static_cast<std::int32_t>(number), f, settings});
+    stored.plastic |= f.plastic;
+    stored.erosion |= f.erosion;
+    stored.bulk_viscosity |= f.bulk_viscosity;
+    stored.hourglass_state |= keeps_hourglass_state(f.hourglass);
+  }
+  return stored;
+}
+
+template ElementStoreFeatures add_parts(Model<double>&, const ElementParts&);
+template ElementStoreFeatures add_parts(Model<float>&, const ElementParts&);
+
+}  // namespace pinball
