@@ -19,8 +19,8 @@ struct RigidBody {
   std::vector<Point> held{};
   /// held_rotations: directions about which it does not turn, unit vectors at right angles
   std::vector<Point> held_rotations{};
-  double mass =
-      0;  ///< mass: in place of that of the materials of its bodies, whose densities follow; 0: not set [mass]
+  /// mass: in place of that of the materials of its bodies, whose densities follow; 0: not set [mass]
+  double mass = 0;
   /// inertia: about its centre, at the start, rows; zero: not set [mass length^2]
   std::array<Point, 3> inertia{};
   std::string where{};  ///< for messages

@@ -70,6 +70,7 @@ struct Part {
 
 /// A rigid body: which nodes move with it, and in which directions nothing moves it.
 struct RigidNodes {
+  std::int32_t first_body = 0;        ///< the first of the scene's that it is made of
   std::vector<std::int32_t> nodes;    ///< of the store, ascending
   std::vector<Point> held;            ///< along which its centre does not move, orthonormal
   std::vector<Point> held_rotations;  ///< about which it does not turn, orthonormal

@@ -38,7 +38,7 @@ ContactElement ModelSurface<S>::element(std::int64_t slot) const {
   element.body = model_.mesh.body[e];
   if (const std::int32_t rigid = model_.rigid_of_body[element.body]; rigid >= 0) {
     element.rigid = true;
-    element.body = std::ranges::find(model_.rigid_of_body, rigid) - model_.rigid_of_body.begin();
+    element.body = model_.rigid[rigid].first_body;
   }
   element.mass = model_.element_mass[e];
   element.volume = model_.material_mass(e) / material.density;

@@ -70,9 +70,10 @@ class RigidBodies {
     bool shared = false;  ///< the forces of its nodes are those of load()
     RigidBodyMotion motion;
   };
-  void add_body(const Model<S>& model, std::size_t number);
+  // scene_node: number in the scene per node of the store.
+  void add_body(const Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node);
   void check_motions(const Scene& scene) const;
-  void take_velocities(Model<S>& model, std::size_t number, bool of_start);
+  void take_velocities(Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node, bool of_start);
   void choose_given(Body& body, double time) const;
   void set_speeds(Body& body, double time, const StepLengths& step) const;
   void put_nodes(Model<S>& model, const Body& body) const;

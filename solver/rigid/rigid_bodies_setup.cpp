@@ -6,6 +6,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/model/elements/element_start.hpp>
+#include <solver/model/ordering.hpp>
 
 #include "rigid_bodies.hpp"
 
@@ -73,20 +74,19 @@ RigidBodies<S>::RigidBodies(Model<S>& model) : motions_(model.scene.rigid_motion
   for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) deforms = deforms || !model.is_rigid(tile);
   of_run_ = deforms ? std::numeric_limits<double>::infinity() : longest_step_of_run(model);
   sides_.body_of_node.assign(model.nodes.count, -1);
-  for (std::size_t r = 0; r < model.rigid.size(); ++r) add_body(model, r);
+  const std::vector<std::int32_t> scene_node = inverse_permutation(model.node_of_scene_node);
+  for (std::size_t r = 0; r < model.rigid.size(); ++r) add_body(model, r, scene_node);
   check_motions(model.scene);
   sides_.bodies.resize(bodies_.size());
   before_.resize(bodies_.size());
-  for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, true);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, scene_node, true);
   begin_step(0);
 }
 
 template <class S>
-void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number) {
+void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node) {
   const RigidBody& given = model.scene.rigid_bodies[number];
   const std::vector<std::int32_t>& nodes = model.rigid[number].nodes;
-  std::vector<std::int32_t> scene_node(model.nodes.count);
-  for (std::size_t n = 0; n < scene_node.size(); ++n) scene_node[model.node_of_scene_node[n]] = n;
   const auto place = [&](std::size_t i) { return model.mesh.nodes[scene_node[nodes[i]]]; };
   const MassOfNodes own = mass_of(
       nodes.size(), [&](std::size_t i) { return model.node_mass[nodes[i]]; }, place);
@@ -146,10 +146,9 @@ void RigidBodies<S>::check_motions(const Scene& scene) const {
 /// With momenta of those of its nodes that are of no other body before it: what other bodies say of their velocities
 /// ends where they share nodes with a rigid one.
 template <class S>
-void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, bool of_start) {
+void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node,
+                                     bool of_start) {
   Body& body = bodies_[number];
-  std::vector<std::int32_t> scene_node(model.nodes.count);
-  for (std::size_t n = 0; n < scene_node.size(); ++n) scene_node[model.node_of_scene_node[n]] = n;
   std::vector<std::int32_t> nodes;
   for (const std::int32_t n : body.nodes) {
     const bool is_own =
@@ -195,7 +194,8 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, bool o
 
 template <class S>
 void RigidBodies<S>::take_velocities(Model<S>& model) {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, false);
+  const std::vector<std::int32_t> scene_node = inverse_permutation(model.node_of_scene_node);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) take_velocities(model, b, scene_node, false);
 }
 
 template RigidBodies<double>::RigidBodies(Model<double>&);

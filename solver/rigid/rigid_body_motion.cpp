@@ -131,8 +131,4 @@ ExternalWork RigidBodyMotion::move(const GivenMotion& given, const StepLengths& 
   return work;
 }
 
-double RigidBodyMotion::kinetic() const {
-  return 0.5 * mass_ * dot(state_.velocity, state_.velocity) + 0.5 * dot(angular_velocity_, state_.angular_momentum);
-}
-
 }  // namespace pinball

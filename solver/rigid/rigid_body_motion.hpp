@@ -78,7 +78,6 @@ class RigidBodyMotion {
   /// The inertia at the present orientation of a tensor at the start [mass length^2]
   std::array<Point, 3> turned(const std::array<Point, 3>& tensor) const;
   const std::array<Point, 3>& inertia() const { return inertia_; }  ///< at the start
-  double kinetic() const;  ///< with the present velocities, after begin() [energy]
 
  private:
   double mass_;

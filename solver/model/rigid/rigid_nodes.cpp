@@ -12,9 +12,9 @@ namespace pinball {
 
 namespace {
 
-/// Number of the rigid body of each node of the scene, or -1.
-std::vector<std::int32_t> rigid_body_of_nodes(const Scene& scene, const ModelMesh& mesh) {
-  const std::vector<std::int32_t> of_body = rigid_body_of_bodies(scene);
+/// Number of the rigid body of each node of the scene, or -1. of_body: the same of its bodies.
+std::vector<std::int32_t> rigid_body_of_nodes(const Scene& scene, const ModelMesh& mesh,
+                                              const std::vector<std::int32_t>& of_body) {
   std::vector<std::int32_t> of_node(mesh.nodes.size(), -1);
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     const std::int32_t rigid = of_body[mesh.body[e]];
@@ -89,11 +89,14 @@ std::vector<RigidNodes> find_rigid_nodes(const Scene& scene, const ModelMesh& me
                                          const std::vector<TiedNode>& tied_nodes) {
   std::vector<RigidNodes> all(scene.rigid_bodies.size());
   if (all.empty()) return all;
-  const std::vector<std::int32_t> of_node = rigid_body_of_nodes(scene, mesh);
+  const std::vector<std::int32_t> of_body = rigid_body_of_bodies(scene);
+  const std::vector<std::int32_t> of_node = rigid_body_of_nodes(scene, mesh, of_body);
   for (std::size_t n = 0; n < of_node.size(); ++n) {
     if (of_node[n] >= 0) all[of_node[n]].nodes.push_back(n);
   }
   for (std::size_t r = 0; r < all.size(); ++r) {
+    const auto first = std::ranges::find(of_body, static_cast<std::int32_t>(r));
+    all[r].first_body = static_cast<std::int32_t>(first - of_body.begin());
     all[r].held = scene.rigid_bodies[r].held;
     all[r].held_rotations = scene.rigid_bodies[r].held_rotations;
   }
