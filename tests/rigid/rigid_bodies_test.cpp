@@ -5,7 +5,8 @@
 
 #include <solver/scene_rules.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/solver_case.hpp>
+
+#include "rigid_case.hpp"
 
 /// Rigid bodies in the step: what moves them, their momenta and energies, and that others stay as they are.
 namespace pinball {
@@ -13,13 +14,6 @@ namespace {
 
 using namespace test;
 using testing::HasSubstr;
-
-RigidBody rigid(const std::string& body) {
-  RigidBody of;
-  of.name = body;
-  of.bodies = {body};
-  return of;
-}
 
 const std::vector<Point> all_directions{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -29,12 +23,6 @@ Scene top(double end) {
   scene.bodies[0].angular_velocity = {0.1, 6, 0.1};
   scene.rigid_bodies = {rigid("top")};
   return scene;
-}
-
-template <class S>
-void run(Solver<S>& solver) {
-  while (!solver.at_end()) solver.step();
-  solver.finish();
 }
 
 /// About the origin, of all nodes.

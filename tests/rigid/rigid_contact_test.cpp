@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tests/support/solver_case.hpp>
+#include "rigid_case.hpp"
 
 /// Impacts of rigid bodies against closed forms.
 namespace pinball {
@@ -11,23 +11,11 @@ namespace {
 
 using namespace test;
 
-RigidBody rigid(const std::string& body) {
-  RigidBody of;
-  of.name = body;
-  of.bodies = {body};
-  return of;
-}
-
 Scene by_impulses(const std::vector<Body>& bodies, double end) {
   Scene scene = scene_of(bodies, end);
   scene.contact.enforcement = Enforcement::lagrange;
   scene.contact.gap = ContactGap::face;
   return scene;
-}
-
-void run(Solver<double>& solver) {
-  while (!solver.at_end()) solver.step();
-  solver.finish();
 }
 
 /// Rows of a body differ, and the compliance leaves a ten-thousandth of what they change.

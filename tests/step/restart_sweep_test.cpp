@@ -124,7 +124,10 @@ class RestartSweep : public test::FolderTest {
   Scene changing(const std::vector<std::pair<std::string, std::string>>& changes = {}) const {
     std::string text = test::changing_scene;
     for (const auto& [what, instead] : changes) text = test::replaced(text, what, instead);
-    const std::string path = (folder_ / "changing.toml").string();
+    return read(text);
+  }
+  Scene read(const std::string& text) const {
+    const std::string path = (folder_ / "scene.toml").string();
     std::ofstream(path) << text;
     return read_scene(path);
   }
@@ -204,9 +207,7 @@ TEST_F(RestartSweep, TheSceneHasEveryKeyOfTimes) {
 }
 
 TEST_F(RestartSweep, ARigidBodyThatIsMovedForAWhile) {
-  const std::string path = (folder_ / "rigid.toml").string();
-  std::ofstream(path) << rigid_scene;
-  const Scene scene = read_scene(path);
+  const Scene scene = read(rigid_scene);
   expect_same_after_restarts(scene, some_steps(8, steps_of(scene), 5));
 }
 
