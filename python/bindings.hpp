@@ -2,11 +2,11 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
-#include <pybind11/stl_bind.h>
 
 #include <solver/scene.hpp>
 
 #include "data_class.hpp"
+#include "data_list.hpp"
 
 /// Lists of a scene are objects of their own, so that scene.bodies.append(...) changes the scene. Every file of the
 /// module has to know that.
@@ -50,20 +50,6 @@ DataClass<Data> bind_data(py::module_& module, const char* name, const char* tex
   DataClass<Data> data(module, name, text);
   data.made_by_fields();
   return data;
-}
-
-/// A list of such data, to which Python lists convert.
-template <class Data>
-void bind_list(py::module_& module, const char* name) {
-  using List = std::vector<Data>;
-  py::class_<List, std::unique_ptr<List>> list = py::bind_vector<List>(module, name);
-  list.def("__repr__", [](const py::object& self) { return py::repr(py::list(self)); });
-  list.def("__eq__", [](const py::object& self, const py::object& other) {
-    return py::isinstance<py::sequence>(other) && py::list(self).equal(py::list(other));
-  });
-  list.def("__reduce__",
-           [](const py::object& self) { return py::make_tuple(py::type::of(self), py::make_tuple(py::list(self))); });
-  py::implicitly_convertible<py::list, List>();
 }
 
 }  // namespace pinball::python

@@ -5,15 +5,70 @@
 
 #include <functional>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace pinball::python {
 
 namespace py = pybind11;
 
+/// What Python does with the members of a type. Functions of a type, not of a field: there are hundreds of fields, and
+/// each function that is bound takes as long to compile as a small file.
+struct MemberType {
+  py::object (*show)(const void* member, py::handle owner);  ///< an object refers to the member, a number is a copy
+  py::object (*copy)(const void* member);
+  bool (*set)(void* member, py::handle value);  ///< false: `value` is none of the type
+  std::string (*name)();                        ///< in Python's words
+};
+
+/// A field of a class of plain data.
+struct DataField {
+  std::string name;
+  std::function<void*(void* data)> member_of;
+  const MemberType* type;
+};
+
+/// The class of a field and how its data are found. They outlive the module.
+struct DataType {
+  py::handle type;
+  void* (*data_of)(py::handle object);
+  std::vector<DataField> fields;
+};
+
+/// "Material", of a class.
+std::string text_of_type(py::handle type);
+/// "float expected, str given"
+std::string wrong_type(const MemberType& expected, py::handle given);
+/// Python's name of a type that pybind11 describes by a text with a % for each class in it.
+std::string name_of_type(const char* text, const std::type_info* const* classes);
 /// "Name(field=value, ...)" with the fields of `object` that are not what they are in `other`.
-std::string text_of_fields(const py::object& object, const py::object& other, const std::vector<std::string>& names);
-bool same_fields(const py::object& one, const py::object& other, const std::vector<std::string>& names);
+std::string text_of_fields(const DataType& type, const py::object& object, const py::object& other);
+bool same_fields(const DataType& type, const py::object& one, const py::object& other);
+py::dict copies_of_fields(const DataType& type, py::handle object);
+/// Throws TypeError where a value is none of its field.
+void set_fields(const DataType& type, py::handle object, const py::dict& values);
+/// A property of the class, which goes with it.
+void bind_field(DataType& type, DataField field, const char* text, bool writable);
+
+template <class Member>
+const MemberType& member_type() {
+  static const MemberType type{
+      [](const void* member, py::handle owner) {
+        return py::cast(*static_cast<const Member*>(member), py::return_value_policy::reference_internal, owner);
+      },
+      [](const void* member) { return py::cast(*static_cast<const Member*>(member), py::return_value_policy::copy); },
+      [](void* member, py::handle value) {
+        py::detail::make_caster<Member> caster;
+        if (!caster.load(value, true)) return false;
+        *static_cast<Member*>(member) = py::detail::cast_op<const Member&>(caster);
+        return true;
+      },
+      [] {
+        const auto& name = py::detail::make_caster<Member>::name;
+        return name_of_type(name.text, name.types().data());
+      }};
+  return type;
+}
 
 /// A class of plain data. From its fields follow repr(), ==, pickle and copies; a field that is bound is in all of
 /// them.
@@ -21,20 +76,12 @@ template <class Data>
 class DataClass : public py::class_<Data> {
  public:
   DataClass(const py::handle& scope, const char* name, const char* text) : py::class_<Data>(scope, name, text) {
-    this->def("__repr__", [](const py::object& self) { return text_of_fields(self, py::cast(Data{}), names()); });
+    type() = {*this, [](py::handle self) -> void* { return self.cast<Data*>(); }, {}};
+    this->def("__repr__", [](const py::object& self) { return text_of_fields(type(), self, py::cast(Data{})); });
     this->def("__eq__",
-              [](const py::object& self, const py::object& other) { return same_fields(self, other, names()); });
-    this->def(py::pickle(
-        [](const Data& data) {
-          py::dict values;
-          for (const Field& field : fields()) values[field.name.c_str()] = field.get(data);
-          return values;
-        },
-        [](const py::dict& values) {
-          Data data{};
-          for (const Field& field : fields()) field.set(data, values[field.name.c_str()]);
-          return data;
-        }));
+              [](const py::object& self, const py::object& other) { return same_fields(type(), self, other); });
+    this->def(py::pickle([](const py::object& self) { return copies_of_fields(type(), self); },
+                         [](const py::dict& values) { return made_of(values); }));
   }
 
   /// Fields by name: Material(name="steel", density=7850).
@@ -48,44 +95,34 @@ class DataClass : public py::class_<Data> {
   }
   template <class Class, class Member>
   DataClass& def_readwrite(const char* name, Member Class::*member, const char* text = "") {
-    py::class_<Data>::def_readwrite(name, member, text);
-    return add(name, member);
+    return add(name, member, text, true);
   }
   template <class Class, class Member>
   DataClass& def_readonly(const char* name, Member Class::*member, const char* text = "") {
-    py::class_<Data>::def_readonly(name, member, text);
-    return add(name, member);
+    return add(name, member, text, false);
   }
   /// A field that Python sees as a member of one of the members.
   template <class Class, class Outer, class Member>
   DataClass& def_inner(const char* name, Outer Class::*outer, Member Outer::*member, const char* text = "") {
-    const auto get = [=](const Data& data) { return data.*outer.*member; };
-    const auto set = [=](Data& data, const Member& value) { data.*outer.*member = value; };
-    py::class_<Data>::def_property(name, get, set, text);
-    fields().push_back({name, [get](const Data& data) { return py::cast(get(data)); },
-                        [set](Data& data, const py::handle& value) { set(data, value.cast<Member>()); }});
+    const auto member_of = [=](void* data) -> void* { return &(static_cast<Data*>(data)->*outer.*member); };
+    bind_field(type(), {name, member_of, &member_type<Member>()}, text, true);
     return *this;
   }
 
  private:
-  struct Field {
-    std::string name;
-    std::function<py::object(const Data&)> get;  ///< a copy
-    std::function<void(Data&, const py::handle&)> set;
-  };
-  static std::vector<Field>& fields() {
-    static std::vector<Field> all;
-    return all;
+  static DataType& type() {
+    static DataType one;
+    return one;
   }
-  static std::vector<std::string> names() {
-    std::vector<std::string> all;
-    for (const Field& field : fields()) all.push_back(field.name);
-    return all;
+  static Data made_of(const py::dict& values) {
+    const py::object made = py::cast(Data{});
+    set_fields(type(), made, values);
+    return made.cast<Data>();
   }
   template <class Class, class Member>
-  DataClass& add(const char* name, Member Class::*member) {
-    fields().push_back({name, [member](const Data& data) { return py::cast(Member(data.*member)); },
-                        [member](Data& data, const py::handle& value) { data.*member = value.cast<Member>(); }});
+  DataClass& add(const char* name, Member Class::*member, const char* text, bool writable) {
+    const auto member_of = [member](void* data) -> void* { return &(static_cast<Data*>(data)->*member); };
+    bind_field(type(), {name, member_of, &member_type<Member>()}, text, writable);
     return *this;
   }
 };

@@ -31,6 +31,51 @@ def structs():
                          if member != "operator"]
 
 
+class Lists(unittest.TestCase):
+    def names(self, materials):
+        return [material.name for material in materials]
+
+    def materials(self, names):
+        return pinball.Scene(materials=[pinball.Material(name=name) for name in names]).materials
+
+    def test_do_what_python_lists_do(self):
+        extra = pinball.Material(name="x")
+        changes = [lambda l: l.append(extra), lambda l: l.insert(1, extra), lambda l: l.insert(-99, extra), lambda l: l.insert(99, extra),
+                   lambda l: l.extend([extra, l[0]]), lambda l: l.pop(), lambda l: l.pop(1), lambda l: l.remove(l[2]),
+                   lambda l: l.reverse(), lambda l: l.clear(), lambda l: l.__setitem__(-1, extra), lambda l: l.__delitem__(0),
+                   lambda l: l.__setitem__(slice(1, 3), [extra] * 4), lambda l: l.__delitem__(slice(None, None, 2)),
+                   lambda l: l.__iadd__([extra])]
+        for number, change in enumerate(changes):
+            ours, pythons = self.materials("abcd"), list(self.materials("abcd"))
+            change(ours)
+            change(pythons)
+            self.assertEqual(self.names(ours), self.names(pythons), f"change {number}")
+        ours = self.materials("abcd")
+        self.assertEqual(self.names(ours[1:3]), ["b", "c"])
+        self.assertEqual(self.names(reversed(ours)), ["d", "c", "b", "a"])
+        self.assertEqual((len(ours), ours.index(ours[2]), ours.count(ours[0]), ours[1] in ours, extra in ours), (4, 2, 1, True, False))
+        self.assertFalse(self.materials(""))
+
+    def test_show_their_elements_and_copy_slices(self):
+        ours = self.materials("ab")
+        ours[-1].name = "c"
+        ours[:][0].name = "d"
+        self.assertEqual(self.names(ours), ["a", "c"])
+
+    def test_refuse_what_is_no_element_and_keep_what_they_have(self):
+        ours = self.materials("ab")
+        with self.assertRaisesRegex(TypeError, "Materials: Material expected, str given"):
+            ours.append("c")
+        with self.assertRaisesRegex(TypeError, "Materials: Material expected, Body given"):
+            ours[0] = pinball.Body()
+        with self.assertRaises(TypeError):
+            ours[0:1] = [1]
+        for place in (2, -3):
+            with self.assertRaises(IndexError):
+                ours[place]
+        self.assertEqual(self.names(ours), ["a", "b"])
+
+
 class Fields(unittest.TestCase):
     def test_of_a_scene_are_all_there(self):
         seen = 0
@@ -52,6 +97,14 @@ class Fields(unittest.TestCase):
         self.assertEqual(repr(pinball.Scene()), "Scene()")
         scene = pinball.Scene(materials=[material])
         self.assertEqual(repr(scene), "Scene(materials=[Material(name='steel', density=7850.0)])")
+
+    def test_refuse_what_has_another_type(self):
+        with self.assertRaisesRegex(TypeError, r"Material.density: float expected, str given"):
+            pinball.Material(density="heavy")
+        with self.assertRaisesRegex(TypeError, r"Scene.materials: Materials expected, int given"):
+            pinball.Scene().materials = 1
+        with self.assertRaisesRegex(TypeError, r"Body.velocity: .*float.* expected, list given"):
+            pinball.Body(velocity=["a", 0, 0])
 
     def test_make_meshes(self):
         made = pinball.SphereMesh(radius=1.0, core=[2, 2], ring=2)
