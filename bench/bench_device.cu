@@ -26,7 +26,7 @@ using namespace pinball;
 
 namespace {
 
-constexpr ElementFeatures elastic{false, false, false, HourglassKind::none};
+constexpr ElementFeatures elastic{false, false, true, HourglassKind::stiffness};
 constexpr ElementFeatures viscous{true, true, true, HourglassKind::viscous};
 constexpr ElementFeatures everything{true, true, true, HourglassKind::stiffness};
 

@@ -27,6 +27,9 @@ struct ElementFeatures {
   bool bulk_viscosity;  ///< may have it: its coefficients decide
   HourglassKind hourglass;
   YieldLaw yield = YieldLaw::linear;  ///< plastic only
+  /// Else packs with corners that may fold are left as they are, and the material has to yield where it may. Calls of
+  /// what is rare cost a device numbers that find no register, also where they are not made.
+  bool rare_cases = true;
 };
 
 /// Element arrays in rows of L elements: entry c of element e is at [(e / L) * N + c] * L + e % L for an array of N

@@ -33,15 +33,17 @@ namespace pinball {
 /// pack: number of the pack; pack_in_tile: the same counted from the start of its tile. L: of the rows (ElementView).
 /// forces: AddedToNodes or KeptAtCorners. ahead(0) ... ahead(7) are called in turn, spread over the work: places to ask
 /// the caches for what is computed next. All at once would fill the queue of lines on their way, and the processor
-/// would stand still. What an element keeps from step to step, but for its mass, is loaded after ahead(2).
+/// would stand still. What an element keeps from step to step, but for its mass, is loaded after ahead(2). Returns
+/// whether the pack is done: false where it is one of the rare cases that the features leave out, and then nothing has
+/// changed, and nothing after ahead(1) was called.
 template <class T, ElementFeatures features, int L = width_of<T>, class Forces, class Ahead = NothingAhead>
-PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
+PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
                                           const ElementConstants<ScalarOf<T>>& constants,
                                           const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
                                           ElementSums<T>& sums, const Forces& forces, const Ahead& ahead = {}) {
   const ScalarOf<T> dt = step.length;
   const ElementPack<T, L> own(elements, pack * width_of<T>);
-  if (!any_lane(own.alive)) return;
+  if (!any_lane(own.alive)) return true;
   const bool viscous = features.bulk_viscosity && has_bulk_viscosity(constants.viscosity);
   const HexahedronModes<T> v = gather_modes<T, L>(nodes.velocity, own.corner());
   const HexahedronModes<T> x = gather_modes<T, L>(nodes.position, own.corner());
@@ -49,6 +51,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const EndGeometry<T> end(x, own.mass, own.alive, viscous);
   ahead(1);
   const MaskOf<T> distorted = may_fold(x, end, own.alive);
+  if (!features.rare_cases && any_lane(distorted)) return false;
   const MiddleGeometry<T> middle(x, v, dt, end.volume, own.alive);
   ahead(2);
 
@@ -83,7 +86,7 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
 
   CornerResistance<T> corners;
   MaskOf<T> inside_out(false);
-  const bool any_distorted = any_lane(distorted);
+  const bool any_distorted = features.rare_cases && any_lane(distorted);
   bool any_resists = false;
   if (any_distorted) {
     inside_out = resist_at_corners(own, nodes, constants.folding_energy, bound, x, middle.whole, corners, any_resists,
@@ -108,11 +111,9 @@ PINBALL_FUNCTION void update_element_pack(const ElementView<ScalarOf<T>>& elemen
   Vec3<T> value[8];
   forces_of_corners<features.hourglass>(stress, hourglass.force, x, end.b, middle.inverse_end_volume, step.weight,
                                         value);
-  if (any_resists) {
-    if (features.erosion && failure.any) let_go_of_corners(failure.fails, corners, sums);
-    add_resistance(corners, T(step.weight), value, sums);
-  }
+  if (any_resists) add_resistance<features>(failure, corners, T(step.weight), value, sums);
   forces.template take<T, L>(own.first, own.corner(), value);
+  return true;
 }
 
 }  // namespace pinball

@@ -13,12 +13,15 @@ def build(nvcc, root, binary, architecture):
 
 
 def kernel_name(function):
-    """(what, precision) of a kernel of the element step or of the nodes; None: of something else."""
+    """(what, precision) of a kernel of the element step or of the nodes; None: of something else. That of rare cases has
+    the elements of a sweep that another has left."""
     precision = "float" if re.search(r"<float|float>", function) else "double"
-    elements = re.search(r"UpdatesElements<\w+, pinball::ElementFeatures\{(\w+), \w+, \w+, \(pinball::HourglassKind\)(\d)", function)
+    elements = re.search(r"UpdatesElements<\w+, pinball::ElementFeatures\{(\w+), \w+, \w+, \(pinball::HourglassKind\)(\d), "
+                         r"\(pinball::YieldLaw\)\d, (\w+)\}", function)
     if elements:
-        plastic, hourglass = elements.groups()
-        return {("false", "0"): "elastic", ("true", "1"): "viscous"}.get((plastic, hourglass), "everything"), precision
+        plastic, hourglass, rare_cases = elements.groups()
+        what = "elastic" if plastic == "false" else "viscous" if hourglass == "1" else "everything"
+        return what + (", rare cases" if rare_cases == "true" else ""), precision
     if "SumsAndIntegrates<" in function:
         return "nodes", precision
     return None

@@ -4,6 +4,7 @@
 #include "../folding.hpp"
 #include "../material/failure.hpp"
 #include "../rotation.hpp"
+#include "corners.hpp"
 #include "element_pack.hpp"
 #include "hourglass_control.hpp"
 #include "step_geometry.hpp"
@@ -115,6 +116,14 @@ PINBALL_FUNCTION void let_go_of_corners(const MaskOf<T>& fails, CornerResistance
   sums.internal += taken_along;
   sums.eroded += taken_along;
   corners.energy = select(fails, T(0), corners.energy);
+}
+
+/// Of what has not failed. weight: of ElementStep.
+template <ElementFeatures features, class T>
+PINBALL_FUNCTION void add_resistance(const ElementFailure<T>& failure, CornerResistance<T>& corners, const T& weight,
+                                     Vec3<T> (&value)[8], ElementSums<T>& sums) {
+  if (features.erosion && failure.any) let_go_of_corners(failure.fails, corners, sums);
+  add_resistance(corners, weight, value, sums);
 }
 
 }  // namespace pinball

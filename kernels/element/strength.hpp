@@ -88,7 +88,7 @@ PINBALL_FUNCTION Symmetric<T> stress_without_yield(const ElementConstants<Scalar
   if constexpr (features.plastic) {
     stress = turned_and_strained(constants.material, stress_old, motion.strain, motion.rotation);
   }
-  constexpr bool may_be_elastic = features.erosion && features.yield == YieldLaw::linear;
+  constexpr bool may_be_elastic = features.erosion && features.yield == YieldLaw::linear && features.rare_cases;
   if (!features.plastic || (may_be_elastic && constants.never_yields)) {
     follow_energy(constants, own, bound, middle, motion, dt, stress_old, stress, stable_rate);
   }

@@ -15,8 +15,9 @@ struct ElementTotals {
   S stable_rate = 0;                                            ///< largest 2/dt of a stable step dt [1/time]
   std::int64_t place = -1;                                      ///< of the element that has it
   std::int64_t eroded_count = 0, inverted_count = 0, inside_out_count = 0;
+  std::int64_t left_count = 0;  ///< packs that the kernel has left as they are, for one that knows rare cases
 
-  /// other: of elements behind these.
+  /// other: of other elements. Of equal rates that of the first place counts, in whatever order they are joined.
   PINBALL_FUNCTION void join(const ElementTotals& other) {
     internal += other.internal;
     hourglass += other.hourglass;
@@ -27,13 +28,14 @@ struct ElementTotals {
     eroded_count += other.eroded_count;
     inverted_count += other.inverted_count;
     inside_out_count += other.inside_out_count;
-    if (other.stable_rate > stable_rate) {
+    left_count += other.left_count;
+    if (other.stable_rate > stable_rate || (other.stable_rate == stable_rate && is_before(other.place))) {
       stable_rate = other.stable_rate;
       place = other.place;
     }
   }
 
-  /// Of one pack of elements, the first of them at this place.
+  /// Of one pack of elements, the first of them at this place, behind those that were added before.
   template <class T>
   PINBALL_FUNCTION void add(const ElementSums<T>& pack, std::int64_t first) {
     internal += static_cast<double>(lane_sum(pack.internal));
@@ -51,6 +53,9 @@ struct ElementTotals {
       place = first + i;
     }
   }
+
+ private:
+  PINBALL_FUNCTION bool is_before(std::int64_t other) const { return other >= 0 && other < place; }
 };
 
 }  // namespace pinball

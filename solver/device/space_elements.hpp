@@ -30,7 +30,9 @@ struct ElementLaunch {
   ElementStep<S> step;
   S* corner_force;
   RestingElements resting;
-  S* rates;  ///< per place: 2/dt of its stable step dt; null: not asked for [1/time]
+  S* rates;            ///< per place: 2/dt of its stable step dt; null: not asked for [1/time]
+  std::uint8_t* left;  ///< per pack: whether a kernel without rare cases has left it; of packs at rest no matter
+  bool only_left;      ///< only those are worked
   std::int64_t first, last;
 };
 
@@ -42,9 +44,10 @@ struct UpdatesElements {
   PINBALL_FUNCTION void operator()(std::int64_t pack, ElementTotals<S>& totals) const {
     if (!takes(pack)) return;
     ElementSums<T> sums;
-    update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants, launch.step, pack, 0,
-                                                 sums, KeptAtCorners<S>{launch.corner_force});
-    count(pack, sums, totals);
+    const bool done =
+        update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants, launch.step, pack,
+                                                     0, sums, KeptAtCorners<S>{launch.corner_force});
+    if (note(pack, done, totals)) count(pack, sums, totals);
   }
 
 #if defined(PINBALL_DEVICE_COMPILER)
@@ -75,10 +78,11 @@ struct UpdatesElements {
     const ElementView<S> view = fetched.view(element);
     const std::int64_t lane = threadIdx.x;
     ElementSums<T> sums;
-    update_element_pack<T, features, device_row>(view, launch.nodes, launch.constants, launch.step, lane, 0, sums,
-                                                 KeptAtCorners<S>{launch.corner_force + (element - lane) * 24},
-                                                 WaitsForState{});
-    wait_for_all_groups_but_one();  // a pack that is not there asks for nothing
+    const bool done = update_element_pack<T, features, device_row>(
+        view, launch.nodes, launch.constants, launch.step, lane, 0, sums,
+        KeptAtCorners<S>{launch.corner_force + (element - lane) * 24}, WaitsForState{});
+    wait_for_all_groups_but_one();  // a pack that is not there, or is left, asks for nothing
+    if (!note(element, done, totals)) return;
     fetched.write(element, sums.eroded_count > 0);
     count(element, sums, totals);
   }
@@ -86,9 +90,21 @@ struct UpdatesElements {
 
  private:
   /// Whether the kernel has to look at a pack.
-  PINBALL_FUNCTION bool takes(std::int64_t pack) const { return launch.resting.updated || !rests(pack); }
+  PINBALL_FUNCTION bool takes(std::int64_t pack) const {
+    return launch.only_left ? launch.left[pack] != 0 : launch.resting.updated || !rests(pack);
+  }
   PINBALL_FUNCTION bool rests(std::int64_t pack) const { return launch.resting.template has<S>(pack * width_of<T>); }
 
+  /// Which packs are left for another kernel. Returns `done`.
+  PINBALL_FUNCTION bool note(std::int64_t pack, bool done, ElementTotals<S>& totals) const {
+    if (!done) {
+      launch.left[pack] = 1;
+      ++totals.left_count;
+    } else if (launch.only_left) {
+      launch.left[pack] = 0;
+    }
+    return done;
+  }
   PINBALL_FUNCTION void count(std::int64_t pack, ElementSums<T>& sums, ElementTotals<S>& totals) const {
     const std::int64_t first = pack * width_of<T>;
     if (launch.rates != nullptr) store(sums.stable_rate, launch.rates + first);
@@ -98,15 +114,32 @@ struct UpdatesElements {
 };
 
 template <class S>
-using ElementKernel = ElementTotals<S> (*)(const ElementLaunch<S>&);
+using ElementKernel = ElementTotals<S> (*)(ElementLaunch<S>);
 
 template <class S, class Space, ElementFeatures features>
-ElementTotals<S> update_elements(const ElementLaunch<S>& launch) {
+ElementTotals<S> sweep_elements(const ElementLaunch<S>& launch) {
   using Work = UpdatesElements<S, features>;
   constexpr int W = width_of<typename Work::T>;
   ElementTotals<S> totals;
   parallel_reduce("elements", RangePolicy<Space>{launch.first / W, launch.last / W}, Work{launch}, totals);
   return totals;
+}
+
+/// Rare cases have a sweep of their own, over the packs that the first has left, in the steps in which it has left any.
+template <class S, class Space, ElementFeatures features>
+ElementTotals<S> update_elements(ElementLaunch<S> launch) {
+  if constexpr (features.yield == YieldLaw::linear) {
+    if (!(features.plastic && launch.constants.never_yields)) {
+      constexpr ElementFeatures usual{features.plastic,   features.erosion, features.bulk_viscosity,
+                                      features.hourglass, features.yield,   false};
+      ElementTotals<S> totals = sweep_elements<S, Space, usual>(launch);
+      if (totals.left_count == 0) return totals;
+      launch.only_left = true;
+      totals.join(sweep_elements<S, Space, features>(launch));
+      return totals;
+    }
+  }
+  return sweep_elements<S, Space, features>(launch);
 }
 
 /// Each is compiled for itself, by the two sources that define these; the choice is made once.

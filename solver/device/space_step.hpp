@@ -76,7 +76,8 @@ class SpaceStep final : public DeviceStep<S> {
         first_of_node_(copy_of(mesh.first_of_node)),
         corners_of_node_(copy_of(mesh.corners_of_node)),
         force_(4 * static_cast<std::size_t>(mesh.nodes)),
-        corner_force_(24 * static_cast<std::size_t>(mesh.places)) {
+        corner_force_(24 * static_cast<std::size_t>(mesh.places)),
+        left_(static_cast<std::size_t>(mesh.places)) {
     for (const DevicePart<S>& part : mesh.parts) add_part(part);
   }
 
@@ -131,7 +132,7 @@ class SpaceStep final : public DeviceStep<S> {
   std::size_t bytes() const override {
     return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
            first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
-           tile_.bytes() + resting_.bytes();
+           left_.bytes() + tile_.bytes() + resting_.bytes();
   }
 
  private:
@@ -151,6 +152,8 @@ class SpaceStep final : public DeviceStep<S> {
                                corner_force_.data(),
                                {tile_.data(), resting_.rests(), resting_.updated()},
                                rates,
+                               left_.data(),
+                               false,
                                part.first,
                                part.last}));
     }
@@ -210,8 +213,9 @@ class SpaceStep final : public DeviceStep<S> {
   Array<double, Memory> node_mass_;
   Array<std::uint32_t, Memory> first_of_node_, corners_of_node_;
   DeviceState<S, Memory> state_;
-  Array<S, Memory> force_;         ///< of nodes, in records of four; zero between steps [force]
-  Array<S, Memory> corner_force_;  ///< of KeptAtCorners [force]
+  Array<S, Memory> force_;            ///< of nodes, in records of four; zero between steps [force]
+  Array<S, Memory> corner_force_;     ///< of KeptAtCorners [force]
+  Array<std::uint8_t, Memory> left_;  ///< per pack; zero between steps
   SpaceResting<S, Space> resting_;
   std::vector<Part> parts_;
   std::vector<Array<S, Memory>> tables_;

@@ -53,7 +53,7 @@ void expect_same_run(const Scene& scene) {
   const double tolerance = sizeof(S) == sizeof(double) ? 1e-9 : 1e-4;
   EXPECT_EQ(device.steps(), host.steps());
   EXPECT_EQ(device.counts().eroded_elements(), host.counts().eroded_elements());
-  const double scale = host.energies().total();
+  const double scale = host.energies().kinetic + host.energies().internal;  // the total of a driven body is near zero
   EXPECT_NEAR(device.energies().kinetic, host.energies().kinetic, tolerance * scale);
   EXPECT_NEAR(device.energies().internal, host.energies().internal, tolerance * scale);
   EXPECT_NEAR(device.energies().hourglass, host.energies().hourglass, tolerance * scale);
@@ -71,6 +71,30 @@ TEST(DeviceRun, TearsABlockAsTheHostDoes) {
 }
 
 TEST(DeviceRun, TearsABlockAsTheHostDoesInSinglePrecision) { expect_same_run<float>(torn_block(Precision::float32)); }
+
+/// What corners about to turn over need is worked by a kernel of its own.
+TEST(DeviceRun, FoldsElementsAsTheHostDoes) {
+  Scene scene =
+      scene_of({block("pressed", {2, 2, 6}, 5e-3, {0, 0, 0}), block("far", {8, 8, 8}, 5e-3, {1, 0, 0})}, 7e-5, false);
+  scene.materials[0] = plastic_material("steel", 4e8, 4);
+  scene.materials[0].plastic_modulus = 5e8;
+  scene.element = ElementSettings{};
+  FixedConstraint held;
+  held.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  held.nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
+  scene.fixed_constraints = {held};
+  PrescribedVelocity push;
+  push.velocity = {0, 0, -200};
+  push.nodes.plane = Plane{{0, 0, 0.03}, {0, 0, 1}};
+  scene.prescribed_velocities = {push};
+  Solver<double> host(scene);
+  double folding = 0;
+  run_to_end(host, [&] { folding = std::max(folding, host.energies().folding); });
+  EXPECT_GT(folding, 0);
+  expect_same_run<double>(scene);
+  scene.precision = Precision::float32;
+  expect_same_run<float>(scene);
+}
 
 TEST(DeviceRun, HasEachFormOfHourglassControl) {
   for (const HourglassControl form : {HourglassControl::none, HourglassControl::viscous, HourglassControl::stiffness,
