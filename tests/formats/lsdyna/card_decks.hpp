@@ -50,6 +50,9 @@ inline const std::string load = "*LOAD_NODE_SET\n5,3,1\n", controlled = "*PART\n
 /// Parts with the equation of state 3, and a material that needs one.
 inline const std::string compressed = "*PART\nlower\n1,1,1,3\nupper\n2,1,1,3\n",
                          metal = "*MAT_JOHNSON_COOK\n1,7.85E-9,80000.\n400.\n\n\n";
+/// The upper part is rigid; both are.
+inline const std::string rigid_part = "*PART\nlower\n1,1,1\nupper\n2,1,2\n",
+                         rigid_parts = "*PART\nlower\n1,1,2\nupper\n2,1,2\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
 inline const std::string no_elastic = "*MAT_ELASTIC\n9,7.85E-9,210000.,0.3\n";
 inline std::vector<std::string> with_blanks(std::vector<std::string> lines, std::size_t count) {
   lines.resize(lines.size() + count);
@@ -137,6 +140,9 @@ inline std::vector<CardDeck> decks_of_definitions() {
            "",
            {"1,7.85E-9,80000.", "400.,500.,0.3,0.01,1.1,1800.,300.,1.", "4.5E8,-900.,1.,0.,0.1,0.2,-1.5,0.01", "0.5"},
            no_elastic + compressed + "*EOS_GRUNEISEN\n3,4.5E6,1.5,0.1,0.2,2.,0.4\n\n"},
+          {"MAT_RIGID", "", {"2,7.85E-9,210000.,0.3", "1.,4,7", ""}, rigid_part},
+          {"MAT_RIGID", "", {"2,7.85E-9,210000.,0.3", "-1.,1,100001", ""}, rigid_part},
+          {"CONSTRAINED_RIGID_BODIES", "", {"1,2"}, rigid_parts},
           {"MAT_ADD_EROSION", "", {"1,0.,900.", "-300.,400.,500.,0.6,0.7,0.,0.,5.E-7", "", "", "0.,0.,0.,1.E-12"}},
           {"EOS_GRUNEISEN", "", {"3,4.5E6,1.5,0.1,0.2,2.,0.4", ""}, no_elastic + compressed + metal},
           {"EOS_LINEAR_POLYNOMIAL", "", {"3,0.,1.7E5,1.E5,1.E5,2.,0.4,0.1", ""}, no_elastic + compressed + metal}};

@@ -252,7 +252,7 @@ TEST_F(Deck, AddsSetsOfAnIncludedFileWithItsOffset) {
 
 TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
   const std::string message =
-      error(cube + ends + "*ELEMENT_SHELL\n1,2,1,2,3,4\n2,2,1,2,3,4\n*ELEMENT_SHELL\n3,2,1,2,3,4\n*MAT_RIGID\n1,1\n" +
+      error(cube + ends + "*ELEMENT_SHELL\n1,2,1,2,3,4\n2,2,1,2,3,4\n*ELEMENT_SHELL\n3,2,1,2,3,4\n*MAT_JOINT\n1,1\n" +
             "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*CONTROL_UNHEARD_OF\n*CONTROL_UNHEARD_OF\n*CONTROL_TIMESTEP\n0,0.9,0,0,"
             "0,3\n");
   EXPECT_EQ(
@@ -261,7 +261,8 @@ TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
       "  *ELEMENT_SHELL (3 elements, first in deck.k:20): shells: solids, one or more through the thickness, in their "
       "place\n"
       "  *CONTROL_UNHEARD_OF (2 times, first in deck.k:31)\n"
-      "  *MAT_RIGID (deck.k:25): rigid bodies: MAT_ELASTIC, moved by BOUNDARY_PRESCRIBED_MOTION_RIGID, in their place\n"
+      "  *MAT_JOINT (deck.k:25): other materials; where no part with solids has it, it is reported and refuses "
+      "nothing\n"
       "  *CONTROL_TIMESTEP with LCTM (deck.k:34): leave it out: the step is TSSFAC times the stable one");
   EXPECT_THAT(
       translate(cube + elastic + ends + "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*EOS_JWL\n7\n*EOS_GRUNEISEN\n8\n")

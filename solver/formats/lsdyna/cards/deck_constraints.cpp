@@ -7,6 +7,8 @@ namespace pinball {
 
 namespace {
 
+constexpr const char* hold_rigid = "hold the part by CMO, CON1 and CON2 of its *MAT_RIGID";
+
 /// Directions that are held, by their bits x, y, z, the local system that they are of, and when.
 struct Held {
   unsigned directions = 0;
@@ -45,8 +47,13 @@ Held held_of(const Fields& f, const KeywordBlock& block) {
 void translate_node_codes(DeckData& data, DeckScene& scene) {
   std::map<unsigned, std::vector<std::int64_t>> nodes;
   LeftOut left_out;
+  const auto blocks = data.blocks_of("NODE");
+  const DeckPlace of_nodes = blocks.empty() ? DeckPlace{} : blocks.front()->place;
   for (std::size_t n = 0; n < data.mesh.held.size(); ++n) {
     if (data.mesh.held[n] == 0) continue;
+    if (data.reject_rigid_nodes({static_cast<std::int32_t>(n)}, of_nodes, "TC of *NODE", hold_rigid)) {
+      continue;
+    }
     if (data.used[n]) {
       nodes[data.mesh.held[n]].push_back(data.mesh.node_ids[n]);
     } else {
@@ -80,6 +87,8 @@ void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Hel
       held.when = span_of(data.fields(span, layout::held_span));
     }
     if (held.directions == 0) return;
+    const auto nodes_held = nodes_of_card(data, block, set, f);
+    if (data.reject_rigid_nodes(nodes_held, card.place, block.star_name(), hold_rigid)) return;
     if (set) {
       const auto keys = scene.entry<FixedConstraint>("constraint", card_of(block, card.place));
       set_held(data, held, card.place, keys);

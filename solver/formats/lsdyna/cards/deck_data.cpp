@@ -56,6 +56,7 @@ DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& 
     }
   }
   name_bodies();
+  find_rigid_parts();
   tell_unused_state_equations();
 }
 

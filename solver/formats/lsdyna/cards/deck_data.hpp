@@ -31,6 +31,9 @@ struct DeckPart {
   std::string body;             ///< name of the body that it becomes
   DeckPlace place;
   std::int64_t solids = 0;
+  std::int64_t lead = 0;  ///< of a rigid one: the part that it is merged into, or itself; 0: it deforms
+
+  bool is_rigid() const { return lead != 0; }
 };
 
 /// *HOURGLASS, or the defaults that *CONTROL_HOURGLASS and *CONTROL_BULK_VISCOSITY give it.
@@ -81,6 +84,8 @@ class DeckData {
   DeckCard step_card;                      ///< of ERODE
   std::vector<DeckFaces> pressed;          ///< of each card of pressure
   std::vector<bool> used;                  ///< per node of the mesh: whether a solid of a part has it
+  std::vector<std::int64_t> lead_of_node;  ///< the same: the leading rigid part that has it, or 0; empty: none is rigid
+  std::map<std::int64_t, const KeywordBlock*> rigid_materials;  ///< *MAT_RIGID, by their numbers
 
   /// Of whatever; it has to stand in a file of the deck's own units.
   const DeckCurve& curve(std::int64_t id, const DeckPlace& place) const;
@@ -102,6 +107,11 @@ class DeckData {
 
   /// A part with solids; null: there is none of this number.
   const DeckPart* find_part(std::int64_t id) const;
+  /// Bodies of a leading rigid part, and of what is merged into it.
+  std::vector<std::string> bodies_with(std::int64_t lead) const;
+  /// Rejects what would act on single nodes of rigid parts, and returns whether it does. members: in the mesh.
+  bool reject_rigid_nodes(const std::vector<std::int32_t>& members, const DeckPlace& place,
+                          const std::string& star_name, const char* instead);
   /// Whether a part with solids is of it.
   bool is_used(std::int64_t material) const { return materials_.contains(material); }
   /// That of the parts of a material that needs one; none: it is refused.
@@ -134,6 +144,9 @@ class DeckData {
   void read_part_set(const KeywordBlock& block);
   void add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const;
   void name_bodies();
+  void find_rigid_parts();
+  void merge_rigid_parts();
+  void find_rigid_nodes();
   const DeckCurve& find_curve(std::int64_t id, const DeckPlace& place) const;
 
   std::map<std::int64_t, DeckCurve> curves_;

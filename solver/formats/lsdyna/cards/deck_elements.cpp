@@ -31,7 +31,7 @@ DeckHourglass defaults_of(DeckData& data) {
 }
 
 DeckHourglass hourglass_of(const DeckData& data, const DeckPart& part, const DeckHourglass& defaults) {
-  if (part.hourglass == 0) return defaults;
+  if (part.hourglass == 0 || part.is_rigid()) return defaults;
   const auto found = data.hourglass.find(part.hourglass);
   if (found == data.hourglass.end())
     fail_at(part.place, fmt::format("no *HOURGLASS has the number {}", part.hourglass));
@@ -69,7 +69,7 @@ void tell_forms(DeckData& data, const DeckHourglass& defaults) {
   if (data.hourglass.empty() && !last_card(data, "CONTROL_HOURGLASS")) return;
   std::set<std::int64_t> forms;
   for (const DeckPart& part : data.parts) {
-    if (!is_fully_integrated(data, part)) forms.insert(hourglass_of(data, part, defaults).form);
+    if (!is_fully_integrated(data, part) && !part.is_rigid()) forms.insert(hourglass_of(data, part, defaults).form);
   }
   for (const std::int64_t form : forms) {
     if (form >= 1 && form <= 3)

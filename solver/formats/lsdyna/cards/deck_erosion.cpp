@@ -42,6 +42,12 @@ std::map<std::int64_t, DeckLimits> limits_of_materials(DeckData& data) {
       if (block->log != nullptr) block->log->done(block);
       continue;
     }
+    if (data.rigid_materials.contains(id)) {
+      data.report.unused(block->place, fmt::format("{} of material {}", block->star_name(), id),
+                         "rigid parts have no stress, and do not erode");
+      if (block->log != nullptr) block->log->done(block);
+      continue;
+    }
     DeckLimits& limits = all[id];
     limits.card = {block->star_name(), card.place};
     add_limits(data, cards, f, limits);
@@ -50,6 +56,7 @@ std::map<std::int64_t, DeckLimits> limits_of_materials(DeckData& data) {
   }
   if (data.step_share > 0) {
     for (const DeckPart& part : data.parts) {
+      if (part.is_rigid()) continue;
       DeckLimits& limits = all[part.material];
       if (limits.has_share) continue;
       if (!limits.any) limits.card = data.step_card;

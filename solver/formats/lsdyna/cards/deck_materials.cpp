@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <solver/formats/lsdyna/layouts/definition_cards.hpp>
+#include <solver/formats/lsdyna/layouts/rigid_cards.hpp>
 
 #include "deck_parts.hpp"
 #include "keyword_rules.hpp"
@@ -16,7 +16,8 @@ using MaterialKeys = DeckKeys<Material>;
 
 MaterialKeys begin_material(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
                             DeckScene& scene) {
-  const bool plastic = keyword_alias(block.name) != "MAT_ELASTIC";
+  const std::string kind = keyword_alias(block.name);
+  const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID";
   auto keys = scene.entry<Material>("material", {block.star_name(), f.place()});
   keys.comment(title);
   keys.set("name", fmt::format("mat_{}", id));
@@ -34,6 +35,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   const std::string kind = keyword_alias(block.name);
   if (kind == "MAT_JOHNSON_COOK") return layout::johnson_cook;
   if (kind == "MAT_ELASTIC") return layout::elastic;
+  if (kind == "MAT_RIGID") return layout::rigid;
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
 
@@ -323,7 +325,7 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
     const auto form = data.section_form.find(part.section);
     if (form == data.section_form.end())
       fail_at(part.place, fmt::format("no *SECTION_SOLID has the number {}", part.section));
-    switch (form->second) {
+    switch (part.is_rigid() ? 1 : form->second) {  // rigid ones have no points of integration
       case 0:
       case 1:
         break;
@@ -347,7 +349,8 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
     if (chosen_case) mesh.set("case", *chosen_case);
     mesh.set("part", std::to_string(part.id));
     keys.set("mesh", mesh.value());
-    if (data.part_elements[p] != data.part_elements.front()) set_body_element(data.part_elements[p], keys);
+    if (!part.is_rigid() && data.part_elements[p] != data.part_elements.front())
+      set_body_element(data.part_elements[p], keys);
   }
 }
 

@@ -39,6 +39,9 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
 void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
                      DeckScene& scene);
 
+/// *MAT_RIGID: a [[rigid_body]] for each rigid part that leads, with what is merged into it.
+void translate_rigid_bodies(DeckData& data, DeckScene& scene);
+
 /// *NODE: constraints of TC, all nodes of one code together.
 void translate_node_codes(DeckData& data, DeckScene& scene);
 /// *BOUNDARY_SPC_NODE, _SET: those with the same directions together.

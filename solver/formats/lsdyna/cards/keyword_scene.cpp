@@ -20,14 +20,20 @@ namespace pinball {
 
 namespace {
 
+std::string rigid_text(const DeckData& data, const DeckPart& part) {
+  if (!part.is_rigid()) return "";
+  return part.lead == part.id ? ", a rigid body"
+                              : fmt::format(", of the rigid body {}", data.find_part(part.lead)->body);
+}
+
 void describe_mesh(const DeckData& data, DeckReport& report) {
   std::vector<std::int64_t> elements(data.mesh.parts.size(), 0);
   for (const std::int32_t part : data.mesh.part) ++elements[part];
   for (std::size_t p = 0; p < data.mesh.parts.size(); ++p) {
     const DeckPart* part = data.find_part(data.mesh.parts[p].id);
     if (part != nullptr)
-      report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}", part->id, part->body, elements[p],
-                                    part->material));
+      report.understood(fmt::format("part {}: body {} of {} solids, material mat_{}{}", part->id, part->body,
+                                    elements[p], part->material, rigid_text(data, *part)));
   }
 }
 
@@ -65,6 +71,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   translate_node_codes(data, boundary);
   translate_single_point_constraints(data, boundary);
   translate_materials(data, scene);
+  translate_rigid_bodies(data, bodies);
   for (const KeywordBlock& block : deck.blocks) {
     const KeywordRule* rule = rule_of(keyword_alias(block.name));
     if (rule != nullptr && rule->translate != nullptr) rule->translate(data, block, boundary);

@@ -5,6 +5,7 @@
 #include "control_cards.hpp"
 #include "definition_cards.hpp"
 #include "mesh_cards.hpp"
+#include "rigid_cards.hpp"
 
 namespace pinball {
 
@@ -65,6 +66,8 @@ void add_definitions(Table& table) {
   table.push_back({"MAT_JOHNSON_COOK",
                    "",
                    {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});
+  table.push_back({"MAT_RIGID", "", {&l::rigid, &l::rigid_held, &l::rigid_system}});
+  table.push_back({"CONSTRAINED_RIGID_BODIES", "", {&l::merged_parts}});
   table.push_back({"MAT_ADD_EROSION",
                    "",
                    {&l::erosion, &l::erosion_limits, &l::erosion_damage, &l::erosion_curves, &l::erosion_more}});
