@@ -11,7 +11,7 @@
 namespace pinball {
 
 /// [[rigid_body]]: bodies that move as one and do not deform. Its mass, centre and inertia are those of the masses of
-/// its nodes, an eighth of each of their elements, also of elements of other bodies that have the node.
+/// its nodes, an eighth of each of their elements, also of elements of other bodies that have the node, or as given.
 struct RigidBody {
   std::string name{};                 ///< name: unique among them; default: that of the first of its bodies
   std::vector<std::string> bodies{};  ///< bodies: which move together; each in one rigid body
@@ -23,7 +23,11 @@ struct RigidBody {
   double mass = 0;
   /// inertia: about its centre, at the start, rows; zero: not set [mass length^2]
   std::array<Point, 3> inertia{};
-  std::string where{};  ///< for messages
+  std::optional<Point> centre{};  ///< centre: of its mass, at the start, with a given inertia [length]
+  /// velocity: of its centre at the start, in place of those of its nodes, and with the next one [length/time]
+  std::optional<Point> velocity{};
+  std::optional<Point> angular_velocity{};  ///< angular_velocity: at the start; of both a missing one is 0 [1/time]
+  std::string where{};                      ///< for messages
 };
 
 /// [[rigid_motion]]: a rigid body moves along a direction, or turns about one, as given, whatever acts on it. In all

@@ -83,6 +83,19 @@ void RigidBodies<S>::set_speeds(Body& body, double time, const StepLengths& step
   }
 }
 
+/// Gravity acts in the given centre, and has acted in that of the nodes' masses.
+template <class S>
+Point RigidBodies<S>::gravity_beside(const Body& body, double time) const {
+  Point moment{};
+  if (body.gravities.empty()) return moment;
+  const Point offset = times(body.motion.rotation(), body.offset.data());
+  for (const Gravity& gravity : body.gravities) {
+    const Point turning = cross(gravity.acceleration, offset);
+    for (std::size_t k = 0; k < 3; ++k) moment[k] += body.motion.mass() * gravity.table.value(time) * turning[k];
+  }
+  return moment;
+}
+
 template <class S>
 void RigidBodies<S>::share_forces(Model<S>& model, double time, const StepLengths& step) {
   for (Body& body : bodies_) {
@@ -102,6 +115,10 @@ void RigidBodies<S>::share_forces(Model<S>& model, double time, const StepLength
       partial.join(own);
     };
     add_sum<Space>("forces of a rigid body", std::ssize(body.nodes), add, sum);
+    if (!body.shared) {
+      body.moment_beside = gravity_beside(body, time);
+      sum.join({{}, body.moment_beside});
+    }
     body.motion.load(sum, body.given, step.velocity());
     body.shared = true;
     const CommonMotion now(body.motion);
@@ -117,6 +134,9 @@ void RigidBodies<S>::move(Model<S>& model, const StepLengths& step) {
   done_ += last_.now + last_.later;
   last_ = {};
   for (Body& body : bodies_) {
+    const Point &before = body.motion.angular_velocity(), &faster = body.motion.angular_acceleration();
+    for (std::size_t k = 0; k < 3; ++k)
+      last_.join(work_of(body.moment_beside[k], before[k], before[k] + step.velocity() * faster[k], step));
     last_.join(body.motion.move(body.given, step));
     put_nodes(model, body);
   }
@@ -163,8 +183,25 @@ double RigidBodies<S>::kinetic_beside(const StepLengths& step) const {
     Point later = w;
     for (std::size_t k = 0; k < 3; ++k) later[k] += step.before * body.motion.angular_acceleration()[k];
     twice += dot(w, times(body.motion.turned(body.more_inertia), later.data()));
+    const Point offset = times(body.motion.rotation(), body.offset.data()), &v = body.motion.state().velocity;
+    Point v_later = v;
+    for (std::size_t k = 0; k < 3; ++k) v_later[k] += step.before * body.motion.acceleration()[k];
+    twice -= body.motion.mass() * (dot(v, cross(later, offset)) + dot(v_later, cross(w, offset)));
   }
   return 0.5 * twice;
+}
+
+template <class S>
+Point RigidBodies<S>::momentum_beside() const {
+  Point sum{};
+  for (const Body& body : bodies_) {
+    if (body.offset == Point{}) continue;
+    RigidBodyMotion now = body.motion;
+    now.begin({});
+    const Point apart = cross(times(now.rotation(), body.offset.data()), now.angular_velocity());
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += now.mass() * apart[k];
+  }
+  return sum;
 }
 
 template <class S>

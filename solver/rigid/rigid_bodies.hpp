@@ -43,9 +43,11 @@ class RigidBodies {
 
   /// Of what holds and moves them, up to the time of the forces [energy].
   double work() const { return done_ + last_.now; }
-  /// What the kinetic energy is above that of the nodes at the time of the forces: of bodies with a given inertia
-  /// [energy].
+  /// What the kinetic energy is above that of the nodes at the time of the forces: of bodies with a given inertia and
+  /// centre [energy].
   double kinetic_beside(const StepLengths& step) const;
+  /// What the momentum is above that of the nodes: of bodies with a given centre [mass length/time].
+  Point momentum_beside() const;
   /// To be called when velocities of nodes were changed by others: bodies take the momenta that they have.
   void take_velocities(Model<S>& model);
 
@@ -67,13 +69,19 @@ class RigidBodies {
     std::vector<std::size_t> given_by;    ///< motions of `given`, those along directions and then those about axes
     std::array<Point, 3> more_inertia{};  ///< given inertia less that of the nodes, at the start [mass length^2]
     bool has_own_inertia = false;
-    bool shared = false;  ///< the forces of its nodes are those of load()
+    Point offset{};                  ///< of the centre of its nodes' masses from a given one, at the start [length]
+    std::vector<Gravity> gravities;  ///< that act on it, where there is an offset
+    Point moment_beside{};           ///< of gravity in this step, above that on the nodes [force length]
+    bool shared = false;             ///< the forces of its nodes are those of load()
     RigidBodyMotion motion;
   };
   // scene_node: number in the scene per node of the store.
   void add_body(const Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node);
   void check_motions(const Scene& scene) const;
   void take_velocities(Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node, bool of_start);
+  void set_offset(const Point& offset, Body& body) const;
+  void take_gravities(const Scene& scene, const RigidBody& given, Body& body) const;
+  Point gravity_beside(const Body& body, double time) const;
   void choose_given(Body& body, double time) const;
   void set_speeds(Body& body, double time, const StepLengths& step) const;
   void put_nodes(Model<S>& model, const Body& body) const;

@@ -91,24 +91,30 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
   const MassOfNodes own = mass_of(
       nodes.size(), [&](std::size_t i) { return model.node_mass[nodes[i]]; }, place);
   const bool has_own = given.inertia != std::array<Point, 3>{};
-  Body& body = bodies_.emplace_back(Body{given.name,
-                                         nodes,
-                                         Array<double>(4 * nodes.size()),
-                                         {},
-                                         {},
-                                         {},
-                                         {},
-                                         {},
-                                         has_own,
-                                         false,
-                                         RigidBodyMotion(own.mass, has_own ? given.inertia : own.inertia, own.centre)});
+  const Point centre = given.centre.value_or(own.centre);
+  Body& body = bodies_.emplace_back(Body{
+      .name = given.name,
+      .nodes = nodes,
+      .arm = Array<double>(4 * nodes.size()),
+      .held = {},
+      .motions = {},
+      .given = {},
+      .given_by = {},
+      .has_own_inertia = has_own,
+      .gravities = {},
+      .motion = RigidBodyMotion(own.mass, has_own ? given.inertia : own.inertia, centre),
+  });
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Point r = minus(place(i), own.centre);
+    const Point r = minus(place(i), centre);
     std::copy(r.begin(), r.end(), record(body.arm.data(), static_cast<std::int64_t>(i)));
     sides_.body_of_node[nodes[i]] = static_cast<std::int32_t>(number);
   }
   if (has_own) {
     for (std::size_t k = 0; k < 3; ++k) body.more_inertia[k] = minus(given.inertia[k], own.inertia[k]);
+  }
+  if (given.centre) {
+    set_offset(minus(own.centre, centre), body);
+    take_gravities(model.scene, given, body);
   }
   body.held.along = model.rigid[number].held;
   body.held.about = model.rigid[number].held_rotations;
@@ -116,6 +122,33 @@ void RigidBodies<S>::add_body(const Model<S>& model, std::size_t number, const s
   body.held.angular_speeds.assign(body.held.about.size(), 0.0);
   for (std::size_t m = 0; m < motions_.size(); ++m) {
     if (motions_[m].rigid_body == given.name) body.motions.push_back(m);
+  }
+}
+
+/// The nodes' masses have their moments about a given centre as if they were in their own one.
+template <class S>
+void RigidBodies<S>::set_offset(const Point& offset, Body& body) const {
+  body.offset = offset;
+  const double square = dot(offset, offset), mass = body.motion.mass();
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t l = 0; l < 3; ++l)
+      body.more_inertia[k][l] -= mass * ((k == l ? square : 0.0) - offset[k] * offset[l]);
+  }
+}
+
+template <class S>
+void RigidBodies<S>::take_gravities(const Scene& scene, const RigidBody& given, Body& body) const {
+  for (const Gravity& gravity : scene.gravities) {
+    const auto is_of = [&](const std::string& name) { return std::ranges::count(gravity.bodies, name) > 0; };
+    const auto count = std::ranges::count_if(given.bodies, is_of);
+    if (gravity.bodies.empty() || count == std::ssize(given.bodies)) {
+      body.gravities.push_back(gravity);
+    } else if (count > 0) {
+      throw InputError(
+          fmt::format("{}: expected [[gravity]] of all bodies of the rigid body {} with a centre, or of "
+                      "none",
+                      given.where, given.name));
+    }
   }
 }
 
@@ -149,6 +182,11 @@ template <class S>
 void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const std::vector<std::int32_t>& scene_node,
                                      bool of_start) {
   Body& body = bodies_[number];
+  const RigidBody& given = model.scene.rigid_bodies[number];
+  if (of_start && (given.velocity || given.angular_velocity)) {
+    body.motion.set_velocities(given.velocity.value_or(Point{}), given.angular_velocity.value_or(Point{}));
+    return put_nodes(model, body);
+  }
   std::vector<std::int32_t> nodes;
   for (const std::int32_t n : body.nodes) {
     const bool is_own =
@@ -185,7 +223,7 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
     throw InputError(
         fmt::format("{}: the initial velocities of its nodes are no motion of the rigid body {}: expected "
                     "velocity and angular_velocity of all of it alike",
-                    model.scene.rigid_bodies[number].where, body.name));
+                    given.where, body.name));
   }
   const Point to_centre = minus(body.motion.state().centre, own.centre);
   body.motion.set_velocities(velocity_at(velocity, spin, to_centre), spin);

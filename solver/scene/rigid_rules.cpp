@@ -55,6 +55,8 @@ std::optional<Problem> problem_of(const RigidBody& rigid) {
   if (rigid.bodies.empty()) return Problem{"bodies", "expected the name of a body at least, got none"};
   if (auto problem = angle_problem("held", rigid.held)) return problem;
   if (auto problem = angle_problem("held_rotations", rigid.held_rotations)) return problem;
+  if (rigid.centre && rigid.inertia == std::array<Point, 3>{})
+    return Problem{"centre", "expected an inertia beside it, about this centre"};
   return inertia_problem(rigid.inertia);
 }
 
@@ -81,6 +83,8 @@ std::optional<Problem> problem_of(const RigidBody& rigid, const Scene& scene) {
   }
   if (scene.output.body_energies && rigid.inertia != std::array<Point, 3>{})
     return Problem{"inertia", "expected output.body_energies = false, whose sums are those of the masses of nodes"};
+  if (rigid.centre && scene.damping.mass > 0)
+    return Problem{"centre", "expected damping.mass = 0, whose forces are those of the masses of nodes"};
   if (scene.time.subcycling)
     return refuse("expected time.subcycling = false, with which there are no rigid bodies in this version");
   if (scene.contact.method != ContactMethod::none && scene.contact.enforcement == Enforcement::projection)

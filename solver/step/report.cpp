@@ -26,6 +26,12 @@ Point momentum(const Model<S>& model) {
 }
 
 template <class S>
+Point momentum(const Solver<S>& solver) {
+  const Point of_nodes = momentum(solver.model()), beside = solver.rigid().momentum_beside();
+  return {of_nodes[0] + beside[0], of_nodes[1] + beside[1], of_nodes[2] + beside[2]};
+}
+
+template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot) {
   const std::int32_t element = slot < 0 ? -1 : model.element_of_slot[slot];
   if (element < 0) return "no element";
@@ -225,7 +231,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.final_total = solver.energies().total();
   summary.balance_error_max = solver.ledger().balance_error_max();
   summary.momentum_initial = solver.initial_momentum();
-  summary.momentum_final = momentum(model);
+  summary.momentum_final = momentum(solver);
   summary.bodies = body_results(model);
   for (const double added : model.added_mass) summary.mass_added += added;
   summary.rigid_bodies = solver.rigid().results();
@@ -297,6 +303,8 @@ std::string step_limit(const Model<S>& model, const StepClock& clock) {
 
 template Point momentum(const Model<double>&);
 template Point momentum(const Model<float>&);
+template Point momentum(const Solver<double>&);
+template Point momentum(const Solver<float>&);
 template std::string element_name(const Model<double>&, std::int64_t);
 template std::string element_name(const Model<float>&, std::int64_t);
 template std::string step_limit(const Model<double>&, const StepClock&);

@@ -14,6 +14,9 @@ namespace pinball {
 /// Sum over all nodes [mass length/time].
 template <class S>
 Point momentum(const Model<S>& model);
+/// The same with what bodies of a given centre have above it.
+template <class S>
+Point momentum(const Solver<S>& solver);
 /// The name of the element of a slot (place_names.hpp); "no element" for padding and a negative slot.
 template <class S>
 std::string element_name(const Model<S>& model, std::int64_t slot);

@@ -81,7 +81,7 @@ HistoryRow history_row(const Solver<S>& solver) {
   row.dt = solver.dt() > 0 ? solver.dt() : solver.clock().dt_before();
   row.energy = reported_energies(solver);
   row.balance_error = solver.balance_error();
-  row.momentum = momentum(model);
+  row.momentum = momentum(solver);
   row.inside_out = solver.inside_out().now();
   row.bodies = body_results(model);
   for (const WallResult& wall : solver.boundary().walls()) {

@@ -73,7 +73,7 @@ Solver<S>::Solver(const Scene& scene)
   near_nodes_ = find_near_nodes(model_.scene, model_.mesh);
   unstable_hourglass_ = find_unstable_hourglass(model_.scene, model_.mesh);
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
-  initial_momentum_ = momentum(model_);
+  initial_momentum_ = momentum(*this);
   if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
 }
 
@@ -321,7 +321,7 @@ void Solver<S>::take_changed_velocities() {
   if (clock_.steps() > 0) {
     boundary_.add_work(added);
   } else {
-    initial_momentum_ = momentum(model_);
+    initial_momentum_ = momentum(*this);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "initial_motion.hpp"
 
+#include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
@@ -32,6 +33,16 @@ std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh)
         if (given.components[k]) velocity[place][k] = given.velocity[k] + spin[k];
       }
     }
+  }
+  const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const std::int32_t number = rigid[mesh.body_of_node[n]];
+    if (number < 0) continue;
+    const RigidBody& given = scene.rigid_bodies[number];
+    if (!given.velocity && !given.angular_velocity) continue;
+    const Point centre_of = given.centre.value_or(centre[mesh.body_of_node[n]]), v = given.velocity.value_or(Point{});
+    const Point spin = cross(given.angular_velocity.value_or(Point{}), minus(mesh.nodes[n], centre_of));
+    for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = v[k] + spin[k];
   }
   return velocity;
 }

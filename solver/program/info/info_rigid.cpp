@@ -26,6 +26,10 @@ void print_rigid_bodies(const Scene& scene, const std::vector<RigidBodyResult>& 
     fmt::print("  rigid body {} of {}: mass {}, centre {}{}\n", rigid.name, fmt::join(rigid.bodies, ", "),
                with_unit(results[r].mass, units.mass), vector_text(results[r].centre, units.length),
                rigid.inertia == std::array<Point, 3>{} ? ", inertia of its nodes" : ", inertia as given");
+    if (rigid.velocity || rigid.angular_velocity)
+      fmt::print("    begins with velocity {}, angular velocity {}\n",
+                 vector_text(rigid.velocity.value_or(Point{}), units.velocity),
+                 vector_text(rigid.angular_velocity.value_or(Point{}), per_time(units)));
     if (!rigid.held.empty()) fmt::print("    held along {}\n", directions_text(rigid.held));
     if (!rigid.held_rotations.empty())
       fmt::print("    does not turn about {}\n", directions_text(rigid.held_rotations));

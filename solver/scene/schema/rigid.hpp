@@ -35,6 +35,18 @@ constexpr void describe(Of<RigidBody>, Visit&& visit) {
             &T::inertia,
             "3 rows of 3, at the start, about its centre along x, y, z; all 0: that of the masses of its nodes",
             {.unit = "M L^2"}});
+  visit(Key{"centre",
+            &T::centre,
+            "of its mass, at the start; required beside it is `inertia`",
+            {.unit = "L", .otherwise = "that of the masses of its nodes"}});
+  visit(Key{"velocity",
+            &T::velocity,
+            "of its centre at the start, whatever velocities its bodies and nodes have; 0 beside `angular_velocity`",
+            {.unit = "L/T", .otherwise = "as its nodes move"}});
+  visit(Key{"angular_velocity",
+            &T::angular_velocity,
+            "at the start, the same; 0 beside `velocity`",
+            {.unit = "1/T", .otherwise = "as its nodes turn"}});
   visit(Field{"where", &T::where, "for messages"});
 }
 

@@ -1,0 +1,134 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <solver/scene_rules.hpp>
+
+#include "rigid_case.hpp"
+
+/// Rigid bodies whose centre and motion at the start are given.
+namespace pinball {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+void expect_near(const Point& a, const Point& b, double within, const char* what) {
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], within) << what << ' ' << k;
+}
+
+/// Two blocks of different densities that are one body: its centre lies in the heavy one.
+Scene uneven(double end) {
+  Scene scene = scene_of({block("light", {2, 2, 2}, 0.1, {0, 0, 0}, {3, -1, 2}),
+                          block("heavy", {2, 2, 1}, 0.1, {0, 0, 0.2}, {3, -1, 2}, "lead")},
+                         end, false);
+  scene.materials.push_back(elastic_material("lead"));
+  scene.materials[1].density *= 5;
+  RigidBody both = rigid("light");
+  both.bodies = {"light", "heavy"};
+  scene.rigid_bodies = {both};
+  scene.gravities = {{.acceleration = {1, 2, -9}, .table = {{0, end}, {0.5, 1.5}}}};
+  NodalLoad load;
+  load.nodes.nearest = {0.2, 0.2, 0.3};
+  load.force = {0, 800, 100};
+  scene.loads = {load};
+  return scene;
+}
+
+/// The same of one density, with mass, centre and inertia as given.
+Scene as_given(const Scene& uneven_one) {
+  Scene scene = uneven_one;
+  const RigidBodyResult whole = Solver<double>(uneven_one).rigid().results()[0];
+  scene.bodies[1].material = "steel";
+  RigidBody& given = scene.rigid_bodies[0];
+  given.mass = whole.mass;
+  given.centre = whole.centre;
+  given.inertia = whole.inertia;
+  given.velocity = Point{3, -1, 2};
+  given.angular_velocity = Point{1, 2, -1};
+  return scene;
+}
+
+TEST(RigidBodies, WithAGivenCentreMoveAsThoseWhoseMassIsThere) {
+  Scene masses = uneven(1);
+  const Scene given = as_given(masses);
+  masses.rigid_bodies[0].velocity = given.rigid_bodies[0].velocity;
+  masses.rigid_bodies[0].angular_velocity = given.rigid_bodies[0].angular_velocity;
+  Solver<double> one(masses), other(given);
+  expect_near(momentum(one), momentum(other), 1e-9, "momentum at the start");
+  run(one);
+  run(other);
+  const RigidBodyResult a = one.rigid().results()[0], b = other.rigid().results()[0];
+  EXPECT_GT(norm(a.angular_velocity), 3);
+  EXPECT_NEAR(a.mass, b.mass, 1e-9);
+  expect_near(a.centre, b.centre, 1e-9, "centre");
+  expect_near(a.velocity, b.velocity, 1e-9, "velocity");
+  expect_near(a.angular_velocity, b.angular_velocity, 1e-8, "angular velocity");
+  expect_near(momentum(one), momentum(other), 1e-6, "momentum");
+  EXPECT_NEAR(one.energies().kinetic / other.energies().kinetic, 1, 1e-9);
+  EXPECT_NEAR(one.energies().external / other.energies().external, 1, 1e-9);
+  EXPECT_LT(one.ledger().balance_error_in_motion_max(), 1e-11);
+  EXPECT_LT(other.ledger().balance_error_in_motion_max(), 1e-11);
+}
+
+/// Struck beside its centre by another one: both lose and gain the same momenta.
+TEST(RigidBodies, WithAGivenCentreAreStruckAsThoseWhoseMassIsThere) {
+  Scene masses = uneven(0.05);
+  masses.contact.method = ContactMethod::pinball;
+  masses.contact.enforcement = Enforcement::lagrange;
+  masses.contact.gap = ContactGap::face;
+  masses.loads.clear();
+  masses.bodies.push_back(block("ball", {1, 1, 1}, 0.05, {0.02, 0.03, 0.32}, {3, -1, -3}));
+  masses.rigid_bodies.push_back(rigid("ball"));
+  Scene given = as_given(masses);
+  given.rigid_bodies[0].angular_velocity = Point{};
+  Solver<double> one(masses), other(given);
+  const Point before = momentum(one);
+  run(one);
+  run(other);
+  for (std::size_t b = 0; b < 2; ++b) {
+    const RigidBodyResult first = one.rigid().results()[b], second = other.rigid().results()[b];
+    EXPECT_GT(norm(first.angular_velocity), 0.1) << b;
+    expect_near(first.velocity, second.velocity, 1e-6, "velocity");
+    expect_near(first.angular_velocity, second.angular_velocity, 1e-5 * norm(first.angular_velocity), "spin");
+  }
+  const double mass = one.rigid().results()[0].mass + one.rigid().results()[1].mass;
+  for (const Solver<double>* solver : {&one, &other}) {
+    const Point after = momentum(*solver);
+    EXPECT_NEAR(after[2] - before[2], -9 * 0.05 * mass, 1e-9 * mass);
+    EXPECT_LT(solver->ledger().balance_error_in_motion_max(), 1e-10);
+  }
+}
+
+TEST(RigidBodies, BeginWithTheirVelocitiesWhateverThoseOfTheirNodes) {
+  Scene scene = scene_of({block("a", {2, 1, 1}, 0.1, {0, 0, 0}, {1, 0, 0})}, 0.1, false);
+  InitialVelocity part;
+  part.nodes.nearest = {0, 0, 0};
+  scene.initial_velocities = {part};
+  scene.rigid_bodies = {rigid("a")};
+  scene.rigid_bodies[0].angular_velocity = Point{0, 0, 4};
+  Solver<double> solver(scene);
+  run(solver);
+  const RigidBodyResult result = solver.rigid().results()[0];
+  expect_near(result.centre, {0.1, 0.05, 0.05}, 1e-12, "centre");
+  expect_near(result.angular_velocity, {0, 0, 4}, 1e-10, "angular velocity");
+  const FieldSnapshot now = snapshot(solver);
+  EXPECT_NEAR(now.position[0][0], 0.1 - 0.1 * std::cos(0.4) + 0.05 * std::sin(0.4), 1e-9);
+}
+
+TEST(RigidBodies, RefuseACentreWithoutWhatBelongsToIt) {
+  const auto refused = [](const auto& change) {
+    Scene scene = as_given(uneven(1));
+    change(scene);
+    return error_of([&] { Solver<double>{checked_scene(scene)}; });
+  };
+  EXPECT_EQ(refused([](Scene&) {}), no_error);
+  EXPECT_THAT(refused([](Scene& s) { s.rigid_bodies[0].inertia = {}; }), HasSubstr("expected an inertia beside it"));
+  EXPECT_THAT(refused([](Scene& s) { s.damping.mass = 1; }), HasSubstr("expected damping.mass = 0"));
+  EXPECT_THAT(refused([](Scene& s) { s.gravities[0].bodies = {"heavy"}; }), HasSubstr("of all bodies"));
+  EXPECT_EQ(refused([](Scene& s) { s.gravities[0].bodies = {"heavy", "light"}; }), no_error);
+}
+
+}  // namespace
+}  // namespace pinball
