@@ -28,7 +28,13 @@ const std::string parts = "*PART\nsoft\n1,1,1\n*PART\nhard\n2,1,2\n*PART\nhat\n3
 
 std::string with_held(const std::string& card) { return cubes + parts + rigid + card + "\n\n" + merged; }
 
-class DeckRigid : public DeckTest {};
+class DeckRigid : public DeckTest {
+ protected:
+  std::string error_at_start(const std::string& text) {
+    const Scene made = scene(text);
+    return without_folder(error_of([&] { Simulation{made}; }));
+  }
+};
 
 TEST_F(DeckRigid, EachPartOfItIsABodyOfItsOwn) {
   std::string apart = cubes + parts + free_rigid;
@@ -114,6 +120,67 @@ TEST_F(DeckRigid, WhatOnlyDeformingPartsHaveIsTold) {
 TEST_F(DeckRigid, WallsAndTiesAreRefusedByTheirCards) {
   EXPECT_THAT(error_in_cards(joined + "*RIGIDWALL_PLANAR\n0\n0,0,-1,0,0,0\n"),
               AllOf(HasSubstr("deck.k:48: *RIGIDWALL_PLANAR"), HasSubstr("rigid walls know no rigid bodies")));
+}
+
+const std::string rising = "*DEFINE_CURVE\n1\n0.,0.\n1.E-6,1.\n";
+
+TEST_F(DeckRigid, MovesAsItsCardsSay) {
+  const std::string vector = "*DEFINE_VECTOR\n9,0.,0.,0.,0.,3.,4.\n", card = "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n";
+  const auto motions = [&](const std::string& line) {
+    return scene(joined + rising + vector + card + line + '\n').rigid_motions;
+  };
+  const RigidMotion along = motions("3,2,2,1,5.,0,8.E-7,1.E-7").at(0);
+  EXPECT_EQ(along.rigid_body, "hard") << "that its part is merged into";
+  EXPECT_EQ(along.direction.value(), (Point{0, 1, 0}));
+  EXPECT_EQ(along.quantity, MotionQuantity::displacement);
+  EXPECT_EQ(along.speed, 1);
+  EXPECT_THAT(along.table.factors, ElementsAre(0., 5.));
+  EXPECT_EQ(along.when.start, 1e-7);
+  EXPECT_EQ(along.when.end, 8e-7);
+  EXPECT_EQ(motions("2,7,0,1").at(0).axis.value(), (Point{0, 0, 1}));
+  EXPECT_EQ(motions("2,7,0,1").at(0).angular_speed, 1);
+  EXPECT_EQ(motions("2,4,1,1,1.,9").at(0).direction.value(), (Point{0, 0.6, 0.8}));
+  EXPECT_EQ(motions("2,8,0,1,1.,9").at(0).axis.value(), (Point{0, 0.6, 0.8}));
+  const std::vector<RigidMotion> held = motions("2,-4,0,1,1.,9");
+  ASSERT_EQ(held.size(), 3U);
+  EXPECT_EQ(held[1].speed, 0);
+  EXPECT_NEAR(dot(cross(*held[0].direction, *held[1].direction), *held[2].direction), 1, 1e-12);
+  for (const char* line : {"2,9,0,1\n0.,0.", "2,-1,0,1", "2,1,3,1"})
+    EXPECT_THAT(error(joined + rising + card + line + '\n'), HasSubstr("*BOUNDARY_PRESCRIBED_MOTION_RIGID with "))
+        << line;
+  EXPECT_THAT(
+      error(joined + rising + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n15,1,0,1\n"),
+      HasSubstr("of nodes of the rigid part 2 (deck.k:53): move the part by *BOUNDARY_PRESCRIBED_MOTION_RIGID"));
+  EXPECT_THAT(error_at_start(with_held("1.,1,0") + rising + card + "2,1,0,1\n"),
+              AllOf(HasSubstr("deck.k:53: *BOUNDARY_PRESCRIBED_MOTION_RIGID"), HasSubstr("at right angles")));
+  EXPECT_EQ(scene(joined + rising + card + "1,1,0,1\n").prescribed_velocities.at(0).nodes.body, "soft");
+}
+
+TEST_F(DeckRigid, BeginsWithTheVelocityOfItsCentre) {
+  const std::string nodes = "*INITIAL_VELOCITY\n\n7.,0.,0.\n",
+                    centre = "*INITIAL_VELOCITY_RIGID_BODY\n3,1.,2.,3.,4.,5.,6.\n";
+  Simulation s(scene(joined + centre + nodes));
+  const RigidBodyResult body = s.summary().rigid_bodies.at(0);
+  EXPECT_EQ(body.velocity, (Point{1, 2, 3}));
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(body.angular_velocity[k], 4.0 + static_cast<double>(k), 1e-12);
+  EXPECT_NEAR(s.bodies()[0].velocity[0], 7, 1e-12) << "the part that deforms";
+  const std::string system = "*DEFINE_COORDINATE_VECTOR\n4,0.,1.,0.,-1.,0.,0.\n";
+  const RigidBody local =
+      scene(joined + system + "*INITIAL_VELOCITY_RIGID_BODY\n2,1.,0.,0.,0.,1.,0.,4\n").rigid_bodies[0];
+  EXPECT_EQ(local.velocity.value(), (Point{0, 1, 0}));
+  EXPECT_EQ(local.angular_velocity.value(), (Point{-1, 0, 0}));
+  EXPECT_THAT(error(joined + "*INITIAL_VELOCITY_RIGID_BODY\n1,1.\n"), HasSubstr("part 1 is not rigid"));
+  EXPECT_THAT(error(joined + centre + centre), HasSubstr("the velocity of the rigid part 2 is given twice"));
+}
+
+TEST_F(DeckRigid, VelocitiesOfPartsAreThoseOfAllThatIsMerged) {
+  const auto generated = [&](const char* merged_too) {
+    return joined + "*INITIAL_VELOCITY_GENERATION\n2,2,1.E3,1.,2.,3.," + merged_too + "\n0.5,0.5,2.,0.,0.,1.\n";
+  };
+  EXPECT_THAT(error_at_start(generated("0")), HasSubstr("are no motion of the rigid body hard"));
+  const RigidBodyResult body = Simulation(scene(generated("1"))).summary().rigid_bodies.at(0);
+  EXPECT_NEAR(body.velocity[1], 2, 1e-12);
+  EXPECT_NEAR(body.angular_velocity[2], 1e3, 1e-9);
 }
 
 /// The same scene without a deck moves to the same bits.

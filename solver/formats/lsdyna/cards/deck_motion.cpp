@@ -24,7 +24,7 @@ std::string rejected_of(const KeywordBlock& block, std::int64_t degree, std::int
   return quantity < 0 || quantity > 2 ? fmt::format("{} with VAD {}", block.star_name(), quantity) : "";
 }
 
-/// A set, a node, or all nodes of a part.
+/// A set, a node, or all nodes of a part that deforms.
 void set_moved(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckKeys<NodeSelection>& keys) {
   const std::int64_t id = f.integer(std::size_t{0});
   if (!block.name.ends_with("_RIGID")) return set_target(block, block.name.ends_with("_SET"), id, keys);
@@ -37,9 +37,46 @@ void set_moved(DeckData& data, const KeywordBlock& block, const Fields& f, const
                   block.star_name(), f.place().text(), part));
 }
 
+constexpr const char* quantities[] = {"velocity", "acceleration", "displacement"};
+
+/// Of a rigid part; DOF 5 to 7 turn it about an axis through its centre, 8 and -8 about the vector VID.
+void translate_rigid_motion(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckPart& part,
+                            DeckScene& scene) {
+  const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
+  const bool turns = std::abs(degree) >= 5;
+  if (degree == 0 || degree < -8 || degree > 8 || (degree < 0 && degree != -4 && degree != -8))
+    return data.report.reject(f.place(), fmt::format("{} with DOF {}", block.star_name(), degree),
+                              "of rigid parts DOF 1 to 8, -4 and -8 are read");
+  if (quantity < 0 || quantity > 2)
+    return data.report.reject(f.place(), fmt::format("{} with VAD {}", block.star_name(), quantity),
+                              "VAD 0 to 2 are read");
+  const Point direction = direction_of(data, block, turns ? (degree < 0 ? degree + 4 : degree - 4) : degree, f);
+  const auto begin = [&](const Point& along) {
+    const auto keys = scene.entry<RigidMotion>("rigid_motion", card_of(block, f.place()));
+    keys.set("rigid_body", data.find_part(part.lead)->body, "pid");
+    keys.set(turns ? KeyOf<RigidMotion>("axis") : KeyOf<RigidMotion>("direction"), along, "dof");
+    set_span(span_of(f), keys);
+    return keys;
+  };
+  const auto keys = begin(direction);
+  keys.set(turns ? KeyOf<RigidMotion>("angular_speed") : KeyOf<RigidMotion>("speed"), 1.0);
+  keys.set("quantity", quantities[quantity], "vad");
+  set_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), keys);
+  if (degree > 0) return;
+  const Point one = std::abs(direction[0]) < 0.5 ? Point{1, 0, 0} : Point{0, 1, 0};
+  Point across = cross(direction, one);
+  const double length = norm(across);
+  for (double& component : across) component /= length;
+  begin(across);  // held across it
+  begin(cross(direction, across));
+}
+
 /// One card of the keyword.
 void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f, DeckScene& scene) {
-  static const char* const quantities[] = {"velocity", "acceleration", "displacement"};
+  if (block.name.ends_with("_RIGID")) {
+    const DeckPart* part = data.find_part(f.integer("PID") + offset_of(block, &DeckTransform::part));
+    if (part != nullptr && part->is_rigid()) return translate_rigid_motion(data, block, f, *part, scene);
+  }
   const std::int64_t degree = f.integer("DOF"), quantity = f.integer("VAD");
   if (degree >= 5 && degree <= 7 && !block.name.ends_with("_RIGID")) {
     data.report.understood(fmt::format("{} ({}): a rotation of nodes of solids (DOF {}) means nothing",
@@ -50,6 +87,11 @@ void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f
     data.report.reject(f.place(), rejected, "DOF 1 to 4 and -4 are read, and VAD 0 to 2");
     return;
   }
+  const bool set = block.name.ends_with("_SET");
+  if (!block.name.ends_with("_RIGID") &&
+      data.reject_rigid_nodes(nodes_of_card(data, block, set, f), f.place(), block.star_name(),
+                              "move the part by *BOUNDARY_PRESCRIBED_MOTION_RIGID"))
+    return;
   const Point direction = direction_of(data, block, degree, f);
   const auto keys = scene.entry<PrescribedVelocity>("prescribed_velocity", card_of(block, f.place()));
   ++data.motions;

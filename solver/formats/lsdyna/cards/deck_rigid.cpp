@@ -64,6 +64,34 @@ RigidHeld read_held(const DeckData& data, const KeywordBlock& block) {
   return held;
 }
 
+/// A velocity of the centre and a rotation, and the card that they are of.
+struct RigidVelocity {
+  Point velocity{}, angular_velocity{};
+  DeckCard card;
+};
+
+/// *INITIAL_VELOCITY_RIGID_BODY, by leading parts.
+std::map<std::int64_t, RigidVelocity> read_velocities(DeckData& data) {
+  std::map<std::int64_t, RigidVelocity> all;
+  for (const KeywordBlock* block : data.blocks_of("INITIAL_VELOCITY_RIGID_BODY")) {
+    for_each_card(*block, [&](const Card& card) {
+      const Fields f = data.fields(card, layout::velocity_rigid);
+      const std::int64_t id = f.integer("PID") + offset_of(*block, &DeckTransform::part), system = f.integer("ICID");
+      RigidVelocity given{in_system(data, *block, system, f.point("VX"), card.place),
+                          in_system(data, *block, system, f.point("VXR"), card.place), card_of(*block, card.place)};
+      if (!data.body_of(id, card.place))
+        return data.report.unused(card.place, fmt::format("{} of part {}", block->star_name(), id), "it has no solids");
+      const std::int64_t lead = data.find_part(id)->lead;
+      if (lead == 0)
+        fail_at(card.place, fmt::format("{}: part {} is not rigid: *INITIAL_VELOCITY_GENERATION gives it a velocity",
+                                        block->star_name(), id));
+      data.give_once(*block, fmt::format("the velocity of the rigid part {}", lead), card.place);
+      all[lead] = std::move(given);
+    });
+  }
+  return all;
+}
+
 }  // namespace
 
 void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
@@ -71,6 +99,7 @@ void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
   for (const auto& [number, block] : data.rigid_materials) {
     if (data.is_used(number)) held_by[number] = read_held(data, *block);
   }
+  const std::map<std::int64_t, RigidVelocity> velocities = read_velocities(data);
   for (const DeckPart& part : data.parts) {
     if (!part.is_rigid()) continue;
     if (part.hourglass != 0)
@@ -79,11 +108,16 @@ void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
     const KeywordBlock& block = *data.rigid_materials.at(part.material);
     RigidHeld& held = held_by[part.material];
     held.is_used = true;
-    const auto keys = scene.entry<RigidBody>("rigid_body", card_of(block, held.place));
+    auto keys = scene.entry<RigidBody>("rigid_body", card_of(block, held.place));
     keys.set("name", part.body);
     keys.set("bodies", data.bodies_with(part.id));
     if (!held.along.empty()) keys.set("held", held.along, "con1");
     if (!held.about.empty()) keys.set("held_rotations", held.about, "con2");
+    if (const auto given = velocities.find(part.id); given != velocities.end()) {
+      keys.from(given->second.card);
+      keys.set("velocity", given->second.velocity, "vx, vy, vz");
+      keys.set("angular_velocity", given->second.angular_velocity, "vxr, vyr, vzr");
+    }
   }
   for (const auto& [number, held] : held_by) {
     if (!held.is_used && held.any())

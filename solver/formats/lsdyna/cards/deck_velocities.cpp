@@ -23,6 +23,7 @@ VelocityKeys begin_velocity(const KeywordBlock& block, const DeckPlace& place, c
 void tell_order_of_velocities(DeckData& data) {
   std::vector<std::string> names;
   for (const KeywordBlock& block : data.deck.blocks) {
+    if (block.name == "INITIAL_VELOCITY_RIGID_BODY") continue;  // it counts before all others
     if (block.name.starts_with("INITIAL_VELOCITY") && std::ranges::find(names, block.star_name()) == names.end())
       names.push_back(block.star_name());
   }
@@ -118,6 +119,21 @@ void add_motion(const KeywordBlock& block, const DeckPlace& place, const Motion&
   keys.set("centre", motion.centre, "xc, yc, zc");
 }
 
+/// IVATN 1: also the parts that are merged with these.
+void add_merged(DeckData& data, const Fields& f, const std::string& star_name, std::vector<std::int64_t>& parts) {
+  if (f.integer("IVATN") == 0) return;
+  const std::size_t named = parts.size();
+  for (std::size_t i = 0; i < named; ++i) {
+    const DeckPart* part = data.find_part(parts[i]);
+    for (const DeckPart& other : data.parts) {
+      if (part != nullptr && part->is_rigid() && other.lead == part->lead && other.id != part->id)
+        parts.push_back(other.id);
+    }
+  }
+  if (parts.size() == named)
+    data.report.unused(f.place(), star_name + ": IVATN", "no other part is merged with one of these");
+}
+
 }  // namespace
 
 /// Two cards each; the second one, of the spin, may be blank.
@@ -128,17 +144,22 @@ void translate_velocity_generation(DeckData& data, const KeywordBlock& block, De
     const Fields f = data.fields(*card, layout::velocity_generation), spin = data.fields(second, layout::velocity_axis);
     const Motion motion = motion_of(data, block, f, spin);
     const std::int64_t id = f.integer("ID"), kind = id == 0 ? 0 : f.integer("STYP");
+    std::vector<std::int64_t> parts;
     std::vector<std::string> bodies;
     if (id == 0) {
       bodies = all_bodies(data);
     } else if (kind == 1) {
-      bodies = bodies_of(data, data.part_set(set_number(block, id), card->place), card->place);
+      parts = data.part_set(set_number(block, id), card->place);
     } else if (kind == 2) {
-      bodies = bodies_of(data, {id + offset_of(block, &DeckTransform::part)}, card->place);
+      parts = {id + offset_of(block, &DeckTransform::part)};
     } else if (kind == 3) {
       add_motion(block, card->place, motion, "set", std::to_string(set_number(block, id)), scene);
     } else {
       f.fail("STYP", fmt::format("expected 1, 2 or 3, got {}", kind));
+    }
+    if (!parts.empty()) {
+      add_merged(data, f, block.star_name(), parts);
+      bodies = bodies_of(data, parts, card->place);
     }
     for (const std::string& body : bodies) add_motion(block, card->place, motion, "body", body, scene);
   }

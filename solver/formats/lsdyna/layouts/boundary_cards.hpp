@@ -5,7 +5,7 @@
 /// *BOUNDARY_..., *INITIAL_VELOCITY..., *RIGIDWALL_PLANAR..., *LOAD_..., *DATABASE_HISTORY_...
 namespace pinball::layout {
 
-inline constexpr std::string_view no_rigid_bodies = "there are no rigid bodies";
+inline constexpr std::string_view no_other_velocity = "no other keyword gives a rigid part a velocity before it";
 
 constexpr CardLayout held(std::string_view target) {
   return {whole(target).always(),
@@ -27,21 +27,15 @@ constexpr CardLayout motion(std::string_view target) {
 inline constexpr CardLayout motion_node = motion("NID"), motion_set = motion("NSID"), motion_part = motion("PID");
 
 inline constexpr CardLayout velocity_nodes{whole("NSID"), whole("NSIDEX"), whole("BOXID"),
-                                           whole("IRIGID").reported(no_rigid_bodies), whole("ICID")};
+                                           whole("IRIGID").reported(no_other_velocity), whole("ICID")};
 inline constexpr CardLayout velocity{number("VX"),    number("VY"),    number("VZ"),
                                      rotation("VXR"), rotation("VYR"), rotation("VZR")};
 inline constexpr CardLayout velocity_exempt{number("VXE"),    number("VYE"),    number("VZE"),
                                             rotation("VXRE"), rotation("VYRE"), rotation("VZRE")};
 inline constexpr CardLayout velocity_node{whole("NID").always(), number("VX"),    number("VY"),    number("VZ"),
                                           rotation("VXR"),       rotation("VYR"), rotation("VZR"), whole("ICID")};
-inline constexpr CardLayout velocity_generation{whole("ID"),
-                                                whole("STYP"),
-                                                number("OMEGA"),
-                                                number("VX"),
-                                                number("VY"),
-                                                number("VZ"),
-                                                whole("IVATN").reported(no_rigid_bodies),
-                                                whole("ICID")};
+inline constexpr CardLayout velocity_generation{whole("ID"),  whole("STYP"), number("OMEGA"),           number("VX"),
+                                                number("VY"), number("VZ"),  whole("IVATN").from(0, 1), whole("ICID")};
 inline constexpr CardLayout velocity_axis{number("XC"),
                                           number("YC"),
                                           number("ZC"),
@@ -49,7 +43,9 @@ inline constexpr CardLayout velocity_axis{number("XC"),
                                           number("NY"),
                                           number("NZ"),
                                           whole("PHASE").rejected("velocities are those of the start"),
-                                          whole("IRIGID").reported(no_rigid_bodies)};
+                                          whole("IRIGID").reported(no_other_velocity)};
+inline constexpr CardLayout velocity_rigid{whole("PID").always(), number("VX"),  number("VY"),  number("VZ"),
+                                           number("VXR"),         number("VYR"), number("VZR"), whole("ICID")};
 
 inline constexpr CardLayout wall_nodes{whole("NSID"),
                                        whole("NSIDEX"),

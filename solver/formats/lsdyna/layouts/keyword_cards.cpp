@@ -88,6 +88,7 @@ void add_boundaries(Table& table) {
     table.push_back({name, "", {&l::velocity_nodes, &l::velocity, &l::velocity_exempt}});
   table.push_back({"INITIAL_VELOCITY_NODE", "", {&l::velocity_node}});
   table.push_back({"INITIAL_VELOCITY_GENERATION", "", {&l::velocity_generation, &l::velocity_axis}});
+  table.push_back({"INITIAL_VELOCITY_RIGID_BODY", "", {&l::velocity_rigid}});
   table.push_back({"RIGIDWALL_PLANAR", "", {&l::wall_nodes, &l::wall_plane}});
   table.push_back({"RIGIDWALL_PLANAR_FINITE", "", {&l::wall_nodes, &l::wall_plane, &l::wall_rectangle}});
   table.push_back({"RIGIDWALL_PLANAR_MOVING", "", {&l::wall_nodes, &l::wall_plane, &l::wall_mass}});
