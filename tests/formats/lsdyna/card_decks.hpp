@@ -53,6 +53,7 @@ inline const std::string compressed = "*PART\nlower\n1,1,1,3\nupper\n2,1,1,3\n",
 /// The upper part is rigid; both are.
 inline const std::string rigid_part = "*PART\nlower\n1,1,1\nupper\n2,1,2\n",
                          rigid_parts = "*PART\nlower\n1,1,2\nupper\n2,1,2\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
+inline const std::string one_inertia = "*PART\nupper\n2,1,1\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
 inline const std::string no_elastic = "*MAT_ELASTIC\n9,7.85E-9,210000.,0.3\n";
 inline std::vector<std::string> with_blanks(std::vector<std::string> lines, std::size_t count) {
   lines.resize(lines.size() + count);
@@ -75,6 +76,14 @@ inline std::vector<CardDeck> decks_of_mesh() {
       {"ELEMENT_SOLID", "in two lines", {"1,1", "1,2,3,4,5,6,7,8", "2,2", "9,10,11,12,13,14,15,16"}},
       {"PART", "", {"lower", "1,1,1", "upper", "2,1,1"}},
       {"PART_CONTACT", "", {"lower", "1,1,1", "", "upper", "2,1,1", ""}, "*PART\n"},
+      {"PART_INERTIA",
+       "IRCS 0",
+       {"lower", "1,1,2", "0.5,0.4,0.6,2.E-8", "4.,0.1,0.2,5.,0.3,6.", "1.,2.,3.,4.,5.,6."},
+       one_inertia},
+      {"PART_INERTIA",
+       "IRCS 1",
+       {"lower", "1,1,2", "0.5,0.4,0.6,2.E-8,1", "4.,0.1,0.2,5.,0.3,6.", "1.,2.,3.,4.,5.,6.", "1.,2.,3.,3.,-1.,0.5"},
+       one_inertia},
       {"SECTION_SOLID", "", {"1,1"}},
       {"INCLUDE_TRANSFORM",
        "",

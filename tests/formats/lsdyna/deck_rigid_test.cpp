@@ -183,6 +183,60 @@ TEST_F(DeckRigid, VelocitiesOfPartsAreThoseOfAllThatIsMerged) {
   EXPECT_NEAR(body.angular_velocity[2], 1e3, 1e-9);
 }
 
+const std::string inertia_of_2 =
+    "*PART\nsoft\n1,1,1\n*PART\nhat\n3,1,2\n*PART_INERTIA\nhard\n2,1,2\n0.5,0.4,2.6,2.E-8\n4.E-9,1.E-10,2.E-10,5.E-9,3."
+    "E-10,"
+    "6.E-9\n1.,2.,3.,4.,5.,6.\n";
+
+TEST_F(DeckRigid, HasTheInertiaOfItsPart) {
+  const std::string deck = cubes + inertia_of_2 + free_rigid + merged;
+  const RigidBody given = scene(deck).rigid_bodies.at(0);
+  EXPECT_EQ(given.mass, 2e-8);
+  EXPECT_EQ(given.centre.value(), (Point{0.5, 0.4, 2.6}));
+  EXPECT_EQ(given.inertia, (std::array<Point, 3>{{{4e-9, 1e-10, 2e-10}, {1e-10, 5e-9, 3e-10}, {2e-10, 3e-10, 6e-9}}}));
+  EXPECT_EQ(given.velocity.value(), (Point{1, 2, 3}));
+  const RigidBodyResult body = Simulation(scene(deck + "*INITIAL_VELOCITY\n\n7.\n")).summary().rigid_bodies.at(0);
+  EXPECT_NEAR(body.mass, 2e-8, 1e-20);
+  EXPECT_EQ(body.centre, given.centre.value());
+  EXPECT_NEAR(body.angular_momentum[0], 4e-9 * 4 + 1e-10 * 5 + 2e-10 * 6, 1e-20);
+  EXPECT_EQ(body.velocity, given.velocity.value()) << "whatever those of its nodes";
+  const TranslatedDeck thrown = translate(deck + "*INITIAL_VELOCITY_RIGID_BODY\n2,9.\n*DATABASE_MATSUM\n1.E-7\n");
+  EXPECT_EQ(read_scene(thrown.source(path_)).rigid_bodies.at(0).velocity.value(), (Point{9, 0, 0}));
+  EXPECT_THAT(thrown.understood, Contains(HasSubstr("not used: *PART_INERTIA: VTX to VRZ")));
+  EXPECT_THAT(thrown.understood, Contains(HasSubstr("not used: *DATABASE_MATSUM")));
+}
+
+TEST_F(DeckRigid, InertiaMayBeOfANodeAndInALocalSystem) {
+  std::string deck = cubes + inertia_of_2 + free_rigid + merged;
+  deck.replace(deck.find("0.5,0.4,2.6,2.E-8\n"), 18, "0.,0.,0.,2.E-8,1,17\n");
+  deck.replace(deck.find("4.,5.,6.\n"), 9, "4.,5.,6.\n0.,2.,0.,-1.,1.,0.\n");
+  const RigidBody given = scene(deck).rigid_bodies.at(0);
+  EXPECT_EQ(given.centre.value(), (Point{1, 1, 2.5}));
+  const std::array<Point, 3> expected{{{5e-9, -1e-10, -3e-10}, {-1e-10, 4e-9, 2e-10}, {-3e-10, 2e-10, 6e-9}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(given.inertia[i][j], expected[i][j], 1e-24) << i << j;
+  }
+}
+
+TEST_F(DeckRigid, InertiaThatCannotBeIsRefused) {
+  const std::string deck = cubes + inertia_of_2 + free_rigid;
+  EXPECT_THAT(error(deck + "*CONSTRAINED_RIGID_BODIES\n2,3,1\n"),
+              HasSubstr("with IFLAG 1 of a part with *PART_INERTIA"));
+  EXPECT_THAT(error(deck + "*CONSTRAINED_RIGID_BODIES\n3,2\n"), HasSubstr("*PART_INERTIA of a merged part"));
+  EXPECT_THAT(error(deck + merged + "*INITIAL_VELOCITY\n0,0,0,1\n7.\n"), HasSubstr("*INITIAL_VELOCITY with IRIGID"));
+  std::string other = deck + merged;
+  other.replace(other.find("2.E-8"), 5, "0.0");
+  EXPECT_THAT(error(other), HasSubstr("TM: expected a mass > 0, got 0"));
+  other = deck + merged;
+  other.replace(other.find("4.E-9"), 5, "4.E-8");
+  EXPECT_THAT(error_in_cards(other),
+              AllOf(HasSubstr("deck.k:"), HasSubstr("*PART_INERTIA"), HasSubstr("expected that of a body")));
+  EXPECT_THAT(translate(cubes + "*PART\nhat\n3,1,2\n*PART\nhard\n2,1,2\n*PART_INERTIA\nsoft\n1,1,1\n0.,0.,0.,1.\n\n\n" +
+                        free_rigid + merged)
+                  .understood,
+              Contains(HasSubstr("*PART_INERTIA: XC to VRZ of part 1")));
+}
+
 /// The same scene without a deck moves to the same bits.
 TEST_F(DeckRigid, IsTheSceneThatSaysTheSame) {
   const std::string contact = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n\n0.1,0.1\n\n";

@@ -180,6 +180,28 @@ TEST(OwnDecks, SetsHaveTheirMembers) {
   EXPECT_NEAR(s.bodies()[0].velocity[2], 3.0 / 4, 1e-3) << "the free layer has a quarter of the mass";
 }
 
+TEST(OwnDecks, RigidPartsMoveAsTheirCardsSay) {
+  const Simulation s = run_deck("rigid.k");
+  const std::vector<RigidBodyResult> rigid = s.summary().rigid_bodies;
+  ASSERT_EQ(rigid.size(), 3U);
+  constexpr double time = 1e-2;
+  const Point thrown{0.5 + 100 * time, 0.4 + 200 * time, 0.7 + 300 * time}, lifted{5.5, 0.5, 1 + 2 * 1.5};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(rigid[0].centre[k], thrown[k], 1e-9) << k;
+    EXPECT_NEAR(rigid[1].centre[k], lifted[k], 1e-9) << k;
+  }
+  EXPECT_NEAR(rigid[0].angular_momentum[2], 50 * 4e-9, 1e-18);
+  EXPECT_NEAR(rigid[2].velocity[2], -9810 * time, 1e-9);
+  EXPECT_NEAR(rigid[2].centre[2], 0.5 - 9810 * time * time / 2, 1e-3);
+  std::vector<double> places(3 * static_cast<std::size_t>(s.nodes()));
+  s.copy(NodeField::position, view_records(places.data(), s.nodes(), 3));
+  const double angle = 2, x = std::cos(angle) - std::sin(angle), y = std::sin(angle) + std::cos(angle);
+  bool found = false;
+  for (std::size_t n = 0; n < places.size(); n += 3)
+    found = found || std::hypot(places[n] - 5.5 - 0.5 * x, places[n + 1] - 0.5 - 0.5 * y, places[n + 2] - 5) < 1e-9;
+  EXPECT_TRUE(found) << "the corner that was at (6, 1, 2)";
+}
+
 TEST(OwnDecks, ControlsAreThoseOfTheRun) {
   const Scene scene = scene_of_deck(own_deck("controls.k"));
   EXPECT_EQ(scene.output.interval, 0.05);

@@ -99,7 +99,12 @@ void write_output(DeckData& data, DeckScene& scene) {
   auto keys = scene.table<OutputSettings>("output", of_rows);
   keys.comment("");
   if (std::isfinite(rows)) keys.set("interval", rows, "dt");
-  if (last_card(data, "DATABASE_MATSUM")) keys.set("body_energies", true);
+  if (const auto card = last_card(data, "DATABASE_MATSUM")) {
+    if (data.inertia.empty()) keys.set("body_energies", true);
+    if (!data.inertia.empty())
+      data.report.unused(card->place, "*DATABASE_MATSUM: energies of each body",
+                         "they are sums over nodes, which have not the inertia of *PART_INERTIA");
+  }
   if (const auto card = last_card(data, "DATABASE_BINARY_D3PLOT")) {
     if (const auto more = last_card(data, "DATABASE_BINARY_D3PLOT", 1)) data.fields(*more, layout::plot_more);
     const double interval = data.fields(*card, layout::plot).number("DT");

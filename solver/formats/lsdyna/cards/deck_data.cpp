@@ -102,7 +102,14 @@ void DeckData::read_parts(const KeywordBlock& block) {
                       card.place};
     titles_[id] = std::string(trimmed(title.text));
   };
-  for_each_part(block, read, [&](const Card& card) { fields(card, layout::part_contact); });
+  for_each_part(block, read, [&](const Card&, Cards& cards) {
+    if (block.name == "PART_CONTACT") {
+      const Card contact = cards.next_or_blank();
+      fields(contact, layout::part_contact);
+    } else {
+      pass_inertia(cards);
+    }
+  });
 }
 
 void DeckData::read_section(const KeywordBlock& block) {

@@ -36,6 +36,15 @@ struct DeckPart {
   bool is_rigid() const { return lead != 0; }
 };
 
+/// *PART_INERTIA
+struct DeckInertia {
+  double mass = 0;
+  Point centre{};
+  std::array<Point, 3> inertia{};  ///< about it, along the axes of the deck
+  Point velocity{}, angular_velocity{};
+  DeckCard card;
+};
+
 /// *HOURGLASS, or the defaults that *CONTROL_HOURGLASS and *CONTROL_BULK_VISCOSITY give it.
 struct DeckHourglass {
   std::int64_t form = 0;             ///< IHQ; 0: the default
@@ -86,6 +95,7 @@ class DeckData {
   std::vector<bool> used;                  ///< per node of the mesh: whether a solid of a part has it
   std::vector<std::int64_t> lead_of_node;  ///< the same: the leading rigid part that has it, or 0; empty: none is rigid
   std::map<std::int64_t, const KeywordBlock*> rigid_materials;  ///< *MAT_RIGID, by their numbers
+  std::map<std::int64_t, DeckInertia> inertia;                  ///< of rigid parts, by their numbers
 
   /// Of whatever; it has to stand in a file of the deck's own units.
   const DeckCurve& curve(std::int64_t id, const DeckPlace& place) const;
@@ -144,6 +154,9 @@ class DeckData {
   void read_part_set(const KeywordBlock& block);
   void add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const;
   void name_bodies();
+  void pass_inertia(Cards& cards) const;
+  void read_inertias(const KeywordBlock& block);
+  DeckInertia read_inertia(const KeywordBlock& block, Cards& cards);
   void find_rigid_parts();
   void merge_rigid_parts();
   void find_rigid_nodes();

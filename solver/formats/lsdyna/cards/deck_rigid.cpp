@@ -70,6 +70,13 @@ struct RigidVelocity {
   DeckCard card;
 };
 
+void set_inertia(const DeckInertia& given, DeckKeys<RigidBody>& keys) {
+  keys.from(given.card);
+  keys.set("mass", given.mass, "tm");
+  keys.set("centre", given.centre, "xc, yc, zc");
+  keys.set("inertia", given_list(given.inertia), "ixx to izz");
+}
+
 /// *INITIAL_VELOCITY_RIGID_BODY, by leading parts.
 std::map<std::int64_t, RigidVelocity> read_velocities(DeckData& data) {
   std::map<std::int64_t, RigidVelocity> all;
@@ -113,10 +120,23 @@ void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
     keys.set("bodies", data.bodies_with(part.id));
     if (!held.along.empty()) keys.set("held", held.along, "con1");
     if (!held.about.empty()) keys.set("held_rotations", held.about, "con2");
+    const auto inertia = data.inertia.find(part.id);
+    const bool has_inertia = inertia != data.inertia.end();
+    if (has_inertia) set_inertia(inertia->second, keys);
     if (const auto given = velocities.find(part.id); given != velocities.end()) {
       keys.from(given->second.card);
       keys.set("velocity", given->second.velocity, "vx, vy, vz");
       keys.set("angular_velocity", given->second.angular_velocity, "vxr, vyr, vzr");
+      if (has_inertia)
+        data.report.unused(inertia->second.card.place, "*PART_INERTIA: VTX to VRZ",
+                           "*INITIAL_VELOCITY_RIGID_BODY counts");
+    } else if (has_inertia) {
+      keys.set("velocity", inertia->second.velocity, "vtx, vty, vtz");
+      keys.set("angular_velocity", inertia->second.angular_velocity, "vrx, vry, vrz");
+      data.report.understood(
+          fmt::format("part {}: its velocities are those of *PART_INERTIA ({}), whatever those of its "
+                      "nodes",
+                      part.id, inertia->second.card.place.text()));
     }
   }
   for (const auto& [number, held] : held_by) {

@@ -18,6 +18,17 @@ VelocityKeys begin_velocity(const KeywordBlock& block, const DeckPlace& place, c
   return keys;
 }
 
+/// IRIGID: whether velocities of nodes count before those of *PART_INERTIA.
+void take_irigid(DeckData& data, const KeywordBlock& block, const Fields& f) {
+  if (f.integer("IRIGID") == 0) return;
+  if (data.inertia.empty()) {
+    data.report.unused(f.place(), block.star_name() + ": IRIGID", "no part has a *PART_INERTIA");
+  } else {
+    data.report.reject(f.place(), block.star_name() + " with IRIGID",
+                       "give the rigid part its velocity by *INITIAL_VELOCITY_RIGID_BODY");
+  }
+}
+
 }  // namespace
 
 void tell_order_of_velocities(DeckData& data) {
@@ -38,6 +49,7 @@ void translate_initial_velocity(DeckData& data, const KeywordBlock& block, DeckS
   const Card head = cards.require("the set of nodes");
   const Card card = cards.require("the velocity");
   const Fields f = data.fields(head, layout::velocity_nodes);
+  take_irigid(data, block, f);
   const auto velocity_of = [&](const Fields& numbers) {
     return in_system(data, block, f.integer("ICID"), numbers.point(numbers.name(0)), head.place);
   };
@@ -143,6 +155,7 @@ void translate_velocity_generation(DeckData& data, const KeywordBlock& block, De
     const Card second = cards.next_or_blank();
     const Fields f = data.fields(*card, layout::velocity_generation), spin = data.fields(second, layout::velocity_axis);
     const Motion motion = motion_of(data, block, f, spin);
+    take_irigid(data, block, spin);
     const std::int64_t id = f.integer("ID"), kind = id == 0 ? 0 : f.integer("STYP");
     std::vector<std::int64_t> parts;
     std::vector<std::string> bodies;

@@ -5,8 +5,6 @@
 /// *BOUNDARY_..., *INITIAL_VELOCITY..., *RIGIDWALL_PLANAR..., *LOAD_..., *DATABASE_HISTORY_...
 namespace pinball::layout {
 
-inline constexpr std::string_view no_other_velocity = "no other keyword gives a rigid part a velocity before it";
-
 constexpr CardLayout held(std::string_view target) {
   return {whole(target).always(),
           whole("CID"),
@@ -26,8 +24,8 @@ constexpr CardLayout motion(std::string_view target) {
 }
 inline constexpr CardLayout motion_node = motion("NID"), motion_set = motion("NSID"), motion_part = motion("PID");
 
-inline constexpr CardLayout velocity_nodes{whole("NSID"), whole("NSIDEX"), whole("BOXID"),
-                                           whole("IRIGID").reported(no_other_velocity), whole("ICID")};
+inline constexpr CardLayout velocity_nodes{whole("NSID"), whole("NSIDEX"), whole("BOXID"), whole("IRIGID"),
+                                           whole("ICID")};
 inline constexpr CardLayout velocity{number("VX"),    number("VY"),    number("VZ"),
                                      rotation("VXR"), rotation("VYR"), rotation("VZR")};
 inline constexpr CardLayout velocity_exempt{number("VXE"),    number("VYE"),    number("VZE"),
@@ -43,7 +41,7 @@ inline constexpr CardLayout velocity_axis{number("XC"),
                                           number("NY"),
                                           number("NZ"),
                                           whole("PHASE").rejected("velocities are those of the start"),
-                                          whole("IRIGID").reported(no_other_velocity)};
+                                          whole("IRIGID")};
 inline constexpr CardLayout velocity_rigid{whole("PID").always(), number("VX"),  number("VY"),  number("VZ"),
                                            number("VXR"),         number("VYR"), number("VZR"), whole("ICID")};
 

@@ -23,6 +23,11 @@ void add_mesh(Table& table) {
   table.push_back({"ELEMENT_SOLID", "in two lines", {&l::solid, &l::solid_nodes}});
   table.push_back({"PART", "", {title, &l::part}});
   table.push_back({"PART_CONTACT", "", {title, &l::part, &l::part_contact}});
+  for (const bool in_system : {false, true}) {
+    Lines lines{title, &l::part, &l::part_inertia, &l::part_moments, &l::part_velocity};
+    if (in_system) lines.push_back(&l::part_system);
+    table.push_back({"PART_INERTIA", in_system ? "IRCS 1" : "IRCS 0", lines});
+  }
   table.push_back({"SECTION_SOLID", "", {&l::section_solid}});
   table.push_back({"HOURGLASS", "", {&l::hourglass}});
   table.push_back({"INCLUDE_TRANSFORM",

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "definition_cards.hpp"
+#include "mesh_cards.hpp"
 
-/// *MAT_RIGID, *CONSTRAINED_RIGID_BODIES.
+/// *MAT_RIGID, *CONSTRAINED_RIGID_BODIES, and what *PART_INERTIA has behind the card of *PART.
 namespace pinball::layout {
 
 inline constexpr std::string_view not_coupled = "no other program moves bodies: leave it blank",
@@ -20,8 +21,15 @@ inline constexpr CardLayout rigid_system{number("LCO").reported(own_system), num
                                          number("A3").reported(own_system),  number("V1").reported(own_system),
                                          number("V2").reported(own_system),  number("V3").reported(own_system)};
 
-inline constexpr CardLayout merged_parts{
-    whole("PIDM").always(), whole("PIDS").always(),
-    whole("IFLAG").reported("mass, centre and inertia are those of the nodes of all merged parts")};
+inline constexpr CardLayout merged_parts{whole("PIDM").always(), whole("PIDS").always(), whole("IFLAG").from(0, 1)};
+
+inline constexpr CardLayout part_inertia{
+    number("XC"), number("YC"), number("ZC"), number("TM").always(), whole("IRCS").from(0, 1), whole("NODEID")};
+inline constexpr CardLayout part_moments{number("IXX"), number("IXY"), number("IXZ"),
+                                         number("IYY"), number("IYZ"), number("IZZ")};
+inline constexpr CardLayout part_velocity{number("VTX"), number("VTY"), number("VTZ"),
+                                          number("VRX"), number("VRY"), number("VRZ")};
+inline constexpr CardLayout part_system{number("XL"),   number("YL"),   number("ZL"), number("XLIP"),
+                                        number("YLIP"), number("ZLIP"), whole("CID")};
 
 }  // namespace pinball::layout

@@ -96,20 +96,22 @@ void for_each_card(const KeywordBlock& block, const Read& read) {
   }
 }
 
-/// The same of *PART, each of which has a title, a card, and with _CONTACT one more.
-template <class Read, class ReadContact>
-void for_each_part(const KeywordBlock& block, const Read& read, const ReadContact& read_contact) {
+/// The same of *PART, each of which has a title and a card. read_more(card, cards) takes what _CONTACT and _INERTIA
+/// have behind these.
+template <class Read, class ReadMore>
+void for_each_part(const KeywordBlock& block, const Read& read, const ReadMore& read_more) {
   Cards cards(block);
   while (const std::optional<Card> title = cards.next()) {
     const std::optional<Card> card = cards.next();
     if (title->blank() && (!card || card->blank())) continue;
     if (!card) fail_at(title->place, block.star_name() + ": expected a line of numbers after the title");
     read(*title, *card);
-    const std::optional<Card> contact = block.name == "PART_CONTACT" ? cards.next() : std::nullopt;
-    if (contact) read_contact(*contact);
+    if (block.name != "PART") read_more(*card, cards);
   }
 }
 
-inline bool is_part(const KeywordBlock& block) { return block.name == "PART" || block.name == "PART_CONTACT"; }
+inline bool is_part(const KeywordBlock& block) {
+  return block.name == "PART" || block.name == "PART_CONTACT" || block.name == "PART_INERTIA";
+}
 
 }  // namespace pinball
