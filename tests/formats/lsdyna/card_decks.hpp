@@ -214,7 +214,8 @@ inline std::vector<CardDeck> decks_of_controls() {
       {"DATABASE_HISTORY_SOLID", "", {"1"}},
       {"DATABASE_HISTORY_SOLID_SET", "", {"5"}},
       {"DATABASE_BINARY_D3PLOT", "", {"1E-7", ""}}};
-  for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"})
+  for (const char* name :
+       {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "RBDOUT", "NODOUT", "ELOUT", "SLEOUT"})
     decks.push_back({std::string("DATABASE_") + name, "", {"1E-7"}});
   for (const KeywordCards& cards : keyword_cards()) {
     if (!cards.keyword.starts_with("CONTACT_")) continue;

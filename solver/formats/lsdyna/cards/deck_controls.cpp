@@ -88,7 +88,8 @@ void write_damping(DeckData& data, DeckScene& scene) {
 void write_output(DeckData& data, DeckScene& scene) {
   double rows = std::numeric_limits<double>::infinity();
   DeckCard of_rows;
-  for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"}) {
+  for (const char* name :
+       {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "RBDOUT", "NODOUT", "ELOUT", "SLEOUT"}) {
     const auto card = last_card(data, std::string("DATABASE_") + name);
     if (!card) continue;
     const double interval = data.fields(*card, layout::ascii).number("DT");

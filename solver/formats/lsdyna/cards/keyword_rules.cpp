@@ -127,6 +127,7 @@ const std::vector<KeywordRule>& keyword_rules() {
       {"DATABASE_RWFORC", done, "the same"},
       {"DATABASE_SPCFORC", done, "the same; the force of all constraints together, `spc_force_x`"},
       {"DATABASE_BNDOUT", done, "the same; the force of each motion of nodes, `motion_1_force_x`, in their order"},
+      {"DATABASE_RBDOUT", done, "the same; centre, velocities and reactions of each rigid body"},
       {"DATABASE_NODOUT", done, "the same"},
       {"DATABASE_ELOUT", done, "the same"},
       {"DATABASE_SLEOUT", done, "the same"},

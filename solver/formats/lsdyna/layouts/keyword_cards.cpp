@@ -133,7 +133,8 @@ void add_controls(Table& table) {
   for (const char* what : {"NODE", "NODE_SET", "SOLID", "SOLID_SET"})
     table.push_back({std::string("DATABASE_HISTORY_") + what, "", {&l::members}});
   table.push_back({"DATABASE_BINARY_D3PLOT", "", {&l::plot, &l::plot_more}});
-  for (const char* name : {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "NODOUT", "ELOUT", "SLEOUT"})
+  for (const char* name :
+       {"GLSTAT", "MATSUM", "RCFORC", "RWFORC", "SPCFORC", "BNDOUT", "RBDOUT", "NODOUT", "ELOUT", "SLEOUT"})
     table.push_back({std::string("DATABASE_") + name, "", {&l::ascii}});
 }
 
