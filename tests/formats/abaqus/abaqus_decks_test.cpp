@@ -142,5 +142,23 @@ TEST_F(AbaqusDecks, PressureGivesItsMomentum) {
   }
 }
 
+/// The punch goes by the integral of a velocity that grows, and stops; the third one's centre is half a length and a
+/// half from its reference node.
+TEST_F(AbaqusDecks, RigidBodiesMoveAsTheirReferenceNodes) {
+  const std::vector<RigidBodyResult> rigid = summarize(run_of("rigid")).rigid_bodies;
+  ASSERT_EQ(rigid.size(), 3U);
+  const auto of = [&](const std::string& name) { return *std::ranges::find(rigid, name, &RigidBodyResult::name); };
+  const Point pushed{0.5, 0.5, 0.5 - 300 * 0.01 / 2}, turning{6, 1, 0.5},
+      flying{10.5 + 100 * 0.02, 0.5 + 150 * 0.02, 0.5};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(of("Punch").centre[k], pushed[k], k == 2 ? 300 * 2e-5 + 1e-9 : 1e-9) << k << ": it stops within a step";
+    EXPECT_NEAR(of("Punch").velocity[k], 0, 1e-9) << k;
+    EXPECT_NEAR(of("Turning").centre[k], turning[k], 1e-12) << k;
+    EXPECT_NEAR(of("Flying").centre[k], flying[k], 1e-9) << k;
+  }
+  EXPECT_NEAR(of("Flying").angular_velocity[2], 50, 1e-9);
+  EXPECT_NEAR(of("Turning").angular_velocity[2], 3 / 0.02, 1e-6);
+}
+
 }  // namespace
 }  // namespace pinball::test

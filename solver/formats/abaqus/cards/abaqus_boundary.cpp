@@ -20,6 +20,14 @@ void set_nodes(const AbaqusNodes& nodes, const DeckKeys<NodeSelection>& keys) {
   }
 }
 
+std::vector<std::string> direction_names(unsigned directions) {
+  std::vector<std::string> names;
+  for (unsigned k = 0; k < 3; ++k) {
+    if ((directions >> k & 1U) != 0) names.emplace_back(1, "xyz"[k]);
+  }
+  return names;
+}
+
 bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree) {
   if (degree >= 4 && degree <= 6) data.report.ignore(place, block.star_name() + " of rotations of nodes of solids");
   if (degree < 1 || degree > 6)
@@ -29,22 +37,25 @@ bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace&
 
 namespace {
 
-/// One data line of *BOUNDARY: directions by their bits x, y, z.
+/// One data line of *BOUNDARY: directions by their bits x, y, z, and behind these of rotations about them.
 struct Held {
   unsigned directions = 0;
   double magnitude = 0;
 };
 
 unsigned named_directions(const std::string& name, const DeckPlace& place) {
-  static const std::map<std::string, unsigned> names{{"ENCASTRE", 7}, {"PINNED", 7}, {"XSYMM", 1},  {"YSYMM", 2},
-                                                     {"ZSYMM", 4},    {"XASYMM", 6}, {"YASYMM", 5}, {"ZASYMM", 3}};
+  static const std::map<std::string, unsigned> names{
+      {"ENCASTRE", 0b111'111}, {"PINNED", 0b000'111}, {"XSYMM", 0b110'001},  {"YSYMM", 0b101'010},
+      {"ZSYMM", 0b011'100},    {"XASYMM", 0b001'110}, {"YASYMM", 0b010'101}, {"ZASYMM", 0b100'011}};
   const auto found = names.find(name);
   if (found == names.end()) fail_at(place, fmt::format("*BOUNDARY: expected degrees of freedom, got \"{}\"", name));
   return found->second;
 }
 
-Held held_of(AbaqusData& data, const AbaqusBlock& block, const DataFields& f) {
-  if (!f.blank(1) && !deck_integer(f.text(1))) return {named_directions(squeezed(f.text(1)), f.place()), 0.0};
+/// rotates: of a reference node; of others those of rotations are reported.
+Held held_of(AbaqusData& data, const AbaqusBlock& block, const DataFields& f, bool rotates) {
+  if (!f.blank(1) && !deck_integer(f.text(1)))
+    return {named_directions(squeezed(f.text(1)), f.place()) & (rotates ? 63U : 7U), 0.0};
   Held held{0, f.number(3, "magnitude", 0.0)};
   const std::int64_t first = f.integer(1, "first degree of freedom"), last = f.integer(2, "last one", first);
   if (last < first)
@@ -52,19 +63,11 @@ Held held_of(AbaqusData& data, const AbaqusBlock& block, const DataFields& f) {
             fmt::format("*BOUNDARY: expected the first degree of freedom before the last, got {} and {}", first, last));
   for (std::int64_t degree = std::clamp<std::int64_t>(first, 1, 7); degree <= std::min<std::int64_t>(last, 6);
        ++degree) {
-    if (is_translation(data, block, f.place(), degree)) held.directions |= 1U << (degree - 1);
+    if (rotates || is_translation(data, block, f.place(), degree)) held.directions |= 1U << (degree - 1);
   }
   if (first < 1 || first > 6) is_translation(data, block, f.place(), first);
   if (last > 6 && last != first) is_translation(data, block, f.place(), last);
   return held;
-}
-
-std::vector<std::string> names_of(unsigned directions) {
-  std::vector<std::string> names;
-  for (unsigned k = 0; k < 3; ++k) {
-    if ((directions >> k & 1U) != 0) names.emplace_back(1, "xyz"[k]);
-  }
-  return names;
 }
 
 /// A line of *BOUNDARY and when it acts.
@@ -115,6 +118,10 @@ class Boundary {
     for (std::size_t i = before, after = lines_.size(); i < after; ++i) replace(BoundaryLine(lines_[i]));
   }
 
+  bool are_references(const AbaqusNodes& nodes) {
+    return std::ranges::all_of(nodes.members, [&](std::int32_t node) { return data_.rigid_at(node) != nullptr; });
+  }
+
   void end_all(double time) {
     const AbaqusBlock* last = nullptr;
     for (BoundaryLine& line : lines_) {
@@ -129,10 +136,15 @@ class Boundary {
 
   void add(const AbaqusBlock& block, const DataLine& card) {
     const DataFields f(card);
-    const Held held = held_of(data_, block, f);
-    if (held.directions == 0) return;
     const AbaqusNodes nodes = data_.nodes(f.text(0), card.place);
-    if (nodes.set.empty() && !data_.used[nodes.members[0]]) return data_.report.ignore_node(card.place, "*BOUNDARY");
+    const bool rigid = data_.has_reference(nodes);
+    const Held held = held_of(data_, block, f, rigid);
+    if (held.directions == 0) return;
+    if (rigid && !are_references(nodes))
+      return data_.report.reject(card.place, "*BOUNDARY of a reference node of a rigid body and of other nodes",
+                                 "give each its own line");
+    if (!rigid && nodes.set.empty() && !data_.used[nodes.members[0]])
+      return data_.report.ignore_node(card.place, "*BOUNDARY");
     BoundaryLine line{&block, card.place, nodes, held, false, {}, block.step > 0 ? data_.step_of(block).start : 0.0};
     if (block.step > 0) line.curve = data_.curve(block);
     line.moves = held.magnitude != 0 || line.curve.absolute || block.option("TYPE") == "ACCELERATION";
@@ -180,6 +192,7 @@ class Boundary {
 
   void write(const BoundaryLine& line) {
     if (line.held.directions == 0 || (line.end && *line.end <= line.start)) return;
+    if (data_.has_reference(line.nodes)) return write_rigid(line);
     if (line.nodes.set.empty() && numbers_of(line).empty()) return;
     if (line.moves) {
       write_motion(line);
@@ -190,6 +203,38 @@ class Boundary {
     } else {
       begin_fixed(line).set("set", line.nodes.set);
     }
+  }
+
+  /// Of reference nodes: what is held from the first to the last is so of the body, all else is a motion.
+  void write_rigid(const BoundaryLine& line) {
+    for (const std::int32_t node : line.nodes.members) {
+      AbaqusRigidBody& rigid = *data_.rigid_at(node);
+      rigid.translations |= line.held.directions & 7U;
+      if (!line.moves && line.start == 0 && !line.end) {
+        rigid.held |= line.held.directions;
+        continue;
+      }
+      for (unsigned k = 0; k < 6; ++k) {
+        if ((line.held.directions >> k & 1U) != 0) write_rigid_motion(line, rigid, k);
+      }
+    }
+  }
+
+  void write_rigid_motion(const BoundaryLine& line, AbaqusRigidBody& rigid, unsigned k) {
+    Point direction{};
+    direction[k % 3] = 1;
+    const bool turns = k >= 3;
+    const auto keys = scene_.entry<RigidMotion>("rigid_motion", card_of(*line.block, line.place));
+    if (!rigid.bodies.empty()) keys.set("rigid_body", rigid.bodies.front());
+    keys.set(turns ? KeyOf<RigidMotion>("axis") : KeyOf<RigidMotion>("direction"), direction);
+    if (line.moves) {
+      if (turns && quantity_of(line) == "displacement") rigid.angles |= 1U << k;
+      keys.set(turns ? KeyOf<RigidMotion>("angular_speed") : KeyOf<RigidMotion>("speed"),
+               line.curve.times.empty() ? line.held.magnitude : 1.0);
+      keys.set("quantity", quantity_of(line));
+      set_curve(line.curve, line.held.magnitude, keys);
+    }
+    set_times(line, keys);
   }
 
   /// Of nodes that an element has.
@@ -205,7 +250,7 @@ class Boundary {
   DeckKeys<FixedConstraint> begin_fixed(const BoundaryLine& line) {
     auto keys = scene_.entry<FixedConstraint>("constraint", card_of(*line.block, line.place));
     keys.set("type", "fixed");
-    keys.set("directions", names_of(line.held.directions));
+    keys.set("directions", direction_names(line.held.directions));
     set_times(line, keys);
     return keys;
   }

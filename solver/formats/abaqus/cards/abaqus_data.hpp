@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
 #include <solver/formats/deck/deck_element.hpp>
 #include <solver/formats/deck/deck_report.hpp>
+#include <solver/formats/deck/deck_scene.hpp>
 #include <solver/formats/deck/deck_side.hpp>
 #include <solver/formats/deck/given_once.hpp>
 #include <solver/mesh/number_index.hpp>
@@ -41,6 +43,18 @@ struct AbaqusNodes {
   std::vector<std::int32_t> members;  ///< places in the mesh
 };
 
+/// A *RIGID BODY: bodies that move as one, with their reference node.
+struct AbaqusRigidBody {
+  DeckCard card;
+  std::vector<std::string> bodies;
+  std::int32_t node = -1;     ///< place of the reference node in the mesh
+  Point offset{};             ///< of it from the centre of mass [length]
+  unsigned held = 0;          ///< at all times: bits of x, y, z, and behind these of rotations about them
+  unsigned translations = 0;  ///< the same of directions that are held or moved at any time
+  unsigned angles = 0;        ///< the same of rotations that are given as angles
+  std::optional<Point> velocity{}, angular_velocity{};  ///< of the reference node, at the start
+};
+
 /// What keywords of Abaqus input refer to by label.
 class AbaqusData {
  public:
@@ -55,9 +69,14 @@ class AbaqusData {
   std::vector<DeckElement> body_elements;  ///< per body, when they are known
   std::vector<AbaqusStep> steps;           ///< one after the other, at least one
   std::vector<bool> used;                  ///< per node of the mesh: whether an element has it
+  std::vector<AbaqusRigidBody> rigid;
+  std::vector<std::int32_t> rigid_of_node;  ///< per node: the rigid body whose elements have it, or -1; empty: none
 
   /// The nodes of a set, or one by its number, as the assembly calls them. Throws InputError where they are not there.
   AbaqusNodes nodes(const std::string& label, const DeckPlace& place) const;
+  /// The rigid body whose reference node stands there; null: none.
+  AbaqusRigidBody* rigid_at(std::int32_t node);
+  bool has_reference(const AbaqusNodes& nodes);
   /// Places of the elements of a set, of the one with a number, or of all for an empty label. Throws InputError where
   /// they are not there.
   std::vector<std::int32_t> elements(const std::string& label, const DeckPlace& place) const;

@@ -9,6 +9,10 @@ namespace {
 void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
   const DataFields f(card);
   const std::int64_t degree = f.integer(1, "degree of freedom");
+  const AbaqusNodes nodes = data.nodes(f.text(0), card.place);
+  if (data.has_reference(nodes))
+    return data.report.reject(card.place, "*CLOAD of the reference node of a rigid body",
+                              "give it to nodes of its elements");
   if (!is_translation(data, block, card.place, degree)) return;
   const double magnitude = f.number(2, "magnitude", 0.0);
   const AbaqusCurve curve = data.curve(block);
@@ -18,7 +22,7 @@ void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& car
   keys.set("force", force);
   keys.set("each", true);
   set_curve(curve, magnitude, keys);
-  set_nodes(data.nodes(f.text(0), card.place), keys);
+  set_nodes(nodes, keys);
 }
 
 /// Magnitude and direction of an acceleration.

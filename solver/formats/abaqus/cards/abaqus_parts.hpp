@@ -18,7 +18,11 @@ void translate_abaqus_materials(AbaqusData& data, DeckScene& scene);
 /// A [[body]] for each section of an instance; mesh_file: as the scene names it.
 void translate_abaqus_bodies(const AbaqusData& data, const std::string& mesh_file, DeckScene& scene);
 
-/// BOUNDARY: [[constraint]] and [[prescribed_velocity]].
+/// RIGID BODY, before what holds and moves reference nodes, and what has become of them: [[rigid_body]].
+void find_abaqus_rigid_bodies(AbaqusData& data);
+void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene);
+
+/// BOUNDARY: [[constraint]] and [[prescribed_velocity]], of reference nodes [[rigid_motion]].
 void translate_abaqus_boundary(AbaqusData& data, DeckScene& scene);
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene);
 /// CLOAD, DLOAD: [[load]], [[gravity]].
@@ -32,6 +36,9 @@ void translate_abaqus_probes(AbaqusData& data, DeckScene& scene);
 /// Whether a degree of freedom is a translation, 1 to 3. Rotations, 4 to 6, which nodes of solids do not have, are
 /// reported; others are refused.
 bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree);
+
+/// "x", "y", "z" by their bits.
+std::vector<std::string> direction_names(unsigned directions);
 
 /// A keyword at the place of one of its lines.
 inline DeckCard card_of(const AbaqusBlock& block, const DeckPlace& place) { return {block.star_name(), place}; }

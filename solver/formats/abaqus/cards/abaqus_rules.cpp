@@ -26,6 +26,9 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"INSTANCE", done, "moved and then turned", "NAME PART"},
       {"END INSTANCE", done, ""},
       {"SOLID SECTION", done, "a body each in every instance", "ELSET MATERIAL CONTROLS ORIENTATION"},
+      {"RIGID BODY", done,
+       "an ELSET of whole sections; BOUNDARY and INITIAL CONDITIONS of its REF NODE hold, move and throw it",
+       "REFNODE ELSET POSITION=INPUT|CENTEROFMASS ISOTHERMAL"},
       {"SECTION CONTROLS", done,
        "of each section: HOURGLASS and its factors; ENHANCED, RELAX STIFFNESS and none at all as elements of assumed "
        "strain",
@@ -56,7 +59,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"FIXED MASS SCALING", done, "DT with BELOW MIN or SET EQUAL DT, of all elements",
        "DT TYPE=BELOWMIN|SETEQUALDT ELSET"},
       {"BOUNDARY", done,
-       "degrees of freedom 1 to 3, ENCASTRE, PINNED, symmetries; displacement, velocity, acceleration",
+       "degrees of freedom 1 to 3, of reference nodes 1 to 6, ENCASTRE, PINNED, symmetries; displacement, velocity, "
+       "acceleration",
        "TYPE=DISPLACEMENT|VELOCITY|ACCELERATION AMPLITUDE OP=MOD|NEW"},
       {"CLOAD", done, "on each node", "AMPLITUDE OP=MOD|NEW"},
       {"DLOAD", done, "P1 to P6, GRAV", "AMPLITUDE OP=MOD|NEW"},
@@ -100,7 +104,6 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"DIAGNOSTICS", ignored, "output of another program"},
       {"RESTART", ignored, "WRITE; READ is refused"},
       {"VARIABLE MASS SCALING", rejected, ""},
-      {"RIGID BODY", rejected, "rigid bodies"},
       {"MPC", rejected, ""},
       {"EQUATION", rejected, ""},
       {"COUPLING", rejected, ""},

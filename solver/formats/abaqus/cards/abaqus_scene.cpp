@@ -73,6 +73,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   if (mesh.file.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (*ELEMENT), there are none");
   AbaqusData data(deck, mesh, report);
 
+  find_abaqus_rigid_bodies(data);
   DeckScene scene, bodies, boundary;
   data.body_elements = abaqus_elements(data);
   translate_abaqus_controls(data, scene);
@@ -82,6 +83,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   translate_abaqus_boundary(data, boundary);
   translate_abaqus_initial_velocities(data, boundary);
   translate_abaqus_loads(data, boundary);
+  translate_abaqus_rigid_bodies(data, bodies);
   translate_abaqus_probes(data, boundary);
   tell_unread(deck, log, report);
   report.require_all_done(path);

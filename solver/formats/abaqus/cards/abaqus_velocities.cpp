@@ -57,6 +57,40 @@ void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const
 
 }  // namespace
 
+namespace {
+
+/// A degree of freedom of a reference node; returns whether any of the nodes is one.
+bool throw_rigid_bodies(AbaqusData& data, const AbaqusNodes& nodes, std::int64_t degree, double value) {
+  bool any = false;
+  for (const std::int32_t node : nodes.members) {
+    AbaqusRigidBody* rigid = data.rigid_at(node);
+    if (rigid == nullptr || degree < 1 || degree > 6) continue;
+    any = true;
+    if (!rigid->velocity) rigid->velocity = rigid->angular_velocity = Point{};
+    (degree <= 3 ? *rigid->velocity : *rigid->angular_velocity)[(degree - 1) % 3] = value;
+  }
+  return any;
+}
+
+/// Nodes of rigid bodies have the velocity of the reference node.
+void require_references(AbaqusData& data, const std::vector<Moving>& all) {
+  if (data.rigid_of_node.empty()) return;
+  for (const Moving& one : all) {
+    for (const std::int32_t node : one.nodes.members) {
+      const std::int32_t number = data.rigid_of_node[node];
+      if (number < 0 || data.rigid[number].velocity) continue;
+      data.report.reject(one.place, "*INITIAL CONDITIONS of nodes of a rigid body", "give them to its reference node");
+      break;
+    }
+  }
+}
+
+bool has_element_nodes(const AbaqusData& data, const AbaqusNodes& nodes) {
+  return std::ranges::any_of(nodes.members, [&](std::int32_t node) { return data.used[node]; });
+}
+
+}  // namespace
+
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
   std::vector<Moving> all;
   std::map<std::string, std::size_t> known;
@@ -69,13 +103,17 @@ void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
       const DataFields f(*card);
       const std::int64_t degree = f.integer(1, "degree of freedom");
       const double value = f.number(2, "velocity", 0.0);
+      const AbaqusNodes nodes = data.nodes(f.text(0), card->place);
+      const bool is_thrown = throw_rigid_bodies(data, nodes, degree, value);
+      if (is_thrown && !has_element_nodes(data, nodes)) continue;
       if (!is_translation(data, block, card->place, degree)) continue;
       const auto [found, is_new] = known.try_emplace(label_key(f.text(0)), all.size());
-      if (is_new) all.push_back({data.nodes(f.text(0), card->place), card->place, {}, {}});
+      if (is_new) all.push_back({nodes, card->place, {}, {}});
       all[found->second].velocity[degree - 1] = value;
       all[found->second].given[degree - 1] = true;
     }
   }
+  require_references(data, all);
   const bool singles = std::ranges::any_of(all, [](const Moving& one) { return one.nodes.set.empty(); });
   if (singles || overlap(all, data.used.size())) {
     write_by_node(data, all, *last, scene);
