@@ -129,6 +129,10 @@ void translate_abaqus_rigid_bodies(AbaqusData& data, DeckScene& scene) {
       const Point spin = rigid.angular_velocity.value_or(Point{});
       keys.set("velocity", minus(rigid.velocity.value_or(Point{}), cross(spin, rigid.offset)));
       keys.set("angular_velocity", spin);
+      data.report.understood(
+          fmt::format("*RIGID BODY ({}): the initial velocities of its reference node are those of all "
+                      "of it",
+                      rigid.card.place.text()));
     }
     if (std::popcount(rigid.angles) > 1)
       data.report.reject(rigid.card.place, "*BOUNDARY of angles of a rigid body about several axes",

@@ -127,7 +127,7 @@ void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
       keys.from(given->second.card);
       keys.set("velocity", given->second.velocity, "vx, vy, vz");
       keys.set("angular_velocity", given->second.angular_velocity, "vxr, vyr, vzr");
-      if (has_inertia)
+      if (has_inertia && (inertia->second.velocity != Point{} || inertia->second.angular_velocity != Point{}))
         data.report.unused(inertia->second.card.place, "*PART_INERTIA: VTX to VRZ",
                            "*INITIAL_VELOCITY_RIGID_BODY counts");
     } else if (has_inertia) {
