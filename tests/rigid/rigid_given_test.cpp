@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <solver/scene_rules.hpp>
+#include <tests/support/saved_state.hpp>
 
 #include "rigid_case.hpp"
 
@@ -99,6 +100,18 @@ TEST(RigidBodies, WithAGivenCentreAreStruckAsThoseWhoseMassIsThere) {
     EXPECT_NEAR(after[2] - before[2], -9 * 0.05 * mass, 1e-9 * mass);
     EXPECT_LT(solver->ledger().balance_error_in_motion_max(), 1e-10);
   }
+}
+
+TEST(RigidBodies, WithAGivenCentreGoOnAfterARestart) {
+  const Scene scene = as_given(uneven(0.2));
+  Solver<double> whole(scene), first(scene), second(scene);
+  run(whole);
+  while (first.time() < 0.1) first.step();
+  const StateBytes state = saved(first);
+  EXPECT_EQ(load(second, state), 0U);
+  run(second);
+  EXPECT_EQ(state_hash(second.model()), state_hash(whole.model()));
+  EXPECT_EQ(momentum(second), momentum(whole));
 }
 
 TEST(RigidBodies, BeginWithTheirVelocitiesWhateverThoseOfTheirNodes) {
