@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <solver/model/look/initial_motion.hpp>
 #include <solver/model/model.hpp>
 #include <solver/scene_rules.hpp>
 #include <tests/support/solver_case.hpp>
@@ -111,6 +112,20 @@ TEST(LookAtContact, OfWhatTurnsKnowsHowFarItReaches) {
   EXPECT_EQ(decided(scene), ContactMethod::pinball);
   scene.bodies[1].position = {0, 0, reach + 0.05};
   EXPECT_EQ(decided(scene), ContactMethod::none);
+}
+
+/// Two cubes at the ends of one rigid body do not turn on the spot.
+TEST(LookAtContact, ARigidBodyOfSeveralBeginsAsOne) {
+  Scene scene = two_cubes({});
+  scene.bodies[0].position = {-6, -1.5, -1.5};
+  scene.bodies[1].position = {3, -1.5, -1.5};
+  scene.rigid_bodies.emplace_back().bodies = {"a", "b"};
+  scene.rigid_bodies[0].angular_velocity = Point{0, 0, 2};
+  complete_scene(scene);
+  const InitialMotion motion = initial_motions(scene, build_mesh(scene), {0, 0}, 1)[0];
+  EXPECT_NEAR(motion.turning, 2, 1e-9);
+  EXPECT_NEAR(motion.speed, 2 * std::hypot(6, 1.5), 1e-9);
+  EXPECT_NEAR(motion.velocity.size(), 0, 1e-9);
 }
 
 /// What flies by the corner of the box around a slanted bar does not meet the bar.

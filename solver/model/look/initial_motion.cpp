@@ -1,5 +1,7 @@
 #include "initial_motion.hpp"
 
+#include <numeric>
+
 #include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 
@@ -7,18 +9,28 @@ namespace pinball {
 
 namespace {
 
+/// The means of the nodes of each group of bodies; group: per body, negative: none.
+std::vector<Point> centres_of(const ModelMesh& mesh, const std::vector<std::int32_t>& group, std::size_t groups) {
+  std::vector<Point> centre(groups, Point{});
+  std::vector<double> count(groups, 0.0);
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const std::int32_t g = group[mesh.body_of_node[n]];
+    if (g < 0) continue;
+    for (std::size_t k = 0; k < 3; ++k) centre[g][k] += mesh.nodes[n][k];
+    ++count[g];
+  }
+  for (std::size_t g = 0; g < groups; ++g) {
+    for (double& c : centre[g]) c /= std::max(count[g], 1.0);
+  }
+  return centre;
+}
+
 /// Of each node, without noise [length/time].
 std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh) {
-  std::vector<Point> centre(scene.bodies.size(), Point{}), velocity(mesh.nodes.size());
-  std::vector<double> count(scene.bodies.size(), 0.0);
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const std::size_t b = mesh.body_of_node[n];
-    for (std::size_t k = 0; k < 3; ++k) centre[b][k] += mesh.nodes[n][k];
-    ++count[b];
-  }
-  for (std::size_t b = 0; b < centre.size(); ++b) {
-    for (double& c : centre[b]) c /= std::max(count[b], 1.0);
-  }
+  std::vector<std::int32_t> own(scene.bodies.size());
+  std::iota(own.begin(), own.end(), 0);
+  const std::vector<Point> centre = centres_of(mesh, own, own.size());
+  std::vector<Point> velocity(mesh.nodes.size());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const std::size_t b = mesh.body_of_node[n];
     const Body& body = scene.bodies[b];
@@ -35,12 +47,13 @@ std::vector<Point> initial_velocities(const Scene& scene, const ModelMesh& mesh)
     }
   }
   const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
+  const std::vector<Point> rigid_centre = centres_of(mesh, rigid, scene.rigid_bodies.size());
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const std::int32_t number = rigid[mesh.body_of_node[n]];
     if (number < 0) continue;
     const RigidBody& given = scene.rigid_bodies[number];
     if (!given.velocity && !given.angular_velocity) continue;
-    const Point centre_of = given.centre.value_or(centre[mesh.body_of_node[n]]), v = given.velocity.value_or(Point{});
+    const Point centre_of = given.centre.value_or(rigid_centre[number]), v = given.velocity.value_or(Point{});
     const Point spin = cross(given.angular_velocity.value_or(Point{}), minus(mesh.nodes[n], centre_of));
     for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = v[k] + spin[k];
   }
