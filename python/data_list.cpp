@@ -7,8 +7,10 @@ namespace pinball::python {
 
 namespace {
 
-/// `index` counts from the end where it is negative.
-std::size_t place_of(const ListType& type, py::handle list, py::ssize_t index) {
+/// `key` counts from the end where it is negative. Throws TypeError where it is no whole number.
+std::size_t place_of(const ListType& type, py::handle list, py::handle key) {
+  py::ssize_t index = PyNumber_AsSsize_t(key.ptr(), PyExc_IndexError);
+  if (index == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
   const auto size = static_cast<py::ssize_t>(type.size(list));
   if (index < 0) index += size;
   if (index < 0 || index >= size) throw py::index_error(text_of_type(type.type) + ": no such place");
@@ -69,20 +71,20 @@ void bind_list_methods(const ListType& list_type) {
   bind("__len__", [type](const py::object& self) { return type->size(self); });
   bind("__getitem__", [type](const py::object& self, const py::object& key) -> py::object {
     if (py::isinstance<py::slice>(key)) return type->type(py::list(self).attr("__getitem__")(key));
-    return type->element->show(type->at(self, place_of(*type, self, key.cast<py::ssize_t>())), self);
+    return type->element->show(type->at(self, place_of(*type, self, key)), self);
   });
   bind("__setitem__", [type](const py::object& self, const py::object& key, const py::object& value) {
     if (py::isinstance<py::slice>(key)) {
       change_copies(*type, self, "__setitem__", py::make_tuple(key, value));
     } else {
-      set_place(*type, self, place_of(*type, self, key.cast<py::ssize_t>()), value);
+      set_place(*type, self, place_of(*type, self, key), value);
     }
   });
   bind("__delitem__", [type](const py::object& self, const py::object& key) {
     if (py::isinstance<py::slice>(key)) {
       change_copies(*type, self, "__delitem__", py::make_tuple(key));
     } else {
-      type->erase(self, place_of(*type, self, key.cast<py::ssize_t>()));
+      type->erase(self, place_of(*type, self, key));
     }
   });
   bind("insert", [type](const py::object& self, py::ssize_t index, const py::object& value) {

@@ -70,9 +70,16 @@ class Lists(unittest.TestCase):
             ours[0] = pinball.Body()
         with self.assertRaises(TypeError):
             ours[0:1] = [1]
-        for place in (2, -3):
+        for place in (2, -3, 2**70):
             with self.assertRaises(IndexError):
                 ours[place]
+        for place in ("a", 0.0, None):
+            with self.assertRaises(TypeError):
+                ours[place]
+            with self.assertRaises(TypeError):
+                ours[place] = pinball.Material()
+            with self.assertRaises(TypeError):
+                del ours[place]
         self.assertEqual(self.names(ours), ["a", "b"])
 
 
