@@ -197,6 +197,11 @@ void DeckData::read_vector(const KeywordBlock& block) {
   });
 }
 
+std::array<Point, 3> axes_by(const Point& x, const Point& in_plane, const DeckPlace& place) {
+  const Point e1 = unit(x, place), e3 = unit(cross(e1, in_plane), place);
+  return {e1, cross(e3, e1), e3};
+}
+
 /// Origin, a point of the x axis and one of the xy plane; or the x axis and a vector of the xy plane.
 void DeckData::read_system(const KeywordBlock& block) {
   Cards cards(block);
@@ -214,10 +219,9 @@ void DeckData::read_system(const KeywordBlock& block) {
     x = minus(f.point("XL"), origin);
     in_plane = minus(fields(second, layout::system_plane).point("XP"), origin);
   }
-  const Point e1 = unit(x, first.place), e3 = unit(cross(e1, in_plane), first.place);
   const std::int64_t id = f.integer("CID") + offset_of(block, &DeckTransform::define);
   give_once(block, fmt::format("local system {}", id), first.place);
-  systems_[id] = {e1, cross(e3, e1), e3};
+  systems_[id] = axes_by(x, in_plane, first.place);
 }
 
 void DeckData::read_part_set(const KeywordBlock& block) {

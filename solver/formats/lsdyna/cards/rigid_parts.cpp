@@ -22,18 +22,6 @@ struct MergedInto {
 
 using Merged = std::map<std::int64_t, MergedInto>;
 
-/// Unit vectors of a system by its x axis and a vector in its plane of x and y.
-std::array<Point, 3> axes_by(const Point& x, const Point& in_plane, const DeckPlace& place) {
-  const Point z = cross(x, in_plane);
-  if (!(dot(z, z) > 0)) fail_at(place, "expected an axis (XL, YL, ZL) and another direction (XLIP, YLIP, ZLIP)");
-  std::array<Point, 3> axes{x, cross(z, x), z};
-  for (Point& axis : axes) {
-    const double length = norm(axis);
-    for (double& component : axis) component /= length;
-  }
-  return axes;
-}
-
 /// A tensor in components of the axes, in those of the deck.
 std::array<Point, 3> turned(const std::array<Point, 3>& tensor, const std::array<Point, 3>& axes) {
   std::array<Point, 3> whole{};
