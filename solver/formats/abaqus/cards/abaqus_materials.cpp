@@ -226,6 +226,15 @@ void tell_unused(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& 
 
 }  // namespace
 
+std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck) {
+  std::map<std::string, double> densities;
+  for (const auto& [key, material] : materials_of(deck)) {
+    if (const AbaqusBlock* block = material.option("DENSITY"))
+      densities[key] = DataFields(only_card(*block, "the density")).number(0, "density");
+  }
+  return densities;
+}
+
 void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   const std::map<std::string, AbaqusMaterial> materials = materials_of(data.deck);
   std::set<std::string> written;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "abaqus_data.hpp"
 
 /// Keywords of Abaqus input as tables of a scene, one function per kind. What cannot be done goes to data.report; what
@@ -13,6 +17,8 @@ std::vector<DeckElement> abaqus_elements(AbaqusData& data);
 void translate_abaqus_controls(AbaqusData& data, DeckScene& scene);
 
 /// A [[material]] for each that a body has, of MATERIAL and its options.
+/// DENSITY of each material that has one, by its key.
+std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck);
 void translate_abaqus_materials(AbaqusData& data, DeckScene& scene);
 
 /// A [[body]] for each section of an instance; mesh_file: as the scene names it.

@@ -15,23 +15,9 @@ namespace {
 
 constexpr double in_centre = 1e-3;  ///< of the size of a body: a reference node this near to its centre is in it
 
-/// DENSITY of each material.
-std::map<std::string, double> densities_of(const AbaqusDeck& deck) {
-  std::map<std::string, double> densities;
-  std::string material;
-  for (const AbaqusBlock& block : deck.blocks) {
-    if (block.name == "MATERIAL") material = label_key(block.require("NAME"));
-    if (block.name != "DENSITY") continue;
-    DataLines lines(block);
-    const DataLine card = lines.require("the density");
-    densities[material] = DataFields(card).number(0, "density");
-  }
-  return densities;
-}
-
 /// From the centre of the masses at the nodes to a point, or nothing where that is as good as there.
 Point offset_of(const AbaqusData& data, const std::vector<std::int32_t>& elements, const Point& point) {
-  const std::map<std::string, double> densities = densities_of(data.deck);
+  const std::map<std::string, double> densities = abaqus_densities(data.deck);
   std::vector<double> density(data.mesh.file.parts.size(), 0.0);
   for (const AbaqusBody& body : data.bodies) {
     const auto found = densities.find(body.material);
