@@ -23,7 +23,7 @@ def kernel_name(function):
         what = "elastic" if plastic == "false" else "viscous" if hourglass == "1" else "everything"
         return what + (", rare cases" if rare_cases == "true" else ""), precision
     if "SumsAndIntegrates<" in function:
-        return "nodes", precision
+        return "sums of corners and integration", precision
     return None
 
 

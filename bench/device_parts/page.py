@@ -19,10 +19,8 @@ def counted(result):
         kernel = registers.get((row["what"], row["precision"]), {"registers": "?", "spilled": "?"})
         body.append((row["what"], row["precision"], kernel["registers"], kernel["spilled"], row["bytes"],
                      f"{bound(result, row['what'], row['precision']) / 1e9:.2f}"))
-    for kernel in result["kernels"]:
-        if kernel["what"] == "nodes" or kernel["what"].endswith(", rare cases"):
-            name = "sums of corners and integration" if kernel["what"] == "nodes" else kernel["what"]
-            body.append((name, kernel["precision"], kernel["registers"], kernel["spilled"], "-", "-"))
+    steps = {(row["what"], row["precision"]) for row in result["bytes"]}
+    body += [(*name, kernel["registers"], kernel["spilled"], "-", "-") for name, kernel in registers.items() if name not in steps]
     return rows(("kernel", "precision", "registers", "spilled [B]", "bytes of an element and step",
                  f"bound at {result['bandwidth']:.0f} GB/s [G element steps/s]"), body)
 
