@@ -3,8 +3,8 @@
 
 #include <solver/device/device_run.hpp>
 #include <solver/step/report.hpp>
+#include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/solver_case.hpp>
 
 /// Steps on a device (the mock one: threads of the host, on memory that nothing else may touch) beside those of the
 /// host.
@@ -74,19 +74,10 @@ TEST(DeviceRun, TearsABlockAsTheHostDoesInSinglePrecision) { expect_same_run<flo
 
 /// What corners about to turn over need is worked by a kernel of its own.
 TEST(DeviceRun, FoldsElementsAsTheHostDoes) {
-  Scene scene =
-      scene_of({block("pressed", {2, 2, 6}, 5e-3, {0, 0, 0}), block("far", {8, 8, 8}, 5e-3, {1, 0, 0})}, 7e-5, false);
-  scene.materials[0] = plastic_material("steel", 4e8, 4);
-  scene.materials[0].plastic_modulus = 5e8;
-  scene.element = ElementSettings{};
-  FixedConstraint held;
-  held.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  held.nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
-  scene.fixed_constraints = {held};
-  PrescribedVelocity push;
-  push.velocity = {0, 0, -200};
-  push.nodes.plane = Plane{{0, 0, 0.03}, {0, 0, 1}};
-  scene.prescribed_velocities = {push};
+  Scene scene = pressed_block(ElementSettings{}.folding_resistance);
+  scene.bodies.push_back(block("far", {8, 8, 8}, 5e-3, {1, 0, 0}));
+  scene.materials[0].erosion_strain = 4;
+  scene.time.end = 7e-5;
   Solver<double> host(scene);
   double folding = 0;
   run_to_end(host, [&] { folding = std::max(folding, host.energies().folding); });

@@ -4,8 +4,8 @@
 #include <solver/results/warnings.hpp>
 #include <solver/step/inside_out.hpp>
 #include <solver/step/report.hpp>
+#include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/solver_case.hpp>
 
 /// Elements whose corners turn over: what keeps them from it, and what is told where nothing does.
 namespace pinball {
@@ -13,28 +13,6 @@ namespace {
 
 using namespace test;
 using testing::HasSubstr;
-
-/// A block of 2 x 2 x 6 elements, one end held, that is pressed to a sixth of its length at 200 m/s.
-Scene pressed(double resistance) {
-  Scene scene = scene_of({block("b", {2, 2, 6}, 5e-3, {0, 0, 0})}, 1.25e-4, false);
-  scene.materials = {plastic_material("steel", 4e8, 0)};
-  scene.materials[0].plastic_modulus = 5e8;
-  scene.element = ElementSettings{};
-  scene.element.folding_resistance = resistance;
-  FixedConstraint held;
-  held.directions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  held.nodes.plane = Plane{{0, 0, 0}, {0, 0, 1}};
-  FixedConstraint guided;
-  guided.directions = {{1, 0, 0}, {0, 1, 0}};
-  guided.nodes.plane = Plane{{0, 0, 0.03}, {0, 0, 1}};
-  scene.fixed_constraints = {held, guided};
-  PrescribedVelocity push;
-  push.direction = Point{0, 0, 1};
-  push.velocity = {0, 0, -200};
-  push.nodes.plane = Plane{{0, 0, 0.03}, {0, 0, 1}};
-  scene.prescribed_velocities = {push};
-  return scene;
-}
 
 template <class S>
 RunSummary summary_of(Solver<S>& solver) {
@@ -78,7 +56,7 @@ TEST(InsideOut, AnyElementMayBeTheOneThatIsMostFolded) {
 }
 
 TEST(InsideOut, ABlockThatIsCrushedDoesNotFold) {
-  const RunSummary summary = result(pressed(ElementSettings{}.folding_resistance));
+  const RunSummary summary = result(pressed_block(ElementSettings{}.folding_resistance));
   EXPECT_EQ(summary.inside_out.most, 0);
   EXPECT_EQ(summary.inside_out.first_place, "");
   EXPECT_GT(summary.energy.folding, 0);
@@ -88,12 +66,12 @@ TEST(InsideOut, ABlockThatIsCrushedDoesNotFold) {
 }
 
 TEST(InsideOut, NorDoesItInSinglePrecision) {
-  Solver<float> solver(pressed(ElementSettings{}.folding_resistance));
+  Solver<float> solver(pressed_block(ElementSettings{}.folding_resistance));
   EXPECT_EQ(summary_of(solver).inside_out.most, 0);
 }
 
 TEST(InsideOut, WhereNothingResistsElementsAreCountedAndTheFirstIsTold) {
-  Solver<double> solver(pressed(0));
+  Solver<double> solver(pressed_block(0));
   double first = 0;
   while (!solver.at_end()) {
     solver.step();
@@ -109,7 +87,7 @@ TEST(InsideOut, WhereNothingResistsElementsAreCountedAndTheFirstIsTold) {
 }
 
 TEST(InsideOut, ItMayErode) {
-  Scene scene = pressed(0);
+  Scene scene = pressed_block(0);
   scene.element.inside_out = InsideOut::erode;
   const RunSummary summary = result(scene);
   EXPECT_GT(summary.bodies[0].eroded_elements, 0);
@@ -118,7 +96,7 @@ TEST(InsideOut, ItMayErode) {
 }
 
 TEST(InsideOut, ItMayStopTheRun) {
-  Scene scene = pressed(0);
+  Scene scene = pressed_block(0);
   scene.element.inside_out = InsideOut::stop;
   EXPECT_THAT(error_of<RunError>([&] { result(scene); }),
               testing::AllOf(HasSubstr("elements are inside out at a corner in step "), HasSubstr(" of body b: try")));
@@ -131,7 +109,7 @@ TEST(InsideOut, ItMayStopTheRun) {
 }
 
 TEST(InsideOut, ARunGoesOnWithWhatItHasCounted) {
-  const Scene scene = pressed(0);
+  const Scene scene = pressed_block(0);
   Solver<double> whole(scene), rest(scene);
   while (whole.inside_out().now() < 3) whole.step();
   const StateBytes state = saved(whole);
@@ -161,7 +139,7 @@ TEST(InsideOut, AMeshThatBeginsPoorlyIsLeftAsItIs) {
 }
 
 TEST(InsideOut, WhatHourglassModesLoseByYieldingIsPartOfTheInternalEnergy) {
-  const RunSummary summary = result(pressed(ElementSettings{}.folding_resistance));
+  const RunSummary summary = result(pressed_block(ElementSettings{}.folding_resistance));
   EXPECT_GT(summary.energy.hourglass_plastic, 10 * summary.energy.hourglass);
   EXPECT_LT(summary.energy.hourglass_plastic, summary.energy.internal);
 }
