@@ -2,10 +2,10 @@
 
 import pathlib
 import sys
-import tempfile
 import unittest
 
 import casts
+import planted
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
@@ -18,11 +18,7 @@ class ProductCode(unittest.TestCase):
 
 class Planted(unittest.TestCase):
     def counted(self, files):
-        with tempfile.TemporaryDirectory() as folder:
-            for name, text in files.items():
-                file = pathlib.Path(folder, name)
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_text(text)
+        with planted.tree(files) as folder:
             return casts.counts(folder)
 
     def test_casts_of_both_folders_and_of_several_in_a_line(self):

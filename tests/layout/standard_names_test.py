@@ -2,9 +2,9 @@
 
 import pathlib
 import sys
-import tempfile
 import unittest
 
+import planted
 import standard_names
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -17,11 +17,7 @@ class Headers(unittest.TestCase):
 
 class Planted(unittest.TestCase):
     def found(self, files):
-        with tempfile.TemporaryDirectory() as folder:
-            for name, text in files.items():
-                file = pathlib.Path(folder, name)
-                file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_text(text)
+        with planted.tree(files) as folder:
             return standard_names.problems(folder)
 
     def test_a_name_without_its_header(self):
