@@ -10,6 +10,7 @@
 #include <solver/base/error.hpp>
 #include <solver/formats/lsdyna/layouts/definition_cards.hpp>
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
+#include <solver/formats/lsdyna/mesh/part_inertia.hpp>
 #include <solver/formats/lsdyna/scan/keyword_scanner.hpp>
 
 #include "keyword_rules.hpp"
@@ -107,7 +108,7 @@ void DeckData::read_parts(const KeywordBlock& block) {
       const Card contact = cards.next_or_blank();
       fields(contact, layout::part_contact);
     } else {
-      pass_inertia(cards);
+      pass_inertia(cards, deck.parameters);
     }
   });
 }

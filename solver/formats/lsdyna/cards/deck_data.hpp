@@ -157,7 +157,6 @@ class DeckData {
   void read_part_set(const KeywordBlock& block);
   void add_parts(const KeywordBlock& block, const Card& card, std::vector<std::int64_t>& members) const;
   void name_bodies();
-  void pass_inertia(Cards& cards) const;
   void read_inertias(const KeywordBlock& block);
   DeckInertia read_inertia(const KeywordBlock& block, Cards& cards);
   void find_rigid_parts();

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include <solver/formats/lsdyna/layouts/rigid_cards.hpp>
+#include <solver/formats/lsdyna/mesh/part_inertia.hpp>
 
 #include "deck_data.hpp"
 #include "deck_parts.hpp"
@@ -107,14 +107,6 @@ void DeckData::merge_rigid_parts() {
   }
 }
 
-void DeckData::pass_inertia(Cards& cards) const {
-  const Card first = cards.next_or_blank();
-  Card silent = first;
-  silent.log = nullptr;
-  const bool in_system = fields(silent, layout::part_inertia).integer("IRCS") == 1;
-  for (int i = 0; i < (in_system ? 3 : 2); ++i) cards.next_or_blank();
-}
-
 void DeckData::read_inertias(const KeywordBlock& block) {
   const auto none = [](const Card&, const Card&) {};
   for_each_part(block, none, [&](const Card& card, Cards& cards) {
@@ -125,7 +117,7 @@ void DeckData::read_inertias(const KeywordBlock& block) {
     } else {
       report.unused(card.place, fmt::format("{}: XC to VRZ of part {}", block.star_name(), id),
                     part == nullptr ? "it has no solids" : "it is not rigid: its mass is that of its density");
-      pass_inertia(cards);
+      pass_inertia(cards, deck.parameters);
     }
   });
 }

@@ -7,13 +7,14 @@
 
 #include <solver/base/error.hpp>
 #include <solver/formats/deck/given_once.hpp>
-#include <solver/formats/lsdyna/layouts/rigid_cards.hpp>
+#include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
 #include <solver/mesh/number_index.hpp>
 
 #include "keyword_segments.hpp"
 #include "keyword_sets.hpp"
 #include "keyword_transformation.hpp"
+#include "part_inertia.hpp"
 
 namespace pinball {
 
@@ -97,14 +98,13 @@ class KeywordMeshReader {
       if (deck_integer(name)) name = {};  // parts are found by their numbers, which no title takes away
       file_.parts[part_of(id)].name = std::string(name);
     };
-    for_each_part(block, read, [&](const Card&, Cards& cards) { pass_rest_of_part(block, cards); });
-  }
-
-  void pass_rest_of_part(const KeywordBlock& block, Cards& cards) const {
-    const std::optional<Card> first = cards.next();
-    if (!first || block.name == "PART_CONTACT") return;
-    const bool in_system = Fields(*first, deck_.parameters, layout::part_inertia).integer("IRCS") == 1;
-    for (int i = 0; i < (in_system ? 3 : 2); ++i) cards.next();
+    for_each_part(block, read, [&](const Card&, Cards& cards) {
+      if (block.name == "PART_CONTACT") {
+        cards.next();
+      } else {
+        pass_inertia(cards, deck_.parameters);
+      }
+    });
   }
 
   std::int32_t part_of(std::int64_t id) {
