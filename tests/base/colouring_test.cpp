@@ -10,7 +10,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/model/ordering.hpp>
 
-namespace pinball {
+namespace pinball::colouring_test {
 namespace {
 
 using Hexahedra = std::vector<std::array<std::int32_t, 8>>;
@@ -114,4 +114,4 @@ TEST(Colouring, RejectsWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::colouring_test

@@ -9,7 +9,7 @@
 #include <solver/base/faces.hpp>
 #include <solver/mesh/generators.hpp>
 
-namespace pinball {
+namespace pinball::faces_test {
 namespace {
 
 using Hexahedra = std::vector<std::array<std::int32_t, 8>>;
@@ -122,4 +122,4 @@ TEST(Faces, NameTheElementOfABadFace) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::faces_test

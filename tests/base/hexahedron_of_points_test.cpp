@@ -5,7 +5,7 @@
 #include <solver/base/hexahedron_of_points.hpp>
 #include <solver/mesh/quality.hpp>
 
-namespace pinball {
+namespace pinball::hexahedron_of_points_test {
 namespace {
 
 std::array<Point, 8> box(const Point& size) {
@@ -42,4 +42,4 @@ TEST(HexahedronOfPoints, ConstantModeIsTheMeanOfTheCorners) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::hexahedron_of_points_test

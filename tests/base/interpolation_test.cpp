@@ -4,7 +4,7 @@
 
 #include <solver/base/interpolation.hpp>
 
-namespace pinball {
+namespace pinball::interpolation_test {
 namespace {
 
 TEST(Interpolate, IsLinearBetweenPointsAndConstantOutside) {
@@ -17,4 +17,4 @@ TEST(Interpolate, IsLinearBetweenPointsAndConstantOutside) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::interpolation_test

@@ -6,7 +6,7 @@
 #include <solver/base/records.hpp>
 #include <solver/base/thread_count.hpp>
 
-namespace pinball {
+namespace pinball::records_test {
 namespace {
 
 TEST(NodeRecords, GivesTheRecordOfANode) {
@@ -61,4 +61,4 @@ TEST(ThreadCount, PutsBackWhatItHasChanged) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::records_test

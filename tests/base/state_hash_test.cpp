@@ -8,7 +8,7 @@
 
 #include <solver/base/state_hash.hpp>
 
-namespace pinball {
+namespace pinball::state_hash_test {
 namespace {
 
 std::uint64_t hash(std::vector<double> values) {
@@ -66,4 +66,4 @@ TEST(StateHash, KeepsItsValue) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::state_hash_test

@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// What acts from outside: each condition holds exactly, and its work closes the energy balance.
-namespace pinball {
+namespace pinball::boundary_test {
 namespace {
 
 using namespace test;
@@ -382,4 +382,4 @@ TEST(TimeTable, IsLinearBetweenItsTimesAndConstantOutside) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::boundary_test

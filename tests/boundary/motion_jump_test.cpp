@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Velocities that nodes are given at once: how large they are, and that steps are short enough for them beforehand.
-namespace pinball {
+namespace pinball::motion_jump_test {
 namespace {
 
 using namespace test;
@@ -64,4 +64,4 @@ TEST(MotionJump, TakesNoEnergyOfTheFirstSteps) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::motion_jump_test

@@ -5,7 +5,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Prescribed displacements and accelerations, forces on each node, gravity.
-namespace pinball {
+namespace pinball::motion_test {
 namespace {
 
 using namespace test;
@@ -118,4 +118,4 @@ TEST(Gravity, HasTheSameBitsWithTilesAtRestAndWithout) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::motion_test

@@ -5,7 +5,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Forces of constraints, prescribed velocities and accelerations by name.
-namespace pinball {
+namespace pinball::named_forces_test {
 namespace {
 
 using namespace test;
@@ -175,4 +175,4 @@ TEST(NamedForces, NameThatGivesColumnsOfAnotherIsRefused) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::named_forces_test

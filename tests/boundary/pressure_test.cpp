@@ -13,7 +13,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Pressure on faces: against closed forms, and following what it presses on.
-namespace pinball {
+namespace pinball::pressure_test {
 namespace {
 
 using namespace test;
@@ -310,4 +310,4 @@ TEST(Pressure, WithoutFacesIsAnError) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::pressure_test

@@ -7,7 +7,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Boundary conditions in the memory of a device: the same bits as on the host.
-namespace pinball {
+namespace pinball::space_test {
 namespace {
 
 using namespace test;
@@ -223,4 +223,4 @@ TEST(OnADevice, ForcesOfTheHostGoThereInEveryStep) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::space_test

@@ -5,7 +5,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Constraints and prescribed motion that begin and end.
-namespace pinball {
+namespace pinball::time_span_test {
 namespace {
 
 using namespace test;
@@ -139,4 +139,4 @@ TEST(TimeSpan, IsKnownToContact) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::time_span_test

@@ -5,7 +5,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Rigid walls that move, end, or take some nodes alone.
-namespace pinball {
+namespace pinball::wall_test {
 namespace {
 
 using namespace test;
@@ -213,4 +213,4 @@ TEST(RigidWall, StandsBackForNodesThatRoundingHasPutBehind) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::wall_test

@@ -6,7 +6,7 @@
 #include <solver/contact/search/box_pairs.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::box_pairs_test {
 namespace {
 
 using namespace test;
@@ -313,4 +313,4 @@ TYPED_TEST(BoxPairsTest, AreTheSameFromEveryNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::box_pairs_test

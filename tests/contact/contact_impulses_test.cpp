@@ -9,7 +9,7 @@
 #include "impact_case.hpp"
 
 /// Contact by impulses (projection, Lagrange multiplier) of whole bodies, through the solver.
-namespace pinball {
+namespace pinball::contact_impulses_test {
 namespace {
 
 using namespace test;
@@ -199,4 +199,4 @@ TEST(ContactByImpulsesOfNodes, NodesThatMeetPushTheSameWhicheverIsTheFirst) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_impulses_test

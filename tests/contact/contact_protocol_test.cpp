@@ -11,7 +11,7 @@
 #include "impact_case.hpp"
 
 /// The stages that a step calls whatever enforces contact, and the book of what they have done.
-namespace pinball {
+namespace pinball::contact_protocol_test {
 namespace {
 
 using namespace test;
@@ -120,4 +120,4 @@ TEST(ContactLedger, SumsPowerByTheTrapezoidalRuleAndGoesOnAfterARestart) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_protocol_test

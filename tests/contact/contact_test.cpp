@@ -6,7 +6,7 @@
 #include "impact_case.hpp"
 
 /// Contact of whole bodies, through the solver.
-namespace pinball {
+namespace pinball::contact_test {
 namespace {
 
 using namespace test;
@@ -204,4 +204,4 @@ TEST(Contact, ABallOnThePlaneOfSymmetryFeelsNothingThroughIt) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_test

@@ -12,7 +12,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Rows of two edges that cross each other, against what can be worked out by hand.
-namespace pinball {
+namespace pinball::edge_rows_test {
 namespace {
 
 using namespace test;
@@ -190,4 +190,4 @@ TEST(EdgeRows, AreThoseOfGapsThatMayClose) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::edge_rows_test

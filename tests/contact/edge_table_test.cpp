@@ -11,7 +11,7 @@
 
 #include "eroding_block.hpp"
 
-namespace pinball {
+namespace pinball::edge_table_test {
 namespace {
 
 using namespace test;
@@ -122,14 +122,14 @@ TEST(EdgeTable, HasNoEdgeForASideOfNoLength) {
 TEST(EdgeTable, NamesStayWhateverWaits) {
   Model<double> model = eroding_block();
   const std::set<std::int64_t> names = names_of(Collected(model).edges);
-  strain_nearly_to_erosion(model, {upper});
+  strain_nearly_to_erosion(model, {upper_element});
   Collected waiting(model);
   expect_edges_of_all_segments(waiting);
   EXPECT_EQ(waiting.edges.edges().size(), 108 + 8);
   EXPECT_EQ(meetings(waiting.edges), (std::map<std::size_t, int>{{2, 104 + 8}, {3, 4}}));
   EXPECT_EQ(names_of_active_edges(waiting), names);
 
-  ASSERT_TRUE(erode(model, waiting.surface, upper));
+  ASSERT_TRUE(erode(model, waiting.surface, upper_element));
   const std::set<std::int64_t> after = names_of_active_edges(waiting);
   EXPECT_EQ(after.size(), 108 + 8);
   waiting.surface.collect(ModelSurface<double>(model));
@@ -166,4 +166,4 @@ TEST(EdgeTable, EdgesShareANodeWhereTheyMeet) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::edge_table_test

@@ -3,7 +3,7 @@
 #include "embedding_case.hpp"
 
 /// Embedded contact and the solver's give the same bits, whatever the layout, the threads, and what else runs.
-namespace pinball {
+namespace pinball::embedded_bits_test {
 namespace {
 
 using namespace test;
@@ -139,4 +139,4 @@ TEST(EmbeddedErosion, OpensTheSurfaceBehindDeadElements) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::embedded_bits_test

@@ -20,7 +20,7 @@ inline Model<double> eroding_block() {
 }
 
 /// In the middle of the upper face of the block, the one behind it, with which it shares a face, and one at a corner.
-inline constexpr std::size_t upper = 22, centre = 13, corner = 26;
+inline constexpr std::size_t upper_element = 22, centre_element = 13, corner_element = 26;
 
 /// So that faces behind these elements wait, where they are on the surface.
 inline void strain_nearly_to_erosion(Model<double>& model, std::initializer_list<std::size_t> elements) {

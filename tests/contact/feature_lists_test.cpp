@@ -17,7 +17,7 @@
 #include "eroding_block.hpp"
 
 /// Lists that follow erosion, against lists that are built anew after it.
-namespace pinball {
+namespace pinball::feature_lists_test {
 namespace {
 
 using namespace test;
@@ -259,4 +259,4 @@ TEST(FeatureLists, LastOverErosionsOfARodAndAPlateAndMissNothing) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::feature_lists_test

@@ -9,7 +9,7 @@
 #include "impact_case.hpp"
 
 /// Coulomb friction: the law itself on random rows, and sliding blocks.
-namespace pinball {
+namespace pinball::friction_test {
 namespace {
 
 using namespace test;
@@ -203,4 +203,4 @@ TEST(Friction, OnAWallKeepsWhatIsHeld) {  // a plane of symmetry through the blo
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::friction_test

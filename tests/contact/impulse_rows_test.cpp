@@ -9,7 +9,7 @@
 #include <solver/contact/impulses/pair_names.hpp>
 #include <tests/support/impulse_system.hpp>
 
-namespace pinball {
+namespace pinball::impulse_rows_test {
 namespace {
 
 using test::ImpulseSystem;
@@ -338,4 +338,4 @@ TEST(RowSystem, HasEachRowAndEachOfItsNodesOnce) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::impulse_rows_test

@@ -11,7 +11,7 @@
 
 /// Impulses of two nodes that touch, or of a few, through the solver of impulses, against what can be worked out by
 /// hand.
-namespace pinball {
+namespace pinball::impulse_solver_test {
 namespace {
 
 Vec3<double> unit(const Vec3<double>& v) { return (1 / std::sqrt(dot(v, v))) * v; }
@@ -271,4 +271,4 @@ TEST(ImpulsesOfTwoNodes, DoNotDependOnRowsThatShareNoNode) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::impulse_solver_test

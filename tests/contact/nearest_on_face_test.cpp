@@ -7,7 +7,7 @@
 
 #include <solver/contact/spheres/nearest_on_face.hpp>
 
-namespace pinball {
+namespace pinball::nearest_on_face_test {
 namespace {
 
 using Vector = Vec3<double>;
@@ -93,4 +93,4 @@ TEST(NearestOnFace, TakesCollapsedFaces) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::nearest_on_face_test

@@ -7,7 +7,7 @@
 #include <solver/model/stores.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::pair_list_test {
 namespace {
 
 using namespace test;
@@ -374,4 +374,4 @@ TEST(PairList, NoBallsHaveNoPairs) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::pair_list_test

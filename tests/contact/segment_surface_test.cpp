@@ -10,7 +10,7 @@
 
 #include "eroding_block.hpp"
 
-namespace pinball {
+namespace pinball::segment_surface_test {
 namespace {
 
 using namespace test;
@@ -53,7 +53,7 @@ std::vector<SegmentSurface<double>::Slave> active_slaves(const SegmentSurface<do
 
 TEST(SegmentSurface, FacesBehindElementsThatMaySoonErodeWait) {
   Model<double> model = eroding_block();
-  strain_nearly_to_erosion(model, {upper, centre});  // the strain of what lies inside does not count
+  strain_nearly_to_erosion(model, {upper_element, centre_element});  // the strain of what lies inside does not count
   SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54 + 5);
   EXPECT_EQ(active_segments(surface), 54);
@@ -61,7 +61,7 @@ TEST(SegmentSurface, FacesBehindElementsThatMaySoonErodeWait) {
   EXPECT_EQ(active_slaves(surface).size(), 56);
   EXPECT_EQ(surface.topology().exposed_count(), 26);
 
-  EXPECT_TRUE(erode(model, surface, upper));
+  EXPECT_TRUE(erode(model, surface, upper_element));
   surface.update(ModelSurface<double>(model));
   EXPECT_TRUE(surface.complete());
   EXPECT_TRUE(surface.changed());
@@ -90,7 +90,7 @@ TEST(SegmentSurface, IsIncompleteUntilItHasCollectedAFaceThatDidNotWait) {
   SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   EXPECT_EQ(surface.segments().size(), 54);
   EXPECT_TRUE(surface.complete());
-  EXPECT_TRUE(erode(model, surface, upper));
+  EXPECT_TRUE(erode(model, surface, upper_element));
   EXPECT_FALSE(surface.complete());
   surface.collect(ModelSurface<double>(model));
   surface.update(ModelSurface<double>(model));
@@ -195,14 +195,15 @@ TEST(SegmentSurface, BodiesAreNeverBesideEachOther) {
 
 TEST(SegmentSurface, WhatWaitsOrHasEndedLiesBesideNothing) {
   Model<double> model = eroding_block();
-  strain_nearly_to_erosion(model, {upper});
+  strain_nearly_to_erosion(model, {upper_element});
   SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
-  const auto ends = segment_of(model, surface, upper, upwards), waits = segment_of(model, surface, centre, upwards),
+  const auto ends = segment_of(model, surface, upper_element, upwards),
+             waits = segment_of(model, surface, centre_element, upwards),
              stays = segment_of(model, surface, 19, upwards);
   EXPECT_TRUE(beside(surface, {ends}, {stays}));
   EXPECT_FALSE(beside(surface, {waits}, {stays}));
   EXPECT_TRUE(beside(surface, {waits, ends}, {stays}));
-  ASSERT_TRUE(erode(model, surface, upper));
+  ASSERT_TRUE(erode(model, surface, upper_element));
   EXPECT_FALSE(beside(surface, {ends}, {stays}));
   EXPECT_FALSE(beside(surface, {stays}, {ends}));
   EXPECT_TRUE(beside(surface, {waits}, {stays}));
@@ -228,10 +229,10 @@ std::vector<std::int32_t> expect_right_owners(const SegmentSurface<double>& surf
 
 TEST(SegmentSurface, SlavesBelongToTheirFirstActiveSegment) {
   Model<double> model = eroding_block();
-  strain_nearly_to_erosion(model, {upper, corner});
+  strain_nearly_to_erosion(model, {upper_element, corner_element});
   SegmentSurface<double> surface(ModelSurface<double>(model), surface_topology(model));
   auto before = expect_right_owners(surface);
-  for (const std::size_t element : {upper, corner}) {
+  for (const std::size_t element : {upper_element, corner_element}) {
     const std::int32_t ended = segment_of(model, surface, element, upwards);
     ASSERT_TRUE(erode(model, surface, element));
     ASSERT_TRUE(surface.complete());
@@ -249,4 +250,4 @@ TEST(SegmentSurface, SlavesBelongToTheirFirstActiveSegment) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::segment_surface_test

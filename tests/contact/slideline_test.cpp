@@ -12,7 +12,7 @@
 #include "impact_case.hpp"
 
 /// Contact of slave nodes with master segments, through the solver and piece by piece.
-namespace pinball {
+namespace pinball::slideline_test {
 namespace {
 
 using namespace test;
@@ -277,4 +277,4 @@ TEST(SlidelineSearch, ListsEveryNodeThatComesNearASegment) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::slideline_test

@@ -9,7 +9,7 @@
 
 #include <solver/contact/faces/sorted_pairs.hpp>
 
-namespace pinball {
+namespace pinball::sorted_pairs_test {
 namespace {
 
 using Pair = std::array<std::int32_t, 2>;
@@ -175,4 +175,4 @@ TEST(SortedPairs, WithoutRoomTakeInNothing) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::sorted_pairs_test

@@ -8,7 +8,7 @@
 
 /// Steps on a device (the mock one: threads of the host, on memory that nothing else may touch) beside those of the
 /// host.
-namespace pinball {
+namespace pinball::device_run_test {
 namespace {
 
 using namespace test;
@@ -250,4 +250,4 @@ TEST(DeviceRun, TellsWhereAnElementHasTurnedInsideOut) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::device_run_test

@@ -4,7 +4,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Hourglass control and bulk viscosity of a body in the place of those of the scene.
-namespace pinball {
+namespace pinball::body_settings_test {
 namespace {
 
 using namespace test;
@@ -119,4 +119,4 @@ TEST(BodySettings, ThatAreUnstableAreToldWithTheBody) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::body_settings_test

@@ -16,7 +16,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Hexahedra with repeated nodes: wedges, and what is left of one that loses more.
-namespace pinball {
+namespace pinball::collapsed_test {
 namespace {
 
 using namespace test;
@@ -262,4 +262,4 @@ TEST(Collapsed, PlanesOfSymmetryThroughTheAxisHoldIt) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::collapsed_test

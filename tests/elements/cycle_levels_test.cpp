@@ -11,7 +11,7 @@
 #include "thin_section.hpp"
 
 /// The levels of tiles from cycle to cycle, against what the mesh and the stable steps of the tiles ask for.
-namespace pinball {
+namespace pinball::cycle_levels_test {
 namespace {
 
 using namespace test;
@@ -227,4 +227,4 @@ TEST(CycleLevels, WithinTwoTilesOfAnErodedElementAreTheLowest) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::cycle_levels_test

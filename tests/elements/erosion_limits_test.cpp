@@ -3,7 +3,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Runs with limits beyond which elements of a material are eroded (material.erosion).
-namespace pinball {
+namespace pinball::erosion_limits_test {
 namespace {
 
 using namespace test;
@@ -85,4 +85,4 @@ TEST(ErosionLimits, OfAShareOfTheFirstStepAreThatOfTheWholeMesh) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::erosion_limits_test

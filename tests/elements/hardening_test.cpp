@@ -4,7 +4,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Runs with materials of YieldLaw::general.
-namespace pinball {
+namespace pinball::hardening_test {
 namespace {
 
 using namespace test;
@@ -183,4 +183,4 @@ TEST(Hardening, Erodes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::hardening_test

@@ -5,7 +5,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Each form of hourglass control, from the first step on, which has no length yet.
-namespace pinball {
+namespace pinball::hourglass_forms_test {
 namespace {
 
 using namespace test;
@@ -46,4 +46,4 @@ TEST(HourglassForms, ViscousForcesBalanceTheEnergyOfAnImpactAsStepsBecomeShort) 
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::hourglass_forms_test

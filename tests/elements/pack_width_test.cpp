@@ -8,7 +8,7 @@
 
 /// Sums of corner forces have the same bits for packs of any width. Compiled so that no multiplication is fused with an
 /// addition: which are is another matter in each kernel.
-namespace pinball {
+namespace pinball::pack_width_test {
 namespace {
 
 constexpr ElementFeatures features{true, true, true, HourglassKind::stiffness};
@@ -103,4 +103,4 @@ TEST(PackWidth, AddsFloatsWithTheSameBits) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::pack_width_test

@@ -8,7 +8,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Tiles at rest or in free uniform flight: when they are left out, when they wake, and that it changes no bit.
-namespace pinball {
+namespace pinball::resting_test {
 namespace {
 
 using namespace test;
@@ -305,4 +305,4 @@ TEST(RestingTiles, HaveOneVelocityAndNoStress) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::resting_test

@@ -4,7 +4,7 @@
 
 /// A ball of rubber thrown at a wall so fast that it becomes flat: what its hourglass modes store they give back, and
 /// no more, and its elements stay whole in the flight afterwards.
-namespace pinball {
+namespace pinball::rubber_ball_test {
 namespace {
 
 using namespace test;
@@ -47,4 +47,4 @@ TEST_P(RubberBall, TakesNoEnergyFromNothing) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rubber_ball_test

@@ -11,7 +11,7 @@
 #include "thin_section.hpp"
 
 /// Elements that make steps of their own: which, what is conserved, and that the answer stays the same.
-namespace pinball {
+namespace pinball::subcycling_test {
 namespace {
 
 using namespace test;
@@ -346,4 +346,4 @@ TEST(Subcycling, GoesWithErosion) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::subcycling_test

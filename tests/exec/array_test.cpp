@@ -10,7 +10,7 @@
 
 #include <kernels/exec.hpp>
 
-namespace pinball {
+namespace pinball::array_test {
 namespace {
 
 template <class Memory>
@@ -114,4 +114,4 @@ TEST(Array, HasElementsThatTheHostCanNameInItsOwnMemoryAlone) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::array_test

@@ -18,7 +18,7 @@
 #include <tests/exec/with_threads.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::exec_test {
 namespace {
 
 using namespace test;
@@ -350,4 +350,4 @@ TEST(ExecThreads, AForkedThreadWorksAloneAndNewOnesDoNot) {
 #endif
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::exec_test

@@ -18,7 +18,7 @@
 #define EXPECT_CLOSED(access) EXPECT_EXIT(access, ::testing::KilledBySignal(SIGSEGV), "")
 #endif
 
-namespace pinball {
+namespace pinball::mock_test {
 namespace {
 
 using namespace test;
@@ -169,4 +169,4 @@ TEST(Mock, SaysWhatProtectsIt) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::mock_test

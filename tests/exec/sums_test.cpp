@@ -9,7 +9,7 @@
 #include <tests/support/record.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::sums_test {
 namespace {
 
 using namespace test;
@@ -139,4 +139,4 @@ TYPED_TEST(Sums, RunningOnesMayBeginAnywhere) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::sums_test

@@ -2,7 +2,7 @@
 #include <kernels/material/von_mises.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::assumed_strain_test {
 namespace {
 
 using namespace test;
@@ -236,4 +236,4 @@ TYPED_TEST(AssumedStrainPack, EqualsTheScalarKernelLaneByLane) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::assumed_strain_test

@@ -2,7 +2,7 @@
 #include <kernels/reference_balls.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::ball_tree_test {
 namespace {
 
 using namespace test;
@@ -148,4 +148,4 @@ TEST(ReferenceBalls, TellBodiesAndDistances) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::ball_tree_test

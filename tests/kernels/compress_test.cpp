@@ -3,7 +3,7 @@
 #include <kernels/compress.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::compress_test {
 namespace {
 
 /// Every mask of 8 lanes and many of 16, written one after the other as a list grows.
@@ -47,4 +47,4 @@ TEST(WriteNumbers, CountsFromTheFirst) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::compress_test

@@ -1,7 +1,7 @@
 #include <kernels/contact_force.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::contact_force_test {
 namespace {
 
 using namespace test;
@@ -241,4 +241,4 @@ TEST(ContactForceOfTwo, ForgetsAPairThatParts) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_force_test

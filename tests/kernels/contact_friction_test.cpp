@@ -7,7 +7,7 @@
 #include <tests/support/support.hpp>
 
 /// What a row with friction may give, and in which way that may change.
-namespace pinball {
+namespace pinball::contact_friction_test {
 namespace {
 
 using namespace test;
@@ -92,4 +92,4 @@ TEST(ContactFriction, LeavesTheFreedomOfItsState) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_friction_test

@@ -5,7 +5,7 @@
 
 #include <kernels/contact_row.hpp>
 
-namespace pinball {
+namespace pinball::contact_row_test {
 namespace {
 
 TEST(ContactRow, BallsAgreeWithThePenaltyWhereTheyOverlap) {
@@ -35,4 +35,4 @@ TEST(ContactRow, OpenGapOfBallsIsNegative) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_row_test

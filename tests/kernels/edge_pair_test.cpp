@@ -8,7 +8,7 @@
 #include <kernels/edge_pair.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::edge_pair_test {
 namespace {
 
 using namespace test;
@@ -192,4 +192,4 @@ TYPED_TEST(EdgePairs, DoNotMindParallelOnesInOtherLanes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::edge_pair_test

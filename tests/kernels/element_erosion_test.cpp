@@ -1,7 +1,7 @@
 #include "one_element.hpp"
 
 /// Elements that erode, and those that have lost their volume.
-namespace pinball {
+namespace pinball::element_erosion_test {
 namespace {
 
 using namespace test;
@@ -111,4 +111,4 @@ TEST(ElementInversion, OfAVolumeThatIsNotANumberIsReportedAndNotEroded) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_erosion_test

@@ -2,7 +2,7 @@
 
 /// Limits beyond which an element fails (kernels/material/failure.hpp): a unit cube under a given motion, against the
 /// step in which a closed form reaches the limit.
-namespace pinball {
+namespace pinball::element_failure_test {
 namespace {
 
 using namespace test;
@@ -198,4 +198,4 @@ TEST(ElementLimits, OfPacksAreThoseOfTheirLanes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_failure_test

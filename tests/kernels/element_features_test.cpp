@@ -1,7 +1,7 @@
 #include "element_fixture.hpp"
 
 /// Every combination of the compile-time features of the element kernel.
-namespace pinball {
+namespace pinball::element_features_test {
 namespace {
 
 using namespace test;
@@ -95,4 +95,4 @@ TEST(ElementFeatures, RareCasesAreLeftForAnotherKernel) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_features_test

@@ -1,7 +1,7 @@
 #include "element_fixture.hpp"
 
 /// The element kernel with laws of kernels/material that have their own state: heat, damage, equations of state.
-namespace pinball {
+namespace pinball::element_laws_test {
 namespace {
 
 using namespace test;
@@ -219,4 +219,4 @@ TEST(JohnsonCookOfElements, FailsWhenItsDamageIsOne) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_laws_test

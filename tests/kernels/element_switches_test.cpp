@@ -4,7 +4,7 @@
 /// What is switched off at run time, in the kernels that the program has (solver/elements/element_features.hpp), leaves
 /// the bits of a kernel that is compiled without it. Compiled without fused multiplication and addition, which the
 /// compiler finds in other places in another kernel.
-namespace pinball {
+namespace pinball::element_switches_test {
 namespace {
 
 using namespace test;
@@ -74,4 +74,4 @@ TEST(ElementSwitches, ErosionThatNeverComesLeavesTheBitsOfAGeneralKernelWithout)
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_switches_test

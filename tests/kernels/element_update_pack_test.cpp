@@ -1,7 +1,7 @@
 #include "element_fixture.hpp"
 
 /// The element kernel over packs against its scalar instantiation: every width, padding, bad numbers.
-namespace pinball {
+namespace pinball::element_update_pack_test {
 namespace {
 
 using namespace test;
@@ -49,4 +49,4 @@ TYPED_TEST(ElementPack, GivesNaNForNaN) {  // a bad node stays visible, and only
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_update_pack_test

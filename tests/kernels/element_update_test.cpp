@@ -1,7 +1,7 @@
 #include "one_element.hpp"
 
 /// The element kernel against exact solutions, one element at a time in double precision.
-namespace pinball {
+namespace pinball::element_update_test {
 namespace {
 
 using namespace test;
@@ -311,4 +311,4 @@ TEST(ElementUpdate, KeepsLinearAndAngularMomentum) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_update_test

@@ -2,7 +2,7 @@
 #include "material/hardening_case.hpp"
 
 /// The element kernel with YieldLaw::general.
-namespace pinball {
+namespace pinball::element_yield_test {
 namespace {
 
 using namespace test;
@@ -139,4 +139,4 @@ TEST(GeneralYieldOfElements, AStepOfNoLengthChangesNothing) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::element_yield_test

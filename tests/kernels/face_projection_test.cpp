@@ -6,7 +6,7 @@
 
 #include <kernels/face_projection.hpp>
 
-namespace pinball {
+namespace pinball::face_projection_test {
 namespace {
 
 using V = Vec3<double>;
@@ -223,4 +223,4 @@ TEST(FaceProjection, FootIsMovedToWhereTheNodeSeesItAlongADirection) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::face_projection_test

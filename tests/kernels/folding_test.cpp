@@ -5,7 +5,7 @@
 #include <tests/support/support.hpp>
 
 /// Corners of hexahedra that are about to turn over: when they are looked at, what resists, and how stiffly.
-namespace pinball {
+namespace pinball::folding_test {
 namespace {
 
 using namespace test;
@@ -321,4 +321,4 @@ TEST(Folding, LanesOfAPackAreThoseOfElementsAlone) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::folding_test

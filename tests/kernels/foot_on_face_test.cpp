@@ -11,7 +11,7 @@
 #include <tests/support/support.hpp>
 
 /// Feet of packs of nodes on packs of faces: against the projection of one node, and lane by lane.
-namespace pinball {
+namespace pinball::foot_on_face_test {
 namespace {
 
 using namespace test;
@@ -230,4 +230,4 @@ TYPED_TEST(FootOnFace, IsNowhereForWhatIsNotANumberOrHasNoAreaAndOtherLanesDoNot
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::foot_on_face_test

@@ -1,7 +1,7 @@
 #include <kernels/gather.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::gather_test {
 namespace {
 
 using namespace test;
@@ -152,4 +152,4 @@ TYPED_TEST(Lanes, LoadAndStoreAreInverse) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::gather_test

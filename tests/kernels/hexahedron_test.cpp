@@ -1,7 +1,7 @@
 #include <kernels/hexahedron.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::hexahedron_test {
 namespace {
 
 using namespace test;
@@ -352,4 +352,4 @@ TYPED_TEST(HexahedronPack, EqualsTheScalarKernelLaneByLane) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::hexahedron_test

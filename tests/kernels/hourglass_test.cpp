@@ -1,7 +1,7 @@
 #include <kernels/hourglass.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::hourglass_test {
 namespace {
 
 using namespace test;
@@ -229,4 +229,4 @@ TYPED_TEST(HourglassPack, EqualsTheScalarKernelLaneByLane) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::hourglass_test

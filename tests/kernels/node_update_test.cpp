@@ -1,7 +1,7 @@
 #include <kernels/node_update.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::node_update_test {
 namespace {
 
 using namespace test;
@@ -109,4 +109,4 @@ TEST(ConstrainNode, KeepsAnAxisExactlyAtRest) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::node_update_test

@@ -3,7 +3,7 @@
 #include <kernels/pinball_geometry.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::pinball_geometry_test {
 namespace {
 
 using namespace test;
@@ -78,4 +78,4 @@ TYPED_TEST(PinballGeometry, RecordsFollowFromTheCorners) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::pinball_geometry_test

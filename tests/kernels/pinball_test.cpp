@@ -1,7 +1,7 @@
 #include <kernels/pinball.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::pinball_test {
 namespace {
 
 using namespace test;
@@ -291,4 +291,4 @@ TYPED_TEST(PinballPack, NormalsOfDifferentFaces) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::pinball_test

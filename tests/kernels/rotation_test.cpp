@@ -1,7 +1,7 @@
 #include <kernels/rotation.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::rotation_test {
 namespace {
 
 using namespace test;
@@ -124,4 +124,4 @@ TYPED_TEST(RotationPack, EqualsTheScalarKernelLaneByLane) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rotation_test

@@ -6,7 +6,7 @@
 #include <kernels/spatial_hash.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::spatial_hash_test {
 namespace {
 
 using namespace test;
@@ -167,4 +167,4 @@ TEST(CopyCell, CopiesThoseOfTheCellThatKeepWithinLimits) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::spatial_hash_test

@@ -5,7 +5,7 @@
 #include <kernels/stable_time_step.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::stable_time_step_test {
 namespace {
 
 using namespace test;
@@ -336,4 +336,4 @@ TYPED_TEST(StableTimeStepPack, EqualsTheScalarKernelLaneByLane) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::stable_time_step_test

@@ -38,7 +38,8 @@ add_test(NAME rooms COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/rooms_t
 add_test(NAME function_lengths COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/function_lengths_test.py)
 add_test(NAME casts COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/casts_test.py)
 add_test(NAME standard_names COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/standard_names_test.py)
-set_tests_properties(rooms function_lengths casts standard_names PROPERTIES LABELS layout)
+add_test(NAME test_names COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/layout/test_names_test.py)
+set_tests_properties(rooms function_lengths casts standard_names test_names PROPERTIES LABELS layout)
 
 # The kernels as device code, where a compiler for it is found. Threads are of the host alone.
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/kernels/*.hpp)

@@ -9,7 +9,7 @@
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
-namespace pinball::test {
+namespace pinball::test::input_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -53,4 +53,4 @@ TEST_F(InputFile, WhatIsNoFileIsToldByEveryReader) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::input_file_test

@@ -5,7 +5,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/mesh_checks.hpp>
 
-namespace pinball::test {
+namespace pinball::test::mesh_checks_test {
 namespace {
 
 using testing::ElementsAre;
@@ -95,4 +95,4 @@ TEST(RepeatedElements, AreThoseOfTheSameNodesInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::mesh_checks_test

@@ -3,7 +3,7 @@
 #include <solver/mesh/mesh_file.hpp>
 #include <tests/support/error_of.hpp>
 
-namespace pinball::test {
+namespace pinball::test::mesh_file_test {
 namespace {
 
 using testing::ElementsAre;
@@ -30,4 +30,4 @@ TEST(MeshFile, APartOfWhichThereAreSeveralIsOfNone) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::mesh_file_test

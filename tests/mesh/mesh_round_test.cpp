@@ -12,7 +12,7 @@
 #include "mesh_counts.hpp"
 
 /// Cylinders and spheres.
-namespace pinball {
+namespace pinball::mesh_round_test {
 namespace {
 
 using namespace test;
@@ -218,4 +218,4 @@ TEST(RoundMeshes, RejectBadSettings) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::mesh_round_test

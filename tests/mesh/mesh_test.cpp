@@ -11,7 +11,7 @@
 
 #include "mesh_counts.hpp"
 
-namespace pinball {
+namespace pinball::mesh_test {
 namespace {
 
 using namespace test;
@@ -268,4 +268,4 @@ TEST(Place, RejectsAnAxisWithoutDirection) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::mesh_test

@@ -11,7 +11,7 @@
 #include <tests/support/scene_fixture.hpp>
 
 /// Meshes that others wrote, where they lie beside the tree; elsewhere these tests are skipped.
-namespace pinball::test {
+namespace pinball::test::public_meshes_test {
 namespace {
 
 const std::filesystem::path meshes = PINBALL_SOURCE_DIR "/../shared/decks";
@@ -110,4 +110,4 @@ TEST_F(PublicMeshes, TheBarFollowsTheWaveEquation) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::public_meshes_test

@@ -8,7 +8,7 @@
 #include <solver/mesh/quality.hpp>
 #include <tests/support/error_of.hpp>
 
-namespace pinball::test {
+namespace pinball::test::split_hexahedra_test {
 namespace {
 
 using testing::ElementsAre;
@@ -134,4 +134,4 @@ TEST(SplitHexahedra, CollapsedHexahedraAreRefused) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::split_hexahedra_test

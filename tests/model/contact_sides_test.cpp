@@ -10,7 +10,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Sides of contact pairs that are sets of a mesh file, and bodies that share nodes.
-namespace pinball {
+namespace pinball::contact_sides_test {
 namespace {
 
 using namespace test;
@@ -119,4 +119,4 @@ TEST_F(ContactSides, ThatAreNotThereAreNamed) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_sides_test

@@ -14,7 +14,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// Bodies that are parts of one mesh file.
-namespace pinball::test {
+namespace pinball::test::file_bodies_test {
 namespace {
 
 using testing::ElementsAre;
@@ -306,4 +306,4 @@ TEST_F(FileBodies, AreOfFilesWhoseEndingsAreKnown) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::file_bodies_test

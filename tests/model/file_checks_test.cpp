@@ -9,7 +9,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// What is told of the mesh of a file, by its own numbers.
-namespace pinball::test {
+namespace pinball::test::file_checks_test {
 namespace {
 
 using testing::ElementsAre;
@@ -104,4 +104,4 @@ TEST_F(FileChecks, ListTheGroupsOfTheFile) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::file_checks_test

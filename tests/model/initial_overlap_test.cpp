@@ -6,7 +6,7 @@
 #include <solver/model/initial_overlap.hpp>
 #include <tests/support/solver_case.hpp>
 
-namespace pinball {
+namespace pinball::initial_overlap_test {
 namespace {
 
 using namespace test;
@@ -178,4 +178,4 @@ TEST(InitialOverlaps, ThatLeaveAnElementNoVolumeAreRefused) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::initial_overlap_test

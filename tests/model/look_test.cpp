@@ -9,7 +9,7 @@
 
 /// What is seen in a scene before the first step: what is meant by nobody is told, in one sentence; what is meant is
 /// not.
-namespace pinball {
+namespace pinball::look_test {
 namespace {
 
 using namespace test;
@@ -284,4 +284,4 @@ TEST(LookAtLayers, LeavesOutPlaneStrainAndWhatIsHeld) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::look_test

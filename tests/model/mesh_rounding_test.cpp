@@ -7,7 +7,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Meshes that a precision cannot hold where they lie.
-namespace pinball {
+namespace pinball::mesh_rounding_test {
 namespace {
 
 using namespace test;
@@ -118,4 +118,4 @@ TEST(MeshRounding, AFlatElementIsCalledFlat) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::mesh_rounding_test

@@ -8,7 +8,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Selections of meshes whose places are rounded.
-namespace pinball::test {
+namespace pinball::test::node_selection_test {
 namespace {
 
 using testing::ElementsAre;
@@ -120,4 +120,4 @@ TEST(NodeSelection, TakesNamesOfAFileThatIsNamedOrTheOnlyOne) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::node_selection_test

@@ -9,7 +9,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/model/ordering.hpp>
 
-namespace pinball {
+namespace pinball::ordering_test {
 namespace {
 
 std::vector<Point> lattice(int nx, int ny, int nz) {
@@ -140,4 +140,4 @@ TEST(FirstTouchNodeOrder, IsAPermutation) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::ordering_test

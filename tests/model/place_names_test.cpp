@@ -9,7 +9,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// What elements and nodes are called in messages and warnings.
-namespace pinball {
+namespace pinball::place_names_test {
 namespace {
 
 using test::block;
@@ -72,4 +72,4 @@ TEST_F(PlaceNames, AreTheSameInErrorsOfTheMesh) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::place_names_test

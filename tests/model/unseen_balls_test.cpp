@@ -6,7 +6,7 @@
 #include <solver/scene_rules.hpp>
 #include <tests/support/solver_case.hpp>
 
-namespace pinball {
+namespace pinball::unseen_balls_test {
 namespace {
 
 using namespace test;
@@ -136,4 +136,4 @@ TEST(UnseenBalls, ScenesOfTheRepositoryHaveNone) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::unseen_balls_test

@@ -7,7 +7,7 @@
 #include <solver/model/material/yield_curves.hpp>
 
 /// The numbers that the general yield law gets of a material: each of them, against what can be worked out by hand.
-namespace pinball {
+namespace pinball::yield_curves_test {
 namespace {
 
 using testing::ElementsAre;
@@ -120,4 +120,4 @@ TEST(GeneralYield, IsForWhatMovesDependsOnTheRateOrHasCurves) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::yield_curves_test

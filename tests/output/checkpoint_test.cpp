@@ -21,7 +21,7 @@
 #include "checkpoint_case.hpp"
 
 /// Checkpoints of the program: what a restart gives, what is rejected, and what a killed run leaves.
-namespace pinball {
+namespace pinball::checkpoint_test {
 namespace {
 
 using test::Checkpoints;
@@ -352,4 +352,4 @@ TEST_F(KilledRuns, KnowWhatHasBegunAndEnded) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::checkpoint_test

@@ -6,7 +6,7 @@
 #include "checkpoint_case.hpp"
 
 /// What a failing run says, and the last good state that it leaves.
-namespace pinball {
+namespace pinball::failed_runs_test {
 namespace {
 
 using test::Checkpoints;
@@ -65,4 +65,4 @@ TEST_F(FailedRuns, CollapsedStep) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::failed_runs_test

@@ -15,7 +15,7 @@
 #include <tests/support/error_of.hpp>
 #include <tests/support/output_case.hpp>
 
-namespace pinball {
+namespace pinball::output_test {
 namespace {
 
 using test::error_of;
@@ -395,4 +395,4 @@ TEST(History, RejectsARowOfOtherBodiesAndQuotesNames) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::output_test

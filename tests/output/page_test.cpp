@@ -19,7 +19,7 @@
 #include <tests/support/output_case.hpp>
 #include <tests/support/program.hpp>
 
-namespace pinball {
+namespace pinball::page_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -298,4 +298,4 @@ TEST_F(RunPage, ThatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::page_test

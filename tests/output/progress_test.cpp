@@ -14,7 +14,7 @@
 
 #include <solver/output/progress.hpp>
 
-namespace pinball {
+namespace pinball::progress_test {
 namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
@@ -223,4 +223,4 @@ TEST(Progress, NamesDurations) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::progress_test

@@ -23,7 +23,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// What a recorded run makes of its folder: whose files are there, and what summary.json says at any time.
-namespace pinball {
+namespace pinball::run_folder_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -325,4 +325,4 @@ TEST_F(RunFolders, AHistoryThatCannotBeOpenedIsNamed) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::run_folder_test

@@ -5,7 +5,7 @@
 #include <solver/output/recorder.hpp>
 
 /// When output is due.
-namespace pinball {
+namespace pinball::schedule_test {
 namespace {
 
 /// How many of `steps` equal steps to time 1, and the start, have output.
@@ -49,4 +49,4 @@ TEST(Schedule, TheEndIsReached) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::schedule_test

@@ -11,7 +11,7 @@
 #include <solver/summary.hpp>
 #include <tests/support/output_case.hpp>
 
-namespace pinball {
+namespace pinball::summary_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -364,4 +364,4 @@ TEST(Summary, IsWrittenAsAFile) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::summary_test

@@ -7,7 +7,7 @@
 #include <tests/support/folder_case.hpp>
 
 /// Whether the bands of a study contain what is exactly known: docs/accuracy.md has the same table of more scenes.
-namespace pinball {
+namespace pinball::bands_test {
 namespace {
 
 using testing::ElementsAre;
@@ -70,4 +70,4 @@ TEST_F(Bands, OfTwoBarsContainTheExactSolution) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::bands_test

@@ -16,7 +16,7 @@
 #include <tests/support/program.hpp>
 #include <tests/support/solver_case.hpp>
 
-namespace pinball {
+namespace pinball::compare_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -307,4 +307,4 @@ TEST_F(CompareProgram, AVariantThatFailsIsNamedAndTheOthersGoOn) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::compare_test

@@ -7,7 +7,7 @@
 #include <tests/program/converge_case.hpp>
 
 /// The meshes of a study: bodies refined apart, meshes of files, lists of numbers.
-namespace pinball {
+namespace pinball::converge_meshes_test {
 namespace {
 
 using test::Converge;
@@ -93,4 +93,4 @@ TEST_F(Converge, ListsOfNumbersGoWithMeshesThatAreSplit) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::converge_meshes_test

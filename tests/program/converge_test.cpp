@@ -11,7 +11,7 @@
 #include <tests/program/converge_case.hpp>
 
 /// What a study says, which of its runs it makes, and what it refuses.
-namespace pinball {
+namespace pinball::converge_test {
 namespace {
 
 using test::content;
@@ -347,4 +347,4 @@ TEST_F(Converge, BadInputEndsWithTwoBeforeAnythingRuns) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::converge_test

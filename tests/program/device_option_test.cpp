@@ -11,7 +11,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// --device, from outside.
-namespace pinball {
+namespace pinball::device_option_test {
 namespace {
 
 using test::Finished;
@@ -61,4 +61,4 @@ TEST(DeviceOption, IsInTheSummary) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::device_option_test

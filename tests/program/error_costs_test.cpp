@@ -4,7 +4,7 @@
 #include <solver/base/error.hpp>
 #include <solver/program/study/costs/cost_report.hpp>
 
-namespace pinball {
+namespace pinball::error_costs_test {
 namespace {
 
 using testing::ElementsAre;
@@ -124,4 +124,4 @@ TEST(StudyLimits, AreReadAsTheyAreWritten) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::error_costs_test

@@ -8,7 +8,7 @@
 #include <solver/program/study/sources_report.hpp>
 #include <tests/support/error_of.hpp>
 
-namespace pinball {
+namespace pinball::error_sources_test {
 namespace {
 
 using test::error_of;
@@ -160,4 +160,4 @@ TEST(SourcesReport, SaysWhereChanceIsMoreThanTheMesh) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::error_sources_test

@@ -8,7 +8,7 @@
 
 #include <solver/program/study/grid_convergence.hpp>
 
-namespace pinball {
+namespace pinball::grid_convergence_test {
 namespace {
 
 /// Sizes of elements, from fine to coarse.
@@ -159,4 +159,4 @@ TEST(GridConvergence, DistancesHaveTheOrderOfThePower) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::grid_convergence_test

@@ -10,7 +10,7 @@
 #include <solver/program/commands.hpp>
 #include <tests/support/error_of.hpp>
 
-namespace pinball {
+namespace pinball::info_mesh_test {
 namespace {
 
 using testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(InfoMesh, NoFormatsOfOthersAreTakenForScenes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::info_mesh_test

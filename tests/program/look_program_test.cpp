@@ -7,7 +7,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// What info and run say of a scene before its first step, and what summary.json has of it.
-namespace pinball::test {
+namespace pinball::test::look_program_test {
 namespace {
 
 using testing::AllOf;
@@ -77,4 +77,4 @@ TEST_F(LookProgram, InfoTellsARunThatFailsAtOnce) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::look_program_test

@@ -4,7 +4,7 @@
 #include <solver/program/study/mesh_factor.hpp>
 #include <tests/support/error_of.hpp>
 
-namespace pinball {
+namespace pinball::mesh_factor_test {
 namespace {
 
 using test::error_of;
@@ -146,4 +146,4 @@ TEST(MeshFactor, SplitsTheElementsOfFilesInEight) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::mesh_factor_test

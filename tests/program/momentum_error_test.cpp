@@ -4,7 +4,7 @@
 
 #include <solver/program/momentum_error.hpp>
 
-namespace pinball {
+namespace pinball::momentum_error_test {
 namespace {
 
 /// Mass 2 and energy 4: at most a momentum of 4. It changes by (1, 2, 2).
@@ -59,4 +59,4 @@ TEST(MomentumError, IsNotKnownWhereEverythingIsActedOn) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::momentum_error_test

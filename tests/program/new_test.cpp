@@ -10,7 +10,7 @@
 #include <tests/support/program.hpp>
 
 /// `pinball new`, and what --help tells.
-namespace pinball {
+namespace pinball::new_test {
 namespace {
 
 using test::content;
@@ -81,4 +81,4 @@ TEST(Help, HasTwoExamplesAndSaysWhereKeysAre) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::new_test

@@ -11,7 +11,7 @@
 #include <tests/support/program.hpp>
 
 /// The memory of the program, from outside.
-namespace pinball {
+namespace pinball::program_memory_test {
 namespace {
 
 using test::Finished;
@@ -84,4 +84,4 @@ mesh = { type = "block", size = [1, 1, 1], elements = [10, 10, 10] }
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::program_memory_test

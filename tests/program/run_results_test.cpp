@@ -11,7 +11,7 @@
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
-namespace pinball {
+namespace pinball::run_results_test {
 namespace {
 
 using testing::ElementsAre;
@@ -149,4 +149,4 @@ TEST(UnitOfQuantity, OfEachEnergyOfAHistoryIsThatOfEnergies) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::run_results_test

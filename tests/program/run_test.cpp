@@ -16,7 +16,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// The program itself, from outside: exit status, messages, files.
-namespace pinball {
+namespace pinball::run_test {
 namespace {
 
 using test::content;
@@ -394,4 +394,4 @@ TEST_F(Program, VerifyListsTheScenesItKnows) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::run_test

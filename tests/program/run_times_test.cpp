@@ -6,7 +6,7 @@
 
 #include <solver/program/study/costs/run_times.hpp>
 
-namespace pinball {
+namespace pinball::run_times_test {
 namespace {
 
 struct Measured {
@@ -69,4 +69,4 @@ TEST(RunTimes, RunsWithoutATimeHaveSome) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::run_times_test

@@ -11,7 +11,7 @@
 #include <tests/formats/lsdyna/deck_case.hpp>
 #include <tests/support/error_of.hpp>
 
-namespace pinball::test {
+namespace pinball::test::scene_input_test {
 namespace {
 
 using testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST_F(DeckInput, PartsOfItsSceneAreNamedByCards) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::scene_input_test

@@ -13,7 +13,7 @@
 #include <tests/support/program.hpp>
 
 /// The program from outside: what signals, a second run and missing streams do to it.
-namespace pinball {
+namespace pinball::stop_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -223,4 +223,4 @@ TEST_F(Stops, AFileForTheTableThatCannotBeWrittenIsToldBeforeTheRuns) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::stop_test

@@ -2,7 +2,7 @@
 
 #include <solver/program/text_table.hpp>
 
-namespace pinball {
+namespace pinball::text_table_test {
 namespace {
 
 TEST(TextTable, ColumnsAreAsWideAsTheirWidestCell) {
@@ -20,4 +20,4 @@ TEST(TextTable, CellsOfSharesAndDurations) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::text_table_test

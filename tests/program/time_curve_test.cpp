@@ -4,7 +4,7 @@
 
 #include <solver/program/study/time_curve.hpp>
 
-namespace pinball {
+namespace pinball::time_curve_test {
 namespace {
 
 TEST(TimeCurve, DistanceIsTheRootOfTheMeanSquare) {
@@ -35,4 +35,4 @@ TEST(TimeCurve, GoesOnBeyondTheFineOne) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::time_curve_test

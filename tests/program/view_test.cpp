@@ -11,7 +11,7 @@
 #include <tests/support/program.hpp>
 
 // pinball view: what it needs VTK for is tested in tests/view.
-namespace pinball {
+namespace pinball::view_test {
 namespace {
 
 void write_case(const test::TemporaryFolder& folder) {
@@ -83,4 +83,4 @@ TEST(View, SaysWhichPackageIsMissing) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::view_test

@@ -6,7 +6,7 @@
 #include <solver/results/run_outputs.hpp>
 
 /// What a run will take, from made-up first steps: no clock decides anything here.
-namespace pinball {
+namespace pinball::forecast_test {
 namespace {
 
 Scene scene_of(double yield_stress, double erosion_strain) {
@@ -128,4 +128,4 @@ TEST(RunOutputs, AreCountedByTheirTimes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::forecast_test

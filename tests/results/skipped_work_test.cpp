@@ -4,7 +4,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// What a run says that leaving out work has saved.
-namespace pinball {
+namespace pinball::skipped_work_test {
 namespace {
 
 TEST(SkippedWork, CountsWhatTheFeaturesOfASceneNeedNotStore) {
@@ -38,4 +38,4 @@ TEST(SkippedWork, ARunTellsWhatItSkipped) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::skipped_work_test

@@ -2,7 +2,7 @@
 
 #include <solver/results/warnings.hpp>
 
-namespace pinball {
+namespace pinball::warnings_test {
 namespace {
 
 using testing::AllOf;
@@ -153,4 +153,4 @@ TEST(Warnings, Overlaps) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::warnings_test

@@ -9,7 +9,7 @@
 #include "rigid_case.hpp"
 
 /// Rigid bodies in the step: what moves them, their momenta and energies, and that others stay as they are.
-namespace pinball {
+namespace pinball::rigid_bodies_test {
 namespace {
 
 using namespace test;
@@ -262,4 +262,4 @@ TEST(RigidBodies, OnAPlaneOfSymmetryMoveAlongIt) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rigid_bodies_test

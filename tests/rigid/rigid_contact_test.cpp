@@ -6,7 +6,7 @@
 #include "rigid_case.hpp"
 
 /// Impacts of rigid bodies against closed forms.
-namespace pinball {
+namespace pinball::rigid_contact_test {
 namespace {
 
 using namespace test;
@@ -134,4 +134,4 @@ TEST(RigidContact, OnABarSlowsDownAsThePressureOfTheWaveHasIt) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rigid_contact_test

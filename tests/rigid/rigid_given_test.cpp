@@ -9,7 +9,7 @@
 #include "rigid_case.hpp"
 
 /// Rigid bodies whose centre and motion at the start are given.
-namespace pinball {
+namespace pinball::rigid_given_test {
 namespace {
 
 using namespace test;
@@ -144,4 +144,4 @@ TEST(RigidBodies, RefuseACentreWithoutWhatBelongsToIt) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rigid_given_test

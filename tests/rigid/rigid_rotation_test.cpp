@@ -7,7 +7,7 @@
 #include <solver/rigid/rigid_rotation.hpp>
 
 /// Rotation of rigid bodies, against Euler's equations as they are integrated here.
-namespace pinball {
+namespace pinball::rigid_rotation_test {
 namespace {
 
 using Matrix = Eigen::Matrix3d;
@@ -106,4 +106,4 @@ TEST(RigidRotation, AboutOneAxisIsExact) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rigid_rotation_test

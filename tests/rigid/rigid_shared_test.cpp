@@ -9,7 +9,7 @@
 #include "rigid_case.hpp"
 
 /// Bodies that deform and have nodes in common with a rigid one: a bar on z >= 0 at whose end a rigid block sits.
-namespace pinball {
+namespace pinball::rigid_shared_test {
 namespace {
 
 using namespace test;
@@ -92,4 +92,4 @@ TEST_F(RigidShared, ABlockThatIsMovedPressesOnItsBar) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rigid_shared_test

@@ -7,7 +7,7 @@
 
 /// An elastic sphere strikes a rigid block that is free, slowly: after Hertz (1882), with the mass m M/(m + M), of the
 /// mass m that the mesh has.
-namespace pinball {
+namespace pinball::rigid_sphere_test {
 namespace {
 
 using namespace test;
@@ -76,4 +76,4 @@ TEST(RigidContact, OfASphereAndABlockIsThatOfHertz) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::rigid_sphere_test

@@ -4,7 +4,7 @@
 #include <tests/support/scene_fixture.hpp>
 
 /// [element], what a body has in its place, and mass scaling, as scene files have them.
-namespace pinball::test {
+namespace pinball::test::element_scene_test {
 namespace {
 
 class ElementScene : public SceneTest {
@@ -67,4 +67,4 @@ TEST_F(ElementScene, MassScalingIsOfTheStep) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::element_scene_test

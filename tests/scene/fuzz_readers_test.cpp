@@ -46,7 +46,7 @@ void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return 
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace pinball {
+namespace pinball::fuzz_readers_test {
 namespace {
 
 using namespace test;
@@ -161,4 +161,4 @@ TEST(FuzzReaders, Meshes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::fuzz_readers_test

@@ -2,7 +2,7 @@
 #include <tests/support/scene_fixture.hpp>
 
 /// Keys of a material on hardening, yield curves and strain rates.
-namespace pinball {
+namespace pinball::hardening_scene_test {
 namespace {
 
 using namespace test;
@@ -114,4 +114,4 @@ TEST_F(HardeningScene, ChecksCurvesOfAHost) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::hardening_scene_test

@@ -6,7 +6,7 @@
 #include <solver/scene_rules.hpp>
 #include <tests/support/error_of.hpp>
 
-namespace pinball {
+namespace pinball::host_scene_test {
 namespace {
 
 /// As a host makes one: no file has been read.
@@ -92,4 +92,4 @@ TEST(HostScene, HasNumbersInAllPlaces) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::host_scene_test

@@ -13,7 +13,7 @@
 #include <tests/support/output_case.hpp>
 
 /// Materials that scenes use by their names.
-namespace pinball {
+namespace pinball::known_materials_test {
 namespace {
 
 using testing::HasSubstr;
@@ -143,4 +143,4 @@ TEST_F(KnownMaterials, ThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::known_materials_test

@@ -8,7 +8,7 @@
 #include <solver/scene/toml/table.hpp>
 #include <solver/scene_rules.hpp>
 
-namespace pinball {
+namespace pinball::listing_test {
 namespace {
 
 /// A scene in which every kind of table is.
@@ -135,4 +135,4 @@ TEST(SceneListing, WritesValuesAsASceneHasThem) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::listing_test

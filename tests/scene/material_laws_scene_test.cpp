@@ -4,7 +4,7 @@
 #include <tests/support/scene_fixture.hpp>
 
 /// johnson_cook and equation_of_state of a material.
-namespace pinball {
+namespace pinball::material_laws_scene_test {
 namespace {
 
 using namespace test;
@@ -141,4 +141,4 @@ TEST_F(MaterialLawsScene, HostsAreToldTheSame) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::material_laws_scene_test

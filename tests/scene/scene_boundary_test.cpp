@@ -1,7 +1,7 @@
 #include <tests/support/scene_fixture.hpp>
 
 /// Reading of what acts on a scene from outside.
-namespace pinball {
+namespace pinball::scene_boundary_test {
 namespace {
 
 using namespace test;
@@ -271,4 +271,4 @@ TEST_F(SceneBoundaryTest, KeysCanBeSet) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::scene_boundary_test

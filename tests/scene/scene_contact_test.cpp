@@ -4,7 +4,7 @@
 #include <tests/support/scene_fixture.hpp>
 
 /// Reading of what touches what.
-namespace pinball {
+namespace pinball::scene_contact_test {
 namespace {
 
 using namespace test;
@@ -124,4 +124,4 @@ second = { faces = "4" })"}));
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::scene_contact_test

@@ -4,7 +4,7 @@
 #include <solver/base/text_distance.hpp>
 #include <tests/support/scene_fixture.hpp>
 
-namespace pinball {
+namespace pinball::scene_override_test {
 namespace {
 
 using namespace test;
@@ -182,4 +182,4 @@ TEST(TextDistance, CountsSlips) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::scene_override_test

@@ -8,7 +8,7 @@
 #include <tests/support/scene_fixture.hpp>
 
 /// Scenes with very many tables, very long names and very deep keys.
-namespace pinball {
+namespace pinball::scene_size_test {
 namespace {
 
 using test::minimal;
@@ -104,4 +104,4 @@ TEST_F(SceneSizeTest, DeepTablesAreRead) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::scene_size_test

@@ -5,7 +5,7 @@
 #include <solver/scene/machine.hpp>
 #include <tests/support/scene_fixture.hpp>
 
-namespace pinball {
+namespace pinball::scene_test {
 namespace {
 
 using namespace test;
@@ -396,4 +396,4 @@ TEST_F(SceneTest, Syntax) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::scene_test

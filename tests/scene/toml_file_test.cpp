@@ -9,7 +9,7 @@
 #include <solver/scene/given/toml_file.hpp>
 #include <solver/scene/schema/scene.hpp>
 
-namespace pinball {
+namespace pinball::toml_file_test {
 namespace {
 
 // The registry knows a key of each kind of table: of its own, of a group within it, and none that it leaves out.
@@ -88,4 +88,4 @@ TEST(TomlFile, IntegersThatNoDoubleHasAreNoNumbers) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::toml_file_test

@@ -7,7 +7,7 @@
 #include <tests/support/error_of.hpp>
 
 /// Names of units: what a scene may call its own, and what follows from them.
-namespace pinball {
+namespace pinball::units_test {
 namespace {
 
 using testing::HasSubstr;
@@ -101,4 +101,4 @@ TEST(Units, OfAHostsSceneAreCheckedToo) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::units_test

@@ -12,7 +12,7 @@
 #include "simulation_case.hpp"
 
 /// Arrays of a host that a simulation is built from, and those in which it shows its state.
-namespace pinball {
+namespace pinball::simulation_arrays_test {
 namespace {
 
 using test::hash_of_run;
@@ -143,4 +143,4 @@ TEST(Simulation, MassesAreThoseOfTheBodies) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::simulation_arrays_test

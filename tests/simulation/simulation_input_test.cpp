@@ -14,7 +14,7 @@
 #include "simulation_case.hpp"
 
 /// What a simulation says of wrong input, and what it makes of input that is not complete.
-namespace pinball {
+namespace pinball::simulation_input_test {
 namespace {
 
 using test::block;
@@ -145,4 +145,4 @@ TEST(CompletedScene, HasTheDefaultsOfASceneFile) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::simulation_input_test

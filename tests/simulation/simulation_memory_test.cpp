@@ -9,7 +9,7 @@
 #include "simulation_case.hpp"
 
 /// Memory that runs out anywhere: std::bad_alloc in the thread that called, also where other threads have asked for it.
-namespace pinball {
+namespace pinball::simulation_memory_test {
 namespace {
 
 using test::Memory;
@@ -62,4 +62,4 @@ TEST(SimulationMemory, Subcycling) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::simulation_memory_test

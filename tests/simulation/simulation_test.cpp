@@ -12,7 +12,7 @@
 #include "simulation_case.hpp"
 
 /// How a simulation runs, and what its host may change on the way.
-namespace pinball {
+namespace pinball::simulation_test {
 namespace {
 
 using test::block;
@@ -214,4 +214,4 @@ TEST(Simulation, KnowsWhereItsNodesBegan) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::simulation_test

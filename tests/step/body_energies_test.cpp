@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Energies, momentum and mass of each body (output.body_energies).
-namespace pinball {
+namespace pinball::body_energies_test {
 namespace {
 
 using namespace test;
@@ -182,4 +182,4 @@ TEST(BodyEnergies, GoOnFromASavedState) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::body_energies_test

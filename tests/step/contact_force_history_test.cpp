@@ -8,7 +8,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// What history.csv says of the contact forces on the bodies.
-namespace pinball {
+namespace pinball::contact_force_history_test {
 namespace {
 
 /// Columns "NAME_contact_force_x" and so on, at the end of a row.
@@ -102,4 +102,4 @@ TEST(ContactForceColumns, StandAtTheEndAndOnlyWhereThereIsContact) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_force_history_test

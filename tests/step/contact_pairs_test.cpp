@@ -9,7 +9,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Contact pairs of a scene: what they let touch, when, and what they say of force and impulse.
-namespace pinball {
+namespace pinball::contact_pairs_test {
 namespace {
 
 using namespace test;
@@ -269,4 +269,4 @@ TEST(ContactPairsWithFriction, DecaysWithTheSpeed) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::contact_pairs_test

@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// The same bits for any number of threads and from run to run.
-namespace pinball {
+namespace pinball::determinism_test {
 namespace {
 
 using namespace test;
@@ -155,4 +155,4 @@ TEST(SkippedSearches, ChangeNothingBySlideline) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::determinism_test

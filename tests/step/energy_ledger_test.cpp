@@ -6,7 +6,7 @@
 #include <tests/support/saved_state.hpp>
 
 /// What the ledger makes of the work of steps: each number by itself, against sums made here.
-namespace pinball {
+namespace pinball::energy_ledger_test {
 namespace {
 
 /// Another number for each member and each step.
@@ -128,4 +128,4 @@ TEST(EnergyLedger, GoesOnFromASavedStateAsIfItHadNotStopped) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::energy_ledger_test

@@ -13,7 +13,7 @@
 /// A state whose checksum is right and whose numbers are not: it is refused, or the run goes on from it, fails or not;
 /// never is memory read or written that is not its own, which the address sanitizer sees (preset debug), and never more
 /// of it asked for than the state itself has. PINBALL_FORGE_ALL=1 changes every word of the states.
-namespace pinball {
+namespace pinball::forged_state_test {
 namespace {
 
 using namespace test;
@@ -148,4 +148,4 @@ TEST(ForgedState, SubcyclingAndRest) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::forged_state_test

@@ -9,7 +9,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// What ends a run that has gone wrong, and what it says.
-namespace pinball {
+namespace pinball::guards_test {
 namespace {
 
 using namespace test;
@@ -245,4 +245,4 @@ TEST(Guards, AStepThatMovesTheTimeNoFurtherEndsTheRun) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::guards_test

@@ -4,7 +4,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// What a host does to a solver between two steps: changes velocities, saves the state, looks at the model.
-namespace pinball {
+namespace pinball::host_changes_test {
 namespace {
 
 using namespace test;
@@ -104,4 +104,4 @@ TEST(LookingAtTheModel, CostsNothing) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::host_changes_test

@@ -7,7 +7,7 @@
 #include <solver/step/impact_speed.hpp>
 #include <tests/support/solver_case.hpp>
 
-namespace pinball {
+namespace pinball::impact_speed_test {
 namespace {
 
 using namespace test;
@@ -96,4 +96,4 @@ TEST(ImpactSpeed, FastBodiesDoNotJumpOverEachOther) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::impact_speed_test

@@ -5,7 +5,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Steps become short before something is stopped, and stay so while that vibrates.
-namespace pinball {
+namespace pinball::impact_step_test {
 namespace {
 
 using namespace test;
@@ -113,4 +113,4 @@ TEST(ImpactStep, BeforeAHeavyBodyIsThatBeforeAWall) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::impact_step_test

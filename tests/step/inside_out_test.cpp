@@ -8,7 +8,7 @@
 #include <tests/support/saved_state.hpp>
 
 /// Elements whose corners turn over: what keeps them from it, and what is told where nothing does.
-namespace pinball {
+namespace pinball::inside_out_test {
 namespace {
 
 using namespace test;
@@ -145,4 +145,4 @@ TEST(InsideOut, WhatHourglassModesLoseByYieldingIsPartOfTheInternalEnergy) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::inside_out_test

@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// time.smallest_step: mass for elements whose step would be smaller.
-namespace pinball {
+namespace pinball::mass_scaling_test {
 namespace {
 
 using namespace test;
@@ -217,4 +217,4 @@ TEST(MassScaling, IsInTheSummary) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::mass_scaling_test

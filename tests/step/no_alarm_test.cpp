@@ -8,7 +8,7 @@
 #include <solver/step/solver.hpp>
 
 /// Scenes and decks that are sound raise no alarm at the start: those that come along, and public ones.
-namespace pinball {
+namespace pinball::no_alarm_test {
 namespace {
 
 using testing::IsEmpty;
@@ -73,4 +73,4 @@ TEST(NoAlarm, OfPublicDecks) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::no_alarm_test

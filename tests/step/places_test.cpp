@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Where something is worst: every number that it may be found by, each element in turn.
-namespace pinball {
+namespace pinball::places_test {
 namespace {
 
 using namespace test;
@@ -86,4 +86,4 @@ TEST(Places, CornersAtTheForcesAreAStepBack) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::places_test

@@ -9,7 +9,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Every column of the history, and what summary.json has of the same, against sums over the fields made here.
-namespace pinball {
+namespace pinball::report_test {
 namespace {
 
 using namespace test;
@@ -249,4 +249,4 @@ TEST(Report, TheSummaryIsOfTheSameNumbers) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::report_test

@@ -8,7 +8,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// The memory that a run says it holds, against what the allocator has given out meanwhile.
-namespace pinball {
+namespace pinball::reported_memory_test {
 namespace {
 
 using namespace test;
@@ -88,4 +88,4 @@ INSTANTIATE_TEST_SUITE_P(Of, ReportedMemory,
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::reported_memory_test

@@ -18,7 +18,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// Saving and going on changes nothing, whatever the scene has and whenever it is done.
-namespace pinball {
+namespace pinball::restart_sweep_test {
 namespace {
 
 using test::load;
@@ -285,4 +285,4 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) {
 INSTANTIATE_TEST_SUITE_P(All, RestartOf, testing::ValuesIn(all_inputs()), name_of);
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::restart_sweep_test

@@ -8,7 +8,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// A solver that goes on from the saved state of another one makes the same bits, with any number of threads.
-namespace pinball {
+namespace pinball::restart_test {
 namespace {
 
 using namespace test;
@@ -232,4 +232,4 @@ TEST(StateArchive, RefusesTheStateOfAnotherMesh) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::restart_test

@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// The whole step without contact: laws that hold exactly or to round-off.
-namespace pinball {
+namespace pinball::solver_test {
 namespace {
 
 using namespace test;
@@ -246,4 +246,4 @@ TEST(Solver, MemoryPerElementIsBounded) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::solver_test

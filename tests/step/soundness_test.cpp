@@ -9,7 +9,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// What a run is watched for: each warning in a scene made for it, with number, time and place.
-namespace pinball {
+namespace pinball::soundness_test {
 namespace {
 
 using namespace test;
@@ -227,4 +227,4 @@ TEST(EnergyWatch, HourglassEnergyIsComparedWithTheLargestInternalEnergy) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::soundness_test

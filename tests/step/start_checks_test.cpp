@@ -8,7 +8,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Numbers that the meshes show to be too large before a run begins, and steps that they shorten.
-namespace pinball {
+namespace pinball::start_checks_test {
 namespace {
 
 using namespace test;
@@ -220,4 +220,4 @@ TEST(StartChecks, AFailureNamesTheHourglassCoefficient) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::start_checks_test

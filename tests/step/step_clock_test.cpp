@@ -3,7 +3,7 @@
 #include <solver/step/step_clock.hpp>
 
 /// How long steps are, from what is stable and from what velocities do.
-namespace pinball {
+namespace pinball::step_clock_test {
 namespace {
 
 /// Steps of 1 until so much of the energy in motion has changed, and the next one where 1.2 is stable.
@@ -43,4 +43,4 @@ TEST(StepClock, RaisesAStepWhereThatTakesNoEnergy) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::step_clock_test

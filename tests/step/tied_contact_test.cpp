@@ -7,7 +7,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// Nodes that are tied to faces.
-namespace pinball {
+namespace pinball::tied_contact_test {
 namespace {
 
 using namespace test;
@@ -328,4 +328,4 @@ TEST(TiedContact, SaysWhatItCannot) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::tied_contact_test

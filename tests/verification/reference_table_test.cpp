@@ -8,7 +8,7 @@
 #include <tests/support/error_of.hpp>
 #include <tests/support/output_case.hpp>
 
-namespace pinball {
+namespace pinball::reference_table_test {
 namespace {
 
 /// A file of the folder "reference" beside the scenes of a temporary folder.
@@ -40,4 +40,4 @@ TEST(ReferenceTable, ErrorsNameFileAndLine) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::reference_table_test

@@ -6,7 +6,7 @@
 #include <tests/support/solver_case.hpp>  // one thread
 
 /// Every row of `pinball verify` passes.
-namespace pinball {
+namespace pinball::verification_test {
 namespace {
 
 std::vector<std::string> scenes() {
@@ -33,4 +33,4 @@ TEST_P(Verification, Passes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::verification_test

@@ -12,7 +12,7 @@
 #include <solver/contact/contact.h>
 
 /// What a host passes wrongly: a status, a message that names the argument, and nothing else.
-namespace pinball {
+namespace pinball::embedded_errors_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -363,4 +363,4 @@ TEST(EmbeddedErrors, WhatHooksThrowGoesNoFurther) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::embedded_errors_test

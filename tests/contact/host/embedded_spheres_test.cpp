@@ -7,7 +7,7 @@
 #include <solver/contact/embedded_contact.hpp>
 
 /// Bodies that are rigid spheres, in the time loop of a host that has nothing else.
-namespace pinball {
+namespace pinball::embedded_spheres_test {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -311,4 +311,4 @@ TEST(EmbeddedSpheres, HitHexahedra) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::embedded_spheres_test

@@ -7,7 +7,7 @@
 #include <tests/support/failing_memory.hpp>
 
 /// Memory that runs out anywhere: a status, never the end of the host, and nothing is left behind.
-namespace pinball {
+namespace pinball::out_of_memory_test {
 namespace {
 
 using test::Memory;
@@ -112,4 +112,4 @@ TEST(OutOfMemory, PenaltyOfTheSlideline) { expect_no_harm(PINBALL_CONTACT_SLIDEL
 TEST(OutOfMemory, ImpulsesOfTheSlideline) { expect_no_harm(PINBALL_CONTACT_SLIDELINE, PINBALL_CONTACT_PROJECTION); }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::out_of_memory_test

@@ -10,7 +10,7 @@
 #include <solver/contact/embedded_contact.hpp>
 
 /// Spheres of any size on the surfaces of elements, by springs: with what an instance does unless it is told otherwise.
-namespace pinball {
+namespace pinball::spheres_on_faces_test {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -311,4 +311,4 @@ TEST(SpheresOnFaces, FallBetweenBallsWhereTheseAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::spheres_on_faces_test

@@ -4,7 +4,7 @@
 #include "turned_body.hpp"
 
 /// Elements much longer or flatter than cubes: contact has to begin where the bodies touch.
-namespace pinball {
+namespace pinball::aspect_trial_test {
 namespace {
 
 using namespace test;
@@ -177,4 +177,4 @@ TEST_P(AspectTrial, ASphereIsStoppedByAPlateOfOneLayer) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::aspect_trial_test

@@ -5,7 +5,7 @@
 #include "turned_body.hpp"
 
 /// A column of cubes that stands on a floor under gravity: it has to stay up, and where it is.
-namespace pinball {
+namespace pinball::column_trial_test {
 namespace {
 
 using namespace test;
@@ -77,4 +77,4 @@ TEST(Column, OfCubesThatAreAsideAndTurnedDoesNotCreepWithFriction) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::column_trial_test

@@ -4,7 +4,7 @@
 #include "turned_body.hpp"
 
 /// What contact has to keep: angular momentum and energy.
-namespace pinball {
+namespace pinball::conservation_trial_test {
 namespace {
 
 using namespace test;
@@ -154,4 +154,4 @@ TEST_P(ConservationTrial, ACornerOnANodeMakesNoEnergy) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::conservation_trial_test

@@ -4,7 +4,7 @@
 #include "turned_body.hpp"
 
 /// A cube that falls on its corner, on its edge or tilted, onto a held plate.
-namespace pinball {
+namespace pinball::drop_trial_test {
 namespace {
 
 using namespace test;
@@ -77,4 +77,4 @@ TEST_P(DropTrial, CubeReboundsFromAHeldPlateWhereItTouches) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::drop_trial_test

@@ -5,7 +5,7 @@
 #include "turned_body.hpp"
 
 /// Bars that cross edge on edge.
-namespace pinball {
+namespace pinball::edge_trial_test {
 namespace {
 
 using namespace test;
@@ -150,4 +150,4 @@ TEST_P(EdgeTrial, KnivesKeepTheirEnergyAtAnyAngle) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::edge_trial_test

@@ -3,7 +3,7 @@
 #include "turned_body.hpp"
 
 /// A body that touches itself.
-namespace pinball {
+namespace pinball::fold_trial_test {
 namespace {
 
 using namespace test;
@@ -69,4 +69,4 @@ TEST_P(FoldTrial, ArmsThatAreCloseFromTheStartTouchToo) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::fold_trial_test

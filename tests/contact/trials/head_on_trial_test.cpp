@@ -1,7 +1,7 @@
 #include "trial.hpp"
 
 /// Two balls that meet node on node: what is symmetric has to stay so.
-namespace pinball {
+namespace pinball::head_on_trial_test {
 namespace {
 
 using namespace test;
@@ -46,4 +46,4 @@ TEST(HeadOn, BallsPartWithoutLateralVelocities) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::head_on_trial_test

@@ -4,7 +4,7 @@
 
 /// Contact patch test (data/scenes/contact_patch.toml): blocks whose flat meshes do not fit are pressed together; the
 /// stress is the same everywhere.
-namespace pinball {
+namespace pinball::patch_trial_test {
 namespace {
 
 using namespace test;
@@ -70,4 +70,4 @@ TEST_P(PatchTrial, PressureIsTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::patch_trial_test

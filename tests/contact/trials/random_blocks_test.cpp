@@ -5,7 +5,7 @@
 #include "turned_body.hpp"
 
 /// A thousand impacts of two blocks in any attitude: faces, rims, edges and corners on each other.
-namespace pinball {
+namespace pinball::random_blocks_test {
 namespace {
 
 using namespace test;
@@ -75,4 +75,4 @@ TEST(RandomBlocks, KeepMomentumAndAngularMomentum) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::random_blocks_test

@@ -3,7 +3,7 @@
 #include "trial.hpp"
 
 /// Settings that may not change results, and those that have to be refused.
-namespace pinball {
+namespace pinball::settings_trial_test {
 namespace {
 
 using namespace test;
@@ -56,4 +56,4 @@ TEST_P(SettingsTrial, NumbersWithoutMeaningAreRefused) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::settings_trial_test

@@ -4,7 +4,7 @@
 #include "trial.hpp"
 
 /// Elements of very different sizes.
-namespace pinball {
+namespace pinball::size_trial_test {
 namespace {
 
 using namespace test;
@@ -82,4 +82,4 @@ TEST_P(SizeTrial, WhatIsFastIsFoundInTime) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::size_trial_test

@@ -7,7 +7,7 @@
 #include "turned_body.hpp"
 
 /// Blocks that slide over flat floors of other meshes.
-namespace pinball {
+namespace pinball::sliding_trial_test {
 namespace {
 
 using namespace test;
@@ -212,4 +212,4 @@ TEST_P(SlidingTrial, ABlockSlidesOffAnEdge) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::sliding_trial_test

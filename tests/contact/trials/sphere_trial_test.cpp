@@ -10,7 +10,7 @@
 
 /// A rigid sphere of a host above a held plate of hexahedra: it has to touch the faces, edges and nodes of the plate
 /// where it does, at a distance of its radius.
-namespace pinball {
+namespace pinball::sphere_trial_test {
 namespace {
 
 using namespace test;
@@ -139,4 +139,4 @@ TEST_P(SphereTrial, ASphereTouchesAtItsRadius) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::sphere_trial_test

@@ -2,7 +2,7 @@
 #include "turned_body.hpp"
 
 /// Nodes that are pressed between a body and a rigid wall.
-namespace pinball {
+namespace pinball::wall_trial_test {
 namespace {
 
 using namespace test;
@@ -54,4 +54,4 @@ TEST_P(WallTrial, NodesBetweenABodyAndAWallThatMovesKeepTheBalance) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::wall_trial_test

@@ -13,7 +13,7 @@
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
-namespace pinball::test {
+namespace pinball::test::abaqus_deck_test {
 namespace {
 
 using testing::AllOf;
@@ -197,4 +197,4 @@ TEST(AbaqusDeck, IncludesKeywordsAndDataLines) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_deck_test

@@ -7,7 +7,7 @@
 #include <tests/support/solver_case.hpp>
 
 /// The decks in data/decks/abaqus, one per group of keywords, against what is known of each.
-namespace pinball::test {
+namespace pinball::test::abaqus_decks_test {
 namespace {
 
 class AbaqusDecks : public testing::Test {
@@ -161,4 +161,4 @@ TEST_F(AbaqusDecks, RigidBodiesMoveAsTheirReferenceNodes) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_decks_test

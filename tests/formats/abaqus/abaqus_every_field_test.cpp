@@ -16,7 +16,7 @@
 
 /// Each blank field of each data line of the Abaqus input that comes along is filled in: that has to change the scene,
 /// to be refused, or to be told. So no field is lost without a word.
-namespace pinball::test {
+namespace pinball::test::abaqus_every_field_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST_F(EveryFieldOfAbaqus, OfEachDataLineOfAbaqusInputCountsOrIsTold) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_every_field_test

@@ -4,7 +4,7 @@
 
 #include "abaqus_case.hpp"
 
-namespace pinball::test {
+namespace pinball::test::abaqus_exclusions_test {
 namespace {
 
 using testing::AllOf;
@@ -109,4 +109,4 @@ TEST_F(AbaqusExclusions, AreOfGeneralContactAndNotOfPairs) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_exclusions_test

@@ -10,7 +10,7 @@
 #include <solver/formats/abaqus/cards/abaqus_scene.hpp>
 #include <solver/scene.hpp>
 
-namespace pinball::test {
+namespace pinball::test::abaqus_fuzz_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,4 +81,4 @@ TEST(AbaqusFuzz, DamagedDecksAreReadOrRejected) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_fuzz_test

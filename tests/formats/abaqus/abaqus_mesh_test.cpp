@@ -7,7 +7,7 @@
 #include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
 #include <solver/mesh/quality.hpp>
 
-namespace pinball::test {
+namespace pinball::test::abaqus_mesh_test {
 namespace {
 
 using testing::ElementsAre;
@@ -212,4 +212,4 @@ TEST(AbaqusMesh, ALabelOfManyPointsIsOfNoInstance) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_mesh_test

@@ -2,7 +2,7 @@
 
 #include "abaqus_case.hpp"
 
-namespace pinball::test {
+namespace pinball::test::abaqus_output_test {
 namespace {
 
 using testing::AllOf;
@@ -63,4 +63,4 @@ TEST_F(AbaqusOutput, OfWhatIsNotThereIsToldWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_output_test

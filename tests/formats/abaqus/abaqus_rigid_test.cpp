@@ -3,7 +3,7 @@
 #include "abaqus_case.hpp"
 
 /// Rigid bodies of Abaqus input: what their reference nodes may have, and what is refused.
-namespace pinball::test {
+namespace pinball::test::abaqus_rigid_test {
 namespace {
 
 using testing::ElementsAre;
@@ -108,4 +108,4 @@ TEST_F(AbaqusRigid, RefusesByNameWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_rigid_test

@@ -1,7 +1,7 @@
 #include <solver/formats/abaqus/cards/abaqus_rules.hpp>
 #include <tests/formats/lsdyna/rules_page.hpp>
 
-namespace pinball::test {
+namespace pinball::test::abaqus_rules_test {
 namespace {
 
 TEST(AbaqusRules, AreThoseOfTheDocumentation) { expect_rows(halves_of_page().second, abaqus_rules()); }
@@ -13,4 +13,4 @@ TEST(AbaqusRules, AreFoundWithoutBlanks) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_rules_test

@@ -6,7 +6,7 @@
 
 #include "abaqus_case.hpp"
 
-namespace pinball::test {
+namespace pinball::test::abaqus_same_bits_test {
 namespace {
 
 /// A short plastic bar of 2 x 2 x 4 elements hits another one, as a scene, as an LS-DYNA deck and as Abaqus input.
@@ -145,4 +145,4 @@ TEST_F(SameBits, WithoutPartsAndWithOtherNumbers) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_same_bits_test

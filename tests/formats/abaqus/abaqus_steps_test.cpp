@@ -2,7 +2,7 @@
 
 #include "abaqus_case.hpp"
 
-namespace pinball::test {
+namespace pinball::test::abaqus_steps_test {
 namespace {
 
 using testing::DoubleEq;
@@ -116,4 +116,4 @@ TEST_F(AbaqusSteps, MayNotChangeWhatHasNoBeginning) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::abaqus_steps_test

@@ -7,7 +7,7 @@
 
 #include "abaqus_case.hpp"
 
-namespace pinball::test {
+namespace pinball::test::translated_abaqus_test {
 namespace {
 
 using testing::DoubleEq;
@@ -396,4 +396,4 @@ TEST_F(Abaqus, WhatIsMissingIsNamedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::translated_abaqus_test

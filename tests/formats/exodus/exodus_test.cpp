@@ -13,7 +13,7 @@
 #include <tests/support/scene_text.hpp>
 
 /// tests/data/exodus/two_blocks.cdl says what there is in the two files made of it.
-namespace pinball::test {
+namespace pinball::test::exodus_test {
 namespace {
 
 using testing::ElementsAre;
@@ -136,4 +136,4 @@ TEST(ExodusClassic, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::exodus_test

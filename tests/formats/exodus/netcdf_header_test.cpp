@@ -8,7 +8,7 @@
 #include <tests/support/folder_case.hpp>
 
 /// Headers of netCDF files in all three classic forms, written here number by number.
-namespace pinball::test {
+namespace pinball::test::netcdf_header_test {
 namespace {
 
 using testing::HasSubstr;
@@ -134,4 +134,4 @@ TEST_P(NetcdfHeader, NoByteOfAHeaderMayBeMissing) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::netcdf_header_test

@@ -6,7 +6,7 @@
 #include <tests/mesh/damaged_files.hpp>
 
 /// Binary files of Gmsh: those of tests/data/wedge.geo, beside the same as text.
-namespace pinball::test {
+namespace pinball::test::gmsh_binary_test {
 namespace {
 
 using testing::HasSubstr;
@@ -71,4 +71,4 @@ TEST(GmshBinary22, CountsBeyondTheFileAreRefused) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::gmsh_binary_test

@@ -18,7 +18,7 @@
 
 /// tests/data/two_volumes_*.msh: "left part", two hexahedra in x = 0 ... 2, and "right", two prisms in x = 2 ... 3;
 /// with a point and a surface, numbers with gaps and, in format 4.1, nodes with parametric coordinates.
-namespace pinball {
+namespace pinball::gmsh_test {
 namespace {
 
 using namespace test;
@@ -251,4 +251,4 @@ TEST_F(GmshScene, AFlatOrInvertedElementIsRejected) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::gmsh_test

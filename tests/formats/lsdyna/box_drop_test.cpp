@@ -8,7 +8,7 @@
 
 /// The cube of a public deck, box_drop.k, on a layer of solids in the place of the plate of shells, which decks here
 /// have not. The public decks lie beside the project; where they do not, this is skipped.
-namespace pinball::test {
+namespace pinball::test::box_drop_test {
 namespace {
 
 class BoxDrop : public DeckTest {
@@ -81,4 +81,4 @@ TEST_F(BoxDrop, FirstForceOfTheContactIsThatOfTheFreeFall) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::box_drop_test

@@ -8,7 +8,7 @@
 #include <solver/formats/lsdyna/layouts/keyword_cards.hpp>
 
 /// docs/cards.md shows the table of cards. PINBALL_FIX_PAGES=1 in the environment writes it anew.
-namespace pinball::test {
+namespace pinball::test::cards_page_test {
 namespace {
 
 /// "`SFA` = 1 (20 columns)"
@@ -78,4 +78,4 @@ TEST(KeywordCards, AreThoseOfThePage) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::cards_page_test

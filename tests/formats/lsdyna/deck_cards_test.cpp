@@ -3,7 +3,7 @@
 #include "deck_case.hpp"
 
 /// What cards say beyond their fields: how often they stand, in which order, and with which lines.
-namespace pinball::test {
+namespace pinball::test::deck_cards_test {
 namespace {
 
 using testing::Contains;
@@ -103,4 +103,4 @@ TEST_F(DeckCards, TheWidthOfColumnsMayStandBehindABlank) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_cards_test

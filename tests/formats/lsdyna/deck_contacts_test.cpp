@@ -5,7 +5,7 @@
 #include "deck_case.hpp"
 
 /// *CONTACT_... of decks: pairs of bodies and sets, ties, and what is refused.
-namespace pinball::test {
+namespace pinball::test::deck_contacts_test {
 namespace {
 
 using testing::ElementsAre;
@@ -86,4 +86,4 @@ TEST_F(DeckContacts, ThatWouldBeOthersAreRefused) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_contacts_test

@@ -6,7 +6,7 @@
 #include "deck_case.hpp"
 
 /// What keywords of a deck refer to by number: every field of a card, and of each list its first and last member.
-namespace pinball::test {
+namespace pinball::test::deck_data_test {
 namespace {
 
 using testing::ElementsAre;
@@ -108,4 +108,4 @@ TEST(DeckData, SectionsHourglassControlsAndPartsHaveTheirNumbers) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_data_test

@@ -7,7 +7,7 @@
 #include "deck_case.hpp"
 
 /// Hourglass control, bulk viscosity and mass scaling of decks.
-namespace pinball::test {
+namespace pinball::test::deck_elements_test {
 namespace {
 
 using testing::AllOf;
@@ -124,4 +124,4 @@ TEST_F(DeckElements, OfOtherMassScalingAreRefused) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_elements_test

@@ -10,7 +10,7 @@
 #include "deck_trial.hpp"
 #include "own_deck.hpp"
 
-namespace pinball::test {
+namespace pinball::test::deck_fuzz_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ TEST(DeckFuzz, ADamagedDeckIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_fuzz_test

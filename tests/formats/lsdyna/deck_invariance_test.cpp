@@ -10,7 +10,7 @@
 #include "deck_case.hpp"
 #include "own_deck.hpp"
 
-namespace pinball::test {
+namespace pinball::test::deck_invariance_test {
 namespace {
 
 struct DeckNode {
@@ -217,4 +217,4 @@ TEST_F(DeckInvariance, UnitsOfAnIncludedFileChangeRoundOffAlone) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_invariance_test

@@ -5,7 +5,7 @@
 #include "deck_case.hpp"
 
 /// Materials of decks: what of their cards is used, told or refused.
-namespace pinball::test {
+namespace pinball::test::deck_materials_test {
 namespace {
 
 using testing::AllOf;
@@ -220,4 +220,4 @@ TEST_F(DeckMaterials, ErodesElementsOfSmallStepsWhereTheDeckSaysSo) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_materials_test

@@ -5,7 +5,7 @@
 #include <tests/formats/lsdyna/own_deck.hpp>
 
 /// What *DATABASE keywords ask for: bodies, forces, nodes and solids, sets of them.
-namespace pinball::test {
+namespace pinball::test::deck_output_test {
 namespace {
 
 using testing::ElementsAre;
@@ -121,4 +121,4 @@ TEST_F(ProbesByNumber, ErrorsSayWhere) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_output_test

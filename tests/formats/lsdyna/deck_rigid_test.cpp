@@ -7,7 +7,7 @@
 #include "deck_case.hpp"
 
 /// Rigid parts of decks: what they become, and what is refused of them.
-namespace pinball::test {
+namespace pinball::test::deck_rigid_test {
 namespace {
 
 using testing::AllOf;
@@ -266,4 +266,4 @@ TEST_F(DeckRigid, IsTheSceneThatSaysTheSame) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::deck_rigid_test

@@ -10,7 +10,7 @@
 #include "deck_case.hpp"
 #include "own_deck.hpp"
 
-namespace pinball {
+namespace pinball::deck_scene_test {
 namespace {
 
 using test::cube, test::elastic, test::ends, test::error_of;
@@ -63,4 +63,4 @@ TEST_F(DeckAsScene, TheFirstModelReadsNoFile) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::deck_scene_test

@@ -20,7 +20,7 @@
 /// Each field of each card that is read is set to something else than its default, in a small deck of its own
 /// (card_decks.hpp): that has to change the scene or the mesh, to be told by the name of the field, or to be an error.
 /// What the table of cards calls told or refused has to be so, by its name. So no field is lost without a word.
-namespace pinball::test {
+namespace pinball::test::every_field_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -245,4 +245,4 @@ TEST(KeywordCards, AreThoseOfEachKeywordThatIsDone) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::every_field_test

@@ -5,7 +5,7 @@
 #include "deck_case.hpp"
 
 /// What has a number or a name of its own is given once; the message names both places.
-namespace pinball::test {
+namespace pinball::test::given_once_test {
 namespace {
 
 using testing::AllOf;
@@ -130,4 +130,4 @@ TEST_F(AbaqusGivenOnce, PartsInstancesAndSections) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::given_once_test

@@ -14,7 +14,7 @@
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
-namespace pinball::test {
+namespace pinball::test::keyword_deck_test {
 namespace {
 
 using testing::ElementsAre;
@@ -332,4 +332,4 @@ TEST_F(IncludingDeck, AFileThatIsMissingOrIncludesItselfIsAnErrorWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::keyword_deck_test

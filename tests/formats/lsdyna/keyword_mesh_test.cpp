@@ -10,7 +10,7 @@
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
-namespace pinball::test {
+namespace pinball::test::keyword_mesh_test {
 namespace {
 
 using testing::ElementsAre;
@@ -186,4 +186,4 @@ TEST_F(IncludedMesh, AMirroredFileHasItsElementsTurned) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::keyword_mesh_test

@@ -4,7 +4,7 @@
 
 #include "rules_page.hpp"
 
-namespace pinball::test {
+namespace pinball::test::keyword_rules_test {
 namespace {
 
 TEST(KeywordRules, AreThoseOfTheDocumentation) { expect_rows(halves_of_page().first, keyword_rules()); }
@@ -33,4 +33,4 @@ TEST(KeywordRules, ThoseOfOtherUnitsAreInTheDocumentation) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::keyword_rules_test

@@ -7,7 +7,7 @@
 #include <tests/support/error_of.hpp>
 
 /// Cards of *DEFINE_TRANSFORMATION, by what they leave where it is and where they take other points: every field.
-namespace pinball::test {
+namespace pinball::test::keyword_transformation_test {
 namespace {
 
 using testing::HasSubstr;
@@ -73,4 +73,4 @@ TEST(KeywordTransformation, CardsActInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::keyword_transformation_test

@@ -7,7 +7,7 @@
 
 #include "own_deck.hpp"
 
-namespace pinball::test {
+namespace pinball::test::own_decks_test {
 namespace {
 
 using testing::HasSubstr;
@@ -251,4 +251,4 @@ TEST(OwnDecks, TheRodGoesThroughThePlateAsInItsScene) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::own_decks_test

@@ -7,7 +7,7 @@
 
 #include "deck_case.hpp"
 
-namespace pinball::test {
+namespace pinball::test::translated_deck_test {
 namespace {
 
 using testing::AllOf;
@@ -352,4 +352,4 @@ TEST_F(Deck, IsTheSameInAnotherOrder) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::translated_deck_test

@@ -9,7 +9,7 @@
 
 /// tests/data/vtk: two cubes, parts 3 of the array "material", joined at x = 1, and a wedge on the second, part 4; a
 /// quadrangle at x = 0, 8. The array "chosen" has the first cube and the wedge, "held" points of 1 and 2.
-namespace pinball::test {
+namespace pinball::test::vtk_test {
 namespace {
 
 using testing::ElementsAre;
@@ -151,4 +151,4 @@ TEST(VtkXml, WhatIsNoFileOfVtkIsSaid) {
 }
 
 }  // namespace
-}  // namespace pinball::test
+}  // namespace pinball::test::vtk_test

@@ -1,7 +1,7 @@
 #include <kernels/material/bending_yield.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::bending_yield_test {
 namespace {
 
 using namespace test;
@@ -70,4 +70,4 @@ TEST(YieldInBending, IsAskedForWhereverAPointYields) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::bending_yield_test

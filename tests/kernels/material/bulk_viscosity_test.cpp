@@ -1,7 +1,7 @@
 #include <kernels/material/bulk_viscosity.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::bulk_viscosity_test {
 namespace {
 
 using namespace test;
@@ -45,4 +45,4 @@ TYPED_TEST(BulkViscosityPack, EqualsTheScalarKernelLaneByLane) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::bulk_viscosity_test

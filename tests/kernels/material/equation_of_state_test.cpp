@@ -7,7 +7,7 @@
 #include <kernels/material/equation_of_state.hpp>
 
 /// Against jump conditions, differences and an independent integration of isentropes.
-namespace pinball {
+namespace pinball::equation_of_state_test {
 namespace {
 
 /// Copper in g, mm, ms: density 8.93e-3, stresses in MPa (Steinberg 1996).
@@ -127,4 +127,4 @@ TEST(EquationsOfState, TakeUpWorkAndLetTensionGo) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::equation_of_state_test

@@ -2,7 +2,7 @@
 #include <tests/kernels/material/hardening_case.hpp>
 
 /// Back stress, curves and rates at one point of a material, against closed forms and independent integrations.
-namespace pinball {
+namespace pinball::general_yield_test {
 namespace {
 
 using namespace test;
@@ -169,4 +169,4 @@ TEST(YieldCurve, CrossesAPointWithinAStepAsInMany) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::general_yield_test

@@ -5,7 +5,7 @@
 #include <kernels/material/johnson_cook.hpp>
 
 /// The equation for the increment, and damage, against the formulas of the papers.
-namespace pinball {
+namespace pinball::johnson_cook_test {
 namespace {
 
 /// 4340 steel (Johnson and Cook 1985) in MPa, s, K; heating over density is left to the element.
@@ -82,4 +82,4 @@ TEST(JohnsonCook, IsDamagedByStrainOverThatAtFailure) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::johnson_cook_test

@@ -7,7 +7,7 @@
 #include <kernels/material/power.hpp>
 
 /// Against the library's functions in long double.
-namespace pinball {
+namespace pinball::power_test {
 namespace {
 
 template <class S>
@@ -106,4 +106,4 @@ TEST(Power, OfPacksIsThatOfTheirLanes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::power_test

@@ -1,7 +1,7 @@
 #include <kernels/material/principal_values.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::principal_values_test {
 namespace {
 
 using namespace test;
@@ -58,4 +58,4 @@ TEST(PrincipalValues, OfPacksAreThoseOfTheirLanes) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::principal_values_test

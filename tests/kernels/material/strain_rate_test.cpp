@@ -1,7 +1,7 @@
 #include <tests/kernels/material/hardening_case.hpp>
 
 /// Yield stresses that depend on the rate of strain.
-namespace pinball {
+namespace pinball::strain_rate_test {
 namespace {
 
 using namespace test;
@@ -167,4 +167,4 @@ TEST(StrainRate, PacksGiveWhatTheirLanesGive) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::strain_rate_test

@@ -1,7 +1,7 @@
 #include <kernels/material/von_mises.hpp>
 #include <tests/support/support.hpp>
 
-namespace pinball {
+namespace pinball::von_mises_test {
 namespace {
 
 using namespace test;
@@ -218,4 +218,4 @@ TYPED_TEST(MaterialPack, EqualsTheScalarKernelLaneByLane) {
 }
 
 }  // namespace
-}  // namespace pinball
+}  // namespace pinball::von_mises_test

@@ -1,0 +1,35 @@
+"""test_names.py: what test files that are one program have to have of their own."""
+
+import pathlib
+import sys
+import unittest
+
+import planted
+import test_names
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+
+
+class Tests(unittest.TestCase):
+    def test_have_names_of_their_own(self):
+        self.assertEqual(test_names.problems(ROOT), [])
+
+
+class Planted(unittest.TestCase):
+    def found(self, files):
+        with planted.tree(files) as folder:
+            return test_names.problems(folder)
+
+    def test_namespace_of_all(self):
+        found = self.found({"tests/mesh/a_test.cpp": "namespace pinball {\n", "tests/mesh/b_test.cpp": "namespace pinball::test::b_test {\n"})
+        self.assertEqual(found, ["tests/mesh/a_test.cpp: namespace pinball::a_test expected, not pinball"])
+
+    def test_test_of_the_same_name(self):
+        found = self.found({"tests/mesh/a_test.cpp": "TEST(Mesh, IsRead) {\n}\nTEST_F(Mesh, HasNodes) {\n",
+                            "tests/mesh/b_test.cpp": "TEST(Mesh,\n     IsRead) {\n}\nTEST_P(Mesh, HasElements) {\n",
+                            "tests/scene/c_test.cpp": "TEST(Mesh, IsRead) {\n"})
+        self.assertEqual(found, ["tests/mesh/b_test.cpp: Mesh.IsRead is in tests/mesh/a_test.cpp, too"])
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
