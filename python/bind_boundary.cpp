@@ -22,8 +22,10 @@ void bind_boundary(py::module_& module) {
   bind_table<InitialVelocity>(module, "InitialVelocity", "[[initial_velocity]]");
   bind_table<Probe>(module, "Probe", "[[probe]]: a node or an element, by a point at the start or by its number");
   bind_table<RigidBody>(module, "RigidBody", "[[rigid_body]]");
+  bind_table<AttachedNodes>(module, "AttachedNodes", "[[rigid_nodes]]");
   bind_table<RigidMotion>(module, "RigidMotion", "[[rigid_motion]]");
   bind_list<RigidBody>(module, "RigidBodies");
+  bind_list<AttachedNodes>(module, "AttachedNodesList");
   bind_list<RigidMotion>(module, "RigidMotions");
   bind_list<PlaneConstraint>(module, "SymmetryPlanes");
   bind_list<FixedConstraint>(module, "FixedConstraints");

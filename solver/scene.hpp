@@ -145,6 +145,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid_bodies;
+  std::vector<AttachedNodes> attached_nodes;  ///< [[rigid_nodes]]
   std::vector<RigidMotion> rigid_motions;
   DampingSettings damping;
   std::vector<PlaneConstraint> constraints;        ///< [[constraint]] type = "symmetry"

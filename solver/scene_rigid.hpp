@@ -30,6 +30,12 @@ struct RigidBody {
   std::string where{};                      ///< for messages
 };
 
+/// [[rigid_nodes]]: nodes of bodies that deform which move with a rigid body, as those that share nodes with it do.
+struct AttachedNodes {
+  std::string rigid_body{};  ///< rigid_body: with which
+  NodeSelection nodes{};
+};
+
 /// [[rigid_motion]]: a rigid body moves along a direction, or turns about one, as given, whatever acts on it. In all
 /// other directions it is free.
 struct RigidMotion {

@@ -195,6 +195,11 @@ void check_rigid_bodies(Scene& scene, const BodyNames& names) {
     names.check_bodies(table, rigid.bodies);
     table.require_none(problem_of(rigid, scene));
   });
+  for_each(scene.attached_nodes, "rigid_nodes", [&](const Table& table, AttachedNodes& attached, const auto& where) {
+    names.check(table, attached.nodes, where);
+    table.keys(attached);
+    table.require_none(rigid_bodies.reference_problem("rigid_body", "rigid_body", attached.rigid_body));
+  });
   for_each(scene.rigid_motions, "rigid_motion", [&](const Table& table, RigidMotion& motion, const auto& where) {
     if (motion.where.empty()) motion.where = where;
     table.keys(motion);

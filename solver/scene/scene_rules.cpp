@@ -60,6 +60,7 @@ void complete_scene(Scene& scene) {
     for (Point& direction : rigid.held_rotations) make_unit(direction);
     if (rigid.name.empty() && !rigid.bodies.empty()) rigid.name = rigid.bodies.front();
   }
+  for (AttachedNodes& attached : scene.attached_nodes) make_unit(attached.nodes);
   for (RigidMotion& motion : scene.rigid_motions) {
     if (motion.direction) make_unit(*motion.direction);
     if (motion.axis) make_unit(*motion.axis);

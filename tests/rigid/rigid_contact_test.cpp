@@ -34,6 +34,60 @@ TEST(RigidContact, OfTwoRigidBodiesIsPlastic) {
   EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-12);
 }
 
+AttachedNodes foot_on(const char* body, double height) {
+  AttachedNodes foot;
+  foot.rigid_body = "hard";
+  foot.nodes.body = body;
+  foot.nodes.plane = Plane{{0, 0, height}, {0, 0, 1}};
+  return foot;
+}
+
+/// The foot of a block that swings is attached to a rigid one, whose face it touches, is in or is above.
+TEST(RigidContact, IsNoneWhereNodesAreAttached) {
+  for (const double height : {0.3, 0.299, 0.25, 0.31}) {
+    for (const Enforcement enforcement : {Enforcement::lagrange, Enforcement::penalty}) {
+      Scene scene = by_impulses({block("hard", {3, 3, 3}, 0.1, {0, 0, 0}, {1, 2, 3}),
+                                 block("soft", {2, 2, 2}, 0.1, {0.05, 0.05, height}, {4, 2, 9})},
+                                1e-3);
+      scene.contact.enforcement = enforcement;
+      if (enforcement == Enforcement::penalty) scene.contact.gap = ContactGap::pinball;
+      scene.contact.friction = scene.contact.static_friction = 0.3;
+      scene.rigid_bodies = {rigid("hard")};
+      scene.attached_nodes = {foot_on("soft", height)};
+      Scene among_itself = scene;  // with the same steps, which contact has a say in
+      among_itself.contact_pairs.emplace_back().first.bodies = {"soft"};
+      Solver<double> solver(scene), free(among_itself);
+      run(solver);
+      run(free);
+      const RigidBodyResult found = solver.rigid().results()[0], expected = free.rigid().results()[0];
+      for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(found.velocity[k], expected.velocity[k], 1e-9) << height;
+        EXPECT_NEAR(found.angular_velocity[k], expected.angular_velocity[k], 1e-9) << height;
+      }
+      EXPECT_NEAR(solver.energies().internal, free.energies().internal, 1e-9 * free.energies().internal);
+      EXPECT_EQ(solver.energies().contact_damped, 0);
+    }
+  }
+}
+
+/// Two blocks side by side on one rigid body: their feet are of one body, above they press each other.
+TEST(RigidContact, ActsBetweenBodiesThatAreAttachedToOne) {
+  Scene scene =
+      by_impulses({block("hard", {4, 2, 1}, 0.1, {0, 0, 0}), block("left", {2, 2, 3}, 0.1, {0, 0, 0.1}, {1, 0, 0}),
+                   block("right", {2, 2, 3}, 0.1, {0.2, 0, 0.1}, {-1, 0, 0})},
+                  2e-3);
+  scene.rigid_bodies = {rigid("hard")};
+  scene.attached_nodes = {foot_on("left", 0.1), foot_on("right", 0.1)};
+  Solver<double> solver(scene);
+  run(solver);
+  RunSummary summary;
+  fill_summary(solver, summary);
+  EXPECT_GT(summary.pairs_max, 0);
+  EXPECT_EQ(summary.iterations.unsolved, 0);
+  EXPECT_LT(summary.max_penetration_ratio, 1e-2);
+  EXPECT_NEAR(momentum(solver)[0], 0, 1e-9);
+}
+
 TEST(RigidContact, WithSpringsIsElastic) {
   Scene scene = scene_of(
       {block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {0, 0, 3}), block("b", {2, 2, 2}, 0.1, {0, 0, 0.25}, {0, 0, -1})}, 0.05);

@@ -1,8 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 
+#include <solver/scene_rules.hpp>
 #include <tests/support/cube_text.hpp>
 #include <tests/support/folder_case.hpp>
 
@@ -73,6 +75,57 @@ TEST_F(RigidShared, ABarSlowsABlockDownAsThePressureOfTheWaveHasIt) {
     const std::size_t below = 4 * of_bar + n % 4;
     EXPECT_NEAR(now.position[n][2] - now.position[below][2], h * static_cast<double>(n / 4 - of_bar), 1e-14) << n;
   }
+}
+
+/// A bar whose last nodes are attached to a block is one that shares nodes of the same places with it.
+TEST_F(RigidShared, ABarIsAttachedToABlockByNodes) {
+  Scene shared = bar_and_block(2e-5);
+  shared.bodies[1].velocity = {0, 0, -1};
+  Scene attached = scene_of(
+      {block("bar", {1, 1, of_bar}, h, {0, 0, 0}), block("block", {1, 1, of_block}, h, {0, 0, of_bar * h}, {0, 0, -1})},
+      2e-5, false);
+  attached.materials = shared.materials;
+  attached.element = shared.element;
+  attached.rigid_bodies = shared.rigid_bodies;
+  AttachedNodes nodes;
+  nodes.rigid_body = "block";
+  nodes.nodes.body = "bar";
+  nodes.nodes.plane = Plane{{0, 0, of_bar * h}, {0, 0, 1}};
+  attached.attached_nodes = {nodes};
+  Solver<double> one(shared), other(attached);
+  EXPECT_EQ(other.model().rigid.at(0).nodes.size(), one.model().rigid.at(0).nodes.size() + 4);
+  run(one);
+  run(other);
+  const RigidBodyResult expected = one.rigid().results()[0], found = other.rigid().results()[0];
+  EXPECT_LT(expected.velocity[2], -0.2);
+  EXPECT_GT(expected.velocity[2], -0.8);
+  EXPECT_NEAR(found.velocity[2], expected.velocity[2], 1e-12);
+  EXPECT_NEAR(found.mass, expected.mass, 1e-12 * expected.mass);
+  EXPECT_NEAR(momentum(other)[2], momentum(one)[2], 1e-12);
+}
+
+TEST_F(RigidShared, NodesAreAttachedToOneRigidBody) {
+  const auto refused = [](const Scene& scene) {
+    return error_of([&] { const Solver<double> solver(checked_scene(scene)); });
+  };
+  Scene scene = scene_of({block("bar", {1, 1, 2}, h, {0, 0, 0}), block("a", {1, 1, 1}, h, {0, 0, 2 * h}),
+                          block("b", {1, 1, 1}, h, {0, 0, -h})},
+                         1e-5, false);
+  scene.rigid_bodies = {rigid("a"), rigid("b")};
+  AttachedNodes nodes;
+  nodes.rigid_body = "a";
+  nodes.nodes.body = "bar";
+  scene.attached_nodes = {nodes, nodes};
+  EXPECT_EQ(Solver<double>(scene).model().rigid.at(0).nodes.size(), 8U + 12U);
+  scene.attached_nodes[1].rigid_body = "b";
+  EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.1: expected rigid bodies without common nodes"));
+  scene.attached_nodes[1].rigid_body = "c";
+  EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.1.rigid_body: "));
+  scene.attached_nodes = {{"a", {}}};
+  EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.0.body: missing"));
+  scene.attached_nodes[0].nodes.body = "bar";
+  scene.attached_nodes[0].nodes.plane = Plane{{0, 0, 7}, {0, 0, 1}};
+  EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.0"));
 }
 
 /// The reaction of what moves the block is the force at the end of the bar.

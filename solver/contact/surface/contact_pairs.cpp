@@ -15,13 +15,24 @@ constexpr std::int32_t most_groups = 4096;
 
 ContactPairs::ContactPairs(SurfaceSides sides) : sides_(std::move(sides)), active_(sides_.rules.size(), 0) {
   find_edge_groups();
-  for (std::int32_t t = 0; t < sides_.ties; ++t) {
+  for (std::int32_t t = 0; t < sides_.ties + sides_.rigid; ++t) {
     const std::int32_t side = 2 * sides_.rules.size() + t;
     for (std::size_t g = 0; g < groups_; ++g) {
       second_of_tie_.push_back(sides_.patterns.has(g, side) ? 1 : 0);
     }
   }
+  set_tied({});
   fill_tables();
+}
+
+void ContactPairs::set_tied(std::vector<std::int16_t> tie_of_node) {
+  tie_of_node_ = std::move(tie_of_node);
+  const std::vector<std::int16_t>& attached_to = sides_.attached_to;
+  if (attached_to.empty()) return;
+  if (tie_of_node_.empty()) tie_of_node_.assign(attached_to.size(), -1);
+  for (std::size_t n = 0; n < attached_to.size(); ++n) {
+    if (attached_to[n] >= 0) tie_of_node_[n] = static_cast<std::int16_t>(sides_.ties + attached_to[n]);
+  }
 }
 
 /// An edge belongs to the sides that both its nodes belong to by faces around them.
@@ -109,7 +120,7 @@ std::size_t ContactPairs::bytes() const {
   return sides_.element.capacity() * sizeof(sides_.element[0]) + sides_.face.capacity() * sizeof(sides_.face[0]) +
          sides_.node.capacity() * sizeof(sides_.node[0]) + edge_.capacity() * sizeof(edge_[0]) +
          touching_.capacity() * sizeof(touching_[0]) + second_of_tie_.capacity() +
-         tie_of_node_.capacity() * sizeof(tie_of_node_[0]);
+         (tie_of_node_.capacity() + sides_.attached_to.capacity()) * sizeof(tie_of_node_[0]);
 }
 
 }  // namespace pinball

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -27,18 +28,20 @@ struct PairOf {
   bool may = true;         ///< may touch at all
 };
 
-/// What belongs to which sides. Side 2 p is the first of pair p, 2 p + 1 the second, 2 P + t the second of tie t; to
-/// these belong faces, with their elements and nodes. Sides of nodes alone have these numbers and 2 P + T more. Groups
-/// are those of the patterns.
+/// What belongs to which sides. Side 2 p is the first of pair p, 2 p + 1 the second, 2 P + t the second of tie t, and
+/// 2 P + T + r rigid body r to which nodes are attached; to these belong faces, with their elements and nodes. Sides of
+/// nodes alone have these numbers and 2 P + T + R more. Groups are those of the patterns.
 struct SurfaceSides {
   std::vector<PairRule> rules;  ///< of P pairs; none: all may touch all
   std::int32_t ties = 0;        ///< T
+  std::int32_t rigid = 0;       ///< R
   SidePatterns patterns;
   std::vector<std::int32_t> element;              ///< group per slot
   std::vector<std::array<std::int32_t, 6>> face;  ///< group per slot and face; empty: that of the element
   std::vector<std::int32_t> node;                 ///< group per node of the store
+  std::vector<std::int16_t> attached_to;  ///< number below R per node of the store, or -1; empty: none is attached
 
-  std::int32_t sides() const { return 2 * rules.size() + ties; }
+  std::int32_t sides() const { return 2 * rules.size() + ties + rigid; }
 };
 
 /// Which things may touch which, and by which pair: tables over groups, looked up when lists are made. Where several
@@ -51,7 +54,7 @@ class ContactPairs {
   /// Chooses the pairs that may touch at a time; returns whether others do than before.
   bool set_time(double time);
   /// Which tie holds each node; -1: none. Empty: nothing is tied.
-  void set_tied(std::vector<std::int16_t> tie_of_node) { tie_of_node_ = std::move(tie_of_node); }
+  void set_tied(std::vector<std::int16_t> tie_of_node);
   std::size_t count() const { return sides_.rules.size(); }
   const PairRule& rule(std::int16_t pair) const { return sides_.rules[pair]; }
   bool has_friction() const;
@@ -61,14 +64,15 @@ class ContactPairs {
                        std::span<const std::int32_t, 4> corners) const {
     const std::int32_t own = sides_.node[node], other = face_group(slot, face);
     PairOf pair = touching(own, other);
-    pair.may = pair.may && !(tied_to(node, other) || any_tied_to(corners, own));
+    pair.may = pair.may && !(tied_to(node, other) || any_tied_to(corners, own) || all_attached(node, corners));
     return pair;
   }
   /// Of the edges from node a to b and from c to d.
   PairOf edges(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d) const {
     const std::int32_t own = edge_group(a, b), other = edge_group(c, d);
     PairOf pair = touching(own, other);
-    pair.may = pair.may && !(tied_to(a, other) || tied_to(b, other) || tied_to(c, own) || tied_to(d, own));
+    pair.may = pair.may && !(tied_to(a, other) || tied_to(b, other) || tied_to(c, own) || tied_to(d, own) ||
+                             all_attached(a, std::array{b, c, d}));
     return pair;
   }
   /// Of the balls of two elements.
@@ -103,17 +107,24 @@ class ContactPairs {
     }
     return false;
   }
+  /// Whether all of them are attached to one rigid body, so that nothing moves them against each other.
+  bool all_attached(std::int32_t node, std::span<const std::int32_t> others) const {
+    if (sides_.attached_to.empty() || sides_.attached_to[node] < 0) return false;
+    return std::ranges::all_of(others,
+                               [&](std::int32_t n) { return sides_.attached_to[n] == sides_.attached_to[node]; });
+  }
   void find_edge_groups();
   void fill_tables();
   void fill_pair(std::int16_t pair);
 
   SurfaceSides sides_;
   std::size_t groups_ = 0;
-  std::vector<std::int32_t> edge_;           ///< per two groups of nodes: that of an edge between such
-  std::vector<std::uint8_t> second_of_tie_;  ///< per tie and group: belongs to the second side of the tie
-  std::vector<PairOf> touching_;             ///< per two groups
-  std::vector<std::uint8_t> active_;         ///< per pair: may touch at present
-  std::vector<std::int16_t> tie_of_node_;
+  std::vector<std::int32_t> edge_;  ///< per two groups of nodes: that of an edge between such
+  /// Per tie and group: belongs to the second side of the tie. Behind them the same of rigid bodies.
+  std::vector<std::uint8_t> second_of_tie_;
+  std::vector<PairOf> touching_;           ///< per two groups
+  std::vector<std::uint8_t> active_;       ///< per pair: may touch at present
+  std::vector<std::int16_t> tie_of_node_;  ///< tie t, or T + r: attached to rigid body r
 };
 
 }  // namespace pinball

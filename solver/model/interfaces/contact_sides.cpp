@@ -10,6 +10,7 @@
 #include <solver/base/face_corners.hpp>
 #include <solver/base/text_distance.hpp>
 #include <solver/model/selection/named_nodes.hpp>
+#include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
 
@@ -107,6 +108,8 @@ class SidesOfModel {
           {pair.friction, pair.static_friction, pair.friction_decay, pair.start, pair.end, pair.second.empty()});
     }
     sides_.ties = scene.tied_contacts.size();
+    const std::vector<std::int32_t> rigid = bodies_with_attached_nodes();
+    sides_.rigid = rigid.size();
     std::int32_t side = 0;
     for (const ContactPair& pair : scene.contact_pairs) {
       take(find_members(model_.mesh, pair.first, pair.where + ".first"), side++);
@@ -116,7 +119,9 @@ class SidesOfModel {
     for (const TiedContact& tied : scene.tied_contacts) {
       take(find_members(model_.mesh, tied.second, tied.where + ".second"), side++);
     }
+    for (const std::int32_t body : rigid) take(members_of_rigid(body), side++);
     spread();
+    find_attached(rigid);
     return std::move(sides_);
   }
 
@@ -128,6 +133,42 @@ class SidesOfModel {
       return hash ^ hash >> 29;
     }
   };
+
+  /// Numbers of the rigid bodies that nodes are attached to.
+  std::vector<std::int32_t> bodies_with_attached_nodes() const {
+    std::vector<std::int32_t> bodies;
+    for (const AttachedNodes& attached : model_.scene.attached_nodes) bodies.push_back(rigid_body_of(attached));
+    std::ranges::sort(bodies);
+    bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
+    return bodies;
+  }
+
+  std::int32_t rigid_body_of(const AttachedNodes& attached) const {
+    const std::vector<RigidBody>& all = model_.scene.rigid_bodies;
+    return static_cast<std::int32_t>(std::ranges::find(all, attached.rigid_body, &RigidBody::name) - all.begin());
+  }
+
+  SideMembers members_of_rigid(std::int32_t rigid) const {
+    SideMembers members;
+    for (const std::int32_t of_body : model_.rigid_of_body) members.body.push_back(of_body == rigid ? 1 : 0);
+    return members;
+  }
+
+  /// Nodes that elements of the rigid body have, too, are not attached to it.
+  void find_attached(const std::vector<std::int32_t>& rigid) {
+    if (rigid.empty()) return;
+    sides_.attached_to.assign(sides_.node.size(), -1);
+    for (const AttachedNodes& attached : model_.scene.attached_nodes) {
+      const std::ptrdiff_t number = std::ranges::find(rigid, rigid_body_of(attached)) - rigid.begin();
+      for (const std::int32_t node : select_nodes(model_.mesh, attached.nodes)) {
+        sides_.attached_to[model_.node_of_scene_node[node]] = static_cast<std::int16_t>(number);
+      }
+    }
+    for (std::size_t e = 0; e < model_.mesh.hexahedra.size(); ++e) {
+      if (model_.rigid_of_body[model_.mesh.body[e]] < 0) continue;
+      for (const std::int32_t node : model_.mesh.hexahedra[e]) sides_.attached_to[model_.node_of_scene_node[node]] = -1;
+    }
+  }
 
   void take(const SideMembers& members, std::int32_t side) {
     SidePatterns& patterns = sides_.patterns;
@@ -185,12 +226,14 @@ class SidesOfModel {
 
 template <class S>
 std::unique_ptr<ContactPairs> make_contact_pairs(const Model<S>& model) {
-  if (model.scene.contact_pairs.empty() && model.scene.tied_contacts.empty()) return nullptr;
+  const Scene& scene = model.scene;
+  if (scene.contact_pairs.empty() && scene.tied_contacts.empty() && scene.attached_nodes.empty()) return nullptr;
   try {
     return std::make_unique<ContactPairs>(SidesOfModel<S>(model).build());
   } catch (const std::length_error&) {
     throw InputError(message_head(model.scene) +
-                     "contact.pair: expected fewer ways in which sides of pairs share bodies and sets (4,096)");
+                     "contact.pair: expected fewer ways in which sides of pairs, ties and rigid bodies with attached "
+                     "nodes share bodies and sets (4,096)");
   }
 }
 

@@ -11,8 +11,8 @@
 
 namespace pinball {
 
-/// The contact pairs of a scene and its ties as contact sees them; null where there are none. Throws InputError for a
-/// set that is not there, or that holds nothing of the scene's bodies.
+/// The contact pairs of a scene, its ties and what is attached to rigid bodies, as contact sees them; null where there
+/// are none. Throws InputError for a set that is not there, or that holds nothing of the scene's bodies.
 template <class S>
 std::unique_ptr<ContactPairs> make_contact_pairs(const Model<S>& model);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include <solver/base/error.hpp>
 #include <solver/model/selection/node_selection.hpp>
@@ -12,6 +13,23 @@ namespace pinball {
 
 namespace {
 
+/// Gives nodes to a rigid body. Throws InputError where one is of another. where: of who gives them; null: of the
+/// bodies.
+void take_nodes(const Scene& scene, std::span<const std::int32_t> nodes, std::int32_t rigid, const std::string* where,
+                std::vector<std::int32_t>& of_node) {
+  for (const std::int32_t n : nodes) {
+    std::int32_t& own = of_node[n];
+    if (own >= 0 && own != rigid) {
+      throw InputError(
+          fmt::format("{}: expected rigid bodies without common nodes, {} and {} share some: name the "
+                      "bodies of both in one [[rigid_body]]",
+                      where != nullptr ? *where : scene.rigid_bodies[std::max(own, rigid)].where,
+                      scene.rigid_bodies[own].name, scene.rigid_bodies[rigid].name));
+    }
+    own = rigid;
+  }
+}
+
 /// Number of the rigid body of each node of the scene, or -1. of_body: the same of its bodies.
 std::vector<std::int32_t> rigid_body_of_nodes(const Scene& scene, const ModelMesh& mesh,
                                               const std::vector<std::int32_t>& of_body) {
@@ -19,17 +37,12 @@ std::vector<std::int32_t> rigid_body_of_nodes(const Scene& scene, const ModelMes
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
     const std::int32_t rigid = of_body[mesh.body[e]];
     if (rigid < 0) continue;
-    for (const std::int32_t n : mesh.hexahedra[e]) {
-      std::int32_t& own = of_node[n];
-      if (own >= 0 && own != rigid) {
-        throw InputError(
-            fmt::format("{}: expected rigid bodies without common nodes, {} and {} share some: name the "
-                        "bodies of both in one [[rigid_body]]",
-                        scene.rigid_bodies[std::max(own, rigid)].where, scene.rigid_bodies[own].name,
-                        scene.rigid_bodies[rigid].name));
-      }
-      own = rigid;
-    }
+    take_nodes(scene, mesh.hexahedra[e], rigid, nullptr, of_node);
+  }
+  for (const AttachedNodes& attached : scene.attached_nodes) {
+    const auto rigid = std::ranges::find(scene.rigid_bodies, attached.rigid_body, &RigidBody::name);
+    take_nodes(scene, select_nodes(mesh, attached.nodes), static_cast<std::int32_t>(rigid - scene.rigid_bodies.begin()),
+               &attached.nodes.where, of_node);
   }
   return of_node;
 }

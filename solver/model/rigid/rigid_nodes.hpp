@@ -11,8 +11,9 @@ namespace pinball {
 std::vector<std::int32_t> rigid_body_of_bodies(const Scene& scene);
 
 /// The rigid bodies of a scene, with nodes in the numbers of the scene, ascending. Nodes that other bodies share with a
-/// rigid one move with it. A symmetry plane with nodes of a rigid body holds it. Throws InputError where two of them
-/// share a node, and for constraints, prescribed velocities, rigid walls and ties that act on their nodes.
+/// rigid one move with it, and those attached to it. A symmetry plane with nodes of a rigid body holds it. Throws
+/// InputError where two of them share a node, and for constraints, prescribed velocities, rigid walls and ties that act
+/// on their nodes.
 std::vector<RigidNodes> find_rigid_nodes(const Scene& scene, const ModelMesh& mesh,
                                          const std::vector<TiedNode>& tied_nodes);
 

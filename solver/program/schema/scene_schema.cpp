@@ -115,6 +115,7 @@ SchemaJson definitions() {
   define<Body>(all);
   all["mesh"] = mesh_definitions(all);
   define<RigidBody>(all);
+  define<AttachedNodes>(all, some_nodes());
   define<RigidMotion>(all, {{"oneOf", {required({"direction"}), required({"axis"})}}});
   define<Plane>(all);
   define<Line>(all);

@@ -51,6 +51,13 @@ constexpr void describe(Of<RigidBody>, Visit&& visit) {
 }
 
 template <class Visit>
+constexpr void describe(Of<AttachedNodes>, Visit&& visit) {
+  using T = AttachedNodes;
+  visit(Key{"rigid_body", &T::rigid_body, "name of a `[[rigid_body]]`", {.need = Need::required}});
+  visit(Group{"nodes", &T::nodes, "which nodes"});
+}
+
+template <class Visit>
 constexpr void describe(Of<RigidMotion>, Visit&& visit) {
   using T = RigidMotion;
   visit(Key{"rigid_body", &T::rigid_body, "name of a `[[rigid_body]]`", {.need = Need::required}});

@@ -78,6 +78,7 @@ constexpr void describe(Of<Scene>, Visit&& visit) {
   visit(Tables{"material", "materials", &T::materials, "what bodies are of"});
   visit(Tables{"body", "bodies", &T::bodies, "what moves"});
   visit(Tables{"rigid_body", "rigid_bodies", &T::rigid_bodies, "bodies that do not deform"});
+  visit(Tables{"rigid_nodes", "attached_nodes", &T::attached_nodes, "nodes that move with a rigid body"});
   visit(Tables{"rigid_motion", "rigid_motions", &T::rigid_motions, "rigid bodies that move as given"});
   visit(Tables{"constraint", "symmetry_planes", &T::constraints, "nodes on a plane do not move across it"});
   visit(Tables{"constraint", "fixed", &T::fixed_constraints, "nodes do not move along some directions"});

@@ -10,12 +10,11 @@
 
 namespace pinball {
 
-namespace {
-
-/// In which something has to be given.
 void require_selection(const SceneTable& table, const NodeSelection& nodes) {
   if (nodes.all()) table.fail_missing("body", "at least one of body, plane, line, box, nearest, set and nodes");
 }
+
+namespace {
 
 /// What the keys of a table say, with a selection of nodes that has to be given.
 template <class Part>

@@ -8,6 +8,8 @@
 /// a missing key or a bad value. Whether a body exists is not checked.
 namespace pinball {
 
+/// Something has to be given of a selection that a table has.
+void require_selection(const SceneTable& table, const NodeSelection& nodes);
 PlaneConstraint read_symmetry(const SceneTable& table);
 FixedConstraint read_fixed_constraint(const SceneTable& table);
 /// `number`: of the wall in the file, for its default name.

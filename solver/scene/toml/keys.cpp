@@ -84,7 +84,7 @@ std::vector<TableKeys> all_kinds() {
               Material, OneYieldCurve, YieldCurve, JohnsonCookSettings, EquationOfStateSettings, ErosionSettings,
               Body>());
   add(mesh_keys());
-  add(keys_of<RigidBody, RigidMotion>());
+  add(keys_of<RigidBody, AttachedNodes, RigidMotion>());
   add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});
   add(keys_of<PlaneConstraint, FixedConstraint, Plane, Line, Box, RigidWall, PrescribedVelocity, NodalLoad, Pressure,
               Gravity, InitialVelocity, DampingSettings, Probe>());

@@ -70,6 +70,7 @@ void list_boundary(const Scene& scene, std::vector<SceneEntry>& all) {
     Entries table(all, "rigid_body." + rigid.name);
     list_keys(table, rigid);
   }
+  list_numbered("rigid_nodes", scene.attached_nodes, all);
   list_numbered("rigid_motion", scene.rigid_motions, all);
   list_constraints(scene, all);
   list_walls(scene, all);

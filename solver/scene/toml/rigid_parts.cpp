@@ -2,6 +2,7 @@
 
 #include <solver/scene/schema/rigid.hpp>
 
+#include "boundary_parts.hpp"
 #include "read_keys.hpp"
 
 namespace pinball {
@@ -20,6 +21,15 @@ RigidBody read_rigid_body(const SceneTable& table, const std::vector<std::string
   table.require_none(problem_of(rigid));
   if (rigid.name.empty()) rigid.name = rigid.bodies.front();
   return rigid;
+}
+
+AttachedNodes read_attached_nodes(const SceneTable& table, const Names& rigid_bodies) {
+  AttachedNodes attached;
+  read_keys(table, attached);
+  attached.nodes.where = table.place();
+  require_selection(table, attached.nodes);
+  table.require_none(rigid_bodies.reference_problem("rigid_body", "rigid_body", attached.rigid_body));
+  return attached;
 }
 
 RigidMotion read_rigid_motion(const SceneTable& table, const Names& rigid_bodies) {
@@ -45,6 +55,8 @@ void read_rigid_bodies(const SceneTable& top, Scene& scene) {
     scene.rigid_bodies.push_back(rigid);
   }
   for (std::size_t r = 0; r < tables.size(); ++r) tables[r].require_none(problem_of(scene.rigid_bodies[r], scene));
+  for (const SceneTable& table : top.tables("rigid_nodes", "rigid_nodes"))
+    scene.attached_nodes.push_back(read_attached_nodes(table, names));
   for (const SceneTable& table : top.tables("rigid_motion", "rigid_motion"))
     scene.rigid_motions.push_back(read_rigid_motion(table, names));
 }
