@@ -53,6 +53,9 @@ inline const std::string compressed = "*PART\nlower\n1,1,1,3\nupper\n2,1,1,3\n",
 /// The upper part is rigid; both are.
 inline const std::string rigid_part = "*PART\nlower\n1,1,1\nupper\n2,1,2\n",
                          rigid_parts = "*PART\nlower\n1,1,2\nupper\n2,1,2\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
+/// The upper part is rigid, and moves.
+inline const std::string attached =
+    rigid_part + "*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n*INITIAL_VELOCITY_RIGID_BODY\n2,1.,2.,3.\n";
 inline const std::string one_inertia = "*PART\nupper\n2,1,1\n*MAT_RIGID\n2,7.85E-9,210000.,0.3\n\n\n";
 inline const std::string no_elastic = "*MAT_ELASTIC\n9,7.85E-9,210000.,0.3\n";
 inline std::vector<std::string> with_blanks(std::vector<std::string> lines, std::size_t count) {
@@ -152,6 +155,8 @@ inline std::vector<CardDeck> decks_of_definitions() {
           {"MAT_RIGID", "", {"2,7.85E-9,210000.,0.3", "1.,4,7", ""}, rigid_part},
           {"MAT_RIGID", "", {"2,7.85E-9,210000.,0.3", "-1.,1,100001", ""}, rigid_part},
           {"CONSTRAINED_RIGID_BODIES", "", {"1,2"}, rigid_parts},
+          {"CONSTRAINED_EXTRA_NODES_NODE", "", {"2,7"}, attached},
+          {"CONSTRAINED_EXTRA_NODES_SET", "", {"2,5"}, attached},
           {"MAT_ADD_EROSION", "", {"1,0.,900.", "-300.,400.,500.,0.6,0.7,0.,0.,5.E-7", "", "", "0.,0.,0.,1.E-12"}},
           {"EOS_GRUNEISEN", "", {"3,4.5E6,1.5,0.1,0.2,2.,0.4", ""}, no_elastic + compressed + metal},
           {"EOS_LINEAR_POLYNOMIAL", "", {"3,0.,1.7E5,1.E5,1.E5,2.,0.4,0.1", ""}, no_elastic + compressed + metal}};

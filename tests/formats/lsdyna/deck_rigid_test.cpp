@@ -108,6 +108,24 @@ TEST_F(DeckRigid, NodesAreNotHeldOneByOne) {
   EXPECT_THAT(error(with_code), HasSubstr("TC of *NODE of nodes of the rigid part 2 (deck.k:2)"));
 }
 
+TEST_F(DeckRigid, TakesExtraNodes) {
+  const std::string card = "*CONSTRAINED_EXTRA_NODES_NODE\n", of_set = "*CONSTRAINED_EXTRA_NODES_SET\n",
+                    set = "*SET_NODE_LIST\n5\n1,2,3\n", idle = "*NODE\n99,7.,7.,7.\n";
+  const Scene one = scene(joined + card + "3,1\n2,2\n");
+  ASSERT_EQ(one.attached_nodes.size(), 2U);
+  EXPECT_EQ(one.attached_nodes[0].rigid_body, "hard") << "that its part is merged into";
+  EXPECT_THAT(one.attached_nodes[0].nodes.nodes, ElementsAre(1));
+  EXPECT_EQ(scene(joined + of_set + "2,5\n" + set).attached_nodes.at(0).nodes.set, "5");
+  EXPECT_EQ(error(joined + of_set + "2,5\n" + set), no_error);
+  EXPECT_THAT(error(joined + card + "1,1\n"), HasSubstr("part 1 is not rigid: give it a *MAT_RIGID"));
+  EXPECT_NE(error_at_start(joined + card + "2,77\n"), no_error);
+  EXPECT_NE(error_at_start(joined + of_set + "2,77\n"), no_error);
+  const TranslatedDeck deck = translate(joined + idle + card + "2,99\n2,1,1\n");
+  EXPECT_THAT(deck.understood, Contains(HasSubstr("they are nodes of no solid")));
+  EXPECT_THAT(deck.understood, Contains(HasSubstr("IFLAG")));
+  EXPECT_EQ(read_scene(deck.source(path_)).attached_nodes.size(), 1U);
+}
+
 TEST_F(DeckRigid, WhatOnlyDeformingPartsHaveIsTold) {
   std::string text = joined + "*HOURGLASS\n4,9,0.1\n*MAT_ADD_EROSION\n2,0.,900.\n\n\n\n\n";
   text.replace(text.find("2,1,2\n"), 6, "2,7,2,0,4\n");

@@ -76,8 +76,9 @@ void set_target(const KeywordBlock& block, bool set, std::int64_t id, const Deck
   }
 }
 
-std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock& block, bool set, const Fields& f) {
-  const std::int64_t id = f.integer(std::size_t{0});
+std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock& block, bool set, const Fields& f,
+                                        std::size_t field) {
+  const std::int64_t id = f.integer(field);
   if (!set) return {data.nodes.find(node_number(block, id))};
   const MeshSet* found = find_set(data.mesh.node_sets, std::to_string(set_number(block, id)));
   return found == nullptr ? std::vector<std::int32_t>{} : found->members;

@@ -46,8 +46,9 @@ void set_selection(const DeckData& data, const KeywordBlock& block, const Fields
 /// The nodes of a card: a set of them, or one.
 void set_target(const KeywordBlock& block, bool set, std::int64_t id, const DeckKeys<NodeSelection>& keys);
 
-/// The same in the mesh; those of a set that is not there are none, which is said elsewhere.
-std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock& block, bool set, const Fields& f);
+/// The same in the mesh, of a number in this field; those of a set that is not there are none, which is said elsewhere.
+std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock& block, bool set, const Fields& f,
+                                        std::size_t field = 0);
 
 /// Times and factors of the curve of this number, multiplied by SF; an SF of 0 is 1.
 void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,

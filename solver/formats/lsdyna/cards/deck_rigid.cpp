@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <solver/formats/lsdyna/layouts/rigid_cards.hpp>
 
 #include "boundary_keys.hpp"
@@ -144,6 +146,30 @@ void translate_rigid_bodies(DeckData& data, DeckScene& scene) {
       data.report.unused(held.place, "*MAT_RIGID: CON1, CON2",
                          "of a part that is merged into another one those of the other one hold");
   }
+}
+
+void translate_extra_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
+  const bool set = block.name.ends_with("_SET");
+  for_each_card(block, [&](const Card& card) {
+    const Fields f = data.fields(card, set ? layout::attached_set : layout::attached_node);
+    const std::int64_t id = f.integer("PID") + offset_of(block, &DeckTransform::part);
+    const std::string what = fmt::format("{} of part {}", block.star_name(), id);
+    if (!data.body_of(id, card.place)) return data.report.unused(card.place, what, "it has no solids");
+    const std::int64_t lead = data.find_part(id)->lead;
+    if (lead == 0)
+      fail_at(card.place, fmt::format("{}: part {} is not rigid: give it a *MAT_RIGID", block.star_name(), id));
+    if (data.inertia.contains(lead))
+      return data.report.reject(card.place, block.star_name() + " of a part with *PART_INERTIA",
+                                "give the nodes to the part by solids that have them");
+    const std::size_t of_set = 1;
+    const std::vector<std::int32_t> nodes = nodes_of_card(data, block, set, f, of_set);
+    const auto is_idle = [&](std::int32_t node) { return node >= 0 && !data.used[node]; };
+    if (!nodes.empty() && std::ranges::all_of(nodes, is_idle))  // what is not there is said elsewhere
+      return data.report.unused(card.place, what, "they are nodes of no solid");
+    const auto keys = scene.entry<AttachedNodes>("rigid_nodes", card_of(block, card.place));
+    keys.set("rigid_body", data.find_part(lead)->body, "pid");
+    set_target(block, set, f.integer(of_set), keys);
+  });
 }
 
 }  // namespace pinball

@@ -73,6 +73,8 @@ void add_definitions(Table& table) {
                    {&l::johnson_cook, &l::johnson_cook_strength, &l::johnson_cook_failure, &l::johnson_cook_more}});
   table.push_back({"MAT_RIGID", "", {&l::rigid, &l::rigid_held, &l::rigid_system}});
   table.push_back({"CONSTRAINED_RIGID_BODIES", "", {&l::merged_parts}});
+  table.push_back({"CONSTRAINED_EXTRA_NODES_NODE", "", {&l::attached_node}});
+  table.push_back({"CONSTRAINED_EXTRA_NODES_SET", "", {&l::attached_set}});
   table.push_back({"MAT_ADD_EROSION",
                    "",
                    {&l::erosion, &l::erosion_limits, &l::erosion_damage, &l::erosion_curves, &l::erosion_more}});

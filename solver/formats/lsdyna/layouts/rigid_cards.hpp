@@ -23,6 +23,12 @@ inline constexpr CardLayout rigid_system{number("LCO").reported(own_system), num
 
 inline constexpr CardLayout merged_parts{whole("PIDM").always(), whole("PIDS").always(), whole("IFLAG").from(0, 1)};
 
+inline constexpr std::string_view of_inertia = "it counts beside *PART_INERTIA alone";
+inline constexpr CardLayout attached_node{whole("PID").always(), whole("NID").always(),
+                                          whole("IFLAG").reported(of_inertia)};
+inline constexpr CardLayout attached_set{whole("PID").always(), whole("NSID").always(),
+                                         whole("IFLAG").reported(of_inertia)};
+
 inline constexpr CardLayout part_inertia{
     number("XC"), number("YC"), number("ZC"), number("TM").always(), whole("IRCS").from(0, 1), whole("NODEID")};
 inline constexpr CardLayout part_moments{number("IXX"), number("IXY"), number("IXZ"),
