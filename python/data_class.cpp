@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "live_objects.hpp"
+
 namespace pinball::python {
 
 namespace {
@@ -11,11 +13,22 @@ py::object get(const DataType& type, const DataField& field, py::handle object) 
 }
 
 void set(const DataType& type, const DataField& field, py::handle object, py::handle value) {
-  if (field.type->set(field.member_of(type.data_of(object)), value)) return;
+  if (set_member(*field.type, field.member_of(type.data_of(object)), value)) return;
   throw py::type_error(text_of_type(type.type) + "." + field.name + ": " + wrong_type(*field.type, value));
 }
 
 }  // namespace
+
+bool set_member(const MemberType& type, void* member, py::handle value) {
+  void* const before = type.make();
+  const py::capsule keeper(before, type.drop);
+  if (!type.set(before, value)) return false;
+  const LiveObjects live(member, type.size);
+  if (live.have(value)) return true;  // `scene.bodies += others` ends with scene.bodies = scene.bodies
+  type.swap(member, before);
+  live.move([&](std::size_t offset) { return LiveObjects::Place{static_cast<char*>(before) + offset, keeper}; });
+  return true;
+}
 
 std::string text_of_type(py::handle type) { return py::str(type.attr("__name__")); }
 

@@ -3,9 +3,11 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 namespace pinball::python {
@@ -19,6 +21,10 @@ struct MemberType {
   py::object (*copy)(const void* member);
   bool (*set)(void* member, py::handle value);  ///< false: `value` is none of the type
   std::string (*name)();                        ///< in Python's words
+  std::size_t size;
+  void* (*make)();  ///< on the heap
+  void (*swap)(void* one, void* other);
+  void (*drop)(void* made);
 };
 
 /// A field of a class of plain data.
@@ -35,6 +41,9 @@ struct DataType {
   std::vector<DataField> fields;
 };
 
+/// Gives a member a value; false: it is none of the type. Python objects that refer to what the member was, or to parts
+/// of it, do so further on, as to any object whose place another one took.
+bool set_member(const MemberType& type, void* member, py::handle value);
 /// "Material", of a class.
 std::string text_of_type(py::handle type);
 /// "float expected, str given"
@@ -66,7 +75,11 @@ const MemberType& member_type() {
       [] {
         const auto& name = py::detail::make_caster<Member>::name;
         return name_of_type(name.text, name.types().data());
-      }};
+      },
+      sizeof(Member),
+      []() -> void* { return new Member(); },
+      [](void* one, void* other) { std::swap(*static_cast<Member*>(one), *static_cast<Member*>(other)); },
+      [](void* made) { delete static_cast<Member*>(made); }};
   return type;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,9 @@ struct ListType {
   const MemberType* element;
   std::size_t (*size)(py::handle list);
   void* (*at)(py::handle list, std::size_t place);
+  bool (*has_room)(py::handle list);                   ///< for one more at the end, without moving the others
   void (*insert)(py::handle list, std::size_t place);  ///< an element as it is made
-  void (*erase)(py::handle list, std::size_t place);
+  void (*shorten)(py::handle list, std::size_t size);
 };
 
 /// Appends copies of all items. Throws TypeError for one that is no element.
@@ -30,20 +32,22 @@ void bind_list_methods(const ListType& type);
 template <class Data>
 void bind_list(py::module_& module, const char* name) {
   using List = std::vector<Data>;
+  static_assert(std::is_nothrow_move_constructible_v<Data>, "what elements have elsewhere stays where it is");
   static ListType type;
   py::class_<List> list(module, name);
   type = {list,
           &member_type<Data>(),
           [](py::handle self) { return self.cast<List&>().size(); },
           [](py::handle self, std::size_t place) -> void* { return &self.cast<List&>()[place]; },
+          [](py::handle self) {
+            const List& all = self.cast<List&>();
+            return all.size() < all.capacity();
+          },
           [](py::handle self, std::size_t place) {
             List& all = self.cast<List&>();
             all.emplace(std::next(all.begin(), static_cast<std::ptrdiff_t>(place)));
           },
-          [](py::handle self, std::size_t place) {
-            List& all = self.cast<List&>();
-            all.erase(std::next(all.begin(), static_cast<std::ptrdiff_t>(place)));
-          }};
+          [](py::handle self, std::size_t size) { self.cast<List&>().resize(size); }};
   list.def(py::init([](const py::iterable& items) {
              const py::object made = py::cast(List());
              extend_list(type, made, items);

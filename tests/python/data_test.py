@@ -1,8 +1,10 @@
 """Data of the Python package: fields, texts, equality, pickles and copies. PYTHONPATH names the package's folder."""
 
 import copy
+import gc
 import pathlib
 import pickle
+import random
 import re
 import unittest
 
@@ -61,6 +63,65 @@ class Lists(unittest.TestCase):
         ours[-1].name = "c"
         ours[:][0].name = "d"
         self.assertEqual(self.names(ours), ["a", "c"])
+
+    def test_have_the_same_elements_however_they_change(self):
+        """What a reference changes is in the list as long as its element is, and nowhere else."""
+        draw = random.Random(5)
+        long = "long enough that its text is no part of the element"
+        for run in range(200):
+            ours, pythons, held = self.materials("abcdef"), list(self.materials("abcdef")), []
+
+            def new(count):
+                return [pinball.Material(name=f"{long} {draw.random()}") for _ in range(count)]
+            for step in range(12):
+                size = len(ours)
+                for i in draw.sample(range(size), min(size, 2)):
+                    held.append((ours[i], pythons[i]))
+                i, j, more = draw.randint(-1, size), draw.randint(0, size), new(draw.randint(0, 20))
+                change = draw.choice([lambda l: l.append(pinball.Material(name=f"last {step}")), lambda l: l.insert(i, pinball.Material(name=str(step))),
+                                      lambda l: l.extend(more), lambda l: l.__delitem__(slice(i, j)), lambda l: l.reverse(),
+                                      lambda l: l.__delitem__(slice(None, None, draw.choice([-2, 3]))) if step == 7 else None,
+                                      lambda l: l.__setitem__(slice(i, j), more), lambda l: l.pop() if l else None,
+                                      lambda l: l.__setitem__(0, pinball.Material(name=f"set {step}")) if l else None])
+                state = draw.getstate()
+                for values in (ours, pythons):
+                    draw.setstate(state)
+                    change(values)
+                pythons = [copy.copy(one) if any(one is new for new in more) else one for one in pythons]
+                for number, (one, other) in enumerate(held):
+                    one.name = other.name = f"{long}: {run} {step} {number}"
+                self.assertEqual(self.names(ours), self.names(pythons), f"run {run}, step {step}")
+                self.assertEqual([one.name for one, _ in held], [other.name for _, other in held])
+
+    def test_that_are_replaced_are_no_longer_of_the_scene(self):
+        scene = pinball.Scene(bodies=[pinball.Body(name="a rod with a long name", mesh=pinball.BlockMesh())])
+        bodies, body, mesh = scene.bodies, scene.bodies[0], scene.bodies[0].mesh
+        body.mesh = pinball.SphereMesh(radius=2)
+        mesh.size = [1, 2, 3]
+        self.assertEqual((mesh.size, scene.bodies[0].mesh), ([1, 2, 3], pinball.SphereMesh(radius=2)))
+        scene.bodies += [pinball.Body(name="b")] * 20
+        self.assertIs(scene.bodies, bodies)
+        body.name = "another rod with a long name"
+        self.assertEqual(scene.bodies[0].name, body.name)
+        ball = body.mesh
+        scene.bodies = [pinball.Body(name="new")]
+        body.name, ball.radius = "an old rod with a long name", 3
+        bodies.append(pinball.Body(name="more"))
+        self.assertEqual((len(bodies), bodies[0].name, bodies[0].mesh.radius), (22, body.name, 3))
+        self.assertEqual(scene.bodies, [pinball.Body(name="new")])
+        contact = scene.contact
+        scene.contact = type(contact)()
+        scene.contact.friction = 0.3
+        contact.friction = 0.1
+        self.assertEqual(scene.contact.friction, 0.3)
+
+    def test_keep_what_is_taken_out(self):
+        bodies = pinball.Scene(bodies=[pinball.Body(name=f"a body with a long name {i}", mesh=pinball.SphereMesh(radius=i)) for i in range(9)]).bodies
+        last, mesh = bodies[8], bodies[4].mesh
+        del bodies[:]
+        gc.collect()
+        bodies.extend([pinball.Body(name="x" * 100)] * 50)
+        self.assertEqual((last.name, last.mesh.radius, mesh.radius), ("a body with a long name 8", 8, 4))
 
     def test_refuse_what_is_no_element_and_keep_what_they_have(self):
         ours = self.materials("ab")
