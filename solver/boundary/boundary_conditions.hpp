@@ -21,8 +21,9 @@
 namespace pinball {
 
 /// What acts on the nodes from outside: loads (the scene's and the host's), pressures, gravity, damping, constraints,
-/// prescribed velocities and rigid walls, in this order, each of them with the last word over those before. All of them
-/// act through the force of a node, so that integration and energies need not know of them.
+/// prescribed velocities and rigid walls, in this order, each of them with the last word over those before; but along
+/// one direction of a node, of constraints and prescribed velocities the first one counts. All of them act through the
+/// force of a node, so that integration and energies need not know of them.
 template <class S>
 class BoundaryConditions {
  public:

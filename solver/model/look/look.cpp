@@ -7,6 +7,7 @@
 #include <solver/scene/units/units.hpp>
 
 #include "meetings.hpp"
+#include "opposed_motions.hpp"
 #include "thin_bodies.hpp"
 
 namespace pinball {
@@ -30,6 +31,7 @@ class LookAt {
     decide_contact();
     check_speeds();
     check_whether_anything_meets();
+    for (std::string& sentence : opposed_motions(scene_, mesh_)) report(std::move(sentence));
     if (meetings_.possible || meets_wall()) report(find_thin_body(scene_, mesh_));
     return std::move(look_);
   }

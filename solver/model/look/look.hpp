@@ -18,9 +18,9 @@ struct Look {
   double impact_speed = 0;   ///< that a body takes in the fastest impact; 0: none is expected [length/time]
 };
 
-/// Looks at units and materials, at speeds beside those of waves, at what can meet what and whether anything does, and
-/// at layers of elements; decides contact where the scene leaves it open (contact.method). mesh: of the scene, with
-/// ties found.
+/// Looks at units and materials, at speeds beside those of waves, at what can meet what and whether anything does, at
+/// motions that constraints keep from acting, and at layers of elements; decides contact where the scene leaves it open
+/// (contact.method). mesh: of the scene, with ties found.
 Look look_at(Scene& scene, const ModelMesh& mesh);
 
 }  // namespace pinball

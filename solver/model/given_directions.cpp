@@ -1,0 +1,79 @@
+#include "given_directions.hpp"
+
+#include <cmath>
+
+#include <solver/model/selection/node_selection.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// The directions of a fixed constraint at a place, in global components. On the axis of a cylindrical frame nothing
+/// tells radial from circumferential: a direction that is not purely axial holds the node across the axis altogether.
+std::vector<Point> directions_at(const FixedConstraint& fixed, const Point& place, double tolerance) {
+  if (fixed.frame == Frame::global) return fixed.directions;
+  const Point& axial = fixed.axis.direction;
+  Point radial = minus(place, fixed.axis.point);
+  const bool on_axis = make_orthogonal(radial, {axial}) <= tolerance;
+  if (on_axis) {
+    radial = std::abs(axial[0]) < 0.5 ? Point{1, 0, 0} : Point{0, 1, 0};
+    make_orthogonal(radial, {axial});
+  }
+  const Point circumferential = cross(axial, radial);
+  std::vector<Point> result;
+  for (const Point& d : fixed.directions) {
+    if (on_axis && std::hypot(d[0], d[1]) > 1e-12) {
+      result.push_back(radial);
+      result.push_back(circumferential);
+    }
+    Point global{};
+    for (std::size_t k = 0; k < 3; ++k) global[k] = d[0] * radial[k] + d[1] * circumferential[k] + d[2] * axial[k];
+    result.push_back(global);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<GivenDirection> given_directions(const Scene& scene, const ModelMesh& mesh) {
+  const double tolerance = 1e-9 * mesh_size(mesh);
+  std::vector<GivenDirection> directions;
+  std::int32_t constraint = 0;
+  const auto hold = [&](std::int32_t node, const Point& direction, const TimeSpan& when) {
+    directions.push_back({node, direction, 0, constraint, true, when});
+  };
+  const auto move = [&](std::int32_t node, const Point& direction, double speed, std::int32_t table) {
+    directions.push_back({node, direction, speed, table, false, scene.prescribed_velocities[table].when});
+  };
+  for (const PlaneConstraint& plane : scene.constraints) {
+    const NodeSelection nodes = nodes_of(plane);  // none may lie on a plane, but a set is meant to have some
+    for (const std::int32_t n : plane.set.empty() ? matching_nodes(mesh, nodes) : select_nodes(mesh, nodes))
+      hold(n, plane.normal, {});
+    ++constraint;
+  }
+  for (const FixedConstraint& fixed : scene.fixed_constraints) {
+    for (const std::int32_t n : select_nodes(mesh, fixed.nodes)) {
+      const Point& place = mesh.nodes[n];
+      for (const Point& d : directions_at(fixed, place, tolerance)) hold(n, d, fixed.when);
+    }
+    ++constraint;
+  }
+  for (std::size_t t = 0; t < scene.prescribed_velocities.size(); ++t) {
+    const PrescribedVelocity& given = scene.prescribed_velocities[t];
+    for (const std::int32_t n : select_nodes(mesh, given.nodes)) {
+      const std::int32_t table = t;
+      if (given.direction) {
+        move(n, *given.direction, dot(given.velocity, *given.direction), table);
+        continue;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        Point axis{};
+        axis[k] = 1;
+        move(n, axis, given.velocity[k], table);
+      }
+    }
+  }
+  return directions;
+}
+
+}  // namespace pinball
