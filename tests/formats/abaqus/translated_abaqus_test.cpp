@@ -310,6 +310,10 @@ TEST_F(Abaqus, SurfacesMayTouchInPairs) {
   EXPECT_EQ(one.contact_pairs[0].friction, 0.1);
   EXPECT_EQ(one.contact_pairs[0].static_friction, 0.3);
   EXPECT_EQ(one.contact_pairs[0].friction_decay, 2);
+  const TranslatedDeck massless =
+      translate(deck + abaqus_step("*CONTACT PAIR, INTERACTION=p, TYPE=massless\nHigh.lower, Low.upper\n"));
+  EXPECT_THAT(massless.understood, testing::Contains(HasSubstr("*CONTACT PAIR, TYPE=MASSLESS")));
+  EXPECT_EQ(read_scene(massless.source(path_)).contact_pairs[0].friction, 0.1);
   const Scene included = contact(
       "*CONTACT\n*CONTACT INCLUSIONS\nHigh.lower, Low.upper\n, Low.upper\n"
       "*CONTACT PROPERTY ASSIGNMENT\n, , p\n");

@@ -127,6 +127,9 @@ class Contact {
   }
 
   void read_pairs(const AbaqusBlock& block) {
+    if (block.option("TYPE") == "MASSLESS") {
+      data_.report.unused(block.place, "*CONTACT PAIR, TYPE=MASSLESS", "nodes keep their masses, impulses stop them");
+    }
     const Friction& friction = interaction(block.require("INTERACTION"), block.place);
     DataLines lines(block);
     while (const auto card = lines.next()) {

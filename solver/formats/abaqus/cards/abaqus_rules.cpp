@@ -70,7 +70,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"CONTACT EXCLUSIONS", done, "of whole bodies, and of whole surfaces of inclusions; others are refused"},
       {"CONTACT PROPERTY ASSIGNMENT", done, "of all, or of pairs of surfaces"},
       {"CONTACT PAIR", done, "of two surfaces, or of one with itself",
-       "INTERACTION MECHANICALCONSTRAINT=KINEMATIC|PENALTY TYPE=SURFACETOSURFACE|NODETOSURFACE CPSET WEIGHT OP=ADD"},
+       "INTERACTION MECHANICALCONSTRAINT=KINEMATIC|PENALTY TYPE=SURFACETOSURFACE|NODETOSURFACE|MASSLESS CPSET WEIGHT "
+       "OP=ADD"},
       {"TIE", done, "nodes of the first surface move with the faces of the second",
        "NAME ADJUST POSITIONTOLERANCE TYPE=SURFACETOSURFACE|NODETOSURFACE NOROTATION"},
       {"SURFACE INTERACTION", done, "", "NAME"},
