@@ -35,6 +35,26 @@ std::vector<Point> directions_at(const FixedConstraint& fixed, const Point& plac
 
 }  // namespace
 
+bool NodeDirections::add(const GivenDirection& given) {
+  Point direction = given.direction;
+  const double length = make_orthogonal(direction, basis_);
+  if (length < 1e-6) return false;
+  basis_.push_back(direction);
+  double speed = 0;
+  if (!given.held) {
+    // Of a whole velocity, what is left along the direction; of a speed along one, what gives it that component.
+    const PrescribedVelocity& motion = scene_->prescribed_velocities[given.table];
+    speed = motion.direction ? given.speed / length : dot(motion.velocity, direction);
+  }
+  all_.push_back({direction, speed, &given});
+  return true;
+}
+
+void NodeDirections::clear() {
+  basis_.clear();
+  all_.clear();
+}
+
 std::vector<GivenDirection> given_directions(const Scene& scene, const ModelMesh& mesh) {
   const double tolerance = 1e-9 * mesh_size(mesh);
   std::vector<GivenDirection> directions;

@@ -19,8 +19,29 @@ struct GivenDirection {
   TimeSpan when{};         ///< when it counts
 };
 
-/// Below this a direction is one of those before it.
-inline constexpr double least_length_left = 1e-6;
+/// The directions of one node, made orthonormal in the order in which they come, so that removing one leaves the others
+/// removed: the first counts most.
+class NodeDirections {
+ public:
+  struct Own {
+    Point direction;  ///< of unit length
+    double speed;     ///< along it; 0 where it is held
+    const GivenDirection* given;
+  };
+
+  /// Both have to stay where they are.
+  explicit NodeDirections(const Scene& scene) : scene_(&scene) {}
+
+  /// false: it is along those before it, which decide.
+  bool add(const GivenDirection& given);
+  const std::vector<Own>& all() const { return all_; }
+  void clear();
+
+ private:
+  const Scene* scene_;
+  std::vector<Point> basis_;
+  std::vector<Own> all_;
+};
 
 /// Those of all nodes, of all times: constraints first, then prescribed velocities, each in the order of the scene.
 /// Throws InputError for a selection without nodes.

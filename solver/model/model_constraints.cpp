@@ -1,7 +1,5 @@
 #include <algorithm>
 
-#include <solver/base/point.hpp>
-
 #include "given_directions.hpp"
 #include "model.hpp"
 
@@ -31,26 +29,20 @@ void set_constraints(Model<S>& model, double time) {
   model.constraints.clear();
   model.prescribed.clear();
   std::vector<GivenDirection> directions = directions_of_store(model, time);
-  // Orthonormal per node, so that removing one direction leaves the others removed: the first of a node counts most.
   std::stable_sort(directions.begin(), directions.end(),
                    [](const GivenDirection& a, const GivenDirection& b) { return a.node < b.node; });
-  std::vector<Point> basis;
+  NodeDirections of_node(model.scene);
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    const GivenDirection& h = directions[i];
-    if (i == 0 || h.node != directions[i - 1].node) basis.clear();
-    Point d = h.direction;
-    const double length = make_orthogonal(d, basis);
-    if (length < least_length_left) continue;
-    basis.push_back(d);
+    const GivenDirection& given = directions[i];
+    if (i == 0 || given.node != directions[i - 1].node) of_node.clear();
+    if (!of_node.add(given)) continue;
+    const Point& d = of_node.all().back().direction;
     const S x = static_cast<S>(d[0]), y = static_cast<S>(d[1]), z = static_cast<S>(d[2]);
-    if (h.held) {
-      model.constraints.push_back({h.node, {x, y, z}, h.table});
-      continue;
+    if (given.held) {
+      model.constraints.push_back({given.node, {x, y, z}, given.table});
+    } else {
+      model.prescribed.push_back({given.node, {x, y, z}, static_cast<S>(of_node.all().back().speed), given.table});
     }
-    // Of a whole velocity, what is left along d; of a speed along one direction, what gives it that component.
-    const PrescribedVelocity& given = model.scene.prescribed_velocities[h.table];
-    const double speed = given.direction ? h.speed / length : dot(given.velocity, d);
-    model.prescribed.push_back({h.node, {x, y, z}, static_cast<S>(speed), h.table});
   }
 }
 

@@ -61,51 +61,38 @@ class Opposed {
 
   /// At all times when something of the node begins.
   void look_at_node(std::span<const GivenDirection> of_node) {
+    if (std::ranges::all_of(of_node, &GivenDirection::held)) return;
     std::set<double> times;
     for (const GivenDirection& given : of_node) times.insert(std::max(0.0, given.when.start));
     for (const double time : times) {
-      std::vector<Point> basis;
-      std::vector<const GivenDirection*> givers;
+      NodeDirections directions(scene_);
       for (const GivenDirection& given : of_node) {
-        if (!given.when.contains(time)) continue;
-        Point left = given.direction;
-        if (make_orthogonal(left, basis) >= least_length_left) {
-          basis.push_back(left);
-          givers.push_back(&given);
-        } else if (!given.held) {
-          compare(given, basis, givers, time);
-        }
+        if (given.when.contains(time) && !directions.add(given) && !given.held) compare(given, directions, time);
       }
     }
   }
 
   /// The speed of a motion along a direction beside what the directions before it make of that.
-  void compare(const GivenDirection& given, const std::vector<Point>& basis,
-               const std::vector<const GivenDirection*>& givers, double time) {
+  void compare(const GivenDirection& given, const NodeDirections& directions, double time) {
     const PrescribedVelocity& motion = scene_.prescribed_velocities[given.table];
     double missing = is_at_rest(motion) ? 0 : given.speed, largest = std::abs(missing);
     bool otherwise = false;  // in another course of time
     const GivenDirection* opposed = nullptr;
-    for (std::size_t b = 0; b < basis.size(); ++b) {
-      const double part = dot(basis[b], given.direction), speed = part * speed_along(basis[b], *givers[b]);
-      if (std::abs(part) < least_length_left) continue;
-      if (opposed == nullptr || speed != 0) opposed = givers[b];
+    for (const NodeDirections::Own& own : directions.all()) {
+      const double part = dot(own.direction, given.direction);
+      if (std::abs(part) < 1e-6) continue;
+      const bool moves = !own.given->held && !is_at_rest(scene_.prescribed_velocities[own.given->table]);
+      const double speed = moves ? part * own.speed : 0;
+      if (opposed == nullptr || speed != 0) opposed = own.given;
       if (speed == 0) continue;
       largest = std::max(largest, std::abs(speed));
       missing -= speed;
-      otherwise = otherwise || !have_one_table(motion, scene_.prescribed_velocities[givers[b]->table]);
+      otherwise = otherwise || !have_one_table(motion, scene_.prescribed_velocities[own.given->table]);
     }
     if (opposed == nullptr || (!otherwise && std::abs(missing) <= 1e-6 * largest)) return;
     Found& found = found_.try_emplace({given.table, opposed->table, opposed->held}, Found{{}, time}).first->second;
     found.nodes.insert(given.node);
     found.time = std::min(found.time, time);
-  }
-
-  double speed_along(const Point& direction, const GivenDirection& giver) const {
-    if (giver.held) return 0;
-    const PrescribedVelocity& given = scene_.prescribed_velocities[giver.table];
-    if (is_at_rest(given)) return 0;
-    return given.direction ? giver.speed / dot(direction, giver.direction) : dot(given.velocity, direction);
   }
 
   std::string sentence(const Pair& pair, const Found& found) const {
@@ -114,11 +101,13 @@ class Opposed {
                                : other < planes ? scene_.constraints[other].where
                                                 : scene_.fixed_constraints[other - planes].nodes.where;
     const std::string since = found.time > 0 ? fmt::format(" from time {:.4g} on", found.time) : "";
-    return fmt::format("{}: {} {} not move as it says{}, since {} {} there, first {}: leave them out of one of the two",
+    const bool one = found.nodes.size() == 1;
+    const char* const them = one ? "it" : "them";
+    const std::string why =
+        pair.held ? fmt::format("holds {}", them) : fmt::format("comes before it and moves {} otherwise", them);
+    return fmt::format("{}: {} {} not move as it says{}, since {} {}, first {}: leave {} out of one of the two",
                        scene_.prescribed_velocities[pair.motion].nodes.where, found.nodes.size(),
-                       found.nodes.size() == 1 ? "node does" : "nodes do", since, giver,
-                       pair.held ? "holds them" : "comes before it and moves them otherwise",
-                       node_name(mesh_, *found.nodes.begin()));
+                       one ? "node does" : "nodes do", since, giver, why, node_name(mesh_, *found.nodes.begin()), them);
   }
 
   const Scene& scene_;
