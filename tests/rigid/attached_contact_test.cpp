@@ -21,13 +21,7 @@ class AttachedContact : public testing::Test {
                             block("right", {1, 1, 1}, 1, {1, 0, 1})},
                            1);
     scene.rigid_bodies = {rigid("bar")};
-    for (const char* body : {"left", "right"}) {
-      AttachedNodes foot;
-      foot.rigid_body = "bar";
-      foot.nodes.body = body;
-      foot.nodes.plane = Plane{{0, 0, 1}, {0, 0, 1}};
-      scene.attached_nodes.push_back(foot);
-    }
+    scene.attached_nodes = {attached_at("bar", "left", 1), attached_at("bar", "right", 1)};
     return build_model<double>(scene);
   }
 

@@ -34,14 +34,6 @@ TEST(RigidContact, OfTwoRigidBodiesIsPlastic) {
   EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-12);
 }
 
-AttachedNodes foot_on(const char* body, double height) {
-  AttachedNodes foot;
-  foot.rigid_body = "hard";
-  foot.nodes.body = body;
-  foot.nodes.plane = Plane{{0, 0, height}, {0, 0, 1}};
-  return foot;
-}
-
 /// The foot of a block that swings is attached to a rigid one, whose face it touches, is in or is above.
 TEST(RigidContact, IsNoneWhereNodesAreAttached) {
   for (const double height : {0.3, 0.299, 0.25, 0.31}) {
@@ -53,7 +45,7 @@ TEST(RigidContact, IsNoneWhereNodesAreAttached) {
       if (enforcement == Enforcement::penalty) scene.contact.gap = ContactGap::pinball;
       scene.contact.friction = scene.contact.static_friction = 0.3;
       scene.rigid_bodies = {rigid("hard")};
-      scene.attached_nodes = {foot_on("soft", height)};
+      scene.attached_nodes = {attached_at("hard", "soft", height)};
       Scene among_itself = scene;  // with the same steps, which contact has a say in
       among_itself.contact_pairs.emplace_back().first.bodies = {"soft"};
       Solver<double> solver(scene), free(among_itself);
@@ -77,7 +69,7 @@ TEST(RigidContact, ActsBetweenBodiesThatAreAttachedToOne) {
                    block("right", {2, 2, 3}, 0.1, {0.2, 0, 0.1}, {-1, 0, 0})},
                   2e-3);
   scene.rigid_bodies = {rigid("hard")};
-  scene.attached_nodes = {foot_on("left", 0.1), foot_on("right", 0.1)};
+  scene.attached_nodes = {attached_at("hard", "left", 0.1), attached_at("hard", "right", 0.1)};
   Solver<double> solver(scene);
   run(solver);
   RunSummary summary;

@@ -87,11 +87,7 @@ TEST_F(RigidShared, ABarIsAttachedToABlockByNodes) {
   attached.materials = shared.materials;
   attached.element = shared.element;
   attached.rigid_bodies = shared.rigid_bodies;
-  AttachedNodes nodes;
-  nodes.rigid_body = "block";
-  nodes.nodes.body = "bar";
-  nodes.nodes.plane = Plane{{0, 0, of_bar * h}, {0, 0, 1}};
-  attached.attached_nodes = {nodes};
+  attached.attached_nodes = {attached_at("block", "bar", of_bar * h)};
   Solver<double> one(shared), other(attached);
   EXPECT_EQ(other.model().rigid.at(0).nodes.size(), one.model().rigid.at(0).nodes.size() + 4);
   run(one);
@@ -123,8 +119,7 @@ TEST_F(RigidShared, NodesAreAttachedToOneRigidBody) {
   EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.1.rigid_body: "));
   scene.attached_nodes = {{"a", {}}};
   EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.0.body: missing"));
-  scene.attached_nodes[0].nodes.body = "bar";
-  scene.attached_nodes[0].nodes.plane = Plane{{0, 0, 7}, {0, 0, 1}};
+  scene.attached_nodes = {attached_at("a", "bar", 7)};
   EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.0"));
 }
 

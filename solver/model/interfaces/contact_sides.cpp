@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <unordered_map>
 
 #include <solver/base/error.hpp>
 #include <solver/base/face_corners.hpp>
 #include <solver/base/text_distance.hpp>
+#include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/named_nodes.hpp>
-#include <solver/model/selection/node_selection.hpp>
 
 namespace pinball {
 
@@ -119,7 +120,10 @@ class SidesOfModel {
     for (const TiedContact& tied : scene.tied_contacts) {
       take(find_members(model_.mesh, tied.second, tied.where + ".second"), side++);
     }
-    for (const std::int32_t body : rigid) take(members_of_rigid(body), side++);
+    for (const std::int32_t body : rigid) {
+      const RigidBody& of = scene.rigid_bodies[body];
+      take(find_members(model_.mesh, {.bodies = of.bodies}, of.where), side++);
+    }
     spread();
     find_attached(rigid);
     return std::move(sides_);
@@ -134,34 +138,22 @@ class SidesOfModel {
     }
   };
 
-  /// Numbers of the rigid bodies that nodes are attached to.
+  /// Numbers of the rigid bodies that nodes are attached to, ascending.
   std::vector<std::int32_t> bodies_with_attached_nodes() const {
-    std::vector<std::int32_t> bodies;
-    for (const AttachedNodes& attached : model_.scene.attached_nodes) bodies.push_back(rigid_body_of(attached));
-    std::ranges::sort(bodies);
-    bodies.erase(std::ranges::unique(bodies).begin(), bodies.end());
-    return bodies;
+    std::set<std::int32_t> bodies;
+    for (const AttachedNodes& attached : model_.scene.attached_nodes) {
+      bodies.insert(rigid_body_of_name(model_.scene, attached.rigid_body));
+    }
+    return {bodies.begin(), bodies.end()};
   }
 
-  std::int32_t rigid_body_of(const AttachedNodes& attached) const {
-    const std::vector<RigidBody>& all = model_.scene.rigid_bodies;
-    return static_cast<std::int32_t>(std::ranges::find(all, attached.rigid_body, &RigidBody::name) - all.begin());
-  }
-
-  SideMembers members_of_rigid(std::int32_t rigid) const {
-    SideMembers members;
-    for (const std::int32_t of_body : model_.rigid_of_body) members.body.push_back(of_body == rigid ? 1 : 0);
-    return members;
-  }
-
-  /// Nodes that elements of the rigid body have, too, are not attached to it.
+  /// Of the nodes that move with these bodies those that no element of a rigid body has.
   void find_attached(const std::vector<std::int32_t>& rigid) {
     if (rigid.empty()) return;
     sides_.attached_to.assign(sides_.node.size(), -1);
-    for (const AttachedNodes& attached : model_.scene.attached_nodes) {
-      const std::ptrdiff_t number = std::ranges::find(rigid, rigid_body_of(attached)) - rigid.begin();
-      for (const std::int32_t node : select_nodes(model_.mesh, attached.nodes)) {
-        sides_.attached_to[model_.node_of_scene_node[node]] = static_cast<std::int16_t>(number);
+    for (std::size_t number = 0; number < rigid.size(); ++number) {
+      for (const std::int32_t n : model_.rigid[rigid[number]].nodes) {
+        sides_.attached_to[n] = static_cast<std::int16_t>(number);
       }
     }
     for (std::size_t e = 0; e < model_.mesh.hexahedra.size(); ++e) {

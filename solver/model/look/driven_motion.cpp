@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <solver/base/error.hpp>
+#include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
 
@@ -122,8 +123,7 @@ class DrivenMotions {
   }
   /// Of a direction that is given, others are free, but for those that are held.
   void prescribe(const RigidMotion& given) {
-    const auto rigid = std::ranges::find(scene_.rigid_bodies, given.rigid_body, &RigidBody::name);
-    DrivenMotion& own = motion_of(*rigid);
+    DrivenMotion& own = motion_of(scene_.rigid_bodies[rigid_body_of_name(scene_, given.rigid_body)]);
     double before = 0;
     for (std::size_t j = 0; j < times_.size(); ++j) {
       const double now = displacement(given, times_[j]);

@@ -40,8 +40,7 @@ std::vector<std::int32_t> rigid_body_of_nodes(const Scene& scene, const ModelMes
     take_nodes(scene, mesh.hexahedra[e], rigid, nullptr, of_node);
   }
   for (const AttachedNodes& attached : scene.attached_nodes) {
-    const auto rigid = std::ranges::find(scene.rigid_bodies, attached.rigid_body, &RigidBody::name);
-    take_nodes(scene, select_nodes(mesh, attached.nodes), static_cast<std::int32_t>(rigid - scene.rigid_bodies.begin()),
+    take_nodes(scene, select_nodes(mesh, attached.nodes), rigid_body_of_name(scene, attached.rigid_body),
                &attached.nodes.where, of_node);
   }
   return of_node;
@@ -86,6 +85,11 @@ void hold_at_plane(const Point& normal, RigidNodes& rigid) {
 }
 
 }  // namespace
+
+std::int32_t rigid_body_of_name(const Scene& scene, const std::string& name) {
+  const auto found = std::ranges::find(scene.rigid_bodies, name, &RigidBody::name);
+  return static_cast<std::int32_t>(found - scene.rigid_bodies.begin());
+}
 
 std::vector<std::int32_t> rigid_body_of_bodies(const Scene& scene) {
   std::vector<std::int32_t> of_body(scene.bodies.size(), -1);

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <solver/model/model.hpp>
 
 namespace pinball {
+
+/// Number of the rigid body of this name, which a checked scene has.
+std::int32_t rigid_body_of_name(const Scene& scene, const std::string& name);
 
 /// Number of the rigid body that each body of a scene is of; -1: it deforms.
 std::vector<std::int32_t> rigid_body_of_bodies(const Scene& scene);
