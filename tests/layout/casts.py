@@ -10,6 +10,8 @@ import pathlib
 import re
 import sys
 
+import checked_tree
+
 MOST = 0.78  # per 100 lines
 
 SOURCES = (".cpp", ".hpp", ".h", ".cu", ".cuh")
@@ -40,7 +42,7 @@ def most_first(found):
 
 
 if __name__ == "__main__":
-    FOUND = counts(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent.parent)
+    FOUND = counts(checked_tree.chosen())
     RATIO = per_100_lines(FOUND)
     print(f"{most_first(FOUND)}\n{RATIO:.2f} per 100 lines, {MOST} at most")
     sys.exit(1 if RATIO > MOST else 0)

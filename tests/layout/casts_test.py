@@ -1,13 +1,11 @@
 """casts.py: product code has few casts, and all of them are counted."""
 
-import pathlib
 import sys
 import unittest
 
 import casts
 import planted
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from checked_tree import ROOT
 
 
 class ProductCode(unittest.TestCase):
@@ -18,8 +16,7 @@ class ProductCode(unittest.TestCase):
 
 class Planted(unittest.TestCase):
     def counted(self, files):
-        with planted.tree(files) as folder:
-            return casts.counts(folder)
+        return planted.found(casts.counts, files)
 
     def test_casts_of_both_folders_and_of_several_in_a_line(self):
         found = self.counted({"kernels/a.hpp": "int a = static_cast<int>(b) + static_cast<int>(c);\n",

@@ -9,6 +9,8 @@ import pathlib
 import re
 import sys
 
+import checked_tree
+
 MOST = 80
 
 COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
@@ -90,6 +92,4 @@ def too_long(tree, most=MOST):
 
 
 if __name__ == "__main__":
-    LONG = too_long(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent.parent)
-    print("\n".join(LONG) or f"no function of kernels/ has more than {MOST} lines")
-    sys.exit(1 if LONG else 0)
+    sys.exit(checked_tree.print_problems(too_long(checked_tree.chosen()), f"no function of kernels/ has more than {MOST} lines"))

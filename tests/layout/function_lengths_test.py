@@ -1,14 +1,12 @@
 """function_lengths.py: no function of the kernels is long, and all of them are found."""
 
-import pathlib
 import re
 import sys
 import unittest
 
 import function_lengths
+from checked_tree import ROOT
 from function_lengths import functions
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 
 def found(text):

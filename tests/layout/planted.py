@@ -14,3 +14,9 @@ def tree(files):
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text)
         yield folder
+
+
+def found(check, files):
+    """What a check of a tree finds in one with {path: text}."""
+    with tree(files) as folder:
+        return check(folder)

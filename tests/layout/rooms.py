@@ -9,6 +9,8 @@ import pathlib
 import re
 import sys
 
+import checked_tree
+
 # Lowest first, each with its places and the rooms that it stands on. A place is a folder, or a public header named for the
 # room, which lies above the room's folder. What others stand on is not said again: the arrows are those of the map in
 # docs/architecture.md, and each is taken by an include.
@@ -195,14 +197,11 @@ def fix(path):
 
 
 def main():
-    root = pathlib.Path(__file__).resolve().parent.parent.parent
     if sys.argv[1:] == ["--fix"]:
-        fix(root / "docs" / "architecture.md")
+        fix(checked_tree.ROOT / "docs" / "architecture.md")
         return 0
-    tree = sys.argv[1] if len(sys.argv) > 1 else root
-    found = problems(tree) + unused_arrows(tree)
-    print("\n".join(found) if found else f"{len(list(arrows(tree)))} includes, all downward")
-    return 1 if found else 0
+    tree = checked_tree.chosen()
+    return checked_tree.print_problems(problems(tree) + unused_arrows(tree), f"{len(list(arrows(tree)))} includes, all downward")
 
 
 if __name__ == "__main__":

@@ -8,8 +8,7 @@ import tempfile
 import unittest
 
 import rooms
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from checked_tree import ROOT
 
 
 class Tree(unittest.TestCase):

@@ -9,6 +9,8 @@ import pathlib
 import re
 import sys
 
+import checked_tree
+
 # Each name is in the first of the headers named, and in the others, too.
 NAMES = {
     "algorithm": "all_of clamp copy_backward fill find lower_bound max min minmax_element ranges sort unique upper_bound",
@@ -98,6 +100,4 @@ def problems(tree):
 
 
 if __name__ == "__main__":
-    FOUND = problems(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent.parent)
-    print("\n".join(FOUND))
-    sys.exit(1 if FOUND else 0)
+    sys.exit(checked_tree.print_problems(problems(checked_tree.chosen())))

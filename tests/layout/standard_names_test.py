@@ -1,13 +1,11 @@
 """standard_names.py: our headers include what they take of the standard library."""
 
-import pathlib
 import sys
 import unittest
 
 import planted
 import standard_names
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from checked_tree import ROOT
 
 
 class Headers(unittest.TestCase):
@@ -17,8 +15,7 @@ class Headers(unittest.TestCase):
 
 class Planted(unittest.TestCase):
     def found(self, files):
-        with planted.tree(files) as folder:
-            return standard_names.problems(folder)
+        return planted.found(standard_names.problems, files)
 
     def test_a_name_without_its_header(self):
         self.assertEqual(self.found({"solver/a.hpp": "#include <string>\nstd::vector<std::string> a;\n"}),

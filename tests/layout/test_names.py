@@ -7,6 +7,8 @@ import pathlib
 import re
 import sys
 
+import checked_tree
+
 NAMESPACE = re.compile(r"^namespace (pinball(?:::\w+)*) \{$", re.M)
 TEST = re.compile(r"^(?:TYPED_)?TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", re.M)
 
@@ -27,6 +29,4 @@ def problems(tree):
 
 
 if __name__ == "__main__":
-    FOUND = problems(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).resolve().parent.parent.parent)
-    print("\n".join(FOUND))
-    sys.exit(1 if FOUND else 0)
+    sys.exit(checked_tree.print_problems(problems(checked_tree.chosen())))

@@ -1,13 +1,11 @@
 """test_names.py: what test files that are one program have to have of their own."""
 
-import pathlib
 import sys
 import unittest
 
 import planted
 import test_names
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from checked_tree import ROOT
 
 
 class Tests(unittest.TestCase):
@@ -17,8 +15,7 @@ class Tests(unittest.TestCase):
 
 class Planted(unittest.TestCase):
     def found(self, files):
-        with planted.tree(files) as folder:
-            return test_names.problems(folder)
+        return planted.found(test_names.problems, files)
 
     def test_namespace_of_all(self):
         found = self.found({"tests/mesh/a_test.cpp": "namespace pinball {\n", "tests/mesh/b_test.cpp": "namespace pinball::test::b_test {\n"})
