@@ -96,13 +96,18 @@ def flags(preset):
     return kept
 
 
+def function_names(*options):
+    """What `nm` with these options, among them object files, says that they define."""
+    rows = [line.split(" ", 2) for line in run(["nm", "--defined-only", *options]).splitlines()]
+    return [row[2] for row in rows if len(row) == 3]
+
+
 def objects_of_kernels(preset):
     """{object file: names of functions} for all kernels of the table."""
     patterns = [re.compile(p) for kernel in KERNELS for p in kernel.symbols]
     found = {}
     for target in compile_commands(preset):
-        names = [line.split(" ", 2)[2] for line in run(["nm", "-C", "--defined-only", target]).splitlines()
-                 if len(line.split(" ", 2)) == 3]
+        names = function_names("-C", target)
         if any(p.search(name) for name in names for p in patterns):
             found[target] = names
     return found

@@ -13,9 +13,7 @@ from report_parts.kernels import KERNELS
 
 class Patterns(unittest.TestCase):
     def check(self, patterns_of, *options):
-        objects = builds.compile_commands(builds.NATIVE)
-        table = builds.run(["nm", "--defined-only", *options, *objects])
-        names = [line.split(" ", 2)[-1] for line in table.splitlines()]
+        names = builds.function_names(*options, *builds.compile_commands(builds.NATIVE))
         for kernel in KERNELS:
             for pattern in patterns_of(kernel):
                 with self.subTest(kernel=kernel.key, pattern=pattern):
