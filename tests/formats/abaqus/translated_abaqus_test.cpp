@@ -297,42 +297,6 @@ TEST_F(Abaqus, BodiesMayDifferByQuotesAlone) {
   EXPECT_EQ(model.constraints.size(), 8u + 1u);
 }
 
-TEST_F(Abaqus, SurfacesMayTouchInPairs) {
-  const std::string deck =
-      "*PART, NAME=Cube\n" + abaqus_cube + "*SURFACE, NAME=upper\nCube, S2\n*SURFACE, NAME=lower, TYPE=NODE\nbase,\n" +
-      "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=Low, PART=Cube\n*END INSTANCE\n*INSTANCE, NAME=High, PART=Cube\n"
-      "0., 0., 1.5\n*END INSTANCE\n*END ASSEMBLY\n" +
-      abaqus_steel +
-      "*SURFACE INTERACTION, NAME=p\n*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 2.\n*SURFACE INTERACTION, NAME=q\n";
-  const auto contact = [&](const std::string& keywords) { return scene(deck + abaqus_step(keywords)); };
-  const Scene one = contact("*CONTACT PAIR, INTERACTION=p\nHigh.lower, Low.upper\n");
-  ASSERT_EQ(one.contact_pairs.size(), 1u);
-  EXPECT_EQ(one.contact_pairs[0].friction, 0.1);
-  EXPECT_EQ(one.contact_pairs[0].static_friction, 0.3);
-  EXPECT_EQ(one.contact_pairs[0].friction_decay, 2);
-  const TranslatedDeck massless =
-      translate(deck + abaqus_step("*CONTACT PAIR, INTERACTION=p, TYPE=massless\nHigh.lower, Low.upper\n"));
-  EXPECT_THAT(massless.understood, testing::Contains(HasSubstr("*CONTACT PAIR, TYPE=MASSLESS")));
-  EXPECT_EQ(read_scene(massless.source(path_)).contact_pairs[0].friction, 0.1);
-  const Scene included = contact(
-      "*CONTACT\n*CONTACT INCLUSIONS\nHigh.lower, Low.upper\n, Low.upper\n"
-      "*CONTACT PROPERTY ASSIGNMENT\n, , p\n");
-  ASSERT_EQ(included.contact_pairs.size(), 2u);
-  EXPECT_EQ(included.contact.friction, 0.1);
-  const Scene assigned = contact(
-      "*CONTACT\n*CONTACT INCLUSIONS, ALL EXTERIOR\n"
-      "*CONTACT PROPERTY ASSIGNMENT\n, , q\nHigh.lower, Low.upper, p\n");
-  ASSERT_EQ(assigned.contact_pairs.size(), 2u) << "all, and then these two";
-  EXPECT_EQ(assigned.contact.friction, 0);
-  EXPECT_THAT(error(deck + abaqus_step("*CONTACT PAIR, INTERACTION=p\nHigh.none, Low.upper\n")),
-              HasSubstr("there is no surface High.none"));
-  const Scene tied =
-      scene(deck + "*TIE, NAME=t, ADJUST=YES, POSITION TOLERANCE=0.6\nHigh.lower, Low.upper\n" + abaqus_step());
-  EXPECT_EQ(tied.tied_contacts.at(0).tolerance, 0.6);
-  EXPECT_THAT(error(deck + abaqus_step("*CONTACT PAIR, INTERACTION=r\nHigh.lower, Low.upper\n")),
-              HasSubstr("there is no *SURFACE INTERACTION r"));
-}
-
 TEST_F(Abaqus, WritesAsOftenAsItIsAskedTo) {
   const Scene s = scene(
       abaqus_cube + abaqus_steel +
