@@ -20,13 +20,13 @@ void set(const DataType& type, const DataField& field, py::handle object, py::ha
 }  // namespace
 
 bool set_member(const MemberType& type, void* member, py::handle value) {
-  void* const before = type.make();
-  const py::capsule keeper(before, type.drop);
-  if (!type.set(before, value)) return false;
+  void* const made = type.make();
+  const py::capsule keeper(made, type.drop);
+  if (!type.set(made, value)) return false;
   const LiveObjects live(member, type.size);
   if (live.have(value)) return true;  // `scene.bodies += others` ends with scene.bodies = scene.bodies
-  type.swap(member, before);
-  live.move([&](std::size_t offset) { return LiveObjects::Place{static_cast<char*>(before) + offset, keeper}; });
+  type.swap(member, made);            // what the member was is there now
+  live.move([&](std::size_t offset) { return LiveObjects::Place{static_cast<char*>(made) + offset, keeper}; });
   return true;
 }
 
