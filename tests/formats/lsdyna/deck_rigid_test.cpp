@@ -118,8 +118,10 @@ TEST_F(DeckRigid, TakesExtraNodes) {
   EXPECT_EQ(scene(joined + of_set + "2,5\n" + set).attached_nodes.at(0).nodes.set, "5");
   EXPECT_EQ(error(joined + of_set + "2,5\n" + set), no_error);
   EXPECT_THAT(error(joined + card + "1,1\n"), HasSubstr("part 1 is not rigid: give it a *MAT_RIGID"));
-  EXPECT_NE(error_at_start(joined + card + "2,77\n"), no_error);
-  EXPECT_NE(error_at_start(joined + of_set + "2,77\n"), no_error);
+  EXPECT_THAT(error_at_start(joined + card + "2,77\n"),
+              HasSubstr("*CONSTRAINED_EXTRA_NODES_NODE: rigid_nodes.0: deck.k has no node 77"));
+  EXPECT_THAT(error_at_start(joined + of_set + "2,77\n"),
+              HasSubstr("*CONSTRAINED_EXTRA_NODES_SET: rigid_nodes.0: deck.k has no set of nodes"));
   const TranslatedDeck deck = translate(joined + idle + card + "2,99\n2,1,1\n");
   EXPECT_THAT(deck.understood, Contains(HasSubstr("they are nodes of no solid")));
   EXPECT_THAT(deck.understood, Contains(HasSubstr("IFLAG")));
