@@ -80,8 +80,6 @@ struct Vectors {
   std::int64_t stride;
 };
 
-}  // namespace
-
 /// pinball.Contact. It keeps the arrays that the library keeps, and those of a step until the next one.
 class ContactObject {
  public:
@@ -221,8 +219,6 @@ class ContactObject {
   std::optional<pinball_contact_arrays> arrays_;
   std::optional<EmbeddedContact> contact_;
 };
-
-namespace {
 
 void bind_result(py::module_& module) {
   using Result = pinball_contact_result;

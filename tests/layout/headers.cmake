@@ -52,7 +52,7 @@ if(CUDAToolkit_NVCC_EXECUTABLE)
   add_test(NAME kernels_compile_with_nvcc
     COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/device/device_code_test.py ${CUDAToolkit_NVCC_EXECUTABLE}
             ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/device)
-  set_tests_properties(kernels_compile_with_nvcc PROPERTIES LABELS kernels)
+  set_tests_properties(kernels_compile_with_nvcc PROPERTIES LABELS "kernels;slow" TIMEOUT 1500 COST 100)
 endif()
 find_program(PINBALL_HIPCC hipcc)
 mark_as_advanced(PINBALL_HIPCC)
