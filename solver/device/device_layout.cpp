@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <solver/base/packs.hpp>
+#include <solver/model/corner_order.hpp>
 
 namespace pinball {
 
@@ -98,24 +99,14 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   return mesh;
 }
 
-/// The corners of each node in the order in which the host adds their forces: colours, tiles, rows of the widest pack,
-/// corners, lanes (tile_kernels_instances.hpp).
+/// The corners of each node in the order in which the host adds their forces.
 template <class S>
 void DeviceLayout<S>::add_corners_of_nodes(const Model<S>& model, DeviceMesh<S>& mesh) const {
   const auto for_each_corner = [&](const auto& visit) {
-    for (const std::int32_t tile : model.tile_colours.items) {
-      const SlotRange slots = model.slots_of(tile);
-      for (std::int64_t row = slots.first; row < slots.last; row += widest_pack<S>) {
-        const std::int64_t end = std::min<std::int64_t>(row + widest_pack<S>, slots.last);
-        for (int i = 0; i < 8; ++i) {
-          for (std::int64_t slot = row; slot < end; ++slot) {
-            if (model.is_padding(slot)) continue;
-            visit(model.elements.corner[ElementStore<S>::at(slot, i, 8)],
-                  static_cast<std::uint32_t>(8 * place_of_slot(slot) + i));
-          }
-        }
-      }
-    }
+    for_each_corner_in_order(model, [&](std::int32_t /*tile*/, std::int64_t slot, int i) {
+      visit(model.elements.corner[ElementStore<S>::at(slot, i, 8)],
+            static_cast<std::uint32_t>(8 * place_of_slot(slot) + i));
+    });
   };
   mesh.first_of_node = Array<std::uint32_t>(static_cast<std::size_t>(mesh.nodes) + 1);
   for_each_corner([&](std::size_t node, std::uint32_t) { ++mesh.first_of_node[node + 1]; });
