@@ -12,6 +12,7 @@
 namespace pinball {
 
 struct Checkpoint;  // solver/output/checkpoint.hpp: not for hosts
+class Ranks;        // solver/parallel/ranks.hpp: not for hosts
 
 /// What is known of the deck of another program that a scene is made of: for summary.json and checkpoints.
 struct DeckNotes {
@@ -32,7 +33,9 @@ struct RecordOptions {
   std::function<bool()> stop{};
   /// Of a run that goes on from a checkpoint (restart.hpp): where it does. Other runs: where their scene says.
   Device device = Device::none;
-  int threads = 0;      ///< as in SimulationOptions
+  int threads = 0;  ///< as in SimulationOptions
+  /// As in SimulationOptions. Ranks other than 0 write nothing, and return when rank 0 has no more to do.
+  Ranks* ranks = nullptr;
   DeckNotes deck{};     ///< of a scene that is made of one; a restart has its own
   bool silent = false;  ///< nor warnings: for a host that tells them itself
   /// JSON of error bands of the scene's numbers, for summary and page; empty: none are known.

@@ -191,6 +191,14 @@ enum class RunStatus {
 };
 
 /// Everything that summary.json holds.
+/// How a run was shared by the processes of one mpirun.
+struct ParallelRun {
+  int ranks = 1;
+  std::int64_t records = 0;         ///< forces of element corners that all ranks together send in a step
+  std::int64_t bytes_per_step = 0;  ///< that they send in the last step, with what sums take
+  double imbalance = 1;             ///< elements of the rank that has most of them, over their mean
+};
+
 struct RunSummary {
   std::string scene, title, units, version, precision;
   std::string device;  ///< where its steps are made: "none", on the host; "mock", "cuda", "hip"
@@ -199,6 +207,7 @@ struct RunSummary {
   std::string started;  ///< when its files were begun, UTC: "2024-05-31T08:15:00Z"; empty: it has none
   int threads = 1;
   int simd_width = 1;  ///< lanes of a pack in the element kernels
+  ParallelRun parallel;
   std::int64_t elements = 0, nodes = 0, steps = 0;
   double end_time = 0.0;
   double dt_min = 0.0, dt_max = 0.0;

@@ -17,6 +17,7 @@
 namespace pinball {
 
 class Simulation;
+class Ranks;       // parallel/ranks.hpp: not for hosts
 struct FieldBase;  // field_base.hpp
 
 /// What a callback wants.
@@ -32,6 +33,8 @@ struct SimulationOptions {
   /// Threads that steps are made with, results being the same bits for any number; 0: what the scene's size earns, at
   /// most as many as OpenMP takes by default in the thread that calls; these where OMP_NUM_THREADS says how many.
   int threads = 0;
+  /// Of the program's: the processes that run the scene together; null: this one is alone.
+  Ranks* ranks = nullptr;
 };
 
 /// Consecutive numbers.
@@ -87,6 +90,8 @@ class PINBALL_API Simulation {
   bool run_until(double time);
   /// Steps until the run is complete or a callback stops it; another call goes on. Returns complete().
   bool run();
+  /// For ranks other than 0: does what rank 0 does, until that has no more to do.
+  void follow_rank_0();
   /// Adds a callback to those that are called after each step, in order; any of them can stop the run, the others are
   /// called all the same. An exception from one ends step() with it, and the run may go on. Their time counts as output
   /// in phase_seconds. They move with the simulation.

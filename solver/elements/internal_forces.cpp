@@ -8,7 +8,8 @@
 namespace pinball {
 
 template <class S>
-InternalForces<S>::InternalForces(const Model<S>& model) : results_(model.tile_count()) {
+InternalForces<S>::InternalForces(const Model<S>& model, Subdomain<S>* domain)
+    : domain_(domain), results_(model.tile_count()) {
   for (const Part& part : model.parts)
     kernel_of_part_.push_back(part.rigid ? nullptr : choose_tile_kernel<S>(part.features));
   for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
@@ -30,8 +31,8 @@ void for_each_tile(const Colouring& tiles, const Body& body) {
 template <class S>
 void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step) {
   const std::int32_t part = model.tile_part[tile];
-  kernel_of_part_[part]({model.elements.view(), model.nodes.view(), model.constants[part], step, model.tile_packs[tile],
-                         model.tile_packs[tile + 1]},
+  kernel_of_part_[part]({domain_ ? domain_->elements(model) : model.elements.view(), model.nodes.view(),
+                         model.constants[part], step, model.tile_packs[tile], model.tile_packs[tile + 1]},
                         results_[tile]);
 }
 
@@ -39,11 +40,13 @@ template <class S>
 InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& schedule, const Due& due,
                                                   const ElementStep<S>& smallest) {
   schedule.begin_step(model, due, results_);
+  const bool skips_resting = schedule.resting() != nullptr && model.scene.skip.resting;
   for (TileResult<S>& result : results_)
     result = {.folding = result.folding,
               .time_step = result.time_step,
               .time_step_slot = result.time_step_slot,
               .inside_out_count = result.inside_out_count};
+  if (domain_) domain_->spread(model.nodes);
   for (int level = schedule.highest_level(due); level >= 0; --level) {
     schedule.show_mean_velocities(model.nodes, level);
     for_each_tile(schedule.tiles(level), [&](std::int32_t tile) {
@@ -56,11 +59,38 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& 
     });
     schedule.show_present_velocities(model.nodes, level);
   }
+  auto left_out = schedule.end_work(model, due, results_);
+  if (domain_) {
+    domain_->collect(model.nodes);
+    left_out.resting = share_results(schedule, skips_resting);
+  }
   InternalForceResult<S> result = sum();
-  const auto left_out = schedule.end_work(model, due, results_);
   result.resting_elements = left_out.resting;
   result.subcycled_elements = left_out.subcycled;
   return result;
+}
+
+/// Makes the results of all tiles known to all ranks. skips_resting: in this step. Returns the elements that were left
+/// out because they rest.
+template <class S>
+std::int64_t InternalForces<S>::share_results(Schedule<S>& schedule, bool skips_resting) {
+  struct Report {
+    TileResult<S> result;
+    std::int64_t left_out, rests;
+  };
+  std::vector<Report> reports;
+  for (std::size_t t = 0; t < results_.size(); ++t) {
+    const bool rests = schedule.rests(t);
+    reports.push_back({results_[t], skips_resting && rests ? domain_->elements_of_tile(t) : 0, rests ? 1 : 0});
+  }
+  domain_->share_tiles(reports.data());
+  std::int64_t left_out = 0;
+  for (std::size_t t = 0; t < results_.size(); ++t) {
+    results_[t] = reports[t].result;
+    left_out += reports[t].left_out;
+    if (!domain_->works(t)) schedule.set_other_resting(t, reports[t].rests != 0);
+  }
+  return left_out;
 }
 
 template <class S>

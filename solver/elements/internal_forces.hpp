@@ -6,6 +6,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/model/model.hpp>
+#include <solver/parallel/subdomain.hpp>
 
 #include "schedule.hpp"
 #include "tile_kernels.hpp"
@@ -37,7 +38,8 @@ struct InternalForceResult : ElementWork {
 template <class S>
 class InternalForces {
  public:
-  explicit InternalForces(const Model<S>& model);
+  /// domain: of several ranks, which share the results of their tiles; null: one process works all.
+  explicit InternalForces(const Model<S>& model, Subdomain<S>* domain = nullptr);
 
   /// Adds the internal forces of the tiles that are due to the nodes and updates their element states; dt: the step
   /// just made [time]. What is not due does no work and keeps its stable step.
@@ -58,7 +60,9 @@ class InternalForces {
  private:
   void work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step);
   InternalForceResult<S> sum() const;
+  std::int64_t share_results(Schedule<S>& schedule, bool skips_resting);
 
+  Subdomain<S>* domain_;
   std::vector<TileKernel<S>> kernel_of_part_;
   std::vector<TileResult<S>> results_;
 };

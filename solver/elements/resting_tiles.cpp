@@ -67,13 +67,13 @@ bool untouched(const ElementStore<S>& elements, std::int64_t first_slot, std::in
 }  // namespace
 
 template <class S>
-RestingTiles<S>::RestingTiles(const Model<S>& model)
+RestingTiles<S>::RestingTiles(const Model<S>& model, const Subdomain<S>* domain)
     : tiles_(model.tile_part.size()), rests_(model.tile_part.size(), 0) {
   const S* velocities = model.nodes.velocity.data();
   parallel_for("tiles at rest", RangePolicy<>{0, model.tile_count()}, [&](std::int64_t number) {
     const std::size_t t = number;
     tiles_[t].number = number;
-    if (model.is_rigid(number)) return;
+    if (model.is_rigid(number) || (domain != nullptr && !domain->works(number))) return;
     if (std::isfinite(model.constants[model.tile_part[t]].failure.limits.time)) return;
     const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
     const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;
@@ -92,7 +92,7 @@ RestingTiles<S>::RestingTiles(const Model<S>& model)
 }
 
 template <class S>
-RestingTiles<S>::RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests)
+RestingTiles<S>::RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests, const Subdomain<S>* domain)
     : tiles_(rests.size()), rests_(rests) {
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     tiles_[t].number = t;
@@ -103,6 +103,7 @@ RestingTiles<S>::RestingTiles(const Model<S>& model, const std::vector<std::uint
     tiles_[t].elements = whole_elements(model, first_slot, last_slot);
     tiles_[t].nodes = ranges_of({corner + 8 * first_slot, corner + 8 * last_slot});
   }
+  if (domain != nullptr) std::erase_if(tiles_, [domain](const Tile& tile) { return !domain->works(tile.number); });
   drop_awake();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <solver/model/model.hpp>
+#include <solver/parallel/subdomain.hpp>
 
 namespace pinball {
 
@@ -26,10 +27,14 @@ class RestingTiles {
  public:
   /// The tiles that rest now. They are to be updated once, in the geometry in which they are found at rest: from then
   /// on they keep the stable step of that, because round-off of positions in flight would change its last bits.
-  explicit RestingTiles(const Model<S>& model);
+  /// domain: of several ranks, which look at their own tiles each, and tell of others (set_other); null: one has all.
+  explicit RestingTiles(const Model<S>& model, const Subdomain<S>* domain = nullptr);
 
   /// The tiles that rested when a state was saved; rests: as of flags().
-  RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests);
+  RestingTiles(const Model<S>& model, const std::vector<std::uint8_t>& rests, const Subdomain<S>* domain = nullptr);
+
+  /// A tile that another rank works.
+  void set_other(std::int32_t tile, bool rests) { rests_[tile] = rests ? 1 : 0; }
 
   /// Drops the tiles whose nodes no longer have one velocity. Returns whether there were any.
   bool wake(const NodeStore<S>& nodes);

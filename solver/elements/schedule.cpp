@@ -8,7 +8,7 @@
 namespace pinball {
 
 template <class S>
-Schedule<S>::Schedule(const Model<S>& model) {
+Schedule<S>::Schedule(const Model<S>& model, const Subdomain<S>* domain) : domain_(domain) {
   if (model.tile_levels.empty()) return;
   const bool erodes = !model.elements.internal_energy.empty();
   subcycling_.emplace(model, erodes || model.scene.damping.mass > 0 || !model.scene.gravities.empty());
@@ -37,13 +37,13 @@ typename Schedule<S>::LeftOut Schedule<S>::end_work(const Model<S>& model, const
 
 template <class S>
 void Schedule<S>::find_resting(const Model<S>& model) {
-  resting_.emplace(model);
+  resting_.emplace(model, domain_);
   choose_awake(model);
 }
 
 template <class S>
 void Schedule<S>::set_resting(const Model<S>& model, const std::vector<std::uint8_t>& rests) {
-  resting_.emplace(model, rests);
+  resting_.emplace(model, rests, domain_);
   choose_awake(model);
 }
 
@@ -69,15 +69,15 @@ StepBound Schedule<S>::bound(const Model<S>& model, const Due& due, const std::v
 /// The tiles of model.tile_colours without those of rigid bodies, colours in the same order.
 template <class S>
 Colouring Schedule<S>::deformable(const Model<S>& model) const {
-  if (model.rigid.empty()) return model.tile_colours;
-  return chosen_of(model.tile_colours, [&](std::int32_t tile) { return !model.is_rigid(tile); });
+  if (model.rigid.empty() && domain_ == nullptr) return model.tile_colours;
+  return chosen_of(model.tile_colours, [&](std::int32_t tile) { return !model.is_rigid(tile) && works(tile); });
 }
 
 /// The same without those that are to be skipped.
 template <class S>
 void Schedule<S>::choose_awake(const Model<S>& model) {
   awake_ = chosen_of(model.tile_colours, [&](std::int32_t tile) {
-    return !model.is_rigid(tile) && (!model.scene.skip.resting || !resting_->rests(tile));
+    return works(tile) && !model.is_rigid(tile) && (!model.scene.skip.resting || !resting_->rests(tile));
   });
 }
 

@@ -40,7 +40,8 @@ struct StepBound {
 template <class S>
 class Schedule {
  public:
-  explicit Schedule(const Model<S>& model);
+  /// domain: of several ranks, of which this schedule has the tiles; null: one process has all.
+  explicit Schedule(const Model<S>& model, const Subdomain<S>* domain = nullptr);
 
   std::int32_t cycle_steps() const { return subcycling_ ? subcycling_->cycle_steps() : 1; }
   /// Before the elements of a step are updated. results: of each tile, when it was last updated.
@@ -93,6 +94,10 @@ class Schedule {
   const RestingTiles<S>* resting() const { return resting_ ? &*resting_ : nullptr; }
   /// Finds the tiles that rest, in a model without subcycling.
   void find_resting(const Model<S>& model);
+  /// Of several ranks: whether a tile that another rank works rests.
+  void set_other_resting(std::int32_t tile, bool rests) {
+    if (resting_) resting_->set_other(tile, rests);
+  }
   /// rests: per tile, as of RestingTiles::flags().
   void set_resting(const Model<S>& model, const std::vector<std::uint8_t>& rests);
   const Subcycling<S>* subcycling() const { return subcycling_ ? &*subcycling_ : nullptr; }
@@ -104,7 +109,9 @@ class Schedule {
  private:
   void choose_awake(const Model<S>& model);
   Colouring deformable(const Model<S>& model) const;
+  bool works(std::int32_t tile) const { return domain_ == nullptr || domain_->works(tile); }
 
+  const Subdomain<S>* domain_;
   std::optional<Subcycling<S>> subcycling_;  ///< only where the scene asks for it
   std::optional<RestingTiles<S>> resting_;   ///< without subcycling; known once all tiles have been updated
   Colouring awake_;                          ///< the tiles to work, without subcycling

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <random>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
@@ -251,8 +252,10 @@ std::vector<std::size_t> material_of_bodies(const Scene& scene) {
 
 template <class S>
 void Model<S>::persist(StateArchive& archive) {
-  archive.of_fixed_size(nodes.position);
-  archive.of_fixed_size(nodes.velocity);
+  for (Array<S>* array : {&nodes.position, &nodes.velocity}) {
+    std::span<S> of_nodes(array->data(), 4 * static_cast<std::size_t>(nodes.count));
+    archive.of_fixed_size(of_nodes);
+  }
   for (Array<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_state,
                           &elements.viscous_stress, &elements.internal_energy, &elements.material_state}) {
     archive.of_fixed_size(*array);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include <kernels/element_data.hpp>
 #include <kernels/exec/array.hpp>
@@ -30,6 +32,15 @@ struct NodeStore {
   const S* position_of(std::int64_t node) const { return record(position.data(), node); }
   const S* velocity_of(std::int64_t node) const { return record(velocity.data(), node); }
   const S* force_of(std::int64_t node) const { return record(force.data(), node); }
+
+  /// Records behind those of the nodes: of corners that are kept apart (parallel/corner_exchange.hpp).
+  void add_records(std::int64_t more) {
+    for (Array<S>* array : {&position, &velocity, &force}) {
+      Array<S> longer(numbers(count + more));
+      std::copy_n(array->data(), numbers(count), longer.data());
+      *array = std::move(longer);
+    }
+  }
 
   NodeView<S> view() { return {position.data(), velocity.data(), force.data()}; }
   std::size_t bytes() const { return position.bytes() + velocity.bytes() + force.bytes() + inverse_mass.bytes(); }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <solver/base/error.hpp>
+#include <solver/parallel/ranks.hpp>
 #include <solver/recorded_run.hpp>
 #include <solver/results/warnings.hpp>
 #include <solver/run_page.hpp>
@@ -22,7 +23,7 @@ class RecordedRun {
   RecordedRun(const Scene& scene, const RecordOptions& options, RunFolder& folder)
       : options_(options),
         folder_(folder),
-        simulation_(scene, {options.threads}),
+        simulation_(scene, {options.threads, options.ranks}),
         recorder_(simulation_, options, folder.continues()) {
     const RunSummary summary = simulation_.summary();
     folder_.begin(summary);
@@ -136,7 +137,22 @@ auto with_memory_reported(const Scene& scene, const RunFolder& folder, const Act
 
 }  // namespace
 
+namespace {
+
+/// What ranks other than 0 do.
+RunSummary follow(const Scene& scene, const RecordOptions& options) {
+  Simulation simulation(scene, {options.threads, options.ranks});
+  if (options.restart != nullptr) take_state(*options.restart, simulation);
+  simulation.follow_rank_0();
+  RunSummary summary;
+  summary.status = RunStatus::done;
+  return summary;
+}
+
+}  // namespace
+
 RunSummary run_recorded(const Scene& scene, const RecordOptions& options) {
+  if (options.ranks != nullptr && options.ranks->number() > 0) return follow(scene, options);
   RunFolder folder(scene, options);
   if (!folder.warning().empty() && !options.silent) print_message("warning: " + folder.warning());
   try {

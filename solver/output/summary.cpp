@@ -102,6 +102,15 @@ Json probe_json(const ProbeResult& probe) {
           {"point", probe.point}, {"values", values}};
 }
 
+/// Null where one process had all.
+Json parallel_json(const ParallelRun& run) {
+  if (run.ranks == 1) return nullptr;
+  return {{"ranks", run.ranks},
+          {"records", run.records},
+          {"bytes_per_step", run.bytes_per_step},
+          {"imbalance", run.imbalance}};
+}
+
 const char* status_name(RunStatus status) {
   switch (status) {
     case RunStatus::running:
@@ -247,6 +256,7 @@ std::string summary_json(const RunSummary& s) {
         {"subcycling", s.skipped_seconds.subcycling},
         {"searches", s.skipped_seconds.searches},
         {"inner_elements", s.skipped_seconds.inner_elements}}},
+      {"parallel", parallel_json(s.parallel)},
       {"state_hash", fmt::format("{:016x}", s.state_hash)},
       {"bytes_per_element", s.bytes_per_element},
       {"probes", probes},

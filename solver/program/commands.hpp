@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <solver/base/export.h>
+#include <solver/parallel/ranks.hpp>
 #include <solver/scene.hpp>
 
 /// What the program does, one function per subcommand. Each returns the exit status (0 or 1) and throws InputError or
@@ -27,6 +28,7 @@ struct RunOptions : SceneOptions {
   std::string out;                    ///< folder for the results; empty: out/SCENE, or that of the checkpoint
   std::int64_t checkpoint_every = 0;  ///< steps or cycles; 0: no checkpoints
   std::string restart;                ///< checkpoint to go on from, in place of a scene; empty: none
+  Ranks* ranks = nullptr;             ///< of one mpirun; null: this process is alone
 };
 
 struct InfoOptions : SceneOptions {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include <solver/base/version.h>
 
 #include "commands.hpp"
+#include "join_ranks.hpp"
 #include "process/memory_error.hpp"
 #include "process/short_waits.hpp"
 #include "standard_streams.hpp"
@@ -63,6 +65,29 @@ void add_device_option(CLI::App& command, pinball::Device& device) {
           },
           "where steps are made (default: none, on the processor)")
       ->check(CLI::IsMember({"none", "mock", "cuda", "hip"}));
+}
+
+/// Of programs that mpirun can start several of.
+void add_partition_option(CLI::App& command, pinball::Partition& partition) {
+  using pinball::Partition;
+  const auto read = [&partition](const std::string& text) {
+    const std::string random = "random:";
+    partition.by = text == "metis" ? Partition::By::graph : Partition::By::tiles;
+    if (!text.starts_with(random)) return;
+    partition.by = Partition::By::random;
+    partition.seed = std::stoull(text.substr(random.size()));
+  };
+  const auto check = [](const std::string& text) -> std::string {
+    const bool seed = text.starts_with("random:") && text.size() > 7 && text.size() < 27 &&
+                      text.find_first_not_of("0123456789", 7) == std::string::npos;
+    if (text == "tiles" || text == "metis" || seed) return "";
+    return "expected tiles, metis or random:SEED, got " + text;
+  };
+  command
+      .add_option_function<std::string>("--partition", read,
+                                        "which rank of mpirun works what (default: tiles, ranges of them)")
+      ->type_name("tiles|metis|random:SEED")
+      ->check(check);
 }
 
 /// What `run`, `info`, `compare` and `converge` have in common.
@@ -196,7 +221,16 @@ void add_footer(CLI::App& command, const std::string& examples) {
                  "share/pinball/data/scenes/README.md where the program is installed.");
 }
 
-int run_program(int argc, char** argv) {
+/// Of those that one mpirun has started, rank 0 alone speaks. Throws InputError for a command that needs none.
+void take_ranks(pinball::Ranks& ranks, const pinball::Partition& partition, bool run) {
+  ranks.partition = partition;
+  if (ranks.number() > 0) pinball::mute_output();
+  if (ranks.count() > 1 && !run) {
+    throw pinball::InputError("mpirun: expected pinball run, the other commands work without it");
+  }
+}
+
+int run_program(int argc, char** argv, std::unique_ptr<pinball::Ranks>& ranks) {
   CLI::App app("Pinball: explicit dynamics of solids in contact and impact", "pinball");
   app.set_version_flag("--version", "pinball " PINBALL_VERSION);
   app.require_subcommand(1);
@@ -204,6 +238,8 @@ int run_program(int argc, char** argv) {
   pinball::RunOptions options;
   auto* run = app.add_subcommand("run", "run a scene");
   add_run_options(*run, options);
+  pinball::Partition partition;
+  if (pinball::has_ranks()) add_partition_option(*run, partition);
   pinball::InfoOptions asked;
   auto* info = app.add_subcommand("info", "what a scene or a mesh file holds, what will run, what is skipped");
   add_info_options(*info, asked);
@@ -273,6 +309,9 @@ int run_program(int argc, char** argv) {
   if (*compare) pinball::start_again_with_short_waits(argv, comparison.threads);
   if (*converge) pinball::start_again_with_short_waits(argv, study.threads);
   pinball::catch_stop_signals(*run || *converge ? pinball::AtSignal::ask : pinball::AtSignal::end);
+  ranks = pinball::join_ranks();
+  if (ranks) take_ranks(*ranks, partition, static_cast<bool>(*run));
+  if (ranks && ranks->count() > 1) options.ranks = ranks.get();
   if (*run) return pinball::run_command(options);
   if (*info) return pinball::info_command(asked);
   if (*verify) return pinball::verify_command(verification);
@@ -284,19 +323,34 @@ int run_program(int argc, char** argv) {
   return pinball::compare_command(comparison);
 }
 
+/// Of several ranks the lowest that has failed speaks, and rank 0 has the exit status: mpirun ends the others where it
+/// sees one.
+int fail(pinball::Ranks* ranks, const std::exception& error, int status) {
+  if (ranks == nullptr || ranks->count() == 1) return report(error, status);
+  if (!ranks->agreed) {
+    agree(*ranks, {status, error.what()});
+  } else if (ranks->number() > 0) {  // in the middle of the run, which the others cannot go on with
+    pinball::unmute_errors();
+    ranks->give_up();
+  }
+  report(error, status);
+  return ranks->number() == 0 ? status : 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   pinball::open_closed_streams();
+  std::unique_ptr<pinball::Ranks> ranks;
   try {
-    const int status = run_program(argc, argv);
+    const int status = run_program(argc, argv, ranks);
     pinball::finish_stdout();
     return status;
   } catch (const pinball::InputError& error) {
-    return report(error, bad_input);
+    return fail(ranks.get(), error, bad_input);
   } catch (const std::bad_alloc& error) {
-    return report(std::runtime_error(pinball::memory_error(error)), run_failed);
+    return fail(ranks.get(), std::runtime_error(pinball::memory_error(error)), run_failed);
   } catch (const std::exception& error) {  // RunError, and what nobody foresaw
-    return report(error, run_failed);
+    return fail(ranks.get(), error, run_failed);
   }
 }

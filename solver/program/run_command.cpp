@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <solver/base/error.hpp>
 #include <solver/device/devices.hpp>
@@ -72,6 +73,9 @@ RecordOptions record_options(const RunOptions& options, const std::string& out) 
   record.checkpoint_every = options.checkpoint_every;
   record.stop = stop_is_asked;
   record.threads = options.threads;
+  record.ranks = options.ranks;
+  // Ranks of one machine would each take all its cores.
+  if (record.ranks != nullptr && record.threads == 0 && std::getenv("OMP_NUM_THREADS") == nullptr) record.threads = 1;
   return record;
 }
 

@@ -17,6 +17,26 @@ void open_closed_streams() {
   }
 }
 
+namespace {
+
+int errors_before = -1;  // descriptor; < 0: they were not muted
+
+}  // namespace
+
+void mute_output() {
+  std::fflush(stdout);
+  std::fflush(stderr);
+  errors_before = ::dup(STDERR_FILENO);
+  const int nothing = ::open("/dev/null", O_WRONLY);
+  ::dup2(nothing, STDOUT_FILENO);
+  ::dup2(nothing, STDERR_FILENO);
+  ::close(nothing);
+}
+
+void unmute_errors() {
+  if (errors_before >= 0) ::dup2(errors_before, STDERR_FILENO);
+}
+
 void finish_stdout() {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
   throw RunError("standard output has not taken all that was written to it: no room is left, or nobody reads it");

@@ -40,9 +40,9 @@ Simulation::Simulation(const Scene& given, const SimulationOptions& options)
   require_device(scene.device);
   implementation_->options = options;
   if (scene.precision == Precision::float32) {
-    implementation_->solver = std::make_unique<Solver<float>>(scene);
+    implementation_->solver = std::make_unique<Solver<float>>(scene, options.ranks);
   } else {
-    implementation_->solver = std::make_unique<Solver<double>>(scene);
+    implementation_->solver = std::make_unique<Solver<double>>(scene, options.ranks);
   }
   implementation_->elements = implementation_->read([](const auto& solver) { return solver.element_count(); });
 }
@@ -88,6 +88,11 @@ bool Simulation::run() {
   while (step()) {
   }
   return complete();
+}
+
+void Simulation::follow_rank_0() {
+  const ThreadCount threads(implementation_->threads());
+  implementation_->change([](auto& solver) { solver.follow_rank_0(); });
 }
 
 void Simulation::on_step(StepCallback callback) {

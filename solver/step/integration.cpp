@@ -1,43 +1,75 @@
 #include "integration.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include <kernels/exec.hpp>
 
 namespace pinball {
 
+namespace {
+
+/// Steps of nodes [time].
 template <class S>
-MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& step) {
-  const auto position_step = static_cast<S>(step.after), energy_step = static_cast<S>(step.before);
-  const auto velocity_step = static_cast<S>(step.velocity());
-  const auto integrate = [&](std::int64_t begin, std::int64_t end, S way_step) {
-    // Locals: as far as the compiler knows, stores to the arrays might change anything that is reached by reference.
-    S* position = model.nodes.position.data();
-    S* velocity = model.nodes.velocity.data();
-    S* force = model.nodes.force.data();
-    const S* inverse_mass = model.nodes.inverse_mass.data();
-    const double* mass = model.node_mass.data();
-    const S steps[] = {velocity_step, way_step, energy_step};
-    MotionEnergy sum;
-    for (std::int64_t n = begin; n < end; ++n) {
-      sum.add(mass[n], integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], steps[0],
-                                      steps[1], steps[2]));
-    }
-    return sum;
-  };
+struct NodeSteps {
+  S velocity, position, energy;
+};
+
+/// Of the nodes of a span; there once in machine code, whoever adds up the spans.
+template <class S>
+PINBALL_ONE_COPY MotionEnergy integrate_span(Model<S>& model, std::int64_t span, const NodeSteps<S>& steps) {
+  const std::int64_t begin = span * nodes_per_span;
+  const std::int64_t end = std::min<std::int64_t>(model.nodes.count, begin + nodes_per_span);
+  // Locals: as far as the compiler knows, stores to the arrays might change anything that is reached by reference.
+  S* position = model.nodes.position.data();
+  S* velocity = model.nodes.velocity.data();
+  S* force = model.nodes.force.data();
+  const S* inverse_mass = model.nodes.inverse_mass.data();
+  const double* mass = model.node_mass.data();
+  const S velocity_step = steps.velocity, position_step = steps.position, energy_step = steps.energy;
+  MotionEnergy sum;
+  for (std::int64_t n = begin; n < end; ++n) {
+    sum.add(mass[n], integrate_node(position + 4 * n, velocity + 4 * n, force + 4 * n, inverse_mass[n], velocity_step,
+                                    position_step, energy_step));
+  }
+  return sum;
+}
+
+/// of_span(span): of each span that is due.
+template <class OfSpan>
+MotionEnergy sum_of_spans(std::int64_t spans, const DueSpans& due, const OfSpan& of_span) {
   MotionEnergy energy;
   parallel_reduce(
-      "integration", RangePolicy<>{0, span_count(model.nodes.count)}, energy,
+      "integration", RangePolicy<>{0, spans}, energy,
       [&](std::int64_t begin, std::int64_t end, MotionEnergy& partial) {
         for (std::int64_t span = begin; span < end; ++span) {
-          if (!due.contain(span)) continue;
-          const std::int64_t first = span * nodes_per_span;
-          const std::int64_t last = std::min<std::int64_t>(model.nodes.count, first + nodes_per_span);
-          partial.join(integrate(first, last, position_step * due.steps(span)));
+          if (due.contain(span)) partial.join(of_span(span));
         }
       },
       [](MotionEnergy& whole, const MotionEnergy& partial) { whole.join(partial); });
   return energy;
+}
+
+}  // namespace
+
+template <class S>
+MotionEnergy integrate_nodes(Model<S>& model, const DueSpans& due, const StepLengths& step,
+                             const Subdomain<S>* domain) {
+  const auto position_step = static_cast<S>(step.after);
+  const auto integrate = [&](std::int64_t span) {
+    return integrate_span(
+        model, span,
+        NodeSteps<S>{static_cast<S>(step.velocity()), position_step * due.steps(span), static_cast<S>(step.before)});
+  };
+  const std::int64_t spans = span_count(model.nodes.count);
+  if (domain == nullptr) return sum_of_spans(spans, due, integrate);
+  std::vector<MotionEnergy> of_span(spans);
+  for (const SharedBlocks::Run& run : domain->spans().worked()) {
+    parallel_for("integration", RangePolicy<>{run.begin, run.end},
+                 [&](std::int64_t span) { of_span[span] = integrate(span); });
+  }
+  domain->spans().gather(of_span.data());
+  return sum_of_spans(spans, due, [&](std::int64_t span) { return of_span[span]; });
 }
 
 template <class S>
@@ -52,8 +84,8 @@ double kinetic_energy(const Model<S>& model) {
   return 0.5 * twice;
 }
 
-template MotionEnergy integrate_nodes(Model<double>&, const DueSpans&, const StepLengths&);
-template MotionEnergy integrate_nodes(Model<float>&, const DueSpans&, const StepLengths&);
+template MotionEnergy integrate_nodes(Model<double>&, const DueSpans&, const StepLengths&, const Subdomain<double>*);
+template MotionEnergy integrate_nodes(Model<float>&, const DueSpans&, const StepLengths&, const Subdomain<float>*);
 template double kinetic_energy(const Model<double>&);
 template double kinetic_energy(const Model<float>&);
 

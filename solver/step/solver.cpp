@@ -46,15 +46,16 @@ double sound_swallowing_of(const Scene& scene) {
 }  // namespace
 
 template <class S>
-Solver<S>::Solver(const Scene& scene)
+Solver<S>::Solver(const Scene& scene, Ranks* ranks)
     : model_(build_model<S>(scene)),
       device_(scene.device == Device::none ? nullptr : std::make_unique<DeviceRun<S>>(model_)),
-      internal_forces_(model_),
-      schedule_(model_),
+      domain_(ranks == nullptr ? nullptr : std::make_unique<Subdomain<S>>(model_, *ranks)),
+      internal_forces_(model_, domain_.get()),
+      schedule_(model_, domain_.get()),
       symmetry_walls_(model_, *boundary_kernels()),
       boundary_(model_, boundary_kernels()),
       probes_(model_),
-      body_energies_(model_),
+      body_energies_(model_, domain_.get()),
       tied_(model_),
       rigid_(model_),
       contact_(model_),
@@ -75,11 +76,12 @@ Solver<S>::Solver(const Scene& scene)
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum(*this);
   if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
+  if (domain_) domain_->connect(model_, fingerprint(model_));
 }
 
 template <class S>
 std::unique_ptr<BoundaryKernels<S>> Solver<S>::boundary_kernels() const {
-  return device_ ? device_->boundary_kernels() : make_host_boundary_kernels<S>();
+  return device_ ? device_->boundary_kernels() : make_host_boundary_kernels<S>(domain_.get());
 }
 
 /// What boundary conditions work on, on the device or the host.
@@ -97,7 +99,7 @@ Model<S>& Solver<S>::change_model() {
 }
 
 template <class S>
-void Solver<S>::advance(bool last) {
+void Solver<S>::make_cycle(bool last) {
   if (kinetic_before_change_) take_changed_velocities();
   const bool first = clock_.steps() == 0;
   const std::int32_t cycle_steps = first ? 1 : schedule_.cycle_steps();
@@ -107,6 +109,7 @@ void Solver<S>::advance(bool last) {
 
 template <class S>
 void Solver<S>::finish() {
+  if (domain_) domain_->order(RankOrder::finish);
   advance(true);
   if (contact() == nullptr || counts_.eroded_elements() > 0) return;
   std::vector<Point> places;
@@ -234,7 +237,7 @@ MotionEnergy Solver<S>::integrate(const Due& due) {
   return timers_.measure(Phase::integration, [&] {
     if (due.all() && body_energies_.any()) body_energies_.take_kinetic(model_, clock_.lengths());
     if (device_) return device_->integrate(clock_.lengths());
-    MotionEnergy motion = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths());
+    MotionEnergy motion = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths(), domain_.get());
     if (rigid_.any()) motion.kinetic += rigid_.kinetic_beside(clock_.lengths());
     schedule_.end_step(model_.nodes);
     return motion;
@@ -262,7 +265,7 @@ void Solver<S>::keep_accounts(const Due& due, const InternalForceResult<S>& elem
   body_energies_.book(model_, internal_forces_.tiles());
   counts_.count(due, element, contact, contact_.surface_elements(), model_.element_count(), clock_.force_time());
   const double energy = motion.kinetic + energies().total();
-  if (element.inverted_count > 0 || !std::isfinite(energy)) model();  // where is looked for on the host
+  if (element.inverted_count > 0 || !std::isfinite(energy)) model();  // where is looked for on the host, in all of it
   guards_.check_volumes(element);
   watch_corners(element.inside_out_count);
   guards_.check_finite(energy);
@@ -336,7 +339,8 @@ Array<S>& Solver<S>::host_forces() {
 template <class S>
 std::size_t Solver<S>::bytes() const {
   return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
-         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() + (device_ ? device_->bytes() : 0);
+         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() +
+         (device_ ? device_->bytes() : 0) + (domain_ ? domain_->bytes() : 0);
 }
 
 template <class S>
@@ -345,8 +349,10 @@ void Solver<S>::persist(StateArchive& archive) {
     device_->bring_back(model_);
     device_->bring_back(model_, schedule_);
   }
+  if (!archive.reads() && domain_) domain_->bring_back(model_);
   model_.persist(archive);
   if (archive.reads() && device_) device_->host_has_changed();
+  if (archive.reads() && domain_) domain_->state_was_read();
   internal_forces_.persist(archive, model_);
   schedule_.persist(archive, model_);
   boundary_.persist(archive, model_, clock_.force_time());

@@ -16,6 +16,7 @@
 #include <solver/model/initial_overlap.hpp>
 #include <solver/model/model.hpp>
 #include <solver/model/unseen_balls.hpp>
+#include <solver/parallel/subdomain.hpp>
 #include <solver/results.hpp>
 #include <solver/results/probes.hpp>
 #include <solver/results/timers.hpp>
@@ -44,15 +45,22 @@ namespace pinball {
 template <class S>
 class Solver {
  public:
-  explicit Solver(const Scene& scene);
+  /// ranks: those that run the scene together; null: this process is alone. Each of them makes a solver of the same
+  /// scene; then rank 0 is told what to do, and the others follow_rank_0().
+  explicit Solver(const Scene& scene, Ranks* ranks = nullptr);
   Solver(const Solver&) = delete;  // guards look at its other members
   Solver& operator=(const Solver&) = delete;
 
   /// One step, or one cycle of them, at most to the end of the scene's time. Throws RunError for a state that cannot be
   /// continued.
-  void step() { advance(false); }
+  void step() {
+    if (domain_) domain_->order(RankOrder::step);
+    advance(false);
+  }
   /// Forces and energies at the present positions, velocities brought to the same time.
   void finish();
+  /// Does what rank 0 does, until that has no more to do.
+  void follow_rank_0();
   /// Whether time.end or time.steps of the scene is reached; then finish() is due.
   bool at_end() const { return clock_.at_end(schedule_.cycle_steps()); }
 
@@ -63,10 +71,11 @@ class Solver {
   /// Of the fastest impact that is expected, with a body, a wall, or what holds or moves a body's end [length/time].
   double impact_speed() const { return std::max(look().impact_speed, boundary_.jump_at_start()); }
   std::int64_t element_count() const { return model_.element_count(); }
-  /// Of a run on a device the mirror on the host, brought up to date: its state is copied where the last steps have
-  /// changed it.
+  /// Of a run on a device the mirror on the host, of one on several ranks the whole of it, brought up to date: the
+  /// state is copied where the last steps have changed it.
   const Model<S>& model() const {
     if (device_) device_->bring_back(model_);
+    if (domain_) domain_->bring_back(model_);
     return model_;
   }
   /// To change it between steps: the next step works all elements, also those at rest.
@@ -113,6 +122,7 @@ class Solver {
   const std::string& many_steps() const { return many_steps_; }
   /// The part of the energy in motion up to which contact may swallow it; 0 where the scene asks for what does [-].
   double sound_swallowing() const { return sound_swallowing_; }
+  SharedWork shared_work() const { return domain_ ? domain_->work() : SharedWork(); }
   const Timers& timers() const { return timers_; }
   Timers& timers() { return timers_; }
   std::size_t bytes() const;  ///< of everything of the size of the mesh
@@ -125,6 +135,7 @@ class Solver {
  private:
   void check_places(const StateArchive& archive) const;
   void advance(bool last);
+  void make_cycle(bool last);
   void take_changed_velocities();
   void make_step(const Due& due);
   std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const;
@@ -149,6 +160,7 @@ class Solver {
 
   mutable Model<S> model_;                ///< mutable: of a run on a device a mirror
   std::unique_ptr<DeviceRun<S>> device_;  ///< null: the host makes the steps
+  std::unique_ptr<Subdomain<S>> domain_;  ///< null: no other rank has any
   InternalForces<S> internal_forces_;
   Schedule<S> schedule_;
   SymmetryWalls<S> symmetry_walls_;

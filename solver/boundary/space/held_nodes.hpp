@@ -19,6 +19,8 @@ std::vector<std::int32_t> first_of_nodes(const std::vector<Entry>& list) {
 template <class S, class Space>
 class SpaceHeldNodes final : public HeldNodeKernels<S> {
  public:
+  explicit SpaceHeldNodes(Subdomain<S>* domain) : domain_(domain) {}
+
   void set(const std::vector<NodeConstraint<S>>& constraints, const std::vector<NodePrescription<S>>& prescribed,
            bool keeps) override {
     constraints_ = list_in<Space>(constraints);
@@ -27,6 +29,12 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
     first_moved_ = list_in<Space>(first_of_nodes(prescribed));
     reaction_.reset(prescribed.size());
     held_.reset(keeps ? constraints.size() : 0);
+    if (domain_ == nullptr) return;
+    shared_ = shared_list(domain_, prescribed.size(), [prescribed](std::int64_t i) { return prescribed[i].node; });
+    if constexpr (on_host<Space>) {  // what the rank has that moves the node, for the forces of tables
+      domain_->keep_with_state(prescribed, reaction_);
+      if (keeps) domain_->keep_with_state(constraints, held_);
+    }
   }
   void clear_forces() override {
     reaction_.reset(reaction_.size());
@@ -50,7 +58,7 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const override {
     const MovingForce<S> forces{prescribed_.data(), reaction_.data()};
     add_sum<Space>("work of prescribed velocities", prescribed_.size(),
-                   WorkOfForces<S, MovingForce<S>>{nodes, forces, step}, sum);
+                   WorkOfForces<S, MovingForce<S>>{nodes, forces, step}, sum, shared_);
   }
   double energy_along(const NodeArrays<S>& nodes, const StepLengths& step) const override {
     double sum = 0;
@@ -81,6 +89,8 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
     return first.empty() ? 0 : static_cast<std::int64_t>(first.size()) - 1;
   }
 
+  Subdomain<S>* domain_;
+  SharedList shared_;  ///< of prescribed_
   Array<NodeConstraint<S>, Memory> constraints_;
   Array<std::int32_t, Memory> first_held_;  ///< per held node and one more: its constraints
   Array<NodePrescription<S>, Memory> prescribed_;

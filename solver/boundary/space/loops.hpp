@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
 #include <kernels/exec.hpp>
+#include <solver/parallel/subdomain.hpp>
 
 /// What loops of boundary conditions have in common.
 namespace pinball {
@@ -21,22 +23,55 @@ Array<T, typename Space::memory_space> list_in(const std::vector<T>& list) {
   return array;
 }
 
-/// Calls functor(i) for i below count. Threads of the host are not called together for a few nodes.
+/// Which pieces of the sums over a list are whose, where several ranks share the nodes; else null.
+using SharedList = std::shared_ptr<const SharedBlocks>;
+
+/// node(i): the node that the i-th of a list is about. domain: null on a process that is alone.
+template <class S, class Node>
+SharedList shared_list(Subdomain<S>* domain, std::int64_t count, const Node& node) {
+  if (domain == nullptr) return nullptr;
+  const std::int64_t pieces = sum_pieces(count);
+  return domain->blocks(pieces, [count, pieces, node](std::int64_t p, const auto& take) {
+    const SumPiece piece = sum_piece(count, p, pieces);
+    for (std::int64_t i = piece.begin; i < piece.end; ++i) take(node(i));
+  });
+}
+
+/// Calls functor(i) for i below count. Threads of the host are not called together for a few nodes. shared: leaves out
+/// pieces whose nodes are all of other ranks.
 template <class Space, class Functor>
-void for_each(const char* name, std::int64_t count, const Functor& functor) {
+void for_each(const char* name, std::int64_t count, const Functor& functor, const SharedList& shared = nullptr) {
   constexpr std::int64_t few = 512;
   if (on_host<Space> && count < few) {
     for (std::int64_t i = 0; i < count; ++i) functor(i);
-  } else {
+  } else if (shared == nullptr) {
     parallel_for(name, RangePolicy<Space>{0, count}, functor);
+  } else {
+    for (const SharedBlocks::Run& run : shared->worked()) {
+      const std::int64_t begin = sum_piece(count, run.begin, shared->count()).begin;
+      const std::int64_t end = sum_piece(count, run.end - 1, shared->count()).end;
+      parallel_for(name, RangePolicy<Space>{begin, end}, functor);
+    }
   }
 }
 
-/// Adds to `sum` what functor(i, partial) adds up for i below count.
+/// Adds to `sum` what functor(i, partial) adds up for i below count; over all ranks the same bits as by one.
 template <class Space, class Functor, class Value>
-void add_sum(const char* name, std::int64_t count, const Functor& functor, Value& sum) {
+void add_sum(const char* name, std::int64_t count, const Functor& functor, Value& sum,
+             const SharedList& shared = nullptr) {
   Value own{};
-  parallel_reduce(name, RangePolicy<Space>{0, count}, functor, own);
+  if (shared == nullptr) {
+    parallel_reduce(name, RangePolicy<Space>{0, count}, functor, own);
+  } else if constexpr (on_host<Space>) {
+    const std::int64_t pieces = shared->count();
+    Array<Value> partial;
+    partial.reset(pieces);
+    const PartialSums<Value, Functor> sums{0, count, pieces, partial.data(), functor};
+    for (const SharedBlocks::Run& run : shared->worked())
+      parallel_for(name, RangePolicy<Space>{run.begin, run.end}, sums);
+    shared->gather(partial.data());
+    own = sum_of_piece<Value>({0, pieces}, [&](std::int64_t p, Value& whole) { join_to(whole, partial[p]); });
+  }
   join_to(sum, own);
 }
 

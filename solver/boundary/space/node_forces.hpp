@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include <kernels/boundary/node_forces.hpp>
 
 #include "boundary_kernels.hpp"
@@ -11,21 +13,22 @@ namespace pinball {
 template <class S, class Space, class Forces>
 class SpaceNodeForces : public NodeForceKernels<S> {
  public:
-  SpaceNodeForces(const char* name, std::int64_t count, const Forces& forces)
-      : name_(name), count_(count), forces_(forces) {}
+  SpaceNodeForces(const char* name, std::int64_t count, const Forces& forces, SharedList shared = nullptr)
+      : name_(name), count_(count), shared_(std::move(shared)), forces_(forces) {}
 
   void add(const NodeArrays<S>& nodes, const std::array<double, 3>& vector) override {
     if constexpr (requires { forces_.follow(vector.data()); }) forces_.follow(vector.data());
-    for_each<Space>(name_, count_, AddForces<S, Forces>{nodes, forces_});
+    for_each<Space>(name_, count_, AddForces<S, Forces>{nodes, forces_}, shared_);
   }
   void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const override {
-    add_sum<Space>(name_, count_, WorkOfForces<S, Forces>{nodes, forces_, step}, sum);
+    add_sum<Space>(name_, count_, WorkOfForces<S, Forces>{nodes, forces_, step}, sum, shared_);
   }
   std::size_t bytes() const override { return 0; }
 
  private:
   const char* name_;
   std::int64_t count_;
+  SharedList shared_;
 
  protected:
   Forces forces_;
@@ -35,8 +38,9 @@ class SpaceNodeForces : public NodeForceKernels<S> {
 template <class S, class Space, class Forces, class Share>
 class SpaceSharedForces final : public SpaceNodeForces<S, Space, Forces> {
  public:
-  SpaceSharedForces(const char* name, const std::vector<std::int32_t>& nodes, const std::vector<Share>& share)
-      : SpaceNodeForces<S, Space, Forces>(name, nodes.size(), Forces{}),
+  SpaceSharedForces(const char* name, const std::vector<std::int32_t>& nodes, const std::vector<Share>& share,
+                    SharedList shared)
+      : SpaceNodeForces<S, Space, Forces>(name, nodes.size(), Forces{}, std::move(shared)),
         nodes_(list_in<Space>(nodes)),
         share_(list_in<Space>(share)) {
     this->forces_.nodes = nodes_.data();

@@ -10,24 +10,34 @@ namespace pinball {
 template <class S, class Space>
 class SpacePressure final : public PressureKernels<S> {
  public:
-  explicit SpacePressure(const FaceList& faces)
-      : element_(list_in<Space>(faces.element)),
+  /// domain: of several ranks; null: one process has all faces.
+  SpacePressure(const FaceList& faces, Subdomain<S>* domain)
+      : domain_(domain),
+        shared_(shared_list(domain, faces.nodes.size(), [nodes = faces.nodes](std::int64_t i) { return nodes[i]; })),
+        element_(list_in<Space>(faces.element)),
         corners_(list_in<Space>(faces.corners)),
         nodes_(list_in<Space>(faces.nodes)),
         first_(list_in<Space>(faces.first)),
         places_(list_in<Space>(faces.places)),
         corner_force_(3 * faces.corners.size()),
-        force_(3 * faces.nodes.size()) {}
+        force_(3 * faces.nodes.size()) {
+    if (domain == nullptr) return;
+    for (const std::int64_t slot : faces.element) rank_of_face_.push_back(domain->rank_of_slot(slot));
+  }
 
   void add(const NodeArrays<S>& nodes, S pressure) override {
     for_each<Space>("pressure", element_.size(),
                     PressFaces<S>{nodes, element_.data(), corners_.data(), pressure, corner_force_.data()});
+    if constexpr (on_host<Space>) {  // who works the element has all corners of the face
+      if (domain_ != nullptr) domain_->share(rank_of_face_, reinterpret_cast<FaceForce*>(corner_force_.data()));
+    }
     for_each<Space>(
         "force of pressure", node_count(),
         GatherPressure<S>{nodes, nodes_.data(), first_.data(), places_.data(), corner_force_.data(), force_.data()});
   }
   void add_work(const NodeArrays<S>& nodes, const StepLengths& step, ExternalWork& sum) const override {
-    add_sum<Space>("work of pressure", node_count(), WorkOfForces<S, PressureForce<S>>{nodes, forces(), step}, sum);
+    add_sum<Space>("work of pressure", node_count(), WorkOfForces<S, PressureForce<S>>{nodes, forces(), step}, sum,
+                   shared_);
   }
   ForceSum force() const override {
     ForceSum sum;
@@ -40,10 +50,16 @@ class SpacePressure final : public PressureKernels<S> {
   }
 
  private:
+  struct FaceForce {
+    S number[12];
+  };
   using Memory = typename Space::memory_space;
   PressureForce<S> forces() const { return {nodes_.data(), force_.data()}; }
   std::int64_t node_count() const { return nodes_.size(); }
 
+  Subdomain<S>* domain_;
+  SharedList shared_;  ///< of nodes_
+  std::vector<std::int32_t> rank_of_face_;
   Array<std::int64_t, Memory> element_;
   Array<std::int32_t, Memory> corners_, nodes_, first_, places_;  ///< FaceList
   Array<S, Memory> corner_force_;                                 ///< 4 x 3 per face [force]

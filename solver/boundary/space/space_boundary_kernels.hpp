@@ -16,34 +16,40 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
   using Forces = std::unique_ptr<NodeForceKernels<S>>;
 
   /// place_of_slot: where the elements of the host's slots are in the arrays of the space; empty: they are the slots.
-  explicit SpaceBoundaryKernels(std::vector<std::int64_t> place_of_slot = {})
-      : place_of_slot_(std::move(place_of_slot)) {}
+  /// domain: of several ranks, which share the sums; null: one process has all.
+  explicit SpaceBoundaryKernels(std::vector<std::int64_t> place_of_slot = {}, Subdomain<S>* domain = nullptr)
+      : place_of_slot_(std::move(place_of_slot)), domain_(domain) {}
 
   Forces load(const std::vector<std::int32_t>& nodes, const std::vector<S>& share) const override {
-    return std::make_unique<SpaceSharedForces<S, Space, SharedForce<S>, S>>("loads", nodes, share);
+    return std::make_unique<SpaceSharedForces<S, Space, SharedForce<S>, S>>("loads", nodes, share, of_list(nodes));
   }
   Forces gravity(std::int32_t node_count) const override {
-    return std::make_unique<SpaceNodeForces<S, Space, GravityForce<S>>>("gravity", node_count, GravityForce<S>{});
+    return std::make_unique<SpaceNodeForces<S, Space, GravityForce<S>>>("gravity", node_count, GravityForce<S>{},
+                                                                        of_all(node_count));
   }
   Forces gravity(const std::vector<std::int32_t>& nodes, const std::vector<double>& share) const override {
-    return std::make_unique<SpaceSharedForces<S, Space, PartGravityForce<S>, double>>("gravity", nodes, share);
+    return std::make_unique<SpaceSharedForces<S, Space, PartGravityForce<S>, double>>("gravity", nodes, share,
+                                                                                      of_list(nodes));
   }
   Forces damping(std::int32_t node_count, double rate) const override {
-    return std::make_unique<SpaceNodeForces<S, Space, DampingForce<S>>>("damping", node_count, DampingForce<S>{rate});
+    return std::make_unique<SpaceNodeForces<S, Space, DampingForce<S>>>("damping", node_count, DampingForce<S>{rate},
+                                                                        of_all(node_count));
   }
   Forces given_forces(std::int32_t node_count, const S* forces) const override {
     return std::make_unique<SpaceGivenForces<S, Space>>(node_count, forces);
   }
   std::unique_ptr<HeldNodeKernels<S>> held_nodes() const override {
-    return std::make_unique<SpaceHeldNodes<S, Space>>();
+    return std::make_unique<SpaceHeldNodes<S, Space>>(domain_);
   }
   std::unique_ptr<PressureKernels<S>> pressure(const FaceList& faces) const override {
-    if (place_of_slot_.empty()) return std::make_unique<SpacePressure<S, Space>>(faces);
+    if (place_of_slot_.empty()) return std::make_unique<SpacePressure<S, Space>>(faces, domain_);
     FaceList there = faces;
     for (std::int64_t& element : there.element) element = place_of_slot_[element];
-    return std::make_unique<SpacePressure<S, Space>>(there);
+    return std::make_unique<SpacePressure<S, Space>>(there, domain_);
   }
-  std::unique_ptr<WallKernels<S>> wall(bool rubs) const override { return std::make_unique<SpaceWall<S, Space>>(rubs); }
+  std::unique_ptr<WallKernels<S>> wall(bool rubs) const override {
+    return std::make_unique<SpaceWall<S, Space>>(rubs, domain_);
+  }
   std::unique_ptr<ReflectionKernels<S>> reflection(const std::vector<std::int32_t>& nodes,
                                                    const std::array<double, 3>& point,
                                                    const std::array<double, 3>& inward) const override {
@@ -51,7 +57,15 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
   }
 
  private:
+  SharedList of_list(const std::vector<std::int32_t>& nodes) const {
+    return shared_list(domain_, nodes.size(), [nodes](std::int64_t i) { return nodes[i]; });
+  }
+  SharedList of_all(std::int32_t node_count) const {
+    return shared_list(domain_, node_count, [](std::int64_t n) { return static_cast<std::int32_t>(n); });
+  }
+
   std::vector<std::int64_t> place_of_slot_;
+  Subdomain<S>* domain_;
 };
 
 }  // namespace pinball

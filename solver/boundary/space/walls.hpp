@@ -10,10 +10,11 @@ namespace pinball {
 template <class S, class Space>
 class SpaceWall final : public WallKernels<S> {
  public:
-  explicit SpaceWall(bool rubs) : rubs_(rubs) {}
+  SpaceWall(bool rubs, Subdomain<S>* domain) : rubs_(rubs), domain_(domain) {}
 
   void set(const std::vector<std::int32_t>& nodes, const std::vector<S>& free) override {
     nodes_ = list_in<Space>(nodes);
+    shared_ = shared_list(domain_, nodes.size(), [nodes](std::int64_t i) { return nodes[i]; });
     free_ = list_in<Space>(free);
     reaction_.reset(nodes.size());
     drag_.reset(rubs_ ? 3 * nodes.size() : 0);
@@ -22,17 +23,17 @@ class SpaceWall final : public WallKernels<S> {
 
   WallPush push(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) override {
     WallPush sum;
-    add_sum<Space>("push on a rigid wall", count(), PushWall<S>{nodes, wall, of(), step}, sum);
+    add_sum<Space>("push on a rigid wall", count(), PushWall<S>{nodes, wall, of(), step}, sum, shared_);
     return sum;
   }
   WallStop stop(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const WallStep<S>& step) override {
     WallStop sum;
-    add_sum<Space>("rigid wall", count(), StopAtWall<S>{nodes, wall, of(), step}, sum);
+    add_sum<Space>("rigid wall", count(), StopAtWall<S>{nodes, wall, of(), step}, sum, shared_);
     return sum;
   }
   void add_work(const NodeArrays<S>& nodes, const WallPlane<S>& wall, const StepLengths& step,
                 ExternalWork& sum) override {
-    add_sum<Space>("work of a rigid wall", count(), WorkOfWall<S>{nodes, wall, of(), step}, sum);
+    add_sum<Space>("work of a rigid wall", count(), WorkOfWall<S>{nodes, wall, of(), step}, sum, shared_);
   }
   std::size_t bytes() const override { return nodes_.bytes() + free_.bytes() + reaction_.bytes() + drag_.bytes(); }
 
@@ -45,6 +46,8 @@ class SpaceWall final : public WallKernels<S> {
   }
 
   bool rubs_;
+  Subdomain<S>* domain_;
+  SharedList shared_;
   Array<std::int32_t, Memory> nodes_;
   Array<S, Memory> free_;      ///< 3 for each of the last nodes
   Array<S, Memory> reaction_;  ///< per node [force]

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <kernels/boundary/external_work.hpp>
 #include <solver/base/state_archive.hpp>
 #include <solver/elements/tile_kernels.hpp>
 #include <solver/model/mass_shares.hpp>
+#include <solver/parallel/subdomain.hpp>
 
 namespace pinball {
 
@@ -24,8 +26,9 @@ struct BodyShare {
 template <class S>
 class BodyEnergies {
  public:
-  /// Of nothing where the scene does not ask for it.
-  explicit BodyEnergies(const Model<S>& model);
+  /// Of nothing where the scene does not ask for it. domain: of several ranks, which share the sums; null: one process
+  /// has all.
+  explicit BodyEnergies(const Model<S>& model, Subdomain<S>* domain = nullptr);
   bool any() const { return !shares_.empty(); }
 
   /// Adds what the tiles have done in a step.
@@ -41,7 +44,9 @@ class BodyEnergies {
   struct Sums {
     double kinetic = 0, internal = 0, hourglass = 0, bulk_viscosity = 0;
   };
-  std::vector<MassShares> shares_;         ///< per body
+  std::vector<MassShares> shares_;  ///< per body
+  /// Per body the pieces of its sum, whose are which; empty: one process has all.
+  std::vector<std::shared_ptr<const SharedBlocks>> pieces_;
   std::vector<std::vector<double>> mass_;  ///< of its nodes without ties [mass]
   std::vector<Sums> energies_;             ///< per body
 };

@@ -1,0 +1,15 @@
+# What a program of several ranks is linked with: a library of MPI, and METIS where it is there. Without PINBALL_MPI tests
+# have such a program where both are found.
+if(PINBALL_MPI)
+  find_package(MPI REQUIRED COMPONENTS CXX)
+elseif(PINBALL_TESTS AND NOT PINBALL_SANITIZE)
+  find_package(MPI QUIET COMPONENTS CXX)
+endif()
+if(MPI_CXX_FOUND)
+  find_library(pinball_metis_library metis)
+  find_path(pinball_metis_includes metis.h)
+  mark_as_advanced(pinball_metis_library pinball_metis_includes)
+  if(NOT pinball_metis_library OR NOT pinball_metis_includes)
+    message(STATUS "No --partition metis: METIS is not there")
+  endif()
+endif()

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include <solver/scene.hpp>
+
+namespace pinball {
+
+/// What of a completed scene several ranks cannot do yet, as the end of a sentence ("contact, subcycling"); empty: all
+/// of it can be done.
+std::string missing_on_ranks(const Scene& scene);
+
+/// Throws InputError for a scene with any of it.
+void require_ranks_can(const Scene& scene);
+
+}  // namespace pinball

@@ -1,0 +1,192 @@
+#include "subdomain.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include <solver/base/error.hpp>
+#include <solver/base/state_hash.hpp>
+
+#include "missing_on_ranks.hpp"
+#include "partition.hpp"
+
+namespace pinball {
+
+template <class S>
+Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
+    : ranks_(ranks),
+      elements_of_tile_(elements_of_tiles(model)),
+      rank_of_tile_((require_ranks_can(model.scene), ranks_of_tiles(model, ranks))),
+      tile_packs_(model.tile_packs),
+      holders_(model, rank_of_tile_) {
+  const std::int32_t nodes = model.nodes.count;
+  spans_ = blocks(span_count(nodes), [nodes](std::int64_t span, const auto& take) {
+    const std::int64_t first = span * nodes_per_span;
+    for (std::int64_t n = first; n < std::min<std::int64_t>(nodes, first + nodes_per_span); ++n)
+      take(static_cast<std::int32_t>(n));
+  });
+}
+
+template <class S>
+Subdomain<S>::~Subdomain() {
+  if (!connected_ || !is_first()) return;
+  if (waits_) {
+    ranks_.give_up();
+  } else {
+    order(RankOrder::end);
+  }
+}
+
+template <class S>
+std::shared_ptr<const SharedBlocks> Subdomain<S>::blocks(std::int64_t count, SharedBlocks::Visit visit) {
+  blocks_.push_back(std::make_shared<SharedBlocks>(ranks_, holders_, count, std::move(visit)));
+  return blocks_.back();
+}
+
+template <class S>
+void Subdomain<S>::connect(Model<S>& model, std::uint64_t fingerprint) {
+  holders_.take_more();
+  for (const std::shared_ptr<SharedBlocks>& sum : blocks_) sum->find_worked(holders_);
+  corners_.emplace(model, rank_of_tile_, holders_, ranks_);
+  StateHash hash;
+  hash.add(&fingerprint, sizeof fingerprint);
+  hash.add(rank_of_tile_.data(), rank_of_tile_.size() * sizeof(std::int32_t));
+  agree(ranks_, {0, "", ElementStore<S>::width, hash.value()});
+  connected_ = true;
+}
+
+template <class S>
+std::int32_t Subdomain<S>::rank_of_slot(std::int64_t slot) const {
+  const auto after = std::ranges::upper_bound(tile_packs_, slot / ElementStore<S>::width);
+  return rank_of_tile_[after - tile_packs_.begin() - 1];
+}
+
+template <class S>
+void Subdomain<S>::begin_step() {
+  is_whole_ = false;
+  in_step_ = waits_ = true;
+  bytes_before_ = ranks_.bytes_given;
+}
+
+template <class S>
+void Subdomain<S>::end_step() {
+  in_step_ = waits_ = false;
+  bytes_of_step_ = ranks_.bytes_given - bytes_before_;
+}
+
+template <class S>
+ElementView<S> Subdomain<S>::elements(Model<S>& model) const {
+  ElementView<S> view = model.elements.view();
+  view.corner = corners_->corner();
+  return view;
+}
+
+template <class S>
+void Subdomain<S>::order(RankOrder order) {
+  if (!is_first()) return;
+  if (waits_) throw RunError("the other ranks wait for messages that do not come");
+  auto number = static_cast<std::int32_t>(order);
+  ranks_.broadcast(std::as_writable_bytes(std::span(&number, 1)));
+}
+
+template <class S>
+RankOrder Subdomain<S>::next_order() {
+  std::int32_t number = 0;
+  ranks_.broadcast(std::as_writable_bytes(std::span(&number, 1)));
+  order_ = static_cast<RankOrder>(number);
+  return order_;
+}
+
+template <class S>
+void Subdomain<S>::bring_back(Model<S>& model) {
+  if (is_whole_) return;
+  if (in_step_) {
+    gather_state(model, true);
+  } else if (is_first()) {
+    order(RankOrder::state);
+    send_state(model);
+  }
+}
+
+template <class S>
+void Subdomain<S>::send_state(Model<S>& model) {
+  waits_ = true;
+  gather_state(model, false);
+  waits_ = false;
+}
+
+/// Of tiles from those who work them, of nodes from those who sum up their spans.
+template <class S>
+void Subdomain<S>::gather_state(Model<S>& model, bool to_all) {
+  constexpr std::int64_t W = ElementStore<S>::width;
+  ElementStore<S>& e = model.elements;
+  const std::int64_t slots = std::max<std::int64_t>(e.slots, 1);
+  for (Array<S>* array : {&e.mass, &e.stress, &e.plastic_strain, &e.hourglass_state, &e.viscous_stress,
+                          &e.internal_energy, &e.material_state}) {
+    const std::int64_t components = static_cast<std::int64_t>(array->size()) / slots;
+    gather_ranges(
+        *array, rank_of_tile_,
+        [&](std::int64_t tile) {
+          return std::pair(model.tile_packs[tile] * W * components, model.tile_packs[tile + 1] * W * components);
+        },
+        to_all);
+  }
+  std::vector<std::int32_t> owner;
+  for (std::int64_t span = 0; span < spans_->count(); ++span) owner.push_back(spans_->owner(span));
+  for (Array<S>* array : {&model.nodes.position, &model.nodes.velocity}) {
+    gather_ranges(
+        *array, owner,
+        [&](std::int64_t span) {
+          const std::int64_t first = span * nodes_per_span;
+          return std::pair(4 * first, 4 * std::min<std::int64_t>(model.nodes.count, first + nodes_per_span));
+        },
+        to_all);
+  }
+  for (const std::function<void()>& bring : kept_) bring();
+  is_whole_ = to_all || is_first();
+}
+
+/// range(i): the numbers of the array that are of i; owner: rank of each i.
+template <class S>
+template <class Range>
+void Subdomain<S>::gather_ranges(Array<S>& array, const std::vector<std::int32_t>& owner, const Range& range,
+                                 bool to_all) {
+  if (array.empty()) return;
+  std::vector<std::size_t> bytes_of(ranks_.count(), 0);
+  std::vector<S> own;
+  for (std::size_t i = 0; i < owner.size(); ++i) {
+    const auto [first, last] = range(i);
+    bytes_of[owner[i]] += (last - first) * sizeof(S);
+    if (owner[i] == ranks_.number()) own.insert(own.end(), array.data() + first, array.data() + last);
+  }
+  std::vector<std::size_t> next(ranks_.count(), 0);
+  for (std::size_t r = 1; r < next.size(); ++r) next[r] = next[r - 1] + bytes_of[r - 1] / sizeof(S);
+  const bool gets = to_all || is_first();
+  std::vector<S> all(gets ? next.back() + bytes_of.back() / sizeof(S) : 0);
+  ranks_.gather(std::as_bytes(std::span(own)), bytes_of, std::as_writable_bytes(std::span(all)), to_all);
+  for (std::size_t i = 0; gets && i < owner.size(); ++i) {
+    const auto [first, last] = range(i);
+    std::copy_n(all.data() + next[owner[i]], last - first, array.data() + first);
+    next[owner[i]] += last - first;
+  }
+}
+
+template <class S>
+SharedWork Subdomain<S>::work() const {
+  std::vector<std::int64_t> elements(ranks_.count(), 0);
+  for (std::size_t t = 0; t < rank_of_tile_.size(); ++t) elements[rank_of_tile_[t]] += elements_of_tile_[t];
+  const double all = std::accumulate(elements.begin(), elements.end(), 0.0);
+  return {ranks_.count(), corners_ ? corners_->records() : 0, bytes_of_step_,
+          *std::ranges::max_element(elements) * ranks_.count() / all};
+}
+
+template <class S>
+std::size_t Subdomain<S>::bytes() const {
+  return corners_ ? corners_->bytes() : 0;
+}
+
+template class Subdomain<double>;
+template class Subdomain<float>;
+
+}  // namespace pinball

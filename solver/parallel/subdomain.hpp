@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <solver/model/model.hpp>
+#include <solver/model/node_spans.hpp>
+
+#include "corner_exchange.hpp"
+#include "node_holders.hpp"
+#include "ranks.hpp"
+#include "shared_blocks.hpp"
+
+namespace pinball {
+
+/// What rank 0 asks the others to do with it.
+enum class RankOrder : std::int32_t {
+  step,    ///< the next one
+  finish,  ///< the step without a length, at the end
+  state,   ///< to send their part of the state
+  end      ///< nothing more is to come
+};
+
+/// How a run is shared by ranks.
+struct SharedWork {
+  int ranks = 1;
+  std::int64_t records = 0;         ///< forces of corners that all send in a step
+  std::int64_t bytes_per_step = 0;  ///< that all send in the last step
+  double imbalance = 1;             ///< elements of the rank that has most, over their mean
+};
+
+/// The part of a scene that one of several ranks works: whole tiles. Each rank has the model of the whole scene; of
+/// elements that are another's, and of nodes that it does not hold, the numbers are old until bring_back().
+///
+/// All ranks have the same numbers where sums are concerned: results of tiles, energies of spans, sums of boundary
+/// conditions. So they choose the same steps, and find the same to be wrong.
+template <class S>
+class Subdomain {
+ public:
+  /// Throws InputError for a scene with what ranks cannot do (missing_on_ranks).
+  Subdomain(const Model<S>& model, Ranks& ranks);
+  /// On rank 0 lets the others go.
+  ~Subdomain();
+  Subdomain(const Subdomain&) = delete;  // what it has made points to it
+  Subdomain& operator=(const Subdomain&) = delete;
+
+  // ---- Before the first step ----
+
+  /// A sum over lists of nodes that is cut into blocks, until connect().
+  std::shared_ptr<const SharedBlocks> blocks(std::int64_t count, SharedBlocks::Visit visit);
+  /// All sums are known: who sends what to whom. Adds records to the nodes of the model. fingerprint: of the model.
+  /// Throws where not all ranks are ready (agree()).
+  void connect(Model<S>& model, std::uint64_t fingerprint);
+
+  // ---- In a step ----
+
+  /// Of the element in a slot.
+  std::int32_t rank_of_slot(std::int64_t slot) const;
+  bool works(std::int64_t tile) const { return rank_of_tile_[tile] == ranks_.number(); }
+  void begin_step();
+  void end_step();
+  /// The elements as kernels see them.
+  ElementView<S> elements(Model<S>& model) const;
+  void spread(NodeStore<S>& nodes) const { corners_->spread(nodes); }
+  void collect(NodeStore<S>& nodes) { corners_->collect(nodes); }
+  /// of_tile: what each tile has to tell; before, of the tiles of this rank, after, of all.
+  template <class Value>
+  void share_tiles(Value* of_tile) {
+    share(rank_of_tile_, of_tile);
+  }
+  /// The same of anything else; owner: rank of each number.
+  template <class Value>
+  void share(const std::vector<std::int32_t>& owner, Value* of) {
+    ranks_.share(owner, of);
+  }
+  /// Spans of nodes: blocks of the sum of kinetic energies.
+  const SharedBlocks& spans() const { return *spans_; }
+  std::int32_t elements_of_tile(std::int64_t tile) const { return elements_of_tile_[tile]; }
+
+  // ---- Between steps ----
+
+  bool is_first() const { return ranks_.number() == 0; }
+  /// Of rank 0; all others wait for it.
+  void order(RankOrder order);
+  RankOrder next_order();
+  RankOrder last_order() const { return order_; }
+  /// On rank 0, and in a step on all ranks, the state of the whole model, where steps have changed it. Elsewhere this
+  /// does nothing.
+  void bring_back(Model<S>& model);
+  void send_state(Model<S>& model);  ///< at RankOrder::state
+  void state_was_read() { is_whole_ = true; }
+  /// Numbers of a list of what acts on nodes (NodeConstraint, NodePrescription) are to come back with the state. of:
+  /// has to stay where it is.
+  template <class Entry, class T>
+  void keep_with_state(const std::vector<Entry>& list, Array<T>& of) {
+    std::vector<std::int32_t> owner;
+    for (const Entry& entry : list) owner.push_back(spans_->owner(entry.node / nodes_per_span));
+    kept_.push_back([this, owner = std::move(owner), &of] { ranks_.share(owner, of.data()); });
+  }
+
+  SharedWork work() const;
+  std::size_t bytes() const;
+
+ private:
+  void gather_state(Model<S>& model, bool to_all);
+  template <class Range>
+  void gather_ranges(Array<S>& array, const std::vector<std::int32_t>& owner, const Range& range, bool to_all);
+
+  Ranks& ranks_;
+  std::vector<std::int32_t> elements_of_tile_, rank_of_tile_;
+  std::vector<std::int64_t> tile_packs_;  ///< Model::tile_packs
+  NodeHolders holders_;
+  std::vector<std::shared_ptr<SharedBlocks>> blocks_;
+  std::shared_ptr<const SharedBlocks> spans_;
+  std::optional<CornerExchange<S>> corners_;  ///< from connect() on
+  std::vector<std::function<void()>> kept_;
+  RankOrder order_ = RankOrder::end;
+  bool connected_ = false;
+  bool in_step_ = false;
+  bool waits_ = false;    ///< messages are on their way
+  bool is_whole_ = true;  ///< the model has the state of all ranks
+  std::int64_t bytes_before_ = 0, bytes_of_step_ = 0;
+};
+
+}  // namespace pinball

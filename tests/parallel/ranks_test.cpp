@@ -1,0 +1,169 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <set>
+
+#include <solver/parallel/missing_on_ranks.hpp>
+#include <solver/parallel/partition.hpp>
+#include <solver/parallel/subdomain.hpp>
+#include <tests/support/pressed_block.hpp>
+#include <tests/support/thread_ranks.hpp>
+
+/// How ranks share a scene, what they send, and what they do where something is wrong.
+namespace pinball::ranks_test {
+namespace {
+
+using namespace test;
+
+Scene cube(int n = 12) { return scene_of({block("cube", {n, n, n}, 0.01, {}, {1, 2, 3})}, 1e-5, false); }
+
+std::vector<std::int32_t> partition_of(const Model<double>& model, int count, const Partition& partition) {
+  return on_ranks(
+      count, partition, [&](ThreadRanks& ranks) { return ranks_of_tiles(model, ranks); }, [](ThreadRanks&) {});
+}
+
+TEST(Partition, OfRangesGivesEachRankItsShareOfConsecutiveTiles) {
+  const Model<double> model = build_model<double>(cube());
+  const std::vector<std::int32_t> elements = elements_of_tiles(model);
+  EXPECT_EQ(std::accumulate(elements.begin(), elements.end(), 0), 12 * 12 * 12);
+  for (const int count : {1, 2, 3, 7}) {
+    const std::vector<std::int32_t> rank = partition_of(model, count, {});
+    EXPECT_TRUE(std::is_sorted(rank.begin(), rank.end()));
+    std::vector<int> of_rank(count, 0);
+    for (std::size_t t = 0; t < rank.size(); ++t) of_rank[rank[t]] += elements[t];
+    const int largest = *std::max_element(elements.begin(), elements.end());
+    for (const int own : of_rank) EXPECT_NEAR(own, 12.0 * 12 * 12 / count, largest) << count;
+  }
+}
+
+TEST(Partition, AtRandomFollowsItsSeedAndUsesAllRanks) {
+  const Model<double> model = build_model<double>(cube());
+  const std::vector<std::int32_t> rank = partition_of(model, 4, {Partition::By::random, 1});
+  EXPECT_EQ(std::set<std::int32_t>(rank.begin(), rank.end()), (std::set<std::int32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(partition_of(model, 4, {Partition::By::random, 1}), rank);
+  EXPECT_NE(partition_of(model, 4, {Partition::By::random, 2}), rank);
+}
+
+/// Two ranks: each corner of an element at a node that both hold goes once to the other. Counted here from the elements
+/// alone; nodes that a rank holds for a sum come on top, fewer than two spans of them.
+TEST(Ranks, SendTheForceOfEachCornerAtASharedNode) {
+  const Model<double> model = build_model<double>(cube());
+  const std::vector<std::int32_t> rank = partition_of(model, 2, {});
+  std::vector<int> seen(model.nodes.count, 0);
+  const auto for_each_corner = [&](const auto& visit) {
+    for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
+      for (const std::int64_t slot : model.slots_of(tile)) {
+        if (model.is_padding(slot)) continue;
+        for (const std::int32_t node : model.elements.corners(slot)) visit(node, rank[tile]);
+      }
+    }
+  };
+  for_each_corner([&](std::int32_t node, std::int32_t r) { seen[node] |= 1 << r; });
+  std::int64_t corners = 0;
+  for_each_corner([&](std::int32_t node, std::int32_t) { corners += seen[node] == 3 ? 1 : 0; });
+  EXPECT_EQ(corners, 2 * 4 * 12 * 12);  // halves of a cube: four corners of the elements on each side of the cut
+  const SharedWork work = solved_on<double>(2, {}, cube(), [](Solver<double>& solver) { return solver.shared_work(); });
+  EXPECT_EQ(work.ranks, 2);
+  EXPECT_GE(work.records, corners);
+  EXPECT_LE(work.records, corners + 8 * 2 * nodes_per_span);
+  EXPECT_LE(work.imbalance, 1.1);
+}
+
+TEST(Ranks, SendAsManyBytesInAStepAsTheyReport) {
+  std::vector<std::int64_t> sent(3, 0);
+  SharedWork work;
+  std::int64_t steps = 0;
+  on_ranks(
+      3, {},
+      [&](ThreadRanks& ranks) {
+        Solver<double> solver(cube(), &ranks);
+        ranks.sent = 0;
+        for (; steps < 5; ++steps) solver.step();
+        work = solver.shared_work();
+        sent[0] = ranks.sent;
+        return 0;
+      },
+      [&](ThreadRanks& ranks) {
+        Solver<double> solver(cube(), &ranks);
+        ranks.sent = 0;
+        solver.follow_rank_0();
+        sent[ranks.number()] = ranks.sent;
+      });
+  EXPECT_EQ(std::accumulate(sent.begin(), sent.end(), std::int64_t{0}), steps * work.bytes_per_step);
+  EXPECT_GT(work.bytes_per_step, 24 * work.records);
+}
+
+TEST(Ranks, WithoutTilesTakePart) {
+  const Scene scene = scene_of({block("cube", {2, 2, 2}, 0.01, {}, {1, 2, 3})}, 1e-5, false);
+  const auto hash = [](Solver<double>& solver) {
+    run(solver);
+    return state_hash(solver.model());
+  };
+  Solver<double> alone(scene);
+  EXPECT_EQ(solved_on<double>(5, {}, scene, hash), hash(alone));
+}
+
+TEST(Ranks, RefuseByNameWhatTheyCannotDo) {
+  Scene scene = pressed_blocks(1e-3);
+  scene.time.subcycling = true;
+  scene.output.body_energies = true;
+  scene.prescribed_velocities[0].when.end = 1e-4;
+  EXPECT_EQ(missing_on_ranks(scene), "contact, subcycling, constraints or prescribed velocities that begin or end");
+  EXPECT_EQ(missing_on_ranks(cube()), "");
+  const std::string error = error_of([&] {
+    on_ranks(
+        2, {},
+        [&](ThreadRanks& ranks) {
+          return Solver<double>(scene_of({block("a", {2, 2, 2}, 1, {})}, 1), &ranks), 0;
+        },
+        [&](ThreadRanks& ranks) {
+          EXPECT_THROW(Solver<double>(scene_of({block("a", {2, 2, 2}, 1, {})}, 1), &ranks), InputError);
+        });
+  });
+  EXPECT_THAT(error, testing::HasSubstr("several ranks cannot do this scene yet: it has contact"));
+}
+
+TEST(Ranks, FailAllInOneWayWhereAGuardEndsTheRun) {
+  Scene scene = pressed_block(0);
+  scene.element.inside_out = InsideOut::stop;
+  const auto error = [](Solver<double>& solver) { return error_of<RunError>([&] { run(solver); }); };
+  Solver<double> alone(scene);
+  const std::string expected = error(alone);
+  EXPECT_NE(expected, no_error);
+  for (const int count : {1, 2, 3})
+    EXPECT_EQ(solved_on<double>(count, {Partition::By::random, 3}, scene, error), expected) << count;
+}
+
+/// What rank 0 says where another is set up as given.
+std::string disagreement(const RankReady& first, const RankReady& second, std::uint64_t program = 1) {
+  return error_of([&] {
+    on_ranks(
+        2, {},
+        [&](ThreadRanks& ranks) {
+          agree(ranks, first);
+          return 0;
+        },
+        [&](ThreadRanks& ranks) {
+          ranks.set_program(program);
+          try {
+            agree(ranks, second);
+          } catch (const InputError&) {  // as rank 0 has it
+          }
+        });
+  });
+}
+
+TEST(Ranks, OfUnlikeProgramsPacksOrMeshesAreRefused) {
+  const RankReady own{0, "", 8, 5};
+  EXPECT_EQ(disagreement(own, own), no_error);
+  EXPECT_EQ(disagreement(own, {0, "", 4, 5}),
+            "rank 1 has packs of 4, rank 0 of 8: expected one kind of processors, or a build for the least of them");
+  EXPECT_THAT(disagreement(own, {0, "", 8, 6}), testing::HasSubstr("rank 1 has made another mesh"));
+  EXPECT_THAT(disagreement(own, own, 2), testing::HasSubstr("rank 1 runs another program than rank 0"));
+  EXPECT_EQ(disagreement(own, {2, "no such file", 0, 0}), "rank 1: no such file");
+  EXPECT_EQ(disagreement({2, "no such scene", 0, 0}, own), no_error);  // it has its own to say
+}
+
+}  // namespace
+}  // namespace pinball::ranks_test

@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include <tests/support/pressed_block.hpp>
+#include <tests/support/saved_state.hpp>
+#include <tests/support/thread_ranks.hpp>
+
+/// A scene that several ranks run ends in the bits of one process, whatever their number and whatever each works.
+namespace pinball::same_bits_test {
+namespace {
+
+using namespace test;
+
+/// A block that turns and is torn: yield, erosion, hourglass forces, viscosity, tiles of two sizes.
+Scene torn_block(Precision precision = Precision::float64) {
+  Scene scene = scene_of({block("torn", {11, 7, 9}, 0.01, {})}, 40e-6, false);
+  scene.materials[0] = plastic_material("steel", 4e8, 0.02);
+  scene.bodies[0].velocity_gradient = {Point{4000, 300, 0}, Point{0, -1500, 200}, Point{500, 0, -1200}};
+  scene.bodies[0].velocity_noise = 5;
+  scene.element.bulk_viscosity = true;
+  scene.precision = precision;
+  scene.output.body_energies = true;
+  return scene;
+}
+
+/// Every kind of boundary condition that ranks know, several of them with names.
+Scene held_and_driven() {
+  Scene scene = pressed_blocks(1e-3);
+  scene.contact.method = ContactMethod::none;
+  scene.bodies = {block("a", {9, 8, 7}, 0.1, {0, 0, 0}, {0.5, 0, -20}), block("b", {4, 5, 4}, 0.1, {2, 0, 0.5})};
+  scene.prescribed_velocities[0].nodes.plane = Plane{{0, 0, 0.7}, {0, 0, 1}};
+  scene.prescribed_velocities[0].name = "press";
+  scene.constraints[0].name = "middle";
+  scene.rigid_walls[1].plane.point[0] = 0.91;
+  scene.rigid_walls[0].friction = 0.2;
+  scene.rigid_walls[0].nodes.body = "a";
+  RigidWall pushed{"pushed", {{0, 0, 0.45}, {0, 0, 1}}, "b", "here"};
+  pushed.mass = 100;
+  pushed.speed = 40;
+  scene.rigid_walls.push_back(pushed);
+  Gravity weight;
+  weight.acceleration = {0, 0, -1000};
+  weight.name = "weight";
+  Gravity of_one = weight;
+  of_one.bodies = {"b"};
+  of_one.name = "pull";
+  scene.gravities = {weight, of_one};
+  Pressure blast;
+  blast.name = "blast";
+  blast.pressure = 3e7;
+  blast.faces.plane = Plane{{0.9, 0, 0}, {1, 0, 0}};
+  scene.pressures = {blast};
+  return scene;
+}
+
+Scene resting_bar() {
+  Scene scene = scene_of({block("bar", {60, 4, 4}, 0.01, {})}, 8e-5, false);
+  NodalLoad pull;
+  pull.nodes.plane = Plane{{0.6, 0, 0}, {1, 0, 0}};
+  pull.force = {1e5, 0, 0};
+  scene.loads = {pull};
+  return scene;
+}
+
+/// What a run leaves that every bit goes into.
+struct Outcome {
+  std::uint64_t hash = 0;
+  std::int64_t steps = 0, eroded = 0, resting = 0;
+  std::vector<double> numbers;
+  bool operator==(const Outcome&) const = default;
+};
+
+template <class S>
+Outcome outcome_of(Solver<S>& solver) {
+  Outcome found;
+  const auto row = [&] {
+    const HistoryRow of = history_row(solver);
+    const Energies& e = of.energy;
+    found.numbers.insert(found.numbers.end(), {of.time, of.dt, of.balance_error, e.kinetic, e.internal, e.hourglass,
+                                               e.bulk_viscosity, e.eroded, e.external});
+    found.numbers.insert(found.numbers.end(), of.momentum.begin(), of.momentum.end());
+    found.numbers.insert(found.numbers.end(), of.more.begin(), of.more.end());
+  };
+  while (!solver.at_end()) {
+    solver.step();
+    if (solver.steps() % 7 == 0) row();
+  }
+  solver.finish();
+  row();
+  found.hash = state_hash(solver.model());
+  found.steps = solver.steps();
+  found.eroded = solver.counts().eroded_elements();
+  found.resting = solver.counts().work().resting_element_steps;
+  return found;
+}
+
+template <class S>
+Outcome expect_same(const Scene& scene) {
+  Solver<S> alone(scene);
+  const Outcome expected = outcome_of(alone);
+  const std::vector<Partition> partitions{{}, {Partition::By::random, 1}, {Partition::By::graph, 0}};
+  for (const int count : {1, 2, 3, 4, 7}) {
+    for (const Partition& partition : partitions) {
+      const Outcome found = solved_on<S>(count, partition, scene, [](Solver<S>& s) { return outcome_of(s); });
+      EXPECT_TRUE(found == expected) << count << " ranks, partition " << static_cast<int>(partition.by);
+    }
+  }
+  return expected;
+}
+
+TEST(SameBits, OfABlockThatIsTornForAnyNumberOfRanksAndAnyPartition) {
+  EXPECT_GT(expect_same<double>(torn_block()).eroded, 0);
+}
+
+TEST(SameBits, InSinglePrecision) { expect_same<float>(torn_block(Precision::float32)); }
+
+TEST(SameBits, OfTwentyPartitionsAtRandom) {
+  Scene scene = torn_block();
+  scene.time.end = 10e-6;
+  Solver<double> alone(scene);
+  const Outcome expected = outcome_of(alone);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Partition partition{Partition::By::random, seed};
+    EXPECT_TRUE(solved_on<double>(3, partition, scene, [](Solver<double>& s) { return outcome_of(s); }) == expected)
+        << seed;
+  }
+}
+
+TEST(SameBits, OfLoadsConstraintsPressuresGravityDampingAndWalls) {
+  const Scene scene = held_and_driven();
+  expect_same<double>(scene);
+  Solver<double> alone(scene);
+  run(alone);
+  EXPECT_GT(alone.boundary().walls()[0].impulse, 0);
+  EXPECT_GT(alone.boundary().walls()[2].impulse, 0);
+  EXPECT_NE(alone.boundary().pressures()[0].force[0], 0);
+  for (const ForceResult& named : alone.boundary().forces(alone.model(), alone.force_time()))
+    EXPECT_NE(norm(named.force), 0) << named.name;
+}
+
+TEST(SameBits, WhereMostTilesRest) { EXPECT_GT(expect_same<double>(resting_bar()).resting, 0); }
+
+TEST(SameBits, WhereElementsNearlyTurnOver) { expect_same<double>(pressed_block(1)); }
+
+TEST(SameBits, OfAStateThatThreeRanksHaveSavedOnTwoAndAlone) {
+  for (const Scene& scene : {torn_block(), resting_bar(), held_and_driven()}) {
+    Solver<double> alone(scene);
+    const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {
+      for (int step = 0; step < 9; ++step) {
+        solver.step();
+        alone.step();
+      }
+      return saved(solver);
+    });
+    run(alone);
+    Solver<double> other(scene);
+    StateArchive archive = StateArchive::reading({bytes.data(), bytes.size()});
+    other.persist(archive);
+    EXPECT_EQ(archive.left(), 0U);
+    run(other);
+    EXPECT_EQ(state_hash(other.model()), state_hash(alone.model()));
+    EXPECT_EQ(other.energies().external, alone.energies().external);
+    const auto hash = [](Solver<double>& solver) {
+      run(solver);
+      return state_hash(solver.model());
+    };
+    EXPECT_EQ(solved_on<double>(2, {}, scene, hash, bytes), state_hash(alone.model()));
+  }
+}
+
+}  // namespace
+}  // namespace pinball::same_bits_test
