@@ -58,6 +58,7 @@ void agree(Ranks& ranks, const RankReady& own) {
   if (own.status != 0) return;
   if (all[0].status != 0) fail(all[0].status, all[0].error.data());
   for (int rank = 1; rank < ranks.count(); ++rank) compare(rank, all[rank], all[0]);
+  ranks.running = true;
 }
 
 }  // namespace pinball

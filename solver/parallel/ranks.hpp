@@ -74,7 +74,8 @@ class Ranks {
 
   Partition partition;
   std::int64_t bytes_given = 0;  ///< by all ranks together, for sums in steps
-  bool agreed = false;           ///< all are ready to run, or have failed (agree())
+  bool agreed = false;           ///< all have said whether they are ready (agree()),
+  bool running = false;          ///< and were
 
  protected:
   bool gave_up_ = false;

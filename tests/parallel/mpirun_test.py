@@ -1,0 +1,168 @@
+"""Runs that mpirun starts on several ranks: the same bits and files as of one process, and what they do where something is
+wrong.
+
+    mpirun_test.py PROGRAM ALONE FOLDER     PROGRAM of ranks, ALONE without; exit status 77: there is no mpirun
+"""
+
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+PROGRAM, ALONE, FOLDER = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+# Of this machine alone, whatever a batch system has left in the environment; root may, in a container.
+MPIRUN = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--host", "localhost:16"]
+OTHERS = {"started", "threads", "wall_seconds", "phase_seconds", "element_steps_per_second", "skipped_seconds",
+          "bytes_per_element", "parallel"}  # keys of times, and of how the run was shared
+SCENES = {
+    "block": ["block", "--set", "body.block.mesh.elements=[14,13,12]", "--set", "time.steps=20"],
+    "taylor_bar": ["taylor_bar", "--set", "time.steps=60", "--set", "material.copper.erosion_strain=0.1",
+                   "--set", "output.interval=2e-4"],
+    "spinning_block": ["spinning_block", "--set", "time.steps=60", "--precision", "float"],
+    "plate_impact": ["plate_impact", "--set", "time.steps=60"],
+    "cantilever": ["cantilever", "--set", "time.steps=60"],
+}
+
+
+def start(ranks, *words, program=PROGRAM, **more):
+    command = MPIRUN + ["-n", str(ranks), program, *map(str, words)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
+
+
+def mpirun(ranks, *words):
+    process = start(ranks, *words)
+    out, errors = process.communicate(timeout=60)
+    return process.returncode, out, errors
+
+
+def summary(folder):
+    return json.loads((folder / "summary.json").read_text())
+
+
+def results(folder):
+    return {key: value for key, value in summary(folder).items() if key not in OTHERS}
+
+
+def run_alone(folder, *words):
+    subprocess.run([ALONE, "run", *map(str, words), "--out", folder, "--quiet"], check=True, stdout=subprocess.DEVNULL)
+
+
+def run_on(ranks, folder, *words):
+    status, out, errors = mpirun(ranks, "run", *words, "--out", folder, "--quiet")
+    assert status == 0, (ranks, words, errors)
+    assert errors == "" and len([line for line in out.splitlines() if line.startswith("  state ")]) == 1, (out, errors)
+
+
+def same_results():
+    for name, words in SCENES.items():
+        run_alone(FOLDER / name / "alone", *words)
+        partitions = [(1, "tiles"), (2, "tiles"), (3, "random:7"), (4, "tiles")]
+        for ranks, partition in partitions if name in ("block", "taylor_bar") else partitions[2:3]:
+            folder = FOLDER / name / str(ranks)
+            run_on(ranks, folder, *words, "--partition", partition)
+            assert results(folder) == results(FOLDER / name / "alone"), (name, ranks)
+            rows = [(at / "history.csv").read_bytes() for at in (folder, FOLDER / name / "alone")]
+            assert rows[0] == rows[1], (name, ranks)
+            shared = summary(folder)["parallel"]
+            assert shared is None if ranks == 1 else shared["ranks"] == ranks and shared["bytes_per_step"] > 0, shared
+
+
+def partition_by_metis():
+    status, _, errors = mpirun(2, "run", *SCENES["block"], "--partition", "metis", "--out", FOLDER / "metis", "--quiet")
+    if status == 2 and "built without METIS" in errors:
+        print("no METIS: its partition is not tested")
+        return
+    assert status == 0, errors
+    assert results(FOLDER / "metis") == results(FOLDER / "block" / "alone")
+
+
+def checkpoint_of_three_on_others():
+    words = ["--set", "time.steps=30", "--checkpoint-every", 30]
+    run_on(3, FOLDER / "saved", *SCENES["taylor_bar"], *words)
+    more = ["--restart", FOLDER / "saved" / "checkpoint.pinball", "--set", "time.steps=60"]
+    for ranks in (2, 4):
+        run_on(ranks, FOLDER / f"more{ranks}", *more)
+    run_alone(FOLDER / "more", *more)
+    hashes = {summary(FOLDER / name)["state_hash"] for name in ("more", "more2", "more4", "taylor_bar/alone")}
+    assert len(hashes) == 1, hashes
+
+
+def message_of(status, ranks, *words):
+    """The one message of the program; what mpirun says has another form."""
+    found, _, errors = mpirun(ranks, "run", *words, "--out", FOLDER / f"failed{ranks}", "--quiet")
+    assert found == status, (found, errors)
+    messages = [line for line in errors.splitlines() if line.startswith("pinball: error: ")]
+    assert len(messages) == 1, errors
+    return messages[0]
+
+
+def errors():
+    ranks = 3
+    assert "cannot do this scene yet: it has contact" in message_of(2, ranks, "two_bars")
+    assert "no such scene" in message_of(2, ranks, "nothing_of_this_name")
+    assert "guard.energy_error" in message_of(1, ranks, "taylor_bar", "--set", "guard.energy_error=1e-9",
+                                              "--set", "output.field_times=[]")
+    assert summary(FOLDER / f"failed{ranks}")["status"] == "failed"
+    assert (FOLDER / f"failed{ranks}" / "last_good.pinball").exists()
+    status, _, said = mpirun(2, "info", "block")
+    assert status == 2 and "mpirun: expected pinball run" in said, said
+
+
+def unlike_programs():
+    other = FOLDER / "other"
+    shutil.copy(PROGRAM, other)
+    with other.open("ab") as file:
+        file.write(b"another build")
+    words = ["run", "block", "--out", str(FOLDER / "unlike")]
+    both = subprocess.run(MPIRUN + ["-n", "1", PROGRAM, *words, ":", "-n", "1", other, *words], capture_output=True,
+                          text=True, timeout=60)
+    assert both.returncode == 2 and "rank 1 runs another program than rank 0" in both.stderr, both.stderr
+
+
+def children(process):
+    """The ranks of an mpirun."""
+    found = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    return [int(pid) for pid in found]
+
+
+def wait_for_rows(folder):
+    for _ in range(300):
+        if (folder / "history.csv").exists() and len((folder / "history.csv").read_text().splitlines()) > 2:
+            return
+        time.sleep(0.1)
+    raise AssertionError(f"no rows in {folder}")
+
+
+def killed_rank():
+    long = ["run", "taylor_bar", "--set", "time.end=100", "--set", "output.interval=1e-4", "--quiet", "--out"]
+    process = start(3, *long, FOLDER / "killed")
+    wait_for_rows(FOLDER / "killed")
+    os.kill(children(process)[-1], signal.SIGKILL)
+    process.communicate(timeout=30)
+    assert process.returncode != 0
+    process = start(3, *long, FOLDER / "stopped")
+    wait_for_rows(FOLDER / "stopped")
+    os.kill(children(process)[0], signal.SIGUSR1)  # rank 0 decides
+    process.communicate(timeout=30)
+    assert process.returncode == 128 + signal.SIGUSR1, process.returncode
+    assert summary(FOLDER / "stopped")["status"] == "stopped" and (FOLDER / "stopped" / "checkpoint.pinball").exists()
+
+
+def main():
+    if shutil.which("mpirun") is None:
+        print("no mpirun: nothing is tested")
+        return 77
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
+    for check in (same_results, partition_by_metis, checkpoint_of_three_on_others, errors, unlike_programs, killed_rank):
+        check()
+        print(check.__name__, "as expected", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
