@@ -13,7 +13,7 @@ import checked_tree
 
 # Each name is in the first of the headers named, and in the others, too.
 NAMES = {
-    "algorithm": "all_of clamp copy_backward fill find lower_bound max min minmax_element ranges sort unique upper_bound",
+    "algorithm": "all_of clamp copy_backward copy_n fill find lower_bound max min minmax_element ranges sort unique upper_bound",
     "array": "array",
     "atomic": "atomic atomic_flag memory_order_acquire memory_order_relaxed memory_order_release",
     "bit": "bit_cast bit_ceil countr_zero popcount rotl",
@@ -40,7 +40,7 @@ NAMES = {
     "new": "bad_alloc",
     "optional": "nullopt optional",
     "set": "set",
-    "span": "span",
+    "span": "as_bytes as_writable_bytes span",
     "sstream": "ostringstream",
     "stdexcept": "invalid_argument length_error logic_error runtime_error",
     "string": "string to_string",
