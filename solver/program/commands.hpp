@@ -92,6 +92,9 @@ PINBALL_API int new_command(const NewOptions& options);
 /// Runs a scene, or goes on with a run from its checkpoint, and writes its results.
 PINBALL_API int run_command(const RunOptions& options);
 
+/// On a rank that has failed before all were ready, so that the others do not wait for it. status: its exit status.
+PINBALL_API void tell_ranks(Ranks& ranks, int status, const std::string& error);
+
 /// Writes a deck as a scene of this program.
 PINBALL_API int convert_command(const ConvertOptions& options);
 

@@ -328,7 +328,7 @@ int run_program(int argc, char** argv, std::unique_ptr<pinball::Ranks>& ranks) {
 int fail(pinball::Ranks* ranks, const std::exception& error, int status) {
   if (ranks == nullptr || ranks->count() == 1) return report(error, status);
   if (!ranks->agreed) {
-    agree(*ranks, {status, error.what()});
+    pinball::tell_ranks(*ranks, status, error.what());
   } else if (ranks->number() > 0 && ranks->running) {  // in the middle of the run, which the others cannot go on with
     pinball::unmute_errors();
     ranks->give_up();

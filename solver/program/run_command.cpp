@@ -95,6 +95,8 @@ int restart_command(const RunOptions& options) {
 
 }  // namespace
 
+void tell_ranks(Ranks& ranks, int status, const std::string& error) { agree(ranks, {status, error}); }
+
 int run_command(const RunOptions& options) {
   require_device(options.device);
   if (!options.restart.empty()) return restart_command(options);
