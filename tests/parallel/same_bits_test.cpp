@@ -161,6 +161,7 @@ TEST(SameBits, OfAStateThatThreeRanksHaveSavedOnTwoAndAlone) {
     run(other);
     EXPECT_EQ(state_hash(other.model()), state_hash(alone.model()));
     EXPECT_EQ(other.energies().external, alone.energies().external);
+    EXPECT_EQ(other.counts().work().resting_element_steps, alone.counts().work().resting_element_steps);
     const auto hash = [](Solver<double>& solver) {
       run(solver);
       return state_hash(solver.model());
