@@ -62,8 +62,8 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
                                       "element_steps_skipped", "element_steps_eroded", "element_steps_resting",
                                       "element_steps_subcycled", "element_steps_rigid", "element_steps_per_second",
                                       "energy", "momentum", "bodies", "mass_scaling", "rigid_bodies", "rigid_walls",
-                                      "pressures", "contact", "inside_out", "skipped", "skipped_seconds", "state_hash",
-                                      "bytes_per_element", "probes", "warnings", "notes"));
+                                      "pressures", "contact", "inside_out", "skipped", "skipped_seconds", "parallel",
+                                      "state_hash", "bytes_per_element", "probes", "warnings", "notes"));
   EXPECT_THAT(keys(json["dt"]), ElementsAre("min", "max", "limited_by"));
   EXPECT_THAT(
       keys(json["energy"]),
@@ -85,6 +85,18 @@ TEST(Summary, HasTheKeysThatScriptsReadFrom) {
   EXPECT_THAT(keys(json["skipped"]), ElementsAre("resting_element_steps", "subcycled_element_steps", "searches",
                                                  "inner_element_steps", "bytes_not_stored"));
   EXPECT_THAT(keys(json["skipped_seconds"]), ElementsAre("resting", "subcycling", "searches", "inner_elements"));
+}
+
+TEST(Summary, TellsHowRanksHaveSharedTheRun) {
+  RunSummary s = example();
+  EXPECT_TRUE(Json::parse(summary_json(s))["parallel"].is_null());
+  s.parallel = {4, 1000, 30000, 1.25};
+  const Json parallel = Json::parse(summary_json(s))["parallel"];
+  EXPECT_THAT(keys(parallel), testing::ElementsAre("ranks", "records", "bytes_per_step", "imbalance"));
+  EXPECT_EQ(parallel["ranks"], 4);
+  EXPECT_EQ(parallel["records"], 1000);
+  EXPECT_EQ(parallel["bytes_per_step"], 30000);
+  EXPECT_EQ(parallel["imbalance"], 1.25);
 }
 
 TEST(Summary, HoldsTheValues) {
