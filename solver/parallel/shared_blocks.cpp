@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "node_holders.hpp"
+
 namespace pinball {
 
 SharedBlocks::SharedBlocks(Ranks& ranks, NodeHolders& holders, std::int64_t blocks, Visit visit)

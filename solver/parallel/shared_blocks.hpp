@@ -4,10 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "node_holders.hpp"
 #include "ranks.hpp"
 
 namespace pinball {
+
+class NodeHolders;
 
 /// Sums over nodes that are cut into blocks of the whole list, whatever the number of ranks. Each block is summed up by
 /// one rank, which holds all its nodes, and the sums of the blocks go to all: so they have one order.

@@ -15,7 +15,7 @@ namespace pinball {
 
 template <class S>
 Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
-    : ranks_(ranks),
+    : SharedNodes(ranks),
       elements_of_tile_(elements_of_tiles(model)),
       rank_of_tile_((require_ranks_can(model.scene), ranks_of_tiles(model, ranks))),
       tile_packs_(model.tile_packs),

@@ -15,6 +15,7 @@
 #include "node_holders.hpp"
 #include "ranks.hpp"
 #include "shared_blocks.hpp"
+#include "shared_nodes.hpp"
 
 namespace pinball {
 
@@ -40,27 +41,28 @@ struct SharedWork {
 /// All ranks have the same numbers where sums are concerned: results of tiles, energies of spans, sums of boundary
 /// conditions. So they choose the same steps, and find the same to be wrong.
 template <class S>
-class Subdomain {
+class Subdomain final : public SharedNodes {
  public:
   /// Throws InputError for a scene with what ranks cannot do (missing_on_ranks).
   Subdomain(const Model<S>& model, Ranks& ranks);
   /// On rank 0 lets the others go.
-  ~Subdomain();
+  ~Subdomain() override;
   Subdomain(const Subdomain&) = delete;  // what it has made points to it
   Subdomain& operator=(const Subdomain&) = delete;
 
   // ---- Before the first step ----
 
-  /// A sum over lists of nodes that is cut into blocks, until connect().
-  std::shared_ptr<const SharedBlocks> blocks(std::int64_t count, SharedBlocks::Visit visit);
+  // SharedNodes; blocks() until connect().
+  std::shared_ptr<const SharedBlocks> blocks(std::int64_t count, SharedBlocks::Visit visit) override;
+  std::int32_t rank_of_slot(std::int64_t slot) const override;
+  std::int32_t rank_of_node(std::int32_t node) const override { return spans_->owner(node / nodes_per_span); }
+  void keep_with_state(std::function<void()> bring) override { kept_.push_back(std::move(bring)); }
   /// All sums are known: who sends what to whom. Adds records to the nodes of the model. fingerprint: of the model.
   /// Throws where not all ranks are ready (agree()).
   void connect(Model<S>& model, std::uint64_t fingerprint);
 
   // ---- In a step ----
 
-  /// Of the element in a slot.
-  std::int32_t rank_of_slot(std::int64_t slot) const;
   bool works(std::int64_t tile) const { return rank_of_tile_[tile] == ranks_.number(); }
   void begin_step();
   void end_step();
@@ -72,11 +74,6 @@ class Subdomain {
   template <class Value>
   void share_tiles(Value* of_tile) {
     share(rank_of_tile_, of_tile);
-  }
-  /// The same of anything else; owner: rank of each number.
-  template <class Value>
-  void share(const std::vector<std::int32_t>& owner, Value* of) {
-    ranks_.share(owner, of);
   }
   /// Spans of nodes: blocks of the sum of kinetic energies.
   const SharedBlocks& spans() const { return *spans_; }
@@ -94,14 +91,6 @@ class Subdomain {
   void bring_back(Model<S>& model);
   void send_state(Model<S>& model);  ///< at RankOrder::state
   void state_was_read() { is_whole_ = true; }
-  /// Numbers of a list of what acts on nodes (NodeConstraint, NodePrescription) are to come back with the state. of:
-  /// has to stay where it is.
-  template <class Entry, class T>
-  void keep_with_state(const std::vector<Entry>& list, Array<T>& of) {
-    std::vector<std::int32_t> owner;
-    for (const Entry& entry : list) owner.push_back(spans_->owner(entry.node / nodes_per_span));
-    kept_.push_back([this, owner = std::move(owner), &of] { ranks_.share(owner, of.data()); });
-  }
 
   SharedWork work() const;
   std::size_t bytes() const;
@@ -111,7 +100,6 @@ class Subdomain {
   template <class Range>
   void gather_ranges(Array<S>& array, const std::vector<std::int32_t>& owner, const Range& range, bool to_all);
 
-  Ranks& ranks_;
   std::vector<std::int32_t> elements_of_tile_, rank_of_tile_;
   std::vector<std::int64_t> tile_packs_;  ///< Model::tile_packs
   NodeHolders holders_;

@@ -19,7 +19,7 @@ std::vector<std::int32_t> first_of_nodes(const std::vector<Entry>& list) {
 template <class S, class Space>
 class SpaceHeldNodes final : public HeldNodeKernels<S> {
  public:
-  explicit SpaceHeldNodes(Subdomain<S>* domain) : domain_(domain) {}
+  explicit SpaceHeldNodes(SharedNodes* sharing) : sharing_(sharing) {}
 
   void set(const std::vector<NodeConstraint<S>>& constraints, const std::vector<NodePrescription<S>>& prescribed,
            bool keeps) override {
@@ -29,11 +29,11 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
     first_moved_ = list_in<Space>(first_of_nodes(prescribed));
     reaction_.reset(prescribed.size());
     held_.reset(keeps ? constraints.size() : 0);
-    if (domain_ == nullptr) return;
-    shared_ = shared_list(domain_, prescribed.size(), [prescribed](std::int64_t i) { return prescribed[i].node; });
+    if (sharing_ == nullptr) return;
+    shared_ = shared_list(sharing_, prescribed.size(), [prescribed](std::int64_t i) { return prescribed[i].node; });
     if constexpr (on_host<Space>) {  // what the rank has that moves the node, for the forces of tables
-      domain_->keep_with_state(prescribed, reaction_);
-      if (keeps) domain_->keep_with_state(constraints, held_);
+      keep_with_state(prescribed, reaction_);
+      if (keeps) keep_with_state(constraints, held_);
     }
   }
   void clear_forces() override {
@@ -84,12 +84,20 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   }
 
  private:
+  /// of: has a number for each entry of the list.
+  template <class Entry, class Numbers>
+  void keep_with_state(const std::vector<Entry>& list, Numbers& of) {
+    std::vector<std::int32_t> owner;
+    for (const Entry& entry : list) owner.push_back(sharing_->rank_of_node(entry.node));
+    sharing_->keep_with_state([this, owner = std::move(owner), &of] { sharing_->share(owner, of.data()); });
+  }
+
   using Memory = typename Space::memory_space;
   static std::int64_t count(const Array<std::int32_t, Memory>& first) {
     return first.empty() ? 0 : static_cast<std::int64_t>(first.size()) - 1;
   }
 
-  Subdomain<S>* domain_;
+  SharedNodes* sharing_;
   SharedList shared_;  ///< of prescribed_
   Array<NodeConstraint<S>, Memory> constraints_;
   Array<std::int32_t, Memory> first_held_;  ///< per held node and one more: its constraints

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <kernels/exec.hpp>
-#include <solver/parallel/subdomain.hpp>
+#include <solver/parallel/shared_nodes.hpp>
 
 /// What loops of boundary conditions have in common.
 namespace pinball {
@@ -26,12 +26,12 @@ Array<T, typename Space::memory_space> list_in(const std::vector<T>& list) {
 /// Which pieces of the sums over a list are whose, where several ranks share the nodes; else null.
 using SharedList = std::shared_ptr<const SharedBlocks>;
 
-/// node(i): the node that the i-th of a list is about. domain: null on a process that is alone.
-template <class S, class Node>
-SharedList shared_list(Subdomain<S>* domain, std::int64_t count, const Node& node) {
-  if (domain == nullptr) return nullptr;
+/// node(i): the node that the i-th of a list is about. sharing: null on a process that is alone.
+template <class Node>
+SharedList shared_list(SharedNodes* sharing, std::int64_t count, const Node& node) {
+  if (sharing == nullptr) return nullptr;
   const std::int64_t pieces = sum_pieces(count);
-  return domain->blocks(pieces, [count, pieces, node](std::int64_t p, const auto& take) {
+  return sharing->blocks(pieces, [count, pieces, node](std::int64_t p, const auto& take) {
     const SumPiece piece = sum_piece(count, p, pieces);
     for (std::int64_t i = piece.begin; i < piece.end; ++i) take(node(i));
   });

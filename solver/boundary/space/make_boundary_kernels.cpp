@@ -5,11 +5,11 @@
 namespace pinball {
 
 template <class S>
-std::unique_ptr<BoundaryKernels<S>> make_host_boundary_kernels(Subdomain<S>* domain) {
-  return std::make_unique<SpaceBoundaryKernels<S, DefaultExecutionSpace>>(std::vector<std::int64_t>(), domain);
+std::unique_ptr<BoundaryKernels<S>> make_host_boundary_kernels(SharedNodes* sharing) {
+  return std::make_unique<SpaceBoundaryKernels<S, DefaultExecutionSpace>>(std::vector<std::int64_t>(), sharing);
 }
 
-template std::unique_ptr<BoundaryKernels<double>> make_host_boundary_kernels(Subdomain<double>*);
-template std::unique_ptr<BoundaryKernels<float>> make_host_boundary_kernels(Subdomain<float>*);
+template std::unique_ptr<BoundaryKernels<double>> make_host_boundary_kernels(SharedNodes*);
+template std::unique_ptr<BoundaryKernels<float>> make_host_boundary_kernels(SharedNodes*);
 
 }  // namespace pinball

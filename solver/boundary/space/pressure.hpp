@@ -10,10 +10,10 @@ namespace pinball {
 template <class S, class Space>
 class SpacePressure final : public PressureKernels<S> {
  public:
-  /// domain: of several ranks; null: one process has all faces.
-  SpacePressure(const FaceList& faces, Subdomain<S>* domain)
-      : domain_(domain),
-        shared_(shared_list(domain, faces.nodes.size(), [nodes = faces.nodes](std::int64_t i) { return nodes[i]; })),
+  /// sharing: of several ranks; null: one process has all faces.
+  SpacePressure(const FaceList& faces, SharedNodes* sharing)
+      : sharing_(sharing),
+        shared_(shared_list(sharing, faces.nodes.size(), [nodes = faces.nodes](std::int64_t i) { return nodes[i]; })),
         element_(list_in<Space>(faces.element)),
         corners_(list_in<Space>(faces.corners)),
         nodes_(list_in<Space>(faces.nodes)),
@@ -21,15 +21,15 @@ class SpacePressure final : public PressureKernels<S> {
         places_(list_in<Space>(faces.places)),
         corner_force_(3 * faces.corners.size()),
         force_(3 * faces.nodes.size()) {
-    if (domain == nullptr) return;
-    for (const std::int64_t slot : faces.element) rank_of_face_.push_back(domain->rank_of_slot(slot));
+    if (sharing == nullptr) return;
+    for (const std::int64_t slot : faces.element) rank_of_face_.push_back(sharing->rank_of_slot(slot));
   }
 
   void add(const NodeArrays<S>& nodes, S pressure) override {
     for_each<Space>("pressure", element_.size(),
                     PressFaces<S>{nodes, element_.data(), corners_.data(), pressure, corner_force_.data()});
     if constexpr (on_host<Space>) {  // who works the element has all corners of the face
-      if (domain_ != nullptr) domain_->share(rank_of_face_, reinterpret_cast<FaceForce*>(corner_force_.data()));
+      if (sharing_ != nullptr) sharing_->share(rank_of_face_, reinterpret_cast<FaceForce*>(corner_force_.data()));
     }
     for_each<Space>(
         "force of pressure", node_count(),
@@ -57,7 +57,7 @@ class SpacePressure final : public PressureKernels<S> {
   PressureForce<S> forces() const { return {nodes_.data(), force_.data()}; }
   std::int64_t node_count() const { return nodes_.size(); }
 
-  Subdomain<S>* domain_;
+  SharedNodes* sharing_;
   SharedList shared_;  ///< of nodes_
   std::vector<std::int32_t> rank_of_face_;
   Array<std::int64_t, Memory> element_;

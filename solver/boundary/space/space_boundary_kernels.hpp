@@ -16,9 +16,9 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
   using Forces = std::unique_ptr<NodeForceKernels<S>>;
 
   /// place_of_slot: where the elements of the host's slots are in the arrays of the space; empty: they are the slots.
-  /// domain: of several ranks, which share the sums; null: one process has all.
-  explicit SpaceBoundaryKernels(std::vector<std::int64_t> place_of_slot = {}, Subdomain<S>* domain = nullptr)
-      : place_of_slot_(std::move(place_of_slot)), domain_(domain) {}
+  /// sharing: of several ranks, which share the sums; null: one process has all.
+  explicit SpaceBoundaryKernels(std::vector<std::int64_t> place_of_slot = {}, SharedNodes* sharing = nullptr)
+      : place_of_slot_(std::move(place_of_slot)), sharing_(sharing) {}
 
   Forces load(const std::vector<std::int32_t>& nodes, const std::vector<S>& share) const override {
     return std::make_unique<SpaceSharedForces<S, Space, SharedForce<S>, S>>("loads", nodes, share, of_list(nodes));
@@ -39,16 +39,16 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
     return std::make_unique<SpaceGivenForces<S, Space>>(node_count, forces);
   }
   std::unique_ptr<HeldNodeKernels<S>> held_nodes() const override {
-    return std::make_unique<SpaceHeldNodes<S, Space>>(domain_);
+    return std::make_unique<SpaceHeldNodes<S, Space>>(sharing_);
   }
   std::unique_ptr<PressureKernels<S>> pressure(const FaceList& faces) const override {
-    if (place_of_slot_.empty()) return std::make_unique<SpacePressure<S, Space>>(faces, domain_);
+    if (place_of_slot_.empty()) return std::make_unique<SpacePressure<S, Space>>(faces, sharing_);
     FaceList there = faces;
     for (std::int64_t& element : there.element) element = place_of_slot_[element];
-    return std::make_unique<SpacePressure<S, Space>>(there, domain_);
+    return std::make_unique<SpacePressure<S, Space>>(there, sharing_);
   }
   std::unique_ptr<WallKernels<S>> wall(bool rubs) const override {
-    return std::make_unique<SpaceWall<S, Space>>(rubs, domain_);
+    return std::make_unique<SpaceWall<S, Space>>(rubs, sharing_);
   }
   std::unique_ptr<ReflectionKernels<S>> reflection(const std::vector<std::int32_t>& nodes,
                                                    const std::array<double, 3>& point,
@@ -58,14 +58,14 @@ class SpaceBoundaryKernels final : public BoundaryKernels<S> {
 
  private:
   SharedList of_list(const std::vector<std::int32_t>& nodes) const {
-    return shared_list(domain_, nodes.size(), [nodes](std::int64_t i) { return nodes[i]; });
+    return shared_list(sharing_, nodes.size(), [nodes](std::int64_t i) { return nodes[i]; });
   }
   SharedList of_all(std::int32_t node_count) const {
-    return shared_list(domain_, node_count, [](std::int64_t n) { return static_cast<std::int32_t>(n); });
+    return shared_list(sharing_, node_count, [](std::int64_t n) { return static_cast<std::int32_t>(n); });
   }
 
   std::vector<std::int64_t> place_of_slot_;
-  Subdomain<S>* domain_;
+  SharedNodes* sharing_;
 };
 
 }  // namespace pinball

@@ -10,11 +10,11 @@ namespace pinball {
 template <class S, class Space>
 class SpaceWall final : public WallKernels<S> {
  public:
-  SpaceWall(bool rubs, Subdomain<S>* domain) : rubs_(rubs), domain_(domain) {}
+  SpaceWall(bool rubs, SharedNodes* sharing) : rubs_(rubs), sharing_(sharing) {}
 
   void set(const std::vector<std::int32_t>& nodes, const std::vector<S>& free) override {
     nodes_ = list_in<Space>(nodes);
-    shared_ = shared_list(domain_, nodes.size(), [nodes](std::int64_t i) { return nodes[i]; });
+    shared_ = shared_list(sharing_, nodes.size(), [nodes](std::int64_t i) { return nodes[i]; });
     free_ = list_in<Space>(free);
     reaction_.reset(nodes.size());
     drag_.reset(rubs_ ? 3 * nodes.size() : 0);
@@ -46,7 +46,7 @@ class SpaceWall final : public WallKernels<S> {
   }
 
   bool rubs_;
-  Subdomain<S>* domain_;
+  SharedNodes* sharing_;
   SharedList shared_;
   Array<std::int32_t, Memory> nodes_;
   Array<S, Memory> free_;      ///< 3 for each of the last nodes
