@@ -15,7 +15,7 @@ import time
 
 PROGRAM, ALONE, FOLDER = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
 # Of this machine alone, whatever a batch system has left in the environment; root may, in a container.
-MPIRUN = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--host", "localhost:16"]
+MPIRUN = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--host", "localhost"]
 OTHERS = {"started", "threads", "wall_seconds", "phase_seconds", "element_steps_per_second", "skipped_seconds",
           "bytes_per_element", "parallel"}  # keys of times, and of how the run was shared
 SCENES = {
