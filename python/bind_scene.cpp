@@ -50,6 +50,7 @@ void bind_contact_parts(py::module_& module) {
 void bind_parts(py::module_& module) {
   bind_table<YieldCurve>(module, "YieldCurve", "Yield stress over plastic strain, at a strain rate.");
   bind_list<YieldCurve>(module, "YieldCurves");
+  bind_table<PowerHardeningSettings>(module, "PowerHardening", "Yield stress as a power of the plastic strain.");
   bind_table<JohnsonCookSettings>(module, "JohnsonCook", "Strength and failure after Johnson and Cook.");
   bind_table<EquationOfStateSettings>(module, "EquationOfState", "Pressure over compression and energy.");
   bind_table<ErosionSettings>(module, "Erosion", "Limits beyond which elements are eroded.");

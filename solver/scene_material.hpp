@@ -20,6 +20,14 @@ struct YieldCurve {
   std::vector<double> stress;          ///< stress [stress]
 };
 
+/// power_hardening of a material: Y = K (e_0 + e)^n, which is its yield_stress at no plastic strain e.
+struct PowerHardeningSettings {
+  double coefficient = 0.0;  ///< coefficient: K [stress]
+  double exponent = 0.0;     ///< exponent: n [-]
+
+  bool operator==(const PowerHardeningSettings&) const = default;
+};
+
 /// johnson_cook of a material (Johnson and Cook 1983, 1985): Y = (A + B e^n) (1 + C ln r) (1 - h^m), A its
 /// yield_stress.
 struct JohnsonCookSettings {
@@ -83,6 +91,7 @@ struct Material {
   double isotropic_share = 1.0;
   /// yield_curve, yield_curves: in the place of yield_stress, plastic_modulus and ultimate_stress; ascending rates
   std::vector<YieldCurve> yield_curves;
+  std::optional<PowerHardeningSettings> power_hardening;  ///< in the place of plastic_modulus and ultimate_stress
   RateInterpolation rate_interpolation = RateInterpolation::linear;  ///< rate_interpolation: between curves
   StrainRate strain_rate = StrainRate::total;  ///< strain_rate: which rate the yield stress depends on
   double rate_constant = 0.0;                  ///< rate_constant: C of Cowper and Symonds; 0: no such law [1/time]

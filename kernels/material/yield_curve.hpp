@@ -4,13 +4,16 @@
 #include "power.hpp"
 #include "strain_rate.hpp"
 
-/// Yield stress over plastic strain and strain rate: curves of straight pieces, one for each of some rates, and the
-/// rate law of Cowper and Symonds (1957).
+/// Yield stress over plastic strain and strain rate: curves of straight pieces, one for each of some rates, or a power
+/// of the strain, and the rate law of Cowper and Symonds (1957).
 ///
 /// All curves have the same plastic strains e_0 = 0 < e_1 < ...: those of any of them, so that each has straight pieces
 /// between. At a rate in between, the curve is interpolated between its neighbours, and has straight pieces at the same
 /// plastic strains again: the return to it is exact. Beyond the last point its slope goes on. Below the lowest rate and
 /// above the highest, the curve is that of the nearest.
+///
+/// A power: Y = K (e_0 + e)^n, with the strain e_0 = (Y_0/K)^(1/n) at which it is the yield stress Y_0 (Swift, J. Mech.
+/// Phys. Solids 1, 1-18, 1952).
 namespace pinball {
 
 /// Entry number `index`, a whole number, of an array whose entries are `stride` apart.
@@ -41,10 +44,13 @@ struct HardeningConstants {
   const S* rate;        ///< of each curve, ascending; its logarithm where interpolation is logarithmic [1/time]
   bool logarithmic;     ///< interpolation between curves in the logarithm of the rate
   StrainRateMeasure measure;
-  S rate_constant;  ///< C; 0: no law of Cowper and Symonds [1/time]
-  S rate_exponent;  ///< p [-]
-  S rate_share;     ///< 1: the law scales the yield stress, 0: it adds to it [-]
-  S rate_stress;    ///< what the law then adds times (rate/C)^(1/p) [stress]
+  S rate_constant;             ///< C; 0: no law of Cowper and Symonds [1/time]
+  S rate_exponent;             ///< p [-]
+  S rate_share;                ///< 1: the law scales the yield stress, 0: it adds to it [-]
+  S rate_stress;               ///< what the law then adds times (rate/C)^(1/p) [stress]
+  S power_coefficient = S(0);  ///< K, in the place of curves; 0: no power [stress]
+  S power_exponent = S(1);     ///< n [-]
+  S power_strain = S(0);       ///< e_0 [-]
 };
 
 /// A straight piece: stress + slope (e - strain).
@@ -98,10 +104,19 @@ PINBALL_FUNCTION YieldPiece<T> piece_from(const HardeningConstants<ScalarOf<T>>&
   return {T(h.strain[point]), between_curves(h, h.stress, around, point), between_curves(h, h.slope, around, point)};
 }
 
+/// The tangent of the power at a plastic strain.
+template <class T>
+PINBALL_OUTLINED YieldPiece<T> tangent_of_power(const HardeningConstants<ScalarOf<T>>& h, const T& plastic_strain) {
+  const T strain = T(h.power_strain) + plastic_strain;
+  const T stress = T(h.power_coefficient) * power(strain, h.power_exponent);
+  return {plastic_strain, stress, T(h.power_exponent) * stress / strain};
+}
+
 /// The piece at a plastic strain.
 template <class T>
 PINBALL_FUNCTION YieldPiece<T> piece_at(const HardeningConstants<ScalarOf<T>>& h, const CurvesAround<T>& around,
                                         const T& plastic_strain) {
+  if (h.power_coefficient > 0) return tangent_of_power(h, plastic_strain);
   YieldPiece<T> piece = piece_from(h, around, 0);
   for (int k = 1; k < h.points; ++k) {
     const auto behind = plastic_strain >= T(h.strain[k]);
@@ -119,6 +134,35 @@ struct RateFactor {
   T scale, more;
 };
 
+/// Most tries of the equation for dl: of a power 4 or 5 are usual.
+inline constexpr int largest_power_iterations = 60;
+
+/// Increment dl of plastic strain that brings an effective trial stress q to the power,
+///
+///     modulus dl + scale K (e_0 + e + dl)^n + more = q ,
+///
+/// by Newton's method. The left side grows and bends one way all along: from dl = 0 the tries are below the solution
+/// where n <= 1, or from the second on above it, and need no bounds. A lane that has its solution keeps it, whatever
+/// its neighbours need. Zero where q is inside the surface.
+template <class T>
+PINBALL_OUTLINED T increment_to_power(const HardeningConstants<ScalarOf<T>>& h, const RateFactor<T>& factor,
+                                      ScalarOf<T> modulus, const T& q, const T& plastic_strain) {
+  using S = ScalarOf<T>;
+  // Once a try moves by less than the root of the last digit, the next would by less than that digit.
+  constexpr S root_of_digit = sizeof(S) == 8 ? S(0x1p-26) : S(0x1p-12);
+  T dl(0);
+  MaskOf<T> open = q == q;
+  for (int i = 0; i < largest_power_iterations && any_lane(open); ++i) {
+    const YieldPiece<T> piece = tangent_of_power(h, T(plastic_strain + dl));
+    const T over = q - factor.more - factor.scale * piece.stress - T(modulus) * dl;
+    const T next = maximum(T(0), dl + over / (T(modulus) + factor.scale * piece.slope));
+    const auto moved = absolute(next - dl) > T(root_of_digit) * next;
+    dl = select(open, next, dl);
+    open = open && moved;
+  }
+  return dl;
+}
+
 /// Increment dl of plastic strain that brings an effective trial stress q to the curve,
 ///
 ///     modulus dl = q - scale Y(e + dl) - more ,
@@ -130,6 +174,7 @@ template <class T>
 PINBALL_FUNCTION T increment_to_curve(const HardeningConstants<ScalarOf<T>>& h, const CurvesAround<T>& around,
                                       const RateFactor<T>& factor, ScalarOf<T> modulus, const T& q,
                                       const T& plastic_strain) {
+  if (h.power_coefficient > 0) return increment_to_power(h, factor, modulus, q, plastic_strain);
   YieldPiece<T> piece = piece_from(h, around, 0);
   for (int k = 1; k < h.points; ++k) {
     const T left = q - factor.more - T(modulus) * (T(h.strain[k]) - plastic_strain);

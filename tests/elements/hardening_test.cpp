@@ -32,6 +32,13 @@ Material with_rate(StrainRate rate, double isotropic_share = 1) {
   return m;
 }
 
+Material with_power(StrainRate rate) {
+  Material m = with_rate(rate);
+  m.plastic_modulus = 0;
+  m.power_hardening = PowerHardeningSettings{2 * m.yield_stress, 0.2};
+  return m;
+}
+
 /// Johnson and Cook beside an equation of state: heat and energy are kept.
 Material with_heat(StrainRate rate) {
   Material m = steel();
@@ -51,6 +58,8 @@ std::vector<Material> materials() {
           with_curves(),
           with_rate(StrainRate::total),
           with_rate(StrainRate::plastic, 0.3),
+          with_power(StrainRate::total),
+          with_power(StrainRate::plastic),
           with_heat(StrainRate::deviatoric),
           with_heat(StrainRate::plastic)};
 }

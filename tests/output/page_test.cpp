@@ -154,6 +154,7 @@ Scene scene() {
                       .bulk_modulus = 1,
                       .shear_modulus = 1,
                       .yield_curves = {},
+                      .power_hardening = {},
                       .johnson_cook = {},
                       .equation_of_state = {},
                       .erosion = {}}};

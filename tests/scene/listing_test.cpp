@@ -22,6 +22,7 @@ Scene example() {
                       .shear_modulus = 1,
                       .yield_stress = 0.1,
                       .yield_curves = {},
+                      .power_hardening = {},
                       .johnson_cook = {},
                       .equation_of_state = {},
                       .erosion = {}}};

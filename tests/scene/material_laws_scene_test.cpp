@@ -57,6 +57,23 @@ TEST_F(MaterialLawsScene, ReadsEquationsOfState) {
   EXPECT_EQ(polynomial.equation_of_state->tension_limit, 1e9);
 }
 
+TEST_F(MaterialLawsScene, ReadsAPower) {
+  const auto power = [&](const std::string& text) { return with_law("power_hardening = { " + text + " }"); };
+  const Material m = read(power("coefficient = 8e8, exponent = 0.2")).materials.at(0);
+  EXPECT_EQ(*m.power_hardening, (PowerHardeningSettings{8e8, 0.2}));
+  EXPECT_THAT(error(power("coefficient = 8e8")), HasSubstr("exponent"));
+  EXPECT_THAT(error(power("coefficient = 8e8, exponent = 1.1")), HasSubstr("exponent: expected a number"));
+  EXPECT_THAT(error(power("coefficient = 8e8, exponent = 0.02")),
+              HasSubstr("power_hardening.coefficient: expected one for which (yield_stress/coefficient)^(1/exponent)"));
+  EXPECT_THAT(error(with(10,
+                         "yield_stress = 4e8\nplastic_modulus = 1e8\n"
+                         "power_hardening = { coefficient = 8e8, exponent = 0.2 }")),
+              HasSubstr("plastic_modulus: expected none beside power_hardening"));
+  EXPECT_THAT(error(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }\n"
+                             "power_hardening = { coefficient = 8e8, exponent = 0.2 }")),
+              HasSubstr("power_hardening: expected none beside johnson_cook"));
+}
+
 TEST_F(MaterialLawsScene, OverridesReachIntoThem) {
   const Scene scene = read(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }"),
                            {.set = {"material.copper.johnson_cook.hardening_exponent=0.5"}});

@@ -53,8 +53,8 @@ std::vector<double> all_strains(const std::vector<YieldCurve>& curves) {
 
 bool has_general_yield(const Material& m) {
   if (m.erosion) return true;
-  return m.plastic && (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.johnson_cook ||
-                       m.equation_of_state);
+  return m.plastic && (m.isotropic_share < 1 || m.rate_constant > 0 || !m.yield_curves.empty() || m.power_hardening ||
+                       m.johnson_cook || m.equation_of_state);
 }
 
 StrainRateMeasure strain_rate_measure(StrainRate rate) {
@@ -100,6 +100,12 @@ HardeningConstants<S> hardening_constants(const Material& m, const YieldCurves<S
   h.rate_exponent = static_cast<S>(m.rate_exponent);
   h.rate_share = m.rate_stress > 0 ? S(0) : S(1);
   h.rate_stress = static_cast<S>(m.rate_stress);
+  if (m.power_hardening) {
+    const auto& [coefficient, exponent] = *m.power_hardening;
+    h.power_coefficient = static_cast<S>(coefficient);
+    h.power_exponent = static_cast<S>(exponent);
+    h.power_strain = static_cast<S>(std::pow(m.yield_stress / coefficient, 1 / exponent));
+  }
   return h;
 }
 

@@ -19,6 +19,11 @@ void print_linear_hardening(const Material& m, const Units& units) {
   }
 }
 
+void print_power(const Material& m, const Units& units) {
+  fmt::print("    yield stress {}, then the power {} strain^{:.4g}\n", with_unit(m.yield_stress, units.stress),
+             with_unit(m.power_hardening->coefficient, units.stress), m.power_hardening->exponent);
+}
+
 void print_yield_curves(const Material& m, const Units& units) {
   for (const YieldCurve& curve : m.yield_curves) {
     fmt::print("    yield curve");
@@ -86,6 +91,8 @@ void print_hardening(const Material& m, const Units& units) {
   if (m.equation_of_state) print_equation_of_state(*m.equation_of_state, units);
   if (m.johnson_cook) {
     print_johnson_cook(m, units);
+  } else if (m.power_hardening) {
+    print_power(m, units);
   } else if (m.yield_curves.empty()) {
     print_linear_hardening(m, units);
   } else {

@@ -109,6 +109,7 @@ SchemaJson definitions() {
   all[kind(schema::Of<Material>{}).name] = material_schema();
   define<schema::OneYieldCurve>(all);
   define<YieldCurve>(all);
+  define<PowerHardeningSettings>(all);
   define<JohnsonCookSettings>(all);
   define<EquationOfStateSettings>(all);
   define<ErosionSettings>(all);

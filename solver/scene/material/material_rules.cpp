@@ -28,6 +28,24 @@ std::optional<Problem> problem_of_hardening(const Material& m) {
   return {};
 }
 
+std::optional<Problem> problem_of_power(const Material& m) {
+  const PowerHardeningSettings& power = *m.power_hardening;
+  const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
+  const char* const other = !m.yield_curves.empty() ? "yield_curves"
+                            : m.plastic_modulus > 0 ? "plastic_modulus"
+                            : ends                  ? "ultimate_stress"
+                            : m.isotropic_share < 1 ? "isotropic_share"
+                                                    : nullptr;
+  if (other != nullptr) return Problem{other, "expected none beside power_hardening"};
+  // e_0 has to be a number also in single precision, and so has the slope there.
+  const double strain = std::pow(m.yield_stress / power.coefficient, 1 / power.exponent);
+  if (strain >= 1e-12 && strain < 1e12) return {};
+  return Problem{"power_hardening.coefficient",
+                 fmt::format("expected one for which (yield_stress/coefficient)^(1/exponent), the strain at which the "
+                             "power begins, is within 1e-12 and 1e12, got {} and {:.6g}",
+                             power.coefficient, strain)};
+}
+
 /// What stands beside a law that has its own hardening and rates, and the part that is wrong in itself.
 std::optional<Problem> problem_of_johnson_cook(const Material& m) {
   const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
@@ -36,6 +54,7 @@ std::optional<Problem> problem_of_johnson_cook(const Material& m) {
                             : ends                  ? "ultimate_stress"
                             : m.isotropic_share < 1 ? "isotropic_share"
                             : m.rate_constant > 0   ? "rate_constant"
+                            : m.power_hardening     ? "power_hardening"
                                                     : nullptr;
   if (other != nullptr) return Problem{other, "expected none beside johnson_cook"};
   if (const auto problem = problem_of(*m.johnson_cook)) {
@@ -115,6 +134,9 @@ std::optional<Problem> problem_of(const Material& material) {
     if (const auto problem = problem_of_curve(material, c)) return problem;
   }
   if (const auto problem = problem_of_rates(material)) return problem;
+  if (material.power_hardening) {
+    if (const auto problem = problem_of_power(material)) return problem;
+  }
   if (material.johnson_cook) {
     if (const auto problem = problem_of_johnson_cook(material)) return problem;
   }

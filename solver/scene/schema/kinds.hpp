@@ -27,6 +27,7 @@ constexpr Kind kind(Of<OutputSettings>) { return {"output", "output"}; }
 constexpr Kind kind(Of<Material>) { return {"material", "material.NAME"}; }
 constexpr Kind kind(Of<OneYieldCurve>) { return {"yield_curve", "material.NAME.yield_curve"}; }
 constexpr Kind kind(Of<YieldCurve>) { return {"yield_curves", "material.NAME.yield_curves"}; }
+constexpr Kind kind(Of<PowerHardeningSettings>) { return {"power_hardening", "material.NAME.power_hardening"}; }
 constexpr Kind kind(Of<JohnsonCookSettings>) { return {"johnson_cook", "material.NAME.johnson_cook"}; }
 constexpr Kind kind(Of<EquationOfStateSettings>) { return {"equation_of_state", "material.NAME.equation_of_state"}; }
 constexpr Kind kind(Of<ErosionSettings>) { return {"erosion", "material.NAME.erosion"}; }

@@ -35,11 +35,23 @@ constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
 }
 
 template <>
+struct IsInnerTable<PowerHardeningSettings> : std::true_type {};
+template <>
 struct IsInnerTable<JohnsonCookSettings> : std::true_type {};
 template <>
 struct IsInnerTable<EquationOfStateSettings> : std::true_type {};
 template <>
 struct IsInnerTable<ErosionSettings> : std::true_type {};
+
+template <class Visit>
+constexpr void describe(Of<PowerHardeningSettings>, Visit&& visit) {
+  using T = PowerHardeningSettings;
+  visit(Key{"coefficient", &T::coefficient, "K", {.unit = "M/(L T^2)", .bound = positive, .need = Need::required}});
+  visit(Key{"exponent",
+            &T::exponent,
+            "n",
+            {.unit = "-", .bound = {.low = 0.0, .low_open = true, .high = 1.0}, .need = Need::required}});
+}
 
 template <class Visit>
 constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
@@ -210,6 +222,11 @@ constexpr void describe(Of<Material>, Visit&& visit) {
   visit(FileKey<std::vector<YieldCurve>>{
       "yield_curves", "some of these, each with its `rate` [1/T], ascending", {.otherwise = "none"}});
   visit(Field{"yield_curves", &T::yield_curves, "in the place of yield_stress, of ascending rates"});
+  visit(Key{"power_hardening",
+            &T::power_hardening,
+            "table (below), in the place of `plastic_modulus` and `ultimate_stress`: a power of the plastic strain",
+            {.otherwise = "none"}}
+            .only_where(plastic));
   visit(Key{"rate_interpolation", &T::rate_interpolation, "between `yield_curves`: in the rate, or in its logarithm"}
             .only_where(plastic));
   visit(Key{"strain_rate", &T::strain_rate,

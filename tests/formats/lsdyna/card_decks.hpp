@@ -139,6 +139,7 @@ inline std::vector<CardDeck> decks_of_definitions() {
           {"DEFINE_TRANSFORMATION", "MIRROR", {"7", "MIRROR,5.,5.,5.,6.,7.,8."}, included},
           {"MAT_ELASTIC", "", {"1,7.85E-9,210000.,0.3"}},
           {"MAT_PLASTIC_KINEMATIC", "", {plastic + ",0.5", "40.,5.,0.1"}, no_elastic},
+          {"MAT_POWER_LAW_PLASTICITY", "", {"1,7.85E-9,210000.,0.3,600.,0.2,40.,5.", "400.,0,0.1"}, no_elastic},
           {"MAT_PIECEWISE_LINEAR_PLASTICITY", "SIGY and ETAN", {plastic, "40.,5."}, no_elastic},
           {"MAT_PIECEWISE_LINEAR_PLASTICITY",
            "LCSS",

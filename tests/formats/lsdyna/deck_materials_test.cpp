@@ -71,6 +71,24 @@ TEST_F(DeckMaterials, ConstantsOfTheRateAreThoseOfTheCard) {
   }
 }
 
+/// sigma_y = K (e_0 + e)^N, from SIGY or from where E e crosses K e^N.
+TEST_F(DeckMaterials, APowerBeginsWhereSigySaysOrWhereTheElasticLineCrossesIt) {
+  const auto power = [&](const std::string& sigy, const std::string& n = "0.2") {
+    return cube + ends + "*MAT_018\n1,7.85E-9,210000.,0.3,600.," + n + ",40,5\n" + sigy + "\n";
+  };
+  const Material given = material(power("400,1,0.3"));
+  EXPECT_EQ(given.yield_stress, 400);
+  EXPECT_EQ(*given.power_hardening, (PowerHardeningSettings{600, 0.2}));
+  EXPECT_EQ(given.rate_constant, 40);
+  EXPECT_EQ(given.rate_exponent, 5);
+  EXPECT_EQ(given.strain_rate, StrainRate::plastic);
+  EXPECT_EQ(given.erosion_strain, 0.3);
+  const double crossing = material(power("")).yield_stress;
+  EXPECT_NEAR(crossing, 600 * std::pow(crossing / 210000, 0.2), 1e-9 * crossing);
+  EXPECT_NEAR(material(power("0.01")).yield_stress, 600 * std::pow(0.01, 0.2), 1e-9);
+  EXPECT_THAT(error(power("400", "1.2")), HasSubstr("N: expected a number > 0 and < 1, got 1.2"));
+}
+
 TEST_F(DeckMaterials, BetaIsTheIsotropicShareWhateverItIs) {
   for (const double beta : {0.0, 0.05, 0.2, 0.3, 0.7, 1.0}) {
     const std::string card = "*MAT_003\n1,7.85E-9,210000.,0.3,300,1000," + std::to_string(beta) + "\n";

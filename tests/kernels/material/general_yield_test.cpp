@@ -168,5 +168,61 @@ TEST(YieldCurve, CrossesAPointWithinAStepAsInMany) {
   EXPECT_NEAR(signed_stress(once), 3.2 + 10 * (e - 0.03), 1e-13);
 }
 
+/// K = 3, e_0 = (2/3)^(1/n), so that it yields at 2.
+HardeningCase power_case(double exponent) {
+  HardeningCase c = plastic_case({0}, {2}, {0});
+  c.constants.power_coefficient = 3, c.constants.power_exponent = exponent;
+  c.constants.power_strain = std::pow(2.0 / 3, 1 / exponent);
+  return c;
+}
+
+TEST(PowerHardening, IsMetWhereBisectionFindsIt) {
+  Random random(43);
+  for (const double n : {0.05, 0.2, 0.7, 1.0}) {
+    const HardeningCase hardening = power_case(n);
+    const auto yield = [&](double e) { return 3 * std::pow(hardening.constants.power_strain + e, n); };
+    for (int trial = 0; trial < 200; ++trial) {
+      const double e = trial % 2 == 0 ? 0.0 : uniform(random, 0, 2), q = uniform(random, 0, 40);
+      double low = 0, high = q / (3 * case_mu);
+      for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        (3 * case_mu * middle < q - yield(e + middle) ? low : high) = middle;
+      }
+      const GeneralYield<double> law(hardening.material, hardening.constants, {0, 0, 0, 0, 0, 0}, 1);
+      EXPECT_NEAR(law.increment(q, e), low, 2e-15) << n << " " << e << " " << q;
+      EXPECT_NEAR(law.yield_stress(e), yield(e), 1e-13);
+    }
+  }
+}
+
+/// In a shear to E the stress is that of q = Y(E - q/(3 mu)), however many steps it takes.
+TEST(PowerHardening, FollowsItsCurveInAShear) {
+  for (const int steps : {1, 100}) {
+    const HardeningCase hardening = power_case(0.2);
+    MaterialPoint point;
+    for (int i = 0; i < steps; ++i) point.strain_by(hardening, shear(0.5 / steps));
+    const double q = signed_stress(point), e = 0.5 - q / (3 * case_mu);
+    EXPECT_NEAR(q, 3 * std::pow(hardening.constants.power_strain + e, 0.2), 1e-13);
+    EXPECT_NEAR(point.plastic_strain, e, 1e-14);
+  }
+}
+
+TEST(PowerHardening, IsScaledByTheRate) {
+  for (const StrainRateMeasure measure : {StrainRateMeasure::deviatoric, StrainRateMeasure::plastic}) {
+    HardeningCase hardening = power_case(0.2);
+    hardening.constants.measure = measure;
+    hardening.constants.rate_constant = 40, hardening.constants.rate_exponent = 5;
+    const double q = 20, e = 0.1, dt = 1e-3, rate = 7;
+    GeneralYield<double> law(hardening.material, hardening.constants, shear(rate), dt);
+    law.apply_rate();
+    const double dl = law.increment(q, e);
+    const double seen = measure == StrainRateMeasure::plastic ? dl / dt : rate;
+    const double yield =
+        3 * std::pow(hardening.constants.power_strain + e + dl, 0.2) * (1 + std::pow(seen / 40, 1.0 / 5));
+    EXPECT_GT(dl, 0);
+    EXPECT_NEAR(yield + 3 * case_mu * dl, q, 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace pinball::general_yield_test

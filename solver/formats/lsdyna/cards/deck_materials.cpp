@@ -36,6 +36,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_JOHNSON_COOK") return layout::johnson_cook;
   if (kind == "MAT_ELASTIC") return layout::elastic;
   if (kind == "MAT_RIGID") return layout::rigid;
+  if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
 
@@ -58,15 +59,15 @@ double plastic_modulus(const Fields& f) {
 
 struct DeckRate {
   double constant = 0, exponent = 0;  ///< C and P; 0: no such law
-  int vp = 0;                         ///< VP
-  std::string constant_name, exponent_name;
+  std::int64_t vp = 0;                ///< VP
+  const char *constant_name, *exponent_name;
 
-  DeckRate(const Fields& f, const char* constant_field, const char* exponent_field)
+  DeckRate(const Fields& f, const char* constant_field, const char* exponent_field, std::int64_t formulation)
       : constant(f.number(constant_field)),
         exponent(f.number(exponent_field)),
-        vp(f.integer("VP")),
-        constant_name(lower_case(constant_field)),
-        exponent_name(lower_case(exponent_field)) {}
+        vp(formulation),
+        constant_name(constant_field),
+        exponent_name(exponent_field) {}
   bool is_law() const { return constant != 0 && exponent != 0; }
 };
 
@@ -78,11 +79,11 @@ void set_strain_rate(const DeckRate& rate, const MaterialKeys& keys) {
 void set_rate(DeckData& data, const KeywordBlock& block, const Fields& f, const DeckRate& rate,
               const MaterialKeys& keys) {
   if (!rate.is_law() && (rate.constant != 0 || rate.exponent != 0))
-    not_used(data, block, f, rate.constant != 0 ? f.name(0) : f.name(1),
+    not_used(data, block, f, rate.constant != 0 ? rate.constant_name : rate.exponent_name,
              "a law of the strain rate has both of its constants");
   if (!rate.is_law()) return;
-  keys.set("rate_constant", rate.constant, rate.constant_name);
-  keys.set("rate_exponent", rate.exponent, rate.exponent_name);
+  keys.set("rate_constant", rate.constant, lower_case(rate.constant_name));
+  keys.set("rate_exponent", rate.exponent, lower_case(rate.exponent_name));
   set_strain_rate(rate, keys);
 }
 
@@ -100,8 +101,32 @@ void set_plastic_kinematic(DeckData& data, const KeywordBlock& block, const Fiel
   keys.set("yield_stress", yield_stress(f), "sigy");
   keys.set("plastic_modulus", plastic_modulus(f), "etan");
   keys.set("isotropic_share", f.number("BETA"), "beta");
-  set_rate(data, block, more, DeckRate(more, "SRC", "SRP"), keys);
+  set_rate(data, block, more, DeckRate(more, "SRC", "SRP", more.integer("VP")), keys);
   set_failure(more, "FS", keys);
+}
+
+/// Of *MAT_018, from SIGY: the yield stress itself, or below 0.02 the strain at which the power begins; without it the
+/// power begins where it crosses E e.
+double stress_of_power(const Fields& f, double given) {
+  const double young = f.number("E"), coefficient = f.number("K"), exponent = f.number("N");
+  if (!(coefficient > 0)) f.fail("K", fmt::format("expected a number > 0, got {}", coefficient));
+  if (!(exponent > 0 && exponent < 1)) f.fail("N", fmt::format("expected a number > 0 and < 1, got {}", exponent));
+  if (given >= 0.02) return given;
+  const double strain = given > 0 ? given : std::pow(young / coefficient, 1 / (exponent - 1));
+  return coefficient * std::pow(strain, exponent);
+}
+
+/// *MAT_018
+void set_power_law(DeckData& data, const KeywordBlock& block, const Fields& f, Cards& cards, const MaterialKeys& keys) {
+  const Card card = cards.next_or_blank();
+  const Fields more = data.fields(card, layout::power_law_more);
+  keys.set("yield_stress", stress_of_power(f, more.number("SIGY")), "sigy");
+  InnerKeys<PowerHardeningSettings> power;
+  power.set("coefficient", f.number("K"));
+  power.set("exponent", f.number("N"));
+  keys.set("power_hardening", power.value(), "k, n");
+  set_rate(data, block, f, DeckRate(f, "SRC", "SRP", more.integer("VP")), keys);
+  set_failure(more, "EPSF", keys);
 }
 
 GivenValue given_state_equation(const DeckStateEquation& equation, double tension_limit) {
@@ -243,7 +268,7 @@ void set_piecewise_linear(DeckData& data, const KeywordBlock& block, const Field
   const auto points = curve_of_points(eps, es, f.place());
   if (!points && std::ranges::any_of(eps, [](double strain) { return strain != 0; }))
     not_used(data, block, f, "EPS1 to EPS8", "they have no stresses ES1 to ES8");
-  const DeckRate rate(second, "C", "P");
+  const DeckRate rate(second, "C", "P", second.integer("VP"));
   const bool is_table = data.table(lcss) != nullptr, by_curves = is_table || lcsr != 0;
   if (lcss != 0 && points) not_used(data, block, f, "EPS1 to EPS8, ES1 to ES8", "LCSS is used");
   if ((lcss != 0 || points) && f.number("ETAN") != 0)
@@ -315,6 +340,7 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
   data.reject_state_equations(id, block.star_name());
   set_elasticity(f, keys);
   if (kind == "MAT_PLASTIC_KINEMATIC") set_plastic_kinematic(data, block, f, cards, keys);
+  if (kind == "MAT_POWER_LAW_PLASTICITY") set_power_law(data, block, f, cards, keys);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") set_piecewise_linear(data, block, f, cards, keys);
 }
 

@@ -51,6 +51,16 @@ inline constexpr CardLayout kinematic{material_id,
                                       number("BETA").from(0, 1)};
 inline constexpr CardLayout kinematic_rate{number("SRC").of(Dimension::rate), number("SRP"), number("FS"),
                                            whole("VP").from(-1, 1)};
+inline constexpr CardLayout power_law{material_id,
+                                      density,
+                                      young,
+                                      poisson,
+                                      material_stress("K").always(),
+                                      number("N").always(),
+                                      number("SRC").of(Dimension::rate),
+                                      number("SRP")};
+/// SIGY: a stress, or below 0.02 a strain: it has no dimension.
+inline constexpr CardLayout power_law_more{number("SIGY").at_least(0), whole("VP").from(0, 1), number("EPSF")};
 /// *MAT_ADD_EROSION: limits of any material.
 inline constexpr std::string_view no_such_limit = "there is no such limit: leave it blank",
                                   no_damage_model = "damage is that of *MAT_JOHNSON_COOK: leave it blank";
