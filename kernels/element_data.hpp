@@ -7,6 +7,7 @@
 #include "material/bulk_viscosity.hpp"
 #include "material/equation_of_state.hpp"
 #include "material/failure.hpp"
+#include "material/fluid.hpp"
 #include "material/johnson_cook.hpp"
 #include "material/material_state.hpp"
 #include "material/von_mises.hpp"
@@ -82,6 +83,7 @@ struct ElementConstants {
   // General yield only:
   HardeningConstants<S> hardening{};
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
+  FluidConstants<S> fluid{};               ///< in the place of all strength, where used
   EquationOfState<S> pressure{};
   MaterialPlaces places{};
 };

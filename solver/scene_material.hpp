@@ -45,6 +45,13 @@ struct JohnsonCookSettings {
   bool operator==(const JohnsonCookSettings&) const = default;
 };
 
+/// fluid of a material: no strength, s = 2 eta D'.
+struct FluidSettings {
+  double viscosity = 0.0;  ///< viscosity: eta [stress time]
+
+  bool operator==(const FluidSettings&) const = default;
+};
+
 enum class EquationOfStateForm { mie_grueneisen, polynomial };
 
 /// equation_of_state of a material: p = A(mu) + B(mu) e (kernels/material/equation_of_state.hpp).
@@ -98,6 +105,7 @@ struct Material {
   double rate_exponent = 0.0;                  ///< rate_exponent: p of that law [-]
   double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
   std::optional<JohnsonCookSettings> johnson_cook;           ///< in the place of hardening and rate laws above
+  std::optional<FluidSettings> fluid;                        ///< in the place of all strength
   std::optional<EquationOfStateSettings> equation_of_state;  ///< in the place of the bulk modulus, which follows
   std::optional<ErosionSettings> erosion;                    ///< limits beside erosion_strain; of elastic ones, too
 };

@@ -36,6 +36,8 @@ std::optional<Problem> problem_of(const ContactPair& pair, const ContactSettings
 std::optional<Problem> problem_of(const TiedContact& tied);
 /// yield_stress is given for an elastic material, too, which does not use it; 0: not given.
 std::optional<Problem> problem_of(const Material& material);
+/// Of a material that needs other elements than the body has.
+std::optional<Problem> problem_of(const Body& body, const Scene& scene);
 std::optional<Problem> problem_of(const YieldCurve& curve);
 std::optional<Problem> problem_of(const JohnsonCookSettings& law);
 std::optional<Problem> problem_of(const EquationOfStateSettings& eos);

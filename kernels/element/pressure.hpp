@@ -64,6 +64,12 @@ PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T
       const T bulk_modulus = set_pressure(constants.pressure, numbers, constants.places.energy, middle.whole,
                                           own.mass * T(constants.specific_volume), middle.inverse_end_volume,
                                           middle.volume * motion.volumetric, work, stress_old, stress);
+      if (constants.fluid.used) {
+        StabilityBound<T> damped = bound;
+        damped.viscosity += T(damping_viscosity(constants.fluid));
+        stable_rate = damped.rate(bulk_modulus, T(0));
+        return;
+      }
       stable_rate = bound.rate(bulk_modulus - T(S(2.0 / 3.0) * constants.material.mu), T(constants.material.mu));
     }
   }

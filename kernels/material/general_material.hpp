@@ -78,6 +78,10 @@ PINBALL_FUNCTION YieldOutcome<T> yield_generally(const ElementConstants<ScalarOf
                                                  KeptHourglass<T, kind>& kept, Symmetric<T>& stress,
                                                  T& plastic_strain) {
   YieldOutcome<T> outcome;
+  if (constants.fluid.used) {
+    flow(constants.fluid, motion.deformation, stress);
+    return outcome;
+  }
   if (constants.johnson_cook.used) {
     if (motion.dt > 0) yield_with_heat(constants, motion, numbers, kept, stress, plastic_strain, outcome);
     return outcome;

@@ -91,6 +91,7 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
       model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
       model.constants.back().johnson_cook = johnson_cook_constants<S>(material);
+      model.constants.back().fluid = fluid_constants<S>(material);
       model.constants.back().pressure = pressure_constants<S>(material);
       model.constants.back().places = material_places(material);
       stored.material_numbers = std::max(stored.material_numbers, model.constants.back().places.numbers);

@@ -81,8 +81,11 @@ void print_materials(const Scene& scene, const Units& units) {
   for (const Material& m : scene.materials) {
     const double wave_modulus = m.bulk_modulus + 4.0 / 3.0 * m.shear_modulus;
     fmt::print("  {} ({}): density {}, bulk modulus {}, shear modulus {}\n", m.name,
-               m.plastic ? "von Mises" : "elastic", with_unit(m.density, units.density),
-               with_unit(m.bulk_modulus, units.stress), with_unit(m.shear_modulus, units.stress));
+               m.fluid     ? "fluid"
+               : m.plastic ? "von Mises"
+                           : "elastic",
+               with_unit(m.density, units.density), with_unit(m.bulk_modulus, units.stress),
+               with_unit(m.shear_modulus, units.stress));
     fmt::print("    velocity of longitudinal waves {}\n",
                with_unit(std::sqrt(wave_modulus / m.density), units.velocity));
     if (m.plastic) print_hardening(m, units);

@@ -34,7 +34,7 @@ double flow_stress(const Material& m) {
 double shrinking(const Scene& scene, double speed) {
   double most = 1;
   for (const Material& m : scene.materials) {
-    if (!m.plastic) continue;
+    if (!m.plastic || m.fluid) continue;
     double strain = strain_of_impact * m.density * speed * speed / flow_stress(m);
     if (m.erosion_strain > 0) strain = speed > 0 ? std::min(strain, m.erosion_strain) : m.erosion_strain;
     most = std::max(most, std::exp(strain_share * std::min(strain, most_strain)));

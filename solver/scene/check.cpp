@@ -110,17 +110,18 @@ void check_material(Material& material, Names& earlier) {
   table.require_none(name_problem(material.name));
   table.require_none(earlier.add(material.name));
   table.keys(material);
-  if (material.plastic) table.number("yield_stress", material.yield_stress, positive);
+  if (material.plastic && !material.fluid) table.number("yield_stress", material.yield_stress, positive);
   table.require_none(problem_of(material));
 }
 
-void check_body(Body& body, const Names& materials, Names& earlier) {
+void check_body(Body& body, const Scene& scene, const Names& materials, Names& earlier) {
   const Table table("body", body.name);
   table.require_none(name_problem(body.name));
   table.require_none(earlier.add(body.name));
   table.require_none(materials.reference_problem("material", "material", body.material));
   table.keys(body);
   if (body.element) Table(fmt::format("body.{}.element", body.name)).keys(*body.element);
+  table.require_none(problem_of(body, scene));
 }
 
 /// The names of the bodies, and what refers to them: keys `body` and selections of nodes.
@@ -312,7 +313,7 @@ Scene checked_scene(Scene scene) {
   Names materials, bodies;
   for (Material& material : scene.materials) check_material(material, materials);
   if (scene.bodies.empty()) Table("").fail("body", "missing, expected at least one [[body]]");
-  for (Body& body : scene.bodies) check_body(body, materials, bodies);
+  for (Body& body : scene.bodies) check_body(body, scene, materials, bodies);
   check_contact(scene);
   const BodyNames names(scene);
   check_rigid_bodies(scene, names);

@@ -82,6 +82,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
   if constexpr (std::is_same_v<S, double>) {
     to.johnson_cook = c.johnson_cook;
     to.pressure = c.pressure;
+    to.fluid = c.fluid;
     to.failure.limits = c.failure.limits;
   }
   return to;

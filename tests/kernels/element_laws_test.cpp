@@ -97,6 +97,7 @@ class StrainedCube {
   const ElementState& state() const { return state_; }
   double internal() const { return internal_; }
   double viscous() const { return viscous_; }
+  const Vec3<double>& stretch() const { return stretch_; }
   double volume() const { return stretch_.x * stretch_.y * stretch_.z; }
   double time_step() const { return time_step_; }
   int eroded() const { return eroded_; }
@@ -159,6 +160,60 @@ TEST(EquationOfStateOfElements, KeepsAllWorkAsEnergyAndFollowsItsCurve) {
     EXPECT_GT(stiffness, 2 * 200);
     EXPECT_NEAR(cube.time_step(), 2 / std::sqrt(square), 1e-6 * cube.time_step());
   }
+}
+
+/// Elements that flow, of a viscosity of 0.3.
+ElementConstants<double> with_fluid() {
+  ElementConstants<double> c = with_equation_of_state();
+  c.fluid = {true, 0.3};
+  c.material.lambda = 200, c.material.mu = 0, c.material.yield_stress = 0;
+  return c;
+}
+
+TEST(FluidOfElements, HasTheDeviatorOfItsRateAndThePressureOfItsVolume) {
+  StrainedCube cube(with_fluid());
+  for (int i = 0; i < 300; ++i) cube.strain({0, 0, -0.5}, 0, 1e-3);
+  const double mu = 1 / cube.volume() - 1;
+  const PressureParts<double> at = pressure_parts(with_fluid().pressure, mu);
+  EXPECT_NEAR(cube.pressure(), at.cold + at.thermal * cube.state().energy(), 1e-9 * cube.pressure());
+  EXPECT_NEAR(cube.state().energy(), cube.internal(), 1e-10 * cube.internal());  // all work, also that of s
+  // Of the middle of a step: D_zz = -tanh(dk/2)/(dk/2) of the logarithmic rate.
+  EXPECT_NEAR(cube.state().stress.zz + cube.pressure(), -2 * 0.3 * 0.5 * 2 / 3, 1e-7);
+  EXPECT_NEAR(cube.state().stress.xx + cube.pressure(), 2 * 0.3 * 0.5 / 3, 1e-7);
+  const double pressed = cube.state().energy(), dt = 1e-3;
+  for (int i = 0; i < 2000; ++i) cube.strain({0, 0, 0}, 4, dt);
+  EXPECT_NEAR(cube.state().stress.xy, 0.3 * 4 / cube.stretch().y, 1e-3);  // without strength, whatever the strain
+  EXPECT_EQ(cube.state().plastic_strain, 0);
+  const double heat = cube.state().energy() - pressed;
+  EXPECT_NEAR(heat, 0.3 * 16 * 2 * cube.volume(), 1e-3 * heat);  // eta rate^2 t; e is of the undeformed volume
+  EXPECT_EQ(cube.eroded(), 0);
+}
+
+/// Nothing comes back where it stops, and a step is no longer than its viscosity lets it be.
+TEST(FluidOfElements, ForgetsItsShearAndShortensTheStep) {
+  ElementConstants<double> c = with_fluid();
+  StrainedCube cube(c);
+  cube.strain({0, 0, 0}, 5, 1e-3);
+  EXPECT_NEAR(cube.state().stress.xy, 0.3 * 5, 1e-2);
+  cube.strain({0, 0, 0}, 0, 1e-3);
+  EXPECT_NEAR(cube.state().stress.xy, 0, 1e-12);
+  const double loose = cube.time_step();
+  c.fluid.viscosity = 30;
+  StrainedCube thick(c);
+  thick.strain({0, 0, 0}, 0, 1e-3);
+  // s_i = 1/2 of the cube (stable_time_step.hpp): d/2 = 4 V/m 2 eta tr S, w^2 = 8 V/m lambda tr S.
+  const double half_damping = 4.0 / 3 * 2 * 30 * 1.5, square = 8.0 / 3 * 200 * 1.5;
+  EXPECT_NEAR(thick.time_step(), 2 / (half_damping + std::sqrt(half_damping * half_damping + square)), 1e-3 * loose);
+  EXPECT_LT(thick.time_step(), 0.5 * loose);
+}
+
+TEST(FluidOfElements, PacksGiveWhatTheirLanesGive) {
+  ElementScene scene = scene_of_laws(StrainRateMeasure::total);
+  scene.constants.fluid = {true, 0.3};
+  scene.constants.material.lambda += 2 * scene.constants.material.mu / 3, scene.constants.material.mu = 0;
+  constexpr ElementFeatures features = general<HourglassKind::viscous>;
+  const ElementOutcome expected = advance<double, features>(scene);
+  expect_equal(advance<Pack<double, 8>, features>(scene), expected, features, 1e-12);
 }
 
 TEST(JohnsonCookOfElements, IsHeatedByPlasticWorkAndSoftens) {

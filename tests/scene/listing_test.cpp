@@ -24,6 +24,7 @@ Scene example() {
                       .yield_curves = {},
                       .power_hardening = {},
                       .johnson_cook = {},
+                      .fluid = {},
                       .equation_of_state = {},
                       .erosion = {}}};
   Body body;

@@ -74,6 +74,26 @@ TEST_F(MaterialLawsScene, ReadsAPower) {
               HasSubstr("power_hardening: expected none beside johnson_cook"));
 }
 
+TEST_F(MaterialLawsScene, ReadsFluids) {
+  const auto fluid = [&](const std::string& text) {
+    std::vector<std::string> all = with(10, text);
+    all[7] = all[8] = "";
+    all.push_back("[element]");
+    all.push_back("hourglass = \"viscous\"");
+    return all;
+  };
+  const std::string water = "fluid = { viscosity = 1e-3 }\n";
+  const Material m = read(fluid(water + copper)).materials.at(0);
+  EXPECT_EQ(m.fluid->viscosity, 1e-3);
+  EXPECT_EQ(m.shear_modulus, 0);
+  EXPECT_DOUBLE_EQ(m.bulk_modulus, m.density * 3940 * 3940);
+  EXPECT_THAT(error(fluid(water + copper + "\nyield_stress = 1e6")),
+              HasSubstr("yield_stress: expected none beside fluid"));
+  EXPECT_THAT(error(fluid(water + copper + "\nshear_modulus = 1e6")), HasSubstr("shear_modulus: "));
+  EXPECT_THAT(error(fluid("fluid = { viscosity = -1 }\n" + std::string(copper))), HasSubstr("fluid.viscosity"));
+  EXPECT_THAT(error(with(10, water + "yield_stress = 4e8")), HasSubstr("fluid"));
+}
+
 TEST_F(MaterialLawsScene, OverridesReachIntoThem) {
   const Scene scene = read(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }"),
                            {.set = {"material.copper.johnson_cook.hardening_exponent=0.5"}});

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <kernels/material/bulk_viscosity.hpp>
+#include <kernels/material/fluid.hpp>
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
 
@@ -39,7 +40,9 @@ ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Mat
   const double largest = inverse_square * largest_principal_value(b_b), sum = inverse_square * trace(b_b);
   const double undamped = element_stable_rate(largest, sum, start.volume, inverse_mass, lambda, mu, 0.0);
   start.frequency2 = undamped * undamped;
-  start.half_damping = 4 * start.volume * inverse_mass * viscosity * sum;
+  const double flowing =
+      material.fluid ? damping_viscosity(FluidConstants<double>{true, material.fluid->viscosity}) : 0;
+  start.half_damping = 4 * start.volume * inverse_mass * (viscosity + flowing) * sum;
   return start;
 }
 

@@ -22,7 +22,7 @@ void require_held(const Scene& scene, const Material& material, const ElementCon
   };
   const double modulus = material.bulk_modulus + 4.0 / 3.0 * material.shear_modulus;
   require("bulk_modulus", material.bulk_modulus, static_cast<S>(material.bulk_modulus));
-  require("shear_modulus", material.shear_modulus, constants.material.mu);
+  if (!material.fluid) require("shear_modulus", material.shear_modulus, constants.material.mu);
   require("density", material.density, constants.material.density);
   require("1/density", 1 / material.density, constants.specific_volume);
   require("velocity of waves", std::sqrt(modulus / material.density), constants.material.sound_speed);

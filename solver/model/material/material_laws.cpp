@@ -29,6 +29,12 @@ JohnsonCookConstants<S> johnson_cook_constants(const Material& material) {
 }
 
 template <class S>
+FluidConstants<S> fluid_constants(const Material& material) {
+  if (!material.fluid) return {};
+  return {true, static_cast<S>(material.fluid->viscosity)};
+}
+
+template <class S>
 EquationOfState<S> pressure_constants(const Material& material) {
   EquationOfState<S> eos;
   if (!material.equation_of_state) return eos;
@@ -90,6 +96,8 @@ MaterialPlaces material_places(const Material& material) {
 
 template JohnsonCookConstants<double> johnson_cook_constants<double>(const Material&);
 template JohnsonCookConstants<float> johnson_cook_constants<float>(const Material&);
+template FluidConstants<double> fluid_constants<double>(const Material&);
+template FluidConstants<float> fluid_constants<float>(const Material&);
 template EquationOfState<double> pressure_constants<double>(const Material&);
 template EquationOfState<float> pressure_constants<float>(const Material&);
 template FailureLimits<double> failure_limits<double>(const Material&, double);

@@ -9,6 +9,10 @@ namespace pinball {
 template <class S>
 JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
 
+/// None used of a material that is none.
+template <class S>
+FluidConstants<S> fluid_constants(const Material& material);
+
 /// The linear pressure of a material without an equation of state.
 template <class S>
 EquationOfState<S> pressure_constants(const Material& material);

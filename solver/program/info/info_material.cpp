@@ -89,6 +89,10 @@ std::string with_unit(double value, const std::string& unit) {
 
 void print_hardening(const Material& m, const Units& units) {
   if (m.equation_of_state) print_equation_of_state(*m.equation_of_state, units);
+  if (m.fluid) {
+    fmt::print("    fluid: viscosity {:.6g}, no strength\n", m.fluid->viscosity);
+    return;
+  }
   if (m.johnson_cook) {
     print_johnson_cook(m, units);
   } else if (m.power_hardening) {

@@ -84,10 +84,13 @@ SchemaJson material_schema() {
   SchemaJson table = table_schema<Material>();
   const SchemaJson yield{
       {"if", where("model", "von_mises")},
-      {"then", {{"anyOf", {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"})}}}}};
-  const SchemaJson moduli{{"oneOf",
-                           {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
-                            required({"equation_of_state", "shear_modulus"})}}};
+      {"then",
+       {{"anyOf",
+         {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"}), required({"fluid"})}}}}};
+  const SchemaJson moduli{
+      {"oneOf",
+       {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
+        required({"equation_of_state", "shear_modulus"}), required({"equation_of_state", "fluid"})}}};
   const SchemaJson all_of_it{{"required", table["required"]}, {"allOf", {moduli, yield}}};
   table["required"] = {"name"};
   table["allOf"] = {{{"if", required({"use"})}, {"then", SchemaJson::object()}, {"else", all_of_it}}};
@@ -111,6 +114,7 @@ SchemaJson definitions() {
   define<YieldCurve>(all);
   define<PowerHardeningSettings>(all);
   define<JohnsonCookSettings>(all);
+  define<FluidSettings>(all);
   define<EquationOfStateSettings>(all);
   define<ErosionSettings>(all);
   define<Body>(all);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <solver/scene_rules.hpp>
@@ -60,6 +61,24 @@ std::optional<Problem> problem_of_johnson_cook(const Material& m) {
   if (const auto problem = problem_of(*m.johnson_cook)) {
     return Problem{fmt::format("johnson_cook.{}", problem->key), problem->text};
   }
+  return {};
+}
+
+/// What stands beside a fluid that only solids have, and what it needs.
+std::optional<Problem> problem_of_fluid(const Material& m) {
+  const bool ends = m.ultimate_stress > 0 && std::isfinite(m.ultimate_stress);
+  const char* const other = m.shear_modulus > 0     ? "shear_modulus"
+                            : m.yield_stress > 0    ? "yield_stress"
+                            : m.plastic_modulus > 0 ? "plastic_modulus"
+                            : ends                  ? "ultimate_stress"
+                            : m.erosion_strain > 0  ? "erosion_strain"
+                            : m.isotropic_share < 1 ? "isotropic_share"
+                            : m.power_hardening     ? "power_hardening"
+                            : m.rate_constant > 0   ? "rate_constant"
+                            : m.johnson_cook        ? "johnson_cook"
+                                                    : nullptr;
+  if (other != nullptr) return Problem{other, "expected none beside fluid, which has no strength"};
+  if (!m.equation_of_state) return Problem{"equation_of_state", "missing, expected the pressure of the fluid"};
   return {};
 }
 
@@ -137,6 +156,9 @@ std::optional<Problem> problem_of(const Material& material) {
   if (material.power_hardening) {
     if (const auto problem = problem_of_power(material)) return problem;
   }
+  if (material.fluid) {
+    if (const auto problem = problem_of_fluid(material)) return problem;
+  }
   if (material.johnson_cook) {
     if (const auto problem = problem_of_johnson_cook(material)) return problem;
   }
@@ -144,6 +166,17 @@ std::optional<Problem> problem_of(const Material& material) {
     if (const auto problem = problem_of_equation_of_state(material)) return problem;
   }
   return material.erosion ? problem_of_erosion(material) : std::nullopt;
+}
+
+std::optional<Problem> problem_of(const Body& body, const Scene& scene) {
+  const auto material = std::ranges::find(scene.materials, body.material, &Material::name);
+  if (material == scene.materials.end() || !material->fluid) return {};
+  const HourglassControl control = (body.element ? *body.element : scene.element).hourglass;
+  if (control == HourglassControl::viscous || control == HourglassControl::none) return {};
+  return Problem{"material",
+                 fmt::format("expected elements with element.hourglass = \"viscous\" or \"none\" of {}, which "
+                             "is fluid: other forms resist as solids do",
+                             material->name)};
 }
 
 bool erodes(const Material& m) {

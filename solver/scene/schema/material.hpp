@@ -39,6 +39,8 @@ struct IsInnerTable<PowerHardeningSettings> : std::true_type {};
 template <>
 struct IsInnerTable<JohnsonCookSettings> : std::true_type {};
 template <>
+struct IsInnerTable<FluidSettings> : std::true_type {};
+template <>
 struct IsInnerTable<EquationOfStateSettings> : std::true_type {};
 template <>
 struct IsInnerTable<ErosionSettings> : std::true_type {};
@@ -82,6 +84,14 @@ constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
             &T::failure,
             "`[D1, D2, D3, D4, D5]`: an element whose damage reaches 1 is eroded",
             {.unit = "-", .otherwise = "none"}});
+}
+
+template <class Visit>
+constexpr void describe(Of<FluidSettings>, Visit&& visit) {
+  visit(Key{"viscosity",
+            &FluidSettings::viscosity,
+            "eta: the deviator is 2 eta times that of the rate of deformation",
+            {.unit = "M/(L T)", .bound = not_negative}});
 }
 
 template <class Visit>
@@ -151,6 +161,8 @@ template <class Visit>
 constexpr void describe(Of<Material>, Visit&& visit) {
   using T = Material;
   const auto plastic = [](const Material& material) { return material.plastic; };
+  const auto solid = [](const Material& material) { return !material.fluid; };
+  const auto yields = [](const Material& material) { return material.plastic && !material.fluid; };
   visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});
   visit(FileKey<std::string>{"use",
                              "name of a published material of `data/materials`, which gives what is not given here, in "
@@ -176,7 +188,8 @@ constexpr void describe(Of<Material>, Visit&& visit) {
              .bound = positive,
              .need = Need::one_of,
              .otherwise = "as bulk_modulus",
-             .done = Done::reading_by_hand}});
+             .done = Done::reading_by_hand}}
+            .only_where(solid, "beside fluid"));
   visit(FileKey<double>{
       "young_modulus",
       "E, beside `poisson_ratio`",
@@ -195,7 +208,7 @@ constexpr void describe(Of<Material>, Visit&& visit) {
              .need = Need::one_of,
              .unset = Unset::zero,
              .otherwise = "required for `\"von_mises\"`"}}
-            .only_where(plastic));
+            .only_where(yields));
   visit(Key{"plastic_modulus",
             &T::plastic_modulus,
             "H, slope of the yield stress over the effective plastic strain",
@@ -247,9 +260,15 @@ constexpr void describe(Of<Material>, Visit&& visit) {
             "table (below), in the place of the laws of hardening and rate above; `yield_stress` is its A",
             {.otherwise = "none"}}
             .only_where(plastic));
+  visit(Key{"fluid",
+            &T::fluid,
+            "table (below), in the place of all strength, `shear_modulus` and `yield_stress`, beside an "
+            "`equation_of_state`; elements of viscous hourglass control, or none",
+            {.otherwise = "none"}}
+            .only_where(plastic));
   visit(Key{"equation_of_state",
             &T::equation_of_state,
-            "table (below), in the place of the bulk modulus, beside `shear_modulus`",
+            "table (below), in the place of the bulk modulus, beside `shear_modulus` or `fluid`",
             {.otherwise = "none"}}
             .only_where(plastic));
   visit(Key{"erosion",

@@ -21,6 +21,10 @@ void read_moduli(const SceneTable& table, Material& material) {
     for (const char* key : {"bulk_modulus", "young_modulus", "poisson_ratio"}) {
       if (table.has(key)) table.fail(key, "expected none beside equation_of_state, but shear_modulus");
     }
+    if (material.fluid) {
+      if (table.has("shear_modulus")) table.fail("shear_modulus", "expected none beside fluid, which has no strength");
+      return;
+    }
     material.shear_modulus = number("shear_modulus");
     return;
   }
@@ -84,7 +88,7 @@ Material read_material(const SceneTable& table) {
   read_keys(table, material);
   read_moduli(table, material);
   read_yield_curves(table, material);
-  if (material.plastic && material.yield_curves.empty() && !table.has("yield_stress")) {
+  if (material.plastic && !material.fluid && material.yield_curves.empty() && !table.has("yield_stress")) {
     table.fail_missing("yield_stress", schema::about<Material>("yield_stress").bound.describe());
   }
   complete(material);

@@ -174,6 +174,7 @@ Scene read_tables(const GivenTable& root, const Given& given, const SceneOverrid
     if (auto* file = std::get_if<FileMesh>(&body.mesh)) find_mesh_file(table, *file, path);
     table.require_none(body_names.add(body.name, table.where("name")));
     table.require_none(materials.reference_problem("material", "material", body.material));
+    table.require_none(problem_of(body, scene));
     scene.bodies.push_back(body);
   }
   read_contact_parts(top.table("contact", "contact"), scene);

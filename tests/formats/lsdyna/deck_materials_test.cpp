@@ -203,6 +203,26 @@ TEST_F(DeckMaterials, ReadsJohnsonAndCookWithItsEquationOfState) {
   EXPECT_EQ(polynomial.equation_of_state->coefficients, (std::vector<double>{0, 1.6e5, 1e5, 2e4, 1.9, 0.6, 0.1}));
 }
 
+TEST_F(DeckMaterials, NullIsAFluidWithAnEquationOfState) {
+  const auto null = [](const std::string& card) {
+    std::string deck = steel(grueneisen);
+    const auto at = deck.find("*MAT_015");
+    return deck.replace(at, deck.find("*EOS") - at, "*MAT_009\n1,1.E-9," + card + "\n");
+  };
+  const Material m = material(null("-0.1,1.E-9"));
+  EXPECT_EQ(*m.fluid, FluidSettings{1e-9});
+  EXPECT_EQ(m.equation_of_state->tension_limit, 0.1);
+  EXPECT_EQ(m.equation_of_state->sound_speed, 4.569e6);
+  EXPECT_EQ(m.shear_modulus, 0);
+  EXPECT_THAT(told(null("0.,1.E-9")), Contains(HasSubstr("*MAT_NULL with PC 0: its tension has no limit")));
+  EXPECT_THAT(told(null("-0.1,1.E-9,0.,0.,5.,0.3")), Contains(HasSubstr("of beams and shells")));
+  EXPECT_THAT(error(null("0.1,1.E-9")), HasSubstr("PC"));
+  EXPECT_THAT(error(null("-0.1,1.E-9,1.1")), HasSubstr("elements are not eroded by their volume"));
+  std::string none = null("-0.1,1.E-9");
+  none.replace(none.find("1,1,1,7\n"), 8, "1,1,1\n");
+  EXPECT_THAT(error(none), HasSubstr("*MAT_NULL without an equation of state"));
+}
+
 TEST_F(DeckMaterials, RefusesEquationsOfStateThatAreMissingOrOfNoUse) {
   EXPECT_THAT(error(steel("")), HasSubstr("*PART with EOSID 7, which no *EOS_... has that is read"));
   std::string none = steel(grueneisen);

@@ -253,7 +253,8 @@ TEST_F(Deck, AddsSetsOfAnIncludedFileWithItsOffset) {
 TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
   const std::string message =
       error(cube + ends + "*ELEMENT_SHELL\n1,2,1,2,3,4\n2,2,1,2,3,4\n*ELEMENT_SHELL\n3,2,1,2,3,4\n*MAT_JOINT\n1,1\n" +
-            "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*CONTROL_UNHEARD_OF\n*CONTROL_UNHEARD_OF\n*CONTROL_TIMESTEP\n0,0.9,0,0,"
+            "*MAT_VISCOELASTIC\n7,1\n*SECTION_SHELL\n7\n*CONTROL_UNHEARD_OF\n*CONTROL_UNHEARD_OF\n*CONTROL_TIMESTEP\n0,"
+            "0.9,0,0,"
             "0,3\n");
   EXPECT_EQ(
       message,
@@ -265,9 +266,9 @@ TEST_F(Deck, ThatCannotBeDoneIsRefusedInOneMessage) {
       "nothing\n"
       "  *CONTROL_TIMESTEP with LCTM (deck.k:34): leave it out: the step is TSSFAC times the stable one");
   EXPECT_THAT(
-      translate(cube + elastic + ends + "*MAT_NULL\n7,1\n*SECTION_SHELL\n7\n*EOS_JWL\n7\n*EOS_GRUNEISEN\n8\n")
+      translate(cube + elastic + ends + "*MAT_VISCOELASTIC\n7,1\n*SECTION_SHELL\n7\n*EOS_JWL\n7\n*EOS_GRUNEISEN\n8\n")
           .understood,
-      testing::IsSupersetOf({HasSubstr("not used: *MAT_NULL ("), HasSubstr("not used: *SECTION_SHELL ("),
+      testing::IsSupersetOf({HasSubstr("not used: *MAT_VISCOELASTIC ("), HasSubstr("not used: *SECTION_SHELL ("),
                              HasSubstr("not used: *EOS_JWL ("),
                              HasSubstr("*EOS_GRUNEISEN, equation of state 8, which no part with solids has (")}));
 }

@@ -128,7 +128,7 @@ class DeckData {
   /// Whether a part with solids is of it.
   bool is_used(std::int64_t material) const { return materials_.contains(material); }
   /// That of the parts of a material that needs one; none: it is refused.
-  std::optional<DeckStateEquation> state_equation_of(std::int64_t material);
+  std::optional<DeckStateEquation> state_equation_of(std::int64_t material, const std::string& keyword);
   /// Refuses parts whose material has a bulk modulus and needs none.
   void reject_state_equations(std::int64_t material, const std::string& keyword);
   /// Throws InputError where the deck gives this ("section 1") already.

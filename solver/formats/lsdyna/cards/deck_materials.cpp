@@ -36,6 +36,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_JOHNSON_COOK") return layout::johnson_cook;
   if (kind == "MAT_ELASTIC") return layout::elastic;
   if (kind == "MAT_RIGID") return layout::rigid;
+  if (kind == "MAT_NULL") return layout::null;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
@@ -190,6 +191,16 @@ void set_johnson_cook(DeckData& data, const Fields& f, Cards& cards, const DeckS
   keys.set("equation_of_state", given_state_equation(equation, tension_limit(data, d)), equation.card.text());
 }
 
+/// *MAT_009
+void set_null(DeckData& data, const Fields& f, const DeckStateEquation& equation, const MaterialKeys& keys) {
+  InnerKeys<FluidSettings> fluid;
+  fluid.set("viscosity", f.number("MU"));
+  keys.set("fluid", fluid.value(), "mu");
+  const double limit = -f.number("PC");
+  if (limit == 0) data.report.understood("*MAT_NULL with PC 0: its tension has no limit");
+  keys.set("equation_of_state", given_state_equation(equation, limit), equation.card.text());
+}
+
 /// A curve as a value of a key; rate: negative: it is the only one.
 GivenValue given_curve(const DeckCurve& curve, const DeckPlace& place, double factor = 1.0, double rate = -1.0) {
   std::vector<double> strain = curve.abscissa, stress = curve.ordinate;
@@ -329,9 +340,13 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
   const std::string kind = keyword_alias(block.name);
   const MaterialKeys keys = begin_material(id, title, block, f, scene);
   if (limits.any) keys.set("erosion", limits.keys.value(), limits.card.text());
-  if (kind == "MAT_JOHNSON_COOK") {
-    if (const auto equation = data.state_equation_of(id)) {
-      set_johnson_cook(data, f, cards, *equation, keys);
+  if (kind == "MAT_JOHNSON_COOK" || kind == "MAT_NULL") {
+    if (const auto equation = data.state_equation_of(id, "*" + kind)) {
+      if (kind == "MAT_NULL") {
+        set_null(data, f, *equation, keys);
+      } else {
+        set_johnson_cook(data, f, cards, *equation, keys);
+      }
     } else if (block.log != nullptr) {
       block.log->done(&block);
     }

@@ -65,12 +65,12 @@ DeckStateEquation DeckData::read_state_equation(const KeywordBlock& block) const
   return equation;
 }
 
-std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t material) {
+std::optional<DeckStateEquation> DeckData::state_equation_of(std::int64_t material, const std::string& keyword) {
   const DeckPart* first = nullptr;
   for (const DeckPart& part : parts) {
     if (part.material != material) continue;
     if (part.state_equation == 0) {
-      report.reject(part.place, "*MAT_JOHNSON_COOK without an equation of state", "give the part an EOSID",
+      report.reject(part.place, fmt::format("{} without an equation of state", keyword), "give the part an EOSID",
                     part.solids);
       return std::nullopt;
     }

@@ -148,6 +148,15 @@ inline constexpr CardLayout johnson_cook_more{number("D5"),
                                               number("K").reported(of_other_rates),
                                               number("D").reported(of_other_rates)};
 
+inline constexpr CardLayout null{material_id,
+                                 density,
+                                 material_stress("PC").from(-std::numeric_limits<double>::infinity(), 0),
+                                 number("MU").at_least(0),
+                                 number("TEROD").rejected("elements are not eroded by their volume: leave it blank"),
+                                 number("CEROD").rejected("elements are not eroded by their volume: leave it blank"),
+                                 number("YM").reported("of beams and shells"),
+                                 number("PR").reported("of beams and shells")};
+
 inline constexpr CardField state_equation_id = whole("EOSID").always();
 inline constexpr std::string_view at_rest = "leave it blank: bodies press on nothing at the start";
 inline constexpr CardLayout grueneisen{state_equation_id, number("C").always().of(Dimension::velocity),
