@@ -10,6 +10,7 @@
 #include "material/fluid.hpp"
 #include "material/johnson_cook.hpp"
 #include "material/material_state.hpp"
+#include "material/mooney_rivlin.hpp"
 #include "material/von_mises.hpp"
 #include "material/yield_curve.hpp"
 
@@ -83,6 +84,7 @@ struct ElementConstants {
   // General yield only:
   HardeningConstants<S> hardening{};
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
+  MooneyRivlinConstants<S> rubber{};       ///< of what never yields, in the place of Hooke's law, where used
   FluidConstants<S> fluid{};               ///< in the place of all strength, where used
   EquationOfState<S> pressure{};
   MaterialPlaces places{};

@@ -73,7 +73,7 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
   if constexpr (features.plastic) {
     plastic_strain = own.get(elements.plastic_strain);
     if (never_yields_generally<features>(constants)) [[unlikely]] {
-      follow_energy(constants, own, bound, middle, motion, dt, stress_old, stress, stable_rate);
+      follow_energy_generally(constants, own, numbers, bound, middle, motion, dt, stress_old, stress, stable_rate);
     } else {
       failed = yield<features>(constants, numbers, motion, dt, density, hourglass, stress, plastic_strain);
     }

@@ -45,6 +45,16 @@ struct JohnsonCookSettings {
   bool operator==(const JohnsonCookSettings&) const = default;
 };
 
+/// mooney_rivlin of a material: an energy of A (I - 3) + B (II - 3) and of the volume
+/// (kernels/material/mooney_rivlin.hpp).
+struct MooneyRivlinSettings {
+  double a = 0.0;              ///< a: A [stress]
+  double b = 0.0;              ///< b: B [stress]
+  double poisson_ratio = 0.0;  ///< poisson_ratio: of small strains [-]
+
+  bool operator==(const MooneyRivlinSettings&) const = default;
+};
+
 /// fluid of a material: no strength, s = 2 eta D'.
 struct FluidSettings {
   double viscosity = 0.0;  ///< viscosity: eta [stress time]
@@ -105,6 +115,7 @@ struct Material {
   double rate_exponent = 0.0;                  ///< rate_exponent: p of that law [-]
   double rate_stress = 0.0;  ///< rate_stress: what the law adds a multiple of; 0: of the yield stress itself [stress]
   std::optional<JohnsonCookSettings> johnson_cook;           ///< in the place of hardening and rate laws above
+  std::optional<MooneyRivlinSettings> mooney_rivlin;         ///< of an elastic one, in the place of its moduli
   std::optional<FluidSettings> fluid;                        ///< in the place of all strength
   std::optional<EquationOfStateSettings> equation_of_state;  ///< in the place of the bulk modulus, which follows
   std::optional<ErosionSettings> erosion;                    ///< limits beside erosion_strain; of elastic ones, too

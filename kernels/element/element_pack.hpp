@@ -5,6 +5,7 @@
 #include "../element_data.hpp"
 #include "../gather.hpp"
 #include "../hexahedron.hpp"
+#include "../tensor.hpp"
 
 /// The elements of a pack: which are there, and where their numbers lie.
 namespace pinball {
@@ -26,6 +27,22 @@ class ElementNumbers {
   S* base_;
   MaskOf<T> alive_;
 };
+
+/// Six numbers from `place` on: xx yy zz xy yz zx.
+template <class T, int L>
+PINBALL_FUNCTION Symmetric<T> symmetric_at(const ElementNumbers<T, L>& numbers, int place) {
+  return {numbers.get(place),     numbers.get(place + 1), numbers.get(place + 2),
+          numbers.get(place + 3), numbers.get(place + 4), numbers.get(place + 5)};
+}
+template <class T, int L>
+PINBALL_FUNCTION void set_symmetric(const Symmetric<T>& tensor, const ElementNumbers<T, L>& numbers, int place) {
+  numbers.set(place, tensor.xx);
+  numbers.set(place + 1, tensor.yy);
+  numbers.set(place + 2, tensor.zz);
+  numbers.set(place + 3, tensor.xy);
+  numbers.set(place + 4, tensor.yz);
+  numbers.set(place + 5, tensor.zx);
+}
 
 /// Elements first ... first + width_of<T> - 1.
 template <class T, int L>

@@ -29,15 +29,9 @@ struct ElementFailure {
 template <class T, int L>
 PINBALL_FUNCTION Symmetric<T> kept_strain(const ElementNumbers<T, L>& numbers, int place, const Symmetric<T>& increment,
                                           const Rotation<T>& rotation) {
-  const Symmetric<T> old{numbers.get(place),     numbers.get(place + 1), numbers.get(place + 2),
-                         numbers.get(place + 3), numbers.get(place + 4), numbers.get(place + 5)};
+  const Symmetric<T> old = symmetric_at(numbers, place);
   const Symmetric<T> half = number<T>(0.5) * increment, strain = rotate(rotation, old + half) + half;
-  numbers.set(place, strain.xx);
-  numbers.set(place + 1, strain.yy);
-  numbers.set(place + 2, strain.zz);
-  numbers.set(place + 3, strain.xy);
-  numbers.set(place + 4, strain.yz);
-  numbers.set(place + 5, strain.zx);
+  set_symmetric(strain, numbers, place);
   return strain;
 }
 

@@ -2,6 +2,7 @@
 
 #include "../element_results.hpp"
 #include "../material/general_material.hpp"
+#include "../material/mooney_rivlin.hpp"
 #include "../material/neo_hookean.hpp"
 #include "element_pack.hpp"
 #include "hourglass_control.hpp"
@@ -62,6 +63,15 @@ PINBALL_FUNCTION NeoHookeanState<T> stress_of_energy(const MaterialConstants<Sca
   }
 }
 
+/// The volumes of a step.
+template <class T, int L>
+PINBALL_FUNCTION VolumeChange<T> volume_change(const ElementConstants<ScalarOf<T>>& constants,
+                                               const ElementPack<T, L>& own, const StabilityBound<T>& bound,
+                                               const MiddleGeometry<T>& middle) {
+  return {own.mass * T(constants.specific_volume), T(constants.material.density) * bound.end.inverse_mass,
+          middle.volume, bound.end.volume, middle.inverse_end_volume};
+}
+
 /// The same, with the stable rate of those moduli.
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void follow_energy(const ElementConstants<ScalarOf<T>>& constants, const ElementPack<T, L>& own,
@@ -69,8 +79,7 @@ PINBALL_FUNCTION void follow_energy(const ElementConstants<ScalarOf<T>>& constan
                                     const StepMotion<T, features>& motion, ScalarOf<T> dt,
                                     const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {
   const MaterialConstants<ScalarOf<T>>& material = constants.material;
-  const VolumeChange<T> change{own.mass * T(constants.specific_volume), T(material.density) * bound.end.inverse_mass,
-                               middle.volume, bound.end.volume, middle.inverse_end_volume};
+  const VolumeChange<T> change = volume_change(constants, own, bound, middle);
   const NeoHookeanState<T> now = stress_of_energy<features>(material, stress_old, motion, dt, change, middle.whole);
   stress = now.stress;
   stable_rate = bound.rate(now.lambda, now.mu);
@@ -99,6 +108,29 @@ PINBALL_FUNCTION Symmetric<T> stress_without_yield(const ElementConstants<Scalar
 template <ElementFeatures features, class S>
 PINBALL_FUNCTION bool never_yields_generally(const ElementConstants<S>& constants) {
   return features.erosion && features.yield == YieldLaw::general && constants.never_yields;
+}
+
+/// Gives it the stress of its energy.
+template <ElementFeatures features, class T, int L>
+PINBALL_FUNCTION void follow_energy_generally(const ElementConstants<ScalarOf<T>>& constants,
+                                              const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
+                                              const StabilityBound<T>& bound, const MiddleGeometry<T>& middle,
+                                              const StepMotion<T, features>& motion, ScalarOf<T> dt,
+                                              const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {
+  if (!constants.rubber.used) {
+    follow_energy(constants, own, bound, middle, motion, dt, stress_old, stress, stable_rate);
+    return;
+  }
+  const int place = constants.places.deformation;
+  Symmetric<T> strain = symmetric_at(numbers, place);
+  const Symmetric<T> old = stress_old;  // of their own, as above
+  const MaskOf<T> there = middle.whole;
+  NeoHookeanState<T> now;
+  update_mooney_rivlin<T>(constants.rubber, T(ScalarOf<T>(0.5) * dt) * motion.gradient,
+                          volume_change(constants, own, bound, middle), there, old, strain, now);
+  set_symmetric(strain, numbers, place);
+  stress = now.stress;
+  stable_rate = bound.rate(now.lambda, now.mu);
 }
 
 /// Returns the stress, and hourglass stresses, to the yield surface; plastic_strain: of the old state. Returns elements

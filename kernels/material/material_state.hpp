@@ -12,6 +12,7 @@ struct MaterialPlaces {
   int energy = -1;       ///< e of equation_of_state.hpp [stress]
   int damage = -1;       ///< 1: has failed [-]
   int strain = -1;       ///< six: xx yy zz xy yz zx of e of failure.hpp [-]
+  int deformation = -1;  ///< six: xx yy zz xy yz zx of E of mooney_rivlin.hpp [-]
   int numbers = 0;       ///< all of them
 };
 

@@ -67,7 +67,8 @@ HourglassKind hourglass_kind(HourglassControl control) {
 ElementFeatures features_of(const Material& material, const ElementSettings& settings, bool erodes_anyway) {
   ElementFeatures f{};
   f.erosion = erodes_anyway || erodes(material);
-  f.plastic = material.plastic || f.erosion;  // there is no kernel for erosion without plasticity
+  // There is no kernel for erosion, nor for a general law, without plasticity.
+  f.plastic = material.plastic || f.erosion || has_general_yield(material);
   f.bulk_viscosity = settings.bulk_viscosity;
   f.hourglass = hourglass_kind(settings.hourglass);
   if (has_general_yield(material)) f.yield = YieldLaw::general;
@@ -91,6 +92,7 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
       model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
       model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
       model.constants.back().johnson_cook = johnson_cook_constants<S>(material);
+      model.constants.back().rubber = rubber_constants<S>(material);
       model.constants.back().fluid = fluid_constants<S>(material);
       model.constants.back().pressure = pressure_constants<S>(material);
       model.constants.back().places = material_places(material);

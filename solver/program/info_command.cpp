@@ -88,6 +88,9 @@ void print_materials(const Scene& scene, const Units& units) {
                with_unit(m.shear_modulus, units.stress));
     fmt::print("    velocity of longitudinal waves {}\n",
                with_unit(std::sqrt(wave_modulus / m.density), units.velocity));
+    if (m.mooney_rivlin)
+      fmt::print("    Mooney-Rivlin: A {}, B {}\n", with_unit(m.mooney_rivlin->a, units.stress),
+                 with_unit(m.mooney_rivlin->b, units.stress));
     if (m.plastic) print_hardening(m, units);
     if (m.erosion) print_limits(*m.erosion, units);
   }

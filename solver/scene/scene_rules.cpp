@@ -15,6 +15,11 @@ void complete(ElementSettings& element) {
 }
 
 void complete(Material& material) {
+  if (const auto& rubber = material.mooney_rivlin; rubber && !material.plastic) {
+    const double nu = rubber->poisson_ratio;
+    material.shear_modulus = 2 * (rubber->a + rubber->b);
+    material.bulk_modulus = material.shear_modulus * 2 * (1 + nu) / (3 * (1 - 2 * nu));
+  }
   if (const auto& eos = material.equation_of_state)
     material.bulk_modulus = bulk_modulus_at_rest(*eos, material.density);
   if (material.yield_curves.empty() || material.yield_curves.front().stress.empty()) return;

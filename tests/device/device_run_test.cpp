@@ -114,6 +114,28 @@ TEST(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
   expect_same_run<double>(scene);
 }
 
+TEST(DeviceRun, HasPowersFluidsAndRubber) {
+  Scene scene = torn_block();
+  scene.element.hourglass = HourglassControl::viscous;
+  scene.time.end = 10e-6;
+  Material power = plastic_material("power", 4e8, 0), fluid = power, rubber = elastic_material("rubber");
+  power.plastic_modulus = 0;
+  power.power_hardening = PowerHardeningSettings{8e8, 0.2};
+  fluid.name = "fluid";
+  fluid.shear_modulus = fluid.yield_stress = fluid.plastic_modulus = 0;
+  fluid.fluid = FluidSettings{10};
+  fluid.equation_of_state.emplace();
+  fluid.equation_of_state->sound_speed = 4000;
+  rubber.mooney_rivlin = MooneyRivlinSettings{3e10, 1e10, 0.3};
+  for (const Material& material : {power, fluid, rubber}) {
+    scene.materials.push_back(material);
+    Body more = block(material.name, {3, 4, 5}, 0.01, {0.5 * scene.bodies.size(), 0, 0}, {}, material.name);
+    more.velocity_gradient = scene.bodies[0].velocity_gradient;
+    scene.bodies.push_back(more);
+  }
+  expect_same_run<double>(scene);
+}
+
 TEST(DeviceRun, HasBoundaryConditionsOfAllKinds) {
   Scene scene = pressed_blocks(2e-3);
   scene.contact.method = ContactMethod::none;

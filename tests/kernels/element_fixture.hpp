@@ -7,9 +7,9 @@
 namespace pinball::test {
 
 /// All that a material may keep, in this order.
-inline constexpr int material_numbers = 14;
+inline constexpr int material_numbers = 20;
 inline constexpr MaterialPlaces material_places{
-    .back_stress = 0, .temperature = 5, .energy = 6, .damage = 7, .strain = 8, .numbers = 14};
+    .back_stress = 0, .temperature = 5, .energy = 6, .damage = 7, .strain = 8, .deformation = 14, .numbers = 20};
 
 struct ElementState {
   double mass = 0;
@@ -83,6 +83,7 @@ ElementConstants<S> converted(const ElementConstants<double>& c) {
     to.johnson_cook = c.johnson_cook;
     to.pressure = c.pressure;
     to.fluid = c.fluid;
+    to.rubber = c.rubber;
     to.failure.limits = c.failure.limits;
   }
   return to;

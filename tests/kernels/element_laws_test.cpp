@@ -216,6 +216,39 @@ TEST(FluidOfElements, PacksGiveWhatTheirLanesGive) {
   expect_equal(advance<Pack<double, 8>, features>(scene), expected, features, 1e-12);
 }
 
+template <HourglassKind kind>
+void expect_rubber_packs_as_lanes() {
+  ElementScene scene = random_element_scene();
+  Random random(52);
+  for (ElementState& state : scene.element) {
+    if (state.mass == 0) continue;  // eroded
+    for (int c = 0; c < 6; ++c) {
+      state.material[static_cast<std::size_t>(material_places.deformation + c)] = uniform(random, -0.2, 0.2);
+    }
+  }
+  scene.constants.never_yields = true;
+  scene.constants.rubber = {true, 30, 10, 25, 40};
+  const ElementOutcome expected = advance<double, general<kind>>(scene);
+  const ElementOutcome found = advance<Pack<double, 8>, general<kind>>(scene);
+  expect_equal(found, expected, general<kind>, 1e-12);
+  bool moved = false;
+  for (std::size_t e = 0; e < expected.element.size(); ++e) {
+    const auto &one = found.element[e].material, &other = expected.element[e].material;
+    for (std::size_t c = material_places.deformation; c < material_numbers; ++c) {
+      EXPECT_NEAR(one[c], other[c], 1e-12);
+      moved = moved || other[c] != scene.element[e].material[c];
+    }
+  }
+  EXPECT_TRUE(moved);
+}
+
+TEST(RubberOfElements, PacksGiveWhatTheirLanesGive) {
+  expect_rubber_packs_as_lanes<HourglassKind::none>();
+  expect_rubber_packs_as_lanes<HourglassKind::viscous>();
+  expect_rubber_packs_as_lanes<HourglassKind::stiffness>();
+  expect_rubber_packs_as_lanes<HourglassKind::assumed_strain>();
+}
+
 TEST(JohnsonCookOfElements, IsHeatedByPlasticWorkAndSoftens) {
   ElementConstants<double> c = element_constants();
   c.specific_volume = 1.0 / 3;

@@ -156,6 +156,7 @@ Scene scene() {
                       .yield_curves = {},
                       .power_hardening = {},
                       .johnson_cook = {},
+                      .mooney_rivlin = {},
                       .fluid = {},
                       .equation_of_state = {},
                       .erosion = {}}};

@@ -24,6 +24,7 @@ Scene example() {
                       .yield_curves = {},
                       .power_hardening = {},
                       .johnson_cook = {},
+                      .mooney_rivlin = {},
                       .fluid = {},
                       .equation_of_state = {},
                       .erosion = {}}};
@@ -56,9 +57,10 @@ SceneEntry entry_of(const std::string& table, const std::string& key) {
 
 TEST(SceneListing, HasEveryKeyOfTheTablesThatAllScenesHave) {
   const std::vector<SceneEntry> all = list_scene(example());
-  const std::set<std::string> apart{
-      "name", "use", "young_modulus", "poisson_ratio", "mesh",    "pair",     "tied", "times",  // otherwise
-      "box",  "set", "nodes",         "file",          "without", "tolerance"};                 // where they are given
+  const std::set<std::string> apart{"name",    "use",       "young_modulus", "poisson_ratio",
+                                    "mesh",    "pair",      "tied",          "times",  // otherwise
+                                    "box",     "set",       "nodes",         "file",
+                                    "without", "tolerance", "mooney_rivlin"};  // where they are given
   for (const auto& [kind, table] :
        std::vector<std::pair<std::string, std::string>>{{"time", "time"},
                                                         {"element", "element"},

@@ -94,6 +94,25 @@ TEST_F(MaterialLawsScene, ReadsFluids) {
   EXPECT_THAT(error(with(10, water + "yield_stress = 4e8")), HasSubstr("fluid"));
 }
 
+TEST_F(MaterialLawsScene, ReadsRubber) {
+  const auto rubber = [&](const std::string& text, const std::string& more = "") {
+    std::vector<std::string> all = with(10, more);
+    all[7] = "mooney_rivlin = { " + text + " }", all[8] = "";
+    for (std::string& line : all) {
+      if (line.starts_with("model")) line = "model = \"elastic\"";
+    }
+    return all;
+  };
+  const Material m = read(rubber("a = 3e5, b = 1e5, poisson_ratio = 0.49")).materials.at(0);
+  EXPECT_EQ(*m.mooney_rivlin, (MooneyRivlinSettings{3e5, 1e5, 0.49}));
+  EXPECT_EQ(m.shear_modulus, 8e5);
+  EXPECT_NEAR(m.bulk_modulus, 8e5 * 2 * 1.49 / (3 * 0.02), 1);
+  EXPECT_THAT(error(rubber("a = 0, b = 0, poisson_ratio = 0.49")), HasSubstr("mooney_rivlin.a: expected a + b > 0"));
+  EXPECT_THAT(error(rubber("a = 1, b = 0, poisson_ratio = 0.5")), HasSubstr("poisson_ratio: expected a number > 0"));
+  EXPECT_THAT(error(rubber("a = 1, b = 0, poisson_ratio = 0.4", "young_modulus = 1e6")),
+              HasSubstr("young_modulus: expected none beside mooney_rivlin"));
+}
+
 TEST_F(MaterialLawsScene, OverridesReachIntoThem) {
   const Scene scene = read(with_law("johnson_cook = { hardening_coefficient = 2.9e8 }"),
                            {.set = {"material.copper.johnson_cook.hardening_exponent=0.5"}});

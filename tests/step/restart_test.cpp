@@ -191,6 +191,23 @@ TEST(Restart, BackStressAndStrainRates) {
   expect_same_after_restart<float>(scene, {0.6});
 }
 
+TEST(Restart, StrainOfRubberAndEnergyOfFluids) {
+  Scene scene = scene_of({block("bar", {6, 3, 3}, 0.1, {0, 0, 0}, {0, 5, -20}, "rubber"),
+                          block("drop", {3, 3, 3}, 0.1, {2, 0, 0}, {0, 0, -20}, "water")},
+                         8e-4, false);
+  scene.element.hourglass = HourglassControl::viscous;
+  scene.rigid_walls = {{"floor", {{0, 0, 0}, {0, 0, 1}}, "", "here"}};
+  Material rubber = elastic_material("rubber"), water = plastic_material("water", 0, 0);
+  rubber.mooney_rivlin = MooneyRivlinSettings{3e9, 1e9, 0.45};
+  water.shear_modulus = water.plastic_modulus = 0;
+  water.fluid = FluidSettings{1e-3};
+  water.equation_of_state.emplace();
+  water.equation_of_state->sound_speed = 1500;
+  scene.materials = {rubber, water};
+  expect_same_after_restart<double>(scene);
+  expect_same_after_restart<float>(scene, {0.6});
+}
+
 TEST(StateArchive, GivesBackWhatItTook) {
   std::vector<std::pair<double, std::string>> pairs{{0.5, "half"}, {-1, ""}};
   std::vector<std::string> texts{"a", "long text with\nbreaks"};

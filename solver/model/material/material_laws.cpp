@@ -29,6 +29,14 @@ JohnsonCookConstants<S> johnson_cook_constants(const Material& material) {
 }
 
 template <class S>
+MooneyRivlinConstants<S> rubber_constants(const Material& material) {
+  if (!material.mooney_rivlin || material.plastic) return {};
+  const auto& [a, b, nu] = *material.mooney_rivlin;
+  const double c = a / 2 + b, d = (a * (5 * nu - 2) + b * (11 * nu - 5)) / (2 * (1 - 2 * nu));
+  return {true, static_cast<S>(a), static_cast<S>(b), static_cast<S>(c), static_cast<S>(d)};
+}
+
+template <class S>
 FluidConstants<S> fluid_constants(const Material& material) {
   if (!material.fluid) return {};
   return {true, static_cast<S>(material.fluid->viscosity)};
@@ -84,6 +92,7 @@ MaterialPlaces material_places(const Material& material) {
   if (material.erosion && (material.erosion->principal_strain > 0 || material.erosion->shear_strain > 0)) {
     keep(places.strain, 6);
   }
+  if (material.mooney_rivlin && !material.plastic) keep(places.deformation, 6);
   if (!material.plastic) return places;
   if (material.isotropic_share < 1) keep(places.back_stress, 5);
   if (const auto& law = material.johnson_cook) {
@@ -96,6 +105,8 @@ MaterialPlaces material_places(const Material& material) {
 
 template JohnsonCookConstants<double> johnson_cook_constants<double>(const Material&);
 template JohnsonCookConstants<float> johnson_cook_constants<float>(const Material&);
+template MooneyRivlinConstants<double> rubber_constants<double>(const Material&);
+template MooneyRivlinConstants<float> rubber_constants<float>(const Material&);
 template FluidConstants<double> fluid_constants<double>(const Material&);
 template FluidConstants<float> fluid_constants<float>(const Material&);
 template EquationOfState<double> pressure_constants<double>(const Material&);

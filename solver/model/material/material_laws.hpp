@@ -9,7 +9,9 @@ namespace pinball {
 template <class S>
 JohnsonCookConstants<S> johnson_cook_constants(const Material& material);
 
-/// None used of a material that is none.
+/// None used of a material that is none, here and below.
+template <class S>
+MooneyRivlinConstants<S> rubber_constants(const Material& material);
 template <class S>
 FluidConstants<S> fluid_constants(const Material& material);
 

@@ -87,10 +87,10 @@ SchemaJson material_schema() {
       {"then",
        {{"anyOf",
          {required({"yield_stress"}), required({"yield_curve"}), required({"yield_curves"}), required({"fluid"})}}}}};
-  const SchemaJson moduli{
-      {"oneOf",
-       {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
-        required({"equation_of_state", "shear_modulus"}), required({"equation_of_state", "fluid"})}}};
+  const SchemaJson moduli{{"oneOf",
+                           {required({"bulk_modulus", "shear_modulus"}), required({"young_modulus", "poisson_ratio"}),
+                            required({"equation_of_state", "shear_modulus"}), required({"mooney_rivlin"}),
+                            required({"equation_of_state", "fluid"})}}};
   const SchemaJson all_of_it{{"required", table["required"]}, {"allOf", {moduli, yield}}};
   table["required"] = {"name"};
   table["allOf"] = {{{"if", required({"use"})}, {"then", SchemaJson::object()}, {"else", all_of_it}}};
@@ -114,6 +114,7 @@ SchemaJson definitions() {
   define<YieldCurve>(all);
   define<PowerHardeningSettings>(all);
   define<JohnsonCookSettings>(all);
+  define<MooneyRivlinSettings>(all);
   define<FluidSettings>(all);
   define<EquationOfStateSettings>(all);
   define<ErosionSettings>(all);

@@ -156,6 +156,9 @@ std::optional<Problem> problem_of(const Material& material) {
   if (material.power_hardening) {
     if (const auto problem = problem_of_power(material)) return problem;
   }
+  if (const auto& rubber = material.mooney_rivlin; rubber && !(rubber->a + rubber->b > 0)) {
+    return Problem{"mooney_rivlin.a", fmt::format("expected a + b > 0, got {}", rubber->a + rubber->b)};
+  }
   if (material.fluid) {
     if (const auto problem = problem_of_fluid(material)) return problem;
   }

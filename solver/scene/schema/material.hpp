@@ -39,6 +39,8 @@ struct IsInnerTable<PowerHardeningSettings> : std::true_type {};
 template <>
 struct IsInnerTable<JohnsonCookSettings> : std::true_type {};
 template <>
+struct IsInnerTable<MooneyRivlinSettings> : std::true_type {};
+template <>
 struct IsInnerTable<FluidSettings> : std::true_type {};
 template <>
 struct IsInnerTable<EquationOfStateSettings> : std::true_type {};
@@ -84,6 +86,18 @@ constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
             &T::failure,
             "`[D1, D2, D3, D4, D5]`: an element whose damage reaches 1 is eroded",
             {.unit = "-", .otherwise = "none"}});
+}
+
+template <class Visit>
+constexpr void describe(Of<MooneyRivlinSettings>, Visit&& visit) {
+  using T = MooneyRivlinSettings;
+  visit(Key{"a", &T::a, "A", {.unit = "M/(L T^2)", .bound = not_negative, .need = Need::required}});
+  visit(Key{"b", &T::b, "B; A + B > 0", {.unit = "M/(L T^2)", .bound = not_negative}});
+  visit(Key{
+      "poisson_ratio",
+      &T::poisson_ratio,
+      "of small strains, whose shear modulus is 2 (A + B)",
+      {.unit = "-", .bound = {.low = 0.0, .low_open = true, .high = 0.5, .high_open = true}, .need = Need::required}});
 }
 
 template <class Visit>
@@ -260,6 +274,9 @@ constexpr void describe(Of<Material>, Visit&& visit) {
             "table (below), in the place of the laws of hardening and rate above; `yield_stress` is its A",
             {.otherwise = "none"}}
             .only_where(plastic));
+  visit(Key{
+      "mooney_rivlin", &T::mooney_rivlin, "table (below): rubber, in the place of the moduli", {.otherwise = "none"}}
+            .only_where([](const Material& material) { return !material.plastic; }, "with model = \"von_mises\""));
   visit(Key{"fluid",
             &T::fluid,
             "table (below), in the place of all strength, `shear_modulus` and `yield_stress`, beside an "

@@ -81,8 +81,8 @@ std::vector<TableKeys> all_kinds() {
   const auto add = [&all](const std::vector<TableKeys>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add({keys<ElementSettings>(element_of_body)});
   add(keys_of<ContactSettings, ContactPair, TiedContact, SideOfSet, SkipSettings, GuardSettings, OutputSettings,
-              Material, OneYieldCurve, YieldCurve, PowerHardeningSettings, JohnsonCookSettings, FluidSettings,
-              EquationOfStateSettings, ErosionSettings, Body>());
+              Material, OneYieldCurve, YieldCurve, PowerHardeningSettings, JohnsonCookSettings, MooneyRivlinSettings,
+              FluidSettings, EquationOfStateSettings, ErosionSettings, Body>());
   add(mesh_keys());
   add(keys_of<RigidBody, AttachedNodes, RigidMotion>());
   add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});

@@ -17,6 +17,12 @@ namespace {
 /// K and G, given as they are or by E and nu.
 void read_moduli(const SceneTable& table, Material& material) {
   const auto number = [&](const char* key) { return table.number(key, schema::about<Material>(key).bound); };
+  if (material.mooney_rivlin) {
+    for (const char* key : {"bulk_modulus", "shear_modulus", "young_modulus", "poisson_ratio"}) {
+      if (table.has(key)) table.fail(key, "expected none beside mooney_rivlin, which has its own");
+    }
+    return;
+  }
   if (material.equation_of_state) {  // K is that of its pressure
     for (const char* key : {"bulk_modulus", "young_modulus", "poisson_ratio"}) {
       if (table.has(key)) table.fail(key, "expected none beside equation_of_state, but shear_modulus");
@@ -76,6 +82,7 @@ void forget_plasticity(Material& material) {
   elastic.density = material.density;
   elastic.bulk_modulus = material.bulk_modulus;
   elastic.shear_modulus = material.shear_modulus;
+  elastic.mooney_rivlin = material.mooney_rivlin;
   elastic.erosion = material.erosion;
   material = elastic;
 }

@@ -143,6 +143,7 @@ inline std::vector<CardDeck> decks_of_definitions() {
            "",
            {"1,1.E-9,-900.,1.E-9"},
            no_elastic + compressed + "*EOS_GRUNEISEN\n3,1.5E6,1.9,0.,0.,0.3,0.\n\n"},
+          {"MAT_MOONEY-RIVLIN_RUBBER", "", {"1,1.E-9,0.49,0.4,0.1", ""}, no_elastic},
           {"MAT_POWER_LAW_PLASTICITY", "", {"1,7.85E-9,210000.,0.3,600.,0.2,40.,5.", "400.,0,0.1"}, no_elastic},
           {"MAT_PIECEWISE_LINEAR_PLASTICITY", "SIGY and ETAN", {plastic, "40.,5."}, no_elastic},
           {"MAT_PIECEWISE_LINEAR_PLASTICITY",

@@ -203,6 +203,19 @@ TEST_F(DeckMaterials, ReadsJohnsonAndCookWithItsEquationOfState) {
   EXPECT_EQ(polynomial.equation_of_state->coefficients, (std::vector<double>{0, 1.6e5, 1e5, 2e4, 1.9, 0.6, 0.1}));
 }
 
+TEST_F(DeckMaterials, MooneyAndRivlinHaveTheirConstants) {
+  const auto rubber = [](const std::string& rest, const std::string& test = "") {
+    return cube + ends + "*MAT_027\n1,1.1E-9," + rest + "\n" + test + "\n";
+  };
+  const Material m = material(rubber("0.495,0.3,0.1"));
+  EXPECT_FALSE(m.plastic);
+  EXPECT_EQ(*m.mooney_rivlin, (MooneyRivlinSettings{0.3, 0.1, 0.495}));
+  EXPECT_DOUBLE_EQ(m.shear_modulus, 0.8);
+  EXPECT_THAT(error(rubber("0.495,0.3,0.1,1.")), HasSubstr("leave it 0: the mesh has no stress"));
+  EXPECT_THAT(error(rubber("0.495,0.,0.", "1.,1.,1.,5")), HasSubstr("they are not fitted to a test"));
+  EXPECT_THAT(error(rubber("0.5,0.3,0.1")), HasSubstr("poisson_ratio"));
+}
+
 TEST_F(DeckMaterials, NullIsAFluidWithAnEquationOfState) {
   const auto null = [](const std::string& card) {
     std::string deck = steel(grueneisen);

@@ -17,7 +17,7 @@ using MaterialKeys = DeckKeys<Material>;
 MaterialKeys begin_material(std::int64_t id, const std::string& title, const KeywordBlock& block, const Fields& f,
                             DeckScene& scene) {
   const std::string kind = keyword_alias(block.name);
-  const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID";
+  const bool plastic = kind != "MAT_ELASTIC" && kind != "MAT_RIGID" && kind != "MAT_MOONEY-RIVLIN_RUBBER";
   auto keys = scene.entry<Material>("material", {block.star_name(), f.place()});
   keys.comment(title);
   keys.set("name", fmt::format("mat_{}", id));
@@ -37,6 +37,7 @@ const CardLayout& layout_of(const KeywordBlock& block) {
   if (kind == "MAT_ELASTIC") return layout::elastic;
   if (kind == "MAT_RIGID") return layout::rigid;
   if (kind == "MAT_NULL") return layout::null;
+  if (kind == "MAT_MOONEY-RIVLIN_RUBBER") return layout::mooney_rivlin;
   if (kind == "MAT_POWER_LAW_PLASTICITY") return layout::power_law;
   return kind == "MAT_PLASTIC_KINEMATIC" ? layout::kinematic : layout::piecewise;
 }
@@ -201,6 +202,17 @@ void set_null(DeckData& data, const Fields& f, const DeckStateEquation& equation
   keys.set("equation_of_state", given_state_equation(equation, limit), equation.card.text());
 }
 
+/// *MAT_027, with its constants: from the curve of a test they would be fitted.
+void set_rubber(DeckData& data, const Fields& f, Cards& cards, const MaterialKeys& keys) {
+  const Card card = cards.next_or_blank();
+  const Fields more = data.fields(card, layout::mooney_rivlin_test);
+  InnerKeys<MooneyRivlinSettings> rubber;
+  rubber.set("a", f.number("A"));
+  rubber.set("b", f.number("B"));
+  rubber.set("poisson_ratio", f.number("PR"));
+  keys.set("mooney_rivlin", rubber.value(), "a, b, pr");
+}
+
 /// A curve as a value of a key; rate: negative: it is the only one.
 GivenValue given_curve(const DeckCurve& curve, const DeckPlace& place, double factor = 1.0, double rate = -1.0) {
   std::vector<double> strain = curve.abscissa, stress = curve.ordinate;
@@ -353,46 +365,14 @@ void translate_material(DeckData& data, const KeywordBlock& block, const DeckLim
     return;
   }
   data.reject_state_equations(id, block.star_name());
+  if (kind == "MAT_MOONEY-RIVLIN_RUBBER") {
+    set_rubber(data, f, cards, keys);
+    return;
+  }
   set_elasticity(f, keys);
   if (kind == "MAT_PLASTIC_KINEMATIC") set_plastic_kinematic(data, block, f, cards, keys);
   if (kind == "MAT_POWER_LAW_PLASTICITY") set_power_law(data, block, f, cards, keys);
   if (kind == "MAT_PIECEWISE_LINEAR_PLASTICITY") set_piecewise_linear(data, block, f, cards, keys);
-}
-
-void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
-                     DeckScene& scene) {
-  for (std::size_t p = 0; p < data.parts.size(); ++p) {
-    const DeckPart& part = data.parts[p];
-    const auto form = data.section_form.find(part.section);
-    if (form == data.section_form.end())
-      fail_at(part.place, fmt::format("no *SECTION_SOLID has the number {}", part.section));
-    switch (part.is_rigid() ? 1 : form->second) {  // rigid ones have no points of integration
-      case 0:
-      case 1:
-        break;
-      case 2:
-      case -1:
-      case -2:
-        data.report.understood(fmt::format(
-            "part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form->second));
-        break;
-      default:
-        data.report.reject(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
-                           part.solids);
-    }
-    const auto keys = scene.entry<Body>("body", {"*PART", part.place});
-    keys.comment("");
-    keys.set("name", part.body);
-    keys.set("material", fmt::format("mat_{}", part.material), "mid");
-    InnerKeys<FileMesh> mesh;
-    mesh.set("type", "keyword");
-    mesh.set("file", mesh_file);
-    if (chosen_case) mesh.set("case", *chosen_case);
-    mesh.set("part", std::to_string(part.id));
-    keys.set("mesh", mesh.value());
-    if (!part.is_rigid() && data.part_elements[p] != data.part_elements.front())
-      set_body_element(data.part_elements[p], keys);
-  }
 }
 
 }  // namespace pinball

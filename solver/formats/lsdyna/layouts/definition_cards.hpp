@@ -157,6 +157,16 @@ inline constexpr CardLayout null{material_id,
                                  number("YM").reported("of beams and shells"),
                                  number("PR").reported("of beams and shells")};
 
+inline constexpr std::string_view of_a_test = "leave it blank, and give A and B: they are not fitted to a test";
+inline constexpr CardLayout mooney_rivlin{material_id,
+                                          density,
+                                          poisson,
+                                          material_stress("A"),
+                                          material_stress("B"),
+                                          number("REF").rejected("leave it 0: the mesh has no stress")};
+inline constexpr CardLayout mooney_rivlin_test{number("SGL").rejected(of_a_test), number("SW").rejected(of_a_test),
+                                               number("ST").rejected(of_a_test), whole("LCID").rejected(of_a_test)};
+
 inline constexpr CardField state_equation_id = whole("EOSID").always();
 inline constexpr std::string_view at_rest = "leave it blank: bodies press on nothing at the start";
 inline constexpr CardLayout grueneisen{state_equation_id, number("C").always().of(Dimension::velocity),

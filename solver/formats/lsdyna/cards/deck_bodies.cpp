@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck_parts.hpp"
+
+namespace pinball {
+
+void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
+                     DeckScene& scene) {
+  for (std::size_t p = 0; p < data.parts.size(); ++p) {
+    const DeckPart& part = data.parts[p];
+    const auto form = data.section_form.find(part.section);
+    if (form == data.section_form.end())
+      fail_at(part.place, fmt::format("no *SECTION_SOLID has the number {}", part.section));
+    switch (part.is_rigid() ? 1 : form->second) {  // rigid ones have no points of integration
+      case 0:
+      case 1:
+        break;
+      case 2:
+      case -1:
+      case -2:
+        data.report.understood(fmt::format(
+            "part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form->second));
+        break;
+      default:
+        data.report.reject(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
+                           part.solids);
+    }
+    const auto keys = scene.entry<Body>("body", {"*PART", part.place});
+    keys.comment("");
+    keys.set("name", part.body);
+    keys.set("material", fmt::format("mat_{}", part.material), "mid");
+    InnerKeys<FileMesh> mesh;
+    mesh.set("type", "keyword");
+    mesh.set("file", mesh_file);
+    if (chosen_case) mesh.set("case", *chosen_case);
+    mesh.set("part", std::to_string(part.id));
+    keys.set("mesh", mesh.value());
+    if (!part.is_rigid() && data.part_elements[p] != data.part_elements.front())
+      set_body_element(data.part_elements[p], keys);
+  }
+}
+
+}  // namespace pinball
