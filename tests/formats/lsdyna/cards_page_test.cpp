@@ -7,34 +7,11 @@
 
 #include <solver/formats/lsdyna/layouts/keyword_cards.hpp>
 
+#include "fields_page.hpp"
+
 /// docs/cards.md shows the table of cards. PINBALL_FIX_PAGES=1 in the environment writes it anew.
 namespace pinball::test::cards_page_test {
 namespace {
-
-/// "`SFA` = 1 (20 columns)"
-std::string field_text(const CardField& field) {
-  std::string text = fmt::format("`{}`", field.name);
-  if (field.type == FieldType::number || field.type == FieldType::whole) {
-    if (field.otherwise != 0) text += fmt::format(" = {:g}", field.otherwise);
-  } else if (!field.word.empty()) {
-    text += fmt::format(" = {}", field.word);
-  }
-  if (field.width != 10) text += fmt::format(" ({})", field.width);
-  return text;
-}
-
-std::string fields_of(const CardLayout& layout, FieldUse use) {
-  std::string text;
-  for (const CardField& field : layout) {
-    if (!field.name.empty() && field.use == use) text += (text.empty() ? "" : ", ") + field_text(field);
-  }
-  return text;
-}
-
-std::string row_of(const std::string& keywords, std::size_t line, const CardLayout& layout) {
-  return fmt::format("| {} | {} | {} | {} | {} |\n", keywords, line, fields_of(layout, FieldUse::used),
-                     fields_of(layout, FieldUse::reported), fields_of(layout, FieldUse::rejected));
-}
 
 std::string page_text() {
   std::string text =

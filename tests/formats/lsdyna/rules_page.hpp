@@ -12,15 +12,21 @@
 /// Rules of keywords against the tables of docs/decks.md.
 namespace pinball::test {
 
-/// The page up to what is said of Abaqus, and from there on.
-inline std::pair<std::string, std::string> halves_of_page() {
+/// The page from a heading on, or from its begin, up to another one, or to its end.
+inline std::string page_of(const std::string& from, const std::string& to) {
   std::ifstream file(PINBALL_SOURCE_DIR "/docs/decks.md");
   std::ostringstream text;
   text << file.rdbuf();
   const std::string page = text.str();
-  const std::size_t abaqus = page.find("\n## Abaqus input");
-  EXPECT_NE(abaqus, std::string::npos);
-  return {page.substr(0, abaqus), abaqus < page.size() ? page.substr(abaqus) : ""};
+  const std::size_t begin = from.empty() ? 0 : page.find(from), end = to.empty() ? page.size() : page.find(to);
+  EXPECT_NE(begin, std::string::npos) << from;
+  EXPECT_NE(end, std::string::npos) << to;
+  return begin < page.size() && end <= page.size() ? page.substr(begin, end - begin) : "";
+}
+
+/// What the page says of LS-DYNA, and what of Abaqus.
+inline std::pair<std::string, std::string> halves_of_page() {
+  return {page_of("", "\n## Abaqus input"), page_of("\n## Abaqus input", "\n## Radioss input")};
 }
 
 /// Every rule is a row of the page, every row a rule, and no name stands twice.

@@ -6,7 +6,7 @@
 #include <array>
 
 #include <solver/base/error.hpp>
-#include <solver/formats/lsdyna/layouts/card_field.hpp>
+#include <solver/formats/deck/card_field.hpp>
 
 #include "keyword_rules.hpp"
 

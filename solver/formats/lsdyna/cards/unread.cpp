@@ -1,40 +1,10 @@
 #include "unread.hpp"
 
-#include <fmt/format.h>
-
-#include <map>
-
-#include <solver/formats/lsdyna/layouts/card_field.hpp>
+#include <solver/formats/deck/unread_fields.hpp>
 
 #include "keyword_rules.hpp"
 
 namespace pinball {
-
-namespace {
-
-/// The fields of a line by their names, those of one remark together: what the card says and nobody has asked for.
-void tell_fields(const std::string& star_name, const DeckPlace& place, const ReadingLog::Left& left,
-                 DeckReport& report) {
-  std::map<std::string_view, std::vector<std::string>> names;  // by the remark
-  for (std::size_t i = 0; i < 32; ++i) {
-    if ((left.fields >> i & 1U) == 0) continue;
-    const bool known = left.layout != nullptr && i < left.layout->size() && !(*left.layout)[i].name.empty();
-    if (!known) {
-      names[""].push_back(fmt::format("field {}", i + 1));
-      continue;
-    }
-    const CardField& field = (*left.layout)[i];
-    if (field.use == FieldUse::rejected) {
-      report.reject(place, fmt::format("{} with {}", star_name, field.name), std::string(field.remark));
-    } else {
-      names[field.remark].emplace_back(field.name);
-    }
-  }
-  for (const auto& [remark, fields] : names)
-    report.unused(place, fmt::format("{}: {}", star_name, fmt::join(fields, ", ")), std::string(remark));
-}
-
-}  // namespace
 
 void follow_reading(KeywordDeck& deck, ReadingLog& log) {
   for (KeywordBlock& block : deck.blocks) {
@@ -60,10 +30,10 @@ void tell_unread(const KeywordDeck& deck, const ReadingLog& log, DeckReport& rep
         if (!card->blank()) report.unused(card->place, block.star_name() + ": the rest of its lines");
         continue;
       }
-      tell_fields(block.star_name(), card->place, log.left_of(card->text.data()), report);
+      tell_unread_fields(block.star_name(), card->place, log.left_of(card->text.data()), report);
     }
   }
-  for (const UnreadLine& line : deck.unread) tell_fields(line.star_name, line.place, line.left, report);
+  for (const UnreadLine& line : deck.unread) tell_unread_fields(line.star_name, line.place, line.left, report);
 }
 
 }  // namespace pinball

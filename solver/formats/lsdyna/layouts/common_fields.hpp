@@ -1,6 +1,6 @@
 #pragma once
 
-#include "card_field.hpp"
+#include <solver/formats/deck/card_field.hpp>
 
 /// What cards of several headers have in common: fields, and reasons why one is not used.
 namespace pinball::layout {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "card_field.hpp"
+#include <solver/formats/deck/card_field.hpp>
 
 namespace pinball {
 
