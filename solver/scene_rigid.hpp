@@ -13,8 +13,9 @@ namespace pinball {
 /// [[rigid_body]]: bodies that move as one and do not deform. Its mass, centre and inertia are those of the masses of
 /// its nodes, an eighth of each of their elements, also of elements of other bodies that have the node, or as given.
 struct RigidBody {
-  std::string name{};                 ///< name: unique among them; default: that of the first of its bodies
-  std::vector<std::string> bodies{};  ///< bodies: which move together; each in one rigid body
+  std::string name{};  ///< name: unique among them; default: that of the first of its bodies
+  std::vector<std::string>
+      bodies{};  ///< bodies: which move together; each in one rigid body; none: attached nodes alone
   /// held: directions along which its centre does not move, unit vectors at right angles
   std::vector<Point> held{};
   /// held_rotations: directions about which it does not turn, unit vectors at right angles

@@ -191,7 +191,7 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
   for (const std::int32_t n : body.nodes) {
     const bool is_own =
         model.rigid_of_body[model.mesh.body_of_node[scene_node[n]]] == static_cast<std::int32_t>(number);
-    if (!of_start || is_own) nodes.push_back(n);
+    if (!of_start || is_own || given.bodies.empty()) nodes.push_back(n);
   }
   const auto x = [&](std::size_t i) {
     const S* const p = model.nodes.position_of(nodes[i]);

@@ -52,7 +52,9 @@ std::optional<Problem> inertia_problem(const std::array<Point, 3>& inertia) {
 }  // namespace
 
 std::optional<Problem> problem_of(const RigidBody& rigid) {
-  if (rigid.bodies.empty()) return Problem{"bodies", "expected the name of a body at least, got none"};
+  if (rigid.bodies.empty() && rigid.name.empty())
+    return Problem{"name", "missing, expected the name of a rigid body without bodies"};
+  if (rigid.bodies.empty() && rigid.mass > 0) return Problem{"mass", "expected none without bodies"};
   if (auto problem = angle_problem("held", rigid.held)) return problem;
   if (auto problem = angle_problem("held_rotations", rigid.held_rotations)) return problem;
   if (rigid.centre && rigid.inertia == std::array<Point, 3>{})

@@ -123,6 +123,38 @@ TEST_F(RigidShared, NodesAreAttachedToOneRigidBody) {
   EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_nodes.0"));
 }
 
+/// A bar without lateral strains hits a plane: that its free end is a rigid body of its own nodes changes nothing.
+TEST_F(RigidShared, NodesAloneMakeARigidBody) {
+  Scene plain = scene_of({block("bar", {1, 1, of_bar}, h, {0, 0, 0}, {0, 0, -1})}, 2e-4, false);
+  plain.materials = bar_and_block(1).materials;
+  plain.constraints = {{{0, 0, 0}, {0, 0, 1}, ""}};
+  Scene capped = plain;
+  capped.rigid_bodies = {RigidBody{.name = "cap"}};
+  capped.attached_nodes = {attached_at("cap", "bar", of_bar * h)};
+  Solver<double> one(plain), other(checked_scene(capped));
+  const RigidBodyResult start = other.rigid().results()[0];
+  EXPECT_NEAR(start.mass, density * h * h * h / 2, 1e-12 * start.mass);
+  EXPECT_NEAR(start.velocity[2], -1, 1e-15);
+  EXPECT_NEAR(start.centre[2], of_bar * h, 1e-14);
+  run(one);
+  run(other);
+  EXPECT_NEAR(momentum(other)[2], momentum(one)[2], 1e-12 * density * h * h * h * of_bar);
+  EXPECT_NEAR(other.rigid().results()[0].centre[2], snapshot(one).position.back()[2], 1e-14);
+}
+
+TEST_F(RigidShared, ARigidBodyHasBodiesOrNodes) {
+  const auto refused = [](const Scene& scene) {
+    return error_of([&] { const Solver<double> solver(checked_scene(scene)); });
+  };
+  Scene scene = scene_of({block("bar", {1, 1, 2}, h, {0, 0, 0})}, 1e-5, false);
+  scene.rigid_bodies = {RigidBody{.name = "cap"}};
+  EXPECT_THAT(refused(scene), testing::HasSubstr("rigid body cap: expected bodies, or nodes of [[rigid_nodes]]"));
+  scene.rigid_bodies[0].mass = 1;
+  EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_body.0.mass: expected none without bodies"));
+  scene.rigid_bodies = {RigidBody{}};
+  EXPECT_THAT(refused(scene), testing::HasSubstr("rigid_body.0.name: missing"));
+}
+
 /// The reaction of what moves the block is the force at the end of the bar.
 TEST_F(RigidShared, ABlockThatIsMovedPressesOnItsBar) {
   Scene scene = bar_and_block(1e-4);

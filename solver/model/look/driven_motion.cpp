@@ -76,10 +76,14 @@ class DrivenMotions {
     }
     for (const RigidBody& rigid : scene_.rigid_bodies) hold(rigid);
   }
-  DrivenMotion& motion_of(const RigidBody& rigid) {
-    const auto first = std::ranges::find(scene_.bodies, rigid.bodies.front(), &Body::name);
-    return all_[group_[first - scene_.bodies.begin()]];
+  /// That of its first body or, without bodies, of the first node that is attached to it.
+  std::size_t group_of(const RigidBody& rigid) const {
+    if (!rigid.bodies.empty())
+      return group_[std::ranges::find(scene_.bodies, rigid.bodies.front(), &Body::name) - scene_.bodies.begin()];
+    const auto attached = std::ranges::find(scene_.attached_nodes, rigid.name, &AttachedNodes::rigid_body);
+    return group_of(matching_nodes(mesh_, attached->nodes).front());
   }
+  DrivenMotion& motion_of(const RigidBody& rigid) { return all_[group_of(rigid)]; }
   void hold(const RigidBody& rigid) {
     const bool moved =
         std::ranges::find(scene_.rigid_motions, rigid.name, &RigidMotion::rigid_body) != scene_.rigid_motions.end();
@@ -91,10 +95,7 @@ class DrivenMotions {
     }
   }
   /// In its group: others hang on it by nodes or ties.
-  std::size_t bodies_of(const RigidBody& rigid) const {
-    const auto first = std::ranges::find(scene_.bodies, rigid.bodies.front(), &Body::name) - scene_.bodies.begin();
-    return std::ranges::count(group_, group_[first]);
-  }
+  std::size_t bodies_of(const RigidBody& rigid) const { return std::ranges::count(group_, group_of(rigid)); }
   void stop(const std::vector<std::int64_t>& count, const std::vector<Point>& directions, bool always = true) {
     for (std::size_t g = 0; g < all_.size(); ++g) {
       if (count[g] == 0) continue;
@@ -123,7 +124,9 @@ class DrivenMotions {
   }
   /// Of a direction that is given, others are free, but for those that are held.
   void prescribe(const RigidMotion& given) {
-    DrivenMotion& own = motion_of(scene_.rigid_bodies[rigid_body_of_name(scene_, given.rigid_body)]);
+    const RigidBody& rigid = scene_.rigid_bodies[rigid_body_of_name(scene_, given.rigid_body)];
+    DrivenMotion& own = motion_of(rigid);
+    own.in_part = own.in_part || rigid.bodies.empty();
     double before = 0;
     for (std::size_t j = 0; j < times_.size(); ++j) {
       const double now = displacement(given, times_[j]);

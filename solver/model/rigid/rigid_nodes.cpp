@@ -112,8 +112,13 @@ std::vector<RigidNodes> find_rigid_nodes(const Scene& scene, const ModelMesh& me
     if (of_node[n] >= 0) all[of_node[n]].nodes.push_back(n);
   }
   for (std::size_t r = 0; r < all.size(); ++r) {
+    if (all[r].nodes.empty()) {
+      const RigidBody& rigid = scene.rigid_bodies[r];
+      throw InputError(fmt::format("{}: rigid body {}: expected bodies, or nodes of [[rigid_nodes]], it has none",
+                                   rigid.where, rigid.name));
+    }
     const auto first = std::ranges::find(of_body, static_cast<std::int32_t>(r));
-    all[r].first_body = static_cast<std::int32_t>(first - of_body.begin());
+    if (first != of_body.end()) all[r].first_body = static_cast<std::int32_t>(first - of_body.begin());
     all[r].held = scene.rigid_bodies[r].held;
     all[r].held_rotations = scene.rigid_bodies[r].held_rotations;
   }

@@ -23,7 +23,8 @@ std::string per_time(const Units& units) { return units.time.empty() ? "" : "1/"
 void print_rigid_bodies(const Scene& scene, const std::vector<RigidBodyResult>& results, const Units& units) {
   for (std::size_t r = 0; r < results.size(); ++r) {
     const RigidBody& rigid = scene.rigid_bodies[r];
-    fmt::print("  rigid body {} of {}: mass {}, centre {}{}\n", rigid.name, fmt::join(rigid.bodies, ", "),
+    fmt::print("  rigid body {} of {}: mass {}, centre {}{}\n", rigid.name,
+               rigid.bodies.empty() ? "attached nodes" : fmt::format("{}", fmt::join(rigid.bodies, ", ")),
                with_unit(results[r].mass, units.mass), vector_text(results[r].centre, units.length),
                rigid.inertia == std::array<Point, 3>{} ? ", inertia of its nodes" : ", inertia as given");
     if (rigid.velocity || rigid.angular_velocity)

@@ -17,7 +17,7 @@ constexpr void describe(Of<RigidBody>, Visit&& visit) {
   visit(Key{"bodies",
             &T::bodies,
             "names of the bodies that move as one and do not deform",
-            {.need = Need::required, .done = Done::reading_by_hand}});
+            {.otherwise = "none: nodes of `[[rigid_nodes]]` alone", .done = Done::reading_by_hand}});
   visit(Key{"held",
             &T::held,
             "`\"all\"`, or directions at right angles along which its centre does not move: `\"x\"`, `\"y\"`, `\"z\"` "

@@ -13,13 +13,12 @@ RigidBody read_rigid_body(const SceneTable& table, const std::vector<std::string
   RigidBody rigid;
   rigid.where = table.place();
   read_keys(table, rigid);
-  if (!table.has("bodies")) table.fail_missing("bodies", "an array of names of bodies");
-  rigid.bodies = table.texts("bodies", bodies);
+  if (table.has("bodies")) rigid.bodies = table.texts("bodies", bodies);
   for (const auto& [key, directions] : {std::pair{"held", &rigid.held}, {"held_rotations", &rigid.held_rotations}}) {
     if (table.has(key)) *directions = table.directions(key, {"x", "y", "z"});
   }
   table.require_none(problem_of(rigid));
-  if (rigid.name.empty()) rigid.name = rigid.bodies.front();
+  if (rigid.name.empty() && !rigid.bodies.empty()) rigid.name = rigid.bodies.front();
   return rigid;
 }
 
