@@ -72,7 +72,7 @@ struct SphereMesh {
 };
 
 /// vtk: legacy files (.vtk) and those of XML (.vtu), which the first bytes tell apart.
-enum class MeshFormat { gmsh, keyword, exodus, vtk, abaqus };
+enum class MeshFormat { gmsh, keyword, exodus, vtk, abaqus, radioss };
 
 class HeldMesh;  // solver/mesh/held_mesh.hpp: not for hosts
 

@@ -8,6 +8,8 @@
 #include <solver/formats/abaqus/cards/abaqus_scene.hpp>
 #include <solver/formats/deck/number_text.hpp>
 #include <solver/formats/lsdyna/cards/keyword_scene.hpp>
+#include <solver/formats/radioss/cards/radioss_scene.hpp>
+#include <solver/formats/radioss/scan/radioss_deck.hpp>
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/mesh/file/text_lines.hpp>
 #include <solver/mesh/mesh_format.hpp>
@@ -16,8 +18,10 @@ namespace pinball {
 
 namespace {
 
-/// A scene by another name: it begins with a table, a comment or a key.
+/// A scene by another name: it begins with a table, a comment or a key. Radioss input begins with a comment, too.
 void require_no_scene(std::string_view text, const std::string& path) {
+  if (text.starts_with("#RADIOSS"))
+    throw InputError(path + ": expected a deck of keywords with stars, this is Radioss input: name it .rad");
   std::string_view line;
   while (next_line(text, line) && line.find_first_not_of(" \t\r") == std::string_view::npos) {
   }
@@ -42,12 +46,14 @@ void require_no_abaqus_input(std::string_view text, const std::string& path) {
 
 bool is_any_deck(const std::string& path) {
   const std::optional<MeshFormat> format = format_by_ending(path);
-  return format == MeshFormat::keyword || format == MeshFormat::abaqus;
+  return format == MeshFormat::keyword || format == MeshFormat::abaqus || format == MeshFormat::radioss;
 }
 
 bool is_mesh_alone(const std::string& path) {
   const std::string text = bytes_of_file(path);
   std::string_view rest = text, line;
+  if (format_by_ending(path) == MeshFormat::radioss)
+    return radioss_engine_of(path).empty() && text.find("\n/RUN/") == std::string::npos;
   while (next_line(rest, line)) {
     if (!line.starts_with('*')) continue;
     const std::string keyword = upper_case(line.substr(0, 40));
@@ -60,6 +66,7 @@ bool is_mesh_alone(const std::string& path) {
 
 TranslatedDeck translate_any_deck(const std::string& path, const DeckOptions& options) {
   std::string text = bytes_of_file(path);
+  if (format_by_ending(path) == MeshFormat::radioss) return translate_radioss_text(std::move(text), path, options);
   require_no_scene(text, path);
   if (format_by_ending(path) == MeshFormat::abaqus) return translate_abaqus_text(std::move(text), path, options);
   require_no_abaqus_input(text, path);

@@ -7,7 +7,7 @@
 /// Decks of other programs, whichever.
 namespace pinball {
 
-/// Whether a path is that of a deck by its ending: .k, .key, .dyn, .inp.
+/// Whether a path is that of a deck by its ending: .k, .key, .dyn, .inp, .rad.
 bool is_any_deck(const std::string& path);
 
 /// Whether the file of a deck is no more than a mesh, for bodies of scenes and for decks that include it: it says

@@ -11,6 +11,7 @@
 #include <solver/formats/exodus/exodus_reader.hpp>
 #include <solver/formats/gmsh/gmsh_reader.hpp>
 #include <solver/formats/lsdyna/mesh/keyword_mesh.hpp>
+#include <solver/formats/radioss/mesh/radioss_mesh.hpp>
 #include <solver/formats/vtk/vtk_reader.hpp>
 #include <solver/mesh/file/split_hexahedra.hpp>
 #include <solver/mesh/held_mesh.hpp>
@@ -32,6 +33,8 @@ MeshFile read_format(const FileMesh& settings, const std::vector<std::string>& p
       return read_vtk(settings.file, settings.array, parts);
     case MeshFormat::abaqus:
       return abaqus_mesh(read_abaqus_deck(settings.file)).file;
+    case MeshFormat::radioss:
+      return radioss_mesh(read_radioss_deck(settings.file));
   }
   return {};
 }

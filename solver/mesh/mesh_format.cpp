@@ -14,6 +14,7 @@ const std::vector<std::pair<std::string, MeshFormat>> endings{
     {".dyn", MeshFormat::keyword}, {".g", MeshFormat::exodus},   {".e", MeshFormat::exodus},
     {".exo", MeshFormat::exodus},  {".ex2", MeshFormat::exodus}, {".gen", MeshFormat::exodus},
     {".vtk", MeshFormat::vtk},     {".vtu", MeshFormat::vtk},    {".inp", MeshFormat::abaqus},
+    {".rad", MeshFormat::radioss},
 };
 
 }  // namespace

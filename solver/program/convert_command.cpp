@@ -17,7 +17,7 @@ namespace pinball {
 namespace fs = std::filesystem;
 
 int convert_command(const ConvertOptions& options) {
-  if (!is_any_deck(options.deck)) throw InputError(options.deck + ": expected a deck (.k, .key, .dyn, .inp)");
+  if (!is_any_deck(options.deck)) throw InputError(options.deck + ": expected a deck (.k, .key, .dyn, .inp, .rad)");
   if (!options.force && fs::exists(options.scene)) {
     throw InputError(options.scene + ": is there already; --force replaces it");
   }

@@ -46,7 +46,10 @@ void add_deck_options(CLI::App& command, Options& options) {
 }
 
 void add_convert_options(CLI::App& command, pinball::ConvertOptions& options) {
-  command.add_option("DECK", options.deck, "LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp)")->required();
+  command
+      .add_option("DECK", options.deck,
+                  "LS-DYNA keyword file (.k, .key, .dyn), Abaqus (.inp) or Radioss input (_0000.rad)")
+      ->required();
   command.add_option("SCENE", options.scene, "scene file to write (.toml)")->required();
   add_deck_options(command, options);
   command.add_flag("--force", options.force, "replaces a file that is there");
@@ -92,12 +95,12 @@ void add_partition_option(CLI::App& command, pinball::Partition& partition) {
 
 /// What `run`, `info`, `compare` and `converge` have in common.
 CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options) {
-  CLI::Option* scene =
-      command
-          .add_option(
-              "SCENE", options.scene,
-              "TOML file, name of a scene in data/scenes, LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp)")
-          ->required();
+  CLI::Option* scene = command
+                           .add_option("SCENE", options.scene,
+                                       "TOML file, name of a scene in data/scenes, LS-DYNA keyword file (.k, .key, "
+                                       ".dyn), Abaqus (.inp) or Radioss "
+                                       "input (_0000.rad)")
+                           ->required();
   add_deck_options(command, options);
   repeated(
       command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME"));

@@ -19,6 +19,7 @@ namespace {
 
 /// A scene whose text begins as a deck does, and the other way round.
 void require_scene(std::string_view text, const std::string& path) {
+  if (text.starts_with("#RADIOSS")) throw InputError(path + ": expected a scene, this is Radioss input: name it .rad");
   std::string_view line;
   while (next_line(text, line)) {
     if (line.empty() || line.front() == '$' || line.front() == '\r') continue;
@@ -56,7 +57,8 @@ void require_toml(std::string_view text, const std::string& path) {
   if (std::filesystem::path(path).extension() == ".toml" || may_be_toml(text)) return;
   throw InputError(
       path +
-      ": expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn) or Abaqus input (.inp); meshes of "
+      ": expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn), Abaqus input (.inp) or Radioss input "
+      "(.rad); meshes of "
       "a scene's bodies end in " +
       known_endings() + ". This file is none of these: another program may convert it, gmsh or meshio");
 }
@@ -94,7 +96,7 @@ SceneInput scene_input(const SceneOptions& options) {
   const std::string path = path_of_scene(options.scene);
   if (!is_any_deck(path)) {
     if (options.chosen_case || options.lenient) {
-      throw InputError(options.scene + ": --case and --lenient are for decks (.k, .key, .dyn, .inp)");
+      throw InputError(options.scene + ": --case and --lenient are for decks (.k, .key, .dyn, .inp, .rad)");
     }
     require_no_mesh(path);
     SceneSource source = read_scene_source(path, options.overrides);

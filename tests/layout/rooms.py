@@ -43,10 +43,11 @@ ROOMS = {
     "formats/exodus": (["solver/formats/exodus/"], ["mesh"]),
     "formats/gmsh": (["solver/formats/gmsh/"], ["mesh"]),
     "formats/lsdyna": (["solver/formats/lsdyna/"], ["formats/deck"]),
+    "formats/radioss": (["solver/formats/radioss/"], ["formats/deck"]),
     "formats/vtk": (["solver/formats/vtk/"], ["mesh"]),
     "formats": (
         ["solver/formats/"],
-        ["formats/abaqus", "formats/exodus", "formats/gmsh", "formats/lsdyna", "formats/vtk"]),
+        ["formats/abaqus", "formats/exodus", "formats/gmsh", "formats/lsdyna", "formats/radioss", "formats/vtk"]),
     "model": (["solver/model/"], ["contact/search", "contact/algorithm", "formats"]),
     "results": (["solver/results/", "solver/results.hpp", "solver/field_base.hpp"], ["model"]),
     "parallel": (["solver/parallel/"], ["model"]),

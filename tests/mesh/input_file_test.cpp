@@ -40,8 +40,8 @@ TEST_F(InputFile, WhatIsNoFileIsToldByEveryReader) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   for (const std::string& name : {path("pipe"), std::string("/dev/zero"), std::string("/dev/null")}) {
     EXPECT_THAT(error_of([&] { read_scene(name); }), HasSubstr("expected a file, got a pipe or a device"));
-    for (const MeshFormat format :
-         {MeshFormat::gmsh, MeshFormat::keyword, MeshFormat::exodus, MeshFormat::vtk, MeshFormat::abaqus}) {
+    for (const MeshFormat format : {MeshFormat::gmsh, MeshFormat::keyword, MeshFormat::exodus, MeshFormat::vtk,
+                                    MeshFormat::abaqus, MeshFormat::radioss}) {
       FileMesh mesh;
       mesh.format = format;
       mesh.file = name;

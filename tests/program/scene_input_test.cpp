@@ -47,14 +47,20 @@ TEST(SceneInput, WhatIsNotWhatItsNameSaysIsToldSo) {
 
 TEST(SceneInput, WhatNothingReadsIsToldWhatIsRead) {
   const std::string zipped = std::string("\x1f\x8b\x08\0\0=\n", 7);
-  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.rad", "#RADIOSS STARTER\n/BEGIN\n"},
-                                   {"a.bdf", "$ NASTRAN\nSOL 700\n"},
+  for (const auto& [name, text] : {std::pair<std::string, std::string>{"a.bdf", "$ NASTRAN\nSOL 700\n"},
                                    {"a.unv", "    -1\n  2411\n"},
                                    {"a.k.gz", zipped}}) {
     EXPECT_THAT(error_for(name, text), HasSubstr("expected a scene (.toml), an LS-DYNA keyword file (.k, .key, .dyn)"));
   }
   EXPECT_THAT(error_for("a.msh", "$MeshFormat\n4.1 0 8\n"), HasSubstr("mesh = {type = \"file\", file = \"a.msh\"}"));
   EXPECT_THAT(error_for("scene.txt", scene), Not(HasSubstr("expected a scene (.toml)"))) << "by another name";
+}
+
+TEST(SceneInput, RadiossInputByAnotherNameIsNamed) {
+  const std::string starter = "#RADIOSS STARTER\n/BEGIN\n";
+  EXPECT_THAT(error_for("a.toml", starter), HasSubstr("this is Radioss input: name it .rad"));
+  EXPECT_THAT(error_for("a.k", starter), HasSubstr("this is Radioss input: name it .rad"));
+  EXPECT_THAT(error_for("a.rad", keywords), HasSubstr("expected Radioss input"));
 }
 
 class DeckInput : public FolderTest {};

@@ -238,7 +238,7 @@ TEST_F(SceneTest, MeshesOfNoSize) {
   }
   EXPECT_EQ(error(with(14, "mesh = { type = \"ball\" }")),
             "14:17: body.bar.mesh.type: expected \"block\", \"round_nosed_rod\", \"cylinder\", \"sphere\", "
-            "\"file\", \"gmsh\", \"keyword\", \"exodus\", \"vtk\" or \"abaqus\", got \"ball\"");
+            "\"file\", \"gmsh\", \"keyword\", \"exodus\", \"vtk\", \"abaqus\" or \"radioss\", got \"ball\"");
 }
 
 TEST_F(SceneTest, CylindersAndSpheres) {

@@ -23,7 +23,7 @@ ROOT = HERE.parent.parent
 PROGRAM, FOLDER = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 EVERY_KEY = (HERE / "every_key.toml").read_text().splitlines()
 KEY = re.compile(r"^([a-z_]+) = (.*)$")
-FILES = ["tube.msh", "tube.k", "tube.vtk", "tube.g", "tube.inp"]
+FILES = ["tube.msh", "tube.k", "tube.vtk", "tube.g", "tube.inp", "tube.rad"]
 
 
 def run(*words):

@@ -81,9 +81,9 @@ constexpr auto choices(Of<Section>) {
                     Choice{"wedge", Section::wedge}};
 }
 constexpr auto choices(Of<MeshFormat>) {
-  return std::array{Choice{"gmsh", MeshFormat::gmsh}, Choice{"keyword", MeshFormat::keyword},
+  return std::array{Choice{"gmsh", MeshFormat::gmsh},     Choice{"keyword", MeshFormat::keyword},
                     Choice{"exodus", MeshFormat::exodus}, Choice{"vtk", MeshFormat::vtk},
-                    Choice{"abaqus", MeshFormat::abaqus}};
+                    Choice{"abaqus", MeshFormat::abaqus}, Choice{"radioss", MeshFormat::radioss}};
 }
 constexpr auto choices(Of<Frame>) {
   return std::array{Choice{"global", Frame::global}, Choice{"cylindrical", Frame::cylindrical}};

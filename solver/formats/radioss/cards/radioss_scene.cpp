@@ -1,0 +1,88 @@
+#include "radioss_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include <solver/base/error.hpp>
+#include <solver/formats/radioss/mesh/radioss_mesh.hpp>
+#include <solver/mesh/file/input_file.hpp>
+
+#include "radioss_keys.hpp"
+#include "radioss_rules.hpp"
+#include "radioss_unread.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// Laws, properties and what stands beside materials that are not done: refused where a part with solids has them.
+void reject_of_parts(const RadiossData& data) {
+  for (const RadiossBlock& block : data.deck.blocks) {
+    const RadiossRule* rule = radioss_rule_of(block.name);
+    if (rule == nullptr || rule->treatment != Treatment::rejected || !is_of_radioss_parts(block)) continue;
+    const bool property = block.name.starts_with("PROP/");
+    int solids = 0;
+    for (const RadiossBody& body : data.bodies)
+      solids += (property ? body.part.property : body.part.material) == block.id() ? body.solids : 0;
+    if (solids > 0) {
+      data.report.reject(block.place, block.title, "", solids);
+    } else if (block.name.starts_with("FAIL/")) {  // of others it is said where they are read
+      data.report.unused(block.place, fmt::format("{}, which no part with solids has", block.title));
+    }
+  }
+}
+
+TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const DeckOptions& options,
+                        DeckReport& report) {
+  MeshFile mesh = radioss_mesh(deck);
+  if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (/BRICK), there are none");
+  RadiossData data(deck, mesh, report);
+  reject_of_parts(data);
+  find_radioss_rigid_bodies(data);
+  DeckScene scene, bodies, boundary;
+  data.elements = radioss_elements(data);
+  translate_radioss_controls(data, scene);
+  const bool contact_said = translate_radioss_contact(data, scene);
+  translate_radioss_materials(data, scene);
+  translate_radioss_bodies(data, options.mesh_file(path), bodies);
+  translate_radioss_walls(data, boundary);  // whose nodes the next ones pass over
+  translate_radioss_boundary(data, boundary);
+  translate_radioss_velocities(data, boundary);
+  translate_radioss_loads(data, boundary);
+  translate_radioss_rigid_bodies(data, bodies);
+  translate_radioss_probes(data, boundary);
+  scene.append(std::move(bodies));
+  scene.append(std::move(boundary));
+  return given_deck(std::move(scene), contact_said, std::move(mesh),
+                    {.format = MeshFormat::radioss, .file = path, .part = {}});
+}
+
+}  // namespace
+
+TranslatedDeck translate_radioss(const std::string& path, const DeckOptions& options) {
+  return translate_radioss_text(bytes_of_file(path), path, options);
+}
+
+TranslatedDeck translate_radioss_text(std::string text, const std::string& path, const DeckOptions& options) {
+  if (options.chosen_case) throw InputError(path + ": --case is for LS-DYNA decks (.k, .key, .dyn)");
+  RadiossDeck deck = parse_radioss_deck(std::move(text), path);
+  ReadingLog log;
+  follow_reading(deck, log);
+  DeckReport report;
+  for (const RadiossBlock& block : deck.blocks) sort_radioss_keyword(block, options.lenient, report);
+  TranslatedDeck translated;
+  try {
+    translated = scene_of(deck, path, options, report);
+    tell_unread(deck, log, report);
+  } catch (const InputError& error) {
+    if (!report.rejects()) throw;
+    report.add_error(error.what());
+  }
+  report.require_all_done(path);
+  translated.understood = report.understood();
+  translated.ignored = report.ignored();
+  return translated;
+}
+
+}  // namespace pinball

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "radioss_common.hpp"
+
+/// What holds, moves, loads and stops nodes, rigid bodies and what is watched.
+namespace pinball::radioss {
+
+inline constexpr CardLayout held{word("Trarot").columns(10), whole("skew_ID"), whole("grnod_ID")};
+inline constexpr CardLayout motion{whole("fct_IDT").always(),
+                                   word("Dir"),
+                                   whole("skew_ID"),
+                                   sensor("sens_ID"),
+                                   whole("grnod_ID").always(),
+                                   whole("frame_ID").rejected("give a /SKEW/FIX: frames that move are not there"),
+                                   whole("Icoor").rejected("give directions that are straight")};
+inline constexpr CardLayout motion_scales{real("Ascale_x", 1), real("Fscale_y", 1), real("Tstart"),
+                                          real("Tstop", 1e30)};
+inline constexpr CardLayout nodal_load{whole("fct_IDT").always(),  word("Dir"),
+                                       whole("skew_ID"),           sensor("sens_ID"),
+                                       whole("grnod_ID").always(), whole("Itypfun", 1).from(0, 1),
+                                       real("Ascale_x", 1),        real("Fscale_y", 1)};
+inline constexpr CardLayout pressure{whole("surf_ID").always(),
+                                     whole("fct_IDT").always(),
+                                     sensor("sens_ID"),
+                                     whole("Ipinch").reported(of_shells),
+                                     whole("Idel").reported("faces of eroded elements are free"),
+                                     whole("Itypfun", 1).from(0, 1),
+                                     real("Ascale_x", 1),
+                                     real("Fscale_y", 1)};
+inline constexpr CardLayout gravity{whole("fct_IDT"),  word("Dir"), whole("skew_ID"),    sensor("sens_ID"),
+                                    whole("grnod_ID"), blank(10),   real("Ascale_x", 1), real("Fscale_y", 1)};
+inline constexpr CardLayout velocity{real("Vx"), real("Vy"), real("Vz"), whole("grnod_ID"), whole("skew_ID")};
+inline constexpr CardLayout velocity_axis{word("Dir"), whole("frame_ID"), whole("grnod_ID")};
+inline constexpr CardLayout velocity_spin{real("Vxt"), real("Vyt"), real("Vzt"), real("Vr")};
+inline constexpr CardLayout velocity_start{real("Tstart").rejected("velocities are those of the start"),
+                                           sensor("sens_ID")};
+inline constexpr CardLayout wall_nodes{whole("node_ID"), whole("Slide").from(0, 2), whole("grnd_ID1"),
+                                       whole("grnd_ID2"), whole("Iform").reported("walls are exact")};
+inline constexpr CardLayout wall_friction{real("d"), real("fric"), real("Diameter").reported("of other walls"),
+                                          real("ffac").reported("forces of walls are not smoothed"),
+                                          whole("ifq").reported("forces of walls are not smoothed")};
+inline constexpr CardLayout wall_point{real("XM"), real("YM"), real("ZM")};
+inline constexpr CardLayout wall_mass{real("Mass"), real("VX0"), real("VY0"), real("VZ0")};
+inline constexpr CardLayout wall_head{real("XM1"), real("YM1"), real("ZM1")};
+inline constexpr std::string_view own_inertia = "leave it 0: mass and inertia are those of its nodes";
+inline constexpr CardLayout rigid_body{whole("node_ID").always(),
+                                       sensor("sens_ID"),
+                                       whole("Skew_ID").reported("inertia is that of the nodes"),
+                                       whole("Ispher").from(0, 0),
+                                       real("Mass").rejected(own_inertia),
+                                       whole("grnd_ID").always(),
+                                       whole("Ikrem").reported("rigid walls know no rigid bodies"),
+                                       whole("ICoG", 1).from(0, 4),
+                                       whole("surf_ID").reported("of ellipsoids")};
+inline constexpr CardLayout rigid_inertia{real("Jxx").rejected(own_inertia), real("Jyy").rejected(own_inertia),
+                                          real("Jzz").rejected(own_inertia)};
+inline constexpr CardLayout rigid_products{real("Jxy").rejected(own_inertia), real("Jyz").rejected(own_inertia),
+                                           real("Jxz").rejected(own_inertia)};
+inline constexpr CardLayout rigid_options{whole("Ioptoff").reported("rigid bodies stay rigid"),
+                                          whole("Iexpams").reported("of advanced mass scaling"),
+                                          whole("Ifail").rejected("rigid bodies hold their nodes for ever")};
+inline constexpr CardLayout damping{real("Alpha"),
+                                    real("Beta").rejected("there is no damping in proportion to stiffness"),
+                                    whole("grnod_ID"),
+                                    whole("skew_ID").rejected("damping has no direction"),
+                                    real("Tstart").rejected("damping is from the start to the end"),
+                                    real("Tstop", 1e30).rejected("damping is from the start to the end")};
+inline constexpr CardLayout damping_more{real("Alpha_more").rejected("damping has no direction"),
+                                         real("Beta_more").rejected("damping has no direction")};
+inline constexpr CardLayout variables{word("var1"), word("var2"), word("var3"), word("var4"), word("var5"),
+                                      word("var6"), word("var7"), word("var8"), word("var9"), word("var10")};
+inline constexpr CardLayout watched_node{whole("node_ID").always(), whole("skew_ID").reported("in the global system"),
+                                         word("name").columns(80)};
+inline constexpr CardLayout watched_brick{whole("brick_ID").always(), word("name").columns(90)};
+inline constexpr CardLayout added_mass{real("MASS").always(), whole("grnd_ID").always()};
+
+}  // namespace pinball::radioss

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "radioss_common.hpp"
+
+/// Nodes, elements, parts, and groups of them.
+namespace pinball::radioss {
+
+inline constexpr CardLayout node{whole("node_ID").always(), real("Xc"), real("Yc"), real("Zc")};
+inline constexpr CardLayout brick{whole("brick_ID").always(), whole("node_ID1"), whole("node_ID2"),
+                                  whole("node_ID3"),          whole("node_ID4"), whole("node_ID5"),
+                                  whole("node_ID6"),          whole("node_ID7"), whole("node_ID8")};
+inline constexpr CardLayout part{whole("prop_ID").always(), whole("mat_ID").always(), whole("subset_ID"),
+                                 real("Thick").reported(of_shells),
+                                 whole("Irigid").rejected("give an /RBODY of the nodes of the part")};
+inline constexpr CardLayout ranges{whole("Ifirst"), whole("Ilast")};
+inline constexpr CardLayout range_steps{whole("Ifirst"), whole("Ilast"), whole("Iincr", 1)};
+inline constexpr CardLayout segment{whole("seg_ID").reported("segments need no numbers"), whole("node_ID1"),
+                                    whole("node_ID2"), whole("node_ID3"), whole("node_ID4")};
+inline constexpr CardLayout box_system{whole("N1").rejected("give the corners by their coordinates"),
+                                       whole("N2").rejected("give the corners by their coordinates"),
+                                       whole("Iskew").rejected("give a box along the axes")};
+inline constexpr CardLayout box_low{real("Xp1"), real("Yp1"), real("Zp1")};
+inline constexpr CardLayout box_high{real("Xp2"), real("Yp2"), real("Zp2")};
+inline constexpr CardLayout axes_origin{real("Ox").reported("vectors have no place"),
+                                        real("Oy").reported("vectors have no place"),
+                                        real("Oz").reported("vectors have no place")};
+inline constexpr CardLayout frame_origin{real("Ox"), real("Oy"), real("Oz")};
+inline constexpr CardLayout axes_y{real("X1"), real("Y1"), real("Z1")};
+inline constexpr CardLayout axes_z{real("X2"), real("Y2"), real("Z2")};
+inline constexpr CardLayout function_point{real("X").always(), real("Y").always()};
+
+}  // namespace pinball::radioss

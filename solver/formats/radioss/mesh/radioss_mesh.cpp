@@ -1,0 +1,140 @@
+#include "radioss_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include <solver/base/error.hpp>
+#include <solver/mesh/number_index.hpp>
+
+#include "radioss_groups.hpp"
+#include "radioss_members.hpp"
+
+namespace pinball {
+
+namespace {
+
+/// What would make another mesh, if it were passed over.
+bool makes_mesh(const std::string& name) {
+  static const std::set<std::string> names{"TETRA4",   "TETRA10",    "PENTA6",      "BRIC20",    "CNODE",
+                                           "SUBMODEL", "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
+  return names.contains(name) || name.starts_with("TRANSFORM/") || name.starts_with("PARAMETER/");
+}
+
+class RadiossMeshReader {
+ public:
+  explicit RadiossMeshReader(const RadiossDeck& deck) : deck_(deck), parts_(deck) {}
+
+  MeshFile read() {
+    file_.path = deck_.files.front().path;
+    file_.sources = deck_.files;
+    for (const auto& [id, part] : parts_.all()) add_part(id, part.title);
+    for (const RadiossBlock& block : deck_.blocks) {
+      if (makes_mesh(block.name)) fail_at(block.place, block.title + " is not read");
+      if (block.name == "NODE") read_nodes(block);
+    }
+    nodes_ = NumberIndex(file_.node_ids);
+    if (nodes_.repeated() >= 0) fail_twice("NODE", "node", file_.node_ids[nodes_.repeated()]);
+    for (const RadiossBlock& block : deck_.blocks) {
+      if (block.name == "BRICK") read_bricks(block);
+    }
+    require_no_tetrahedra();
+    if (const std::int32_t twice = NumberIndex(file_.element_ids).repeated(); twice >= 0)
+      fail_twice("BRICK", "solid", file_.element_ids[twice]);
+    RadiossGroups(deck_, parts_, file_, nodes_).read();
+    return std::move(file_);
+  }
+
+ private:
+  std::int32_t add_part(std::int64_t id, const std::string& title) {
+    const auto [found, is_new] = part_places_.try_emplace(id, static_cast<std::int32_t>(file_.parts.size()));
+    // Parts are found by their numbers, which no title takes away.
+    if (is_new) file_.parts.push_back({id, deck_integer(title) ? "" : title});
+    return found->second;
+  }
+
+  void read_nodes(const RadiossBlock& block) {
+    RadiossLines lines(block);
+    while (const auto line = lines.next_filled()) {
+      const RadiossFields f(*line, block, radioss::node);
+      file_.node_ids.push_back(f.integer(0));
+      file_.mesh.nodes.push_back({f.number(1), f.number(2), f.number(3)});
+    }
+  }
+
+  void read_bricks(const RadiossBlock& block) {
+    const std::int32_t part = add_part(block.id(), "");
+    RadiossLines lines(block);
+    std::string path = *block.place.file;
+    file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), path});
+    while (const auto line = lines.next_filled()) {
+      if (*line->place.file != path) {
+        path = *line->place.file;
+        file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), path});
+      }
+      const RadiossFields f(*line, block, radioss::brick);
+      file_.element_ids.push_back(f.integer(0));
+      file_.part.push_back(part);
+      file_.line.push_back(line->place.line);
+      add_brick(f);
+    }
+  }
+
+  /// Wedges and pyramids are collapsed hexahedra.
+  void add_brick(const RadiossFields& f) {
+    std::array<std::int32_t, 8> corners{};
+    for (std::size_t i = 0; i < 8; ++i) {
+      const std::int64_t id = f.integer(1 + i);
+      corners[i] = nodes_.find(id);
+      if (corners[i] < 0)
+        fail_at(f.place(),
+                fmt::format("/BRICK: solid {} has node {}, which is not there", file_.element_ids.back(), id));
+    }
+    std::array<std::int32_t, 8> sorted = corners;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::unique(sorted.begin(), sorted.end()) - sorted.begin() <= 4) {
+      if (tetrahedra_++ == 0) first_tetrahedron_ = f.place();
+    }
+    file_.mesh.hexahedra.push_back(corners);
+  }
+
+  void require_no_tetrahedra() const {
+    if (tetrahedra_ == 0) return;
+    fail_at(*first_tetrahedron_,
+            fmt::format("/BRICK: {} tetrahedr{} not read, this is the first: mesh these parts with hexahedra, wedges "
+                        "or pyramids",
+                        tetrahedra_, tetrahedra_ == 1 ? "on is" : "a are"));
+  }
+
+  /// The line of the second one is looked for only now.
+  [[noreturn]] void fail_twice(const char* keyword, const char* what, std::int64_t number) const {
+    std::optional<DeckPlace> first;
+    for (const RadiossBlock& block : deck_.blocks) {
+      if (block.name != keyword) continue;
+      RadiossLines lines(block);
+      while (const auto line = lines.next_filled()) {
+        if (RadiossFields(*line, block, radioss::brick).integer(0) != number) continue;
+        if (first) fail_at(line->place, fmt::format("{} {} is given twice, first in {}", what, number, first->text()));
+        first = line->place;
+      }
+    }
+    throw InputError(fmt::format("{}: {} {} is given twice", file_.path, what, number));
+  }
+
+  const RadiossDeck& deck_;
+  RadiossParts parts_;
+  MeshFile file_;
+  NumberIndex nodes_;
+  std::map<std::int64_t, std::int32_t> part_places_;
+  std::size_t tetrahedra_ = 0;
+  std::optional<DeckPlace> first_tetrahedron_;
+};
+
+}  // namespace
+
+MeshFile radioss_mesh(const RadiossDeck& deck) { return RadiossMeshReader(deck).read(); }
+
+}  // namespace pinball

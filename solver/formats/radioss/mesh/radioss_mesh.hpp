@@ -1,0 +1,12 @@
+#pragma once
+
+#include <solver/formats/radioss/scan/radioss_deck.hpp>
+#include <solver/mesh/mesh_file.hpp>
+
+namespace pinball {
+
+/// The mesh of Radioss input: /NODE, /BRICK, /PART, groups and surfaces. Parts are found by their numbers. Throws
+/// InputError "FILE:LINE: ..." for what is wrong, for tetrahedra, and for other solids.
+MeshFile radioss_mesh(const RadiossDeck& deck);
+
+}  // namespace pinball

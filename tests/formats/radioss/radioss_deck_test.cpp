@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include <solver/formats/deck_reader.hpp>
+#include <solver/formats/mesh_reader.hpp>
+
+#include "radioss_case.hpp"
+
+namespace pinball::test::radioss_deck_test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(RadiossTest, ACubeBecomesAScene) {
+  const Scene made = scene(cube_with(""));
+  expect_cube(made, "cube");
+  EXPECT_EQ(made.time.cfl, 0.9);
+  EXPECT_EQ(made.element.quadratic_viscosity, 1.1);
+  EXPECT_EQ(made.element.linear_viscosity, 0.05);
+  EXPECT_EQ(made.element.hourglass_coefficient, 0.025);
+}
+
+TEST_F(RadiossTest, TheEnginesInputMayStandInTheSameFile) {
+  engine_ = "";
+  const std::string text = "/RUN/cube/1\n2.0E-6\n/VERS/2022\n/END/ENGINE\n" + cube_with("");
+  EXPECT_EQ(scene(text).time.end, 2e-6);
+}
+
+TEST_F(RadiossTest, WithoutAnEnginesFileTheEndIsAskedFor) {
+  engine_ = "/VERS/2022\n";
+  EXPECT_THAT(error(cube_with("")), HasSubstr("expected /RUN with the time of the end in the file of the engine"));
+  std::filesystem::remove(folder_ / "cube_0001.rad");
+  EXPECT_THAT(error_of([&] { translate_radioss(path_); }), HasSubstr("NAME_0001.rad beside NAME_0000.rad"));
+}
+
+TEST_F(RadiossTest, TheEnginesFileByItselfIsNamed) {
+  std::ofstream(path_) << radioss_run;
+  EXPECT_THAT(error_of([&] { translate_radioss(path_); }),
+              HasSubstr("expected the file of the starter, NAME_0000.rad, this is one of the engine"));
+}
+
+TEST_F(RadiossTest, OtherProgramsInputIsNamed) {
+  std::ofstream(path_) << "*KEYWORD\n*NODE\n";
+  EXPECT_THAT(error_of([&] { translate_radioss(path_); }), HasSubstr("cube_0000.rad:1: expected Radioss input"));
+  const std::string other = (folder_ / "cube.k").string();
+  std::ofstream(other) << "#RADIOSS STARTER\n/BEGIN\n";
+  EXPECT_THAT(error_of([&] { translate_any_deck(other, {}); }), HasSubstr("this is Radioss input: name it .rad"));
+}
+
+TEST_F(RadiossTest, FormsBefore51AreRefused) {
+  const std::string old = "/BEGIN\ncube\n" + ten({"44", "0"});
+  EXPECT_THAT(error(old), HasSubstr("cube_0000.rad:4: /BEGIN: Invers: input of version 44 is not read"));
+  EXPECT_THAT(error("/TITLE\ncube\n"), HasSubstr("expected /BEGIN with the version of the input"));
+}
+
+TEST_F(RadiossTest, WhatIsNotDoneIsRefusedAtOnce) {
+  const std::string message = error(cube_with("/SHELL/2\n/SPRING/3\n/SPRING/4\n/INTER/TYPE20/1\nx\n/NOTHING/7\n"));
+  EXPECT_THAT(message, HasSubstr("/SHELL (cube_0000.rad:"));
+  EXPECT_THAT(message, HasSubstr("/SPRING (2 times, first in cube_0000.rad:"));
+  EXPECT_THAT(message, HasSubstr("/INTER/TYPE20 (cube_0000.rad:"));
+  EXPECT_THAT(message, HasSubstr("/NOTHING/7 (cube_0000.rad:"));
+}
+
+TEST_F(RadiossTest, OtherMaterialsRefuseWhereAPartHasThem) {
+  EXPECT_EQ(error(cube_with("/MAT/LAW42/2\nrubber\n1\n/PROP/SPRING/3\nx\n")), no_error);
+  const std::string text = radioss_begin + "/MAT/LAW42/1\nrubber\n1\n" + radioss_property + radioss_cube;
+  EXPECT_THAT(error(text), HasSubstr("/MAT/LAW42/1 (cube_0000.rad:7)"));
+}
+
+TEST_F(RadiossTest, WrongValuesHaveTheirPlace) {
+  const std::string bcs = "/GRNOD/NODE/5\ng\n" + ten({"1"});
+  EXPECT_THAT(error(cube_with(bcs + "/BCS/1\nb\n   121 000         0         5\n")),
+              HasSubstr("cube_0000.rad:37: /BCS/1: Trarot: expected 0 or 1"));
+  EXPECT_THAT(error(cube_with("/BCS/1\nb\n   111 000         0         5\n")), HasSubstr("no /GRNOD has the number 5"));
+  EXPECT_THAT(error(cube_with("/GRNOD/NODE/5\ng\n" + ten({"99"}) + "/BCS/1\nb\n   111 000         0         5\n")),
+              HasSubstr("/GRNOD/NODE/5: node 99 is not there"));
+  EXPECT_THAT(error(cube_with("/PART/1\nagain\n" + ten({"1", "1"}))), HasSubstr("part 1 is given twice, first in"));
+  EXPECT_THAT(error(cube_with("/NODE\n" + square_nodes(8, 3))), HasSubstr("node 8 is given twice, first in"));
+  EXPECT_THAT(error(cube_with("/RANDOM\n" + twenty({0.1}))), HasSubstr("/RANDOM with Xalea"));
+}
+
+TEST_F(RadiossTest, TetrahedraAreRefused) {
+  EXPECT_THAT(error(cube_with("/BRICK/1\n" + ten({"11", "1", "2", "3", "3", "5", "5", "5", "5"}))),
+              HasSubstr("/BRICK: 1 tetrahedron is not read"));
+}
+
+TEST_F(RadiossTest, OtherUnitsAreRefused) {
+  const std::string units = "/UNIT/4\nmetres\n                  kg                   m                   s\n";
+  const std::string text = radioss_begin + units + "/MAT/ELAST/1/4\nsteel\n" + twenty({7850, 0}) +
+                           twenty({2.1e11, 0.3}) + radioss_property + radioss_cube;
+  EXPECT_THAT(error(text), HasSubstr("/MAT/ELAST/1/4 in units other than those of /BEGIN"));
+}
+
+TEST_F(RadiossTest, GroupsAreThoseOfTheirKinds) {
+  translate(cube_with("/SUBSET/2\nall\n/GRNOD/SUBSET/1\na\n" + ten({"2"}) + "/GRNOD/BOX/2\nb\n" + ten({"1"}) +
+                      "/BOX/RECTA/1\nbox\n\n" + twenty({-1, -1, 0.5}) + twenty({2, 2, 2}) + "/GRNOD/GENE/3\nc\n" +
+                      ten({"2", "4"}) + "/SURF/PART/EXT/4\nd\n" + ten({"1"}) + "/GRNOD/SURF/5\ne\n" + ten({"4"})));
+  const MeshFile file = read_mesh_file({.format = MeshFormat::radioss, .file = path_, .part = {}}, {});
+  EXPECT_EQ(file.node_sets.at(1).members.size(), 4U);
+  EXPECT_EQ(file.node_sets.at(2).members.size(), 3U);
+  EXPECT_EQ(file.node_sets.at(3).members.size(), 8U);
+  EXPECT_EQ(file.face_sets.at(0).faces.size(), 6U);
+}
+
+TEST_F(RadiossTest, ARigidBodyOfNodesAloneHasTheirCentre) {
+  const std::string text =
+      cube_with("/NODE\n" + ten({"99"}) + "/GRNOD/NODE/1\ntop\n" + ten({"5", "6", "7", "8"}) + "/RBODY/1\ntop\n" +
+                ten({"99", "0", "0", "0", "-", "-", "1"}) + "/GRNOD/NODE/2\nmain\n" + ten({"99"}) +
+                "/BCS/1\nb\n   110 111         0         2\n");
+  const Scene made = scene(text);
+  ASSERT_EQ(made.rigid_bodies.size(), 1U);
+  EXPECT_TRUE(made.rigid_bodies[0].bodies.empty());
+  EXPECT_EQ(made.rigid_bodies[0].held.size(), 2U);
+  EXPECT_EQ(made.rigid_bodies[0].held_rotations.size(), 3U);
+  EXPECT_EQ(made.attached_nodes.size(), 1U);
+  EXPECT_EQ(build_model<double>(made).rigid.at(0).nodes.size(), 4U);
+}
+
+}  // namespace
+}  // namespace pinball::test::radioss_deck_test

@@ -1,0 +1,102 @@
+#include <gmock/gmock.h>
+
+#include "radioss_case.hpp"
+
+/// Where Radioss does something else than what the same words would mean elsewhere: it is done, or refused by name.
+namespace pinball::test::radioss_differences_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class RadiossDifferences : public RadiossTest {
+ protected:
+  static std::string surface(const std::string& kind, const std::string& members) {
+    return "/SURF/" + kind + "/5\ns\n" + members;
+  }
+  static std::string top() { return "/GRNOD/NODE/5\ntop\n" + ten({"5", "6", "7", "8"}); }
+  static std::string contact(const char* curvature, const std::string& lines) {
+    return top() + surface("SEG", ten({"0", "1", "2", "3", "4"})) + "/INTER/TYPE7/1\nc\n" +
+           ten({"5", "5", "-", "-", "-", "-", "-", "-", curvature}) + lines;
+  }
+};
+
+TEST_F(RadiossDifferences, FunctionsOfTimeGoOnAlongTheirOuterPieces) {
+  const auto table = [&](const std::string& points) {
+    return scene(cube_with(top() + "/FUNCT/5\nf\n" + points + "/IMPVEL/1\nv\n" + ten({"5", "Z", "0", "0", "5"}) + "\n"))
+        .prescribed_velocities.at(0)
+        .table;
+  };
+  engine_ = "/RUN/cube/1\n4.0\n";
+  const TimeTable both = table(twenty({1, 10}) + twenty({2, 20}) + twenty({3, 50}));
+  EXPECT_THAT(both.times, ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(both.factors, ElementsAre(0, 10, 20, 50, 80));
+  EXPECT_THAT(table(twenty({0, 1}) + twenty({1, 2}) + twenty({2, 2})).times, ElementsAre(0, 1, 2)) << "level";
+  EXPECT_THAT(table(twenty({0, 1}) + twenty({9, 2})).times, ElementsAre(0, 9)) << "longer than the run";
+  EXPECT_THAT(table(twenty({1, 7})).factors, ElementsAre(7)) << "one point";
+}
+
+TEST_F(RadiossDifferences, LinesBehindACurvatureKeepTheirPlaces) {
+  const std::string frictionless = "\n\n" + ten({"1", "2"}) + twenty({0, 0.25}) + "\n\n";
+  EXPECT_THAT(error(cube_with(contact("1", frictionless))), HasSubstr("/INTER/TYPE7/1 with Icurv 1"));
+  EXPECT_THAT(error(cube_with(contact("1", frictionless))), Not(HasSubstr("Fric")));
+  EXPECT_THAT(error(cube_with(contact("3", "\n\n" + twenty({0, 0.25}) + "\n\n"))), HasSubstr("with Icurv 3"));
+  const Scene made = scene(cube_with(contact("0", "\n\n" + twenty({0, 0.25}) + "\n\n")));
+  EXPECT_EQ(made.contact_pairs.at(0).friction, 0.25);
+}
+
+TEST_F(RadiossDifferences, TiesThatBreakAreRefused) {
+  const auto tie = [&](const char* flag) {
+    return cube_with(top() + surface("SEG", ten({"0", "1", "2", "3", "4"})) + "/INTER/TYPE2/1\nt\n" +
+                     ten({"5", "5", "0", flag}));
+  };
+  for (const char* flag : {"20", "21", "22"})
+    EXPECT_THAT(error(tie(flag)), HasSubstr(std::string("/INTER/TYPE2/1 with Spotflag ") + flag));
+  EXPECT_EQ(error(tie("25")), no_error);
+}
+
+TEST_F(RadiossDifferences, CurvesOfRatesAreInterpolatedAsTheirFlagSays) {
+  const auto tabulated = [&](const char* smoothing) {
+    return scene(radioss_begin + radioss_property + radioss_cube + "/FUNCT/5\nf\n" + twenty({0, 1}) + twenty({1, 2}) +
+                 "/MAT/PLAS_TAB/1\nm\n" + twenty({7.85e-9, 0}) + twenty({210000, 0.3}) + ten({"2", smoothing}) + "\n" +
+                 ten({"5", "5"}) + twenty({100, 200}) + twenty({0.1, 10}))
+        .materials.at(0);
+  };
+  EXPECT_EQ(tabulated("0").rate_interpolation, RateInterpolation::linear);
+  EXPECT_EQ(tabulated("2").rate_interpolation, RateInterpolation::logarithmic);
+}
+
+TEST_F(RadiossDifferences, AnIncludedFileThatEndsEndsNothingElse) {
+  std::ofstream((folder_ / "steel.inc").string()) << radioss_steel << "/END\n";
+  const std::string text = radioss_begin + "#include steel.inc\n" + radioss_property + radioss_cube;
+  EXPECT_EQ(scene(text).materials.size(), 1U);
+  EXPECT_EQ(scene(text).bodies.size(), 1U);
+}
+
+TEST_F(RadiossDifferences, SkewsHaveAnOriginFromVersion120On) {
+  const auto direction = [&](const char* version, const std::string& origin) {
+    std::string begin = radioss_begin;
+    begin.replace(begin.find("2022"), 4, version);
+    return scene(begin + radioss_steel + radioss_property + radioss_cube + top() + "/SKEW/FIX/3\ns\n" + origin +
+                 twenty({0, 0, 1}) + twenty({1, 0, 0}) + "/FUNCT/5\nf\n" + twenty({0, 1}) + "/IMPVEL/1\nv\n" +
+                 ten({"5", "X", "3", "0", "5"}) + "\n")
+        .prescribed_velocities.at(0)
+        .direction.value();
+  };
+  EXPECT_THAT(direction("2022", "\n"), ElementsAre(0, 1, 0));  // Y x Z = z x x
+  EXPECT_THAT(direction(" 110", ""), ElementsAre(0, 1, 0));
+}
+
+TEST_F(RadiossDifferences, PressuresPushAlongTheNormalsOfSegments) {
+  const auto pressed = [&](const std::string& surface) {
+    return cube_with(surface + "/FUNCT/5\nf\n" + twenty({0, 3}) + "/PLOAD/1\np\n" + ten({"5", "5"}));
+  };
+  const std::string out = surface("SEG", ten({"0", "5", "6", "7", "8"})),
+                    in = surface("SEG", ten({"0", "5", "8", "7", "6"}));
+  EXPECT_EQ(scene(pressed(out)).pressures.at(0).pressure, -1);
+  EXPECT_EQ(scene(pressed(in)).pressures.at(0).pressure, 1);
+  EXPECT_THAT(error(pressed(surface("PART/EXT", ten({"1"})))), HasSubstr("/PLOAD/1 of /SURF/PART/EXT/5"));
+}
+
+}  // namespace
+}  // namespace pinball::test::radioss_differences_test
