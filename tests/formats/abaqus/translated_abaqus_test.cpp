@@ -105,6 +105,15 @@ TEST_F(Abaqus, RefusesWhatDependsOnTemperature) {
               HasSubstr("*PLASTIC, HARDENING=JOHNSON COOK (deck.inp:23)"));
 }
 
+TEST_F(Abaqus, RefusesExpansionWhereHeatWouldStay) {
+  const std::string expands = abaqus_cube + abaqus_steel + "*EXPANSION\n1.2E-5\n", plastic = "*PLASTIC\n300., 0.\n";
+  const std::string adiabatic = "*STEP\n*DYNAMIC, EXPLICIT, ADIABATIC\n, 1.0E-6\n*END STEP\n";
+  EXPECT_EQ(error(expands + plastic + abaqus_step()), no_error);
+  EXPECT_EQ(error(expands + adiabatic), no_error) << "no heat";
+  EXPECT_THAT(error(expands + plastic + adiabatic),
+              HasSubstr("*EXPANSION of a plastic material in an ADIABATIC step (deck.inp:23)"));
+}
+
 TEST_F(Abaqus, DampsWithAlphaOfAllMaterials) {
   EXPECT_EQ(scene(abaqus_cube + abaqus_steel + "*DAMPING, ALPHA=50.\n" + abaqus_step()).damping.mass, 50);
   EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*DAMPING, BETA=1e-6\n" + abaqus_step()), HasSubstr("*DAMPING, BETA"));

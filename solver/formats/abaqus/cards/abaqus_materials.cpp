@@ -27,8 +27,8 @@ struct AbaqusMaterial {
 
   /// Options of a material stand once, but for *PLASTIC at another rate.
   void add(const AbaqusBlock& block) {
-    static const std::set<std::string> once{"DENSITY",       "ELASTIC",      "PLASTIC",
-                                            "RATEDEPENDENT", "SHEARFAILURE", "DAMPING"};
+    static const std::set<std::string> once{"DENSITY",      "ELASTIC", "PLASTIC",  "RATEDEPENDENT",
+                                            "SHEARFAILURE", "DAMPING", "EXPANSION"};
     const std::string rate = block.name == "PLASTIC" ? fmt::format(" at the rate {}", block.number("RATE", 0.0)) : "";
     if (!once.contains(block.name)) return;
     given.add(block.star_name() + rate + " of one material", block.place);
@@ -176,6 +176,16 @@ void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKe
   }
 }
 
+/// Where the heat of plastic work stays, it expands the material: the one thing that would need temperatures here.
+void require_no_expansion(AbaqusData& data, const AbaqusMaterial& material) {
+  const AbaqusBlock* expansion = material.option("EXPANSION");
+  const bool adiabatic = std::ranges::any_of(
+      data.deck.blocks, [](const AbaqusBlock& block) { return block.name == "DYNAMIC" && block.has("ADIABATIC"); });
+  if (expansion == nullptr || !adiabatic || material.option("PLASTIC") == nullptr) return;
+  data.report.reject(expansion->place, "*EXPANSION of a plastic material in an ADIABATIC step",
+                     "leave one of the two out: temperatures are not computed");
+}
+
 void write_material(AbaqusData& data, const std::string& key, const AbaqusMaterial& material, DeckScene& scene) {
   const DataLine density = only_card(required(material, "DENSITY", "*DENSITY"), "the density"),
                  elastic = only_card(required(material, "ELASTIC", "*ELASTIC"), "Young's modulus and Poisson's ratio");
@@ -189,6 +199,7 @@ void write_material(AbaqusData& data, const std::string& key, const AbaqusMateri
   keys.from({"*ELASTIC", elastic.place});
   keys.set("young_modulus", f.number(0, "Young's modulus"));
   keys.set("poisson_ratio", f.number(1, "Poisson's ratio", 0.0));
+  require_no_expansion(data, material);
   if (!plastic) return;
   keys.from(card_of(*material.option("PLASTIC"), material.option("PLASTIC")->place));
   set_plasticity(data, material, keys);

@@ -45,7 +45,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"CONDUCTIVITY", ignored, "heat is not computed"},
       {"SPECIFIC HEAT", ignored, "heat is not computed"},
       {"INELASTIC HEAT FRACTION", ignored, "heat is not computed"},
-      {"EXPANSION", ignored, "heat is not computed"},
+      {"EXPANSION", ignored, "heat is not computed; of a plastic material in an ADIABATIC step refused"},
       {"AMPLITUDE", done, "TABULAR, EQUALLY SPACED; SMOOTH STEP as 64 straight pieces",
        "NAME DEFINITION=TABULAR|SMOOTHSTEP|EQUALLYSPACED TIME=STEPTIME|TOTALTIME VALUE=RELATIVE|ABSOLUTE FIXEDINTERVAL "
        "BEGIN INPUT"},
