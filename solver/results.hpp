@@ -190,7 +190,6 @@ enum class RunStatus {
   stopped   ///< ended where it was, because it was asked to
 };
 
-/// Everything that summary.json holds.
 /// How a run was shared by the processes of one mpirun.
 struct ParallelRun {
   int ranks = 1;
@@ -199,6 +198,7 @@ struct ParallelRun {
   double imbalance = 1;             ///< elements of the rank that has most of them, over their mean
 };
 
+/// Everything that summary.json holds.
 struct RunSummary {
   std::string scene, title, units, version, precision;
   std::string device;  ///< where its steps are made: "none", on the host; "mock", "cuda", "hip"

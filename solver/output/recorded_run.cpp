@@ -135,10 +135,6 @@ auto with_memory_reported(const Scene& scene, const RunFolder& folder, const Act
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// What ranks other than 0 do.
 RunSummary follow(const Scene& scene, const RecordOptions& options) {
   Simulation simulation(scene, {options.threads, options.ranks});

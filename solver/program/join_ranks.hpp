@@ -4,7 +4,7 @@
 
 #include <solver/parallel/ranks.hpp>
 
-/// Each program links one of two definitions of these: of parallel/mpi, or alone.cpp.
+/// Each program links one of two definitions of these: of parallel/mpi/, or program/alone/.
 namespace pinball {
 
 /// Whether the program can be one of several that mpirun starts.
