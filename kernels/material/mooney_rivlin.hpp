@@ -3,7 +3,7 @@
 #include "neo_hookean.hpp"
 
 /// Rubber after Mooney (J. Appl. Phys. 11, 582-592, 1940) and Rivlin (Phil. Trans. R. Soc. A 241, 379-397, 1948), with
-/// the compressible energy per initial volume of LS-DYNA's material 27 (LST, Keyword User's Manual II, R13, 2021):
+/// the compressible energy per initial volume that is LS-DYNA's of material 27 (not compared with its manual):
 ///
 ///     W = A (I - 3) + B (II - 3) + C (III^-2 - 1) + D (III - 1)^2 ,     I, II, III: invariants of b = F F^T ,
 ///     C = A/2 + B ,   D = (A (5 nu - 2) + B (11 nu - 5))/(2 (1 - 2 nu)) ,

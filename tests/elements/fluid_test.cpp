@@ -89,5 +89,14 @@ TEST(Fluid, IsRefusedWhereElementsResistAsSolidsDo) {
   EXPECT_NO_THROW(checked_scene(splash(water())));
 }
 
+TEST(Fluid, IsRefusedWithLevelsOfStepsThatDoNotKnowItsViscosity) {
+  Scene scene = splash(water());
+  scene.time.subcycling = true;
+  EXPECT_NE(error_of([&] { checked_scene(scene); }).find("expected time.subcycling = false with water"),
+            std::string::npos);
+  scene.materials = {water(0)};
+  EXPECT_NO_THROW(checked_scene(scene));
+}
+
 }  // namespace
 }  // namespace pinball::test::fluid_test

@@ -174,6 +174,13 @@ std::optional<Problem> problem_of(const Material& material) {
 std::optional<Problem> problem_of(const Body& body, const Scene& scene) {
   const auto material = std::ranges::find(scene.materials, body.material, &Material::name);
   if (material == scene.materials.end() || !material->fluid) return {};
+  if (scene.time.subcycling && material->fluid->viscosity > 0) {
+    return Problem{
+        "material",
+        fmt::format("expected time.subcycling = false with {}, which is fluid: levels of steps do not know of "
+                    "its viscosity",
+                    material->name)};
+  }
   const HourglassControl control = (body.element ? *body.element : scene.element).hourglass;
   if (control == HourglassControl::viscous || control == HourglassControl::none) return {};
   return Problem{"material",
