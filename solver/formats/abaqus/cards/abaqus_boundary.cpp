@@ -20,14 +20,6 @@ void set_nodes(const AbaqusNodes& nodes, const DeckKeys<NodeSelection>& keys) {
   }
 }
 
-std::vector<std::string> direction_names(unsigned directions) {
-  std::vector<std::string> names;
-  for (unsigned k = 0; k < 3; ++k) {
-    if ((directions >> k & 1U) != 0) names.emplace_back(1, "xyz"[k]);
-  }
-  return names;
-}
-
 bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree) {
   if (degree >= 4 && degree <= 6) data.report.ignore(place, block.star_name() + " of rotations of nodes of solids");
   if (degree < 1 || degree > 6)

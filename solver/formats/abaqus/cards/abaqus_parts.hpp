@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <solver/formats/deck/direction_names.hpp>
+
 #include "abaqus_data.hpp"
 
 /// Keywords of Abaqus input as tables of a scene, one function per kind. What cannot be done goes to data.report; what
@@ -42,9 +44,6 @@ void translate_abaqus_probes(AbaqusData& data, DeckScene& scene);
 /// Whether a degree of freedom is a translation, 1 to 3. Rotations, 4 to 6, which nodes of solids do not have, are
 /// reported; others are refused.
 bool is_translation(AbaqusData& data, const AbaqusBlock& block, const DeckPlace& place, std::int64_t degree);
-
-/// "x", "y", "z" by their bits.
-std::vector<std::string> direction_names(unsigned directions);
 
 /// A keyword at the place of one of its lines.
 inline DeckCard card_of(const AbaqusBlock& block, const DeckPlace& place) { return {block.star_name(), place}; }

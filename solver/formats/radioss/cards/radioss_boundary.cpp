@@ -8,14 +8,6 @@
 
 namespace pinball {
 
-std::vector<std::string> radioss_directions(unsigned bits) {
-  std::vector<std::string> names;
-  for (const auto& [bit, name] : {std::pair{1U, "x"}, {2U, "y"}, {4U, "z"}}) {
-    if ((bits & bit) != 0) names.emplace_back(name);
-  }
-  return names;
-}
-
 namespace {
 
 /// "   111 111": in columns 4 to 6 translations, in 8 to 10 rotations, 1 where the direction is held.
@@ -90,7 +82,7 @@ void translate_held(RadiossData& data, const RadiossBlock& block, DeckScene& sce
     const auto keys = scene.entry<FixedConstraint>("constraint", card_of(block, line->place));
     keys.set("type", "fixed");
     if (skew == 0) {
-      keys.set("directions", radioss_directions(bits), "Trarot");
+      keys.set("directions", direction_names(bits), "Trarot");
     } else {
       const auto axes = data.axes(skew, line->place);
       std::vector<Point> directions;

@@ -45,38 +45,22 @@ class WholeSurfaces {
       if (!seen.emplace(key, true).second) continue;
       ++found[part->second];
     }
+    std::vector<bool> parts(data_.mesh.parts.size(), false);
     for (const auto& [part, count] : found) {
       if (count != faces_[part]) return {};
+      parts[part] = true;
     }
-    std::vector<std::string> names;
-    for (const RadiossBody& body : data_.bodies) {
-      const auto part = std::ranges::find(data_.mesh.parts, body.part.id, &MeshPart::id) - data_.mesh.parts.begin();
-      if (found.contains(static_cast<std::int32_t>(part))) names.push_back(body.name);
-    }
-    return names;
+    return data_.bodies_of(parts);
   }
   /// The same of nodes: all those on the surface of some bodies, or all of these; others of no solid do not count.
   std::vector<std::string> bodies_of_nodes(const MeshSet& group) {
     if (of_face_.empty()) find_surfaces();
-    std::vector<bool> takes(data_.used.size(), false), covered(data_.used.size(), false);
-    for (const std::int32_t node : group.members) takes[node] = true;
+    const std::vector<bool> in_group = data_.nodes_in(group);
     std::vector<bool> whole(data_.mesh.parts.size(), true);
     for (const auto& [key, part] : of_face_) {
-      for (const std::int32_t node : key) whole[part] = whole[part] && (node < 0 || takes[node]);
+      for (const std::int32_t node : key) whole[part] = whole[part] && (node < 0 || in_group[node]);
     }
-    for (std::size_t e = 0; e < data_.mesh.part.size(); ++e) {
-      for (const std::int32_t node : data_.mesh.mesh.hexahedra[e])
-        covered[node] = covered[node] || whole[data_.mesh.part[e]];
-    }
-    for (const std::int32_t node : group.members) {
-      if (data_.used[node] && !covered[node]) return {};
-    }
-    std::vector<std::string> names;
-    for (const RadiossBody& body : data_.bodies) {
-      const auto part = std::ranges::find(data_.mesh.parts, body.part.id, &MeshPart::id) - data_.mesh.parts.begin();
-      if (whole[part]) names.push_back(body.name);
-    }
-    return names;
+    return data_.are_of_parts(in_group, whole) ? data_.bodies_of(whole) : std::vector<std::string>{};
   }
 
  private:

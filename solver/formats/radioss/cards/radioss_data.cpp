@@ -198,24 +198,43 @@ bool RadiossData::has_used(const MeshSet& group) const {
   return std::ranges::any_of(group.members, [&](std::int32_t node) { return used[node]; });
 }
 
-std::vector<std::string> RadiossData::whole_bodies(const MeshSet& group) const {
-  std::vector<bool> in_group(used.size(), false), covered(used.size(), false), whole(mesh.parts.size(), true);
+std::vector<bool> RadiossData::nodes_in(const MeshSet& group) const {
+  std::vector<bool> in_group(used.size(), false);
   for (const std::int32_t node : group.members) in_group[node] = true;
+  return in_group;
+}
+
+std::vector<bool> RadiossData::whole_parts(const std::vector<bool>& in_group) const {
+  std::vector<bool> whole(mesh.parts.size(), true);
   for (std::size_t e = 0; e < mesh.part.size(); ++e) {
     for (const std::int32_t node : mesh.mesh.hexahedra[e]) whole[mesh.part[e]] = whole[mesh.part[e]] && in_group[node];
   }
+  return whole;
+}
+
+bool RadiossData::are_of_parts(const std::vector<bool>& in_group, const std::vector<bool>& parts_) const {
+  std::vector<bool> covered(used.size(), false);
   for (std::size_t e = 0; e < mesh.part.size(); ++e) {
-    for (const std::int32_t node : mesh.mesh.hexahedra[e]) covered[node] = covered[node] || whole[mesh.part[e]];
+    for (const std::int32_t node : mesh.mesh.hexahedra[e]) covered[node] = covered[node] || parts_[mesh.part[e]];
   }
   for (std::size_t n = 0; n < used.size(); ++n) {
-    if (in_group[n] && used[n] && !covered[n]) return {};
+    if (in_group[n] && used[n] && !covered[n]) return false;
   }
+  return true;
+}
+
+std::vector<std::string> RadiossData::bodies_of(const std::vector<bool>& parts_) const {
   std::vector<std::string> names;
   for (const RadiossBody& body : bodies) {
-    const auto place = std::ranges::find(mesh.parts, body.part.id, &MeshPart::id) - mesh.parts.begin();
-    if (whole[place]) names.push_back(body.name);
+    if (parts_[std::ranges::find(mesh.parts, body.part.id, &MeshPart::id) - mesh.parts.begin()])
+      names.push_back(body.name);
   }
   return names;
+}
+
+std::vector<std::string> RadiossData::whole_bodies(const MeshSet& group) const {
+  const std::vector<bool> in_group = nodes_in(group), whole = whole_parts(in_group);
+  return are_of_parts(in_group, whole) ? bodies_of(whole) : std::vector<std::string>{};
 }
 
 std::vector<std::string> RadiossData::all_bodies() const {

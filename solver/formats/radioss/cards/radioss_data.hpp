@@ -74,6 +74,14 @@ class RadiossData {
   std::vector<RadiossRigidBody*> rigid_in(const MeshSet& group);
   /// Whether a group has nodes of solids.
   bool has_used(const MeshSet& group) const;
+  /// For each node whether a group has it.
+  std::vector<bool> nodes_in(const MeshSet& group) const;
+  /// For each part of the mesh whether a group has all of its nodes.
+  std::vector<bool> whole_parts(const std::vector<bool>& in_group) const;
+  /// Whether all nodes of solids of a group are of these parts.
+  bool are_of_parts(const std::vector<bool>& in_group, const std::vector<bool>& parts_) const;
+  /// The bodies of these parts.
+  std::vector<std::string> bodies_of(const std::vector<bool>& parts_) const;
   /// Bodies all of whose nodes a group has, if these are all its nodes of solids; else none.
   std::vector<std::string> whole_bodies(const MeshSet& group) const;
   std::vector<std::string> all_bodies() const;

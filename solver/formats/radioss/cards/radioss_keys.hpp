@@ -1,5 +1,7 @@
 #pragma once
 
+#include <solver/formats/deck/direction_names.hpp>
+
 #include "radioss_data.hpp"
 
 /// Keywords of Radioss input as tables of a scene, one function per kind. What cannot be done goes to data.report; what
@@ -34,8 +36,5 @@ void translate_radioss_walls(RadiossData& data, DeckScene& scene);
 bool translate_radioss_contact(RadiossData& data, DeckScene& scene);
 /// /TH/NODE and /TH/BRIC: a [[probe]] each.
 void translate_radioss_probes(RadiossData& data, DeckScene& scene);
-
-/// "x", "y", "z" by their bits.
-std::vector<std::string> radioss_directions(unsigned bits);
 
 }  // namespace pinball

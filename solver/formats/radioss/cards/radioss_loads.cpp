@@ -4,6 +4,7 @@
 #include <map>
 
 #include <solver/base/face_corners.hpp>
+#include <solver/formats/deck/face_normals.hpp>
 #include <solver/formats/radioss/layouts/radioss_boundary_cards.hpp>
 
 #include "radioss_keys.hpp"
@@ -47,34 +48,14 @@ void translate_force(RadiossData& data, const RadiossBlock& block, DeckScene& sc
   }
 }
 
-using Face = std::array<std::int32_t, 4>;
-
-template <std::size_t size>
-Point centre_of(const Mesh& mesh, const std::array<std::int32_t, size>& corners) {
-  Point sum{};
-  for (const std::int32_t corner : corners) {
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += mesh.nodes[corner][k] / size;
-  }
-  return sum;
-}
-
 /// How many faces have their normal, by the order of their corners, out of their solid, and how many into it.
-std::pair<std::size_t, std::size_t> orientations(const RadiossData& data, const std::vector<Face>& faces) {
-  const Mesh& mesh = data.mesh.mesh;
-  std::map<Face, std::size_t> listed;
-  for (std::size_t i = 0; i < faces.size(); ++i) listed[face_key(faces[i])] = i;
+std::pair<std::size_t, std::size_t> orientations(const Mesh& mesh, const std::vector<DeckFace>& faces) {
+  const std::map<DeckFace, std::int32_t> solids = solids_of_faces(mesh, faces);
   std::pair<std::size_t, std::size_t> count{0, 0};
-  for (const auto& solid : mesh.hexahedra) {
-    for (std::size_t f = 0; f < 6; ++f) {
-      const auto found = listed.find(face_key(face_of(solid, f)));
-      if (found == listed.end()) continue;
-      const Face& face = faces[found->second];
-      const auto at = [&](std::size_t corner) { return mesh.nodes[face[corner]]; };
-      const Point normal = cross(minus(at(2), at(0)), minus(at(3), at(1)));
-      const bool outwards = dot(normal, minus(centre_of(mesh, face), centre_of(mesh, solid))) > 0;
-      ++(outwards ? count.first : count.second);
-      listed.erase(found);
-    }
+  for (const DeckFace& face : faces) {
+    const std::int32_t solid = solids.at(face_key(face));
+    if (solid < 0) continue;
+    ++(points_inwards(mesh, face, mesh.hexahedra[solid]) ? count.second : count.first);
   }
   return count;
 }
@@ -92,7 +73,7 @@ void translate_pressure(RadiossData& data, const RadiossBlock& block, DeckScene&
     return data.report.reject(line.place, fmt::format("{} of {}", block.title, other.title),
                               "give a /SURF/SEG: the order of its nodes says where pressures push");
   }
-  const auto [outwards, inwards] = orientations(data, data.surface(id, line.place).faces);
+  const auto [outwards, inwards] = orientations(data.mesh.mesh, data.surface(id, line.place).faces);
   if (outwards > 0 && inwards > 0)
     return data.report.reject(line.place,
                               block.title + " of faces whose normals point out of their solids and into them",

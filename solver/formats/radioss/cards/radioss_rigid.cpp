@@ -11,36 +11,6 @@ namespace pinball {
 
 namespace {
 
-/// Bodies all of whose nodes a group has.
-std::vector<std::string> covered_bodies(const RadiossData& data, const std::vector<bool>& in_group) {
-  std::vector<bool> whole(data.mesh.parts.size(), true);
-  for (std::size_t e = 0; e < data.mesh.part.size(); ++e) {
-    for (const std::int32_t node : data.mesh.mesh.hexahedra[e])
-      whole[data.mesh.part[e]] = whole[data.mesh.part[e]] && in_group[node];
-  }
-  std::vector<std::string> names;
-  for (const RadiossBody& body : data.bodies) {
-    const auto part = std::ranges::find(data.mesh.parts, body.part.id, &MeshPart::id) - data.mesh.parts.begin();
-    if (whole[part]) names.push_back(body.name);
-  }
-  return names;
-}
-
-/// Whether the group has nodes that none of these bodies has.
-bool has_others(const RadiossData& data, const std::vector<bool>& in_group, const std::vector<std::string>& bodies) {
-  std::vector<bool> of_bodies(in_group.size(), false);
-  for (std::size_t e = 0; e < data.mesh.part.size(); ++e) {
-    const std::int64_t id = data.mesh.parts[data.mesh.part[e]].id;
-    const auto body = std::ranges::find_if(data.bodies, [&](const RadiossBody& one) { return one.part.id == id; });
-    if (std::ranges::count(bodies, body->name) == 0) continue;
-    for (const std::int32_t node : data.mesh.mesh.hexahedra[e]) of_bodies[node] = true;
-  }
-  for (std::size_t n = 0; n < in_group.size(); ++n) {
-    if (in_group[n] && data.used[n] && !of_bodies[n]) return true;
-  }
-  return false;
-}
-
 void read_rigid_body(RadiossData& data, const RadiossBlock& block) {
   RadiossLines lines(block);
   const DataLine l1 = lines.require("the main node and the group"), l2 = lines.next_or_blank(),
@@ -60,17 +30,16 @@ void read_rigid_body(RadiossData& data, const RadiossBlock& block) {
   if (const std::int64_t centre = f.integer("ICoG"); centre > 2)
     data.report.reject(l1.place, fmt::format("/RBODY with ICoG {}", centre), "give 1: its centre is that of its nodes");
   const MeshSet& group = data.node_group(rigid.group, l1.place);
-  std::vector<bool> in_group(data.used.size(), false);
   for (const std::int32_t node : group.members) {
-    in_group[node] = true;
     if (data.rigid_of_node[node] >= 0 && data.used[node])
       fail_at(l1.place, fmt::format("{}: node {} is of {}, too", block.title, data.mesh.node_ids[node],
                                     data.rigid[data.rigid_of_node[node]].block->title));
     data.rigid_of_node[node] = static_cast<std::int32_t>(data.rigid.size());
   }
   if (!data.has_used(group)) f.fail("grnd_ID", "expected nodes of solids, there are none in the group");
-  rigid.bodies = covered_bodies(data, in_group);
-  rigid.attaches = has_others(data, in_group, rigid.bodies);
+  const std::vector<bool> in_group = data.nodes_in(group), whole = data.whole_parts(in_group);
+  rigid.bodies = data.bodies_of(whole);
+  rigid.attaches = !data.are_of_parts(in_group, whole);
   data.rigid.push_back(std::move(rigid));
 }
 
@@ -89,8 +58,8 @@ void translate_radioss_rigid_bodies(RadiossData& data, DeckScene& scene) {
     const auto keys = scene.entry<RigidBody>("rigid_body", rigid.card);
     keys.set("name", rigid.name);
     if (!rigid.bodies.empty()) keys.set("bodies", rigid.bodies, "grnd_ID");
-    if ((rigid.held & 7U) != 0) keys.set("held", radioss_directions(rigid.held));
-    if (rigid.held >> 3U != 0) keys.set("held_rotations", radioss_directions(rigid.held >> 3U));
+    if ((rigid.held & 7U) != 0) keys.set("held", direction_names(rigid.held));
+    if (rigid.held >> 3U != 0) keys.set("held_rotations", direction_names(rigid.held >> 3U));
     if (rigid.velocity) keys.set("velocity", *rigid.velocity);
     const std::string of_bodies =
         rigid.bodies.empty() ? "nodes alone" : fmt::format("bodies {}", fmt::join(rigid.bodies, ", "));
