@@ -16,6 +16,7 @@
 #include <tests/support/folder_case.hpp>
 
 #include "card_decks.hpp"
+#include "deck_outcome.hpp"
 
 /// Each field of each card that is read is set to something else than its default, in a small deck of its own
 /// (card_decks.hpp): that has to change the scene or the mesh, to be told by the name of the field, or to be an error.
@@ -63,21 +64,7 @@ class EveryField : public FolderTest {
     settings.file = path.string();
     settings.format = MeshFormat::keyword;
     const MeshFile file = read_mesh_file(settings, {});
-    std::string text;
-    for (std::size_t n = 0; n < file.node_ids.size(); ++n)
-      text += fmt::format("{} {}\n", file.node_ids[n], fmt::join(file.mesh.nodes[n], " "));
-    for (std::size_t e = 0; e < file.element_ids.size(); ++e)
-      text += fmt::format("{} {} {}\n", file.element_ids[e], file.part[e], fmt::join(file.mesh.hexahedra[e], " "));
-    for (const MeshPart& part : file.parts) text += fmt::format("{} {}\n", part.id, part.name);
-    for (const auto* sets : {&file.node_sets, &file.element_sets}) {
-      for (const MeshSet& set : *sets)
-        text += fmt::format("{}: {} {}\n", set.id, fmt::join(set.members, " "), set.problem);
-    }
-    for (const FaceSet& set : file.face_sets) {
-      text += fmt::format("{}: {}\n", set.id, set.problem);
-      for (const auto& face : set.faces) text += fmt::format("{}\n", fmt::join(face, " "));
-    }
-    return text;
+    return text_of(file);
   }
 
   /// width: what says how wide columns are, behind the name.
@@ -101,14 +88,6 @@ class EveryField : public FolderTest {
       result.error = error.what();
     }
     return result;
-  }
-
-  static std::vector<std::string> cut(const std::string& line, std::size_t count) {
-    std::vector<std::string> fields;
-    std::stringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-    fields.resize(std::max(count, fields.size()));
-    return fields;
   }
 
   /// Other values than that of the deck and the default. Of a list of members none that it has.

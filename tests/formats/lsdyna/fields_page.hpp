@@ -1,7 +1,11 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include <solver/formats/deck/card_field.hpp>
@@ -32,6 +36,16 @@ inline std::string fields_of(const CardLayout& layout, FieldUse use) {
 inline std::string row_of(const std::string& keywords, std::size_t line, const CardLayout& layout) {
   return fmt::format("| {} | {} | {} | {} | {} |\n", keywords, line, fields_of(layout, FieldUse::used),
                      fields_of(layout, FieldUse::reported), fields_of(layout, FieldUse::rejected));
+}
+
+/// PINBALL_FIX_PAGES=1 in the environment writes the page of docs anew.
+inline void expect_page(const std::string& name, const std::string& expected) {
+  const std::string path = PINBALL_SOURCE_DIR "/docs/" + name;
+  if (std::getenv("PINBALL_FIX_PAGES") != nullptr) std::ofstream(path) << expected;
+  std::ifstream file(path);
+  std::ostringstream page;
+  page << file.rdbuf();
+  EXPECT_EQ(page.str(), expected);
 }
 
 }  // namespace pinball::test

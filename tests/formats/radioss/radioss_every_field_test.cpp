@@ -10,6 +10,7 @@
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/formats/radioss/layouts/radioss_cards.hpp>
 #include <solver/scene/given/toml_file.hpp>
+#include <tests/formats/lsdyna/deck_outcome.hpp>
 
 #include "radioss_card_decks.hpp"
 #include "radioss_case.hpp"
@@ -44,29 +45,7 @@ class RadiossEveryField : public RadiossTest {
  protected:
   std::string mesh_text() const {
     const MeshFile file = read_mesh_file({.format = MeshFormat::radioss, .file = path_, .part = {}}, {});
-    std::string text;
-    for (std::size_t n = 0; n < file.node_ids.size(); ++n)
-      text += fmt::format("{} {}\n", file.node_ids[n], fmt::join(file.mesh.nodes[n], " "));
-    for (std::size_t e = 0; e < file.element_ids.size(); ++e)
-      text += fmt::format("{} {} {}\n", file.element_ids[e], file.part[e], fmt::join(file.mesh.hexahedra[e], " "));
-    for (const MeshPart& part : file.parts) text += fmt::format("{} {}\n", part.id, part.name);
-    for (const auto* sets : {&file.node_sets, &file.element_sets}) {
-      for (const MeshSet& set : *sets)
-        text += fmt::format("{}: {} {}\n", set.id, fmt::join(set.members, " "), set.problem);
-    }
-    for (const FaceSet& set : file.face_sets) {
-      text += fmt::format("{} {}: {}\n", set.id, set.name, set.problem);
-      for (const auto& face : set.faces) text += fmt::format("{}\n", fmt::join(face, " "));
-    }
-    return text;
-  }
-
-  static std::vector<std::string> cut(const std::string& line, std::size_t count) {
-    std::vector<std::string> fields;
-    std::stringstream stream(line);
-    for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
-    fields.resize(std::max(count, fields.size()));
-    return fields;
+    return text_of(file);
   }
 
   /// Fields in the columns of their layout; of the engine with blanks between.
