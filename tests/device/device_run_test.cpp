@@ -5,6 +5,7 @@
 #include <solver/step/report.hpp>
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
+#include <tests/support/torn_block.hpp>
 
 /// Steps on a device (the mock one: threads of the host, on memory that nothing else may touch) beside those of the
 /// host.
@@ -12,17 +13,6 @@ namespace pinball::device_run_test {
 namespace {
 
 using namespace test;
-
-/// A block that turns, is torn, and hits nothing.
-Scene torn_block(Precision precision = Precision::float64) {
-  Scene scene = scene_of({block("torn", {7, 5, 6}, 0.01, {})}, 40e-6, false);
-  scene.materials[0] = plastic_material("steel", 4e8, 0.02);
-  scene.bodies[0].velocity_gradient = {Point{4000, 300, 0}, Point{0, -1500, 200}, Point{500, 0, -1200}};
-  scene.bodies[0].velocity_noise = 5;
-  scene.element.bulk_viscosity = true;
-  scene.precision = precision;
-  return scene;
-}
 
 template <class S>
 std::uint64_t hash_on(Scene scene, Device device) {

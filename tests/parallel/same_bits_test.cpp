@@ -5,6 +5,7 @@
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/thread_ranks.hpp>
+#include <tests/support/torn_block.hpp>
 
 /// A scene that several ranks run ends in the bits of one process, whatever their number and whatever each works.
 namespace pinball::same_bits_test {
@@ -12,14 +13,8 @@ namespace {
 
 using namespace test;
 
-/// A block that turns and is torn: yield, erosion, hourglass forces, viscosity, tiles of two sizes.
-Scene torn_block(Precision precision = Precision::float64) {
-  Scene scene = scene_of({block("torn", {11, 7, 9}, 0.01, {})}, 40e-6, false);
-  scene.materials[0] = plastic_material("steel", 4e8, 0.02);
-  scene.bodies[0].velocity_gradient = {Point{4000, 300, 0}, Point{0, -1500, 200}, Point{500, 0, -1200}};
-  scene.bodies[0].velocity_noise = 5;
-  scene.element.bulk_viscosity = true;
-  scene.precision = precision;
+Scene torn(Precision precision = Precision::float64) {
+  Scene scene = torn_block(precision, {11, 7, 9});  // tiles of two sizes
   scene.output.body_energies = true;
   return scene;
 }
@@ -110,13 +105,13 @@ Outcome expect_same(const Scene& scene) {
 }
 
 TEST(SameBits, OfABlockThatIsTornForAnyNumberOfRanksAndAnyPartition) {
-  EXPECT_GT(expect_same<double>(torn_block()).eroded, 0);
+  EXPECT_GT(expect_same<double>(torn()).eroded, 0);
 }
 
-TEST(SameBits, InSinglePrecision) { expect_same<float>(torn_block(Precision::float32)); }
+TEST(SameBits, InSinglePrecision) { expect_same<float>(torn(Precision::float32)); }
 
 TEST(SameBits, OfTwentyPartitionsAtRandom) {
-  Scene scene = torn_block();
+  Scene scene = torn();
   scene.time.end = 10e-6;
   Solver<double> alone(scene);
   const Outcome expected = outcome_of(alone);
@@ -144,7 +139,7 @@ TEST(SameBits, WhereMostTilesRest) { EXPECT_GT(expect_same<double>(resting_bar()
 TEST(SameBits, WhereElementsNearlyTurnOver) { expect_same<double>(pressed_block(1)); }
 
 TEST(SameBits, OfAStateThatThreeRanksHaveSavedOnTwoAndAlone) {
-  for (const Scene& scene : {torn_block(), resting_bar(), held_and_driven()}) {
+  for (const Scene& scene : {torn(), resting_bar(), held_and_driven()}) {
     Solver<double> alone(scene);
     const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {
       for (int step = 0; step < 9; ++step) {
