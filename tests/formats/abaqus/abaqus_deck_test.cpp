@@ -57,6 +57,17 @@ TEST(AbaqusDeck, KeywordLinesGoOnAfterAComma) {
   EXPECT_THAT(data_of(deck.blocks[0]), ElementsAre("1, 2"));
 }
 
+TEST(AbaqusDeck, WhatFollowsACommaButIsNoParameterIsToldSo) {
+  EXPECT_THAT(
+      error_of("*MATERIAL, NAME=M,\n** in between\n*DENSITY\n1.\n"),
+      HasSubstr("a.inp:3: expected more parameters of the keyword in line 1, which ends in a comma and so goes on in "
+                "the next line, got \"*DENSITY\""));
+  EXPECT_THAT(error_of("*HEADING\n*DENSITY,\n1000.,\n"),
+              HasSubstr("a.inp:3: expected more parameters of the keyword in"));
+  EXPECT_THAT(error_of("*NODE,\n\n -1., 0.\n"), HasSubstr("got \"-1., 0.\""));
+  EXPECT_THAT(error_of("*NODE,\n"), HasSubstr("a.inp:1: expected the rest of a keyword line that ends in a comma"));
+}
+
 TEST(AbaqusDeck, QuotedNamesKeepBlanksAndCommas) {
   const AbaqusDeck deck = parse("*NSET, NSET=\"My, Set\"\n1\n");
   EXPECT_EQ(label_text(*deck.blocks[0].value("NSET")), "My, Set");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include <solver/base/error.hpp>
@@ -95,7 +96,9 @@ class AbaqusReader {
       if (rest.empty()) fail_at(block.place, "expected the rest of a keyword line that ends in a comma");
       const std::string_view more = take_line(rest);
       ++place.line;
-      if (!is_comment(more)) line += trimmed(more);
+      if (is_comment(more)) continue;
+      require_parameters(trimmed(more), block.place, place);
+      line += trimmed(more);
     }
     read_keyword_line(block, line);
     if (block.name == "INCLUDE") {
@@ -106,6 +109,14 @@ class AbaqusReader {
     const std::optional<std::string> input = takes_input(block.name) ? block.value("INPUT") : std::nullopt;
     deck_.blocks.push_back(std::move(block));
     if (input) open_included(*input, DeckPlace(deck_.blocks.back().place));
+  }
+
+  /// A parameter begins with a letter: what begins with another sign is the next keyword, or data of this one.
+  static void require_parameters(std::string_view more, const DeckPlace& keyword, const DeckPlace& place) {
+    if (more.empty() || std::isalpha(static_cast<unsigned char>(more.front()))) return;
+    fail_at(place, fmt::format("expected more parameters of the keyword in line {}, which ends in a comma and so goes "
+                               "on in the next line, got \"{}\"",
+                               keyword.line, more.substr(0, 40)));
   }
 
   static bool takes_input(const std::string& name) { return name != "RESTART" && name != "IMPORT"; }
