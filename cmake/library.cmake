@@ -67,8 +67,9 @@ function(pinball_objects target)
 endfunction()
 
 # Two translation units for each room of these sources, one of its folder and one of all folders in that, and one for each
-# folder of a format: for rooms whose sources take longer to read what they include than to compile. Not for those that work in the steps: with PINBALL_CONTRACT
-# what the compiler fuses depends on what it sees together. A source with flags of its own is compiled by itself.
+# folder of a format: for rooms whose sources take longer to read what they include than to compile. Not for those that
+# multiply and add in the steps: with PINBALL_CONTRACT what the compiler fuses depends on what it sees together. A source
+# with flags of its own is compiled by itself.
 function(pinball_unite_rooms)
   foreach(source IN LISTS ARGN)
     file(RELATIVE_PATH source_in_room ${CMAKE_CURRENT_SOURCE_DIR} ${source})
