@@ -56,11 +56,10 @@ void BoundaryConditions<S>::find_changes(const Scene& scene) {
 /// A constraint that begins takes the velocities that nodes have along it, and with them kinetic energy.
 template <class S>
 bool BoundaryConditions<S>::follow(Model<S>& model, const NodeArrays<S>& nodes, double time, const StepLengths& step) {
-  const std::size_t past = std::ranges::upper_bound(changes_, time) - changes_.begin();
-  if (past == changed_) return false;
+  if (!changes(time)) return false;
   set_present(model, time);
   if (constrains_) done_ -= held_->energy_along(nodes, step);
-  changed_ = past;
+  changed_ = past(time);
   return true;
 }
 

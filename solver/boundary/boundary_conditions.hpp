@@ -38,6 +38,8 @@ class BoundaryConditions {
 
   /// Takes the constraints and prescribed velocities that act at this time; whether they are others than before.
   bool follow(Model<S>& model, const NodeArrays<S>& nodes, double time, const StepLengths& step);
+  /// Whether follow() has anything to do.
+  bool changes(double time) const { return past(time) != changed_; }
   /// Adds loads and damping to the forces of the nodes.
   void add_loads(const NodeArrays<S>& nodes, double time);
   /// Constraints and prescribed velocities: changes forces and, in constrained directions, velocities; once more where
@@ -87,8 +89,10 @@ class BoundaryConditions {
   ExternalWork work_of_step(const NodeArrays<S>& nodes, const StepLengths& step);
 
   bool any_ = false, acts_ = false;  ///< acts_: does work
-  std::vector<double> changes_;      ///< when constraints or prescribed velocities begin or end, in order
-  std::uint64_t changed_ = 0;        ///< how many of them are past
+  std::size_t past(double time) const { return std::ranges::upper_bound(changes_, time) - changes_.begin(); }
+
+  std::vector<double> changes_;  ///< when constraints or prescribed velocities begin or end, in order
+  std::uint64_t changed_ = 0;    ///< how many of them are past
   std::unique_ptr<const BoundaryKernels<S>> kernels_;
   std::vector<Load> loads_;
   Array<S> host_forces_;                          ///< empty until asked for [force]

@@ -1,5 +1,6 @@
 #include "internal_forces.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <kernels/exec.hpp>
@@ -63,6 +64,7 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& 
   if (domain_) {
     domain_->collect(model.nodes);
     left_out.resting = share_results(schedule, skips_resting);
+    share_eroded(model);
   }
   InternalForceResult<S> result = sum();
   result.resting_elements = left_out.resting;
@@ -91,6 +93,13 @@ std::int64_t InternalForces<S>::share_results(Schedule<S>& schedule, bool skips_
     if (!domain_->works(t)) schedule.set_other_resting(t, reports[t].rests != 0);
   }
   return left_out;
+}
+
+template <class S>
+void InternalForces<S>::share_eroded(Model<S>& model) {
+  std::vector<std::int64_t> of_tile;
+  for (const TileResult<S>& result : results_) of_tile.push_back(result.eroded_count);
+  if (std::ranges::any_of(of_tile, [](std::int64_t count) { return count > 0; })) domain_->share_eroded(model, of_tile);
 }
 
 template <class S>

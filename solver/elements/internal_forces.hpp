@@ -61,6 +61,7 @@ class InternalForces {
   void work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step);
   InternalForceResult<S> sum() const;
   std::int64_t share_results(Schedule<S>& schedule, bool skips_resting);
+  void share_eroded(Model<S>& model);
 
   Subdomain<S>* domain_;
   std::vector<TileKernel<S>> kernel_of_part_;

@@ -40,6 +40,7 @@ void CornerExchange<S>::find_records(Model<S>& model, const std::vector<std::int
   std::vector<Source> sources;
   const std::int32_t self = ranks_.number();
   for_each_corner_in_order(model, [&](std::int32_t tile, std::int64_t slot, int i) {
+    if (model.is_rigid(tile)) return;  // no kernel works it
     const std::int32_t node = model.elements.corner[ElementStore<S>::at(slot, i, 8)];
     if (!holders.is_shared(node)) return;
     const std::span<const std::int32_t> all = holders.of(node);

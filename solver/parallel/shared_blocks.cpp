@@ -23,15 +23,4 @@ SharedBlocks::SharedBlocks(Ranks& ranks, NodeHolders& holders, std::int64_t bloc
   }
 }
 
-void SharedBlocks::find_worked(const NodeHolders& holders) {
-  for (std::int64_t block = 0; block < count(); ++block) {
-    bool works = owner_[block] == ranks_->number();
-    visit_(block, [&](std::int32_t node) { works = works || holders.has(node, ranks_->number()); });
-    if (!works) continue;
-    if (worked_.empty() || worked_.back().end != block) worked_.push_back({block, block});
-    worked_.back().end = block + 1;
-  }
-  visit_ = {};
-}
-
 }  // namespace pinball

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include <solver/base/error.hpp>
@@ -19,7 +20,8 @@ Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
       elements_of_tile_(elements_of_tiles(model)),
       rank_of_tile_((require_ranks_can(model.scene), ranks_of_tiles(model, ranks))),
       tile_packs_(model.tile_packs),
-      holders_(model, rank_of_tile_) {
+      holders_(model, rank_of_tile_),
+      common_(ranks, model.nodes.count) {
   const std::int32_t nodes = model.nodes.count;
   spans_ = blocks(span_count(nodes), [nodes](std::int64_t span, const auto& take) {
     const std::int64_t first = span * nodes_per_span;
@@ -45,15 +47,35 @@ std::shared_ptr<const SharedBlocks> Subdomain<S>::blocks(std::int64_t count, Sha
 }
 
 template <class S>
+void Subdomain<S>::add_common(std::span<const std::int32_t> nodes) {
+  common_.add(nodes, [this](std::int32_t node) { return rank_of_node(node); });
+}
+
+template <class S>
 void Subdomain<S>::connect(Model<S>& model, std::uint64_t fingerprint) {
-  holders_.take_more();
-  for (const std::shared_ptr<SharedBlocks>& sum : blocks_) sum->find_worked(holders_);
-  corners_.emplace(model, rank_of_tile_, holders_, ranks_);
+  connect_sums(model);
+  state_was_read(model);
   StateHash hash;
   hash.add(&fingerprint, sizeof fingerprint);
   hash.add(rank_of_tile_.data(), rank_of_tile_.size() * sizeof(std::int32_t));
   agree(ranks_, {0, "", ElementStore<S>::width, hash.value()});
   connected_ = true;
+}
+
+/// Lists that have ended are of no one else.
+template <class S>
+void Subdomain<S>::connect_sums(Model<S>& model) {
+  std::erase_if(blocks_, [](const std::shared_ptr<SharedBlocks>& sum) { return sum.use_count() == 1; });
+  holders_.take_more();
+  corners_.reset();
+  corners_.emplace(model, rank_of_tile_, holders_, ranks_);
+  find_worked();
+}
+
+template <class S>
+void Subdomain<S>::find_worked() {
+  for (const std::shared_ptr<SharedBlocks>& sum : blocks_)
+    sum->find_worked([this](std::int32_t node) { return moves(node); });
 }
 
 template <class S>
@@ -73,6 +95,61 @@ template <class S>
 void Subdomain<S>::end_step() {
   in_step_ = waits_ = false;
   bytes_of_step_ = ranks_.bytes_given - bytes_before_;
+}
+
+template <class S>
+void Subdomain<S>::share_eroded(Model<S>& model, const std::vector<std::int64_t>& of_tile) {
+  if (!common_.any()) return;
+  std::vector<std::size_t> bytes_of(ranks_.count(), 0);
+  std::vector<std::int32_t> own, all;
+  for (std::size_t tile = 0; tile < of_tile.size(); ++tile) {
+    bytes_of[rank_of_tile_[tile]] += of_tile[tile] * sizeof(std::int32_t);
+    if (of_tile[tile] == 0 || !works(tile)) continue;
+    for (const std::int64_t slot : model.slots_of(tile)) {
+      if (is_alive_[slot] != 0 && !model.elements.alive(slot)) own.push_back(static_cast<std::int32_t>(slot));
+    }
+  }
+  all.resize(std::accumulate(of_tile.begin(), of_tile.end(), std::int64_t{0}));
+  if (own.size() * sizeof(std::int32_t) != bytes_of[ranks_.number()])
+    throw std::logic_error("other elements have eroded than were counted");
+  ranks_.gather(std::as_bytes(std::span(own)), bytes_of, std::as_writable_bytes(std::span(all)), true);
+  ranks_.bytes_given += std::ssize(all) * static_cast<std::int64_t>(sizeof(std::int32_t));
+  for (const std::int32_t slot : all) {
+    is_alive_[slot] = 0;
+    model.elements.mass[slot] = S(0);
+  }
+  has_eroded_ = has_eroded_ || !all.empty();
+}
+
+template <class S>
+void Subdomain<S>::share_strains(Model<S>& model, const Surface& surface) {
+  if (!has_eroded_) return;
+  has_eroded_ = false;
+  std::vector<std::int32_t> owner, slots;
+  std::vector<S> strain;
+  for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
+    if (!model.parts[model.tile_part[tile]].features.erosion) continue;
+    for (const std::int64_t slot : model.slots_of(tile)) {
+      if (surface.exposed(slot) == 0) continue;
+      owner.push_back(rank_of_tile_[tile]);
+      slots.push_back(static_cast<std::int32_t>(slot));
+      strain.push_back(model.elements.plastic_strain[slot]);
+    }
+  }
+  ranks_.share(owner, strain.data());
+  for (std::size_t i = 0; i < slots.size(); ++i) model.elements.plastic_strain[slots[i]] = strain[i];
+}
+
+template <class S>
+void Subdomain<S>::take_in(Model<S>& model, std::span<const std::int32_t> nodes) {
+  if (!common_.add(nodes, [this](std::int32_t node) { return rank_of_node(node); })) return;
+  common_.share_added(model.nodes);
+  find_worked();
+}
+
+template <class S>
+void Subdomain<S>::bring_nodes(Model<S>& model) {
+  gather_nodes(model, {&model.nodes.position, &model.nodes.velocity, &model.nodes.force}, true);
 }
 
 template <class S>
@@ -110,6 +187,14 @@ void Subdomain<S>::bring_back(Model<S>& model) {
 }
 
 template <class S>
+void Subdomain<S>::state_was_read(Model<S>& model) {
+  is_whole_ = true;
+  is_alive_.resize(model.elements.slots);
+  for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) is_alive_[slot] = model.elements.alive(slot) ? 1 : 0;
+  has_eroded_ = true;
+}
+
+template <class S>
 void Subdomain<S>::send_state(Model<S>& model) {
   waits_ = true;
   gather_state(model, false);
@@ -132,9 +217,16 @@ void Subdomain<S>::gather_state(Model<S>& model, bool to_all) {
         },
         to_all);
   }
+  gather_nodes(model, {&model.nodes.position, &model.nodes.velocity}, to_all);
+  for (const std::function<void()>& bring : kept_) bring();
+  is_whole_ = to_all || is_first();
+}
+
+template <class S>
+void Subdomain<S>::gather_nodes(const Model<S>& model, std::initializer_list<Array<S>*> arrays, bool to_all) {
   std::vector<std::int32_t> owner;
   for (std::int64_t span = 0; span < spans_->count(); ++span) owner.push_back(spans_->owner(span));
-  for (Array<S>* array : {&model.nodes.position, &model.nodes.velocity}) {
+  for (Array<S>* array : arrays) {
     gather_ranges(
         *array, owner,
         [&](std::int64_t span) {
@@ -143,8 +235,6 @@ void Subdomain<S>::gather_state(Model<S>& model, bool to_all) {
         },
         to_all);
   }
-  for (const std::function<void()>& bring : kept_) bring();
-  is_whole_ = to_all || is_first();
 }
 
 /// range(i): the numbers of the array that are of i; owner: rank of each i.
@@ -177,13 +267,13 @@ SharedWork Subdomain<S>::work() const {
   std::vector<std::int64_t> elements(ranks_.count(), 0);
   for (std::size_t t = 0; t < rank_of_tile_.size(); ++t) elements[rank_of_tile_[t]] += elements_of_tile_[t];
   const double all = std::accumulate(elements.begin(), elements.end(), 0.0);
-  return {ranks_.count(), corners_ ? corners_->records() : 0, bytes_of_step_,
+  return {ranks_.count(), corners_ ? corners_->records() : 0, common_.count(), bytes_of_step_,
           *std::ranges::max_element(elements) * ranks_.count() / all};
 }
 
 template <class S>
 std::size_t Subdomain<S>::bytes() const {
-  return corners_ ? corners_->bytes() : 0;
+  return (corners_ ? corners_->bytes() : 0) + common_.bytes() + is_alive_.capacity();
 }
 
 template class Subdomain<double>;

@@ -3,14 +3,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include <solver/contact/surface/surface.hpp>
 #include <solver/model/model.hpp>
 #include <solver/model/node_spans.hpp>
 
+#include "common_nodes.hpp"
 #include "corner_exchange.hpp"
 #include "node_holders.hpp"
 #include "ranks.hpp"
@@ -31,6 +35,7 @@ enum class RankOrder : std::int32_t {
 struct SharedWork {
   int ranks = 1;
   std::int64_t records = 0;         ///< forces of corners that all send in a step
+  std::int64_t common_nodes = 0;    ///< that all ranks move
   std::int64_t bytes_per_step = 0;  ///< that all send in the last step
   double imbalance = 1;             ///< elements of the rank that has most, over their mean
 };
@@ -52,11 +57,13 @@ class Subdomain final : public SharedNodes {
 
   // ---- Before the first step ----
 
-  // SharedNodes; blocks() until connect().
+  // SharedNodes; where blocks() are asked for later than connect(), connect_sums() is to follow.
   std::shared_ptr<const SharedBlocks> blocks(std::int64_t count, SharedBlocks::Visit visit) override;
   std::int32_t rank_of_slot(std::int64_t slot) const override;
   std::int32_t rank_of_node(std::int32_t node) const override { return spans_->owner(node / nodes_per_span); }
   void keep_with_state(std::function<void()> bring) override { kept_.push_back(std::move(bring)); }
+  /// Nodes that all ranks are to move (CommonNodes).
+  void add_common(std::span<const std::int32_t> nodes);
   /// All sums are known: who sends what to whom. Adds records to the nodes of the model. fingerprint: of the model.
   /// Throws where not all ranks are ready (agree()).
   void connect(Model<S>& model, std::uint64_t fingerprint);
@@ -69,12 +76,24 @@ class Subdomain final : public SharedNodes {
   /// The elements as kernels see them.
   ElementView<S> elements(Model<S>& model) const;
   void spread(NodeStore<S>& nodes) const { corners_->spread(nodes); }
-  void collect(NodeStore<S>& nodes) { corners_->collect(nodes); }
+  void collect(NodeStore<S>& nodes) {
+    corners_->collect(nodes);
+    common_.share_forces(nodes);
+  }
   /// of_tile: what each tile has to tell; before, of the tiles of this rank, after, of all.
   template <class Value>
   void share_tiles(Value* of_tile) {
     share(rank_of_tile_, of_tile);
   }
+  /// Which elements have eroded in the step: all ranks take them out. of_tile: how many, known to all.
+  void share_eroded(Model<S>& model, const std::vector<std::int64_t>& of_tile);
+  /// Where elements have eroded since: the strains of the surface, from which contact guesses what erodes next.
+  void share_strains(Model<S>& model, const Surface& surface);
+  /// Nodes that are common from now on, with their motion and forces: those of new surface.
+  void take_in(Model<S>& model, std::span<const std::int32_t> nodes);
+  /// Motion and forces of all nodes, for what begins or ends now; connect_sums() when its sums are known.
+  void bring_nodes(Model<S>& model);
+  void connect_sums(Model<S>& model);
   /// Spans of nodes: blocks of the sum of kinetic energies.
   const SharedBlocks& spans() const { return *spans_; }
   std::int32_t elements_of_tile(std::int64_t tile) const { return elements_of_tile_[tile]; }
@@ -90,19 +109,25 @@ class Subdomain final : public SharedNodes {
   /// does nothing.
   void bring_back(Model<S>& model);
   void send_state(Model<S>& model);  ///< at RankOrder::state
-  void state_was_read() { is_whole_ = true; }
+  void state_was_read(Model<S>& model);
 
   SharedWork work() const;
   std::size_t bytes() const;
 
  private:
+  bool moves(std::int64_t node) const { return holders_.has(node, ranks_.number()) || common_.has(node); }
+  void find_worked();
   void gather_state(Model<S>& model, bool to_all);
+  void gather_nodes(const Model<S>& model, std::initializer_list<Array<S>*> arrays, bool to_all);
   template <class Range>
   void gather_ranges(Array<S>& array, const std::vector<std::int32_t>& owner, const Range& range, bool to_all);
 
   std::vector<std::int32_t> elements_of_tile_, rank_of_tile_;
   std::vector<std::int64_t> tile_packs_;  ///< Model::tile_packs
   NodeHolders holders_;
+  CommonNodes<S> common_;
+  std::vector<std::uint8_t> is_alive_;  ///< per slot: the element of it, as all ranks know
+  bool has_eroded_ = false;             ///< any, since share_strains()
   std::vector<std::shared_ptr<SharedBlocks>> blocks_;
   std::shared_ptr<const SharedBlocks> spans_;
   std::optional<CornerExchange<S>> corners_;  ///< from connect() on

@@ -1,5 +1,7 @@
 #include "contact_stage.hpp"
 
+#include <solver/parallel/shared_surface.hpp>
+
 namespace pinball {
 
 template <class S>
@@ -7,8 +9,15 @@ ContactWork ContactStage<S>::before_constraints(Model<S>& model, const std::vect
                                                 double dt, Timers& timers, RunCounts& counts) {
   if (!built::contact || !contact_) return {};
   contact_->set_time(time);
-  const ModelSurface<S> source(model);
-  timers.measure(Phase::pinballs, [&] { contact_->update_surface(source, eroded_slots(model, tiles)); });
+  const std::vector<std::int64_t> eroded = timers.measure(Phase::pinballs, [&] { return eroded_slots(model, tiles); });
+  if (domain_ == nullptr) return before_constraints(ModelSurface<S>(model), eroded, dt, timers, counts);
+  return before_constraints(SharedSurface<S>(model, *domain_, contact_->surface()), eroded, dt, timers, counts);
+}
+
+template <class S>
+ContactWork ContactStage<S>::before_constraints(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded,
+                                                double dt, Timers& timers, RunCounts& counts) {
+  timers.measure(Phase::pinballs, [&] { contact_->update_surface(source, eroded); });
   const std::int64_t searches = contact_->searches();
   const double seconds = timers.seconds(Phase::contact_search);
   timers.measure(Phase::contact_search, [&] { contact_->search(source, dt); });

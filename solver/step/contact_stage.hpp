@@ -8,6 +8,7 @@
 #include <solver/base/built_features.hpp>
 #include <solver/contact/algorithm/contact_algorithm.hpp>
 #include <solver/model/model_surface.hpp>
+#include <solver/parallel/subdomain.hpp>
 #include <solver/results/timers.hpp>
 
 #include "pair_ledger.hpp"
@@ -19,8 +20,10 @@ namespace pinball {
 template <class S>
 class ContactStage {
  public:
-  explicit ContactStage(const Model<S>& model)
-      : contact_(make_model_contact(model)),
+  /// domain: of several ranks, all of which work all contact; null: one process does.
+  explicit ContactStage(const Model<S>& model, Subdomain<S>* domain = nullptr)
+      : domain_(domain),
+        contact_(make_model_contact(model)),
         pairs_(contact_ ? model.scene.contact_pairs : std::vector<ContactPair>()) {}
 
   const ContactAlgorithm<S>* contact() const { return contact_.get(); }
@@ -63,6 +66,10 @@ class ContactStage {
   std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
 
  private:
+  ContactWork before_constraints(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded, double dt,
+                                 Timers& timers, RunCounts& counts);
+
+  Subdomain<S>* domain_;
   std::unique_ptr<ContactAlgorithm<S>> contact_;
   PairLedger pairs_;
 };

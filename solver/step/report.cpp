@@ -208,7 +208,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.device = device_name(scene.device);
   summary.simd_width = ElementStore<S>::width;
   const SharedWork shared = solver.shared_work();
-  summary.parallel = {shared.ranks, shared.records, shared.bytes_per_step, shared.imbalance};
+  summary.parallel = {shared.ranks, shared.records, shared.common_nodes, shared.bytes_per_step, shared.imbalance};
   summary.elements = model.element_count();
   summary.nodes = model.mesh.nodes.size();
   summary.steps = clock.steps();

@@ -58,7 +58,7 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
       body_energies_(model_, domain_.get()),
       tied_(model_),
       rigid_(model_),
-      contact_(model_),
+      contact_(model_, domain_.get()),
       clock_(model_.scene.time, model_.scene.damping.mass),
       guards_(model_, clock_) {
   if (contact() != nullptr) {
@@ -76,7 +76,9 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum(*this);
   if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
-  if (domain_) domain_->connect(model_, fingerprint(model_));
+  if (!domain_) return;
+  choose_common_nodes();
+  domain_->connect(model_, fingerprint(model_));
 }
 
 template <class S>
@@ -112,6 +114,7 @@ void Solver<S>::finish() {
   if (domain_) domain_->order(RankOrder::finish);
   advance(true);
   if (contact() == nullptr || counts_.eroded_elements() > 0) return;
+  model();
   std::vector<Point> places;
   for (const std::int32_t n : model_.node_of_scene_node) {
     const S* x = model_.nodes.position_of(n);
@@ -196,8 +199,7 @@ void Solver<S>::boundary_forces(const Due& due) {
   const bool acts = built::boundary_conditions && boundary_.any();
   if (!acts && !tied_.any()) return;
   timers_.measure(Phase::boundary_conditions, [&] {
-    if (acts && boundary_.follow(model_, nodes(), clock_.time(), clock_.lengths()))
-      contact_.take_held_directions(model_);
+    if (acts) follow_constraints();
     if (acts) boundary_.add_loads(nodes(), clock_.time());
     if (tied_.any()) tied_.distribute(model_);
     if (!acts) return;
@@ -352,7 +354,6 @@ void Solver<S>::persist(StateArchive& archive) {
   if (!archive.reads() && domain_) domain_->bring_back(model_);
   model_.persist(archive);
   if (archive.reads() && device_) device_->host_has_changed();
-  if (archive.reads() && domain_) domain_->state_was_read();
   internal_forces_.persist(archive, model_);
   schedule_.persist(archive, model_);
   boundary_.persist(archive, model_, clock_.force_time());
@@ -370,6 +371,10 @@ void Solver<S>::persist(StateArchive& archive) {
   timers_.persist(archive);
   archive(initial_momentum_, kinetic_before_change_);
   if (archive.reads()) check_places(archive);
+  if (!archive.reads() || !domain_) return;
+  choose_common_nodes();
+  domain_->connect_sums(model_);
+  domain_->state_was_read(model_);
 }
 
 /// What a state says of places where something happened is looked up for messages and for the summary.

@@ -134,6 +134,7 @@ class Solver {
 
  private:
   void check_places(const StateArchive& archive) const;
+  void choose_common_nodes();
   void advance(bool last);
   void make_cycle(bool last);
   void take_changed_velocities();
@@ -146,6 +147,7 @@ class Solver {
   ContactWork contact_before_constraints();
   void choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   void boundary_forces(const Due& due);
+  void follow_constraints();
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
   void wall_reactions();

@@ -24,6 +24,25 @@ void Solver<S>::follow_rank_0() {
   }
 }
 
+/// What contact, ties and rigid bodies read and move, each on all ranks.
+template <class S>
+void Solver<S>::choose_common_nodes() {
+  if (contact() != nullptr) domain_->add_common(contact()->nodes());
+  std::vector<std::int32_t> nodes;
+  for (const auto& [node, mass] : tied_.nodes().masses_without()) nodes.push_back(node);
+  for (const RigidNodes& rigid : model_.rigid) nodes.insert(nodes.end(), rigid.nodes.begin(), rigid.nodes.end());
+  domain_->add_common(nodes);
+}
+
+/// Where some begin or end, ranks add up other sums, for which they need nodes that they had not.
+template <class S>
+void Solver<S>::follow_constraints() {
+  if (domain_ && boundary_.changes(clock_.time())) domain_->bring_nodes(model_);
+  if (!boundary_.follow(model_, nodes(), clock_.time(), clock_.lengths())) return;
+  contact_.take_held_directions(model_);
+  if (domain_) domain_->connect_sums(model_);
+}
+
 /// Of several ranks all fail in the same way where guards find something, after all messages of a step.
 template <class S>
 void Solver<S>::advance(bool last) {
@@ -43,6 +62,10 @@ void Solver<S>::advance(bool last) {
 
 template void Solver<double>::follow_rank_0();
 template void Solver<float>::follow_rank_0();
+template void Solver<double>::choose_common_nodes();
+template void Solver<float>::choose_common_nodes();
+template void Solver<double>::follow_constraints();
+template void Solver<float>::follow_constraints();
 template void Solver<double>::advance(bool);
 template void Solver<float>::advance(bool);
 

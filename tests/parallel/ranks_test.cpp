@@ -18,6 +18,12 @@ using namespace test;
 
 Scene cube(int n = 12) { return scene_of({block("cube", {n, n, n}, 0.01, {}, {1, 2, 3})}, 1e-5, false); }
 
+Scene with_subcycling() {
+  Scene scene = cube(2);
+  scene.time.subcycling = true;
+  return scene;
+}
+
 std::vector<std::int32_t> partition_of(const Model<double>& model, int count, const Partition& partition) {
   return on_ranks(
       count, partition, [&](ThreadRanks& ranks) { return ranks_of_tiles(model, ranks); }, [](ThreadRanks&) {});
@@ -70,28 +76,85 @@ TEST(Ranks, SendTheForceOfEachCornerAtASharedNode) {
   EXPECT_LE(work.imbalance, 1.1);
 }
 
-TEST(Ranks, SendAsManyBytesInAStepAsTheyReport) {
+/// All bytes of each step, as the messages have them, on three ranks.
+void expect_reported_bytes(const Scene& scene, int steps) {
   std::vector<std::int64_t> sent(3, 0);
+  std::int64_t reported = 0;
   SharedWork work;
-  std::int64_t steps = 0;
   on_ranks(
       3, {},
       [&](ThreadRanks& ranks) {
-        Solver<double> solver(cube(), &ranks);
+        Solver<double> solver(scene, &ranks);
         ranks.sent = 0;
-        for (; steps < 5; ++steps) solver.step();
-        work = solver.shared_work();
+        for (int step = 0; step < steps; ++step) {
+          solver.step();
+          work = solver.shared_work();
+          reported += work.bytes_per_step;
+        }
         sent[0] = ranks.sent;
         return 0;
       },
       [&](ThreadRanks& ranks) {
-        Solver<double> solver(cube(), &ranks);
+        Solver<double> solver(scene, &ranks);
         ranks.sent = 0;
         solver.follow_rank_0();
         sent[ranks.number()] = ranks.sent;
       });
-  EXPECT_EQ(std::accumulate(sent.begin(), sent.end(), std::int64_t{0}), steps * work.bytes_per_step);
-  EXPECT_GT(work.bytes_per_step, 24 * work.records);
+  EXPECT_EQ(std::accumulate(sent.begin(), sent.end(), std::int64_t{0}), reported);
+  EXPECT_GT(work.bytes_per_step, 24 * (work.records + work.common_nodes));
+}
+
+TEST(Ranks, SendAsManyBytesInAStepAsTheyReport) { expect_reported_bytes(cube(), 5); }
+
+/// Nodes deep inside what another rank works, as if erosion had brought them to the surface.
+TEST(Ranks, MoveNodesThatHaveBecomeCommonFromThenOn) {
+  constexpr std::int32_t first = 10, last = 50;
+  constexpr double own = 1, others = 2;
+  const auto check = [&](ThreadRanks& ranks) {
+    Model<double> model = build_model<double>(cube(16));
+    Subdomain<double> domain(model, ranks);
+    domain.connect(model, 0);
+    const auto works = [&](std::int32_t node) {
+      return std::ranges::any_of(domain.spans().worked(), [node](const SharedBlocks::Run& run) {
+        return node >= run.begin * nodes_per_span && node < run.end * nodes_per_span;
+      });
+    };
+    std::vector<std::int32_t> nodes(last - first);
+    std::iota(nodes.begin(), nodes.end(), first);
+    EXPECT_TRUE(ranks.number() < 2 || !works(first));
+    for (const std::int32_t n : nodes) {
+      const double value = domain.rank_of_node(n) == ranks.number() ? own : others;
+      for (int k = 0; k < 3; ++k)
+        model.nodes.position_of(n)[k] = model.nodes.velocity_of(n)[k] = model.nodes.force_of(n)[k] = value + k;
+    }
+    domain.take_in(model, nodes);
+    for (const std::int32_t n : nodes) {
+      EXPECT_TRUE(works(n));
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(model.nodes.position_of(n)[k], own + k);
+        EXPECT_EQ(model.nodes.velocity_of(n)[k], own + k);
+        EXPECT_EQ(model.nodes.force_of(n)[k], own + k);
+      }
+      for (int k = 0; k < 3; ++k) model.nodes.force_of(n)[k] = domain.rank_of_node(n) == ranks.number() ? 7 : -7;
+    }
+    domain.collect(model.nodes);
+    for (const std::int32_t n : nodes) EXPECT_EQ(model.nodes.force_of(n)[1], 7);
+    EXPECT_EQ(domain.work().common_nodes, last - first);
+    EXPECT_TRUE(ranks.number() == 0 || domain.next_order() == RankOrder::end);
+  };
+  on_ranks(
+      3, {},
+      [&](ThreadRanks& ranks) {
+        check(ranks);
+        return 0;
+      },
+      check);
+}
+
+TEST(Ranks, SendAsManyBytesOfContactInAStepAsTheyReport) {
+  Scene scene = pressed_blocks(1e-3);
+  scene.materials = {plastic_material("steel", 4e8, 0.02)};
+  expect_reported_bytes(scene, 25);
 }
 
 TEST(Ranks, WithoutTilesTakePart) {
@@ -109,19 +172,18 @@ TEST(Ranks, RefuseByNameWhatTheyCannotDo) {
   scene.time.subcycling = true;
   scene.output.body_energies = true;
   scene.prescribed_velocities[0].when.end = 1e-4;
-  EXPECT_EQ(missing_on_ranks(scene), "contact, subcycling, constraints or prescribed velocities that begin or end");
+  scene.device = Device::mock;
+  EXPECT_EQ(missing_on_ranks(scene), "subcycling, --device");
+  scene.time.subcycling = false;
+  scene.device = Device::none;
+  EXPECT_EQ(missing_on_ranks(scene), "");
   EXPECT_EQ(missing_on_ranks(cube()), "");
   const std::string error = error_of([&] {
     on_ranks(
-        2, {},
-        [&](ThreadRanks& ranks) {
-          return Solver<double>(scene_of({block("a", {2, 2, 2}, 1, {})}, 1), &ranks), 0;
-        },
-        [&](ThreadRanks& ranks) {
-          EXPECT_THROW(Solver<double>(scene_of({block("a", {2, 2, 2}, 1, {})}, 1), &ranks), InputError);
-        });
+        2, {}, [&](ThreadRanks& ranks) { return Solver<double>(with_subcycling(), &ranks), 0; },
+        [&](ThreadRanks& ranks) { EXPECT_THROW(Solver<double>(with_subcycling(), &ranks), InputError); });
   });
-  EXPECT_THAT(error, testing::HasSubstr("several ranks cannot do this scene yet: it has contact"));
+  EXPECT_THAT(error, testing::HasSubstr("several ranks cannot do this scene yet: it has subcycling"));
 }
 
 TEST(Ranks, FailAllInOneWayWhereAGuardEndsTheRun) {

@@ -4,8 +4,9 @@
 
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/thread_ranks.hpp>
 #include <tests/support/torn_block.hpp>
+
+#include "outcome.hpp"
 
 /// A scene that several ranks run ends in the bits of one process, whatever their number and whatever each works.
 namespace pinball::same_bits_test {
@@ -58,50 +59,14 @@ Scene resting_bar() {
   return scene;
 }
 
-/// What a run leaves that every bit goes into.
-struct Outcome {
-  std::uint64_t hash = 0;
-  std::int64_t steps = 0, eroded = 0, resting = 0;
-  std::vector<double> numbers;
-  bool operator==(const Outcome&) const = default;
-};
-
-template <class S>
-Outcome outcome_of(Solver<S>& solver) {
-  Outcome found;
-  const auto row = [&] {
-    const HistoryRow of = history_row(solver);
-    const Energies& e = of.energy;
-    found.numbers.insert(found.numbers.end(), {of.time, of.dt, of.balance_error, e.kinetic, e.internal, e.hourglass,
-                                               e.bulk_viscosity, e.eroded, e.external});
-    found.numbers.insert(found.numbers.end(), of.momentum.begin(), of.momentum.end());
-    found.numbers.insert(found.numbers.end(), of.more.begin(), of.more.end());
-  };
-  while (!solver.at_end()) {
-    solver.step();
-    if (solver.steps() % 7 == 0) row();
-  }
-  solver.finish();
-  row();
-  found.hash = state_hash(solver.model());
-  found.steps = solver.steps();
-  found.eroded = solver.counts().eroded_elements();
-  found.resting = solver.counts().work().resting_element_steps;
-  return found;
-}
-
 template <class S>
 Outcome expect_same(const Scene& scene) {
-  Solver<S> alone(scene);
-  const Outcome expected = outcome_of(alone);
-  const std::vector<Partition> partitions{{}, {Partition::By::random, 1}, {Partition::By::graph, 0}};
-  for (const int count : {1, 2, 3, 4, 7}) {
-    for (const Partition& partition : partitions) {
-      const Outcome found = solved_on<S>(count, partition, scene, [](Solver<S>& s) { return outcome_of(s); });
-      EXPECT_TRUE(found == expected) << count << " ranks, partition " << static_cast<int>(partition.by);
-    }
+  std::vector<Shared> all;
+  for (const int ranks : {1, 2, 3, 4, 7}) {
+    for (const Partition& partition : {Partition{}, {Partition::By::random, 1}, {Partition::By::graph, 0}})
+      all.push_back({ranks, partition});
   }
-  return expected;
+  return expect_same_on<S>(all, scene);
 }
 
 TEST(SameBits, OfABlockThatIsTornForAnyNumberOfRanksAndAnyPartition) {
@@ -113,13 +78,9 @@ TEST(SameBits, InSinglePrecision) { expect_same<float>(torn(Precision::float32))
 TEST(SameBits, OfTwentyPartitionsAtRandom) {
   Scene scene = torn();
   scene.time.end = 10e-6;
-  Solver<double> alone(scene);
-  const Outcome expected = outcome_of(alone);
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Partition partition{Partition::By::random, seed};
-    EXPECT_TRUE(solved_on<double>(3, partition, scene, [](Solver<double>& s) { return outcome_of(s); }) == expected)
-        << seed;
-  }
+  std::vector<Shared> all;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) all.push_back({3, {Partition::By::random, seed}});
+  expect_same_on<double>(all, scene);
 }
 
 TEST(SameBits, OfLoadsConstraintsPressuresGravityDampingAndWalls) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "boundary_kernels.hpp"
 #include "loops.hpp"
 
@@ -31,9 +33,10 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
     held_.reset(keeps ? constraints.size() : 0);
     if (sharing_ == nullptr) return;
     shared_ = shared_list(sharing_, prescribed.size(), [prescribed](std::int64_t i) { return prescribed[i].node; });
+    owner_moved_ = owners(prescribed);
+    owner_held_ = keeps ? owners(constraints) : std::vector<std::int32_t>();
     if constexpr (on_host<Space>) {  // what the rank has that moves the node, for the forces of tables
-      keep_with_state(prescribed, reaction_);
-      if (keeps) keep_with_state(constraints, held_);
+      if (!std::exchange(is_kept_, true)) sharing_->keep_with_state([this] { share_forces(); });
     }
   }
   void clear_forces() override {
@@ -84,12 +87,15 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   }
 
  private:
-  /// of: has a number for each entry of the list.
-  template <class Entry, class Numbers>
-  void keep_with_state(const std::vector<Entry>& list, Numbers& of) {
+  template <class Entry>
+  std::vector<std::int32_t> owners(const std::vector<Entry>& list) const {
     std::vector<std::int32_t> owner;
     for (const Entry& entry : list) owner.push_back(sharing_->rank_of_node(entry.node));
-    sharing_->keep_with_state([this, owner = std::move(owner), &of] { sharing_->share(owner, of.data()); });
+    return owner;
+  }
+  void share_forces() {
+    if (!owner_moved_.empty()) sharing_->share(owner_moved_, reaction_.data());
+    if (!owner_held_.empty()) sharing_->share(owner_held_, held_.data());
   }
 
   using Memory = typename Space::memory_space;
@@ -98,7 +104,9 @@ class SpaceHeldNodes final : public HeldNodeKernels<S> {
   }
 
   SharedNodes* sharing_;
-  SharedList shared_;  ///< of prescribed_
+  SharedList shared_;                                   ///< of prescribed_
+  std::vector<std::int32_t> owner_moved_, owner_held_;  ///< ranks of prescribed_, and of constraints_ if held_ is kept
+  bool is_kept_ = false;                                ///< share_forces, with the state
   Array<NodeConstraint<S>, Memory> constraints_;
   Array<std::int32_t, Memory> first_held_;  ///< per held node and one more: its constraints
   Array<NodePrescription<S>, Memory> prescribed_;

@@ -136,6 +136,9 @@ class ContactAlgorithm {
   /// The nodes whose velocities are read in a step whose lists hold; null: all of the surface. Their positions are read
   /// of all of the surface, and lists do not hold where one is not a number.
   virtual const std::vector<std::int32_t>* listed_nodes() const { return nullptr; }
+  /// The nodes with which the surface moves, and what waits behind it: nothing is read of others until
+  /// SurfaceSource::before_motion. Some perhaps several times.
+  virtual std::vector<std::int32_t> nodes() const = 0;
   virtual ListSize listed() const = 0;
   virtual std::size_t bytes() const = 0;
   /// source: with its own state read before. What can be rebuilt with the same bits is; lists cannot, because a list of

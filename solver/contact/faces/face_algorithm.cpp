@@ -186,6 +186,13 @@ void FaceAlgorithm<S>::note_depths() {
 }
 
 template <class S>
+std::vector<std::int32_t> FaceAlgorithm<S>::nodes() const {
+  std::vector<std::int32_t> nodes = surface_.nodes();
+  for (const auto& sphere : spheres_.spheres()) nodes.push_back(sphere.node);
+  return nodes;
+}
+
+template <class S>
 void FaceAlgorithm<S>::add_node_forces(std::vector<Point>& node_force) const {
   this->impulses_->add_node_forces(node_force);
 }

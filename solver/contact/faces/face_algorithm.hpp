@@ -30,6 +30,7 @@ class FaceAlgorithm final : public ContactAlgorithm<S> {
   void add_node_forces(std::vector<Point>& node_force) const override;
   void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
+  std::vector<std::int32_t> nodes() const override;
   ListSize listed() const override {
     return {std::ssize(surface_.slaves()) + spheres_.count(), lists_.entries(), lists_.places()};
   }

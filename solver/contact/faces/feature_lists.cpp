@@ -69,6 +69,7 @@ void FeatureLists<S>::build(const SurfaceSource<S>& source, const SegmentSurface
   if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (!valid_) watch_nodes(source, surface, spheres);
   watched_ = true;
+  source.before_motion(motion_.nodes());
   motion_.start(source.position, source.velocity, last ? static_cast<S>(settings.skin) : S(0));
   scope_.last_step = std::max(dt, clock_.last_step());
   scope_.horizon = horizon;

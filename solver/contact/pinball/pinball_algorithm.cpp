@@ -142,6 +142,7 @@ void PinballAlgorithm<S>::build_list(const SurfaceSource<S>& source) {
     uncovered_.clear();
     surface_changed_ = false;
   }
+  source.before_motion(motion_.nodes());
   motion_.start(source.position, source.velocity, reuse ? static_cast<S>(this->settings_.skin) : S(0));
   clock_.restart(horizon);
 

@@ -37,6 +37,7 @@ class PinballAlgorithm final : public ContactAlgorithm<S> {
     return {list_.size(), list_.pairs() + of_spheres, list_.places() + of_spheres};
   }
   const std::vector<std::int32_t>* listed_nodes() const override { return &node_; }
+  std::vector<std::int32_t> nodes() const override { return {motion_.nodes().begin(), motion_.nodes().end()}; }
   void persist(StateArchive& archive, const SurfaceSource<S>& source) override;
   std::size_t bytes() const override;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <kernels/exec/array.hpp>
@@ -61,6 +62,8 @@ class SurfaceMotion {
   /// allowances over the sizes of the nodes [-]; 0: none may stray.
   void start(const S* position, const S* velocity, S skin);
 
+  /// The nodes watched, some perhaps several times.
+  std::span<const std::int32_t> nodes() const { return node_; }
   /// Whether no node has strayed further than allowed after this time; false if a position is not a number.
   bool holds(const S* position, S elapsed) const;
   /// How far the centre of an element or a face may stray, given its corners [length].

@@ -257,6 +257,13 @@ void SegmentSurface<S>::persist(StateArchive& archive, const SurfaceSource<S>& s
 }
 
 template <class S>
+std::vector<std::int32_t> SegmentSurface<S>::nodes() const {
+  std::vector<std::int32_t> nodes;
+  for (const Slave& slave : slaves_) nodes.push_back(slave.node);
+  return nodes;
+}
+
+template <class S>
 std::int64_t SegmentSurface<S>::chosen() const {
   return std::ssize(chosen_) * native_width<S>;
 }

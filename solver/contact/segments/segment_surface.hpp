@@ -92,6 +92,7 @@ class SegmentSurface {
   const Surface& topology() const { return topology_; }
   const std::vector<Segment>& segments() const { return segments_; }
   const std::vector<Slave>& slaves() const { return slaves_; }  ///< sorted by node
+  std::vector<std::int32_t> nodes() const;                      ///< of the slaves
   /// Records of four per segment: centre, and how far from it a node may be that touches: the distance of the farthest
   /// corner and deepest radii; 0 where the segment is not active.
   const Array<S>& sphere() const { return sphere_; }

@@ -36,6 +36,7 @@ class SlidelineAlgorithm final : public ContactAlgorithm<S> {
   void add_node_forces(std::vector<Point>& node_force) const override;
   void put_radii(const SurfaceSource<S>& source, std::vector<double>& slot_radius) const override;
   const Surface& surface() const override { return surface_.topology(); }
+  std::vector<std::int32_t> nodes() const override { return surface_.nodes(); }
   ListSize listed() const override {
     const std::int64_t entries = search_.entries();
     return {std::ssize(surface_.slaves()), entries, entries};

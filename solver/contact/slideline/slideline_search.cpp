@@ -97,6 +97,7 @@ void SlidelineSearch<S>::build(const SurfaceSource<S>& source, const SegmentSurf
   if (watched_) motion_.adapt(source.position, clock_.elapsed(), horizon);
   if (!valid_) watch_nodes(source, surface);
   watched_ = true;
+  source.before_motion(motion_.nodes());
   motion_.start(source.position, source.velocity, skin);
   clock_.restart(horizon);
   valid_ = true;

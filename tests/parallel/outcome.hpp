@@ -1,0 +1,63 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+#include <solver/output/history.hpp>
+#include <tests/support/thread_ranks.hpp>
+
+/// What a run leaves, and that it is the same on ranks.
+namespace pinball::test {
+
+/// What a run leaves that every bit goes into.
+struct Outcome {
+  std::uint64_t hash = 0;
+  std::int64_t steps = 0, eroded = 0, resting = 0, searches = 0, pairs = 0;
+  std::vector<double> numbers;
+  bool operator==(const Outcome&) const = default;
+};
+
+template <class S>
+Outcome outcome_of(Solver<S>& solver) {
+  Outcome found;
+  const auto row = [&] {
+    for (const double number : history_numbers(history_row(solver))) found.numbers.push_back(number);
+  };
+  while (!solver.at_end()) {
+    solver.step();
+    found.pairs += solver.counts().pairs();
+    if (solver.steps() % 7 == 0) row();
+  }
+  solver.finish();
+  row();
+  found.hash = state_hash(solver.model());
+  found.steps = solver.steps();
+  found.eroded = solver.counts().eroded_elements();
+  found.resting = solver.counts().work().resting_element_steps;
+  if (solver.contact() != nullptr) found.searches = solver.contact()->searches();
+  found.numbers.push_back(static_cast<double>(solver.overlap_at_end().points));
+  return found;
+}
+
+/// How a scene is shared.
+struct Shared {
+  int ranks;
+  Partition partition;
+};
+
+/// What it is on the ranks is what it is on one process, which is returned.
+template <class S>
+Outcome expect_same_on(const std::vector<Shared>& all, const Scene& scene) {
+  Solver<S> alone(scene);
+  const Outcome expected = outcome_of(alone);
+  for (const auto& [ranks, partition] : all) {
+    const Outcome found = solved_on<S>(ranks, partition, scene, [](Solver<S>& s) { return outcome_of(s); });
+    EXPECT_TRUE(found == expected) << ranks << " ranks, partition " << static_cast<int>(partition.by) << ", seed "
+                                   << partition.seed;
+  }
+  return expected;
+}
+
+}  // namespace pinball::test
