@@ -21,7 +21,7 @@ DataArray make_array(std::string_view type, std::string_view name, std::size_t c
   array.attributes = fmt::format(R"(type="{}" Name="{}")", type, name);
   if (components > 1) array.attributes += fmt::format(R"( NumberOfComponents="{}")", components);
   array.bytes = count * components * sizeof(T);
-  array.write = [=](OutputFile& file) {
+  array.write = [=](const ByteSink& sink) {
     constexpr std::size_t block = 4096;
     std::vector<T> buffer(std::min(block, count) * components);
     for (std::size_t begin = 0; begin < count; begin += block) {
@@ -30,7 +30,7 @@ DataArray make_array(std::string_view type, std::string_view name, std::size_t c
       for (std::size_t i = begin; i < end; ++i) {
         for (std::size_t c = 0; c < components; ++c) *to++ = static_cast<T>(value(i, c));
       }
-      file.write(buffer.data(), (end - begin) * components * sizeof(T));
+      sink(buffer.data(), (end - begin) * components * sizeof(T));
     }
   };
   return array;
@@ -81,7 +81,7 @@ DataArray names_array(std::string_view name, const std::vector<std::string>& nam
   DataArray array;
   array.attributes = fmt::format(R"(type="String" Name="{}" NumberOfTuples="{}")", name, names.size());
   array.bytes = text.size();
-  array.write = [text](OutputFile& file) { file.write(text); };
+  array.write = [text](const ByteSink& sink) { sink(text.data(), text.size()); };
   return array;
 }
 

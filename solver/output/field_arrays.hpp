@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -8,15 +9,16 @@
 #include <solver/field_base.hpp>
 #include <solver/results.hpp>
 
-#include "output_file.hpp"
-
 namespace pinball {
+
+/// Takes bytes, a piece after the other.
+using ByteSink = std::function<void(const void* data, std::size_t bytes)>;
 
 /// One <DataArray>: what the head of the file says of it, and how its bytes are made.
 struct DataArray {
   std::string attributes;
   std::uint64_t bytes = 0;
-  std::function<void(OutputFile&)> write;
+  std::function<void(const ByteSink&)> write;
 };
 
 /// Those of one .vtu file, by the part that they stand in. They read what they were listed from.

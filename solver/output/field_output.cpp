@@ -67,7 +67,7 @@ void write_vtu(const std::string& path, const FieldSnapshot& snapshot, const std
   file.write(head);
   for (const DataArray* block : blocks) {
     file.write(&block->bytes, sizeof block->bytes);
-    block->write(file);
+    block->write([&file](const void* data, std::size_t bytes) { file.write(data, bytes); });
   }
   file.write("\n  </AppendedData>\n</VTKFile>\n");
   file.commit();

@@ -17,6 +17,9 @@ namespace pinball {
 
 namespace {
 
+/// A copy of the state for the page takes 230 bytes an element.
+constexpr std::int64_t most_elements_copied = 2'000'000;
+
 /// One run, from the first step to the last.
 class RecordedRun {
  public:
@@ -91,7 +94,18 @@ class RecordedRun {
 
   void write_page(const RunSummary& summary) const {
     if (options_.out.empty()) return;
-    write_run_page(options_.out, simulation_.scene(), summary, {summary.error, options_.source, options_.converged});
+    RunPageSettings settings{summary.error, options_.source, options_.converged};
+    const OutputSettings& output = simulation_.scene().output;
+    const bool has_fields = output.field_interval > 0 || !output.field_times.empty();
+    if (has_fields || summary.status == RunStatus::failed || simulation_.elements() > most_elements_copied) {
+      write_run_page(options_.out, simulation_.scene(), summary, settings);
+      return;
+    }
+    const FieldSnapshot last = simulation_.snapshot();
+    const FieldBase base = simulation_.field_base();
+    settings.last = &last;
+    settings.base = &base;
+    write_run_page(options_.out, simulation_.scene(), summary, settings);
   }
 
   /// Returns what there is to say after the error; what cannot be written now is reported after it, not in place of it.

@@ -215,6 +215,12 @@ function sceneKeys() {
   }
 }
 
-for (const part of [status, keyFigures, warnings, converged, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
+function surfaceOfRun() {
+  const packed = block('surface');
+  if (packed === null) return drop('viewer');
+  showSurface(place('viewer'), packed, units);
+}
+
+for (const part of [status, surfaceOfRun, keyFigures, warnings, converged, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
 contents();
 drawCharts();

@@ -10,11 +10,13 @@
 #include <solver/scene/given/toml_file.hpp>
 #include <solver/scene/toml/listing.hpp>
 #include <solver/scene/units/units.hpp>
+#include <solver/scene_rules.hpp>
 #include <solver/summary.hpp>
 
 #include "curves.hpp"
 #include "page.hpp"
 #include "resources.hpp"
+#include "surface/surface_block.hpp"
 #include "units_json.hpp"
 
 namespace pinball {
@@ -96,12 +98,19 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
        {"scene", html_text(summary.scene)},
        {"status", status},
        {"error", failed ? fmt::format("<p class=\"error\" role=\"alert\">{}</p>", html_text(settings.error)) : ""}});
-  content.scripts = {"format.js", "axes.js", "curves.js", "pictures.js", "energies.js", "run.js"};
+  content.scripts = {"format.js",          "axes.js",
+                     "curves.js",          "plot.js",
+                     "pictures.js",        "viewer_data.js",
+                     "viewer_camera.js",   "viewer_drawing.js",
+                     "viewer_surround.js", "viewer_picking.js",
+                     "viewer.js",          "viewer_pointer.js",
+                     "energies.js",        "run.js"};
   content.blocks = {{"units", compact(units_json(units))},
                     {"summary", summary_json(summary)},
                     {"checks", compact(checks_json(summary))},
                     {"converged", settings.converged.empty() ? "null" : settings.converged},
                     {"history", curves_json(curves)},
+                    {"surface", surface_json_of_run(folder, names_of(scene.bodies), settings.last, settings.base)},
                     {"scene", compact(scene_json(scene, units, settings, summary))}};
   make_folder(folder);
   OutputFile file(in_folder(folder, page_name));
