@@ -151,12 +151,12 @@ class RunPage(Pages):
         shown = lambda: [image.get_attribute("alt") for image in self.all(".frames img:not(.surround)")
                          if image.get_attribute("hidden") is None]
         self.assertEqual(shown(), ["frame 0"])
-        slider = self.one(".player input")
+        slider = self.one(".frames .player input")
         slider.send_keys(Keys.END)
         self.assertEqual(shown(), ["frame 2"])
-        self.assertEqual(self.one(".player output").text, "t = 1 ms (3 of 4 elements)")
-        self.one(".player button").click()
-        self.assertEqual(self.one(".player button").text, "Pause")
+        self.assertEqual(self.one(".frames .player output").text, "t = 1 ms (3 of 4 elements)")
+        self.one(".frames .player button").click()
+        self.assertEqual(self.one(".frames .player button").text, "Pause")
 
 
 class Panels(Pages):
@@ -306,7 +306,7 @@ class OtherPages(Pages):
         head, rest = page.read_text().split("/* The code that draws the curves", 1)
         page.write_text(head + rest[rest.index("</script>"):])
         self.open("bare/index.html")
-        self.assertEqual(self.all("canvas"), [])
+        self.assertEqual(self.all("figure.panel canvas"), [])
         panel = self.panel("Energy")
         self.assertIn("built without dygraphs", panel.text)
         self.assertIn("kinetic", panel.find_element(By.TAG_NAME, "table").text)
