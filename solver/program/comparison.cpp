@@ -10,8 +10,10 @@
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
 #include <solver/output/history.hpp>
+#include <solver/output/page/surface/surface_block.hpp>
 #include <solver/output/progress.hpp>
 #include <solver/scene_rules.hpp>
+#include <solver/simulation/base_of_fields.hpp>
 #include <solver/step/report.hpp>
 #include <solver/summary.hpp>
 
@@ -25,7 +27,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double shortest_turn = 1.0 / 50;  ///< of a run
 constexpr double between_rows = 1.0 / 200;  ///< of curves, of a run
-constexpr double fewest_steps = 4;          ///< of a turn: at its begin the caches hold another variant's data
+constexpr double between_frames = 1.0 / 8;  ///< of what the page shows of the bodies, of a run
+/// Of all variants: states that are kept take 300 bytes an element each.
+constexpr std::int64_t most_elements_shown = 100'000;
+constexpr double fewest_steps = 4;  ///< of a turn: at its begin the caches hold another variant's data
 
 /// A solver of either precision.
 class AnySolver {
@@ -39,6 +44,8 @@ class AnySolver {
   virtual std::vector<double> numbers() const = 0;  ///< of a row of history.csv
   virtual std::vector<std::string> columns() const = 0;
   virtual void fill_summary(RunSummary& summary) const = 0;
+  virtual FieldSnapshot snapshot() const = 0;
+  virtual FieldBase base() const = 0;
 };
 
 template <class S>
@@ -55,6 +62,8 @@ class SolverOf final : public AnySolver {
     return history_column_names(names_of(solver_.scene().bodies), more_columns(solver_));
   }
   void fill_summary(RunSummary& summary) const override { pinball::fill_summary(solver_, summary); }
+  FieldSnapshot snapshot() const override { return pinball::snapshot(solver_); }
+  FieldBase base() const override { return base_of_fields(solver_.mesh()); }
 
  private:
   Solver<S> solver_;
@@ -69,9 +78,14 @@ std::unique_ptr<AnySolver> make_solver(const Scene& scene) {
 class RunningVariant {
  public:
   RunningVariant(const Scene& scene, bool curves)
-      : solver_(make_solver(scene)), limits_{scene.time.end, scene.time.steps, scene.units, false}, record_(curves) {
+      : solver_(make_solver(scene)),
+        limits_{scene.time.end, scene.time.steps, scene.units, false},
+        bodies_(names_of(scene.bodies)),
+        record_(curves) {
     if (record_) curves_.columns = solver_->columns();
   }
+
+  void keep_frames() { frames_due_ = true; }
 
   bool active() const { return active_; }
   std::int64_t elements() const { return solver_->elements(); }
@@ -102,6 +116,15 @@ class RunningVariant {
   }
 
   const Curves& curves() const { return curves_; }
+  std::string surface() const {
+    if (!record_) return "";
+    if (frames_.empty()) return "null";
+    const FieldBase base = solver_->base();
+    FrameSource source;
+    for (const FieldSnapshot& frame : frames_) source.times.push_back(frame.time);
+    source.frame = [&](std::size_t i) { return FieldFrame::of_snapshot(frames_[i], base); };
+    return surface_json_of_frames(source, bodies_);
+  }
   const std::string& failure() const { return failure_; }
   RunSummary summary() const {
     RunSummary summary;
@@ -135,13 +158,20 @@ class RunningVariant {
     curves_.rows.push_back(solver_->numbers());
     curves_.all_rows = curves_.rows.size();
     next_row_ = (std::floor(done() / between_rows) + 1) * between_rows;
+    if (!frames_due_ || (active_ && done() < next_frame_)) return;
+    frames_.push_back(solver_->snapshot());
+    next_frame_ = (std::floor(done() / between_frames) + 1) * between_frames;
   }
 
   std::unique_ptr<AnySolver> solver_;
   ProgressSettings limits_;
+  std::vector<std::string> bodies_;
   bool record_;
   Curves curves_;
-  double next_row_ = 0;  ///< part of the run at which the next row is due
+  std::vector<FieldSnapshot> frames_;
+  bool frames_due_ = false;
+  double next_frame_ = 0;  ///< part of the run at which the next one is due
+  double next_row_ = 0;    ///< part of the run at which the next row is due
   bool active_ = true;
   double seconds_ = 0;
   std::string failure_;
@@ -158,6 +188,8 @@ class Race {
         throw InputError(fmt::format("{} (with {})", error.what(), name_of(variant.settings)));
       }
     }
+    if (all_elements() > most_elements_shown) return;
+    for (RunningVariant& run : runs_) run.keep_frames();
   }
 
   void run(Progress& progress) {
@@ -175,6 +207,11 @@ class Race {
   }
 
   const std::vector<RunningVariant>& runs() const { return runs_; }
+  std::int64_t all_elements() const {
+    std::int64_t all = 0;
+    for (const RunningVariant& run : runs_) all += run.elements();
+    return all;
+  }
   std::int64_t most_elements() const {
     std::int64_t most = 0;
     for (const RunningVariant& run : runs_) most = std::max(most, run.elements());
@@ -231,7 +268,10 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
       result.repeats.push_back(race.runs()[i].summary());
       result.momentum_error = momentum_error(variants[i].scene, result.repeats.back());
       result.failure = race.runs()[i].failure();
-      if (repeat == 0) result.curves = race.runs()[i].curves();
+      if (repeat == 0) {
+        result.curves = race.runs()[i].curves();
+        result.surface = race.runs()[i].surface();
+      }
       check_repeat(name_of(result.settings), result.repeats.front(), result.repeats.back());
     }
   }

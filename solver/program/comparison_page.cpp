@@ -12,8 +12,11 @@ namespace pinball {
 
 std::string comparison_page(const std::vector<VariantRuns>& runs) {
   const RunSummary& first = runs.front().repeats.front();
-  std::string curves, keys;
-  for (const VariantRuns& variant : runs) curves += (curves.empty() ? '[' : ',') + curves_json(variant.curves);
+  std::string curves, surfaces, keys;
+  for (const VariantRuns& variant : runs) {
+    curves += (curves.empty() ? '[' : ',') + curves_json(variant.curves);
+    surfaces += (surfaces.empty() ? '[' : ',') + variant.surface;
+  }
   for (const std::string& setting : runs.front().settings) {
     keys += (keys.empty() ? "" : ", ") + setting.substr(0, setting.find('='));
   }
@@ -24,10 +27,13 @@ std::string comparison_page(const std::vector<VariantRuns>& runs) {
   content.body = fill_template(
       page_resource("comparison.html"),
       {{"scene", html_text(first.scene)}, {"heading", html_text(heading)}, {"status", failed ? "failed" : "done"}});
-  content.scripts = {"format.js", "axes.js", "curves.js", "comparison.js"};
+  content.scripts = {"format.js",         "axes.js",          "curves.js",         "plot.js",
+                     "viewer_data.js",    "viewer_camera.js", "viewer_drawing.js", "viewer_surround.js",
+                     "viewer_picking.js", "viewer.js",        "viewer_pointer.js", "comparison.js"};
   content.blocks = {{"units", units_json(parse_units(first.units)).dump()},
                     {"comparison", comparison_json(runs)},
-                    {"curves", curves + ']'}};
+                    {"curves", curves + ']'},
+                    {"surfaces", surfaces + ']'}};
   return make_page(content);
 }
 

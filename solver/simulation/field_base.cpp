@@ -1,5 +1,4 @@
-#include <solver/field_base.hpp>
-
+#include "base_of_fields.hpp"
 #include "simulation_implementation.hpp"
 
 namespace pinball {
@@ -20,10 +19,13 @@ std::vector<std::int64_t> numbers_of(const ModelMesh& mesh, Numbers FileNodes::*
 
 }  // namespace
 
-FieldBase Simulation::field_base() const {
-  const ModelMesh& mesh = *implementation_->read([](const auto& solver) { return &solver.mesh(); });
+FieldBase base_of_fields(const ModelMesh& mesh) {
   return {mesh.nodes, numbers_of(mesh, &FileNodes::numbers, mesh.nodes.size()),
           numbers_of(mesh, &FileNodes::element_numbers, mesh.hexahedra.size())};
+}
+
+FieldBase Simulation::field_base() const {
+  return base_of_fields(*implementation_->read([](const auto& solver) { return &solver.mesh(); }));
 }
 
 }  // namespace pinball

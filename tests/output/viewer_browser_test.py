@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 import unittest
+import zlib
 
 import browser
 from browser import ActionChains, By, Keys, Pages, number, place, run
@@ -366,6 +367,7 @@ class OtherRuns(ViewerPages):
 
     def test_a_run_that_was_killed_and_goes_on_has_the_same_page(self):
         settings = ["rod_plate", "--quiet", "--refine", "2", "--set", "output.field_times=[]", "--set", "output.field_interval=2e-6", "--set", "time.end=2e-5"]
+        shutil.rmtree(place("broken"), ignore_errors=True)
         run("run", *settings, "--out", "whole")
         process = subprocess.Popen([browser.program, "run", *settings, "--out", "broken", "--checkpoint-every", "50"], cwd=browser.folder,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -388,6 +390,46 @@ class OtherRuns(ViewerPages):
             expected = [int(numbers[int(p)]) for p in list_["place"]]
             self.assertEqual(list_["number"], expected)
             self.assertTrue(any(n >= 0 and n != p for n, p in zip(expected, list_["place"])), "numbers that are no places")
+
+    def test_a_program_without_zlib_has_the_same_numbers_as_they_are(self):
+        run("run", "two_blocks", "--quiet", "--out", "plain", "--set", "time.steps=20")
+        page, packed = place("plain/index.html"), json.loads(surface_block("plain"))
+        self.open_viewer("plain")
+        numbers = "const {frames, faces} = viewer.surface; return [[...faces.corners], frames.map((f) => [...f.positions, ...f.fields].map((c) => [...c]))]"
+        expected = self.js(numbers)
+        bytes_ = base64.b64decode(packed["data"])
+        if packed["encoding"] == "deflate":
+            bytes_ = zlib.decompress(bytes_)
+        plain = {**packed, "encoding": "none", "data": base64.b64encode(bytes_).decode()}
+        page.write_text(page.read_text().replace(surface_block("plain"), json.dumps(plain)))
+        self.open_viewer("plain")
+        self.assertEqual(self.js(numbers), expected)
+        self.assertGreater(len(expected[0]), 20)
+
+    def test_variants_are_seen_beside_each_other(self):
+        """With one camera, one time and one scale of colours, each with its own state."""
+        run("compare", "rod_plate", "--vary", "contact.enforcement=penalty,lagrange", "--repeat", "1", "--quiet", "--set", "time.end=2e-5",
+            "--page", "compare.html")
+        self.open("compare.html")
+        for _ in range(200):
+            if self.js("return viewer !== null"):
+                break
+            time.sleep(0.05)
+        self.assertEqual(len(self.all("#viewer canvas")), 2)
+        self.assertEqual(len(self.all("#viewer select[aria-label=field]")), 1)
+        self.js("viewer.look('side'); viewer.camera.turn(30, 10); viewer.chooseField(0); viewer.step(4); viewer.cutAlong('z');")
+        both = self.js("""return viewer.all.map((v) => [v.camera.axes, v.camera.height, v.cutPlane().at, v.frame, v.surface.fields[v.field].name,
+                                                        v.surface.fields[v.field].range])""")
+        self.assertEqual(both[0], both[1])
+        titles = self.texts(".drawing .title")
+        self.assertIn("penalty", titles[0])
+        self.assertIn("lagrange", titles[1])
+        kinetic = json.loads(place("compare.html").read_text().split('id="comparison">')[1].split("</script>")[0])["variants"]
+        self.assertNotEqual(*[v["summary"]["state_hash"] for v in kinetic])
+        self.assertNotEqual(*self.js("return viewer.all.map((v) => [...v.surface.frames[8].fields[0]])"), "states of their own")
+        self.js("viewer.frame = 8; viewer.all.forEach((v) => v.showFrame(8)); viewer.cutAlong(''); viewer.all.forEach((v) => v.drawNow());")
+        drawn = self.js("return viewer.all.map((v) => v.canvas.toDataURL())")
+        self.assertNotEqual(*drawn)
 
     def test_without_webgl_there_is_a_sentence(self):
         script = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": """

@@ -71,6 +71,13 @@ function results() {
   if (warned.length) fill('results', make('details', {}, make('summary', {text: `Warnings (${warned.length})`}), make('ul', {}, ...warned)));
 }
 
+/// All variants that have run, beside each other.
+function surfaces() {
+  const shown = block('surfaces').map((packed, i) => [packed, names[i]]).filter(([packed]) => packed !== null);
+  if (shown.length === 0) return place('viewer').append(make('p', {class: 'note', text: 'Bodies are kept of variants that have 100,000 elements together.'}));
+  showSurfaces(place('viewer'), shown.map(([packed]) => packed), units, shown.map(([, name]) => name));
+}
+
 const columnOf = (curve, name) => curve.data[curve.columns.indexOf(name)];
 /// A panel in which the variants lie over each other; nothing where all are zero.
 function overlay(column, title, unit, factor = 1) {
@@ -100,6 +107,6 @@ function overlays() {
       : /_(position|displacement)_[xyz]$/.test(name) ? units.length : /stress/.test(name) ? units.stress : '')));
 }
 
-for (const part of [keyFigures, failures, times, results, overlays]) part();
+for (const part of [keyFigures, failures, times, results, surfaces, overlays]) part();
 contents();
 drawCharts();

@@ -218,7 +218,7 @@ function sceneKeys() {
 function surfaceOfRun() {
   const packed = block('surface');
   if (packed === null) return drop('viewer');
-  showSurface(place('viewer'), packed, units);
+  showSurfaces(place('viewer'), [packed], units);
 }
 
 for (const part of [status, surfaceOfRun, keyFigures, warnings, converged, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();

@@ -13,10 +13,13 @@ class Viewer {
   lit = true;
   edges = true;
   timer = null;
+  followers = [];   ///< viewers of other runs beside this one
 
-  /// place: the section; surface: as of unpackedSurface. Throws where WebGL 2 is not there.
-  constructor(place, surface, units) {
-    [this.place, this.surface, this.units] = [place, surface, units];
+  /// places: {tools, stage, facts}; surface: as of unpackedSurface; leader: the viewer whose tools, camera and cut this one
+  /// follows, null: it has its own; name: of what is seen, if there are several. Throws where WebGL 2 is not there.
+  constructor(places, surface, units, leader = null, name = '') {
+    Object.assign(this, {places, surface, units, leader, name});
+    if (leader) [this.camera, this.cut, this.hidden] = [leader.camera, leader.cut, leader.hidden];
     const unitOf = {velocity: units.velocity, displacement: units.length, contact_force: units.force, von_mises: units.stress,
                     pressure: units.stress, pinball_radius: units.length};
     this.fieldNames = surface.fields.map(({name}) => [fieldLabels[name] ?? words(name), unitOf[name] ?? '']);
@@ -32,15 +35,16 @@ class Viewer {
     this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
     this.canvas.addEventListener('webglcontextrestored', () => {
       this.drawing = begin();
-      this.showBodies();
+      this.drawing.isShown = this.isShown;
       this.chooseField(this.field);
     });
     this.build();
     this.listen();
     this.field = this.defaultField();
     this.frame = surface.times.length - 1;
-    this.chooseField(this.field);
-    this.reset();
+    leader?.followers.push(this);
+    this.chooseField(leader ? this.ownField(leader) : this.field);
+    if (!leader) this.reset();
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
 
@@ -71,9 +75,13 @@ class Viewer {
     const one = surface.times.length === 1;
     this.player = make('div', {class: 'player', hidden: one}, this.playButton, this.slider);
     this.facts = make('div', {class: 'picked'});
-    this.place.append(
-      make('div', {class: 'tools'}, make('label', {}, 'Colours: ', this.fieldChoice), make('label', {}, edges, ' edges of elements'), views),
-      this.stage, this.player, make('div', {class: 'tools'}, this.cutTools(), this.findTools()), this.bodyLegend(), this.facts, this.hint());
+    const {tools, stage, facts} = this.places;
+    stage.append(this.stage);
+    facts.append(this.facts);
+    if (this.leader) return;
+    tools.append(make('div', {class: 'tools'}, make('label', {}, 'Colours: ', this.fieldChoice), make('label', {}, edges, ' edges of elements'), views));
+    facts.before(this.player, make('div', {class: 'tools'}, this.cutTools(), this.findTools()), this.bodyLegend());
+    facts.after(this.hint());
   }
 
   hint() {
@@ -107,9 +115,13 @@ class Viewer {
     const told = make('output', {class: 'note'});
     return make('form', {class: 'find', onsubmit: (event) => {
       event.preventDefault();
-      const found = number.value === '' ? -1 : placeOfNumber(this.surface[kind.value], Number(number.value));
-      told.textContent = found < 0 ? `no ${kind.value.slice(0, -1)} ${number.value} at a surface` : '';
-      this.pick(found < 0 ? null : kind.value === 'elements' ? {element: found, node: -1} : {element: -1, node: found});
+      let none = true;
+      for (const one of this.all) {
+        const found = number.value === '' ? -1 : placeOfNumber(one.surface[kind.value], Number(number.value));
+        none &&= found < 0;
+        one.pick(found < 0 ? null : kind.value === 'elements' ? {element: found, node: -1} : {element: -1, node: found});
+      }
+      told.textContent = none ? `no ${kind.value.slice(0, -1)} ${number.value} at a surface` : '';
     }}, kind, number, make('button', {type: 'submit', text: 'Find'}), told);
   }
 
@@ -124,15 +136,20 @@ class Viewer {
   // ---- What is shown ----
 
   isShown = (body) => !this.hidden.has(body);
+  get all() { return [this, ...this.followers]; }
 
   showBodies() {
     this.bodyButtons.forEach((button, b) => button.setAttribute('aria-pressed', this.isShown(b)));
-    this.drawing.showBodies(this.isShown);
+    for (const one of this.all) one.drawing.showBodies(one.isShown);
     this.draw();
   }
 
+  /// The field of the same name as another viewer's.
+  ownField({surface, field}) { return this.surface.fields.findIndex(({name}) => name === surface.fields[field]?.name); }
+
   chooseField(f) {
     [this.field, this.fieldChoice.value] = [f, f];
+    for (const one of this.followers) one.chooseField(one.ownField(this));
     const field = this.surface.fields[f] ?? null;
     this.drawing.showColours(tables[field?.signed ?? false]);
     fillColourBar(this.bar, field, ...(this.fieldNames[f] ?? ['', '']));
@@ -143,7 +160,7 @@ class Viewer {
     this.frame = frame;
     this.slider.value = frame;
     const time = `t = ${this.timeAxis.figure(this.surface.times[frame], 4)} ${this.timeAxis.unit}`.trim();
-    this.title.textContent = time;
+    this.title.textContent = [this.name, time].filter(Boolean).join(', ');
     this.slider.setAttribute('aria-valuetext', time);
     this.drawing.showFrame(frame, this.field);
     this.tellPicked();
@@ -192,8 +209,8 @@ class Viewer {
 
   look(name) {
     [this.camera.azimuth, this.camera.elevation] = standardViews[name];
-    const frames = this.surface.times.map((_, k) => k);
-    const box = boxOf(this.surface, this.camera.axes, frames, this.isShown);
+    const boxes = this.all.map(({surface}) => boxOf(surface, this.camera.axes, surface.times.map((_, k) => k), this.isShown));
+    const box = boxes[0].map((_, a) => [Math.min(...boxes.map((b) => b[a][0])), Math.max(...boxes.map((b) => b[a][1]))]);
     if (Number.isFinite(box[0][0])) this.camera.fit(box, this.aspect);
     this.draw();
   }
@@ -243,7 +260,7 @@ class Viewer {
     const {picked, surface} = this, tables = [];
     if (picked) {
       for (const [kind, place] of [['elements', picked.element], ['nodes', picked.node]]) {
-        if (place >= 0) tables.push(pickedTable(surface, this.frame, kind, place, this.fieldNames, this.units.length));
+        if (place >= 0) tables.push(pickedTable(surface, this.frame, kind, place, this.fieldNames, this.units.length, this.name));
       }
     }
     this.facts.replaceChildren(...tables);
@@ -262,8 +279,13 @@ class Viewer {
 
   // ---- Drawing ----
 
-  /// With the next picture of the browser, once, however often it is called.
+  /// With the next picture of the browser, once, however often it is called; all that are beside each other.
   draw() {
+    if (this.leader) return this.leader.draw();
+    for (const one of this.all) one.wait();
+  }
+
+  wait() {
     this.waiting ??= requestAnimationFrame(() => {
       this.waiting = undefined;
       this.drawNow();
@@ -277,7 +299,7 @@ class Viewer {
     if (canvas.height !== height) canvas.height = height;
     const depth = 0.51 * this.reach + Math.hypot(...camera.centre.map((c, i) => c - this.middle[i])) || 1;
     const accent = redGreenBlue(dark.matches ? '#56b4e9' : '#0072b2').map((c) => c / 255);
-    this.drawing.draw(camera, {cut: this.cutPlane(), edges: this.edges ? Math.max(1, 0.8 * ratio) : 0, depth, chosen: this.picked?.element ?? -1,
+    this.drawing.draw(camera, {cut: this.cutPlane(), edges: (this.leader ?? this).edges ? Math.max(1, 0.8 * ratio) : 0, depth, chosen: this.picked?.element ?? -1,
                                accent, lit: this.lit});
     drawAxes(this.axes, camera);
     drawMeasure(this.measure, camera, canvas.clientHeight, this.units.length);

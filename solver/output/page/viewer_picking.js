@@ -50,8 +50,9 @@ function isSeen({faces}, frame, kind, place) {
   return false;
 }
 
-/// A table of what is known of a node or an element at the time of a frame. fieldNames: [name, unit] of each field.
-function pickedTable(surface, frame, kind, place, fieldNames, lengthUnit) {
+/// A table of what is known of a node or an element at the time of a frame. fieldNames: [name, unit] of each field; run: its
+/// name, if there are several.
+function pickedTable(surface, frame, kind, place, fieldNames, lengthUnit, run) {
   const list = surface[kind], name = kind === 'nodes' ? 'Node' : 'Element';
   const numbered = list.number[place] >= 0 ? `in its mesh file; ${whole(list.place[place])} in the scene` : 'in the scene';
   const rows = [['number', `${numberOf(list, place)}`, numbered], ['body', surface.bodies[list.body[place]], '']];
@@ -63,6 +64,6 @@ function pickedTable(surface, frame, kind, place, fieldNames, lengthUnit) {
       if (field.of === kind) rows.push([fieldNames[f][0], figure(valueOf(surface, frame, f, place), 4), fieldNames[f][1]]);
     });
   }
-  return table({caption: `${name} ${numberOf(list, place)} of ${surface.bodies[list.body[place]]}`, id: `picked_${kind}`,
+  return table({caption: `${name} ${numberOf(list, place)} of ${surface.bodies[list.body[place]]}${run && `, ${run}`}`, id: run ? undefined : `picked_${kind}`,
                 head: [name.toLowerCase(), '', ''], numbers: [1], rows});
 }

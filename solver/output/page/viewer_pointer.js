@@ -45,7 +45,7 @@ Viewer.prototype.listen = function () {
     camera.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.0015)), ...this.partsOf(event));
     this.draw();
   }, {passive: false});
-  canvas.addEventListener('keydown', (event) => this.key(event));
+  canvas.addEventListener('keydown', (event) => (this.leader ?? this).key(event));
 };
 
 Viewer.prototype.key = function (event) {
@@ -55,7 +55,7 @@ Viewer.prototype.key = function (event) {
   const acts = {
     '+': () => this.zoom(1.25), '=': () => this.zoom(1.25), '-': () => this.zoom(0.8), 'r': () => this.reset(),
     ' ': () => this.play(), ',': () => { this.pause(); this.step(this.frame - 1); }, '.': () => { this.pause(); this.step(this.frame + 1); },
-    Escape: () => this.pick(null)};
+    Escape: () => this.all.forEach((one) => one.pick(null))};
   if (right !== 0 || up !== 0) {
     if (event.shiftKey) camera.move(-0.05 * right, -0.05 * up);
     else camera.turn(-5 * right, -5 * up);
@@ -70,17 +70,36 @@ Viewer.prototype.key = function (event) {
   this.draw();
 };
 
-/// Once its numbers are unpacked. Without WebGL 2, or where these cannot be shown, a sentence stands in its place.
+/// Of several surfaces the colours of a field have one range.
+function uniteRanges(surfaces) {
+  const fields = surfaces.flatMap((surface) => surface.fields);
+  for (const field of fields) {
+    const ranges = fields.filter(({name}) => name === field.name).map(({range}) => range);
+    field.united = [Math.min(...ranges.map((r) => r[0])), Math.max(...ranges.map((r) => r[1]))];
+  }
+  for (const field of fields) field.range = field.united;
+}
+
+/// The first viewer of the page, once its numbers are unpacked. Without WebGL 2, or where numbers cannot be shown, a sentence
+/// stands in its place. packed: of one run, or of several that are seen beside each other by their names.
 let viewer = null;
-async function showSurface(place, packed, units) {
+async function showSurfaces(place, packed, units, names = ['']) {
   const tell = (text) => place.append(make('p', {class: 'note', text}));
-  if (packed.error) return tell(`The bodies cannot be shown here: ${packed.error}.`);
+  for (const {error} of packed) if (error) return tell(`The bodies cannot be shown here: ${error}.`);
   if (!document.createElement('canvas').getContext('webgl2') || typeof DecompressionStream === 'undefined') {
     return tell('The bodies could be turned here in a browser with WebGL 2, which this one does not have; pictures by pinball view stay.');
   }
   try {
-    viewer = new Viewer(place, await unpackedSurface(packed), units);
-    charts.push(viewer);
+    const surfaces = await Promise.all(packed.map(unpackedSurface));
+    uniteRanges(surfaces);
+    const tools = make('div'), stage = make('div', {class: 'beside'}), facts = make('div');
+    place.append(tools, stage, facts);
+    const places = {tools, stage, facts};
+    const leader = new Viewer(places, surfaces[0], units, null, names[0]);
+    const all = [leader, ...surfaces.slice(1).map((surface, i) => new Viewer(places, surface, units, leader, names[i + 1]))];
+    leader.reset();
+    charts.push(...all);
+    viewer = leader;
   } catch (error) {
     place.querySelectorAll(':scope > :not(h2)').forEach((part) => part.remove());
     tell(`The bodies cannot be shown in this browser: ${error.message}.`);

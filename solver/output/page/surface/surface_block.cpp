@@ -226,22 +226,24 @@ std::string surface_json(const RunSurface& surface, const std::vector<std::strin
   }
 }
 
-std::string surface_json_of_run(const std::string& folder, const std::vector<std::string>& bodies,
-                                const FieldSnapshot* last, const FieldBase* base) {
-  const auto error = [](const std::string& why) {
-    return nlohmann::json{{"error", why}}.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  };
+std::string surface_json_of_frames(const FrameSource& source, const std::vector<std::string>& bodies) {
+  std::string why;
   try {
-    FrameSource source = frames_of_folder(folder);
-    if (source.times.empty() && last != nullptr && base != nullptr) source = frames_of_last_state(*last, *base);
-    if (source.times.empty()) return "null";
     const RunSurface surface = gather_surface(source, most_bytes_gathered);
     std::string text = surface_json(surface, bodies);
     if (text != "null") return text;
-    return error(fmt::format("a surface of {} faces is too large for a page", surface.faces.size()));
+    why = fmt::format("a surface of {} faces is too large for a page", surface.faces.size());
   } catch (const std::exception& thrown) {
-    return error(thrown.what());
+    why = thrown.what();
   }
+  return nlohmann::json{{"error", why}}.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+std::string surface_json_of_run(const std::string& folder, const std::vector<std::string>& bodies,
+                                const FieldSnapshot* last, const FieldBase* base) {
+  FrameSource source = frames_of_folder(folder);
+  if (source.times.empty() && last != nullptr && base != nullptr) source = frames_of_last_state(*last, *base);
+  return source.times.empty() ? "null" : surface_json_of_frames(source, bodies);
 }
 
 }  // namespace pinball

@@ -21,8 +21,11 @@ inline constexpr unsigned no_value_code = 0xffff;
 std::string surface_json(const RunSurface& surface, const std::vector<std::string>& bodies,
                          std::size_t most = most_surface_characters);
 
+/// The same; {"error": why} where it cannot be shown. Does not throw.
+std::string surface_json_of_frames(const FrameSource& source, const std::vector<std::string>& bodies);
+
 /// The same of the fields that a run has written to a folder, and where there are none, of its last state (null: not
-/// known). "null": there is nothing to show; {"error": why} where it cannot be shown. Does not throw.
+/// known). "null": there is nothing to show.
 std::string surface_json_of_run(const std::string& folder, const std::vector<std::string>& bodies,
                                 const FieldSnapshot* last, const FieldBase* base);
 
