@@ -29,7 +29,7 @@ class Viewer {
     this.reach = Math.hypot(...this.box.map(([low, high]) => high - low));
     this.timeAxis = axisOf(largestOf(surface.times), units.time);
     this.canvas = make('canvas', {tabindex: 0, role: 'img', 'aria-label': 'The bodies. Arrow keys turn, with shift move, + and - zoom, '
-      + '1 to 7 are standard views, space plays, comma and full stop step through time, r resets.'});
+      + '1 to 7 are standard views, space plays, comma and full stop step through time, f fits, r resets.'});
     const begin = () => new SurfaceDrawing(this.canvas, surface, this.middle, (body) => redGreenBlue(bodyColour(body)));
     this.drawing = begin();
     this.canvas.addEventListener('webglcontextlost', (event) => event.preventDefault());
@@ -62,7 +62,7 @@ class Viewer {
     const views = make('div', {class: 'buttons', role: 'group', 'aria-label': 'standard views'},
       ...Object.keys(standardViews).map((name, i) => button(name, `view: key ${i + 1}`, () => this.look(name))),
       button('+', 'zoom in: key +', () => this.zoom(1.25)), button('−', 'zoom out: key -', () => this.zoom(0.8)),
-      button('reset', 'all of the bodies, nothing cut or hidden: key r', () => this.reset()));
+      button('fit', 'what is there at this time: key f', () => this.fit()), button('reset', 'all of the bodies, nothing cut or hidden: key r', () => this.reset()));
     this.bar = make('div', {class: 'colour_bar'});
     this.axes = svg('svg', {class: 'axes', viewBox: '-34 -34 68 68', width: 76, height: 76, 'aria-hidden': 'true'});
     this.measure = make('div', {class: 'measure', 'aria-hidden': 'true'}, make('div'), make('span'));
@@ -89,7 +89,7 @@ class Viewer {
       ? ` ${whole(times.length)} of ${whole(all)} output times are here; the files have all.` : '';
     return make('p', {class: 'note', text: 'Drag to turn, with shift or the right button to move; the wheel zooms once the picture has been '
       + 'clicked, or with ctrl. A click picks the element and the node under the pointer. Keys: arrows turn, with shift they move, + and − zoom, 1 to 7 are '
-      + 'the standard views, space plays, comma and full stop step through time, r resets. Where a body is cut its inside is hatched: '
+      + 'the standard views, space plays, comma and full stop step through time, f fits what is there, r resets. Where a body is cut its inside is hatched: '
       + `only surfaces are here, pinball view --cut draws what is inside.${fewer}`});
   }
 
@@ -160,7 +160,8 @@ class Viewer {
     this.frame = frame;
     this.slider.value = frame;
     const time = `t = ${this.timeAxis.figure(this.surface.times[frame], 4)} ${this.timeAxis.unit}`.trim();
-    this.title.textContent = [this.name, time].filter(Boolean).join(', ');
+    const codes = this.surface.frames[frame].fields[this.field], none = codes?.every((code) => code === noValue);
+    this.title.textContent = [this.name, time, none ? 'no values at this time' : ''].filter(Boolean).join(', ');
     this.slider.setAttribute('aria-valuetext', time);
     this.drawing.showFrame(frame, this.field);
     this.tellPicked();
@@ -207,9 +208,15 @@ class Viewer {
     this.draw();
   }
 
+  /// From where it stands: all that is there at any time.
   look(name) {
     [this.camera.azimuth, this.camera.elevation] = standardViews[name];
-    const boxes = this.all.map(({surface}) => boxOf(surface, this.camera.axes, surface.times.map((_, k) => k), this.isShown));
+    this.fit(({times}) => times.map((_, k) => k));
+  }
+
+  /// All that is shown at some times of each surface; else at the time that it shows.
+  fit(framesOf = null) {
+    const boxes = this.all.map(({surface, frame}) => boxOf(surface, this.camera.axes, framesOf ? framesOf(surface) : [frame], this.isShown));
     const box = boxes[0].map((_, a) => [Math.min(...boxes.map((b) => b[a][0])), Math.max(...boxes.map((b) => b[a][1]))]);
     if (Number.isFinite(box[0][0])) this.camera.fit(box, this.aspect);
     this.draw();

@@ -8,7 +8,7 @@ precision highp float;
 layout(location = 0) in vec3 position;
 layout(location = 1) in float share;  // of the range of colours; below 0: no value
 layout(location = 2) in vec3 outward;
-layout(location = 3) in vec3 colourOfBody;
+layout(location = 3) in vec4 colourOfBody;  // and whether the face is a triangle
 layout(location = 4) in uint element;
 uniform mat3 view;  // from x, y, z to right, up, toward the viewer
 uniform vec3 centre, size;
@@ -17,7 +17,7 @@ out vec3 place, normal;
 out vec2 along;
 out float value;
 flat out vec3 bodyColour;
-flat out float isChosen;
+flat out float isChosen, isTriangle;
 
 void main() {
   int corner = gl_VertexID & 3;
@@ -25,7 +25,8 @@ void main() {
   place = position;
   normal = view * outward;
   value = share;
-  bodyColour = colourOfBody;
+  bodyColour = colourOfBody.rgb;
+  isTriangle = colourOfBody.a;
   isChosen = element == chosen ? 1.0 : 0.0;
   gl_Position = vec4((view * (position - centre)) * size, 1.0);
 }`;
@@ -36,7 +37,7 @@ in vec3 place, normal;
 in vec2 along;
 in float value;
 flat in vec3 bodyColour;
-flat in float isChosen;
+flat in float isChosen, isTriangle;
 uniform sampler2D colours;
 uniform vec4 cut;  // kept is what has (place, -1) . cut >= 0
 uniform bool byBody, lit, isCut;
@@ -48,7 +49,8 @@ out vec4 colour;
 vec2 toEdge() {
   vec2 change = max(fwidth(along), vec2(1e-9));
   vec2 near = min(along, 1.0 - along) / change;
-  return vec2(min(near.x, near.y), 1.0 / max(change.x, change.y));
+  float across = along.x - along.y, diagonal = isTriangle > 0.5 ? abs(across) / max(fwidth(across), 1e-9) : 1e9;
+  return vec2(min(min(near.x, near.y), diagonal), 1.0 / max(change.x, change.y));
 }
 
 void main() {
@@ -111,7 +113,8 @@ class SurfaceDrawing {
     this.faceNormals = new Float32Array(3 * count);
     gl.bindVertexArray(gl.createVertexArray());
     this.corners = this.attributes(this.numbers.byteLength, [[0, 3], [1, 1], [2, 3]], 4 * floatsOfCorner);
-    this.attributes(Uint8Array.from({length: 16 * count}, (_, i) => colourOf(body[element[i >> 4]])[i % 4] ?? 255), [[3, 4, gl.UNSIGNED_BYTE]], 4);
+    const colours = Array.from({length: count}, (_, f) => [...colourOf(body[element[f]]), new Set(surface.faces.corners.subarray(4 * f, 4 * f + 4)).size < 4 ? 255 : 0]);
+    this.attributes(Uint8Array.from({length: 16 * count}, (_, i) => colours[i >> 4][i % 4]), [[3, 4, gl.UNSIGNED_BYTE]], 4);
     this.attributes(Uint32Array.from({length: 4 * count}, (_, i) => element[i >> 2]), [[4, 1, gl.UNSIGNED_INT]], 4);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     this.colours = gl.createTexture();

@@ -53,7 +53,7 @@ Viewer.prototype.key = function (event) {
   const {camera} = this, arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
   const views = Object.keys(standardViews), view = views[Number(event.key) - 1], [right, up] = arrows[event.key] ?? [0, 0];
   const acts = {
-    '+': () => this.zoom(1.25), '=': () => this.zoom(1.25), '-': () => this.zoom(0.8), 'r': () => this.reset(),
+    '+': () => this.zoom(1.25), '=': () => this.zoom(1.25), '-': () => this.zoom(0.8), 'r': () => this.reset(), 'f': () => this.fit(),
     ' ': () => this.play(), ',': () => { this.pause(); this.step(this.frame - 1); }, '.': () => { this.pause(); this.step(this.frame + 1); },
     Escape: () => this.all.forEach((one) => one.pick(null))};
   if (right !== 0 || up !== 0) {
