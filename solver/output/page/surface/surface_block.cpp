@@ -172,30 +172,29 @@ std::string packed_faces(const RunSurface& surface, const std::vector<std::size_
   return bytes;
 }
 
-nlohmann::ordered_json head_of_surface(const RunSurface& surface, const std::vector<std::string>& bodies,
-                                       const std::vector<std::size_t>& chosen, const std::vector<Point>& steps) {
-  nlohmann::ordered_json times = nlohmann::ordered_json::array(), fields = times;
-  for (const std::size_t k : chosen) times.push_back(surface.times[k]);
+/// JSON of a text, or of a list of texts.
+template <class Text>
+std::string json_text(const Text& text) {
+  return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
+
+/// All but its last brace: written by hand, because templates for JSON take longer to compile than all else here.
+std::string head_of_surface(const RunSurface& surface, const std::vector<std::string>& bodies,
+                            const std::vector<std::size_t>& chosen, const std::vector<Point>& steps) {
+  std::string times, fields, all_steps;
+  for (const std::size_t k : chosen) times += fmt::format("{}{}", times.empty() ? "" : ",", surface.times[k]);
+  for (const Point& s : steps) all_steps += fmt::format("{}[{},{},{}]", all_steps.empty() ? "" : ",", s[0], s[1], s[2]);
   for (const SurfaceField& field : surface.fields) {
     const Scale scale = scale_of(field);
     const auto [low, high] = range_of(field);
-    fields.push_back({{"name", field.name},
-                      {"of", field.of_nodes ? "nodes" : "elements"},
-                      {"signed", has_sign(field)},
-                      {"low", scale.low},
-                      {"step", scale.step},
-                      {"range", {low, high}},
-                      {"zero", field.least == 0 && field.most == 0}});
+    fields += fmt::format(R"({}{{"name":{},"of":"{}","signed":{},"low":{},"step":{},"range":[{},{}],"zero":{}}})",
+                          fields.empty() ? "" : ",", json_text(field.name), field.of_nodes ? "nodes" : "elements",
+                          has_sign(field), scale.low, scale.step, low, high, field.least == 0 && field.most == 0);
   }
-  return {{"times", times},
-          {"all_times", surface.all_times},
-          {"bodies", bodies},
-          {"steps", steps},
-          {"fields", fields},
-          {"faces", surface.faces.size()},
-          {"nodes", surface.nodes.size()},
-          {"elements", surface.elements.size()},
-          {"encoding", can_deflate() ? "deflate" : "none"}};
+  return fmt::format(
+      R"({{"times":[{}],"all_times":{},"bodies":{},"steps":[{}],"fields":[{}],"faces":{},"nodes":{},"elements":{},"encoding":"{}")",
+      times, surface.all_times, json_text(bodies), all_steps, fields, surface.faces.size(), surface.nodes.size(),
+      surface.elements.size(), can_deflate() ? "deflate" : "none");
 }
 
 /// At some of the frames.
@@ -205,10 +204,7 @@ std::string block_of(const RunSurface& surface, const std::vector<std::string>& 
   std::string bytes = packed_faces(surface, chosen);
   FramePacker packer(surface, steps);
   for (const std::size_t k : chosen) packer.pack(bytes, k, seen[k]);
-  std::string head =
-      head_of_surface(surface, bodies, chosen, steps).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  head.pop_back();
-  return head + ",\"data\":\"" + base64(deflated(bytes)) + "\"}";
+  return head_of_surface(surface, bodies, chosen, steps) + ",\"data\":\"" + base64(deflated(bytes)) + "\"}";
 }
 
 }  // namespace
@@ -236,7 +232,7 @@ std::string surface_json_of_frames(const FrameSource& source, const std::vector<
   } catch (const std::exception& thrown) {
     why = thrown.what();
   }
-  return nlohmann::json{{"error", why}}.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return "{\"error\":" + json_text(why) + '}';
 }
 
 std::string surface_json_of_run(const std::string& folder, const std::vector<std::string>& bodies,
