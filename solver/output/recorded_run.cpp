@@ -17,8 +17,9 @@ namespace pinball {
 
 namespace {
 
-/// A copy of the state for the page takes 230 bytes an element.
-constexpr std::int64_t most_elements_copied = 2'000'000;
+/// A copy of the state for the page, and its faces, take 300 bytes an element: of more, the most that a run takes would
+/// be what its page does.
+constexpr std::int64_t most_elements_copied = 100'000;
 
 /// One run, from the first step to the last.
 class RecordedRun {

@@ -217,7 +217,10 @@ function sceneKeys() {
 
 function surfaceOfRun() {
   const packed = block('surface');
-  if (packed === null) return drop('viewer');
+  if (packed === null) {
+    return fill('viewer', make('p', {class: 'note', text: 'Bodies are shown here at the times of the field output (output.field_interval, '
+      + 'output.field_times); without it, the first and the last state of up to 100,000 elements.'}));
+  }
   showSurfaces(place('viewer'), [packed], units);
 }
 
