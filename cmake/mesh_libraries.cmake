@@ -9,7 +9,7 @@ foreach(module netcdf pugixml zlib)  # Exodus; VTK's XML; and its compressed dat
   if(TARGET PkgConfig::${module})
     list(APPEND pinball_mesh_modules ${module})
     list(APPEND pinball_mesh_libraries PkgConfig::${module})
-    # One source alone includes its headers.
+    # One source alone includes its headers; those of zlib also the one that packs surfaces for pages.
     get_target_property(pinball_${module}_includes PkgConfig::${module} INTERFACE_INCLUDE_DIRECTORIES)
     set_target_properties(PkgConfig::${module} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "")
   else()
