@@ -27,7 +27,7 @@ Model<S> block(int per_side) {
   for (std::int64_t slot = 0; slot < model.elements.slots; ++slot) {
     if (model.element_of_slot[static_cast<std::size_t>(slot)] < 0) continue;  // padding has none
     for (int c = 0; c < 6; ++c) {
-      model.elements.stress[ElementStore<S>::at(slot, c, 6)] = std::sin(static_cast<S>(slot % 1000 + c));
+      model.elements.stress[model.elements.at(slot, c, 6)] = std::sin(static_cast<S>(slot % 1000 + c));
     }
   }
   return model;
@@ -35,7 +35,7 @@ Model<S> block(int per_side) {
 
 /// Forces on the corners of a pack: no physics, but of all six stresses, and zero in sum.
 void corner_forces(const Model<S>& model, std::int64_t pack, Vec3<T> (&force)[8]) {
-  const S* stress = model.elements.stress.data() + pack * 6 * W;
+  const S* stress = model.elements.stress.in<S>().data() + pack * 6 * W;
   const auto component = [stress](int c) { return load<T>(stress + c * W); };
   const Vec3<T> normal{component(0), component(1), component(2)}, shear{component(3), component(4), component(5)};
   for (int i = 0; i < 4; ++i) {
@@ -93,8 +93,8 @@ class CornerGather {
         if (model.element_of_slot[slot] < 0) continue;
         for (int i = 0; i < 8; ++i) {
           const auto s = static_cast<std::int64_t>(slot);
-          visit(static_cast<std::size_t>(model.elements.corner[ElementStore<S>::at(s, i, 8)]),
-                static_cast<std::int32_t>(ElementStore<S>::at(s, 3 * i, 24)));
+          visit(static_cast<std::size_t>(model.elements.corner[model.elements.at(s, i, 8)]),
+                static_cast<std::int32_t>(model.elements.at(s, 3 * i, 24)));
         }
       }
     };

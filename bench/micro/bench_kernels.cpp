@@ -43,7 +43,7 @@ void count_work(benchmark::State& state, const Solver<S>& solver, ContactMethod 
     if (lanes > 0) state.counters["lanes_" + name] = Counter(lanes);
   };
   const auto full = [](double items) {  // packs of consecutive items
-    const double width = ElementStore<S>::width;
+    const double width = native_width<S>;
     return items / (std::ceil(items / width) * width);
   };
   count("internal_forces", elements, element_traffic(model), elements / static_cast<double>(model.elements.slots));
@@ -113,7 +113,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   pinball::bench::add_ceilings_to_context({1});
-  benchmark::AddCustomContext("simd_width", std::to_string(pinball::ElementStore<double>::width));
+  benchmark::AddCustomContext("simd_width", std::to_string(pinball::native_width<double>));
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

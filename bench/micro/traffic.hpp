@@ -12,7 +12,7 @@ namespace pinball::bench {
 
 template <class S>
 double element_traffic(const Model<S>& model) {
-  const ElementStore<S>& e = model.elements;
+  const ElementStore& e = model.elements;
   const NodeStore<S>& n = model.nodes;
   const double once = static_cast<double>(e.corner.bytes() + e.mass.bytes());
   const double state = static_cast<double>(e.stress.bytes() + e.plastic_strain.bytes() + e.hourglass_state.bytes() +

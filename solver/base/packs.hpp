@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -9,6 +10,12 @@ namespace pinball {
 template <int W>
 constexpr std::size_t place_in_packs(std::int64_t s, int c, int n) {
   return (s / W * n + c) * W + s % W;
+}
+
+/// The same for packs of a width that is known when the program runs, a power of two.
+constexpr std::size_t place_in_packs(int width, std::int64_t s, int c, int n) {
+  const int shift = std::countr_zero(static_cast<unsigned>(width));
+  return (((s >> shift) * n + c) << shift) + (s & (width - 1));
 }
 
 }  // namespace pinball

@@ -13,6 +13,7 @@
 
 #include "../../kernels/exec/array.hpp"
 #include "error.hpp"
+#include "real_array.hpp"
 
 namespace pinball {
 
@@ -57,6 +58,9 @@ class StateArchive {
   void of_fixed_size(Array& array) {
     if (count(array.size(), sizeof(array[0])) != array.size()) throw_foreign();
     raw(array.data(), array.size() * sizeof(array[0]));
+  }
+  void of_fixed_size(RealArray& array) {
+    array.visit([this](auto& numbers) { of_fixed_size(numbers); });
   }
   /// What is read has to be so: a number that something is found by is never trusted.
   void require(bool so) const {

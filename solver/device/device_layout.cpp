@@ -46,7 +46,8 @@ Array<T> DeviceLayout<S>::rows_of(const Array<T>& packs, int components) const {
     const std::int64_t slot = slot_of_place_[place];
     if (slot < 0) continue;
     for (int c = 0; c < components; ++c) {
-      rows[place_in_packs<device_row>(place, c, components)] = packs[ElementStore<S>::at(slot, c, components)];
+      rows[place_in_packs<device_row>(place, c, components)] =
+          packs[place_in_packs<native_width<S>>(slot, c, components)];
     }
   }
   return rows;
@@ -60,7 +61,8 @@ void DeviceLayout<S>::rows_to(const Array<T>& rows, int components, Array<T>& pa
     const std::int64_t slot = slot_of_place_[place];
     if (slot < 0) continue;
     for (int c = 0; c < components; ++c) {
-      packs[ElementStore<S>::at(slot, c, components)] = rows[place_in_packs<device_row>(place, c, components)];
+      packs[place_in_packs<native_width<S>>(slot, c, components)] =
+          rows[place_in_packs<device_row>(place, c, components)];
     }
   }
 }
@@ -88,8 +90,8 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   mesh.tiles = model.tile_count();
   mesh.tile = Array<std::int32_t>(tile_.size());
   std::copy(tile_.begin(), tile_.end(), mesh.tile.data());
-  mesh.mass_share = rows_of(model.elements.mass_share, 1);
-  mesh.folding_onset = rows_of(model.elements.folding_onset, 1);
+  mesh.mass_share = rows_of(model.elements.mass_share.template in<S>(), 1);
+  mesh.folding_onset = rows_of(model.elements.folding_onset.template in<S>(), 1);
   mesh.material_numbers = model.elements.material_numbers;
   mesh.inverse_mass = Array<S>(mesh.nodes);
   mesh.node_mass = Array<double>(mesh.nodes);
@@ -104,7 +106,7 @@ template <class S>
 void DeviceLayout<S>::add_corners_of_nodes(const Model<S>& model, DeviceMesh<S>& mesh) const {
   const auto for_each_corner = [&](const auto& visit) {
     for_each_corner_in_order(model, [&](std::int32_t /*tile*/, std::int64_t slot, int i) {
-      visit(model.elements.corner[ElementStore<S>::at(slot, i, 8)],
+      visit(model.elements.corner[model.elements.at(slot, i, 8)],
             static_cast<std::uint32_t>(8 * place_of_slot(slot) + i));
     });
   };
@@ -120,7 +122,7 @@ void DeviceLayout<S>::add_corners_of_nodes(const Model<S>& model, DeviceMesh<S>&
 
 template <class S>
 DeviceState<S> DeviceLayout<S>::state(const Model<S>& model) const {
-  const ElementStore<S>& e = model.elements;
+  const ElementStore& e = model.elements;
   DeviceState<S> state;
   const auto copy = [](const Array<S>& from, Array<S>& to) {
     to.reset(from.size());
@@ -128,28 +130,28 @@ DeviceState<S> DeviceLayout<S>::state(const Model<S>& model) const {
   };
   copy(model.nodes.position, state.position);
   copy(model.nodes.velocity, state.velocity);
-  state.mass = rows_of(e.mass, 1);
-  state.stress = rows_of(e.stress, 6);
-  state.plastic_strain = rows_of(e.plastic_strain, 1);
-  state.hourglass_state = rows_of(e.hourglass_state, 12);
-  state.viscous_stress = rows_of(e.viscous_stress, 1);
-  state.internal_energy = rows_of(e.internal_energy, 1);
-  state.material_state = rows_of(e.material_state, e.material_numbers);
+  state.mass = rows_of(e.mass.template in<S>(), 1);
+  state.stress = rows_of(e.stress.template in<S>(), 6);
+  state.plastic_strain = rows_of(e.plastic_strain.template in<S>(), 1);
+  state.hourglass_state = rows_of(e.hourglass_state.template in<S>(), 12);
+  state.viscous_stress = rows_of(e.viscous_stress.template in<S>(), 1);
+  state.internal_energy = rows_of(e.internal_energy.template in<S>(), 1);
+  state.material_state = rows_of(e.material_state.template in<S>(), e.material_numbers);
   return state;
 }
 
 template <class S>
 void DeviceLayout<S>::to_model(const DeviceState<S>& state, Model<S>& model) const {
-  ElementStore<S>& e = model.elements;
+  ElementStore& e = model.elements;
   std::copy_n(state.position.data(), state.position.size(), model.nodes.position.data());
   std::copy_n(state.velocity.data(), state.velocity.size(), model.nodes.velocity.data());
-  rows_to(state.mass, 1, e.mass);
-  rows_to(state.stress, 6, e.stress);
-  rows_to(state.plastic_strain, 1, e.plastic_strain);
-  rows_to(state.hourglass_state, 12, e.hourglass_state);
-  rows_to(state.viscous_stress, 1, e.viscous_stress);
-  rows_to(state.internal_energy, 1, e.internal_energy);
-  rows_to(state.material_state, e.material_numbers, e.material_state);
+  rows_to(state.mass, 1, e.mass.template in<S>());
+  rows_to(state.stress, 6, e.stress.template in<S>());
+  rows_to(state.plastic_strain, 1, e.plastic_strain.template in<S>());
+  rows_to(state.hourglass_state, 12, e.hourglass_state.template in<S>());
+  rows_to(state.viscous_stress, 1, e.viscous_stress.template in<S>());
+  rows_to(state.internal_energy, 1, e.internal_energy.template in<S>());
+  rows_to(state.material_state, e.material_numbers, e.material_state.template in<S>());
 }
 
 template class DeviceLayout<double>;

@@ -32,9 +32,11 @@ void for_each_tile(const Colouring& tiles, const Body& body) {
 template <class S>
 void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step) {
   const std::int32_t part = model.tile_part[tile];
-  kernel_of_part_[part]({domain_ ? domain_->elements(model) : model.elements.view(), model.nodes.view(),
-                         model.constants[part], step, model.tile_packs[tile], model.tile_packs[tile + 1]},
-                        results_[tile]);
+  ElementView<S> elements = model.elements.template view<S>();
+  if (domain_) elements.corner = domain_->corner();
+  kernel_of_part_[part](
+      {elements, model.nodes.view(), model.constants[part], step, model.tile_packs[tile], model.tile_packs[tile + 1]},
+      results_[tile]);
 }
 
 template <class S>

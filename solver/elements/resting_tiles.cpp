@@ -46,18 +46,19 @@ std::int32_t whole_elements(const Model<S>& model, std::int64_t first_slot, std:
   std::int32_t count = 0;
   for (std::int64_t slot = first_slot; slot < last_slot; ++slot) {
     if (model.element_of_slot[slot] < 0) continue;
-    if (!(model.elements.mass[slot] > S(0))) return 0;
+    if (!(model.elements.mass[slot] > 0)) return 0;
     ++count;
   }
   return count;
 }
 
 /// Whether the elements of some slots carry no stress and are as they were at first.
-template <class S>
-bool untouched(const ElementStore<S>& elements, std::int64_t first_slot, std::int64_t last_slot) {
-  const auto vanishes = [&](const Array<S>& array, std::int64_t components) {
-    return array.empty() || std::all_of(array.data() + components * first_slot, array.data() + components * last_slot,
-                                        [](S value) { return value == S(0); });
+bool untouched(const ElementStore& elements, std::int64_t first_slot, std::int64_t last_slot) {
+  const auto vanishes = [&](const RealArray& array, std::int64_t components) {
+    return array.visit([&](const auto& numbers) {
+      return numbers.empty() || std::all_of(numbers.data() + components * first_slot,
+                                            numbers.data() + components * last_slot, [](auto n) { return n == 0; });
+    });
   };
   return vanishes(elements.stress, 6) && vanishes(elements.plastic_strain, 1) &&
          vanishes(elements.hourglass_state, 12) && vanishes(elements.viscous_stress, 1) &&
@@ -75,8 +76,8 @@ RestingTiles<S>::RestingTiles(const Model<S>& model, const Subdomain<S>* domain)
     tiles_[t].number = number;
     if (model.is_rigid(number) || (domain != nullptr && !domain->works(number))) return;
     if (std::isfinite(model.constants[model.tile_part[t]].failure.limits.time)) return;
-    const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
-    const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;
+    const std::int64_t first_slot = model.tile_packs[t] * model.elements.width;
+    const std::int64_t last_slot = model.tile_packs[t + 1] * model.elements.width;
     const std::int32_t* first = model.elements.corner.data() + 8 * first_slot;
     const std::int32_t* last = model.elements.corner.data() + 8 * last_slot;
     const S* const expected = record(velocities, *first);
@@ -97,8 +98,8 @@ RestingTiles<S>::RestingTiles(const Model<S>& model, const std::vector<std::uint
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     tiles_[t].number = t;
     if (rests_[t] == 0) continue;
-    const std::int64_t first_slot = model.tile_packs[t] * ElementStore<S>::width;
-    const std::int64_t last_slot = model.tile_packs[t + 1] * ElementStore<S>::width;
+    const std::int64_t first_slot = model.tile_packs[t] * model.elements.width;
+    const std::int64_t last_slot = model.tile_packs[t + 1] * model.elements.width;
     const std::int32_t* corner = model.elements.corner.data();
     tiles_[t].elements = whole_elements(model, first_slot, last_slot);
     tiles_[t].nodes = ranges_of({corner + 8 * first_slot, corner + 8 * last_slot});

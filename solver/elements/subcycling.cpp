@@ -24,8 +24,8 @@ Subcycling<S>::Subcycling(const Model<S>& model, bool every_node) : every_node_(
   }
   elements_.assign(highest_.size(), 0);
   for (std::size_t t = 0; t < elements_.size(); ++t) {
-    const auto slot = model.element_of_slot.begin() + model.tile_packs[t] * ElementStore<S>::width;
-    const auto end = model.element_of_slot.begin() + model.tile_packs[t + 1] * ElementStore<S>::width;
+    const auto slot = model.element_of_slot.begin() + model.tile_packs[t] * model.elements.width;
+    const auto end = model.element_of_slot.begin() + model.tile_packs[t + 1] * model.elements.width;
     elements_[t] = end - slot - std::count(slot, end, -1);
   }
   find_neighbours(model);
@@ -41,7 +41,7 @@ void Subcycling<S>::find_neighbours(const Model<S>& model) {
     std::fill(last.begin(), last.end(), -1);
     for (std::int32_t t = 0; t < model.tile_count(); ++t) {
       const std::size_t tile = t;
-      constexpr std::int64_t corners = 8 * ElementStore<S>::width;
+      const std::int64_t corners = 8 * model.elements.width;
       for (std::int64_t i = corners * model.tile_packs[tile]; i < corners * model.tile_packs[tile + 1]; ++i) {
         const std::size_t node = model.elements.corner[i];
         if (last[node] == t) continue;
@@ -281,7 +281,7 @@ void Subcycling<S>::persist(StateArchive& archive, const Model<S>& model) {
     const int highest = model.tile_levels[t].highest;
     for (const int level : {level_[t], next_level_[t], highest_[t]}) archive.require(level >= 0 && level <= highest);
     archive.require(own_[t] >= 0 && own_[t] <= model.tile_levels[t].own && elements_[t] >= 0);
-    archive.require(elements_[t] <= (model.tile_packs[t + 1] - model.tile_packs[t]) * ElementStore<S>::width);
+    archive.require(elements_[t] <= (model.tile_packs[t + 1] - model.tile_packs[t]) * model.elements.width);
   }
   if (archive.reads()) sort_by_level(model);
   for (MixedNodes& mixed : mixed_) {

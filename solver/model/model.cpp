@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -74,7 +75,7 @@ using Hexahedra = std::vector<std::array<std::int32_t, 8>>;
 /// Tiles, each of whole packs of one material, and their colours; returns the elements in the order of their slots.
 template <class S>
 Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vector<double>& mass_factor) {
-  constexpr int W = ElementStore<S>::width;
+  constexpr int W = ElementStore::width_in(std::is_same_v<S, float>);
   const ElementLevels levels =
       model.scene.time.subcycling ? element_step_levels(model.scene, model.mesh, mass_factor) : ElementLevels{};
   Hexahedra ordered;
@@ -134,7 +135,7 @@ void fill_nodes(Model<S>& model) {
 template <class S>
 void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const std::vector<double>& mass_factor,
                    const std::vector<double>& onset) {
-  model.elements = ElementStore<S>(model.tile_packs.back(), features);
+  model.elements = ElementStore(model.tile_packs.back(), features, std::is_same_v<S, float>);
   model.element_mass.resize(model.mesh.hexahedra.size());
   model.added_mass.resize(mass_factor.size());
   model.added_node_mass.assign(mass_factor.empty() ? 0 : model.mesh.nodes.size(), 0.0);
@@ -149,17 +150,17 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
     if (!padding) {
       e = model.element_of_slot[slot];
       model.element_mass[e] = density_of_body[model.mesh.body[e]] * element_volume(model.mesh, e);
-      model.elements.mass[slot] = static_cast<S>(model.element_mass[e]);
+      model.elements.mass[slot] = model.element_mass[e];
       if (!mass_factor.empty()) {
         model.added_mass[e] = (mass_factor[e] - 1) * model.element_mass[e];
         model.element_mass[e] += model.added_mass[e];
-        model.elements.mass_share[slot] = static_cast<S>(1 / mass_factor[e]);
+        model.elements.mass_share[slot] = 1 / mass_factor[e];
       }
-      if (!onset.empty()) model.elements.folding_onset[slot] = static_cast<S>(onset[e]);
+      if (!onset.empty()) model.elements.folding_onset[slot] = onset[e];
     }
     for (int i = 0; i < 8; ++i) {  // of padding: those of the element before it
       const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
-      model.elements.corner[ElementStore<S>::at(slot, i, 8)] = node;
+      model.elements.corner[model.elements.at(slot, i, 8)] = node;
       if (padding) continue;
       model.node_mass[node] += model.element_mass[e] / 8;
       if (!model.added_mass.empty()) model.added_node_mass[node] += model.added_mass[e] / 8;
@@ -256,10 +257,7 @@ void Model<S>::persist(StateArchive& archive) {
     std::span<S> of_nodes(array->data(), 4 * static_cast<std::size_t>(nodes.count));
     archive.of_fixed_size(of_nodes);
   }
-  for (Array<S>* array : {&elements.mass, &elements.stress, &elements.plastic_strain, &elements.hourglass_state,
-                          &elements.viscous_stress, &elements.internal_energy, &elements.material_state}) {
-    archive.of_fixed_size(*array);
-  }
+  for (RealArray* array : elements.state()) archive.of_fixed_size(*array);
   for (std::int64_t slot = 0; archive.reads() && slot < elements.slots; ++slot) {
     archive.require(!is_padding(slot) || !elements.alive(slot));
   }

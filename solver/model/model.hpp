@@ -109,7 +109,7 @@ struct Model {
   Look look;
 
   NodeStore<S> nodes;
-  ElementStore<S> elements;
+  ElementStore elements;
   std::vector<ElementConstants<S>> constants;                       ///< per part
   std::vector<std::shared_ptr<const YieldCurves<S>>> yield_curves;  ///< what `constants` point to
   std::vector<Part> parts;
@@ -149,7 +149,7 @@ struct Model {
   std::int32_t tile_count() const { return tile_part.size(); }
   /// Slots of a tile, its padding among them.
   SlotRange slots_of(std::int64_t tile) const {
-    constexpr int W = ElementStore<S>::width;
+    const int W = elements.width;
     return {tile_packs[tile] * W, tile_packs[tile + 1] * W};
   }
   std::int64_t rigid_element_count() const {
@@ -159,7 +159,7 @@ struct Model {
   bool is_rigid(std::int64_t tile) const { return parts[tile_part[tile]].rigid; }
   /// Number of the part that the element of a slot is of.
   std::size_t part_of_slot(std::int64_t slot) const {
-    const auto tile = std::upper_bound(tile_packs.begin(), tile_packs.end(), slot / ElementStore<S>::width);
+    const auto tile = std::upper_bound(tile_packs.begin(), tile_packs.end(), slot / elements.width);
     return tile_part[tile - tile_packs.begin() - 1];
   }
   bool is_padding(std::int64_t slot) const { return element_of_slot[slot] < 0; }

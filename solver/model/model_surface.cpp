@@ -22,6 +22,7 @@ ModelSurface<S>::ModelSurface(const Model<S>& model, S* node_force) : model_(mod
       model.contact_inverse_mass != nullptr ? model.contact_inverse_mass : model.nodes.inverse_mass.data();
   this->slots = model.elements.slots;
   this->tile_packs = model.tile_packs;
+  this->tile_pack_width = model.elements.width;
   this->tile_colours = &model.tile_colours;
 }
 
@@ -32,7 +33,7 @@ ContactElement ModelSurface<S>::element(std::int64_t slot) const {
   ContactElement element{};
   for (int i = 0; i < 8; ++i) {
     const std::size_t corner = i;
-    element.corners[corner] = model_.elements.corner[ElementStore<S>::at(slot, i, 8)];
+    element.corners[corner] = model_.elements.corner[model_.elements.at(slot, i, 8)];
     element.reference[corner] = model_.mesh.nodes[model_.mesh.hexahedra[e][corner]];
   }
   element.body = model_.mesh.body[e];
@@ -52,7 +53,7 @@ bool ModelSurface<S>::may_soon_erode(std::int64_t slot) const {
   const std::size_t part = model_.part_of_slot(slot);
   if (!model_.parts[part].features.erosion) return false;
   const S limit = std::min(S(1), model_.constants[part].failure.plastic_strain);
-  return model_.elements.plastic_strain[slot] > S(0.7) * limit;
+  return static_cast<S>(model_.elements.plastic_strain[slot]) > S(0.7) * limit;
 }
 
 template <class S>

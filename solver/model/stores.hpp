@@ -8,6 +8,7 @@
 #include <kernels/element_data.hpp>
 #include <kernels/exec/array.hpp>
 #include <solver/base/packs.hpp>
+#include <solver/base/real_array.hpp>
 #include <solver/base/records.hpp>
 
 /// The hot data: what a step touches, and nothing else. Layouts are those of the kernels' views.
@@ -60,51 +61,62 @@ struct ElementStoreFeatures {
   bool folding_onset = false;
 };
 
-/// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * W + lane; some are padding.
-template <class S>
+/// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * width + lane; some are
+/// padding.
 struct ElementStore {
-  static constexpr int width = native_width<S>;
-
   std::int64_t slots = 0;
+  bool single = false;       ///< numbers have single precision
+  int width = 1;             ///< of a pack
   int material_numbers = 0;  ///< of an element in material_state
   Array<std::int32_t> corner;
-  Array<S> mass;
-  Array<S> stress;
-  Array<S> plastic_strain;
-  Array<S> hourglass_state;
-  Array<S> viscous_stress;
-  Array<S> internal_energy;
-  Array<S> material_state;
-  Array<S> mass_share;     ///< never changes; only where mass is added
-  Array<S> folding_onset;  ///< never changes; only where a corner is near turning over at the start
+  RealArray mass;
+  RealArray stress;
+  RealArray plastic_strain;
+  RealArray hourglass_state;
+  RealArray viscous_stress;
+  RealArray internal_energy;
+  RealArray material_state;
+  RealArray mass_share;     ///< never changes; only where mass is added
+  RealArray folding_onset;  ///< never changes; only where a corner is near turning over at the start
 
   ElementStore() = default;
-  ElementStore(std::int64_t packs, const ElementStoreFeatures& features) : slots(packs * width) {
+  ElementStore(std::int64_t packs, const ElementStoreFeatures& features, bool in_single)
+      : slots(packs * width_in(in_single)), single(in_single), width(width_in(in_single)) {
+    const auto numbers = [this](int components) { return RealArray(components * slots, single); };
     corner = Array<std::int32_t>(8 * slots);
-    mass = Array<S>(slots);
-    stress = Array<S>(6 * slots);
-    if (features.plastic) plastic_strain = Array<S>(slots);
-    if (features.hourglass_state) hourglass_state = Array<S>(12 * slots);
-    if (features.bulk_viscosity) viscous_stress = Array<S>(slots);
-    if (features.erosion) internal_energy = Array<S>(slots);
+    mass = numbers(1);
+    stress = numbers(6);
+    plastic_strain = numbers(features.plastic ? 1 : 0);
+    hourglass_state = numbers(features.hourglass_state ? 12 : 0);
+    viscous_stress = numbers(features.bulk_viscosity ? 1 : 0);
+    internal_energy = numbers(features.erosion ? 1 : 0);
     material_numbers = features.material_numbers;
-    material_state = Array<S>(material_numbers * slots);
-    if (features.mass_share) mass_share = Array<S>(slots);
-    if (features.folding_onset) folding_onset = Array<S>(slots);
+    material_state = numbers(material_numbers);
+    mass_share = numbers(features.mass_share ? 1 : 0);
+    folding_onset = numbers(features.folding_onset ? 1 : 0);
   }
 
-  ElementView<S> view() {
+  /// Lanes of a pack of this program.
+  static constexpr int width_in(bool in_single) { return in_single ? native_width<float> : native_width<double>; }
+
+  /// E: their precision.
+  template <class E>
+  ElementView<E> view() {
     return {corner.data(),
-            mass.data(),
-            stress.data(),
-            plastic_strain.data(),
-            hourglass_state.data(),
-            viscous_stress.data(),
-            internal_energy.data(),
-            material_state.data(),
-            mass_share.empty() ? nullptr : mass_share.data(),
-            folding_onset.empty() ? nullptr : folding_onset.data(),
+            mass.data<E>(),
+            stress.data<E>(),
+            plastic_strain.data<E>(),
+            hourglass_state.data<E>(),
+            viscous_stress.data<E>(),
+            internal_energy.data<E>(),
+            material_state.data<E>(),
+            mass_share.data<E>(),
+            folding_onset.data<E>(),
             material_numbers};
+  }
+  /// What a step changes, in a fixed order.
+  std::array<RealArray*, 7> state() {
+    return {&mass, &stress, &plastic_strain, &hourglass_state, &viscous_stress, &internal_energy, &material_state};
   }
   std::size_t bytes() const {
     return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_state.bytes() +
@@ -113,27 +125,28 @@ struct ElementStore {
   }
 
   /// Whether a slot holds an element that has not been eroded; padding does not.
-  bool alive(std::int64_t slot) const { return mass[slot] > S(0); }
+  bool alive(std::int64_t slot) const { return mass[slot] > 0; }
   /// Nodes of the store at the corners of a slot; those of padding are a real element's.
-  std::array<std::int32_t, 8> corners(std::int64_t slot) const { return components_of<8>(corner, slot); }
+  std::array<std::int32_t, 8> corners(std::int64_t slot) const {
+    std::array<std::int32_t, 8> nodes;
+    for (int i = 0; i < 8; ++i) nodes[i] = corner[at(slot, i, 8)];
+    return nodes;
+  }
   /// xx yy zz xy yz zx [stress]
-  std::array<S, 6> stress_of(std::int64_t slot) const { return components_of<6>(stress, slot); }
-  S& stress_of(std::int64_t slot, int c) { return stress[at(slot, c, 6)]; }
-  const S& stress_of(std::int64_t slot, int c) const { return stress[at(slot, c, 6)]; }
-
-  /// Number of those in material_state that a material has at a place (MaterialPlaces).
-  S material_number(std::int64_t slot, int place) const { return material_state[at(slot, place, material_numbers)]; }
-
-  /// Place of component c of slot s in an array of n components.
-  static std::size_t at(std::int64_t s, int c, int n) { return place_in_packs<width>(s, c, n); }
-
- private:
-  template <int N, class T>
-  static std::array<T, N> components_of(const Array<T>& array, std::int64_t slot) {
-    std::array<T, N> components;
-    for (int c = 0; c < N; ++c) components[c] = array[at(slot, c, N)];
+  std::array<double, 6> stress_of(std::int64_t slot) const {
+    std::array<double, 6> components;
+    for (int c = 0; c < 6; ++c) components[c] = stress_of(slot, c);
     return components;
   }
+  double stress_of(std::int64_t slot, int c) const { return stress[at(slot, c, 6)]; }
+
+  /// Number of those in material_state that a material has at a place (MaterialPlaces).
+  double material_number(std::int64_t slot, int place) const {
+    return material_state[at(slot, place, material_numbers)];
+  }
+
+  /// Place of component c of slot s in an array of n components.
+  std::size_t at(std::int64_t s, int c, int n) const { return place_in_packs(width, s, c, n); }
 };
 
 }  // namespace pinball

@@ -41,7 +41,7 @@ void CornerExchange<S>::find_records(Model<S>& model, const std::vector<std::int
   const std::int32_t self = ranks_.number();
   for_each_corner_in_order(model, [&](std::int32_t tile, std::int64_t slot, int i) {
     if (model.is_rigid(tile)) return;  // no kernel works it
-    const std::int32_t node = model.elements.corner[ElementStore<S>::at(slot, i, 8)];
+    const std::int32_t node = model.elements.corner[model.elements.at(slot, i, 8)];
     if (!holders.is_shared(node)) return;
     const std::span<const std::int32_t> all = holders.of(node);
     records_ += std::ssize(all) - 1;
@@ -49,7 +49,7 @@ void CornerExchange<S>::find_records(Model<S>& model, const std::vector<std::int
     if (from == self) {
       const auto record = static_cast<std::int32_t>(model.nodes.count + std::ssize(node_of_record_));
       node_of_record_.push_back(node);
-      corner_[ElementStore<S>::at(slot, i, 8)] = record;
+      corner_[model.elements.at(slot, i, 8)] = record;
       sources.push_back({place, self, record});
       for (const std::int32_t to : all) {
         if (to != self) neighbour(to).sent.push_back(record);
@@ -83,8 +83,7 @@ void CornerExchange<S>::repeat_in_padding(const Model<S>& model, const std::vect
     if (rank_of_tile[tile] != ranks_.number()) continue;
     for (const std::int64_t slot : model.slots_of(tile)) {
       if (!model.is_padding(slot)) continue;
-      for (int i = 0; i < 8; ++i)
-        corner_[ElementStore<S>::at(slot, i, 8)] = corner_[ElementStore<S>::at(slot - 1, i, 8)];
+      for (int i = 0; i < 8; ++i) corner_[model.elements.at(slot, i, 8)] = corner_[model.elements.at(slot - 1, i, 8)];
     }
   }
 }

@@ -20,6 +20,7 @@ Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
       elements_of_tile_(elements_of_tiles(model)),
       rank_of_tile_((require_ranks_can(model.scene), ranks_of_tiles(model, ranks))),
       tile_packs_(model.tile_packs),
+      pack_width_(model.elements.width),
       holders_(model, rank_of_tile_),
       common_(ranks, model.nodes.count) {
   const std::int32_t nodes = model.nodes.count;
@@ -58,7 +59,7 @@ void Subdomain<S>::connect(Model<S>& model, std::uint64_t fingerprint) {
   StateHash hash;
   hash.add(&fingerprint, sizeof fingerprint);
   hash.add(rank_of_tile_.data(), rank_of_tile_.size() * sizeof(std::int32_t));
-  agree(ranks_, {0, "", ElementStore<S>::width, hash.value()});
+  agree(ranks_, {0, "", model.elements.width, hash.value()});
   connected_ = true;
 }
 
@@ -80,7 +81,7 @@ void Subdomain<S>::find_worked() {
 
 template <class S>
 std::int32_t Subdomain<S>::rank_of_slot(std::int64_t slot) const {
-  const auto after = std::ranges::upper_bound(tile_packs_, slot / ElementStore<S>::width);
+  const auto after = std::ranges::upper_bound(tile_packs_, slot / pack_width_);
   return rank_of_tile_[after - tile_packs_.begin() - 1];
 }
 
@@ -116,7 +117,7 @@ void Subdomain<S>::share_eroded(Model<S>& model, const std::vector<std::int64_t>
   ranks_.bytes_given += std::ssize(all) * static_cast<std::int64_t>(sizeof(std::int32_t));
   for (const std::int32_t slot : all) {
     is_alive_[slot] = 0;
-    model.elements.mass[slot] = S(0);
+    model.elements.mass[slot] = 0;
   }
   has_eroded_ = has_eroded_ || !all.empty();
 }
@@ -133,7 +134,7 @@ void Subdomain<S>::share_strains(Model<S>& model, const Surface& surface) {
       if (surface.exposed(slot) == 0) continue;
       owner.push_back(rank_of_tile_[tile]);
       slots.push_back(static_cast<std::int32_t>(slot));
-      strain.push_back(model.elements.plastic_strain[slot]);
+      strain.push_back(static_cast<S>(model.elements.plastic_strain[slot]));
     }
   }
   ranks_.share(owner, strain.data());
@@ -153,10 +154,8 @@ void Subdomain<S>::bring_nodes(Model<S>& model) {
 }
 
 template <class S>
-ElementView<S> Subdomain<S>::elements(Model<S>& model) const {
-  ElementView<S> view = model.elements.view();
-  view.corner = corners_->corner();
-  return view;
+const std::int32_t* Subdomain<S>::corner() const {
+  return corners_->corner();
 }
 
 template <class S>
@@ -204,18 +203,18 @@ void Subdomain<S>::send_state(Model<S>& model) {
 /// Of tiles from those who work them, of nodes from those who sum up their spans.
 template <class S>
 void Subdomain<S>::gather_state(Model<S>& model, bool to_all) {
-  constexpr std::int64_t W = ElementStore<S>::width;
-  ElementStore<S>& e = model.elements;
-  const std::int64_t slots = std::max<std::int64_t>(e.slots, 1);
-  for (Array<S>* array : {&e.mass, &e.stress, &e.plastic_strain, &e.hourglass_state, &e.viscous_stress,
-                          &e.internal_energy, &e.material_state}) {
+  const std::int64_t W = model.elements.width;
+  const std::int64_t slots = std::max<std::int64_t>(model.elements.slots, 1);
+  for (RealArray* array : model.elements.state()) {
     const std::int64_t components = static_cast<std::int64_t>(array->size()) / slots;
-    gather_ranges(
-        *array, rank_of_tile_,
-        [&](std::int64_t tile) {
-          return std::pair(model.tile_packs[tile] * W * components, model.tile_packs[tile + 1] * W * components);
-        },
-        to_all);
+    array->visit([&](auto& numbers) {
+      gather_ranges(
+          numbers, rank_of_tile_,
+          [&](std::int64_t tile) {
+            return std::pair(model.tile_packs[tile] * W * components, model.tile_packs[tile + 1] * W * components);
+          },
+          to_all);
+    });
   }
   gather_nodes(model, {&model.nodes.position, &model.nodes.velocity}, to_all);
   for (const std::function<void()>& bring : kept_) bring();
@@ -239,21 +238,21 @@ void Subdomain<S>::gather_nodes(const Model<S>& model, std::initializer_list<Arr
 
 /// range(i): the numbers of the array that are of i; owner: rank of each i.
 template <class S>
-template <class Range>
-void Subdomain<S>::gather_ranges(Array<S>& array, const std::vector<std::int32_t>& owner, const Range& range,
+template <class E, class Range>
+void Subdomain<S>::gather_ranges(Array<E>& array, const std::vector<std::int32_t>& owner, const Range& range,
                                  bool to_all) {
   if (array.empty()) return;
   std::vector<std::size_t> bytes_of(ranks_.count(), 0);
-  std::vector<S> own;
+  std::vector<E> own;
   for (std::size_t i = 0; i < owner.size(); ++i) {
     const auto [first, last] = range(i);
-    bytes_of[owner[i]] += (last - first) * sizeof(S);
+    bytes_of[owner[i]] += (last - first) * sizeof(E);
     if (owner[i] == ranks_.number()) own.insert(own.end(), array.data() + first, array.data() + last);
   }
   std::vector<std::size_t> next(ranks_.count(), 0);
-  for (std::size_t r = 1; r < next.size(); ++r) next[r] = next[r - 1] + bytes_of[r - 1] / sizeof(S);
+  for (std::size_t r = 1; r < next.size(); ++r) next[r] = next[r - 1] + bytes_of[r - 1] / sizeof(E);
   const bool gets = to_all || is_first();
-  std::vector<S> all(gets ? next.back() + bytes_of.back() / sizeof(S) : 0);
+  std::vector<E> all(gets ? next.back() + bytes_of.back() / sizeof(E) : 0);
   ranks_.gather(std::as_bytes(std::span(own)), bytes_of, std::as_writable_bytes(std::span(all)), to_all);
   for (std::size_t i = 0; gets && i < owner.size(); ++i) {
     const auto [first, last] = range(i);

@@ -73,8 +73,8 @@ class Subdomain final : public SharedNodes {
   bool works(std::int64_t tile) const { return rank_of_tile_[tile] == ranks_.number(); }
   void begin_step();
   void end_step();
-  /// The elements as kernels see them.
-  ElementView<S> elements(Model<S>& model) const;
+  /// Nodes at the corners of elements as kernels see them (ElementView).
+  const std::int32_t* corner() const;
   void spread(NodeStore<S>& nodes) const { corners_->spread(nodes); }
   void collect(NodeStore<S>& nodes) {
     corners_->collect(nodes);
@@ -119,11 +119,12 @@ class Subdomain final : public SharedNodes {
   void find_worked();
   void gather_state(Model<S>& model, bool to_all);
   void gather_nodes(const Model<S>& model, std::initializer_list<Array<S>*> arrays, bool to_all);
-  template <class Range>
-  void gather_ranges(Array<S>& array, const std::vector<std::int32_t>& owner, const Range& range, bool to_all);
+  template <class E, class Range>
+  void gather_ranges(Array<E>& array, const std::vector<std::int32_t>& owner, const Range& range, bool to_all);
 
   std::vector<std::int32_t> elements_of_tile_, rank_of_tile_;
   std::vector<std::int64_t> tile_packs_;  ///< Model::tile_packs
+  int pack_width_;
   NodeHolders holders_;
   CommonNodes<S> common_;
   std::vector<std::uint8_t> is_alive_;  ///< per slot: the element of it, as all ranks know

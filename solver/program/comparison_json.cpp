@@ -62,7 +62,7 @@ std::string comparison_json(const std::vector<VariantRuns>& runs) {
       {"machine",
        {{"cpu", processor_name()},
         {"threads", first.threads},
-        {"simd_width", {{"double", ElementStore<double>::width}, {"float", ElementStore<float>::width}}}}},
+        {"simd_width", {{"double", ElementStore::width_in(false)}, {"float", ElementStore::width_in(true)}}}}},
       {"repeats", runs.front().repeats.size()},
       {"variants", variants},
   };

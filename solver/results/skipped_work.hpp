@@ -12,14 +12,14 @@
 namespace pinball {
 
 /// Bytes of the element arrays that the scene's features need not have.
-template <class S>
-double bytes_not_stored(const ElementStore<S>& store) {
+inline double bytes_not_stored(const ElementStore& store) {
   int numbers = 0;  // per element
   if (store.plastic_strain.empty()) numbers += 1;
   if (store.hourglass_state.empty()) numbers += 12;
   if (store.viscous_stress.empty()) numbers += 1;
   if (store.internal_energy.empty()) numbers += 1;
-  return static_cast<double>(numbers) * static_cast<double>(store.slots) * sizeof(S);
+  return static_cast<double>(numbers) * static_cast<double>(store.slots) *
+         (store.single ? sizeof(float) : sizeof(double));
 }
 
 /// What the steps of a run have done and left out, counted by Solver.

@@ -99,7 +99,7 @@ ArrayView Simulation::external_forces() {
 ConstArrayView Simulation::plastic_strains() const {
   return implementation_->read([](const auto& s) -> ConstArrayView {
     const auto& strains = s.model().elements.plastic_strain;
-    return view_records(strains.data(), strains.size(), 1);
+    return strains.visit([](const auto& numbers) { return view_records(numbers.data(), numbers.size(), 1); });
   });
 }
 std::span<const std::int64_t> Simulation::place_of_element() const {

@@ -33,11 +33,11 @@ const char* name_of(const MaterialPlaces& places, int number) {
 /// What is not finite of the state of an element, or nothing.
 template <class S>
 std::string not_finite_part(const Model<S>& model, std::int64_t slot) {
-  const ElementStore<S>& e = model.elements;
-  const auto bad = [slot](const Array<S>& array, int components) {
+  const ElementStore& e = model.elements;
+  const auto bad = [&e, slot](const RealArray& array, int components) {
     if (array.empty()) return false;
     for (int c = 0; c < components; ++c) {
-      if (!std::isfinite(array[ElementStore<S>::at(slot, c, components)])) return true;
+      if (!std::isfinite(array[e.at(slot, c, components)])) return true;
     }
     return false;
   };

@@ -15,12 +15,11 @@ namespace {
 
 /// Square of what is kept of the hourglass modes, times the mass: in proportion to their energy where elements are
 /// alike.
-template <class S>
-double kept_hourglass_energy(const ElementStore<S>& elements, std::int64_t slot) {
+double kept_hourglass_energy(const ElementStore& elements, std::int64_t slot) {
   const int components = elements.hourglass_state.size() / elements.slots;
   double square = 0;
   for (int c = 0; c < components; ++c) {
-    const double p = elements.hourglass_state[ElementStore<S>::at(slot, c, components)];
+    const double p = elements.hourglass_state[elements.at(slot, c, components)];
     square += p * p;
   }
   return square * elements.mass[slot];

@@ -178,8 +178,9 @@ std::uint64_t state_hash(const Model<S>& model) {
     hash.add(std::span<const S>(model.nodes.velocity_of(n), 3));
   }
   for (const std::int64_t slot : model.slot_of_element) {
-    const std::array<S, 6> stress = model.elements.stress_of(slot);
-    hash.add(std::span<const S>(stress));
+    model.elements.stress.visit([&](const auto& stress) {
+      for (int c = 0; c < 6; ++c) hash.add(std::span(&stress[model.elements.at(slot, c, 6)], 1));
+    });
   }
   return hash.value();
 }
@@ -206,7 +207,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.units = scene.units;
   summary.precision = sizeof(S) == sizeof(double) ? "double" : "float";
   summary.device = device_name(scene.device);
-  summary.simd_width = ElementStore<S>::width;
+  summary.simd_width = model.elements.width;
   const SharedWork shared = solver.shared_work();
   summary.parallel = {shared.ranks, shared.records, shared.common_nodes, shared.bytes_per_step, shared.imbalance};
   summary.elements = model.element_count();

@@ -303,7 +303,8 @@ TEST(Probe, WatchesTheNearestNodeAndElement) {
   // A stress of its own for the third element.
   const std::int64_t slot = solver.model().slot_of_element[2];
   const double stress[6] = {3e6, 0, 0, 4e6, 0, 0};
-  for (int c = 0; c < 6; ++c) solver.change_model().elements.stress[ElementStore<double>::at(slot, c, 6)] = stress[c];
+  ElementStore& elements = solver.change_model().elements;
+  for (int c = 0; c < 6; ++c) elements.stress[elements.at(slot, c, 6)] = stress[c];
   solver.step();
   solver.step();
   const HistoryRow row = history_row(solver);

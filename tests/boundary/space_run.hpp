@@ -48,7 +48,7 @@ class SpaceRun {
         force_(model_.nodes.force.size()),
         force_left_(model_.nodes.force.size()),
         inverse_mass_(in_space(model_.nodes.inverse_mass)),
-        element_mass_(in_space(model_.elements.mass)) {
+        element_mass_(in_space(model_.elements.mass.template in<S>())) {
     mass_.renew(model_.node_mass.size());
     deep_copy(mass_, model_.node_mass.data(), model_.node_mass.size());
   }
@@ -59,7 +59,7 @@ class SpaceRun {
   /// Takes an element of the scene away, as erosion does.
   void erode(std::size_t element) {
     model_.elements.mass[static_cast<std::size_t>(model_.slot_of_element[element])] = S(0);
-    deep_copy(element_mass_, model_.elements.mass);
+    deep_copy(element_mass_, model_.elements.mass.template in<S>());
   }
 
   void step(double length) {

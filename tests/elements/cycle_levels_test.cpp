@@ -94,7 +94,7 @@ class Bar {
  private:
   template <class Visit>
   void for_each_element(std::size_t tile, const Visit& visit) const {
-    constexpr std::int64_t width = ElementStore<double>::width;
+    const std::int64_t width = model.elements.width;
     for (std::int64_t slot = width * model.tile_packs[tile]; slot < width * model.tile_packs[tile + 1]; ++slot) {
       const std::int32_t e = model.element_of_slot[static_cast<std::size_t>(slot)];
       if (e >= 0) visit(e);

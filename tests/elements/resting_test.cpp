@@ -75,12 +75,12 @@ TEST(RestingTiles, HaveNothingThatElementsKeep) {
   EXPECT_TRUE(rests());
   auto& e = model.elements;
   int kept = 0;
-  for (Array<double>* array :
-       {&e.stress, &e.plastic_strain, &e.hourglass_state, &e.viscous_stress, &e.material_state}) {
+  for (RealArray* array : {&e.stress, &e.plastic_strain, &e.hourglass_state, &e.viscous_stress, &e.material_state}) {
     ++kept;
     ASSERT_GT(array->size(), 0U) << kept;
     for (const std::size_t at : {std::size_t(0), array->size() - 1}) {
-      const double before = std::exchange((*array)[at], 1e-30);
+      const double before = (*array)[at];
+      (*array)[at] = 1e-30;
       EXPECT_FALSE(rests()) << kept;
       (*array)[at] = before;
     }
@@ -250,7 +250,7 @@ TEST(RestingTiles, HaveTheNodesOfTheirElementsAndNoOthers) {
       std::set<std::int32_t> expected, found;
       std::int32_t elements = 0;
       for (std::size_t e = 0; e < model.slot_of_element.size(); ++e) {
-        const std::int64_t slot = model.slot_of_element[e], pack = slot / ElementStore<double>::width;
+        const std::int64_t slot = model.slot_of_element[e], pack = slot / model.elements.width;
         if (pack < model.tile_packs[tile.number] || pack >= model.tile_packs[tile.number + 1]) continue;
         ++elements;
         for (const std::int32_t node : model.elements.corners(slot)) expected.insert(node);

@@ -10,9 +10,11 @@ namespace {
 TEST(SkippedWork, CountsWhatTheFeaturesOfASceneNeedNotStore) {
   ElementStoreFeatures all;
   all.plastic = all.erosion = all.bulk_viscosity = all.hourglass_state = true;
-  const ElementStore<double> full(3, all), least(3, ElementStoreFeatures{});
-  EXPECT_EQ(bytes_not_stored(full), 0);
-  EXPECT_EQ(bytes_not_stored(least), static_cast<double>(full.bytes() - least.bytes()));
+  for (const bool single : {false, true}) {
+    const ElementStore full(3, all, single), least(3, ElementStoreFeatures{}, single);
+    EXPECT_EQ(bytes_not_stored(full), 0);
+    EXPECT_EQ(bytes_not_stored(least), static_cast<double>(full.bytes() - least.bytes()));
+  }
 }
 
 TEST(SkippedWork, NothingSkippedSavesNothing) {

@@ -33,7 +33,7 @@ void expect_element_named() {
     for (int i = 0; i < 5; ++i) solver.step();
     auto& model = solver.change_model();
     // Elements are numbered through all bodies.
-    model.elements.stress[ElementStore<S>::at(model.slot_of_element[11], 4, 6)] = static_cast<S>(value);
+    model.elements.stress[model.elements.at(model.slot_of_element[11], 4, 6)] = value;
     EXPECT_THAT(failure(solver), AllOf(HasSubstr("the stress of element 11 of body b is not finite in step 5"),
                                        HasSubstr("try a smaller time.cfl")));
   }
@@ -142,11 +142,11 @@ TEST(Guards, EveryNumberOfAnElementIsLookedAt) {
   const Model<double> sound = build_model<double>(with_all_of_an_element());
   EXPECT_THAT(not_finite(sound), HasSubstr("the energy is not finite in step 0 at time 0, though all elements are"));
   struct Part {
-    Array<double> ElementStore<double>::*array;
+    RealArray ElementStore::*array;
     int components;
     const char* name;
   };
-  using Store = ElementStore<double>;
+  using Store = ElementStore;
   for (const Part& part :
        {Part{&Store::stress, 6, "stress"}, Part{&Store::plastic_strain, 1, "plastic strain"},
         Part{&Store::hourglass_state, 12, "hourglass force"}, Part{&Store::viscous_stress, 1, "bulk viscosity"},
@@ -154,9 +154,9 @@ TEST(Guards, EveryNumberOfAnElementIsLookedAt) {
     for (int component = 0; component < part.components; ++component) {
       const std::size_t element = static_cast<std::size_t>(component) % 2 == 0 ? 0 : 19;  // the first and the last
       Model<double> model = build_model<double>(with_all_of_an_element());
-      Array<double>& array = model.elements.*part.array;
+      RealArray& array = model.elements.*part.array;
       ASSERT_FALSE(array.empty()) << part.name;
-      array[Store::at(model.slot_of_element[element], component, part.components)] = std::nan("");
+      array[model.elements.at(model.slot_of_element[element], component, part.components)] = std::nan("");
       EXPECT_THAT(not_finite(model), AllOf(HasSubstr("the " + std::string(part.name) + " of element "),
                                            HasSubstr(element == 0 ? "element 0 of body a is" : "element 19 of body b")))
           << component;
@@ -178,7 +178,7 @@ TEST(Guards, NumbersOfAMaterialAreToldByTheirNames) {
                                     {places.energy, "energy of the equation of state"},
                                     {places.damage, "damage"}}) {
     Model<double> model = build_model<double>(scene);
-    model.elements.material_state[ElementStore<double>::at(model.slot_of_element[19], place, 3)] = std::nan("");
+    model.elements.material_state[model.elements.at(model.slot_of_element[19], place, 3)] = std::nan("");
     EXPECT_THAT(not_finite(model), HasSubstr("the " + std::string(name) + " of element 19 of body b"));
   }
 }

@@ -55,7 +55,7 @@ TEST(Places, EveryKeptHourglassForceOfAnyElementIsSeen) {
     for (std::size_t most = 0; most < 3; ++most) {
       Model<double> model = build_model<double>(scene);
       for (std::size_t e = 0; e < 3; ++e) {
-        model.elements.hourglass_state[ElementStore<double>::at(model.slot_of_element[e], component, 12)] =
+        model.elements.hourglass_state[model.elements.at(model.slot_of_element[e], component, 12)] =
             e == most ? -1.0 : 0.5;
       }
       EXPECT_EQ(most_hourglassed_slot(model), model.slot_of_element[most]) << component;

@@ -52,7 +52,7 @@ TEST(StartChecks, AStepThatCollapsesBesideTheEndEndsTheRun) {
   Solver<double> solver(scene);
   solver.step();
   auto& model = solver.change_model();
-  Array<double>& mass = model.elements.mass;
+  Array<double>& mass = model.elements.mass.in<double>();
   for (std::size_t i = 0; i < mass.size(); ++i) mass[i] *= 1e-12;
   try {
     solver.step();

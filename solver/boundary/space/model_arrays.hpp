@@ -10,7 +10,7 @@ template <class S>
 NodeArrays<S> node_arrays(Model<S>& model) {
   NodeStore<S>& nodes = model.nodes;
   return {nodes.position.data(),     nodes.velocity.data(),  nodes.force.data(),
-          nodes.inverse_mass.data(), model.node_mass.data(), model.elements.mass.data()};
+          nodes.inverse_mass.data(), model.node_mass.data(), model.elements.mass.template data<S>()};
 }
 
 }  // namespace pinball

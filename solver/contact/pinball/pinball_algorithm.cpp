@@ -185,7 +185,7 @@ void PinballAlgorithm<S>::collect_listed(const SurfaceSource<S>& source) {
   }
   auto next = pinballs_.slot.begin();
   for (const std::int64_t pack : source.tile_packs) {
-    while (next != pinballs_.slot.end() && *next < pack * W) ++next;
+    while (next != pinballs_.slot.end() && *next < pack * source.tile_pack_width) ++next;
     pinballs_.tile_first.push_back(next - pinballs_.slot.begin());
   }
   const std::int32_t padded = (n + W - 1) / W * W;

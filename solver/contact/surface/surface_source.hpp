@@ -65,6 +65,7 @@ class SurfaceSource : public NodeRecords<S> {
 
   std::int64_t slots = 0;
   std::span<const std::int64_t> tile_packs;  ///< first pack of each tile; tiles + 1 entries
+  int tile_pack_width = width;               ///< of these packs: whole ones of `width`
   const Colouring* tile_colours = nullptr;
 
   /// Whether a number is the slot of an element, eroded or not, and not of padding.

@@ -138,7 +138,7 @@ template <class S>
 void print_store(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
   fmt::print("  {} tiles of elements in {} colours, {} elements per pack (SIMD), {} thread{}\n", model.tile_count(),
-             model.tile_colours.colour_offsets.size() - 1, ElementStore<S>::width, DefaultExecutionSpace::concurrency(),
+             model.tile_colours.colour_offsets.size() - 1, model.elements.width, DefaultExecutionSpace::concurrency(),
              DefaultExecutionSpace::concurrency() == 1 ? "" : "s");
   const double bytes = bytes_of(solver);
   fmt::print("  memory of the stores: {}, {:.0f} bytes per element\n", readable_bytes(bytes),

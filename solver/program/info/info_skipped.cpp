@@ -96,7 +96,7 @@ void print_element_features(const Model<S>& model) {
     skip("bulk viscosity", "off in the scene (element.bulk_viscosity)");
   if (none([](const Part& part) { return part.features.hourglass != HourglassKind::none; }))
     skip("hourglass control", "off in the scene (element.hourglass)");
-  const ElementStore<S>& store = model.elements;
+  const ElementStore& store = model.elements;
   if (store.plastic_strain.empty()) skip("plastic strain array", "no material is plastic, none is eroded");
   if (store.internal_energy.empty()) skip("energy per element", "no material is eroded");
   if (store.viscous_stress.empty()) skip("viscous stress array", "no bulk viscosity");
