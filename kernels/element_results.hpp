@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "corner_differences.hpp"
 #include "element_data.hpp"
-#include "gather.hpp"
 #include "tensor.hpp"
 
 /// What becomes of the results of an element kernel (element_update.hpp): sums, and forces of corners.
@@ -30,16 +30,19 @@ struct NothingAhead {
   PINBALL_FUNCTION void operator()(int /*part*/) const {}
 };
 
-/// Forces of corners are added to the records of their nodes, corner after corner, and of each lane after lane.
-template <class S>
+/// Forces of corners are added to the records of their nodes, corner after corner, and of each lane after lane. In
+/// mixed precision that of corner 0 is what balances the others (add_balance_to_records).
+template <class N>
 struct AddedToNodes {
-  S* force;  ///< records of four (NodeView) [force]
+  N* force;  ///< records of four (NodeView) [force]
 
   template <class T, int L>
   PINBALL_FUNCTION void take(std::int64_t /*first*/, const std::int32_t* corner, const Vec3<T> (&value)[8]) const {
+    constexpr bool mixed = sizeof(N) != sizeof(ScalarOf<T>);
+    if constexpr (mixed) add_balance_to_records(force, corner, value);
     PINBALL_UNROLL
-    for (int i = 0; i < 8; ++i) {
-      add_to_records(force, corner + i * L, value[i].x, value[i].y, value[i].z, T(0));
+    for (int i = mixed ? 1 : 0; i < 8; ++i) {
+      add_forces_to_records(force, corner + i * L, value[i].x, value[i].y, value[i].z, T(0));
     }
   }
 };

@@ -30,14 +30,15 @@
 /// it can, and is followed by work that does not need its result.
 namespace pinball {
 
+/// N: of the nodes' numbers; they may have more digits than the elements' (corner_differences.hpp).
 /// pack: number of the pack; pack_in_tile: the same counted from the start of its tile. L: of the rows (ElementView).
 /// forces: AddedToNodes or KeptAtCorners. ahead(0) ... ahead(7) are called in turn, spread over the work: places to ask
 /// the caches for what is computed next. All at once would fill the queue of lines on their way, and the processor
 /// would stand still. What an element keeps from step to step, but for its mass, is loaded after ahead(2). Returns
 /// whether the pack is done: false where it is one of the rare cases that the features leave out, and then nothing has
 /// changed, and nothing after ahead(1) was called.
-template <class T, ElementFeatures features, int L = width_of<T>, class Forces, class Ahead = NothingAhead>
-PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<ScalarOf<T>>& nodes,
+template <class T, ElementFeatures features, int L = width_of<T>, class N, class Forces, class Ahead = NothingAhead>
+PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elements, const NodeView<N>& nodes,
                                           const ElementConstants<ScalarOf<T>>& constants,
                                           const ElementStep<ScalarOf<T>>& step, std::int64_t pack, int pack_in_tile,
                                           ElementSums<T>& sums, const Forces& forces, const Ahead& ahead = {}) {

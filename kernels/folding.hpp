@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "gather.hpp"
+#include "corner_differences.hpp"
 #include "hexahedron.hpp"
 
 /// What keeps a hexahedron from turning inside out at a corner.
@@ -159,16 +159,15 @@ PINBALL_FUNCTION bool corners_are_open(const HexahedronModes<T>& x, const T& vol
 /// element's nodes move [1/mass]; shape, end_volume: of the elements [length], [length^3]; there: lanes that have an
 /// element with a volume. Returns whether any corner may resist; where none does, `force` is left as it was: there is
 /// none.
-template <class T, int L>
-PINBALL_OUTLINED bool resist_folding(const ScalarOf<T>* position, const ScalarOf<T>* velocity,
-                                     const std::int32_t* corner, const T& scale, const T& onset,
-                                     const T& inverse_inertia, const HexahedronModes<T>& shape, const T& end_volume,
-                                     const MaskOf<T>& there, CornerResistance<T>& out) {
+template <class T, int L, class N>
+PINBALL_OUTLINED bool resist_folding(const N* position, const N* velocity, const std::int32_t* corner, const T& scale,
+                                     const T& onset, const T& inverse_inertia, const HexahedronModes<T>& shape,
+                                     const T& end_volume, const MaskOf<T>& there, CornerResistance<T>& out) {
   if (corners_are_open(shape, end_volume, onset, there, out)) return false;
   Vec3<T> x[8], v[8];
-  for (int i = 0; i < 8; ++i) x[i] = gather_vectors<T>(position, corner + i * L);
+  gather_corners<T, L>(position, corner, x);
   const HalfEdges<T> half = half_edges(x);
-  for (int i = 0; i < 8; ++i) v[i] = gather_vectors<T>(velocity, corner + i * L);
+  gather_corners<T, L>(velocity, corner, v);
   const HexahedronModes<T> modes = to_modes(x);
   const UniformGradient<T> b = uniform_gradient(modes);
   const T volume = hexahedron_volume(b, modes), zero(0);

@@ -19,7 +19,18 @@
 /// below complete_scene() fills in (scene_rules.hpp).
 namespace pinball {
 
-enum class Precision { float32, float64 };
+enum class Precision {
+  float32,
+  float64,
+  mixed,  ///< nodes and contact in double, the work of elements in single precision
+};
+
+/// As scenes name it.
+constexpr const char* name_of(Precision precision) {
+  return precision == Precision::float32 ? "float" : precision == Precision::float64 ? "double" : "mixed";
+}
+/// Whether elements have numbers of single precision.
+constexpr bool has_single_elements(Precision precision) { return precision != Precision::float64; }
 enum class HourglassControl { none, viscous, stiffness, assumed_strain };
 enum class NegativeVolume { stop, erode };
 enum class InsideOut { warn, erode, stop };
@@ -130,7 +141,7 @@ struct Scene {
   std::string path;                          ///< the file it was read from
   std::string title;                         ///< title
   std::string units;                         ///< units = "in-lbf-s": named, compared with known solids, never converted
-  Precision precision = Precision::float64;  ///< precision = "double" | "float"
+  Precision precision = Precision::float64;  ///< precision = "double" | "float" | "mixed"
   Device device = Device::none;              ///< --device
   int refine = 1;                            ///< --refine: already multiplied into the element counts of the meshes
   /// Translated from a deck of another program, in which nothing touches without a card that says so.

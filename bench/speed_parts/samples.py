@@ -27,7 +27,7 @@ def instruction_set(simd_width, precision):
     """Of a program that works on so many numbers at a time."""
     if simd_width == 1:
         return "one lane"
-    size = simd_width * {"double": 8, "float": 4}[precision]
+    size = simd_width * {"double": 8, "float": 4, "mixed": 4}[precision]
     return REGISTERS.get(size, f"{8 * size} bits")
 
 

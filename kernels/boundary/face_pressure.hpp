@@ -62,7 +62,7 @@ struct PressFaces {
 
   PINBALL_FUNCTION void operator()(std::int64_t face) const {
     S* const force = corner_force + 12 * face;
-    if (nodes.element_mass[element[face]] > S(0)) {
+    if (nodes.has_element(element[face])) {
       pressure_on_corners(nodes.position, corners + 4 * face, pressure, force);
       return;
     }

@@ -10,12 +10,17 @@ namespace pinball {
 /// (gather.hpp).
 template <class S>
 struct NodeArrays {
-  S* position = nullptr;            ///< x, y, z, unused [length]
-  S* velocity = nullptr;            ///< at the middle of the last step, unused [length/time]
-  S* force = nullptr;               ///< force, contact stiffness [force], [force/length]
-  const S* inverse_mass = nullptr;  ///< one per node; 0 for a node of no element [1/mass]
-  const double* mass = nullptr;     ///< one per node [mass]
-  const S* element_mass = nullptr;  ///< one per place of an element; 0: eroded [mass]
+  S* position = nullptr;                       ///< x, y, z, unused [length]
+  S* velocity = nullptr;                       ///< at the middle of the last step, unused [length/time]
+  S* force = nullptr;                          ///< force, contact stiffness [force], [force/length]
+  const S* inverse_mass = nullptr;             ///< one per node; 0 for a node of no element [1/mass]
+  const double* mass = nullptr;                ///< one per node [mass]
+  const S* element_mass = nullptr;             ///< one per place of an element; 0: eroded [mass]
+  const float* single_element_mass = nullptr;  ///< in its place, where elements have fewer digits than nodes
+
+  PINBALL_FUNCTION bool has_element(std::int64_t place) const {
+    return single_element_mass != nullptr ? single_element_mass[place] > 0 : element_mass[place] > S(0);
+  }
 };
 
 /// Work of a force on node n, one of all those whose sum is in nodes.force.

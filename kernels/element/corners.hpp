@@ -18,8 +18,8 @@ PINBALL_FUNCTION MaskOf<T> may_fold(const HexahedronModes<T>& x, const EndGeomet
 
 /// Lets corners resist, and bounds the stable rate by theirs. any_resists: whether there is anything in `corners` but
 /// zero. Returns elements that are inside out at a corner.
-template <class T, int L>
-PINBALL_FUNCTION MaskOf<T> resist_at_corners(const ElementPack<T, L>& own, const NodeView<ScalarOf<T>>& nodes,
+template <class T, int L, class N>
+PINBALL_FUNCTION MaskOf<T> resist_at_corners(const ElementPack<T, L>& own, const NodeView<N>& nodes,
                                              ScalarOf<T> folding_energy, const StabilityBound<T>& bound,
                                              const HexahedronModes<T>& x, const MaskOf<T>& whole,
                                              CornerResistance<T>& corners, bool& any_resists, T& stable_rate) {

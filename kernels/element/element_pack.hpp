@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "../corner_differences.hpp"
 #include "../element_data.hpp"
-#include "../gather.hpp"
 #include "../hexahedron.hpp"
 #include "../tensor.hpp"
 
@@ -67,11 +67,10 @@ struct ElementPack {
 };
 
 /// Modes of what the nodes of a pack's elements have in their records.
-template <class T, int L>
-PINBALL_FUNCTION HexahedronModes<T> gather_modes(const ScalarOf<T>* record, const std::int32_t* corner) {
+template <class T, int L, class N>
+PINBALL_FUNCTION HexahedronModes<T> gather_modes(const N* record, const std::int32_t* corner) {
   Vec3<T> value[8];
-  PINBALL_UNROLL
-  for (int i = 0; i < 8; ++i) value[i] = gather_vectors<T>(record, corner + i * L);
+  gather_corners<T, L>(record, corner, value);
   return to_modes(value);
 }
 

@@ -24,6 +24,7 @@ std::string missing_on_device(const Scene& scene) {
   add(!scene.tied_contacts.empty(), "tied contact");
   add(!scene.rigid_bodies.empty(), "rigid bodies");
   add(scene.time.subcycling, "subcycling");
+  add(scene.precision == Precision::mixed, "precision = \"mixed\"");
   add(scene.output.body_energies, "output.body_energies");
   return fmt::format("{}", fmt::join(missing, ", "));
 }

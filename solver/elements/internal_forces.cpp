@@ -11,8 +11,11 @@ namespace pinball {
 template <class S>
 InternalForces<S>::InternalForces(const Model<S>& model, Subdomain<S>* domain)
     : domain_(domain), results_(model.tile_count()) {
-  for (const Part& part : model.parts)
-    kernel_of_part_.push_back(part.rigid ? nullptr : choose_tile_kernel<S>(part.features));
+  const bool mixed = is_mixed<S>(model.scene);
+  for (const Part& part : model.parts) {
+    kernel_of_part_.push_back(part.rigid || mixed ? nullptr : choose_tile_kernel<S, S>(part.features));
+    mixed_kernel_of_part_.push_back(part.rigid || !mixed ? nullptr : choose_tile_kernel<float, S>(part.features));
+  }
   for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
     if (model.is_rigid(tile)) results_[tile].time_step = std::numeric_limits<S>::infinity();  // and is never worked
   }
@@ -32,11 +35,27 @@ void for_each_tile(const Colouring& tiles, const Body& body) {
 template <class S>
 void InternalForces<S>::work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step) {
   const std::int32_t part = model.tile_part[tile];
-  ElementView<S> elements = model.elements.template view<S>();
+  if (mixed_kernel_of_part_[part] != nullptr) {
+    work_in<float>(model, tile, step, mixed_kernel_of_part_[part]);
+  } else {
+    work_in<S>(model, tile, step, kernel_of_part_[part]);
+  }
+}
+
+/// E: precision of the elements.
+template <class S>
+template <class E>
+void InternalForces<S>::work_in(Model<S>& model, std::int32_t tile, const ElementStep<S>& step,
+                                TileKernel<E, S> kernel) {
+  ElementView<E> elements = model.elements.template view<E>();
   if (domain_) elements.corner = domain_->corner();
-  kernel_of_part_[part](
-      {elements, model.nodes.view(), model.constants[part], step, model.tile_packs[tile], model.tile_packs[tile + 1]},
-      results_[tile]);
+  kernel({elements,
+          model.nodes.view(),
+          model.template constants_in<E>()[model.tile_part[tile]],
+          {static_cast<E>(step.length), static_cast<E>(step.weight), static_cast<E>(step.time)},
+          model.tile_packs[tile],
+          model.tile_packs[tile + 1]},
+         results_[tile]);
 }
 
 template <class S>

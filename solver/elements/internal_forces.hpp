@@ -59,12 +59,15 @@ class InternalForces {
 
  private:
   void work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step);
+  template <class E>
+  void work_in(Model<S>& model, std::int32_t tile, const ElementStep<S>& step, TileKernel<E, S> kernel);
   InternalForceResult<S> sum() const;
   std::int64_t share_results(Schedule<S>& schedule, bool skips_resting);
   void share_eroded(Model<S>& model);
 
   Subdomain<S>* domain_;
-  std::vector<TileKernel<S>> kernel_of_part_;
+  std::vector<TileKernel<S, S>> kernel_of_part_;
+  std::vector<TileKernel<float, S>> mixed_kernel_of_part_;  ///< in its place, where elements have fewer digits
   std::vector<TileResult<S>> results_;
 };
 

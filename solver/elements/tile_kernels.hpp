@@ -19,26 +19,26 @@ struct TileResult {
   std::int64_t inside_out_count = 0;  ///< elements with a corner that has turned over
 };
 
-/// Packs first ... last - 1: a tile, of one part.
-template <class S>
+/// Packs first ... last - 1: a tile, of one part. E: the elements' numbers; S: the nodes'.
+template <class E, class S>
 struct TilePacks {
-  ElementView<S> elements;
+  ElementView<E> elements;
   NodeView<S> nodes;
-  const ElementConstants<S>& constants;
-  ElementStep<S> step;
+  const ElementConstants<E>& constants;
+  ElementStep<E> step;
   std::int64_t first, last;
 };
 
 /// Works one tile through a step.
-template <class S>
-using TileKernel = void (*)(const TilePacks<S>& tile, TileResult<S>&);
+template <class E, class S>
+using TileKernel = void (*)(const TilePacks<E, S>& tile, TileResult<S>&);
 
 /// The kernel for a combination of features: each is compiled for itself, the choice is made once, at the start.
-template <class S>
-TileKernel<S> choose_tile_kernel(const ElementFeatures& features);
+template <class E, class S>
+TileKernel<E, S> choose_tile_kernel(const ElementFeatures& features);
 
 /// The same for YieldLaw::general. Behind choose_tile_kernel.
-template <class S>
-TileKernel<S> choose_general_tile_kernel(const ElementFeatures& features);
+template <class E, class S>
+TileKernel<E, S> choose_general_tile_kernel(const ElementFeatures& features);
 
 }  // namespace pinball

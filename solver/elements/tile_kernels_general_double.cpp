@@ -2,6 +2,6 @@
 
 namespace pinball {
 
-template TileKernel<double> choose_general_tile_kernel<double>(const ElementFeatures&);
+template TileKernel<double, double> choose_general_tile_kernel<double, double>(const ElementFeatures&);
 
 }  // namespace pinball

@@ -2,6 +2,6 @@
 
 namespace pinball {
 
-template TileKernel<float> choose_general_tile_kernel<float>(const ElementFeatures&);
+template TileKernel<float, float> choose_general_tile_kernel<float, float>(const ElementFeatures&);
 
 }  // namespace pinball

@@ -5,12 +5,12 @@
 /// Included by one source file per precision, as tile_kernels_general.hpp is.
 namespace pinball {
 
-template <class S>
-TileKernel<S> choose_tile_kernel(const ElementFeatures& features) {
+template <class E, class S>
+TileKernel<E, S> choose_tile_kernel(const ElementFeatures& features) {
   if constexpr (built::plasticity) {
-    if (is_general(features)) return choose_general_tile_kernel<S>(features);
+    if (is_general(features)) return choose_general_tile_kernel<E, S>(features);
   }
-  return choose_linear_features(UpdatesTiles<S>{}, features);
+  return choose_linear_features(UpdatesTiles<E, S>{}, features);
 }
 
 }  // namespace pinball

@@ -35,13 +35,13 @@ double farthest(const std::array<Point, 8>& corners) {
 
 /// The kernels divide by the square of a volume: it has to be a normal number of the precision.
 bool square_is_held(double volume, Precision precision) {
-  const bool wide = precision == Precision::float64;
+  const bool wide = !has_single_elements(precision);
   const double least = wide ? std::numeric_limits<double>::min() : std::numeric_limits<float>::min();
   const double most = wide ? std::numeric_limits<double>::max() : std::numeric_limits<float>::max();
   return volume >= std::sqrt(least) && volume <= std::sqrt(most);
 }
 
-const char* name_of(Precision precision) { return precision == Precision::float64 ? "double" : "single"; }
+const char* digits_name(bool single) { return single ? "single" : "double"; }
 
 const char* or_double(Precision precision) {
   return precision == Precision::float64 ? "" : ", or precision = \"double\"";
@@ -60,7 +60,7 @@ std::string volume_problem(const std::array<Point, 8>& corners, Precision precis
   if (held && square_is_held(volume, precision)) return "";
   return fmt::format(
       "has the size {:.3g}, with volumes that {} precision cannot hold: expected another unit of length{}", size,
-      name_of(precision), or_double(precision));
+      digits_name(has_single_elements(precision)), or_double(precision));
 }
 
 std::string rounding_problem(const std::array<Point, 8>& corners, Precision precision) {
@@ -70,7 +70,7 @@ std::string rounding_problem(const std::array<Point, 8>& corners, Precision prec
   return fmt::format(
       "at ({:.6g}, {:.6g}, {:.6g}) is too small for a place so far from the origin: {} precision rounds its volume by "
       "{:.2g} of it, expected at most {:.2g}; move the origin into the scene{}",
-      p[0], p[1], p[2], name_of(precision), error, most, or_double(precision));
+      p[0], p[1], p[2], digits_name(precision == Precision::float32), error, most, or_double(precision));
 }
 
 }  // namespace pinball

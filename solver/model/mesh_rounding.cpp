@@ -10,7 +10,7 @@ namespace pinball {
 
 double relative_rounding(const std::array<Point, 8>& corners, Precision precision) {
   const double epsilon =
-      precision == Precision::float64 ? std::numeric_limits<double>::epsilon() : std::numeric_limits<float>::epsilon();
+      precision == Precision::float32 ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
   const HexahedronModes<double> x = modes_of(corners);
   const UniformGradient<double> b = uniform_gradient(x);
   const double volume = hexahedron_volume(b, x);

@@ -26,6 +26,6 @@ double relative_rounding(const std::array<Point, 8>& corners, Precision precisio
 ///
 /// A step moves nodes by less than is rounded, whatever the masses are. Double has room to be strict: 1e9 sizes of
 /// an element from the origin. Single precision holds what scenes need: some thousand elements in a row.
-inline double largest_rounding(Precision precision) { return precision == Precision::float64 ? 1e-6 : 1e-3; }
+inline double largest_rounding(Precision precision) { return precision == Precision::float32 ? 1e-3 : 1e-6; }
 
 }  // namespace pinball

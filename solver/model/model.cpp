@@ -10,7 +10,6 @@
 #include <span>
 #include <string_view>
 #include <tuple>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -46,10 +45,20 @@ struct TileGroup {
   TileOrder tiles;
 };
 
+/// The direction of most first axes of some elements, along which mixed precision fetches rows of them at once.
+int axis_of_rows(const ModelMesh& mesh, const std::vector<std::int32_t>& elements) {
+  Point sum{};
+  for (const std::int32_t e : elements) {
+    const Point edge = minus(mesh.corner(e, 1), mesh.corner(e, 0));
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += std::abs(edge[k]) / std::sqrt(dot(edge, edge));
+  }
+  return static_cast<int>(std::ranges::max_element(sum) - sum.begin());
+}
+
 /// levels: of the steps of the elements; empty if all make the same. by_body: no tile is of several bodies. pack: lanes
 /// of the widest.
 std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh& mesh,
-                                      const std::vector<std::uint8_t>& levels, bool by_body, int pack) {
+                                      const std::vector<std::uint8_t>& levels, bool by_body, int pack, bool mixed) {
   const std::size_t count = mesh.hexahedra.size();
   std::map<std::tuple<std::size_t, std::uint8_t, std::int32_t>, std::vector<std::int32_t>> members;
   std::vector<Point> centres(count), extents(count);
@@ -65,7 +74,8 @@ std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh
     const std::size_t together = levels.empty() ? count : elements.size();
     const std::int64_t size = tile_size(together);
     const auto [part, level, body] = kind;
-    groups.push_back({part, level, body, compact_tiles(centres, extents, std::move(elements), size, pack)});
+    const int axis = mixed ? axis_of_rows(mesh, elements) : -1;
+    groups.push_back({part, level, body, compact_tiles(centres, extents, std::move(elements), size, pack, axis)});
   }
   return groups;
 }
@@ -75,7 +85,8 @@ using Hexahedra = std::vector<std::array<std::int32_t, 8>>;
 /// Tiles, each of whole packs of one material, and their colours; returns the elements in the order of their slots.
 template <class S>
 Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vector<double>& mass_factor) {
-  constexpr int W = ElementStore::width_in(std::is_same_v<S, float>);
+  const bool single = has_single_elements<S>(model.scene);
+  const int W = ElementStore::width_in(single);
   const ElementLevels levels =
       model.scene.time.subcycling ? element_step_levels(model.scene, model.mesh, mass_factor) : ElementLevels{};
   Hexahedra ordered;
@@ -84,7 +95,8 @@ Hexahedra add_tiles(Model<S>& model, const ElementParts& parts, const std::vecto
   model.slot_of_element.resize(model.mesh.hexahedra.size());
   const bool by_body = model.scene.output.body_energies;
   for (const auto& [part, level, body, tiles] :
-       cut_into_tiles(parts, model.mesh, levels.level, by_body, widest_pack<S>)) {
+       cut_into_tiles(parts, model.mesh, levels.level, by_body, single ? widest_pack<float> : widest_pack<double>,
+                      is_mixed<S>(model.scene))) {
     for (std::size_t t = 0; t + 1 < tiles.offsets.size(); ++t) {
       const std::int64_t first = tiles.offsets[t], last = tiles.offsets[t + 1];
       const std::int64_t pack = model.tile_packs.back();
@@ -118,6 +130,9 @@ void set_failure_limits(Model<S>& model, const ElementParts& parts, const std::v
   for (std::size_t p = 0; p < model.parts.size(); ++p) {
     const Material& material = materials[model.parts[p].material];
     model.constants[p].failure.limits = failure_limits<S>(material, smallest);
+    if (p < model.single_constants.size()) {
+      model.single_constants[p].failure.limits = failure_limits<float>(material, smallest);
+    }
   }
 }
 
@@ -135,7 +150,7 @@ void fill_nodes(Model<S>& model) {
 template <class S>
 void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const std::vector<double>& mass_factor,
                    const std::vector<double>& onset) {
-  model.elements = ElementStore(model.tile_packs.back(), features, std::is_same_v<S, float>);
+  model.elements = ElementStore(model.tile_packs.back(), features, has_single_elements<S>(model.scene));
   model.element_mass.resize(model.mesh.hexahedra.size());
   model.added_mass.resize(mass_factor.size());
   model.added_node_mass.assign(mass_factor.empty() ? 0 : model.mesh.nodes.size(), 0.0);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -112,6 +113,9 @@ struct Model {
   ElementStore elements;
   std::vector<ElementConstants<S>> constants;                       ///< per part
   std::vector<std::shared_ptr<const YieldCurves<S>>> yield_curves;  ///< what `constants` point to
+  /// The same for elements of single precision, where nodes have double; else empty.
+  std::vector<ElementConstants<float>> single_constants;
+  std::vector<std::shared_ptr<const YieldCurves<float>>> single_yield_curves;
   std::vector<Part> parts;
   std::vector<NodeConstraint<S>> constraints;   ///< orthonormal per node
   std::vector<NodePrescription<S>> prescribed;  ///< orthonormal per node, with the constraints
@@ -165,10 +169,30 @@ struct Model {
   bool is_padding(std::int64_t slot) const { return element_of_slot[slot] < 0; }
   /// Whether a number that was read is the slot of an element, or negative: none.
   bool may_be_place(std::int64_t slot) const { return slot < 0 || (slot < elements.slots && !is_padding(slot)); }
+  /// Per part, in the precision of the elements.
+  template <class E>
+  std::vector<ElementConstants<E>>& constants_in() {
+    if constexpr (std::is_same_v<E, S>) {
+      return constants;
+    } else {
+      return single_constants;
+    }
+  }
   std::size_t bytes() const;  ///< of all arrays of the size of the mesh
   /// The state of nodes and elements between steps: node forces are zero then.
   void persist(StateArchive& archive);
 };
+
+/// Whether the nodes of a model of this scene have more digits than its elements.
+template <class S>
+bool is_mixed(const Scene& scene) {
+  return std::is_same_v<S, double> && scene.precision == Precision::mixed;
+}
+/// Lanes of a pack of elements are of this precision.
+template <class S>
+bool has_single_elements(const Scene& scene) {
+  return std::is_same_v<S, float> || is_mixed<S>(scene);
+}
 
 /// How a message about a scene begins: "FILE: ", or nothing for a scene that was made in code.
 std::string message_head(const Scene& scene);

@@ -75,32 +75,45 @@ ElementFeatures features_of(const Material& material, const ElementSettings& set
   return f;
 }
 
+/// Constants of a part, with the curves that they point to, which are put into `curves`.
+template <class E>
+ElementConstants<E> constants_with_laws(const Scene& scene, const ElementPart& part,
+                                        std::vector<std::shared_ptr<const YieldCurves<E>>>& curves) {
+  const Material& material = scene.materials[part.material];
+  ElementConstants<E> c = constants_of<E>(material, part.settings);
+  require_held(scene, material, c);
+  if (part.rigid || !has_general_yield(material)) return c;
+  curves.push_back(std::make_shared<const YieldCurves<E>>(yield_curves<E>(material)));
+  c.hardening = hardening_constants(material, *curves.back());
+  c.johnson_cook = johnson_cook_constants<E>(material);
+  c.rubber = rubber_constants<E>(material);
+  c.fluid = fluid_constants<E>(material);
+  c.pressure = pressure_constants<E>(material);
+  c.places = material_places(material);
+  return c;
+}
+
 }  // namespace
 
 template <class S>
 ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
   ElementStoreFeatures stored;
-  for (const auto& [number, settings, rigid] : parts.parts) {
-    const Material& material = model.scene.materials[number];
-    model.constants.push_back(constants_of<S>(material, settings));
-    require_held(model.scene, material, model.constants.back());
-    if (rigid) {
-      model.parts.push_back({static_cast<std::int32_t>(number), {}, settings, true});
+  for (const ElementPart& part : parts.parts) {
+    const Material& material = model.scene.materials[part.material];
+    model.constants.push_back(constants_with_laws(model.scene, part, model.yield_curves));
+    if (is_mixed<S>(model.scene)) {
+      model.single_constants.push_back(constants_with_laws(model.scene, part, model.single_yield_curves));
+    }
+    const ElementConstants<S>& constants = model.constants.back();
+    const auto number = static_cast<std::int32_t>(part.material);
+    if (part.rigid) {
+      model.parts.push_back({number, {}, part.settings, true});
       continue;
     }
-    if (has_general_yield(material)) {
-      model.yield_curves.push_back(std::make_shared<const YieldCurves<S>>(yield_curves<S>(material)));
-      model.constants.back().hardening = hardening_constants(material, *model.yield_curves.back());
-      model.constants.back().johnson_cook = johnson_cook_constants<S>(material);
-      model.constants.back().rubber = rubber_constants<S>(material);
-      model.constants.back().fluid = fluid_constants<S>(material);
-      model.constants.back().pressure = pressure_constants<S>(material);
-      model.constants.back().places = material_places(material);
-      stored.material_numbers = std::max(stored.material_numbers, model.constants.back().places.numbers);
-    }
-    const FailureConstants<S>& failure = model.constants.back().failure;
-    const ElementFeatures f = features_of(material, settings, failure.negative_volume || failure.inside_out);
-    model.parts.push_back({static_cast<std::int32_t>(number), f, settings});
+    stored.material_numbers = std::max(stored.material_numbers, constants.places.numbers);
+    const FailureConstants<S>& failure = constants.failure;
+    const ElementFeatures f = features_of(material, part.settings, failure.negative_volume || failure.inside_out);
+    model.parts.push_back({number, f, part.settings});
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;
     stored.bulk_viscosity |= f.bulk_viscosity;

@@ -23,9 +23,11 @@ struct TileOrder {
 ///
 /// centres, extents: of the box around each element [length]; elements: the indices to take, each once; tiles are
 /// multiples of `multiple` elements but for the last. Depends on positions alone, ties by index. Coordinates are to be
-/// finite.
+/// finite. row_axis: the direction of rows, along which tiles are then up to four times as long as they are thick; -1:
+/// that with the most layers.
 TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Point>& extents,
-                        std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple);
+                        std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple,
+                        int row_axis = -1);
 
 /// Nodes in the order in which the elements first touch them, elements taken as listed; unused nodes come last,
 /// by index. Throws InputError if an element names a node outside 0 ... node_count - 1.

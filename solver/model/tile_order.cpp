@@ -14,11 +14,12 @@ using Layers = std::array<std::int32_t, 3>;
 class Halving {
  public:
   Halving(const std::vector<Point>& centres, const std::vector<Point>& extents, std::int64_t largest,
-          std::int64_t multiple, TileOrder& tiles)
+          std::int64_t multiple, int row_axis, TileOrder& tiles)
       : centres_(centres),
         extents_(extents),
         largest_(largest),
         multiple_(multiple),
+        row_axis_(row_axis),
         layer_(centres.size()),
         tiles_(tiles) {}
 
@@ -29,7 +30,7 @@ class Halving {
       tiles_.offsets.push_back(end);
       return;
     }
-    const std::size_t axis = std::max_element(layers.begin(), layers.end()) - layers.begin();
+    const std::size_t axis = axis_to_cut(layers);
     const std::int64_t middle = begin + half(begin, end, axis, layers[axis]);
     const std::array<std::size_t, 3> axes{axis, (axis + 1) % 3, (axis + 2) % 3};
     std::nth_element(at(begin), at(middle), at(end),
@@ -79,6 +80,12 @@ class Halving {
     return a < b;
   }
 
+  /// That with the most layers. Rows are cut where they are far longer than the tile is thick.
+  std::size_t axis_to_cut(Layers layers) const {
+    if (row_axis_ >= 0) layers[row_axis_] = (layers[row_axis_] + 3) / 4;
+    return std::max_element(layers.begin(), layers.end()) - layers.begin();
+  }
+
   /// Elements of the first half: as many as are in the layers up to the one nearest to the middle, in whole packs.
   std::int64_t half(std::int64_t begin, std::int64_t end, std::size_t axis, std::int32_t layers) {
     std::vector<std::int64_t> of_layer(layers, 0);
@@ -101,6 +108,10 @@ class Halving {
   void sort_rows(std::int64_t begin, std::int64_t end, const Layers& layers) {
     std::array<std::size_t, 3> axes{0, 1, 2};
     std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) { return layers[a] > layers[b]; });
+    if (row_axis_ >= 0) {
+      const auto chosen = std::ranges::find(axes, static_cast<std::size_t>(row_axis_));
+      std::rotate(axes.begin(), chosen, chosen + 1);
+    }
     const std::array<std::size_t, 3> slowest_first{axes[1], axes[2], axes[0]};
     std::sort(at(begin), at(end), [&](std::int32_t a, std::int32_t b) { return before(a, b, slowest_first); });
   }
@@ -108,6 +119,7 @@ class Halving {
   const std::vector<Point>& centres_;
   const std::vector<Point>& extents_;
   std::int64_t largest_, multiple_;
+  int row_axis_;
   std::vector<Layers> layer_;
   TileOrder& tiles_;
 };
@@ -115,10 +127,10 @@ class Halving {
 }  // namespace
 
 TileOrder compact_tiles(const std::vector<Point>& centres, const std::vector<Point>& extents,
-                        std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple) {
+                        std::vector<std::int32_t> elements, std::int64_t largest, std::int64_t multiple, int row_axis) {
   TileOrder tiles{std::move(elements), {0}};
   const std::int64_t n = tiles.order.size();
-  if (n > 0) Halving(centres, extents, largest, multiple, tiles).cut(0, n);
+  if (n > 0) Halving(centres, extents, largest, multiple, row_axis, tiles).cut(0, n);
   return tiles;
 }
 

@@ -32,7 +32,7 @@ struct FileHeader {
   std::uint64_t version = 0, bytes = 0, hash = 0;
 };
 
-std::int32_t simd_width(Precision precision) { return ElementStore::width_in(precision == Precision::float32); }
+std::int32_t simd_width(Precision precision) { return ElementStore::width_in(has_single_elements(precision)); }
 
 /// The content of a file whose header, size and hash are right.
 StateBytes read_content(const std::string& path) {

@@ -36,7 +36,7 @@ RunSummary known_of(const Scene& scene) {
   head.title = scene.title;
   head.units = scene.units;
   head.version = PINBALL_VERSION;
-  head.precision = scene.precision == Precision::float32 ? "float" : "double";
+  head.precision = name_of(scene.precision);
   head.device = device_name(scene.device);
   head.started = time_now();
   return head;

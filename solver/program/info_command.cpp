@@ -244,7 +244,7 @@ Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   spent.built = processor_seconds();
   DefaultExecutionSpace::set_concurrency(threads > 0 ? threads : earned_threads(solver.element_count()));
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
-  fmt::print("  {}; {} precision", units_line(scene.units), sizeof(S) == sizeof(double) ? "double" : "float");
+  fmt::print("  {}; {} precision", units_line(scene.units), name_of(scene.precision));
   if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
   fmt::print("\n  {} elements, {} nodes, {} bod{}, end at {}\n", solver.element_count(), solver.mesh().nodes.size(),
              scene.bodies.size(), scene.bodies.size() == 1 ? "y" : "ies", with_unit(scene.time.end, units.time));

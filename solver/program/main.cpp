@@ -114,10 +114,12 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
       .add_option_function<std::string>(
           "--precision",
           [&options](const std::string& name) {
-            options.overrides.precision = name == "float" ? pinball::Precision::float32 : pinball::Precision::float64;
+            options.overrides.precision = name == "float"   ? pinball::Precision::float32
+                                          : name == "mixed" ? pinball::Precision::mixed
+                                                            : pinball::Precision::float64;
           },
-          "float or double (default: as the scene says)")
-      ->check(CLI::IsMember({"float", "double"}));
+          "double, mixed or float (default: as the scene says)")
+      ->check(CLI::IsMember({"double", "mixed", "float"}));
   command.add_flag("--quiet", options.quiet, "no progress");
   return scene;
 }

@@ -22,9 +22,10 @@ double memory_bytes() {
 
 /// Peaks of memory of one step of an elastic cube of 10^6 elements (5 * 10^5 with contact), in single and double
 /// precision: 279 and 433 bytes per element with viscous hourglass forces and nothing else, 370 and 618 with stiffness,
-/// 573 and 850 with bulk viscosity and contact, too. What is assumed is a tenth less.
+/// 573 and 850 with bulk viscosity and contact, too. What is assumed is a tenth less; of
+/// mixed precision what single precision takes.
 double least_bytes_of_element(const Scene& scene, const ElementSettings& element) {
-  const double number = scene.precision == Precision::float32 ? sizeof(float) : sizeof(double);
+  const double number = has_single_elements(scene.precision) ? sizeof(float) : sizeof(double);
   const bool state = element.hourglass != HourglassControl::none && element.hourglass != HourglassControl::viscous;
   const ContactMethod method = scene.contact.method;
   const bool contact = method == ContactMethod::pinball || method == ContactMethod::slideline;

@@ -205,7 +205,7 @@ void fill_summary(const Solver<S>& solver, RunSummary& summary) {
   summary.scene = scene.name;
   summary.title = scene.title;
   summary.units = scene.units;
-  summary.precision = sizeof(S) == sizeof(double) ? "double" : "float";
+  summary.precision = name_of(scene.precision);
   summary.device = device_name(scene.device);
   summary.simd_width = model.elements.width;
   const SharedWork shared = solver.shared_work();

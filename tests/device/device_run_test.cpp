@@ -244,6 +244,8 @@ TEST(DeviceRun, RefusesByNameWhatNoDeviceCanDo) {
   scene.time.subcycling = true;
   scene.device = Device::mock;
   EXPECT_EQ(missing_on_device(scene), "contact, subcycling");
+  scene.precision = Precision::mixed;
+  EXPECT_EQ(missing_on_device(scene), "contact, subcycling, precision = \"mixed\"");
   EXPECT_THAT(error_of([&] { Solver<double>{scene}; }), testing::HasSubstr("contact, subcycling"));
 }
 

@@ -46,15 +46,15 @@ struct Lattice {
   }
 };
 
-/// Forces of the nodes after one step, in packs of W.
-template <class S, int W>
-std::vector<S> forces_of_packs() {
-  const Lattice<S> lattice;
+/// Forces of the nodes after one step, in packs of W. N: the numbers of nodes.
+template <class S, int W, class N>
+std::vector<N> forces_of_packs() {
+  const Lattice<N> lattice;
   const std::size_t count = lattice.corners.size(), packs = (count + W - 1) / W;
   test::AlignedVector<std::int32_t> corner(8 * packs * W);
   test::AlignedVector<S> mass(packs * W, S(0)), stress(6 * packs * W, S(0)), plastic(packs * W, S(0));
   test::AlignedVector<S> hourglass(12 * packs * W, S(0)), viscous(packs * W, S(0)), energy(packs * W, S(0));
-  test::AlignedVector<S> force(lattice.position.size(), S(0));
+  test::AlignedVector<N> force(lattice.position.size(), N(0));
   for (std::size_t e = 0; e < packs * W; ++e) {
     const std::size_t real = std::min(e, count - 1);
     if (e == real) mass[e] = S(3);
@@ -69,22 +69,22 @@ std::vector<S> forces_of_packs() {
   constants.viscosity.quadratic = S(1.2);
   constants.hourglass.modulus = S(7);
   constants.specific_volume = S(1) / S(3);
-  const TilePacks<S> tile{
+  const TilePacks<S, N> tile{
       {corner.data(), mass.data(), stress.data(), plastic.data(), hourglass.data(), viscous.data(), energy.data()},
       {lattice.position.data(), lattice.velocity.data(), force.data()},
       constants,
       {S(0.05)},
       0,
       static_cast<std::int64_t>(packs)};
-  TileResult<S> result;
+  TileResult<N> result;
   update_packs<Pack<S, W>, features>(tile, result);
   EXPECT_EQ(result.inverted_count, 0);
   return {force.begin(), force.end()};
 }
 
-template <class S, int W>
+template <class S, int W, class N = S>
 void expect_bits_of_widest() {
-  const std::vector<S> widest = forces_of_packs<S, widest_pack<S>>(), others = forces_of_packs<S, W>();
+  const std::vector<N> widest = forces_of_packs<S, widest_pack<S>, N>(), others = forces_of_packs<S, W, N>();
   int other_bits = 0;
   for (std::size_t i = 0; i < widest.size(); ++i) other_bits += widest[i] == others[i] ? 0 : 1;
   EXPECT_EQ(other_bits, 0) << "of " << widest.size() << " with packs of " << W;
@@ -100,6 +100,13 @@ TEST(PackWidth, AddsFloatsWithTheSameBits) {
   expect_bits_of_widest<float, 1>();
   expect_bits_of_widest<float, 4>();
   expect_bits_of_widest<float, 8>();
+}
+
+/// The elements of the widest pack are fetched by rows, those of others are not.
+TEST(PackWidth, AddsMixedPrecisionWithTheSameBits) {
+  expect_bits_of_widest<float, 1, double>();
+  expect_bits_of_widest<float, 4, double>();
+  expect_bits_of_widest<float, 8, double>();
 }
 
 }  // namespace

@@ -73,6 +73,7 @@ TEST(MeshRounding, PlacesAMillionElementsAwayAreTaken) {
     EXPECT_NEAR(volume, 1e-3, 1e-9);
   }
   EXPECT_EQ(refusal(block_at({1000 * h, 1000 * h, 0}, Precision::float32)), no_error);
+  EXPECT_EQ(refusal(block_at({1e8 * h, 1e8 * h, 0}, Precision::mixed)), no_error) << "nodes are as in double";
 }
 
 std::string refusal(double size, Precision precision) {
@@ -87,6 +88,7 @@ TEST(MeshRounding, VolumesHaveToBeHeldByThePrecision) {
   }
   for (const double size : {1e-40, 1e-7, 1e7, 1e30}) {
     EXPECT_THAT(refusal(size, Precision::float32), HasSubstr("or precision = \"double\"")) << size;
+    EXPECT_THAT(refusal(size, Precision::mixed), HasSubstr("or precision = \"double\"")) << size;
     EXPECT_EQ(refusal(size, Precision::float64), no_error) << size;
   }
   for (const double size : {1e-6, 1.0, 1e6}) EXPECT_EQ(refusal(size, Precision::float32), no_error) << size;

@@ -191,7 +191,8 @@ TEST_F(Checkpoints, AFileHasAllThatWasWritten) {
   StateBytes state(5);
   for (std::size_t i = 0; i < 5; ++i) state[i] = static_cast<std::byte>(17 + i);
   for (const std::optional<Precision> precision :
-       {std::optional<Precision>(), std::optional(Precision::float64), std::optional(Precision::float32)}) {
+       {std::optional<Precision>(), std::optional(Precision::float64), std::optional(Precision::float32),
+        std::optional(Precision::mixed)}) {
     head.source.overrides.precision = precision;
     write_checkpoint(folder_ / "a.pinball", head, state);
     const Checkpoint read = read_checkpoint(folder_ / "a.pinball");

@@ -92,7 +92,7 @@ class Completion:
         check_options_are_taken(self, "verify", self.complete("verify", "--"))
 
     def test_offers_choices(self):
-        self.assertEqual(self.complete("run", "block", "--precision", ""), {"float", "double"})
+        self.assertEqual(self.complete("run", "block", "--precision", ""), {"float", "double", "mixed"})
         self.assertEqual(self.complete("verify", "--device", ""), {"none", "mock", "cuda", "hip"})
         self.assertNotIn("mock", self.complete("info", "--device", ""))
 

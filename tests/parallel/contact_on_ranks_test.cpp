@@ -126,6 +126,12 @@ TEST(ContactOnRanks, InSinglePrecision) {
   expect_same_on<float>({{3, {Partition::By::random, 4}}}, scene);
 }
 
+TEST(ContactOnRanks, InMixedPrecision) {
+  Scene scene = eroding(ContactMethod::pinball, Enforcement::lagrange, ContactGap::face);
+  scene.precision = Precision::mixed;
+  EXPECT_GT(expect_same_on<double>(some_ranks, scene).pairs, 0);
+}
+
 TEST(ContactOnRanks, OfManyPartitionsAtRandom) {
   std::vector<Shared> all;
   for (std::uint64_t seed = 0; seed < 12; ++seed)

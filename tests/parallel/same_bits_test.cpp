@@ -74,6 +74,7 @@ TEST(SameBits, OfABlockThatIsTornForAnyNumberOfRanksAndAnyPartition) {
 }
 
 TEST(SameBits, InSinglePrecision) { expect_same<float>(torn(Precision::float32)); }
+TEST(SameBits, InMixedPrecision) { expect_same<double>(torn(Precision::mixed)); }
 
 TEST(SameBits, OfTwentyPartitionsAtRandom) {
   Scene scene = torn();

@@ -60,7 +60,7 @@ class Pickles(unittest.TestCase):
                 self.expect_the_same_end(lambda: simulation_of(name, set=changes), time)
 
     def test_of_arrays_go_on_with_the_same_bits(self):
-        for precision in ("double", "float"):
+        for precision in ("double", "float", "mixed"):
             with self.subTest(precision):
                 self.expect_the_same_end(lambda: pinball.Simulation(block_of_arrays(precision)), 0.7)
 

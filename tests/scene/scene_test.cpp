@@ -308,7 +308,8 @@ TEST_F(SceneTest, ChoicesListWhatIsAllowed) {
   EXPECT_EQ(
       error(with({"[element]", "hourglass = \"vicsous\""})),
       "16:13: element.hourglass: expected \"none\", \"viscous\", \"stiffness\" or \"assumed_strain\", got \"vicsous\"");
-  EXPECT_EQ(error(with(1, "precision = \"half\"")), "1:13: precision: expected \"double\" or \"float\", got \"half\"");
+  EXPECT_EQ(error(with(1, "precision = \"half\"")),
+            "1:13: precision: expected \"double\", \"float\" or \"mixed\", got \"half\"");
   EXPECT_EQ(error(with({"[output]", "fields = [\"stress\", \"stres\"]"})),
             "16:21: output.fields[1]: expected \"velocity\", \"contact_force\", \"stress\", \"plastic_strain\", "
             "\"pinball_radius\", \"alive\", \"displacement\", \"pressure\", \"corner_share\", \"triaxiality\", "

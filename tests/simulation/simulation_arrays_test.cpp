@@ -21,7 +21,7 @@ using test::impact;
 TEST(Simulation, ArraysGiveTheBitsOfTheSameMeshInASceneFile) {
   Scene scene = read_scene(find_scene("rod_plate"));
   scene.time.steps = 60;
-  for (const Precision precision : {Precision::float64, Precision::float32}) {
+  for (const Precision precision : {Precision::float64, Precision::float32, Precision::mixed}) {
     scene.precision = precision;
     EXPECT_EQ(hash_of_run(scene), hash_of_run(test::ArrayScene<>(scene).scene));
   }

@@ -222,6 +222,12 @@ TEST_F(RestartSweep, TheSameInFloat) {
   expect_same_after_restarts(scene, some_steps(8, steps_of(scene), 2));
 }
 
+TEST_F(RestartSweep, TheSameInMixedPrecision) {
+  Scene scene = changing();
+  scene.precision = Precision::mixed;
+  expect_same_after_restarts(scene, some_steps(8, steps_of(scene), 3));
+}
+
 TEST_F(RestartSweep, TheSameWithSubcycling) {
   Scene scene = changing({{"[[contact.tied]]\nname = \"glue\"\nfirst = \"rider\"\nsecond = \"upper\"\ntolerance = "
                            "0.005\nstart = 6e-5\nend = 4e-4\n",

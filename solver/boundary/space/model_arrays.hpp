@@ -9,8 +9,14 @@ namespace pinball {
 template <class S>
 NodeArrays<S> node_arrays(Model<S>& model) {
   NodeStore<S>& nodes = model.nodes;
-  return {nodes.position.data(),     nodes.velocity.data(),  nodes.force.data(),
-          nodes.inverse_mass.data(), model.node_mass.data(), model.elements.mass.template data<S>()};
+  const bool mixed = is_mixed<S>(model.scene);
+  return {nodes.position.data(),
+          nodes.velocity.data(),
+          nodes.force.data(),
+          nodes.inverse_mass.data(),
+          model.node_mass.data(),
+          model.elements.mass.template data<S>(),
+          mixed ? model.elements.mass.template data<float>() : nullptr};
 }
 
 }  // namespace pinball

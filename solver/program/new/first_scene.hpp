@@ -16,7 +16,7 @@ title = "A steel ball strikes an aluminium plate"
 # Units are any consistent set; nothing is converted. Here mass in g, length in mm, time in ms: then velocity is in m/s,
 # stress in MPa, force in N, energy in mJ. In m, kg and s write "kg-m-s", and all numbers in SI.
 units = "g-mm-ms"
-precision = "double"           # or "float": faster, half the memory, less exact
+precision = "double"           # or "mixed": faster, elements less exact; "float": half the memory, less exact
 
 [time]
 end = 0.06                     # when the run stops [ms]

@@ -11,7 +11,7 @@ namespace {
 constexpr double round_off_of_double = 1e-10, round_off_of_float = 1e-4;  ///< of a run, of the scale of a quantity
 
 double round_off_of(const Scene& scene) {
-  return scene.precision == Precision::float32 ? round_off_of_float : round_off_of_double;
+  return has_single_elements(scene.precision) ? round_off_of_float : round_off_of_double;
 }
 
 StudyQuantity quantity_of(const std::string& name, const Scene& scene, const std::vector<StudyMesh>& meshes) {

@@ -21,7 +21,9 @@ struct Choice {
 };
 
 constexpr auto choices(Of<Precision>) {
-  return std::array{Choice{"double", Precision::float64}, Choice{"float", Precision::float32}};
+  using enum Precision;
+  return std::array{Choice{pinball::name_of(float64), float64}, Choice{pinball::name_of(float32), float32},
+                    Choice{pinball::name_of(mixed), mixed}};
 }
 constexpr auto choices(Of<Device>) {
   return std::array{Choice{"none", Device::none}, Choice{"mock", Device::mock}, Choice{"cuda", Device::cuda},

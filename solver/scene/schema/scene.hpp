@@ -63,7 +63,8 @@ constexpr void describe(Of<Scene>, Visit&& visit) {
   visit(Field{"path", &T::path, "the file it was read from"});
   visit(Key{"title", &T::title, "one line for people"});
   visit(Key{"units", &T::units, "name of the consistent set of units, such as `\"in-lbf-s\"` (above)"});
-  visit(Key{"precision", &T::precision, "of all numbers; `--precision` overrides it"});
+  visit(Key{"precision", &T::precision,
+            "of numbers; `\"mixed\"`: of elements single, of all else double precision; `--precision` overrides it"});
   visit(Field{"device", &T::device, "where steps are made: of no file"});
   visit(Field{"refine", &T::refine, "already in the numbers of elements"});
   visit(Field{"of_deck", &T::of_deck, "of a deck that says nothing of contact"});

@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <tests/support/solver_case.hpp>
+#include <tests/support/torn_block.hpp>
+
+/// Nodes in double, elements in single precision: the same answer as in double, but for what single precision rounds.
+namespace pinball::mixed_precision_test {
+namespace {
+
+using namespace test;
+
+struct End {
+  std::vector<Point> position, velocity;  ///< by the nodes of the scene
+  double momentum[3] = {};                ///< what a run has changed it by, of its largest part
+  double energy = 0, balance = 0;
+  std::int64_t steps = 0;
+};
+
+template <class S>
+End end_of(Scene scene, Precision precision) {
+  scene.precision = precision;
+  Solver<S> solver(scene);
+  run(solver);
+  End end;
+  const Model<S>& model = solver.model();
+  for (const std::int32_t n : model.node_of_scene_node) {
+    const S *const x = model.nodes.position_of(n), *const v = model.nodes.velocity_of(n);
+    end.position.push_back({double(x[0]), double(x[1]), double(x[2])});
+    end.velocity.push_back({double(v[0]), double(v[1]), double(v[2])});
+  }
+  double size = 0;
+  for (std::size_t n = 0; n < end.velocity.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      size += model.node_mass[std::size_t(model.node_of_scene_node[n])] * std::abs(end.velocity[n][k]);
+    }
+  }
+  RunSummary summary;
+  fill_summary(solver, summary);
+  for (std::size_t k = 0; k < 3; ++k) {
+    end.momentum[k] = (summary.momentum_final[k] - summary.momentum_initial[k]) / size;
+  }
+  end.energy = summary.final_total;
+  end.balance = summary.balance_error_max;
+  end.steps = summary.steps;
+  return end;
+}
+
+/// Root of the mean square of the differences of velocities, over that of the velocities.
+double difference(const End& a, const End& b) {
+  double of = 0, all = 0;
+  for (std::size_t n = 0; n < a.velocity.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      of += std::pow(a.velocity[n][k] - b.velocity[n][k], 2);
+      all += std::pow(b.velocity[n][k], 2);
+    }
+  }
+  return std::sqrt(of / all);
+}
+
+Scene whole_block(const Point& position = {}) {
+  Scene scene = torn_block();
+  scene.materials[0].erosion_strain = 0;
+  scene.bodies[0].position = position;
+  return scene;
+}
+
+TEST(MixedPrecision, HasTheVelocitiesOfDouble) {
+  const End exact = end_of<double>(whole_block(), Precision::float64);
+  const End mixed = end_of<double>(whole_block(), Precision::mixed);
+  const End single = end_of<float>(whole_block(), Precision::float32);
+  EXPECT_EQ(mixed.steps, exact.steps);
+  EXPECT_GT(difference(mixed, exact), 0);
+  EXPECT_LT(difference(mixed, exact), 1e-6);
+  EXPECT_LT(difference(mixed, exact), 0.5 * difference(single, exact));
+  EXPECT_NEAR(mixed.energy, exact.energy, 1e-6 * exact.energy);
+  EXPECT_LT(mixed.balance, 2 * exact.balance);
+}
+
+/// As good as at the origin, where single precision rounds coordinates by a thousandth of an element.
+TEST(MixedPrecision, KnowsNoOrigin) {
+  const End exact = end_of<double>(whole_block(), Precision::float64);
+  EXPECT_LT(difference(end_of<double>(whole_block({16, -16, 16}), Precision::mixed), exact), 1e-6);
+  EXPECT_LT(difference(end_of<double>(whole_block({1e4, -1e4, 1e4}), Precision::mixed), exact), 1e-6);
+  EXPECT_GT(difference(end_of<float>(whole_block({16, -16, 16}), Precision::float32), exact), 1e-5);
+}
+
+TEST(MixedPrecision, ConservesMomentumAsDoubleDoes) {
+  const End exact = end_of<double>(torn_block(), Precision::float64);
+  const End mixed = end_of<double>(torn_block(Precision::mixed), Precision::mixed);
+  const End single = end_of<float>(torn_block(), Precision::float32);
+  double most = 0, most_of_single = 0;
+  for (int k = 0; k < 3; ++k) {
+    most = std::max(most, std::abs(mixed.momentum[k]));
+    most_of_single = std::max(most_of_single, std::abs(single.momentum[k]));
+    EXPECT_LT(std::abs(exact.momentum[k]), 1e-15);
+  }
+  EXPECT_LT(most, 1e-15);
+  EXPECT_GT(most_of_single, 1e-10) << "then this test finds nothing";
+}
+
+TEST(MixedPrecision, OfEveryKindOfHourglassControlAndMaterial) {
+  Scene scene = whole_block();
+  for (const HourglassControl control : {HourglassControl::none, HourglassControl::viscous, HourglassControl::stiffness,
+                                         HourglassControl::assumed_strain}) {
+    scene.element.hourglass = control;
+    for (const bool general : {false, true}) {
+      scene.materials[0].isotropic_share = general ? 0.5 : 1;
+      const End exact = end_of<double>(scene, Precision::float64), mixed = end_of<double>(scene, Precision::mixed);
+      EXPECT_LT(difference(mixed, exact), 1e-5) << int(control) << general;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pinball::mixed_precision_test
