@@ -41,7 +41,7 @@ PINBALL_FUNCTION Symmetric<T> strain_after(const Tensor<T>& half, const Symmetri
   const T minors = b_c.x + (a.x * b.y - a.y * b.x) + (c.z * a.x - c.x * a.z);
   const T factor = T(2) / ((T(1) + minors) - (tr + det));  // 2/det(I - h)
   const T linear = T(1) - tr;
-  const auto row = [&](const Vec3<T>& h, const Vec3<T>& unit) {
+  const auto row = [&](const Vec3<T>& h, const Vec3<T>& unit) __attribute__((always_inline)) {
     const Vec3<T> squared = h.x * a + h.y * b + h.z * c;
     return factor * (linear * h + squared + det * unit);
   };
