@@ -31,9 +31,9 @@ MEETING_TEXT = ("at least the 30 of the test against each ball that ends in a li
                 "the test, and boxes, are not counted")
 KERNELS = [
     Kernel("element_update", "element update", "element", "pinball", "internal_forces",
-           [r"update_tile<double, pinball::ElementFeatures\{true, true, true, \(pinball::HourglassKind\)2, "
+           [r"update_tile<double, double, pinball::ElementFeatures\{true, true, true, \(pinball::HourglassKind\)2, "
             r"\(pinball::YieldLaw\)0, true\}>"],
-           [r"update_tileIdXtlNS_15ElementFeaturesELb1ELb1ELb1ELNS_13HourglassKindE2ELNS_8YieldLawE0ELb1EE"]),
+           [r"update_tileIddXtlNS_15ElementFeaturesELb1ELb1ELb1ELNS_13HourglassKindE2ELNS_8YieldLawE0ELb1EE"]),
     Kernel("pinball_geometry", "pinball centres and normals", "listed pinball", "pinball", "pinballs",
            [r"PinballAlgorithm<double>::update_geometry\(.*lambda\(long\)#2\}"],
            [r"PinballAlgorithmIdE15update_geometry"], contact=True),
