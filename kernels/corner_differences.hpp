@@ -348,13 +348,7 @@ PINBALL_FUNCTION void add_forces_to_records(N* base, const std::int32_t* index, 
                      static_cast<Wide>(d));
 #endif
   } else {
-    for (int i = 0; i < width_of<T>; ++i) {
-      N* const of = record(base, index[i]);
-      of[0] += lane(a, i);
-      of[1] += lane(b, i);
-      of[2] += lane(c, i);
-      of[3] += lane(d, i);
-    }
+    detail::add_lanes(base, index, a, b, c, d);
   }
 }
 

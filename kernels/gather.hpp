@@ -47,11 +47,11 @@ PINBALL_FUNCTION void gather_lanes(const ScalarOf<T>* base, const std::int32_t* 
   }
 }
 
-template <class T>
-PINBALL_FUNCTION void add_lanes(ScalarOf<T>* base, const std::int32_t* index, const T& a, const T& b, const T& c,
-                                const T& d) {
+/// N: numbers of the records; they may have more digits than those of the lanes.
+template <class N, class T>
+PINBALL_FUNCTION void add_lanes(N* base, const std::int32_t* index, const T& a, const T& b, const T& c, const T& d) {
   for (int i = 0; i < width_of<T>; ++i) {
-    ScalarOf<T>* const of = record(base, index[i]);
+    N* const of = record(base, index[i]);
     of[0] += lane(a, i);
     of[1] += lane(b, i);
     of[2] += lane(c, i);
