@@ -1,6 +1,6 @@
 """Kernels as device code: every function marked for a device is compiled for one, and none loses its code there.
 
-    device_code_test.py COMPILER HOST_COMPILER SOURCE_FOLDER WORK_FOLDER
+    device_code_test.py COMPILER HOST_COMPILER SOURCE_FOLDER WORK_FOLDER CLASS
 
 COMPILER: nvcc. A compiler of device code may only warn of a host function in a kernel and leave the kernel empty; so
 warnings are errors, and the PTX of each kernel has to write something.
@@ -95,7 +95,9 @@ class DeviceCode(unittest.TestCase):
             file.write(DROPPED)
         self.assertEqual(len(kernels_that_write_nothing(compiled(planted, name="planted"))), 1)
 
-    def test_every_marked_function_is_compiled(self):
+
+class MarkedFunctions(unittest.TestCase):
+    def test_each_is_compiled(self):
         # Not optimised and not inlined: each function by itself.
         functions = set()
         for name, source in SOURCES.items():
@@ -108,4 +110,4 @@ class DeviceCode(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=[sys.argv[0], sys.argv[5]])

@@ -19,6 +19,16 @@ __global__ void update_elements(ElementView<S> elements, NodeView<S> nodes, Elem
                                        KeptAtCorners<S>{corner_force});
 }
 
+/// Nodes have more digits than elements.
+__global__ void update_mixed_elements(ElementView<float> elements, NodeView<double> nodes,
+                                      ElementConstants<float> constants, ElementSums<float>* sums, bool* in_rows) {
+  constexpr ElementFeatures features{true, true, true, HourglassKind::assumed_strain, YieldLaw::linear};
+  const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  in_rows[element] = lie_in_rows<float>(elements.corner + element);
+  update_element_pack<float, features, 32>(elements, nodes, constants, ElementStep<float>{}, element, 0, sums[element],
+                                           AddedToNodes<double>{nodes.force});
+}
+
 template <class S>
 __global__ void sum_corner_forces(CornersOfNodes corners, const S* corner_force, S* force) {
   const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
@@ -249,6 +259,7 @@ void instantiate_kernels() {
   move_nodes<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
   friction_mobilities<<<1, 32>>>(nullptr, nullptr);
   write_what_bits_tell<<<1, 32>>>(nullptr, nullptr, nullptr, nullptr);
+  update_mixed_elements<<<1, 32>>>({}, {}, {}, nullptr, nullptr);
   instantiate<double>();
   instantiate<float>();
   instantiate_boundary<double>();

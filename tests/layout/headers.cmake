@@ -49,9 +49,11 @@ list(JOIN headers "\n" all_headers)
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/device/kernel_headers.hpp CONTENT "${all_headers}\n" @ONLY)
 find_package(CUDAToolkit QUIET)
 if(CUDAToolkit_NVCC_EXECUTABLE)
-  add_test(NAME kernels_compile_with_nvcc
-    COMMAND ${python} ${CMAKE_CURRENT_SOURCE_DIR}/device/device_code_test.py ${CUDAToolkit_NVCC_EXECUTABLE}
-            ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/device)
+  set(test_device_code ${python} ${CMAKE_CURRENT_SOURCE_DIR}/device/device_code_test.py ${CUDAToolkit_NVCC_EXECUTABLE}
+                       ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/device)
+  add_test(NAME marked_functions_compile_with_nvcc COMMAND ${test_device_code} MarkedFunctions)
+  set_tests_properties(marked_functions_compile_with_nvcc PROPERTIES LABELS kernels)
+  add_test(NAME kernels_compile_with_nvcc COMMAND ${test_device_code} DeviceCode)
   set_tests_properties(kernels_compile_with_nvcc PROPERTIES LABELS "kernels;slow" TIMEOUT 1500 COST 100)
 endif()
 find_program(PINBALL_HIPCC hipcc)
