@@ -47,8 +47,6 @@ inline constexpr bool has_wide_differences = false;
 template <>
 inline constexpr bool has_wide_differences<Pack<float, 8>, double> = true;
 
-// GCC 12 makes two conversions and an insertion of __builtin_convertvector.
-PINBALL_FUNCTION Double4 widened(Float4 a) { return Double4(_mm256_cvtps_pd(__m128(a))); }
 PINBALL_FUNCTION Float4 narrowed(Double4 a) { return Float4(_mm256_cvtpd_ps(__m256d(a))); }
 
 /// Records of the eight lanes of a pack of floats at one corner, in double; row k has those of lanes k and k + 4.
@@ -79,23 +77,11 @@ struct RowsOf {
   using Type = RowsOf8;
 };
 
-PINBALL_FUNCTION void set_differences(const RowsOf8& of, const RowsOf8& origin, Vec3<Pack<float, 8>>& value) {
-  Float8 r0 = of.minus(origin, 0), r1 = of.minus(origin, 1), r2 = of.minus(origin, 2), r3 = of.minus(origin, 3);
+template <class Rows, class T>
+PINBALL_FUNCTION void set_differences(const Rows& of, const Rows& origin, Vec3<T>& value) {
+  auto r0 = of.minus(origin, 0), r1 = of.minus(origin, 1), r2 = of.minus(origin, 2), r3 = of.minus(origin, 3);
   transpose_4(r0, r1, r2, r3);
-  using T = Pack<float, 8>;
   value = {T(r0), T(r1), T(r2)};
-}
-
-PINBALL_FUNCTION void add_wide(double* base, const std::int32_t* index, Float8 a, Float8 b, Float8 c, Float8 d) {
-  transpose_4(a, b, c, d);
-  add_record(base, index[0], widened(low_half(a)));
-  add_record(base, index[1], widened(low_half(b)));
-  add_record(base, index[2], widened(low_half(c)));
-  add_record(base, index[3], widened(low_half(d)));
-  add_record(base, index[4], widened(high_half(a)));
-  add_record(base, index[5], widened(high_half(b)));
-  add_record(base, index[6], widened(high_half(c)));
-  add_record(base, index[7], widened(high_half(d)));
 }
 
 #endif
@@ -118,34 +104,6 @@ struct RowsOf<16> {
   using Type = RowsOf16;
 };
 PINBALL_FUNCTION Float16 lanes_of(const Pack<float, 16>& a) { return static_cast<Float16>(a); }
-
-/// The same as of eight floats, in each 128-bit chunk of a row.
-PINBALL_FUNCTION void transpose_4(Float16& r0, Float16& r1, Float16& r2, Float16& r3) {
-  const auto low = [](Float16 a, Float16 b) {
-    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
-  };
-  const auto high = [](Float16 a, Float16 b) {
-    return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
-  };
-  const auto low_pairs = [](Float16 a, Float16 b) {
-    return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
-  };
-  const auto high_pairs = [](Float16 a, Float16 b) {
-    return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
-  };
-  const Float16 ab01 = low(r0, r1), cd01 = high(r0, r1), ab23 = low(r2, r3), cd23 = high(r2, r3);
-  r0 = low_pairs(ab01, ab23);
-  r1 = high_pairs(ab01, ab23);
-  r2 = low_pairs(cd01, cd23);
-  r3 = high_pairs(cd01, cd23);
-}
-
-PINBALL_FUNCTION void set_differences(const RowsOf16& of, const RowsOf16& origin, Vec3<Pack<float, 16>>& value) {
-  Float16 r0 = of.minus(origin, 0), r1 = of.minus(origin, 1), r2 = of.minus(origin, 2), r3 = of.minus(origin, 3);
-  transpose_4(r0, r1, r2, r3);
-  using T = Pack<float, 16>;
-  value = {T(r0), T(r1), T(r2)};
-}
 
 /// Elements of a pack of 16 behind which no other follows in a row along their first axis, in which each has its
 /// corners 1, 2, 5 and 6 where the next has 0, 3, 4 and 7: the last of all, and where rows end. Bit i: element i.
@@ -196,25 +154,6 @@ PINBALL_FUNCTION void gather_rows(const double* base, const std::int32_t* corner
       put(v.z, _mm_unpackhi_ps(d, d));
     }
   }
-}
-
-template <int chunk>
-PINBALL_FUNCTION Double4 widened(Float16 a) {
-  return widened(__builtin_shufflevector(a, a, 4 * chunk, 4 * chunk + 1, 4 * chunk + 2, 4 * chunk + 3));
-}
-template <int chunk>
-PINBALL_FUNCTION void add_chunk(double* base, const std::int32_t* index, Float16 a, Float16 b, Float16 c, Float16 d) {
-  add_record(base, index[4 * chunk], widened<chunk>(a));
-  add_record(base, index[4 * chunk + 1], widened<chunk>(b));
-  add_record(base, index[4 * chunk + 2], widened<chunk>(c));
-  add_record(base, index[4 * chunk + 3], widened<chunk>(d));
-}
-PINBALL_FUNCTION void add_wide(double* base, const std::int32_t* index, Float16 a, Float16 b, Float16 c, Float16 d) {
-  transpose_4(a, b, c, d);
-  add_chunk<0>(base, index, a, b, c, d);
-  add_chunk<1>(base, index, a, b, c, d);
-  add_chunk<2>(base, index, a, b, c, d);
-  add_chunk<3>(base, index, a, b, c, d);
 }
 
 #endif
@@ -281,28 +220,29 @@ PINBALL_FUNCTION void gather_corners(const N* base, const std::int32_t* corner, 
 
 namespace detail {
 
-/// -(a_1 + ... + a_7) in double, of one component of the forces of corners 0 to 7.
+/// -(a_1 + ... + a_7) in double, of a component of the forces of corners 0 to 7, lane after lane.
 template <class N, class T>
-PINBALL_FUNCTION void balance_by_lanes(const T (&a)[8], N* sum) {
+PINBALL_FUNCTION void balance_by_lanes(const Vec3<T> (&value)[8], T Vec3<T>::*component, N* sum) {
   for (int l = 0; l < width_of<T>; ++l) {
-    sum[l] = lane(a[1], l);
-    for (int i = 2; i < 8; ++i) sum[l] += lane(a[i], l);
+    sum[l] = lane(value[1].*component, l);
+    for (int i = 2; i < 8; ++i) sum[l] += lane(value[i].*component, l);
     sum[l] = -sum[l];
   }
 }
 
 #if defined(__AVX512F__) && !defined(PINBALL_DEVICE_COMPILER)
-PINBALL_FUNCTION void balance_wide(const Pack<float, 16> (&a)[8], Double8& low, Double8& high) {
-  const auto wide = [](Float8 half) { return Double8(_mm512_cvtps_pd(__m256(half))); };
-  low = wide(low_half(lanes_of(a[1])));
-  high = wide(high_half(lanes_of(a[1])));
+
+/// Of eight lanes.
+template <class Half>
+PINBALL_FUNCTION Double8 balance_of_half(const Vec3<Pack<float, 16>> (&value)[8],
+                                         Pack<float, 16> Vec3<Pack<float, 16>>::*component, const Half& half) {
+  const auto wide = [&](int i) { return Double8(_mm512_cvtps_pd(__m256(half(lanes_of(value[i].*component))))); };
+  Double8 sum = wide(1);
   PINBALL_UNROLL
-  for (int i = 2; i < 8; ++i) {
-    low += wide(low_half(lanes_of(a[i])));
-    high += wide(high_half(lanes_of(a[i])));
-  }
-  low = -low, high = -high;
+  for (int i = 2; i < 8; ++i) sum += wide(i);
+  return -sum;
 }
+
 #endif
 
 }  // namespace detail
@@ -311,44 +251,25 @@ PINBALL_FUNCTION void balance_wide(const Pack<float, 16> (&a)[8], Double8& low, 
 /// 1 to 7, to the last digit of the records. What is rounded in the elements then moves no centre of mass.
 template <class N, class T>
 PINBALL_FUNCTION void add_balance_to_records(N* base, const std::int32_t* index, const Vec3<T> (&value)[8]) {
-  const T x[8] = {value[0].x, value[1].x, value[2].x, value[3].x, value[4].x, value[5].x, value[6].x, value[7].x};
-  const T y[8] = {value[0].y, value[1].y, value[2].y, value[3].y, value[4].y, value[5].y, value[6].y, value[7].y};
-  const T z[8] = {value[0].z, value[1].z, value[2].z, value[3].z, value[4].z, value[5].z, value[6].z, value[7].z};
+  using V = Vec3<T>;
 #if defined(__AVX512F__) && !defined(PINBALL_DEVICE_COMPILER)
   if constexpr (detail::has_wide_differences<T, N> && width_of<T> == 16) {
-    detail::Double8 low[3], high[3];
-    detail::balance_wide(x, low[0], high[0]);
-    detail::balance_wide(y, low[1], high[1]);
-    detail::balance_wide(z, low[2], high[2]);
-    const detail::Double8 none{};
-    detail::add_wide(base, index, low[0], low[1], low[2], none);
-    detail::add_wide(base, index + 8, high[0], high[1], high[2], none);
+    const auto add_half = [&](const std::int32_t* of_half, const auto& half) __attribute__((always_inline)) {
+      detail::add_wide(base, of_half, detail::balance_of_half(value, &V::x, half),
+                       detail::balance_of_half(value, &V::y, half), detail::balance_of_half(value, &V::z, half),
+                       detail::Double8{});
+    };
+    add_half(index, [](detail::Float16 a) { return detail::low_half(a); });
+    add_half(index + 8, [](detail::Float16 a) { return detail::high_half(a); });
     return;
   }
 #endif
   N sum[3][width_of<T>];
-  detail::balance_by_lanes(x, sum[0]);
-  detail::balance_by_lanes(y, sum[1]);
-  detail::balance_by_lanes(z, sum[2]);
+  detail::balance_by_lanes(value, &V::x, sum[0]);
+  detail::balance_by_lanes(value, &V::y, sum[1]);
+  detail::balance_by_lanes(value, &V::z, sum[2]);
   for (int l = 0; l < width_of<T>; ++l) {
     for (int k = 0; k < 3; ++k) record(base, index[l])[k] += sum[k][l];
-  }
-}
-
-/// records index[0 .. W-1] += (a, b, c, d), lane after lane, in the precision of the records.
-template <class N, class T>
-PINBALL_FUNCTION void add_forces_to_records(N* base, const std::int32_t* index, const T& a, const T& b, const T& c,
-                                            const T& d) {
-  if constexpr (sizeof(N) == sizeof(ScalarOf<T>)) {
-    add_to_records(base, index, a, b, c, d);
-  } else if constexpr (detail::has_wide_differences<T, N>) {
-#if defined(__AVX2__) && !defined(PINBALL_DEVICE_COMPILER)
-    using Wide = typename detail::WideType<ScalarOf<T>, width_of<T>>::Type;
-    detail::add_wide(base, index, static_cast<Wide>(a), static_cast<Wide>(b), static_cast<Wide>(c),
-                     static_cast<Wide>(d));
-#endif
-  } else {
-    detail::add_lanes(base, index, a, b, c, d);
   }
 }
 

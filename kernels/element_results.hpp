@@ -42,7 +42,7 @@ struct AddedToNodes {
     if constexpr (mixed) add_balance_to_records(force, corner, value);
     PINBALL_UNROLL
     for (int i = mixed ? 1 : 0; i < 8; ++i) {
-      add_forces_to_records(force, corner + i * L, value[i].x, value[i].y, value[i].z, T(0));
+      add_to_records(force, corner + i * L, value[i].x, value[i].y, value[i].z, T(0));
     }
   }
 };

@@ -11,7 +11,8 @@
 /// Positions, velocities and forces of nodes are stored as records of four numbers (x, y, z, spare), so that a lane
 /// fetches a whole vector with one load of 32 bytes (16 in single precision) and a pack is filled by transposing W of
 /// them in registers. This replaces 3 W scalar loads by W and needs no hardware scatter. Adding forces goes the other
-/// way, lane after lane, so that lanes that share a node add up correctly and in a fixed order.
+/// way, lane after lane, so that lanes that share a node add up correctly and in a fixed order; records may have more
+/// digits than what is added.
 ///
 /// Contract: base is aligned to four scalars; index holds width_of<T> valid record numbers, which may repeat.
 #if defined(__AVX512F__) && !defined(PINBALL_DEVICE_COMPILER)
@@ -47,7 +48,6 @@ PINBALL_FUNCTION void gather_lanes(const ScalarOf<T>* base, const std::int32_t* 
   }
 }
 
-/// N: numbers of the records; they may have more digits than those of the lanes.
 template <class N, class T>
 PINBALL_FUNCTION void add_lanes(N* base, const std::int32_t* index, const T& a, const T& b, const T& c, const T& d) {
   for (int i = 0; i < width_of<T>; ++i) {
@@ -73,6 +73,10 @@ PINBALL_FUNCTION V load_record(const S* base, std::int32_t index) {
 template <class V, class S>
 PINBALL_FUNCTION void add_record(S* base, std::int32_t index, V value) {
   *reinterpret_cast<V*>(record(base, index)) += value;
+}
+PINBALL_FUNCTION void add_record(double* base, std::int32_t index, Float4 value) {
+  // GCC 12 makes two conversions and an insertion of __builtin_convertvector.
+  add_record(base, index, Double4(_mm256_cvtps_pd(__m128(value))));
 }
 
 // Four records of four doubles, or in each 128-bit chunk of a row four floats: a plain 4 x 4 transpose.
@@ -125,7 +129,8 @@ PINBALL_FUNCTION void gather_wide(const float* base, const std::int32_t* index, 
 }
 PINBALL_FUNCTION Float4 low_half(Float8 a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3); }
 PINBALL_FUNCTION Float4 high_half(Float8 a) { return __builtin_shufflevector(a, a, 4, 5, 6, 7); }
-PINBALL_FUNCTION void add_wide(float* base, const std::int32_t* index, Float8 a, Float8 b, Float8 c, Float8 d) {
+template <class N>
+PINBALL_FUNCTION void add_wide(N* base, const std::int32_t* index, Float8 a, Float8 b, Float8 c, Float8 d) {
   transpose_4(a, b, c, d);
   // Lane after lane: the order of the sums is that of the scalar kernel.
   add_record(base, index[0], low_half(a));
@@ -215,6 +220,27 @@ PINBALL_FUNCTION void add_wide(double* base, const std::int32_t* index, Double8 
 PINBALL_FUNCTION Float16 join(Float8 low, Float8 high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
+// As of eight floats, in each 128-bit chunk of a row.
+PINBALL_FUNCTION void transpose_4(Float16& r0, Float16& r1, Float16& r2, Float16& r3) {
+  const auto low = [](Float16 a, Float16 b) {
+    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29);
+  };
+  const auto high = [](Float16 a, Float16 b) {
+    return __builtin_shufflevector(a, b, 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31);
+  };
+  const auto low_pairs = [](Float16 a, Float16 b) {
+    return __builtin_shufflevector(a, b, 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29);
+  };
+  const auto high_pairs = [](Float16 a, Float16 b) {
+    return __builtin_shufflevector(a, b, 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31);
+  };
+  const Float16 ab01 = low(r0, r1), cd01 = high(r0, r1), ab23 = low(r2, r3), cd23 = high(r2, r3);
+  r0 = low_pairs(ab01, ab23);
+  r1 = high_pairs(ab01, ab23);
+  r2 = low_pairs(cd01, cd23);
+  r3 = high_pairs(cd01, cd23);
+}
+
 PINBALL_FUNCTION Float8 low_half(Float16 a) { return __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7); }
 PINBALL_FUNCTION Float8 high_half(Float16 a) { return __builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15); }
 PINBALL_FUNCTION void gather_wide(const float* base, const std::int32_t* index, Float16& a, Float16& b, Float16& c,
@@ -227,7 +253,8 @@ PINBALL_FUNCTION void gather_wide(const float* base, const std::int32_t* index, 
   c = join(low[2], high[2]);
   d = join(low[3], high[3]);
 }
-PINBALL_FUNCTION void add_wide(float* base, const std::int32_t* index, Float16 a, Float16 b, Float16 c, Float16 d) {
+template <class N>
+PINBALL_FUNCTION void add_wide(N* base, const std::int32_t* index, Float16 a, Float16 b, Float16 c, Float16 d) {
   add_wide(base, index, low_half(a), low_half(b), low_half(c), low_half(d));
   add_wide(base, index + 8, high_half(a), high_half(b), high_half(c), high_half(d));
 }
@@ -259,9 +286,9 @@ PINBALL_FUNCTION Vec3<T> gather_vectors(const ScalarOf<T>* base, const std::int3
   return v;
 }
 
-/// records index[0 .. W-1] += (a, b, c, d), lane after lane.
-template <class T>
-PINBALL_FUNCTION void add_to_records(ScalarOf<T>* base, const std::int32_t* index, const T& a, const T& b, const T& c,
+/// records index[0 .. W-1] += (a, b, c, d), lane after lane, in the precision of the records.
+template <class N, class T>
+PINBALL_FUNCTION void add_to_records(N* base, const std::int32_t* index, const T& a, const T& b, const T& c,
                                      const T& d) {
   if constexpr (detail::has_wide_records<T>) {
 #if defined(__AVX2__) && !defined(PINBALL_DEVICE_COMPILER)

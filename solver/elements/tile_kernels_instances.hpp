@@ -116,8 +116,8 @@ PINBALL_FUNCTION void update_block_of_tile(const TilePacks<ScalarOf<T>, N>& tile
   for (int i = mixed ? 1 : 0; i < 8; ++i) {
     for (std::int64_t pack = first; pack < last; ++pack) {
       const S* const force = kept + ((pack - first) * 24 + 3 * i) * W;
-      add_forces_to_records(tile.nodes.force, tile.elements.corner + (pack * 8 + i) * W, load<T>(force),
-                            load<T>(force + W), load<T>(force + 2 * W), T(0));
+      add_to_records(tile.nodes.force, tile.elements.corner + (pack * 8 + i) * W, load<T>(force), load<T>(force + W),
+                     load<T>(force + 2 * W), T(0));
     }
   }
 }

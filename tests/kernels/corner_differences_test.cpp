@@ -104,8 +104,8 @@ TYPED_TEST(Differences, ForcesAreAddedInDoubleLaneAfterLane) {
         component.push_back(static_cast<float>(uniform(this->random, -size, size)));
       }
     }
-    add_forces_to_records(found.data(), index.data(), load<T>(values[0].data()), load<T>(values[1].data()),
-                          load<T>(values[2].data()), load<T>(values[3].data()));
+    add_to_records(found.data(), index.data(), load<T>(values[0].data()), load<T>(values[1].data()),
+                   load<T>(values[2].data()), load<T>(values[3].data()));
     for (int l = 0; l < lanes; ++l) {
       for (int k = 0; k < 4; ++k) {
         expected[std::size_t(4 * index[std::size_t(l)] + k)] += double(values[k][std::size_t(l)]);
