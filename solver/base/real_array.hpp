@@ -56,16 +56,20 @@ class RealArray {
   /// The array of this precision. Throws std::logic_error where it has another one.
   template <class E>
   Array<E>& in() {
-    return const_cast<Array<E>&>(std::as_const(*this).template in<E>());
+    return required(std::get_if<Array<E>>(&numbers_));
   }
   template <class E>
   const Array<E>& in() const {
-    const auto* const numbers = std::get_if<Array<E>>(&numbers_);
+    return required(std::get_if<Array<E>>(&numbers_));
+  }
+
+ private:
+  template <class Numbers>
+  static Numbers& required(Numbers* numbers) {
     if (numbers == nullptr) throw std::logic_error("an array of numbers of another precision was asked for");
     return *numbers;
   }
 
- private:
   std::variant<Array<double>, Array<float>> numbers_;
 };
 

@@ -188,7 +188,7 @@ template <class S>
 bool is_mixed(const Scene& scene) {
   return std::is_same_v<S, double> && scene.precision == Precision::mixed;
 }
-/// Lanes of a pack of elements are of this precision.
+/// Whether its elements have numbers of single precision.
 template <class S>
 bool has_single_elements(const Scene& scene) {
   return std::is_same_v<S, float> || is_mixed<S>(scene);

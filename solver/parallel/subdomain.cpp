@@ -154,11 +154,6 @@ void Subdomain<S>::bring_nodes(Model<S>& model) {
 }
 
 template <class S>
-const std::int32_t* Subdomain<S>::corner() const {
-  return corners_->corner();
-}
-
-template <class S>
 void Subdomain<S>::order(RankOrder order) {
   if (!is_first()) return;
   if (waits_) throw RunError("the other ranks wait for messages that do not come");

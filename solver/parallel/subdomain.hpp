@@ -74,7 +74,7 @@ class Subdomain final : public SharedNodes {
   void begin_step();
   void end_step();
   /// Nodes at the corners of elements as kernels see them (ElementView).
-  const std::int32_t* corner() const;
+  const std::int32_t* corner() const { return corners_->corner(); }
   void spread(NodeStore<S>& nodes) const { corners_->spread(nodes); }
   void collect(NodeStore<S>& nodes) {
     corners_->collect(nodes);

@@ -30,9 +30,8 @@ struct VariantRuns {
   std::vector<RunSummary> repeats;       ///< alike in all but their times
   std::optional<double> momentum_error;  ///< see momentum_error.hpp
   std::string failure;                   ///< what stopped the run, and when; empty: it came to its end
-  Curves curves{};  ///< of the first repeat, a row at each of 200 equal parts; empty: not asked for
-  std::string
-      surface{};  ///< of the first repeat, as of surface_json_of_frames at nine equal parts; empty: not asked for
+  Curves curves{};        ///< of the first repeat, a row at each of 200 equal parts; empty: not asked for
+  std::string surface{};  ///< the same, surface_json_of_frames at nine of equal parts
 };
 
 struct ComparisonSettings {

@@ -114,9 +114,10 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
       .add_option_function<std::string>(
           "--precision",
           [&options](const std::string& name) {
-            options.overrides.precision = name == "float"   ? pinball::Precision::float32
-                                          : name == "mixed" ? pinball::Precision::mixed
-                                                            : pinball::Precision::float64;
+            using enum pinball::Precision;
+            for (const pinball::Precision one : {float64, mixed, float32}) {
+              if (name == pinball::name_of(one)) options.overrides.precision = one;
+            }
           },
           "double, mixed or float (default: as the scene says)")
       ->check(CLI::IsMember({"double", "mixed", "float"}));
