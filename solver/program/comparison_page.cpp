@@ -27,9 +27,7 @@ std::string comparison_page(const std::vector<VariantRuns>& runs) {
   content.body = fill_template(
       page_resource("comparison.html"),
       {{"scene", html_text(first.scene)}, {"heading", html_text(heading)}, {"status", failed ? "failed" : "done"}});
-  content.scripts = {"format.js",         "axes.js",          "curves.js",         "plot.js",
-                     "viewer_data.js",    "viewer_camera.js", "viewer_drawing.js", "viewer_surround.js",
-                     "viewer_picking.js", "viewer.js",        "viewer_pointer.js", "comparison.js"};
+  content.scripts = scripts_with_viewer({"comparison.js"});
   content.blocks = {{"units", units_json(parse_units(first.units)).dump()},
                     {"comparison", comparison_json(runs)},
                     {"curves", curves + ']'},

@@ -25,6 +25,9 @@ struct PageContent {
   std::vector<std::pair<std::string, std::string>> blocks;  ///< id and JSON
 };
 
+/// Resources of a page with the viewer of bodies, in their order: what it needs, itself, and the page's own.
+std::vector<std::string> scripts_with_viewer(const std::vector<std::string>& own);
+
 std::string make_page(const PageContent& content);
 
 }  // namespace pinball

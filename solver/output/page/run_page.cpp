@@ -98,13 +98,7 @@ void write_run_page(const std::string& folder, const Scene& scene, const RunSumm
        {"scene", html_text(summary.scene)},
        {"status", status},
        {"error", failed ? fmt::format("<p class=\"error\" role=\"alert\">{}</p>", html_text(settings.error)) : ""}});
-  content.scripts = {"format.js",          "axes.js",
-                     "curves.js",          "plot.js",
-                     "pictures.js",        "viewer_data.js",
-                     "viewer_camera.js",   "viewer_drawing.js",
-                     "viewer_surround.js", "viewer_picking.js",
-                     "viewer.js",          "viewer_pointer.js",
-                     "energies.js",        "run.js"};
+  content.scripts = scripts_with_viewer({"pictures.js", "energies.js", "run.js"});
   content.blocks = {{"units", compact(units_json(units))},
                     {"summary", summary_json(summary)},
                     {"checks", compact(checks_json(summary))},
