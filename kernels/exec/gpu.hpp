@@ -118,6 +118,21 @@ constexpr int least_blocks() {
   }
 }
 
+/// Gives blocks of Gpu::block threads a kernel to work on, without waiting for it. By the runtime's function: sources
+/// that call it are C++ but for their marks, and tests compile them for the processor.
+template <class... Parameter>
+void launch(const char* name, std::int64_t blocks, void (*kernel)(Parameter...), const Parameter&... parameters) {
+#if defined(__HIPCC__)
+  hipLaunchKernelGGL(kernel, dim3(static_cast<unsigned>(blocks)), dim3(Gpu::block), 0, nullptr, parameters...);
+  require_gpu(hipGetLastError(), name);
+#else
+  cudaLaunchConfig_t how{};
+  how.gridDim.x = static_cast<unsigned>(blocks);
+  how.blockDim.x = Gpu::block;
+  require_gpu(cudaLaunchKernelEx(&how, kernel, parameters...), name);
+#endif
+}
+
 template <class Functor>
 __global__ void __launch_bounds__(Gpu::block, least_blocks<Functor>())
     call_for_each(std::int64_t begin, std::int64_t end, Functor functor) {
@@ -129,9 +144,8 @@ template <class Functor>
 void parallel_for(const char* name, RangePolicy<Gpu> range, const Functor& functor) {
   static_assert(std::is_trivially_copyable_v<Functor> && sizeof(Functor) <= 4000, "parameter of a kernel");
   if (range.begin >= range.end) return;
-  const auto blocks = static_cast<unsigned>((range.end - range.begin + Gpu::block - 1) / Gpu::block);
-  call_for_each<<<blocks, Gpu::block>>>(range.begin, range.end, functor);
-  require_gpu(PINBALL_GPU(GetLastError)(), name);
+  launch(name, (range.end - range.begin + Gpu::block - 1) / Gpu::block, &call_for_each<Functor>, range.begin, range.end,
+         functor);
 }
 
 /// What threads of a block have for each other; values may be of types with constructors.
@@ -287,9 +301,8 @@ void parallel_reduce(const char* name, RangePolicy<Gpu> range, const Functor& fu
   const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
   auto* const partial = GpuScratch::values<Value>(pieces);
   auto* const written = GpuScratch::result<Value>();
-  sum_range<<<static_cast<unsigned>(pieces), Gpu::block>>>(range.begin, count, functor, partial, GpuScratch::counter(),
-                                                           written);
-  require_gpu(PINBALL_GPU(GetLastError)(), name);
+  launch(name, pieces, &sum_range<Value, Functor>, range.begin, count, functor, partial, GpuScratch::counter(),
+         written);
   require_gpu(PINBALL_GPU(StreamSynchronize)(nullptr), name);
   result = *written;
 }
@@ -373,12 +386,12 @@ template <class Functor, class Value>
 void parallel_scan(const char* name, RangePolicy<Gpu> range, const Functor& functor, Value& total) {
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
   const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
-  const auto blocks = static_cast<unsigned>(pieces);
   auto* const partial = GpuScratch::values<Value>(pieces + 1);
-  sum_pieces_of_range<<<blocks, Gpu::block>>>(range.begin, count, TermsOf<Functor>{functor}, partial);
-  require_gpu(PINBALL_GPU(GetLastError)(), name);
-  scan_pieces<<<1, Gpu::block>>>(pieces, partial);
-  scan_range<<<blocks, Gpu::block>>>(range.begin, count, functor, static_cast<const Value*>(partial));
+  launch(name, pieces, &sum_pieces_of_range<Value, TermsOf<Functor>>, range.begin, count, TermsOf<Functor>{functor},
+         partial);
+  launch(name, 1, &scan_pieces<Value>, pieces, partial);
+  const Value* const before = partial;
+  launch(name, pieces, &scan_range<Value, Functor>, range.begin, count, functor, before);
   require_gpu(PINBALL_GPU(Memcpy)(&total, partial + pieces, sizeof(Value), PINBALL_GPU(MemcpyDeviceToHost)), name);
 }
 
