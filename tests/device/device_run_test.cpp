@@ -1,14 +1,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include <solver/device/device_run.hpp>
+#include <solver/device/devices.hpp>
 #include <solver/step/report.hpp>
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/torn_block.hpp>
 
-/// Steps on a device (the mock one: threads of the host, on memory that nothing else may touch) beside those of the
-/// host.
+/// Steps on a device beside those of the host: on the mock one, threads of the host on memory that nothing else may
+/// touch, and where the compiler can make it on an emulated GPU (emulated/emulated_device.hpp).
 namespace pinball::device_run_test {
 namespace {
 
@@ -30,11 +34,13 @@ constexpr bool same_bits =
     false;
 #endif
 
+class DeviceRun : public testing::TestWithParam<Device> {};
+
 template <class S>
-void expect_same_run(const Scene& scene) {
-  Scene on_mock = scene;
-  on_mock.device = Device::mock;
-  Solver<S> host(scene), device(on_mock);
+void expect_same_run(const Scene& scene, Device on) {
+  Scene on_device = scene;
+  on_device.device = on;
+  Solver<S> host(scene), device(on_device);
   run(host);
   run(device);
   if (same_bits) {
@@ -52,18 +58,20 @@ void expect_same_run(const Scene& scene) {
   }
 }
 
-TEST(DeviceRun, TearsABlockAsTheHostDoes) {
+TEST_P(DeviceRun, TearsABlockAsTheHostDoes) {
   const Scene scene = torn_block();
   Solver<double> host(scene);
   run(host);
   EXPECT_GT(host.counts().eroded_elements(), 0);  // else nothing of it is tested
-  expect_same_run<double>(scene);
+  expect_same_run<double>(scene, GetParam());
 }
 
-TEST(DeviceRun, TearsABlockAsTheHostDoesInSinglePrecision) { expect_same_run<float>(torn_block(Precision::float32)); }
+TEST_P(DeviceRun, TearsABlockAsTheHostDoesInSinglePrecision) {
+  expect_same_run<float>(torn_block(Precision::float32), GetParam());
+}
 
 /// What corners about to turn over need is worked by a kernel of its own.
-TEST(DeviceRun, FoldsElementsAsTheHostDoes) {
+TEST_P(DeviceRun, FoldsElementsAsTheHostDoes) {
   Scene scene = pressed_block(ElementSettings{}.folding_resistance);
   scene.bodies.push_back(block("far", {8, 8, 8}, 5e-3, {1, 0, 0}));
   scene.materials[0].erosion_strain = 4;
@@ -72,22 +80,22 @@ TEST(DeviceRun, FoldsElementsAsTheHostDoes) {
   double folding = 0;
   run_to_end(host, [&] { folding = std::max(folding, host.energies().folding); });
   EXPECT_GT(folding, 0);
-  expect_same_run<double>(scene);
+  expect_same_run<double>(scene, GetParam());
   scene.precision = Precision::float32;
-  expect_same_run<float>(scene);
+  expect_same_run<float>(scene, GetParam());
 }
 
-TEST(DeviceRun, HasEachFormOfHourglassControl) {
+TEST_P(DeviceRun, HasEachFormOfHourglassControl) {
   for (const HourglassControl form : {HourglassControl::none, HourglassControl::viscous, HourglassControl::stiffness,
                                       HourglassControl::assumed_strain}) {
     Scene scene = torn_block();
     scene.element.hourglass = form;
     scene.time.end = 10e-6;
-    expect_same_run<double>(scene);
+    expect_same_run<double>(scene, GetParam());
   }
 }
 
-TEST(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
+TEST_P(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
   Scene scene = torn_block();
   scene.time.end = 10e-6;
   scene.materials.push_back(elastic_material("elastic"));
@@ -101,10 +109,10 @@ TEST(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
     more.velocity_gradient = scene.bodies[0].velocity_gradient;
     scene.bodies.push_back(more);
   }
-  expect_same_run<double>(scene);
+  expect_same_run<double>(scene, GetParam());
 }
 
-TEST(DeviceRun, HasPowersFluidsAndRubber) {
+TEST_P(DeviceRun, HasPowersFluidsAndRubber) {
   Scene scene = torn_block();
   scene.element.hourglass = HourglassControl::viscous;
   scene.time.end = 10e-6;
@@ -123,10 +131,10 @@ TEST(DeviceRun, HasPowersFluidsAndRubber) {
     more.velocity_gradient = scene.bodies[0].velocity_gradient;
     scene.bodies.push_back(more);
   }
-  expect_same_run<double>(scene);
+  expect_same_run<double>(scene, GetParam());
 }
 
-TEST(DeviceRun, HasBoundaryConditionsOfAllKinds) {
+TEST_P(DeviceRun, HasBoundaryConditionsOfAllKinds) {
   Scene scene = pressed_blocks(2e-3);
   scene.contact.method = ContactMethod::none;
   Pressure pressure;
@@ -136,8 +144,8 @@ TEST(DeviceRun, HasBoundaryConditionsOfAllKinds) {
   scene.pressures = {pressure};
   scene.gravities = {Gravity{}};
   scene.gravities[0].acceleration = {0, 0, -9.81};
-  expect_same_run<double>(scene);
-  expect_same_run<float>(scene);
+  expect_same_run<double>(scene, GetParam());
+  expect_same_run<float>(scene, GetParam());
 }
 
 /// A bar in flight meets a wall after some steps; a wave goes through it.
@@ -154,10 +162,10 @@ Scene flying_bar(bool leaves_out = true) {
 
 /// A part of the bar that no wave has reached is not worked; its stable step is the one that it began with, as on the
 /// host: in flight rounding would give it another one.
-TEST(DeviceRun, LeavesOutTilesAtRestUntilSomethingReachesThem) {
-  Scene on_mock = flying_bar();
-  on_mock.device = Device::mock;
-  Solver<double> host(flying_bar()), device(on_mock);
+TEST_P(DeviceRun, LeavesOutTilesAtRestUntilSomethingReachesThem) {
+  Scene on_device = flying_bar();
+  on_device.device = GetParam();
+  Solver<double> host(flying_bar()), device(on_device);
   int steps_with_some = 0;
   while (!host.at_end()) {
     host.step();
@@ -167,29 +175,29 @@ TEST(DeviceRun, LeavesOutTilesAtRestUntilSomethingReachesThem) {
     if (resting > 0) ++steps_with_some;
   }
   EXPECT_GT(steps_with_some, 5);
-  expect_same_run<double>(flying_bar());
-  expect_same_run<float>(flying_bar());
+  expect_same_run<double>(flying_bar(), GetParam());
+  expect_same_run<float>(flying_bar(), GetParam());
 }
 
-TEST(DeviceRun, HasTheSameBitsWhenTilesAtRestAreWorked) {
-  EXPECT_EQ(hash_on<double>(flying_bar(false), Device::mock), hash_on<double>(flying_bar(), Device::mock));
+TEST_P(DeviceRun, HasTheSameBitsWhenTilesAtRestAreWorked) {
+  EXPECT_EQ(hash_on<double>(flying_bar(false), GetParam()), hash_on<double>(flying_bar(), GetParam()));
 }
 
-TEST(DeviceRun, HasTheSameBitsForAnyNumberOfThreads) {
-  const std::uint64_t one = hash_on<double>(torn_block(), Device::mock);
+TEST_P(DeviceRun, HasTheSameBitsForAnyNumberOfThreads) {
+  const std::uint64_t one = hash_on<double>(torn_block(), GetParam());
   for (const int threads : {2, 3, 8}) {
     DefaultExecutionSpace::set_concurrency(threads);
-    EXPECT_EQ(hash_on<double>(torn_block(), Device::mock), one) << threads;
+    EXPECT_EQ(hash_on<double>(torn_block(), GetParam()), one) << threads;
   }
   DefaultExecutionSpace::set_concurrency(1);
 }
 
-TEST(DeviceRun, TakesChangesOfTheHostBetweenSteps) {
+TEST_P(DeviceRun, TakesChangesOfTheHostBetweenSteps) {
   Scene scene = torn_block();
   scene.materials[0] = elastic_material();
-  Scene on_mock = scene;
-  on_mock.device = Device::mock;
-  Solver<double> host(scene), device(on_mock);
+  Scene on_device = scene;
+  on_device.device = GetParam();
+  Solver<double> host(scene), device(on_device);
   for (Solver<double>* solver : {&host, &device}) {
     for (int i = 0; i < 5; ++i) solver->step();
     for (std::int32_t n = 0; n < solver->model().nodes.count; ++n) solver->change_velocities()[4 * n] += 100;
@@ -201,16 +209,16 @@ TEST(DeviceRun, TakesChangesOfTheHostBetweenSteps) {
 }
 
 /// The state is copied for who reads it, and for nobody else: a line of progress must not cost a copy of all of it.
-TEST(DeviceRun, BringsTheStateBackForWhoReadsItAlone) {
+TEST_P(DeviceRun, BringsTheStateBackForWhoReadsItAlone) {
   Scene scene = torn_block();
-  scene.device = Device::mock;
+  scene.device = GetParam();
   Solver<double> solver(scene);
   const auto x = [](const Model<double>& model) { return model.nodes.position[0]; };
   const Model<double>& mirror = solver.model();
   const double before = x(mirror);
   for (int i = 0; i < 5; ++i) solver.step();
   EXPECT_EQ(progress_state(solver).elements, solver.element_count());
-  EXPECT_EQ(solver.scene().device, Device::mock);
+  EXPECT_EQ(solver.scene().device, GetParam());
   EXPECT_EQ(solver.mesh().element_count(), solver.element_count());
   EXPECT_EQ(x(mirror), before);
   EXPECT_NE(x(solver.model()), before);
@@ -229,39 +237,49 @@ std::uint64_t hash_of_parts(Scene scene, Device first, Device second) {
   return state_hash(after.model());
 }
 
-TEST(DeviceRun, GoesOnFromWhatAnotherDeviceHasSaved) {
+TEST_P(DeviceRun, GoesOnFromWhatAnotherDeviceHasSaved) {
   for (const Scene& scene : {torn_block(), flying_bar()}) {
-    const std::uint64_t on_host = hash_on<double>(scene, Device::none), on_mock = hash_on<double>(scene, Device::mock);
-    EXPECT_EQ(hash_of_parts(scene, Device::mock, Device::mock), on_mock);
+    const std::uint64_t on_host = hash_on<double>(scene, Device::none), on_device = hash_on<double>(scene, GetParam());
+    EXPECT_EQ(hash_of_parts(scene, GetParam(), GetParam()), on_device);
     if (!same_bits) continue;
-    EXPECT_EQ(hash_of_parts(scene, Device::mock, Device::none), on_host);
-    EXPECT_EQ(hash_of_parts(scene, Device::none, Device::mock), on_host);
+    EXPECT_EQ(hash_of_parts(scene, GetParam(), Device::none), on_host);
+    EXPECT_EQ(hash_of_parts(scene, Device::none, GetParam()), on_host);
   }
 }
 
-TEST(DeviceRun, RefusesByNameWhatNoDeviceCanDo) {
+TEST_P(DeviceRun, RefusesByNameWhatNoDeviceCanDo) {
   Scene scene = scene_of({block("a", {1, 1, 1}, 1, {}), block("b", {1, 1, 1}, 1, {2, 0, 0})}, 1e-3, true);
   scene.time.subcycling = true;
-  scene.device = Device::mock;
+  scene.device = GetParam();
   EXPECT_EQ(missing_on_device(scene), "contact, subcycling");
   scene.precision = Precision::mixed;
   EXPECT_EQ(missing_on_device(scene), "contact, subcycling, precision = \"mixed\"");
   EXPECT_THAT(error_of([&] { Solver<double>{scene}; }), testing::HasSubstr("contact, subcycling"));
 }
 
-TEST(DeviceRun, TellsWhereAnElementHasTurnedInsideOut) {
+TEST_P(DeviceRun, TellsWhereAnElementHasTurnedInsideOut) {
   Scene scene = torn_block();
   scene.materials[0] = elastic_material();
   scene.bodies[0].velocity_gradient = {Point{-3e5, 0, 0}, Point{0, -3e5, 0}, Point{0, 0, -3e5}};
-  Scene on_mock = scene;
-  on_mock.device = Device::mock;
+  Scene on_device = scene;
+  on_device.device = GetParam();
   const auto failure = [](const Scene& of) {
     Solver<double> solver(of);
     return error_of<RunError>([&] { run(solver); });
   };
   EXPECT_FALSE(failure(scene).empty());
-  EXPECT_EQ(failure(on_mock), failure(scene));
+  EXPECT_EQ(failure(on_device), failure(scene));
 }
+
+std::vector<Device> devices() {
+  std::vector<Device> there = {Device::mock};
+  if (report_of(Device::cuda).is_there) there.push_back(Device::cuda);
+  return there;
+}
+
+std::string name_of(const testing::TestParamInfo<Device>& info) { return device_name(info.param); }
+
+INSTANTIATE_TEST_SUITE_P(On, DeviceRun, testing::ValuesIn(devices()), name_of);
 
 }  // namespace
 }  // namespace pinball::device_run_test

@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <solver/device/device_run.hpp>
+#include <solver/formats/deck_reader.hpp>
+#include <solver/program/scene_input.hpp>
+#include <solver/step/report.hpp>
+#include <solver/step/solver.hpp>
+
+#include "emulated_device.hpp"
+
+/// All that comes along and a device can do, on the emulated GPU (emulated_device.hpp): the same bits whatever the
+/// order in which its threads take turns, and the host's answer.
+namespace pinball::emulated_scenes_test {
+namespace {
+
+Scene read_input(const std::string& path) {
+  SceneOptions options;
+  options.scene = path;
+  options.quiet = true;
+  if (path.ends_with("cases.k")) options.chosen_case = 1;
+  return scene_input(options).read();
+}
+
+std::vector<std::string> inputs_for_devices() {
+  std::vector<std::string> paths;
+  const std::filesystem::path data = std::filesystem::path(PINBALL_SOURCE_DIR) / "data";
+  for (const auto& folder : {data / "scenes", data / "decks", data / "decks/abaqus"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string path = entry.path().string();
+      if (path.ends_with(".toml") || is_any_deck(path)) paths.push_back(path);
+    }
+  }
+  std::erase_if(paths, [](const std::string& path) {
+    const Scene scene = read_input(path);
+    // Where nothing is said of contact, its bodies decide.
+    const bool may_touch = scene.contact.method == ContactMethod::not_set && scene.bodies.size() > 1;
+    return may_touch || !missing_on_device(scene).empty();
+  });
+  std::ranges::sort(paths);
+  return paths;
+}
+
+class EmulatedScene : public testing::TestWithParam<std::string> {
+ protected:
+  ~EmulatedScene() override { emulated::set_order(emulated::Order::forward); }
+};
+
+template <class S>
+void expect_same_in_any_order(Scene scene) {
+  Solver<S> host(scene);
+  constexpr std::int64_t most_element_steps = 20'000;
+  const std::int64_t most = std::clamp<std::int64_t>(most_element_steps / host.element_count(), 4, 60);
+  const auto run_some = [most](Solver<S>& solver) {
+    while (!solver.at_end() && solver.steps() < most) solver.step();
+  };
+  run_some(host);
+  scene.device = Device::cuda;
+  std::vector<std::uint64_t> hashes;
+  for (const auto& [order, seed] : {std::pair(emulated::Order::forward, 1), std::pair(emulated::Order::reverse, 1),
+                                    std::pair(emulated::Order::shuffled, 7)}) {
+    emulated::set_order(order, seed);
+    Solver<S> device(scene);
+    run_some(device);
+    hashes.push_back(state_hash(device.model()));
+    ASSERT_EQ(device.steps(), host.steps());
+    const auto &x = device.model().nodes.position, &expected = host.model().nodes.position;
+    S largest = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) largest = std::max(largest, std::abs(expected[i]));
+    const double tolerance = (sizeof(S) == sizeof(double) ? 1e-11 : 1e-4) * largest;
+    for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_NEAR(x[i], expected[i], tolerance) << i;
+  }
+  EXPECT_EQ(hashes[1], hashes[0]);
+  EXPECT_EQ(hashes[2], hashes[0]);
+}
+
+TEST_P(EmulatedScene, HasTheSameBitsInAnyOrderOfThreads) {
+  const Scene scene = read_input(GetParam());
+  if (scene.precision == Precision::float32) {
+    expect_same_in_any_order<float>(scene);
+  } else {
+    expect_same_in_any_order<double>(scene);
+  }
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) {
+  const std::filesystem::path path = info.param;
+  return path.extension().string().substr(1) + "_" + path.stem().string();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EmulatedScene, testing::ValuesIn(inputs_for_devices()), name_of);
+
+}  // namespace
+}  // namespace pinball::emulated_scenes_test
