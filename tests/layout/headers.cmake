@@ -47,7 +47,6 @@ list(REMOVE_ITEM headers kernels/exec/lost_helpers.hpp kernels/exec/region_failu
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>")
 list(JOIN headers "\n" all_headers)
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/device/kernel_headers.hpp CONTENT "${all_headers}\n" @ONLY)
-find_package(CUDAToolkit QUIET)
 if(CUDAToolkit_NVCC_EXECUTABLE)
   set(test_device_code ${python} ${CMAKE_CURRENT_SOURCE_DIR}/device/device_code_test.py ${CUDAToolkit_NVCC_EXECUTABLE}
                        ${CMAKE_CXX_COMPILER} ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}/device)
