@@ -6,6 +6,7 @@
 namespace pinball::test::abaqus_contact_test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 
@@ -32,6 +33,37 @@ TEST_F(AbaqusContact, IsOfPairs) {
               HasSubstr("there is no surface High.none"));
   EXPECT_THAT(error(cubes + abaqus_step("*CONTACT PAIR, INTERACTION=r\nHigh.lower, Low.upper\n")),
               HasSubstr("there is no *SURFACE INTERACTION r"));
+}
+
+/// Springs stand for hard contact where they give way less than an element, here of 1 mm: E/k = 0.021 of one.
+TEST_F(AbaqusContact, OfSpringsIsHardAndSaysHowFarTheyGiveWay) {
+  const std::string pair = abaqus_step("*CONTACT PAIR, INTERACTION=s\nHigh.lower, Low.upper\n");
+  const auto springs = [&](const std::string& line) {
+    return cubes + "*SURFACE INTERACTION, NAME=s\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n" + line;
+  };
+  const TranslatedDeck deck = translate(springs("1.E7, 0.1, 0.001\n") + pair);
+  EXPECT_THAT(deck.understood,
+              Contains(AllOf(
+                  HasSubstr("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR"), HasSubstr("hard contact in its place"),
+                  HasSubstr("overlap by pressure/1e+07: 2.1e-05 at a thousandth of Young's modulus 210000, or "
+                            "0.021 of what an element gives way"))));
+  EXPECT_THAT(deck.understood, Contains(HasSubstr("not used: *SURFACE BEHAVIOR: sigma-infinity")));
+  EXPECT_THAT(deck.understood, Contains(HasSubstr("not used: *SURFACE BEHAVIOR: c0")));
+  EXPECT_EQ(read_scene(deck.source(path_)).contact_pairs.size(), 1u);
+  EXPECT_THAT(error(springs("1.E5\n") + pair), HasSubstr("as soft as 2.1 elements one behind the other"));
+  EXPECT_THAT(error(springs("0.\n") + pair), HasSubstr("slope: expected more than 0, got 0"));
+  EXPECT_THAT(error(springs("") + pair), HasSubstr("expected the slope of the pressure over the overclosure"));
+  EXPECT_THAT(translate(springs("1.\n") + abaqus_step()).understood,
+              Contains(HasSubstr("not used: *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR")))
+      << "an interaction of nothing";
+}
+
+TEST_F(AbaqusContact, OfSpringsBetweenRigidBodiesIsRefused) {
+  std::string rigid = cubes + "*SURFACE INTERACTION, NAME=s\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1.E7\n";
+  rigid.insert(rigid.find("*END PART"),
+               "*NODE, NSET=centre\n99, 0.5, 0.5, 0.5\n*RIGID BODY, REF NODE=centre, ELSET=Cube\n");
+  EXPECT_THAT(error(rigid + abaqus_step("*CONTACT PAIR, INTERACTION=s\nHigh.lower, Low.upper\n")),
+              HasSubstr("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR of bodies that are all rigid"));
 }
 
 /// Of CalculiX.

@@ -1,38 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "abaqus_exclusions.hpp"
+#include "abaqus_interactions.hpp"
 #include "abaqus_parts.hpp"
 
 namespace pinball {
 
 namespace {
 
-struct Friction {
-  double sliding = 0, at_rest = 0, decay = 0;
-};
-
-/// A constant; with EXPONENTIAL DECAY the one at rest, the one while sliding, and the decay between them.
-Friction read_friction(AbaqusData& data, const AbaqusBlock& block) {
-  DataLines lines(block);
-  const auto card = lines.next();
-  if (!card) return {};
-  const DataFields f(*card);
-  const double first = f.number(0, "coefficient", 0.0);
-  if (block.has("EXPONENTIALDECAY"))
-    return {f.number(1, "coefficient while sliding"), first, f.number(2, "decay", 0.0)};
-  for (std::size_t i = 1; i < 7; ++i) {
-    if (!f.blank(i)) data.report.reject(block.place, "*FRICTION that depends on slip rate, pressure or temperature");
-  }
-  return {first, first, 0.0};
-}
-
 /// Of all that touches, or of a pair.
 template <class Keys>
-void set_friction(const Friction& friction, const Keys& keys) {
+void set_friction(const AbaqusFriction& friction, const Keys& keys) {
   keys.set("friction", friction.sliding);
   if (friction.at_rest > friction.sliding) keys.set("static_friction", friction.at_rest);
   if (friction.at_rest > friction.sliding && friction.decay > 0) keys.set("friction_decay", friction.decay);
@@ -43,16 +24,15 @@ struct Pair {
   const AbaqusBlock* block;
   DeckPlace place;
   std::string first, second;  ///< labels of surfaces; first empty: all bodies
-  std::optional<Friction> friction;
+  std::optional<AbaqusFriction> friction;
 };
 
 class Contact {
  public:
-  explicit Contact(AbaqusData& data) : data_(data), exclusions_(data) {}
+  explicit Contact(AbaqusData& data) : data_(data), interactions_(data), exclusions_(data) {}
 
   /// Returns whether anything says what touches, be it nothing.
   bool translate(DeckScene& scene) {
-    read_interactions();
     for (const AbaqusBlock& block : data_.deck.blocks) {
       if (block.name == "CONTACTINCLUSIONS") read_inclusions(block);
       if (block.name == "CONTACTPROPERTYASSIGNMENT") read_assignments(block);
@@ -79,26 +59,6 @@ class Contact {
   }
 
  private:
-  void read_interactions() {
-    Friction* current = nullptr;
-    std::string name;
-    for (const AbaqusBlock& block : data_.deck.blocks) {
-      if (block.name == "SURFACEINTERACTION") {
-        name = label_key(block.require("NAME"));
-        current = &interactions_[name];
-      }
-      if (block.name != "FRICTION" || current == nullptr) continue;
-      data_.give_once("*FRICTION of the interaction " + name, block.place);
-      *current = read_friction(data_, block);
-    }
-  }
-
-  const Friction& interaction(const std::string& name, const DeckPlace& place) const {
-    const auto found = interactions_.find(label_key(name));
-    if (found == interactions_.end()) fail_at(place, fmt::format("there is no *SURFACE INTERACTION {}", name));
-    return found->second;
-  }
-
   /// All of the outside, or pairs of surfaces.
   void read_inclusions(const AbaqusBlock& block) {
     if (block.has("ALLEXTERIOR")) {
@@ -117,7 +77,7 @@ class Contact {
     DataLines lines(block);
     while (const auto card = lines.next()) {
       const DataFields f(*card);
-      const Friction& friction = interaction(f.text(2), card->place);
+      const AbaqusFriction& friction = interactions_.use(f.text(2), card->place);
       if (f.blank(0) && f.blank(1)) {
         common_ = friction;
       } else {
@@ -130,7 +90,7 @@ class Contact {
     if (block.option("TYPE") == "MASSLESS") {
       data_.report.unused(block.place, "*CONTACT PAIR, TYPE=MASSLESS", "nodes keep their masses, impulses stop them");
     }
-    const Friction& friction = interaction(block.require("INTERACTION"), block.place);
+    const AbaqusFriction& friction = interactions_.use(block.require("INTERACTION"), block.place);
     DataLines lines(block);
     while (const auto card = lines.next()) {
       const DataFields f(*card);
@@ -170,11 +130,11 @@ class Contact {
   }
 
   AbaqusData& data_;
-  std::map<std::string, Friction> interactions_;
+  AbaqusInteractions interactions_;
   const AbaqusBlock* all_ = nullptr;  ///< *CONTACT INCLUSIONS, ALL EXTERIOR
   std::vector<Pair> pairs_;
   AbaqusExclusions exclusions_;
-  Friction common_;
+  AbaqusFriction common_;
 };
 
 }  // namespace

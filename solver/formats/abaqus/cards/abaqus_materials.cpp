@@ -246,6 +246,15 @@ std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck) {
   return densities;
 }
 
+std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck) {
+  std::map<std::string, double> moduli;
+  for (const auto& [key, material] : materials_of(deck)) {
+    if (const AbaqusBlock* block = material.option("ELASTIC"))
+      moduli[key] = DataFields(only_card(*block, "Young's modulus")).number(0, "Young's modulus");
+  }
+  return moduli;
+}
+
 void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   const std::map<std::string, AbaqusMaterial> materials = materials_of(data.deck);
   std::set<std::string> written;

@@ -18,9 +18,11 @@ std::vector<DeckElement> abaqus_elements(AbaqusData& data);
 /// HEADING, DYNAMIC, FIXED MASS SCALING, OUTPUT: title, [time], [element], [output].
 void translate_abaqus_controls(AbaqusData& data, DeckScene& scene);
 
-/// A [[material]] for each that a body has, of MATERIAL and its options.
 /// DENSITY of each material that has one, by its key.
 std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck);
+/// Young's modulus of each material that has one, by its key.
+std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck);
+/// A [[material]] for each that a body has, of MATERIAL and its options.
 void translate_abaqus_materials(AbaqusData& data, DeckScene& scene);
 
 /// A [[body]] for each section of an instance; mesh_file: as the scene names it.
