@@ -59,15 +59,6 @@ TEST_F(Abaqus, SectionsMayHaveControlsOfTheirOwn) {
   EXPECT_EQ(s.bodies[1].element->hourglass, HourglassControl::viscous);
 }
 
-TEST_F(Abaqus, ScalesMassForAStep) {
-  const std::string head = abaqus_cube + abaqus_steel + "*FIXED MASS SCALING, DT=1E-7, TYPE=";
-  EXPECT_EQ(scene(head + "BELOW MIN\n" + abaqus_step()).time.smallest_step, 1e-7);
-  EXPECT_EQ(scene(head + "BELOW MIN\n" + abaqus_step()).time.mass_scaling, MassScaling::small);
-  EXPECT_EQ(scene(head + "SET EQUAL DT, ELSET=Cube\n" + abaqus_step()).time.mass_scaling, MassScaling::all);
-  EXPECT_THAT(error(head + "UNIFORM\n" + abaqus_step()), HasSubstr("*FIXED MASS SCALING, TYPE=UNIFORM (deck.inp:23)"));
-  EXPECT_THAT(error(head + "BELOW MIN, FACTOR=2.\n" + abaqus_step()), HasSubstr("*FIXED MASS SCALING, FACTOR=2."));
-}
-
 TEST_F(Abaqus, ReadsPlasticityAsTableRatesAndLaws) {
   const auto material = [&](const std::string& options) {
     return scene(abaqus_cube + abaqus_steel + options + abaqus_step()).materials.at(0);
@@ -306,29 +297,11 @@ TEST_F(Abaqus, BodiesMayDifferByQuotesAlone) {
   EXPECT_EQ(model.constraints.size(), 8u + 1u);
 }
 
-TEST_F(Abaqus, WritesAsOftenAsItIsAskedTo) {
-  const Scene s = scene(
-      abaqus_cube + abaqus_steel +
-      abaqus_step("*OUTPUT, FIELD, NUMBER INTERVAL=10\n*NODE OUTPUT\nU, V\n*OUTPUT, HISTORY, TIME INTERVAL=1e-8\n"));
-  EXPECT_DOUBLE_EQ(s.output.field_interval, 1e-7);
-  EXPECT_EQ(s.output.interval, 1e-8);
-  EXPECT_FALSE(s.output.body_energies);
-}
-
-TEST_F(Abaqus, WritesEnergiesOfBodiesWhereThoseOfASetAreAskedFor) {
-  const auto of_bodies = [this](const std::string& request) {
-    return scene(abaqus_cube + abaqus_steel + abaqus_step("*OUTPUT, HISTORY\n*ENERGY OUTPUT" + request + "\nALLKE\n"))
-        .output.body_energies;
-  };
-  EXPECT_TRUE(of_bodies(", ELSET=all"));
-  EXPECT_FALSE(of_bodies(""));
-}
-
 TEST_F(Abaqus, WhatCannotBeDoneIsRefusedInOneMessageBeforeTheMeshIsRead) {
   const std::string wrong =
       "*NODE\nno number\n*ELEMENT, TYPE=S4R\n*ELEMENT, TYPE=C3D10\n*ELEMENT, TYPE=C3D10\n"
       "*Shell Section, ELSET=a\n*MPC\n";
-  EXPECT_EQ(error(wrong + abaqus_step("*FIXED MASS SCALING, DT=1e-7\n") + "*STEP\n*STATIC\n*END STEP\n"),
+  EXPECT_EQ(error(wrong + abaqus_step("*FIXED MASS SCALING, DT=1e-7, TYPE=UNIFORM\n") + "*STEP\n*STATIC\n*END STEP\n"),
             "deck.inp: cannot be run, for this version has not:\n"
             "  *ELEMENT, TYPE=S4R (deck.inp:3)\n"
             "  *ELEMENT, TYPE=C3D10 (2 times, first in deck.inp:4)\n"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <numeric>
 #include <set>
 
@@ -41,8 +42,9 @@ AbaqusData::AbaqusData(const AbaqusDeck& deck_, const AbaqusMesh& mesh_, DeckRep
 
 /// What has a name stands once, and so does what each step has one of.
 void AbaqusData::require_once(const AbaqusBlock& block) {
-  static const std::set<std::string> named{"MATERIAL", "AMPLITUDE", "SECTIONCONTROLS", "SURFACEINTERACTION"},
-      one_a_step{"DYNAMIC", "BULKVISCOSITY", "FIXEDMASSSCALING"};
+  static const std::set<std::string> named{"MATERIAL", "AMPLITUDE", "SECTIONCONTROLS", "SURFACEINTERACTION",
+                                           "TIMEPOINTS"},
+      one_a_step{"DYNAMIC", "BULKVISCOSITY", "FIXEDMASSSCALING", "VARIABLEMASSSCALING"};
   if (named.contains(block.name)) give_once(block.star_name() + ' ' + label_key(block.require("NAME")), block.place);
   if (block.name == "TIE" && block.has("NAME")) give_once("*TIE " + label_key(block.require("NAME")), block.place);
   if (one_a_step.contains(block.name))
@@ -116,19 +118,23 @@ void AbaqusData::read_steps() {
 
 const AbaqusStep& AbaqusData::step_of(const AbaqusBlock& block) const { return steps[std::max(block.step, 1) - 1]; }
 
+std::vector<double> numbers_of(const AbaqusBlock& block, const DataLine& card) {
+  std::vector<double> numbers;
+  for (const std::string_view entry : entries_of(card.text)) {
+    const auto number = deck_number(entry);
+    if (!number) fail_at(card.place, fmt::format("{}: expected a number, got \"{}\"", block.star_name(), entry));
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 namespace {
 
 /// Pairs of time and value, four to a line; or values alone for equal intervals.
-std::vector<double> numbers_of(const AbaqusBlock& block) {
+std::vector<double> all_numbers_of(const AbaqusBlock& block) {
   std::vector<double> numbers;
   DataLines lines(block);
-  while (const auto card = lines.next()) {
-    for (const std::string_view entry : entries_of(card->text)) {
-      const auto number = deck_number(entry);
-      if (!number) fail_at(card->place, fmt::format("{}: expected a number, got \"{}\"", block.star_name(), entry));
-      numbers.push_back(*number);
-    }
-  }
+  while (const auto card = lines.next()) std::ranges::copy(numbers_of(block, *card), std::back_inserter(numbers));
   return numbers;
 }
 
@@ -154,7 +160,7 @@ void AbaqusData::read_amplitude(const AbaqusBlock& block) {
   AbaqusCurve curve;
   curve.absolute = block.option("VALUE") == "ABSOLUTE";
   curve.total_time = block.option("TIME") == "TOTALTIME";
-  const std::vector<double> numbers = numbers_of(block);
+  const std::vector<double> numbers = all_numbers_of(block);
   if (block.option("DEFINITION") == "EQUALLYSPACED") {
     const double interval = block.number("FIXEDINTERVAL", 0.0), begin = block.number("BEGIN", 0.0);
     if (!(interval > 0)) fail_at(block.place, "*AMPLITUDE: FIXED INTERVAL: expected more than 0");

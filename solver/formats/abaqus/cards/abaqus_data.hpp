@@ -120,6 +120,9 @@ class AbaqusData {
   std::map<std::string, AbaqusCurve> amplitudes_;
 };
 
+/// All numbers of a data line, which may be more than it has fields by names. Throws InputError for what is none.
+std::vector<double> numbers_of(const AbaqusBlock& block, const DataLine& card);
+
 /// times and factors of a curve, times a magnitude; nothing for a factor of 1.
 void set_curve(const AbaqusCurve& curve, double magnitude, const DeckKeys<TimeTable>& keys);
 

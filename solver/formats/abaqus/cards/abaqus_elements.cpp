@@ -18,8 +18,12 @@ struct Controls {
   double coefficient = 1.0, linear = 1.0, quadratic = 1.0;
 };
 
-Controls read_controls(const AbaqusBlock& block) {
+/// Reports what of it this program does in another way.
+Controls read_controls(AbaqusData& data, const AbaqusBlock& block) {
   Controls controls;
+  if (block.option("DISTORTIONCONTROL") == "YES")
+    data.report.unused(block.place, "*SECTION CONTROLS, DISTORTION CONTROL=YES",
+                       "corners that are about to turn over resist in any case (element.folding_resistance)");
   DataLines lines(block);
   double factor = 1.0;
   if (const auto card = lines.next()) {
@@ -62,7 +66,7 @@ Controls controls_of(AbaqusData& data, const NamedControls& named, const AbaqusB
   if (const auto name = section.value("CONTROLS")) {
     const auto found = named.find(label_key(*name));
     if (found == named.end()) fail_at(section.place, fmt::format("there is no *SECTION CONTROLS {}", *name));
-    controls = read_controls(*found->second);
+    controls = read_controls(data, *found->second);
   }
   const bool full = std::ranges::any_of(
       types, [](const std::string& type) { return type.starts_with("C3D8") && type.find('R') == std::string::npos; });

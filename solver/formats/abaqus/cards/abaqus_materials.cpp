@@ -186,7 +186,25 @@ void require_no_expansion(AbaqusData& data, const AbaqusMaterial& material) {
                      "leave one of the two out: temperatures are not computed");
 }
 
-void write_material(AbaqusData& data, const std::string& key, const AbaqusMaterial& material, DeckScene& scene) {
+/// FACTOR of *FIXED MASS SCALING, by which all masses are larger than those of the materials.
+double mass_factor(AbaqusData& data) {
+  const AbaqusBlock* block = data.last("FIXEDMASSSCALING");
+  if (block == nullptr || !block->has("FACTOR")) return 1;
+  const double factor = block->number("FACTOR", 1.0);
+  if (!(factor > 0)) fail_at(block->place, "*FIXED MASS SCALING: FACTOR: expected more than 0");
+  if (factor == 1) return 1;
+  if (data.whole_bodies(block->value("ELSET").value_or(""), block->place).size() != data.bodies.size())
+    data.report.reject(block->place, "*FIXED MASS SCALING, FACTOR of some elements");
+  if (!data.rigid.empty()) data.report.reject(block->place, "*FIXED MASS SCALING, FACTOR beside rigid bodies");
+  data.report.understood(
+      fmt::format("*FIXED MASS SCALING ({}): densities are {:.6g} times those of the materials, also "
+                  "where gravity acts",
+                  block->place.text(), factor));
+  return factor;
+}
+
+void write_material(AbaqusData& data, const std::string& key, const AbaqusMaterial& material, double mass_factor,
+                    DeckScene& scene) {
   const DataLine density = only_card(required(material, "DENSITY", "*DENSITY"), "the density"),
                  elastic = only_card(required(material, "ELASTIC", "*ELASTIC"), "Young's modulus and Poisson's ratio");
   const DataFields of_density(density), f(elastic);
@@ -195,7 +213,7 @@ void write_material(AbaqusData& data, const std::string& key, const AbaqusMateri
   keys.set("name", data.material_name(key));
   keys.set("model", plastic ? "von_mises" : "elastic");
   keys.from({"*DENSITY", density.place});
-  keys.set("density", of_density.number(0, "density"));
+  keys.set("density", mass_factor * of_density.number(0, "density"));
   keys.from({"*ELASTIC", elastic.place});
   keys.set("young_modulus", f.number(0, "Young's modulus"));
   keys.set("poisson_ratio", f.number(1, "Poisson's ratio", 0.0));
@@ -266,8 +284,10 @@ void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
   }
   tell_unused(data, materials);
   write_damping(data, materials, scene);
+  const double factor = mass_factor(data);
   for (const AbaqusBody& body : data.bodies) {
-    if (written.insert(body.material).second) write_material(data, body.material, materials.at(body.material), scene);
+    if (written.insert(body.material).second)
+      write_material(data, body.material, materials.at(body.material), factor, scene);
   }
 }
 

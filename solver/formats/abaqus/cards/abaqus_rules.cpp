@@ -33,7 +33,7 @@ const std::vector<AbaqusRule>& abaqus_rules() {
        "of each section: HOURGLASS and its factors; ENHANCED, RELAX STIFFNESS and none at all as elements of assumed "
        "strain",
        "NAME HOURGLASS=ENHANCED|RELAXSTIFFNESS|STIFFNESS|VISCOUS KINEMATICSPLIT SECONDORDERACCURACY "
-       "DISTORTIONCONTROL=NO ELEMENTDELETION MAXDEGRADATION"},
+       "DISTORTIONCONTROL=NO|YES LENGTHRATIO ELEMENTDELETION MAXDEGRADATION"},
       {"ORIENTATION", ignored, "materials are isotropic"},
       {"MATERIAL", done, "", "NAME"},
       {"DENSITY", done, "a constant"},
@@ -56,8 +56,10 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"DYNAMIC", done, "EXPLICIT, with its period and SCALE FACTOR",
        "EXPLICIT ELEMENTBYELEMENT ADIABATIC SCALEFACTOR FIXEDTIMEINCREMENTATION IMPROVEDDTMETHOD"},
       {"BULK VISCOSITY", done, "without it 0.06 and 1.2"},
-      {"FIXED MASS SCALING", done, "DT with BELOW MIN or SET EQUAL DT, of all elements",
-       "DT TYPE=BELOWMIN|SETEQUALDT ELSET"},
+      {"FIXED MASS SCALING", done, "DT with BELOW MIN, which is the default, or SET EQUAL DT; FACTOR; of all elements",
+       "DT TYPE=BELOWMIN|SETEQUALDT ELSET FACTOR"},
+      {"VARIABLE MASS SCALING", done, "the same without FACTOR, of the start of the run alone",
+       "DT TYPE=BELOWMIN|SETEQUALDT ELSET FREQUENCY NUMBERINTERVAL"},
       {"BOUNDARY", done,
        "degrees of freedom 1 to 3, of reference nodes 1 to 6, ENCASTRE, PINNED, symmetries; displacement, velocity, "
        "acceleration",
@@ -81,7 +83,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"CONTACT CONTROLS*", ignored, "scale factors of penalties: contact here has none"},
       {"CONTACT FORMULATION", ignored, "exact between all faces"},
       {"OUTPUT", done, "FIELD: fields of this program; HISTORY: rows of history.csv",
-       "FIELD HISTORY VARIABLE NUMBERINTERVAL TIMEINTERVAL FREQUENCY TIMEMARKS NAME OP FILTER MODELEDGE"},
+       "FIELD HISTORY VARIABLE NUMBERINTERVAL TIMEINTERVAL TIMEPOINTS FREQUENCY TIMEMARKS NAME OP FILTER MODELEDGE"},
+      {"TIME POINTS", done, "of fields: where an OUTPUT names them", "NAME GENERATE"},
       {"NODE OUTPUT", done,
        "HISTORY of an NSET: a probe of each node, node_NUMBER or node_INSTANCE_NUMBER; else ignored",
        "NSET VARIABLE EXTERIOR TRACERSET"},
@@ -105,7 +108,6 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"MONITOR", ignored, "output of another program"},
       {"DIAGNOSTICS", ignored, "output of another program"},
       {"RESTART", ignored, "WRITE; READ is refused"},
-      {"VARIABLE MASS SCALING", rejected, ""},
       {"MPC", rejected, ""},
       {"EQUATION", rejected, ""},
       {"COUPLING", rejected, ""},
@@ -172,7 +174,6 @@ bool may_come_later(const std::string& name) {
 /// What a keyword is refused for besides its parameters.
 std::string rejected_option(const AbaqusBlock& block) {
   if (block.name == "DYNAMIC" && !block.has("EXPLICIT")) return "*DYNAMIC without EXPLICIT";
-  if (block.name == "FIXEDMASSSCALING" && !block.has("TYPE")) return "*FIXED MASS SCALING, TYPE=UNIFORM";
   if (block.name == "RESTART" && block.has("READ")) return "*RESTART, READ";
   return "";
 }

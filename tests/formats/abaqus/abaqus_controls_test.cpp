@@ -1,0 +1,102 @@
+#include <gmock/gmock.h>
+
+#include "abaqus_case.hpp"
+
+/// Mass scaling, section controls and times of output of Abaqus input.
+namespace pinball::test::abaqus_controls_test {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class AbaqusControls : public AbaqusTest {};
+
+TEST_F(AbaqusControls, ScalesMassForAStep) {
+  const std::string head = abaqus_cube + abaqus_steel + "*FIXED MASS SCALING, DT=1E-7, TYPE=";
+  EXPECT_EQ(scene(head + "BELOW MIN\n" + abaqus_step()).time.smallest_step, 1e-7);
+  EXPECT_EQ(scene(head + "BELOW MIN\n" + abaqus_step()).time.mass_scaling, MassScaling::small);
+  EXPECT_EQ(scene(head + "SET EQUAL DT, ELSET=Cube\n" + abaqus_step()).time.mass_scaling, MassScaling::all);
+  EXPECT_EQ(scene(head.substr(0, head.rfind(',')) + "\n" + abaqus_step()).time.mass_scaling, MassScaling::small)
+      << "the default of Abaqus";
+  EXPECT_THAT(error(head + "UNIFORM\n" + abaqus_step()), HasSubstr("*FIXED MASS SCALING, TYPE=UNIFORM (deck.inp:23)"));
+}
+
+TEST_F(AbaqusControls, ScalesAllMassesByAFactor) {
+  const std::string head = abaqus_cube + abaqus_steel, scaling = "*FIXED MASS SCALING, FACTOR=";
+  const TranslatedDeck deck = translate(head + abaqus_step(scaling + "100.\n"));
+  EXPECT_THAT(deck.understood, Contains(HasSubstr("densities are 100 times those of the materials")));
+  const Scene s = read_scene(deck.source(path_));
+  EXPECT_DOUBLE_EQ(s.materials.at(0).density, 7.85e-7);
+  EXPECT_EQ(s.time.smallest_step, 0);
+  EXPECT_EQ(scene(head + abaqus_step(scaling + "4., DT=1E-7\n")).time.smallest_step, 1e-7) << "and then by a step";
+  EXPECT_EQ(scene(head + abaqus_step("*FIXED MASS SCALING\n")).materials.at(0).density, 7.85e-9) << "no factor is 1";
+  EXPECT_THAT(error(head + abaqus_step(scaling + "0.\n")), HasSubstr("FACTOR: expected more than 0"));
+}
+
+TEST_F(AbaqusControls, ScalesMassAtTheStartAlone) {
+  const std::string head = abaqus_cube + abaqus_steel;
+  const std::string scaling = "*VARIABLE MASS SCALING, DT=1E-7, TYPE=BELOW MIN, FREQUENCY=5\n";
+  const TranslatedDeck deck = translate(head + abaqus_step(scaling));
+  EXPECT_THAT(deck.understood, Contains(HasSubstr("elements get mass at the start alone")));
+  EXPECT_EQ(read_scene(deck.source(path_)).time.smallest_step, 1e-7);
+  EXPECT_THAT(
+      error(head + abaqus_step("*VARIABLE MASS SCALING, TYPE=ROLLING, FEED RATE=1.\n")),
+      AllOf(HasSubstr("*VARIABLE MASS SCALING, TYPE=ROLLING"), HasSubstr("*VARIABLE MASS SCALING, FEEDRATE=1.")));
+  EXPECT_THAT(error(head + abaqus_step("*FIXED MASS SCALING, DT=2E-7\n" + scaling)),
+              HasSubstr("*VARIABLE MASS SCALING with DT beside *FIXED MASS SCALING with DT"));
+}
+
+TEST_F(AbaqusControls, WritesAsOftenAsItIsAskedTo) {
+  const Scene s = scene(
+      abaqus_cube + abaqus_steel +
+      abaqus_step("*OUTPUT, FIELD, NUMBER INTERVAL=10\n*NODE OUTPUT\nU, V\n*OUTPUT, HISTORY, TIME INTERVAL=1e-8\n"));
+  EXPECT_DOUBLE_EQ(s.output.field_interval, 1e-7);
+  EXPECT_EQ(s.output.interval, 1e-8);
+  EXPECT_FALSE(s.output.body_energies);
+}
+
+TEST_F(AbaqusControls, WritesFieldsAtTimesOfAStep) {
+  const std::string head = abaqus_cube + abaqus_steel, listed = "*TIME POINTS, NAME=tp\n0., 2e-7, 5e-7, 9.\n7e-7\n";
+  const auto output = [&](const std::string& points) {
+    return scene(head + points + abaqus_step("*OUTPUT, FIELD, TIME POINTS=TP\n*NODE OUTPUT\nU\n")).output;
+  };
+  EXPECT_THAT(output(listed).field_times, ElementsAre(0, 2e-7, 5e-7, 7e-7)) << "9 is behind the step";
+  EXPECT_EQ(output(listed).field_interval, 0);
+  EXPECT_THAT(output("*TIME POINTS, NAME=tp, GENERATE\n0., 1e-6, 5e-7\n").field_times,
+              ElementsAre(0, DoubleEq(5e-7), DoubleEq(1e-6)));
+  const std::string twice = head + listed + abaqus_step() + abaqus_step("*OUTPUT, FIELD, TIME POINTS=tp\n");
+  EXPECT_THAT(scene(twice).output.field_times.at(1), DoubleEq(1.2e-6)) << "of the second step";
+  EXPECT_THAT(error(head + abaqus_step("*OUTPUT, FIELD, TIME POINTS=tp\n")), HasSubstr("there is no *TIME POINTS tp"));
+  EXPECT_THAT(
+      error(head + "*TIME POINTS, NAME=tp, GENERATE\n0., 1., 1e-9\n" + abaqus_step("*OUTPUT, FIELD, TIME POINTS=tp\n")),
+      HasSubstr("interval: expected more than 0, and at most 100000 times"));
+  EXPECT_THAT(translate(head + listed + abaqus_step("*OUTPUT, HISTORY, TIME POINTS=tp\n")).understood,
+              Contains(HasSubstr("not used: *OUTPUT, HISTORY, TIME POINTS")));
+  EXPECT_THAT(translate(head + listed + abaqus_step("*NODE FILE, TIME POINTS=tp\nU\n")).understood,
+              Contains(HasSubstr("not used: *TIME POINTS")))
+      << "of CalculiX";
+}
+
+TEST_F(AbaqusControls, WritesEnergiesOfBodiesWhereThoseOfASetAreAskedFor) {
+  const auto of_bodies = [this](const std::string& request) {
+    return scene(abaqus_cube + abaqus_steel + abaqus_step("*OUTPUT, HISTORY\n*ENERGY OUTPUT" + request + "\nALLKE\n"))
+        .output.body_energies;
+  };
+  EXPECT_TRUE(of_bodies(", ELSET=all"));
+  EXPECT_FALSE(of_bodies(""));
+}
+
+TEST_F(AbaqusControls, ControlOfDistortionIsThatOfCorners) {
+  std::string cube = abaqus_cube;
+  cube.insert(cube.find(", MATERIAL=Steel"), ", CONTROLS=c");
+  const std::string controls = "*SECTION CONTROLS, NAME=C, DISTORTION CONTROL=YES, LENGTH RATIO=0.2\n1., 1., 1.\n";
+  EXPECT_THAT(translate(cube + abaqus_steel + controls + abaqus_step()).understood,
+              AllOf(Contains(HasSubstr("not used: *SECTION CONTROLS, DISTORTION CONTROL=YES")),
+                    Contains(HasSubstr("*SECTION CONTROLS, LENGTHRATIO=0.2"))));
+}
+
+}  // namespace
+}  // namespace pinball::test::abaqus_controls_test
