@@ -85,6 +85,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   translate_abaqus_loads(data, boundary);
   translate_abaqus_rigid_bodies(data, bodies);
   translate_abaqus_probes(data, boundary);
+  for (const std::string& note : deck.notes) report.understood(note);
   tell_unread(deck, log, report);
   report.require_all_done(path);
   scene.append(std::move(bodies));

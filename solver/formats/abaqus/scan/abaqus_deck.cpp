@@ -92,15 +92,20 @@ class AbaqusReader {
     std::string line(trimmed(take_line(rest)));
     ++place.line;
     block.place = place;
-    while (goes_on(line)) {
+    bool ends_in_comma = false;
+    while (goes_on(line) && !ends_in_comma) {
       if (rest.empty()) fail_at(block.place, "expected the rest of a keyword line that ends in a comma");
-      const std::string_view more = take_line(rest);
+      const std::string_view more = trimmed(rest.substr(0, rest.find('\n')));
+      ends_in_comma = !is_comment(more) && !has_parameters(more);
+      if (ends_in_comma) continue;
+      take_line(rest);
       ++place.line;
-      if (is_comment(more)) continue;
-      require_parameters(trimmed(more), block.place, place);
-      line += trimmed(more);
+      if (!is_comment(more)) line += more;
     }
-    read_keyword_line(block, line);
+    read_keyword_line(block, ends_in_comma ? line.substr(0, line.rfind(',')) : line);
+    if (ends_in_comma)
+      deck_.notes.push_back(fmt::format("{} ({}): its line ends in a comma, and no parameter follows: it is at its end",
+                                        block.star_name(), block.place.text()));
     if (block.name == "INCLUDE") {
       open_included(block.require("INPUT"), block.place);
       return;
@@ -111,12 +116,10 @@ class AbaqusReader {
     if (input) open_included(*input, DeckPlace(deck_.blocks.back().place));
   }
 
-  /// A parameter begins with a letter: what begins with another sign is the next keyword, or data of this one.
-  static void require_parameters(std::string_view more, const DeckPlace& keyword, const DeckPlace& place) {
-    if (more.empty() || std::isalpha(static_cast<unsigned char>(more.front()))) return;
-    fail_at(place, fmt::format("expected more parameters of the keyword in line {}, which ends in a comma and so goes "
-                               "on in the next line, got \"{}\"",
-                               keyword.line, more.substr(0, 40)));
+  /// Whether a line goes on with what one before began that ends in a comma. A parameter begins with a letter: what
+  /// begins with another sign is the next keyword, or data of this one, as CalculiX has it.
+  static bool has_parameters(std::string_view line) {
+    return line.empty() || std::isalpha(static_cast<unsigned char>(line.front())) != 0;
   }
 
   static bool takes_input(const std::string& name) { return name != "RESTART" && name != "IMPORT"; }

@@ -16,6 +16,7 @@ struct AbaqusDeck {
   std::vector<AbaqusBlock> blocks;
   std::vector<MeshSource> files;                          ///< as opened, the deck itself first
   std::vector<std::shared_ptr<const std::string>> texts;  ///< what the blocks refer to
+  std::vector<std::string> notes;                         ///< how it was read where that could be taken otherwise
 };
 
 /// Throws InputError "FILE:LINE: ..." for a file that is missing or includes itself, for what is closed and was not
