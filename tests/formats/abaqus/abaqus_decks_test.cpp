@@ -53,6 +53,7 @@ TEST_F(AbaqusDecks, RatesRaiseTheYieldStress) {
   EXPECT_NEAR(stress(solver, 1) / (1e6 * (1 + rate / 200)), 1, 0.01);
   EXPECT_NEAR(stress(solver, 2) / (1e6 + 2e6 * rate / 200 + 1e7 * strain(2)), 1, 0.01);
   EXPECT_NEAR(stress(solver, 3) / (1e6 + 1e7 * strain(3)), 1, 0.01);
+  EXPECT_NEAR(stress(solver, 4) / ((1e6 + 3e6 * std::sqrt(strain(4))) * (1 + 0.1 * std::log(rate / 2))), 1, 0.01);
 }
 
 /// What acts on a free body, integrated over time, over its mass.

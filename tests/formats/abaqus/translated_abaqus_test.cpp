@@ -10,6 +10,7 @@
 namespace pinball::test::translated_abaqus_test {
 namespace {
 
+using testing::Contains;
 using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -92,8 +93,35 @@ TEST_F(Abaqus, RefusesWhatDependsOnTemperature) {
   EXPECT_THAT(error(abaqus_cube + "*MATERIAL, NAME=steel\n*DENSITY\n1.\n*ELASTIC\n2., 0.3, 20.\n1., 0.3, 90.\n" +
                     abaqus_step()),
               HasSubstr("*ELASTIC that depends on temperature or fields"));
-  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*PLASTIC, HARDENING=JOHNSON COOK\n1.\n" + abaqus_step()),
-              HasSubstr("*PLASTIC, HARDENING=JOHNSON COOK (deck.inp:23)"));
+  EXPECT_EQ(error(abaqus_cube +
+                  "*MATERIAL, NAME=steel\n*DENSITY\n1.\n*ELASTIC, TYPE=ANISOTROPIC\n1., 2., 3., 4., 5., 6., 7., "
+                  "8.\n9., 10.\n" +
+                  abaqus_step()),
+            "deck.inp: cannot be run, for this version has not:\n  *ELASTIC, TYPE=ANISOTROPIC (deck.inp:21)")
+      << "and for this reason alone";
+}
+
+TEST_F(Abaqus, HardensAsJohnsonAndCookSay) {
+  const std::string head = abaqus_cube + abaqus_steel + "*PLASTIC, HARDENING=JOHNSON COOK\n240., 1220., .66, 0.77",
+                    rate = "*RATE DEPENDENT, TYPE=JOHNSON COOK\n0.0298, 1.\n";
+  const Material m = scene(head + "\n" + rate + abaqus_step()).materials.at(0);
+  ASSERT_TRUE(m.johnson_cook);
+  EXPECT_EQ(m.yield_stress, 240);
+  EXPECT_EQ(m.johnson_cook->hardening_coefficient, 1220);
+  EXPECT_EQ(m.johnson_cook->hardening_exponent, 0.66);
+  EXPECT_EQ(m.johnson_cook->rate_coefficient, 0.0298);
+  EXPECT_EQ(m.johnson_cook->reference_rate, 1);
+  EXPECT_EQ(m.johnson_cook->melting_temperature, 0);
+  EXPECT_EQ(m.strain_rate, StrainRate::plastic);
+  EXPECT_EQ(scene(head + "\n" + abaqus_step()).materials.at(0).johnson_cook->rate_coefficient, 0);
+  const std::string warm = ", 1500., 300.\n", adiabatic = "*STEP\n*DYNAMIC, EXPLICIT, ADIABATIC\n, 1.0E-6\n*END STEP\n";
+  EXPECT_THAT(translate(head + warm + abaqus_step()).understood, Contains(HasSubstr("m and its temperatures (")));
+  EXPECT_THAT(error(head + warm + adiabatic), HasSubstr("HARDENING=JOHNSON COOK that softens with its temperature"));
+  EXPECT_EQ(error(head + "\n" + adiabatic), no_error) << "it does not soften";
+  EXPECT_THAT(error(head + "\n*RATE DEPENDENT, TYPE=POWER LAW\n40., 5.\n" + abaqus_step()),
+              HasSubstr("*RATE DEPENDENT beside HARDENING=JOHNSON COOK"));
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + "*PLASTIC\n300., 0.\n" + rate + abaqus_step()),
+              HasSubstr("*RATE DEPENDENT, TYPE=JOHNSON COOK beside another HARDENING"));
 }
 
 TEST_F(Abaqus, RefusesExpansionWhereHeatWouldStay) {

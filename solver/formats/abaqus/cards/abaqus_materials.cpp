@@ -150,9 +150,58 @@ void set_rate(const AbaqusBlock& block, const Curve& curve, const MaterialKeys& 
   keys.set("yield_curves", curves);
 }
 
-void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKeys keys) {
+bool is_adiabatic(const AbaqusData& data) {
+  return std::ranges::any_of(
+      data.deck.blocks, [](const AbaqusBlock& block) { return block.name == "DYNAMIC" && block.has("ADIABATIC"); });
+}
+
+/// A, B, n, and how it softens: not at all, where temperatures stay at 0, below that at which it begins.
+InnerKeys<JohnsonCookSettings> johnson_cook_strength(AbaqusData& data, const AbaqusBlock& plastic,
+                                                     const MaterialKeys& keys) {
+  const DataLine card = only_card(plastic, "A, B, n");
+  const DataFields f(card);
+  keys.set("yield_stress", f.number(0, "A"), "A");
+  InnerKeys<JohnsonCookSettings> law;
+  law.set("hardening_coefficient", f.number(1, "B", 0.0));
+  law.set("hardening_exponent", f.number(2, "n", 1.0));
+  const double m = f.number(3, "m", 0.0), melting = f.number(4, "melting temperature", 0.0),
+               transition = f.number(5, "transition temperature", 0.0);
+  if (melting != 0 && (is_adiabatic(data) || transition < 0))
+    data.report.reject(card.place, "*PLASTIC, HARDENING=JOHNSON COOK that softens with its temperature",
+                       "temperatures are not computed: leave its melting temperature out");
+  if (m != 0 || melting != 0 || transition != 0)
+    data.report.unused(card.place, "*PLASTIC, HARDENING=JOHNSON COOK: m and its temperatures",
+                       "without ADIABATIC nothing becomes warm");
+  return law;
+}
+
+/// HARDENING=JOHNSON COOK, also with the rate of the same law, which is that of the plastic strain.
+void set_johnson_cook(AbaqusData& data, const AbaqusMaterial& material, const MaterialKeys& keys) {
+  InnerKeys<JohnsonCookSettings> law = johnson_cook_strength(data, *material.option("PLASTIC"), keys);
+  if (const AbaqusBlock* rate = material.option("RATEDEPENDENT")) {
+    if (rate->option("TYPE") != "JOHNSONCOOK")
+      data.report.reject(rate->place, "*RATE DEPENDENT beside HARDENING=JOHNSON COOK", "give TYPE=JOHNSON COOK");
+    const DataLine card = only_card(*rate, "C and the rate of reference");
+    const DataFields f(card);
+    law.set("rate_coefficient", f.number(0, "C"));
+    law.set("reference_rate", f.number(1, "rate of reference"));
+    keys.set("strain_rate", "plastic");
+  }
+  keys.set("johnson_cook", law.value());
+}
+
+void set_strength(AbaqusData& data, const AbaqusMaterial& material, const MaterialKeys& keys) {
+  if (material.option("PLASTIC")->option("HARDENING") == "JOHNSONCOOK") {
+    set_johnson_cook(data, material, keys);
+    return;
+  }
   const std::vector<Curve> curves = curves_of(material);
   const AbaqusBlock* rate = material.option("RATEDEPENDENT");
+  if (rate != nullptr && rate->option("TYPE") == "JOHNSONCOOK") {
+    data.report.reject(rate->place, "*RATE DEPENDENT, TYPE=JOHNSON COOK beside another HARDENING",
+                       "give HARDENING=JOHNSON COOK");
+    return;
+  }
   if (material.option("PLASTIC")->option("HARDENING") == "KINEMATIC") {
     set_kinematic(curves.front(), keys);
     if (rate != nullptr || curves.size() > 1)
@@ -169,6 +218,10 @@ void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKe
   } else {
     set_curve(curves.front(), keys);
   }
+}
+
+void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKeys keys) {
+  set_strength(data, material, keys);
   if (const AbaqusBlock* failure = material.option("SHEARFAILURE")) {
     const DataLine card = only_card(*failure, "the plastic strain at failure");
     keys.from(card_of(*failure, card.place));
@@ -179,9 +232,7 @@ void set_plasticity(AbaqusData& data, const AbaqusMaterial& material, MaterialKe
 /// Where the heat of plastic work stays, it expands the material: the one thing that would need temperatures here.
 void require_no_expansion(AbaqusData& data, const AbaqusMaterial& material) {
   const AbaqusBlock* expansion = material.option("EXPANSION");
-  const bool adiabatic = std::ranges::any_of(
-      data.deck.blocks, [](const AbaqusBlock& block) { return block.name == "DYNAMIC" && block.has("ADIABATIC"); });
-  if (expansion == nullptr || !adiabatic || material.option("PLASTIC") == nullptr) return;
+  if (expansion == nullptr || !is_adiabatic(data) || material.option("PLASTIC") == nullptr) return;
   data.report.reject(expansion->place, "*EXPANSION of a plastic material in an ADIABATIC step",
                      "leave one of the two out: temperatures are not computed");
 }

@@ -37,10 +37,13 @@ std::string rejected_load(const AbaqusBlock& block) {
 std::string rejected_data(const AbaqusBlock& block) {
   const std::string& name = block.name;
   if (name == "ELEMENT" && abaqus_corners(block.option("TYPE")) == 0) return "*ELEMENT, TYPE=" + block.option("TYPE");
-  const bool depends = (name == "DENSITY" && depends_on_more(block, 1, true)) ||
-                       (name == "ELASTIC" && depends_on_more(block, 2, true)) ||
-                       (name == "SHEARFAILURE" && depends_on_more(block, 1, true)) ||
-                       ((name == "PLASTIC" || name == "RATEDEPENDENT") && depends_on_more(block, 2, false));
+  const bool is_isotropic = name == "ELASTIC" && (!block.has("TYPE") || block.option("TYPE").starts_with("ISO")),
+             is_johnson_cook = name == "PLASTIC" && block.option("HARDENING") == "JOHNSONCOOK";
+  const bool depends =
+      (name == "DENSITY" && depends_on_more(block, 1, true)) || (is_isotropic && depends_on_more(block, 2, true)) ||
+      (name == "SHEARFAILURE" && depends_on_more(block, 1, true)) ||
+      (is_johnson_cook && depends_on_more(block, 6, true)) ||
+      ((name == "PLASTIC" || name == "RATEDEPENDENT") && !is_johnson_cook && depends_on_more(block, 2, false));
   if (depends) return block.star_name() + " that depends on temperature or fields";
   if (name == "DLOAD" || name == "DSLOAD") return rejected_load(block);
   if (name == "DAMPING" && block.number("BETA", 0.0) != 0) return "*DAMPING, BETA";
