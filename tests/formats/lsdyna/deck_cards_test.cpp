@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "deck_case.hpp"
 
 /// What cards say beyond their fields: how often they stand, in which order, and with which lines.
@@ -60,6 +62,42 @@ TEST_F(DeckCards, FacesWhoseNormalPointsInwardsAreTold) {
   EXPECT_THAT(told(curve + "*LOAD_SEGMENT\n1,1.,0,5,6,7,8\n1,1.,0,1,2,3,4\n"), reversed);
   EXPECT_THAT(told(curve + "*LOAD_SEGMENT_SET\n9,1\n*SET_SEGMENT\n9\n5,6,7,8\n8,7,3,4\n"), Not(reversed));
   EXPECT_THAT(told(curve + "*LOAD_SEGMENT_SET\n9,1\n*SET_SEGMENT\n9\n5,6,7,8\n4,3,7,8\n"), reversed);
+}
+
+TEST_F(DeckCards, FacesOfAllCardsAreToldInOneLine) {
+  const auto lines = told(
+      "*DEFINE_CURVE\n1\n0,1\n1,1\n*LOAD_SEGMENT\n1,1.,0,1,2,3,4\n*LOAD_SEGMENT\n1,1.,0,8,7,6,5\n1,2.,0,1,2,3,4\n");
+  EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& line) { return line.find("would pull") != line.npos; }),
+            1);
+  EXPECT_THAT(lines, Contains(HasSubstr("*LOAD_SEGMENT: the order of N1 to N4 of 3 faces (")));
+}
+
+TEST_F(DeckCards, AConstraintOfNoDirectionIsToldSo) {
+  const auto lines = told("*BOUNDARY_SPC_NODE\n1,0,0,0,0,0,0,0\n2,0,0,0,0,0,0,0\n3,0,1\n");
+  EXPECT_THAT(lines, Contains(testing::AllOf(HasSubstr("not used: *BOUNDARY_SPC_NODE (2 times, first in "),
+                                             HasSubstr("it holds no direction of a node of a solid"))));
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("NID"))));
+}
+
+TEST_F(DeckCards, ARangeOfPartsMayHaveNumbersWithoutAny) {
+  const std::string touching = "*SET_PART_LIST_GENERATE\n5\n7,9,1,3\n*CONTACT_AUTOMATIC_SINGLE_SURFACE\n5,0,2,0\n\n\n";
+  EXPECT_THAT(told(touching),
+              Contains(testing::AllOf(HasSubstr("not used: *SET_PART_LIST_GENERATE: B1BEG to B1END, 7 to 9"),
+                                      HasSubstr("no part with solids has a number in between"))));
+  EXPECT_EQ(scene_with(touching).contact.method, ContactMethod::pinball);
+  EXPECT_THAT(error(cube + elastic + ends +
+                    "*SET_PART_LIST_GENERATE\n5\n7,9\n*CONTACT_AUTOMATIC_SINGLE_SURFACE\n5,0,2,0\n\n\n"),
+              HasSubstr("with a side that has no parts with solids"))
+      << "a set of none is refused where it is used";
+}
+
+TEST_F(DeckCards, ElementsOfUsersAreRefusedInOneSentence) {
+  std::string of_users = cube;
+  const std::size_t at = of_users.find("*SECTION_SOLID"), end = of_users.find('*', at + 1);
+  of_users.replace(at, end - at, "*SECTION_SOLID\n1,101\n2,0,0,0,9,0\n0.1,0.2,0.3,1.\n0.1,0.2,0.3,1.\n1.\n2.\n2,1\n");
+  EXPECT_EQ(error(of_users + elastic + ends),
+            "deck.k: cannot be run, for this version has not:\n"
+            "  *SECTION_SOLID with ELFORM 101 (deck.k:15): an element that users have written: give 1 or 2");
 }
 
 /// A solid has another corner of its triangle twice than the card.

@@ -203,6 +203,16 @@ TEST_F(DeckMaterials, ReadsJohnsonAndCookWithItsEquationOfState) {
   EXPECT_EQ(polynomial.equation_of_state->coefficients, (std::vector<double>{0, 1.6e5, 1e5, 2e4, 1.9, 0.6, 0.1}));
 }
 
+TEST_F(DeckMaterials, JohnsonAndCookNameTheFieldThatIsMissing) {
+  const auto with = [&](const std::string& given, const std::string& other) {
+    std::string deck = steel(grueneisen);
+    return error(deck.replace(deck.find(given), given.size(), other));
+  };
+  EXPECT_THAT(with("294.,1.\n", "294.,0.\n"), HasSubstr("deck.k:22: *MAT_015: EPS0: expected more than 0 beside C"));
+  EXPECT_THAT(with("4.77E8,", "0.,"), HasSubstr("*MAT_015: CP: expected more than 0 beside TM"));
+  EXPECT_THAT(with("510.,0.26,", "510.,0.,"), HasSubstr("*MAT_015: N: expected more than 0 beside B"));
+}
+
 TEST_F(DeckMaterials, MooneyAndRivlinHaveTheirConstants) {
   const auto rubber = [](const std::string& rest, const std::string& test = "") {
     return cube + ends + "*MAT_027\n1,1.1E-9," + rest + "\n" + test + "\n";
@@ -259,6 +269,9 @@ TEST_F(DeckMaterials, ReadsLimitsOfErosion) {
   EXPECT_FALSE(material(cube + ends + steel_card + "*MAT_ADD_EROSION\n1\n\n").erosion);
   EXPECT_THAT(error(cube + ends + steel_card + add + "300.\n"), HasSubstr("MNPRES"));
   EXPECT_THAT(error(cube + ends + steel_card + "*MAT_ADD_EROSION\n1,0.,0.,0.,0.,0.,1.,2.\n\n"), HasSubstr("NCS"));
+  EXPECT_THAT(error(cube + ends + steel_card + "*MAT_ADD_EROSION\n1,-999.,-999.\n-999.,,,,0.3\n"),
+              HasSubstr("*MAT_ADD_EROSION with EXCL"))
+      << "before what it stands for is held against bounds";
   EXPECT_THAT(error(cube + ends + steel_card + add + "-1.\n" + add + "-2.\n"), HasSubstr("erosion of material 1"));
 }
 

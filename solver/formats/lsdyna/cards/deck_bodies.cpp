@@ -24,8 +24,9 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
             "part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form->second));
         break;
       default:
-        data.report.reject(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second), "give 1 or 2",
-                           part.solids);
+        data.report.reject(
+            part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second),
+            is_of_users(form->second) ? "an element that users have written: give 1 or 2" : "give 1 or 2", part.solids);
     }
     const auto keys = scene.entry<Body>("body", {"*PART", part.place});
     keys.comment("");

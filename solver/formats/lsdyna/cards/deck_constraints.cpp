@@ -86,7 +86,11 @@ void read_constraints(DeckData& data, const KeywordBlock& block, NodesByKind<Hel
       const Card span = cards.next_or_blank();
       held.when = span_of(data.fields(span, layout::held_span));
     }
-    if (held.directions == 0) return;
+    if (held.directions == 0) {
+      f.integer(set ? "NSID" : "NID");
+      data.report.unused(card.place, block.star_name(), "it holds no direction of a node of a solid");
+      return;
+    }
     const auto nodes_held = nodes_of_card(data, block, set, f);
     if (data.reject_rigid_nodes(nodes_held, card.place, block.star_name(), hold_rigid)) return;
     if (set) {

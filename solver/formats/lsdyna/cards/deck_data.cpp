@@ -113,13 +113,30 @@ void DeckData::read_parts(const KeywordBlock& block) {
   });
 }
 
+namespace {
+
+/// The lines of an element that users have written: numbers of its points and of its constants, then these.
+void pass_users_element(const DeckData& data, Cards& cards) {
+  static constexpr CardLayout numbers{layout::whole("NIP"), layout::gap, layout::gap, layout::gap,
+                                      layout::whole("LMC")};
+  const Card card = cards.next_or_blank();
+  const Fields f = data.fields(card, numbers);
+  constexpr std::int64_t most = 10'000;  // lines; what has more of them is damaged
+  const std::int64_t lines = std::clamp<std::int64_t>(f.integer("NIP"), 0, most) +
+                             (std::clamp<std::int64_t>(f.integer("LMC"), 0, 8 * most) + 7) / 8;
+  for (std::int64_t i = 0; i < lines && cards.next(); ++i) {
+  }
+}
+
+}  // namespace
+
 void DeckData::read_section(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card, Cards& cards) {
     const Fields f = fields(card, layout::section_solid);
     const std::int64_t id = f.integer("SECID") + offset_of(block, &DeckTransform::other);
     give_once(block, fmt::format("section {}", id), card.place);
     section_form[id] = f.integer("ELFORM");
-    if (section_form[id] >= 101 && section_form[id] <= 105) cards.next();  // of users' elements, which are refused
+    if (is_of_users(section_form[id])) pass_users_element(*this, cards);
   });
 }
 
@@ -264,7 +281,10 @@ void DeckData::add_parts(const KeywordBlock& block, const Card& card, std::vecto
         if (part.id >= first + add && part.id <= last + add) members.push_back(part.id);
       }
       if (members.size() == before)
-        fail_at(card.place, fmt::format("{}: no part from {} to {}", block.star_name(), first, last));
+        report.unused(
+            card.place,
+            fmt::format("{}: B{}BEG to B{}END, {} to {}", block.star_name(), i / 2 + 1, i / 2 + 1, first, last),
+            "no part with solids has a number in between");
     } else {
       members.push_back(first + add);
     }

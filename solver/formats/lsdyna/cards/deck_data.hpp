@@ -73,6 +73,9 @@ struct DeckStateEquation {
 /// Unit vectors of a system by its x axis and a vector in its plane of x and y. Throws InputError where these are none.
 std::array<Point, 3> axes_by(const Point& x, const Point& in_plane, const DeckPlace& place);
 
+/// ELFORM of an element that users have written.
+constexpr bool is_of_users(std::int64_t form) { return form >= 101 && form <= 105; }
+
 /// What keywords of a deck refer to by number, read before anything that refers to it. What returns something of a
 /// number throws InputError "FILE:LINE: ..." at `place` where the deck does not have it.
 class DeckData {

@@ -48,6 +48,13 @@ std::map<std::int64_t, DeckLimits> limits_of_materials(DeckData& data) {
       if (block->log != nullptr) block->log->done(block);
       continue;
     }
+    if (f.number("EXCL") != 0) {  // what its number stands for in the other fields is no limit, and out of their bounds
+      constexpr const CardField& excluded = layout::erosion[layout::erosion.find("EXCL")];
+      data.report.reject(card.place, fmt::format("{} with {}", block->star_name(), excluded.name),
+                         std::string(excluded.remark));
+      if (block->log != nullptr) block->log->done(block);
+      continue;
+    }
     DeckLimits& limits = all[id];
     limits.card = {block->star_name(), card.place};
     add_limits(data, cards, f, limits);

@@ -165,6 +165,9 @@ void set_johnson_cook(DeckData& data, const Fields& f, Cards& cards, const DeckS
   const Fields s = data.fields(strength, layout::johnson_cook_strength),
                d = data.fields(failure, layout::johnson_cook_failure),
                last = data.fields(more, layout::johnson_cook_more);
+  if (s.number("C") != 0 && !(s.number("EPS0") > 0)) s.fail("EPS0", "expected more than 0 beside C");
+  if (s.number("TM") != 0 && !(d.number("CP") > 0)) d.fail("CP", "expected more than 0 beside TM");
+  if (s.number("B") != 0 && !(s.number("N") > 0)) s.fail("N", "expected more than 0 beside B");
   keys.set("shear_modulus", f.number("G"), "g");
   keys.set("yield_stress", s.number("A"), "a");
   keys.set("strain_rate", f.integer("VP") == 1 ? "plastic" : "deviatoric", "vp");
