@@ -8,6 +8,7 @@ namespace {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Two cubes one above the other, with a surface of nodes on one of faces.
@@ -72,6 +73,12 @@ TEST_F(AbaqusContact, IsMasslessNowhere) {
       translate(cubes + abaqus_step("*CONTACT PAIR, INTERACTION=p, TYPE=massless\nHigh.lower, Low.upper\n"));
   EXPECT_THAT(deck.understood, Contains(HasSubstr("*CONTACT PAIR, TYPE=MASSLESS")));
   EXPECT_EQ(read_scene(deck.source(path_)).contact_pairs.at(0).friction, 0.1);
+}
+
+/// Of CalculiX, too.
+TEST_F(AbaqusContact, OutputOfItIsIgnored) {
+  EXPECT_THAT(translate(cubes + abaqus_step("*CONTACT PRINT, MASTER=a, SLAVE=b\nCF\n*CONTACT FILE\nCDIS\n")).ignored,
+              ElementsAre(HasSubstr("*CONTACT PRINT"), HasSubstr("*CONTACT FILE")));
 }
 
 TEST_F(AbaqusContact, IsGeneral) {

@@ -152,6 +152,8 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
       {"DT/NODA", "/DT/NODA", {"0.8,0"}, "", {}, true},
       {"DT/NODA/CST", "/DT/NODA/CST/0", {"0.8,0"}, "", {}, true},
       {"DTIX", "/DTIX", {"0,0"}, "", {}, true},
+      {"STOP", "/STOP", {"0,0,0,0,0,0"}, "", {}, true},
+      {"KILL", "/KILL", {"0,0,0,0,0,0"}, "", {}, true},
       {"TFILE", "/TFILE/4", {"1.0E-7"}, "", {}, true},
       {"ANIM/DT", "/ANIM/DT", {"0,1.0E-7"}, "", {}, true}};
   for (const char* keyword : {"IMPVEL", "IMPDISP", "IMPACC"})

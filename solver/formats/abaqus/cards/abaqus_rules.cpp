@@ -104,6 +104,8 @@ const std::vector<AbaqusRule>& abaqus_rules() {
       {"NODE FILE", ignored, "output of another program"},
       {"EL FILE", ignored, "output of another program"},
       {"ENERGY FILE", ignored, "output of another program"},
+      {"CONTACT PRINT", ignored, "output of another program"},
+      {"CONTACT FILE", ignored, "output of another program"},
       {"FILE OUTPUT", ignored, "output of another program"},
       {"FILE FORMAT", ignored, "output of another program"},
       {"FILTER", ignored, "output of another program"},

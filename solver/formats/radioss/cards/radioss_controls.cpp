@@ -115,8 +115,15 @@ void set_damping(RadiossData& data, DeckScene& scene) {
   keys.set("mass", f.number("Alpha"), "Alpha");
 }
 
-/// What changes the answer where it is not 0.
+/// What changes the answer where it is not 0, and limits that end a run of another program.
 void read_switches(const RadiossData& data) {
+  for (const char* name : {"STOP", "KILL"}) {
+    const RadiossBlock* block = only(data, name);
+    if (block == nullptr) continue;
+    RadiossLines lines(*block);
+    const DataLine line = lines.next_or_blank();
+    RadiossFields(line, *block, radioss::limits);
+  }
   if (const RadiossBlock* block = only(data, "ANALY")) {
     RadiossLines lines(*block);
     const DataLine line = lines.next_or_blank();

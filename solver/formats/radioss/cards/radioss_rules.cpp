@@ -103,6 +103,8 @@ const std::vector<RadiossRule>& radioss_rules() {
       {"DT/SH_3N*", ignored, "there are no shells"},
       {"DT/SPRING*", ignored, "there are no springs"},
       {"DTIX", done, "the first step is stable by itself; a longest step is refused"},
+      {"STOP", done, "limits at which the engine stops: nothing of it is used, and what it sets is reported"},
+      {"KILL", done, "the same"},
       {"TFILE", done, "rows of history.csv"},
       {"ANIM/DT", done, "Tfreq: fields of this program for ParaView"},
       {"ANIM*", ignored, "output of another program"},

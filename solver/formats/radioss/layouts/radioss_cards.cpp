@@ -99,6 +99,7 @@ void add_controls(Table& table) {
   for (const char* keyword : {"DT", "DT/NODA"}) add(table, keyword, {&r::step});
   add(table, "DT/NODA/CST", {&r::step_mass});
   add(table, "DTIX", {&r::first_step});
+  for (const char* keyword : {"STOP", "KILL"}) add(table, keyword, {&r::limits});
   add(table, "TFILE", {&r::th_step});
   add(table, "ANIM/DT", {&r::anim_step});
 }

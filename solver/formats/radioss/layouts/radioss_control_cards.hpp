@@ -28,4 +28,10 @@ inline constexpr CardLayout step_mass{real("Tsca", 0.9), real("Tmin")};
 inline constexpr CardLayout first_step{real("Tini").reported("the first step is stable by itself"),
                                        real("Tmax").rejected("steps are as long as is stable")};
 
+inline constexpr std::string_view to_the_end =
+    "a run goes to its end, and says how far its energy and its mass are off";
+inline constexpr CardLayout limits{real("Emax").reported(to_the_end),   real("Mmax").reported(to_the_end),
+                                   real("Nmax").reported(to_the_end),   whole("NTH").reported(to_the_end),
+                                   whole("NANIM").reported(to_the_end), whole("NERR_POSIT").reported(to_the_end)};
+
 }  // namespace pinball::radioss
