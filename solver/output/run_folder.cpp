@@ -63,6 +63,10 @@ RunFolder::RunFolder(const Scene& scene, const RecordOptions& options)
 
 void RunFolder::open() {
   std::error_code error;
+  if (fs::is_symlink(folder_, error) && !fs::exists(folder_, error)) {
+    throw InputError(fmt::format("--out {}: is a link to {}, which is not there", folder_,
+                                 fs::read_symlink(folder_, error).string()));
+  }
   made_ = fs::create_directories(folder_, error);
   if (error) throw InputError(fmt::format("--out {}: cannot make this folder: {}", folder_, error.message()));
   lock_.emplace(folder_);

@@ -13,6 +13,7 @@
 #include <solver/mesh/quality.hpp>
 #include <solver/results/warnings.hpp>
 #include <solver/scene/units/units.hpp>
+#include <solver/step/report.hpp>
 #include <solver/step/solver.hpp>
 
 #include "commands.hpp"
@@ -227,12 +228,13 @@ void print_what_runs(const Solver<S>& solver, const Units& units) {
   fmt::print("  output: {}\n", output_text(scene, units));
 }
 
-/// What a run warns of, too, beside what is wrong with its meshes.
+/// What a run warns of before its first step, too, but for its meshes, which have been printed.
 template <class S>
-void print_unlikely(const Solver<S>& solver) {
-  std::vector<std::string> all = solver.look().unlikely;
-  if (!solver.many_steps().empty()) all.push_back(solver.many_steps());
-  for (const std::string& sentence : all) fmt::print("warning: {}\n", sentence);
+void print_start_warnings(const Solver<S>& solver) {
+  RunSummary summary;
+  fill_summary(solver, summary);
+  summary.mesh_warnings.clear();
+  for (const std::string& sentence : start_warnings(summary)) fmt::print("warning: {}\n", sentence);
 }
 
 /// Returns the scene with all that its bodies decide.
@@ -253,7 +255,7 @@ Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   print_materials(scene, units);
   print_what_runs(solver, units);
   print_what_is_skipped(solver, units);
-  print_unlikely(solver);
+  print_start_warnings(solver);
   print_cost(solver, units, spent);
   return solver.scene();
 }

@@ -78,6 +78,8 @@ std::string find_scene(const std::string& name_or_path) {
       if (is_file(candidate)) return candidate.string();
     }
   }
+  std::error_code none;
+  if (fs::is_directory(name_or_path, none)) throw InputError(name_or_path + ": expected a file, this is a folder");
   const auto names = scenes_in(folders);
   if (names.empty()) {
     throw InputError(

@@ -324,5 +324,11 @@ TEST_F(RunFolders, AHistoryThatCannotBeOpenedIsNamed) {
               testing::AllOf(HasSubstr("history.csv: "), HasSubstr("directory")));
 }
 
+TEST_F(RunFolders, ALinkToNothingIsNamed) {
+  std::filesystem::create_directory_symlink("nowhere", folder_ / "link");
+  EXPECT_THAT(error_of<InputError>([&] { run(source_of("two_blocks"), {}, "link"); }),
+              HasSubstr("link: is a link to nowhere, which is not there"));
+}
+
 }  // namespace
 }  // namespace pinball::run_folder_test

@@ -56,6 +56,22 @@ TEST_F(LookProgram, WarningsStandBeforeTheFirstStepAndInTheSummary) {
   EXPECT_THAT(summary()["warnings"].dump(), HasSubstr("both are those of steel in kg-m-s"));
 }
 
+TEST_F(LookProgram, InfoHasAllWarningsOfTheStart) {
+  const std::string path = scene(replaced(cube_scene + second_cube, "[0, 0, 0.11]", "[0, 0, 0.08]"));
+  const Finished info = run("info " + path);
+  EXPECT_THAT(info.text, HasSubstr("warning: bodies cube and other overlap at the start"));
+  run("run " + path + out());
+  const auto warnings = summary()["warnings"];
+  EXPECT_THAT(warnings.dump(), HasSubstr("overlap at the start"));
+}
+
+TEST_F(LookProgram, InfoSaysWhyContactIsLeftOut) {
+  const std::string text = replaced(cube_scene + second_cube, "-400", "400");
+  EXPECT_THAT(run("info " + scene(text)).text, HasSubstr("  contact: no two bodies can meet\n"));
+  EXPECT_THAT(run("info " + scene(text) + " --set contact.method=none").text,
+              HasSubstr("  contact: off in the scene (contact.method = none)\n"));
+}
+
 TEST_F(LookProgram, UnitsThatNameNothingAreRefused) {
   const Finished f = run("info " + scene(replaced(cube_scene, "kg-m-s", "foo-bar-baz")));
   EXPECT_EQ(f.status, 2);

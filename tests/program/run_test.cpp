@@ -104,6 +104,7 @@ TEST_F(Program, AMissingSceneIsBadInput) {
     EXPECT_EQ(f.status, 2);
     EXPECT_THAT(f.text, HasSubstr("nearest is rod_plate"));
     EXPECT_EQ(run(command + (folder_ / "none.toml")).status, 2);
+    EXPECT_THAT(run(command + (folder_ / "")).text, HasSubstr(": expected a file, this is a folder"));
   }
 }
 

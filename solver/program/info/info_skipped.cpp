@@ -112,7 +112,8 @@ void print_contact_parts(const Solver<S>& solver, const Units& units) {
   const Model<S>& model = solver.model();
   const ContactSettings& contact = model.scene.contact;
   if (solver.contact() == nullptr) {
-    skip("contact", "off in the scene (contact.method = none)");
+    const bool is_left_out = !model.look.contact_because.empty();
+    skip("contact", is_left_out ? "no two bodies can meet" : "off in the scene (contact.method = none)");
     return;
   }
   const std::int64_t inner = model.element_count() - solver.contact()->surface_elements();
