@@ -1,18 +1,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <random>
 #include <set>
 
-#include <solver/formats/deck_reader.hpp>
 #include <solver/output/history.hpp>
-#include <solver/program/scene_input.hpp>
 #include <solver/scene/toml/table.hpp>
 #include <solver/simulation.hpp>
 #include <solver/summary.hpp>
 #include <tests/support/changing_scene.hpp>
+#include <tests/support/every_input.hpp>
 #include <tests/support/folder_case.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/scene_text.hpp>
@@ -249,33 +247,11 @@ TEST_F(RestartSweep, TheSameBySpringsAndSlidelines) {
   }
 }
 
-/// Every scene and deck that comes along.
-std::vector<std::string> all_inputs() {
-  std::vector<std::string> paths;
-  const std::filesystem::path data = std::filesystem::path(PINBALL_SOURCE_DIR) / "data";
-  for (const auto& folder : {data / "scenes", data / "decks", data / "decks/abaqus"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      const std::string path = entry.path().string();
-      if (path.ends_with(".toml") || is_any_deck(path)) paths.push_back(path);
-    }
-  }
-  std::ranges::sort(paths);
-  return paths;
-}
-
-Scene read_input(const std::string& path) {
-  SceneOptions options;
-  options.scene = path;
-  options.quiet = true;
-  if (path.ends_with("cases.k")) options.chosen_case = 1;
-  return scene_input(options).read();
-}
-
 class RestartOf : public testing::TestWithParam<std::string> {};
 
 /// As many steps as take a moment: of small ones all.
 TEST_P(RestartOf, EverySceneAndDeck) {
-  Scene scene = read_input(GetParam());
+  Scene scene = test::read_input(GetParam());
   const std::int64_t elements = Simulation(scene, {1}).elements();
   constexpr std::int64_t most_element_steps = 200'000;
   const std::int64_t most = std::max<std::int64_t>(8, most_element_steps / elements);
@@ -283,12 +259,7 @@ TEST_P(RestartOf, EverySceneAndDeck) {
   expect_same_after_restarts(scene, some_steps(4, steps_of(scene), 6));
 }
 
-std::string name_of(const testing::TestParamInfo<std::string>& info) {
-  const std::filesystem::path path = info.param;
-  return path.extension().string().substr(1) + "_" + path.stem().string();
-}
-
-INSTANTIATE_TEST_SUITE_P(All, RestartOf, testing::ValuesIn(all_inputs()), name_of);
+INSTANTIATE_TEST_SUITE_P(All, RestartOf, testing::ValuesIn(test::every_input()), test::name_of_input);
 
 }  // namespace
 }  // namespace pinball::restart_sweep_test

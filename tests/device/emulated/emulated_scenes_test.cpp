@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <solver/device/device_run.hpp>
-#include <solver/formats/deck_reader.hpp>
-#include <solver/program/scene_input.hpp>
 #include <solver/step/report.hpp>
 #include <solver/step/solver.hpp>
+#include <tests/support/every_input.hpp>
 
 #include "emulated_device.hpp"
 
@@ -21,30 +19,14 @@
 namespace pinball::emulated_scenes_test {
 namespace {
 
-Scene read_input(const std::string& path) {
-  SceneOptions options;
-  options.scene = path;
-  options.quiet = true;
-  if (path.ends_with("cases.k")) options.chosen_case = 1;
-  return scene_input(options).read();
-}
-
 std::vector<std::string> inputs_for_devices() {
-  std::vector<std::string> paths;
-  const std::filesystem::path data = std::filesystem::path(PINBALL_SOURCE_DIR) / "data";
-  for (const auto& folder : {data / "scenes", data / "decks", data / "decks/abaqus"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-      const std::string path = entry.path().string();
-      if (path.ends_with(".toml") || is_any_deck(path)) paths.push_back(path);
-    }
-  }
+  std::vector<std::string> paths = test::every_input();
   std::erase_if(paths, [](const std::string& path) {
-    const Scene scene = read_input(path);
+    const Scene scene = test::read_input(path);
     // Where nothing is said of contact, its bodies decide.
     const bool may_touch = scene.contact.method == ContactMethod::not_set && scene.bodies.size() > 1;
     return may_touch || !missing_on_device(scene).empty();
   });
-  std::ranges::sort(paths);
   return paths;
 }
 
@@ -82,7 +64,7 @@ void expect_same_in_any_order(Scene scene) {
 }
 
 TEST_P(EmulatedScene, HasTheSameBitsInAnyOrderOfThreads) {
-  const Scene scene = read_input(GetParam());
+  const Scene scene = test::read_input(GetParam());
   if (scene.precision == Precision::float32) {
     expect_same_in_any_order<float>(scene);
   } else {
@@ -90,12 +72,7 @@ TEST_P(EmulatedScene, HasTheSameBitsInAnyOrderOfThreads) {
   }
 }
 
-std::string name_of(const testing::TestParamInfo<std::string>& info) {
-  const std::filesystem::path path = info.param;
-  return path.extension().string().substr(1) + "_" + path.stem().string();
-}
-
-INSTANTIATE_TEST_SUITE_P(All, EmulatedScene, testing::ValuesIn(inputs_for_devices()), name_of);
+INSTANTIATE_TEST_SUITE_P(All, EmulatedScene, testing::ValuesIn(inputs_for_devices()), test::name_of_input);
 
 }  // namespace
 }  // namespace pinball::emulated_scenes_test
