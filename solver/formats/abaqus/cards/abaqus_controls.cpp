@@ -48,7 +48,7 @@ void set_mass_scaling(AbaqusData& data, double factor, DeckKeys<TimeSettings> ke
         fmt::format("*VARIABLE MASS SCALING ({}): elements get mass at the start alone; where they shrink later, steps "
                     "become shorter in its place",
                     block.place.text()));
-    for (const char* often : {"FREQUENCY", "NUMBERINTERVAL"}) block.has(often);  // which that says
+    for (const char* often : {"FREQUENCY", "NUMBERINTERVAL"}) block.has(often);  // that sentence is of these, too
   }
 }
 

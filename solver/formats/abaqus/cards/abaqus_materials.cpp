@@ -304,24 +304,24 @@ void tell_unused(AbaqusData& data, const std::map<std::string, AbaqusMaterial>& 
   }
 }
 
+/// The first number of an option, of each material that has it, by its key.
+std::map<std::string, double> first_numbers(const AbaqusDeck& deck, const char* option, const char* what) {
+  std::map<std::string, double> numbers;
+  for (const auto& [key, material] : materials_of(deck)) {
+    if (const AbaqusBlock* block = material.option(option))
+      numbers[key] = DataFields(only_card(*block, what)).number(0, what);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::map<std::string, double> abaqus_densities(const AbaqusDeck& deck) {
-  std::map<std::string, double> densities;
-  for (const auto& [key, material] : materials_of(deck)) {
-    if (const AbaqusBlock* block = material.option("DENSITY"))
-      densities[key] = DataFields(only_card(*block, "the density")).number(0, "density");
-  }
-  return densities;
+  return first_numbers(deck, "DENSITY", "the density");
 }
 
 std::map<std::string, double> abaqus_moduli(const AbaqusDeck& deck) {
-  std::map<std::string, double> moduli;
-  for (const auto& [key, material] : materials_of(deck)) {
-    if (const AbaqusBlock* block = material.option("ELASTIC"))
-      moduli[key] = DataFields(only_card(*block, "Young's modulus")).number(0, "Young's modulus");
-  }
-  return moduli;
+  return first_numbers(deck, "ELASTIC", "Young's modulus");
 }
 
 void translate_abaqus_materials(AbaqusData& data, DeckScene& scene) {
