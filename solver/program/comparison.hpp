@@ -31,7 +31,7 @@ struct VariantRuns {
   std::optional<double> momentum_error;  ///< see momentum_error.hpp
   std::string failure;                   ///< what stopped the run, and when; empty: it came to its end
   Curves curves{};        ///< of the first repeat, a row at each of 200 equal parts; empty: not asked for
-  std::string surface{};  ///< the same, surface_json_of_frames at nine of equal parts
+  std::string surface{};  ///< the same, as of surface_json_of_frames at nine equal parts
 };
 
 struct ComparisonSettings {
