@@ -9,6 +9,7 @@ set(objects)
 foreach(source IN LISTS gpu_sources)
   get_filename_component(name ${source} NAME_WE)
   add_custom_command(OUTPUT ${work}/${name}.o DEPENDS ${source} DEPFILE ${work}/${name}.d
+    COMMAND ${CMAKE_COMMAND} -E rm -f ${work}/${name}.o
     COMMAND ${CUDAToolkit_NVCC_EXECUTABLE} -std=c++20 -O3 -arch=sm_90 -ccbin ${CMAKE_CXX_COMPILER} -Werror all-warnings
             -Xcompiler=-fPIC,-fopenmp -Xptxas -v -I${PROJECT_SOURCE_DIR} -MD -MF ${work}/${name}.d -MT ${work}/${name}.o
             -c ${source} -o ${work}/${name}.o > ${work}/${name}.log 2>&1 || cat ${work}/${name}.log && test -s ${work}/${name}.o
