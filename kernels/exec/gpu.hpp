@@ -121,7 +121,8 @@ constexpr int least_blocks() {
 /// Gives blocks of Gpu::block threads a kernel to work on, without waiting for it. By the runtime's function: sources
 /// that call it are C++ but for their marks, and tests compile them for the processor.
 template <class... Parameter>
-void launch(const char* name, std::int64_t blocks, void (*kernel)(Parameter...), const Parameter&... parameters) {
+void launch(const char* name, std::int64_t blocks, void (*kernel)(Parameter...),
+            const std::type_identity_t<Parameter>&... parameters) {
 #if defined(__HIPCC__)
   hipLaunchKernelGGL(kernel, dim3(static_cast<unsigned>(blocks)), dim3(Gpu::block), 0, nullptr, parameters...);
   require_gpu(hipGetLastError(), name);
@@ -387,11 +388,9 @@ void parallel_scan(const char* name, RangePolicy<Gpu> range, const Functor& func
   static_assert(std::is_trivially_copyable_v<Value> && std::is_trivially_copyable_v<Functor>);
   const std::int64_t count = range.end - range.begin, pieces = sum_pieces(count);
   auto* const partial = GpuScratch::values<Value>(pieces + 1);
-  launch(name, pieces, &sum_pieces_of_range<Value, TermsOf<Functor>>, range.begin, count, TermsOf<Functor>{functor},
-         partial);
+  launch(name, pieces, &sum_pieces_of_range<Value, TermsOf<Functor>>, range.begin, count, {functor}, partial);
   launch(name, 1, &scan_pieces<Value>, pieces, partial);
-  const Value* const before = partial;
-  launch(name, pieces, &scan_range<Value, Functor>, range.begin, count, functor, before);
+  launch(name, pieces, &scan_range<Value, Functor>, range.begin, count, functor, partial);
   require_gpu(PINBALL_GPU(Memcpy)(&total, partial + pieces, sizeof(Value), PINBALL_GPU(MemcpyDeviceToHost)), name);
 }
 

@@ -180,7 +180,6 @@ struct Device {
   char* parameters = static_cast<char*>(map_pages(parameter_room));
   std::size_t parameters_used = 0;
   Pieces memory, pinned;
-  Counts counts;
 
   static Device& instance() {
     static Device& device = *new Device;  // arrays with static lifetime may be gone last
@@ -227,8 +226,6 @@ void set_order(Order order, std::uint32_t seed) {
   Threads::instance().set_order(order, seed);
 }
 
-const Counts& counts() { return Device::instance().counts; }
-
 void* parameters_of_launch(std::size_t bytes) {
   Device& device = Device::instance();
   const std::size_t room = (bytes + 63) / 64 * 64;
@@ -248,17 +245,12 @@ void check_parameter(const void* parameter, std::size_t bytes) {
 
 void launch(unsigned blocks, unsigned threads, Kernel kernel, const void* parameters) {
   if (blocks == 0 || threads == 0) stop("a launch of no threads");
-  Device& device = Device::instance();
-  ++device.counts.launches;
-  device.launches.push_back({blocks, threads, kernel, parameters});
+  Device::instance().launches.push_back({blocks, threads, kernel, parameters});
 }
 
 void barrier() { Threads::wait_for_others(); }
 
-void wait() {
-  ++Device::instance().counts.waits;
-  run_all();
-}
+void wait() { run_all(); }
 
 void* allocate(std::size_t bytes) {
   const std::size_t room = whole_pages(bytes);
@@ -277,8 +269,7 @@ void release(void* memory) {
 
 void copy(void* to, const void* from, std::size_t bytes, Copy kind) {
   run_all();
-  Device& device = Device::instance();
-  ++device.counts.copies;
+  const Device& device = Device::instance();
   if (bytes == 0) return;
   if (device.memory.have(to, bytes) != (kind != Copy::device_to_host) ||
       device.memory.have(from, bytes) != (kind != Copy::host_to_device)) {

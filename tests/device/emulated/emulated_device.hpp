@@ -11,9 +11,8 @@
 ///   - Kernels wait until the host waits for them: a result that is read before is not there yet.
 ///   - Memory is all ones when it is given out: numbers are none.
 ///   - The host may not touch memory of the device: SIGSEGV (MockMemory).
-///   - A kernel that is given an address of the host's, a copy of the wrong kind or beyond an end, a barrier that not
-///   all
-///     threads of a block reach, and memory that is released twice end the process with a word.
+///   - A kernel that is given an address of the host's, a copy of the wrong kind or beyond an end, a barrier that some
+///     threads of a block do not reach, and memory that is released twice end the process with a word.
 ///
 /// It knows nothing of warps, streams, caches, registers and speed. One thread of the host may use it.
 namespace pinball::emulated {
@@ -24,12 +23,6 @@ enum class Order { forward, reverse, shuffled };
 /// seed: of the shuffled order. Kernels given before are run before. Before the first call the order is what the
 /// environment says, PINBALL_EMULATED_ORDER: forward, which it is where nothing is said, reverse, or a seed.
 void set_order(Order order, std::uint32_t seed = 1);
-
-/// What was asked of the device so far.
-struct Counts {
-  std::int64_t launches = 0, waits = 0, copies = 0;
-};
-const Counts& counts();
 
 /// Of the thread that runs: threadIdx, blockIdx, blockDim and gridDim along their first axis.
 struct Coordinates {
