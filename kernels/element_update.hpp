@@ -56,7 +56,7 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
   const MiddleGeometry<T> middle(x, v, dt, end.volume, own.alive);
   ahead(2);
 
-  const StepMotion<T, features> motion(middle, v, dt);
+  const StepMotion<T, features> motion(velocity_gradient(middle.b, v, middle.inverse_volume), dt);
   const T density = own.mass * middle.inverse_end_volume;
   ViscousStep<T> viscosity(viscous, constants.viscosity, constants.material, density, end.length, motion.gradient);
   const StabilityBound<T> bound = stability_bound(own, end, middle.inverse_end_volume, viscosity.coefficient());

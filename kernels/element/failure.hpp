@@ -68,7 +68,7 @@ PINBALL_FUNCTION MaskOf<T> limits_exceeded(const ElementConstants<ScalarOf<T>>& 
 /// inside_out: at a corner.
 template <ElementFeatures features, class T>
 PINBALL_FUNCTION ElementFailure<T> find_failure(const FailureConstants<ScalarOf<T>>& constants, const MaskOf<T>& alive,
-                                                const EndGeometry<T>& end, const MiddleGeometry<T>& middle,
+                                                const EndSize<T>& end, const MiddleSize<T>& middle,
                                                 const T& plastic_strain, const MaskOf<T>& failed,
                                                 const MaskOf<T>& inside_out) {
   ElementFailure<T> failure{MaskOf<T>(false), false, middle.whole, alive && !middle.has_volume};

@@ -15,7 +15,7 @@ namespace pinball {
 /// The work of a step that is none of the pressure's: of the deviator, of the bulk viscosity, and what yield has taken
 /// from hourglass modes [energy].
 template <ElementFeatures features, class T, int L>
-PINBALL_FUNCTION T work_beside_pressure(const ElementPack<T, L>& own, const MiddleGeometry<T>& middle,
+PINBALL_FUNCTION T work_beside_pressure(const ElementPack<T, L>& own, const MiddleSize<T>& middle,
                                         const StepMotion<T, features>& motion, const Symmetric<T>& stress_old,
                                         const Symmetric<T>& stress, const ViscousStep<T>& viscosity,
                                         const HourglassStep<T, features>& hourglass) {
@@ -53,7 +53,7 @@ PINBALL_FUNCTION T set_pressure(const EquationOfState<ScalarOf<T>>& eos, const E
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void follow_equation_of_state(const ElementConstants<ScalarOf<T>>& constants,
                                                const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
-                                               const StabilityBound<T>& bound, const MiddleGeometry<T>& middle,
+                                               const StabilityBound<T>& bound, const MiddleSize<T>& middle,
                                                const StepMotion<T, features>& motion, const ViscousStep<T>& viscosity,
                                                const HourglassStep<T, features>& hourglass,
                                                const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {

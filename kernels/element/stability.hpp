@@ -16,7 +16,7 @@ struct StabilityBound {
                                inverse_inertia, lambda, mu, viscosity);
   }
 
-  const EndGeometry<T>& end;
+  const EndSize<T>& end;
   T inverse_square;   ///< 1/V^2 [1/length^6]
   T inverse_inertia;  ///< 1/mass with which the element's nodes move [1/mass]
   T viscosity;        ///< of bulk_viscosity [stress time]
@@ -24,7 +24,7 @@ struct StabilityBound {
 
 /// inverse_volume: at the end of the step, zero where there is none.
 template <class T, int L>
-PINBALL_FUNCTION StabilityBound<T> stability_bound(const ElementPack<T, L>& own, const EndGeometry<T>& end,
+PINBALL_FUNCTION StabilityBound<T> stability_bound(const ElementPack<T, L>& own, const EndSize<T>& end,
                                                    const T& inverse_volume, const T& viscosity) {
   StabilityBound<T> bound{end, inverse_volume * inverse_volume, end.inverse_mass, viscosity};
   if (own.arrays.mass_share != nullptr) {

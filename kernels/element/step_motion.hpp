@@ -1,9 +1,7 @@
 #pragma once
 
 #include "../element_data.hpp"
-#include "../hexahedron.hpp"
 #include "../rotation.hpp"
-#include "step_geometry.hpp"
 
 /// How a pack's elements move in a step: its strain and its spin, from the velocities over the geometry of its middle.
 namespace pinball {
@@ -11,9 +9,8 @@ namespace pinball {
 /// What no feature asks for is not set.
 template <class T, ElementFeatures features>
 struct StepMotion {
-  /// v: modes of v_(n-1/2); dt: [time].
-  PINBALL_FUNCTION StepMotion(const MiddleGeometry<T>& middle, const HexahedronModes<T>& v, ScalarOf<T> dt)
-      : gradient(velocity_gradient(middle.b, v, middle.inverse_volume)) {
+  /// velocity_gradient: over the geometry of the middle of the step [1/time]; dt: [time].
+  PINBALL_FUNCTION StepMotion(const Tensor<T>& velocity_gradient, ScalarOf<T> dt) : gradient(velocity_gradient) {
     if constexpr (features.plastic || features.hourglass == HourglassKind::stiffness) {
       rotation = hughes_winget_rotation(T(dt) * axial_vector(gradient));
     }

@@ -67,7 +67,7 @@ PINBALL_FUNCTION NeoHookeanState<T> stress_of_energy(const MaterialConstants<Sca
 template <class T, int L>
 PINBALL_FUNCTION VolumeChange<T> volume_change(const ElementConstants<ScalarOf<T>>& constants,
                                                const ElementPack<T, L>& own, const StabilityBound<T>& bound,
-                                               const MiddleGeometry<T>& middle) {
+                                               const MiddleSize<T>& middle) {
   return {own.mass * T(constants.specific_volume), T(constants.material.density) * bound.end.inverse_mass,
           middle.volume, bound.end.volume, middle.inverse_end_volume};
 }
@@ -75,7 +75,7 @@ PINBALL_FUNCTION VolumeChange<T> volume_change(const ElementConstants<ScalarOf<T
 /// The same, with the stable rate of those moduli.
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void follow_energy(const ElementConstants<ScalarOf<T>>& constants, const ElementPack<T, L>& own,
-                                    const StabilityBound<T>& bound, const MiddleGeometry<T>& middle,
+                                    const StabilityBound<T>& bound, const MiddleSize<T>& middle,
                                     const StepMotion<T, features>& motion, ScalarOf<T> dt,
                                     const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {
   const MaterialConstants<ScalarOf<T>>& material = constants.material;
@@ -90,9 +90,8 @@ PINBALL_FUNCTION void follow_energy(const ElementConstants<ScalarOf<T>>& constan
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION Symmetric<T> stress_without_yield(const ElementConstants<ScalarOf<T>>& constants,
                                                    const ElementPack<T, L>& own, const StabilityBound<T>& bound,
-                                                   const MiddleGeometry<T>& middle,
-                                                   const StepMotion<T, features>& motion, ScalarOf<T> dt,
-                                                   const Symmetric<T>& stress_old, T& stable_rate) {
+                                                   const MiddleSize<T>& middle, const StepMotion<T, features>& motion,
+                                                   ScalarOf<T> dt, const Symmetric<T>& stress_old, T& stable_rate) {
   Symmetric<T> stress;
   if constexpr (features.plastic) {
     stress = turned_and_strained(constants.material, stress_old, motion.strain, motion.rotation);
@@ -114,7 +113,7 @@ PINBALL_FUNCTION bool never_yields_generally(const ElementConstants<S>& constant
 template <ElementFeatures features, class T, int L>
 PINBALL_FUNCTION void follow_energy_generally(const ElementConstants<ScalarOf<T>>& constants,
                                               const ElementPack<T, L>& own, const ElementNumbers<T, L>& numbers,
-                                              const StabilityBound<T>& bound, const MiddleGeometry<T>& middle,
+                                              const StabilityBound<T>& bound, const MiddleSize<T>& middle,
                                               const StepMotion<T, features>& motion, ScalarOf<T> dt,
                                               const Symmetric<T>& stress_old, Symmetric<T>& stress, T& stable_rate) {
   if (!constants.rubber.used) {

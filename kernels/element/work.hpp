@@ -12,7 +12,7 @@ namespace pinball {
 /// V/2 (sigma_old + sigma_new) : strain [energy]; an element that erodes in this step has sigma_new = 0, as its forces
 /// are. Strains of padding and of elements without volume are zero.
 template <ElementFeatures features, class T>
-PINBALL_FUNCTION T work_of_stresses(const MiddleGeometry<T>& middle, const StepMotion<T, features>& motion,
+PINBALL_FUNCTION T work_of_stresses(const MiddleSize<T>& middle, const StepMotion<T, features>& motion,
                                     const Symmetric<T>& stress_old, const Symmetric<T>& stress) {
   return number<T>(0.5) * middle.volume * contract(stress_old + stress, motion.strain);
 }
