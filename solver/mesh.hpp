@@ -16,7 +16,8 @@ namespace pinball {
 /// (-,+,+).
 ///
 /// A hexahedron may be collapsed: a node that stands at two ends of an edge makes a wedge, {0, 1, 2, 2, 4, 5, 6, 6},
-/// and so on. All formulas hold for it; such a node has the mass of all its corners.
+/// and so on. All formulas hold for it; such a node has the mass of all its corners. Of four different nodes it is a
+/// tetrahedron, {0, 0, 1, 1, 2, 3, 3, 2}, and worked as one (solver/mesh/tetrahedra.hpp).
 struct Mesh {
   std::vector<Point> nodes;                            ///< coordinates, length unit of the scene
   std::vector<std::array<std::int32_t, 8>> hexahedra;  ///< node indices into `nodes`
