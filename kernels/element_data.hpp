@@ -32,6 +32,7 @@ struct ElementFeatures {
   /// Else packs with corners that may fold are left as they are, and the material has to yield where it may. Calls of
   /// what is rare cost a device numbers that find no register, also where they are not made.
   bool rare_cases = true;
+  bool tetrahedra = false;  ///< of tetrahedron_update.hpp
 };
 
 /// Element arrays in rows of L elements: entry c of element e is at [(e / L) * N + c] * L + e % L for an array of N
@@ -54,6 +55,7 @@ struct ElementView {
   const S* mass_share = nullptr;
   const S* folding_onset = nullptr;  ///< N = 1: of its corners (folding.hpp); missing: folding_onset [-]
   int material_numbers = 0;          ///< of one element in material_state
+  S* volume_ratio = nullptr;         ///< N = 2, tetrahedra only: J of tetrahedron_step.hpp now and a step ago [-]
 };
 
 /// Node records of four scalars (gather.hpp).

@@ -157,22 +157,25 @@ PINBALL_FUNCTION Tensor<T> velocity_gradient(const UniformGradient<T>& b, const 
 #undef PINBALL_ROW
 }
 
+/// s += c (x) c
+template <class T>
+PINBALL_FUNCTION void add_square(const Vec3<T>& c, Symmetric<T>& s) {
+  s.xx += c.x * c.x;
+  s.yy += c.y * c.y;
+  s.zz += c.z * c.z;
+  s.xy += c.x * c.y;
+  s.yz += c.y * c.z;
+  s.zx += c.z * c.x;
+}
+
 /// sum_I B_iI B_jI [length^4]; L_m and G_m have norm^2 8.
 template <class T>
 PINBALL_FUNCTION Symmetric<T> gradient_square(const UniformGradient<T>& b) {
-  const auto add = [](Symmetric<T>& s, const Vec3<T>& c) {
-    s.xx += c.x * c.x;
-    s.yy += c.y * c.y;
-    s.zz += c.z * c.z;
-    s.xy += c.x * c.y;
-    s.yz += c.y * c.z;
-    s.zx += c.z * c.x;
-  };
   Symmetric<T> linear{T(0), T(0), T(0), T(0), T(0), T(0)}, hourglass = linear;
   PINBALL_UNROLL
   for (int m = 0; m < 3; ++m) {
-    add(linear, b.linear[m]);
-    add(hourglass, b.hourglass[m]);
+    add_square(b.linear[m], linear);
+    add_square(b.hourglass[m], hourglass);
   }
   return T(8) * linear + number<T>(8.0 / 3.0) * hourglass;
 }

@@ -12,6 +12,7 @@ void bind_settings(py::module_& module) {
   bind_choice<ContactRadius>(module, "ContactRadius");
   bind_choice<ContactSearch>(module, "ContactSearch");
   bind_choice<ContactOverlap>(module, "ContactOverlap");
+  bind_choice<ElementShape>(module, "ElementShape");
   bind_choice<NegativeVolume>(module, "NegativeVolume");
   bind_choice<InsideOut>(module, "InsideOut");
   bind_choice<StrainRate>(module, "StrainRate");

@@ -87,12 +87,18 @@ struct GuardSettings {
   double time_step_collapse = 1e-6;
 };
 
+enum class ElementShape {
+  hexahedra,
+  tetrahedra  ///< each hexahedron of the mesh is cut into six
+};
+
 /// One [[body]] table.
 struct Body {
   std::string name;
-  std::string material;  ///< material: name of a [[material]]
-  MeshSettings mesh;     ///< mesh: inline table or [body.mesh]
-  Point position{};      ///< position: translation of the mesh, after the rotation [length]
+  std::string material;                             ///< material: name of a [[material]]
+  MeshSettings mesh;                                ///< mesh: inline table or [body.mesh]
+  ElementShape elements = ElementShape::hexahedra;  ///< elements: of a mesh that is generated
+  Point position{};                                 ///< position: translation of the mesh, after the rotation [length]
   /// axis: unit vector onto which the body's z axis is turned (shortest rotation); default: no rotation
   std::optional<Point> axis;
   Point velocity{};          ///< velocity: initial, uniform [length/time]

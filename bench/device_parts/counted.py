@@ -17,7 +17,7 @@ def kernel_name(function):
     the elements of a sweep that another has left."""
     precision = "float" if re.search(r"<float|float>", function) else "double"
     elements = re.search(r"UpdatesElements<\w+, pinball::ElementFeatures\{(\w+), \w+, \w+, \(pinball::HourglassKind\)(\d), "
-                         r"\(pinball::YieldLaw\)\d, (\w+)\}", function)
+                         r"\(pinball::YieldLaw\)\d, (\w+), false\}", function)
     if elements:
         plastic, hourglass, rare_cases = elements.groups()
         what = "elastic" if plastic == "false" else "viscous" if hourglass == "1" else "everything"

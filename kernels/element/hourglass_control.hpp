@@ -20,6 +20,8 @@ class HourglassStep {
   static constexpr bool keeps = keeps_hourglass_state(kind);
 
  public:
+  /// Of what has no hourglass modes.
+  HourglassStep() = default;
   /// Begins a step of length dt. x, v: modes of x_n and v_(n-1/2).
   template <int L>
   PINBALL_FUNCTION HourglassStep(const ElementConstants<S>& constants, const ElementPack<T, L>& own,

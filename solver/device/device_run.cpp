@@ -8,13 +8,14 @@
 #include <solver/base/built_features.hpp>
 #include <solver/base/error.hpp>
 #include <solver/boundary/space/make_boundary_kernels.hpp>
+#include <solver/scene_rules.hpp>
 
 #include "devices.hpp"
 #include "resting_list.hpp"
 
 namespace pinball {
 
-std::string missing_on_device(const Scene& scene) {
+std::string missing_on_device(const Scene& scene, bool tetrahedra) {
   std::vector<std::string> missing;
   const auto add = [&missing](bool is_there, const char* what) {
     if (is_there) missing.emplace_back(what);
@@ -23,6 +24,7 @@ std::string missing_on_device(const Scene& scene) {
   add(method == ContactMethod::pinball || method == ContactMethod::slideline, "contact");
   add(!scene.tied_contacts.empty(), "tied contact");
   add(!scene.rigid_bodies.empty(), "rigid bodies");
+  add(tetrahedra || makes_tetrahedra(scene), "tetrahedra");
   add(scene.time.subcycling, "subcycling");
   add(scene.precision == Precision::mixed, "precision = \"mixed\"");
   add(scene.output.body_energies, "output.body_energies");
@@ -32,8 +34,8 @@ std::string missing_on_device(const Scene& scene) {
 namespace {
 
 /// The device of a scene. Throws MissingOnDevice, and InputError where there is no such device.
-Device device_for(const Scene& scene) {
-  const std::string missing = missing_on_device(scene);
+Device device_for(const Scene& scene, bool tetrahedra) {
+  const std::string missing = missing_on_device(scene, tetrahedra);
   if (!missing.empty()) {
     throw MissingOnDevice(fmt::format("{}no device can do this scene yet: it has {}; expected --device none",
                                       message_head(scene), missing),
@@ -58,7 +60,8 @@ std::unique_ptr<DeviceStep<S>> make_step([[maybe_unused]] Device device, [[maybe
 }  // namespace
 
 template <class S>
-DeviceRun<S>::DeviceRun(const Model<S>& model) : device_(device_for(model.scene)), layout_(model) {
+DeviceRun<S>::DeviceRun(const Model<S>& model)
+    : device_(device_for(model.scene, model.has_tetrahedra())), layout_(model) {
   step_ = make_step(device_, layout_.mesh(model));
   state_ = layout_.state(model);
 }

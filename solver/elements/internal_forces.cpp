@@ -10,7 +10,7 @@ namespace pinball {
 
 template <class S>
 InternalForces<S>::InternalForces(const Model<S>& model, Subdomain<S>* domain)
-    : domain_(domain), results_(model.tile_count()) {
+    : domain_(domain), results_(model.tile_count()), volumes_(model) {
   const bool mixed = is_mixed<S>(model.scene);
   for (const Part& part : model.parts) {
     kernel_of_part_.push_back(part.rigid || mixed ? nullptr : choose_tile_kernel<S, S>(part.features));
@@ -69,6 +69,7 @@ InternalForceResult<S> InternalForces<S>::compute(Model<S>& model, Schedule<S>& 
               .time_step_slot = result.time_step_slot,
               .inside_out_count = result.inside_out_count};
   if (domain_) domain_->spread(model.nodes);
+  volumes_.average(model);
   for (int level = schedule.highest_level(due); level >= 0; --level) {
     schedule.show_mean_velocities(model.nodes, level);
     for_each_tile(schedule.tiles(level), [&](std::int32_t tile) {

@@ -8,6 +8,7 @@
 #include <solver/model/model.hpp>
 #include <solver/parallel/subdomain.hpp>
 
+#include "nodal_volumes.hpp"
 #include "schedule.hpp"
 #include "tile_kernels.hpp"
 
@@ -55,7 +56,7 @@ class InternalForces {
     results_[tile].time_step = time_step;
     results_[tile].time_step_slot = slot;
   }
-  std::size_t bytes() const { return results_.capacity() * sizeof(TileResult<S>); }
+  std::size_t bytes() const { return results_.capacity() * sizeof(TileResult<S>) + volumes_.bytes(); }
 
  private:
   void work(Model<S>& model, std::int32_t tile, const ElementStep<S>& step);
@@ -69,6 +70,7 @@ class InternalForces {
   std::vector<TileKernel<S, S>> kernel_of_part_;
   std::vector<TileKernel<float, S>> mixed_kernel_of_part_;  ///< in its place, where elements have fewer digits
   std::vector<TileResult<S>> results_;
+  NodalVolumes<S> volumes_;
 };
 
 /// Slots of tiles in which elements have eroded in the last step: those that are padding or no longer have a mass,

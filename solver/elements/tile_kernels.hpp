@@ -41,4 +41,8 @@ TileKernel<E, S> choose_tile_kernel(const ElementFeatures& features);
 template <class E, class S>
 TileKernel<E, S> choose_general_tile_kernel(const ElementFeatures& features);
 
+/// Of tetrahedra there is one. Behind choose_tile_kernel.
+template <class E, class S>
+TileKernel<E, S> tetrahedron_tile_kernel();
+
 }  // namespace pinball

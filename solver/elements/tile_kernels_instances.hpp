@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <kernels/element_update.hpp>
+#include <kernels/tetrahedron_update.hpp>
 
 #include "element_features.hpp"
 #include "tile_kernels.hpp"
@@ -88,9 +89,14 @@ class PackAhead {
 template <class T, ElementFeatures features, class N, class Forces>
 PINBALL_FUNCTION void update_pack_of_tile(const TilePacks<ScalarOf<T>, N>& tile, std::int64_t pack,
                                           const Forces& forces, ElementSums<T>& sums) {
-  const PackAhead<T, features, N> ahead(tile.elements, tile.nodes, pack + 3, pack + 3 < tile.last);
-  update_element_pack<T, features>(tile.elements, tile.nodes, tile.constants, tile.step, pack, pack - tile.first, sums,
-                                   forces, ahead);
+  if constexpr (features.tetrahedra) {
+    update_tetrahedron_pack<T, features>(tile.elements, tile.nodes, tile.constants, tile.step, pack, pack - tile.first,
+                                         sums, forces);
+  } else {
+    const PackAhead<T, features, N> ahead(tile.elements, tile.nodes, pack + 3, pack + 3 < tile.last);
+    update_element_pack<T, features>(tile.elements, tile.nodes, tile.constants, tile.step, pack, pack - tile.first,
+                                     sums, forces, ahead);
+  }
 }
 
 /// A block of packs that are narrower than it: their forces are kept until all are known.

@@ -8,6 +8,7 @@ namespace pinball {
 template <class E, class S>
 TileKernel<E, S> choose_tile_kernel(const ElementFeatures& features) {
   if constexpr (built::plasticity) {
+    if (features.tetrahedra) return tetrahedron_tile_kernel<E, S>();
     if (is_general(features)) return choose_general_tile_kernel<E, S>(features);
   }
   return choose_linear_features(UpdatesTiles<E, S>{}, features);

@@ -64,7 +64,7 @@ std::vector<TileGroup> cut_into_tiles(const ElementParts& parts, const ModelMesh
   std::vector<Point> centres(count), extents(count);
   for (std::size_t e = 0; e < count; ++e) {
     const std::int32_t body = mesh.body[e];
-    members[{parts.of_body[body], levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0}].push_back(e);
+    members[{parts.part_of(mesh, e), levels.empty() ? std::uint8_t{0} : levels[e], by_body ? body : 0}].push_back(e);
     centres[e] = element_centre(mesh, e);
     extents[e] = element_extent(mesh, e);
   }
@@ -172,6 +172,9 @@ void fill_elements(Model<S>& model, const ElementStoreFeatures& features, const 
         model.elements.mass_share[slot] = 1 / mass_factor[e];
       }
       if (!onset.empty()) model.elements.folding_onset[slot] = onset[e];
+      if (features.volume_ratio) {
+        for (const int of_step : {0, 1}) model.elements.volume_ratio[model.elements.at(slot, of_step, 2)] = 1;
+      }
     }
     for (int i = 0; i < 8; ++i) {  // of padding: those of the element before it
       const std::int32_t node = model.node_of_scene_node[model.mesh.hexahedra[e][i]];
@@ -301,13 +304,17 @@ Model<S> build_model(const Scene& given) {
   model.rigid_of_body = rigid_body_of_bodies(model.scene);
   model.rigid = find_rigid_nodes(model.scene, model.mesh, model.tied_nodes);
   set_given_masses(model.scene, model.mesh);
-  const ElementParts parts = element_parts(model.scene);
+  const ElementParts parts = element_parts(model.scene, model.mesh);
   ElementStoreFeatures features = add_parts(model, parts);
   const std::vector<double> mass_factor = mass_factors(model.scene, model.mesh, parts);
   features.mass_share = !mass_factor.empty();
   set_failure_limits(model, parts, mass_factor);
   const std::vector<double> onset = folding_onsets(model.mesh);
   features.folding_onset = !onset.empty();
+  if (model.scene.time.subcycling && model.has_tetrahedra()) {
+    throw InputError(message_head(model.scene) +
+                     "time.subcycling: expected false, tetrahedra share the volumes of a step with all around them");
+  }
   const Hexahedra ordered = add_tiles(model, parts, mass_factor);
   const std::int32_t node_count = model.mesh.nodes.size();
   model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));

@@ -161,6 +161,9 @@ struct Model {
   }
   /// Whether the elements of a tile are of a rigid body.
   bool is_rigid(std::int64_t tile) const { return parts[tile_part[tile]].rigid; }
+  bool has_tetrahedra() const {
+    return std::ranges::any_of(parts, [](const Part& part) { return part.features.tetrahedra; });
+  }
   /// Number of the part that the element of a slot is of.
   std::size_t part_of_slot(std::int64_t slot) const {
     const auto tile = std::upper_bound(tile_packs.begin(), tile_packs.end(), slot / elements.width);

@@ -12,6 +12,7 @@
 #include <solver/mesh/array_mesh.hpp>
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 #include <solver/model/checks/file_checks.hpp>
 #include <solver/model/interfaces/contact_sides.hpp>
 #include <solver/model/selection/file_nodes.hpp>
@@ -50,9 +51,12 @@ namespace {
 /// Files and generators name what is wrong; of arrays only the scene knows to which body they belong.
 Mesh mesh_of(const Body& body) {
   const auto* arrays = std::get_if<ArrayMesh>(&body.mesh);
-  if (arrays == nullptr) return generate(body.mesh);
+  const bool cut = body.elements == ElementShape::tetrahedra;
+  if (arrays == nullptr) return cut ? cut_into_tetrahedra(generate(body.mesh)) : generate(body.mesh);
   try {
-    return copy_mesh(*arrays);
+    Mesh mesh = copy_mesh(*arrays);
+    for (Corners8& corners : mesh.hexahedra) corners = as_tetrahedron(corners).value_or(corners);
+    return cut ? cut_into_tetrahedra(mesh) : mesh;
   } catch (const InputError& error) {
     throw InputError(fmt::format("body.{}.{}", body.name, error.what()));
   }
@@ -195,6 +199,12 @@ class Assembly {
 
   /// The nodes that the part has to itself are new, in the order of the file.
   void add_part(std::size_t b) {
+    if (scene_.bodies[b].elements != ElementShape::hexahedra) {
+      throw InputError(
+          fmt::format("{}body {}: elements: expected a mesh that is generated, elements of a file are "
+                      "what they are there",
+                      message_head(scene_), scene_.bodies[b].name));
+    }
     Placed& placed = file_of(b);
     const MeshFile& file = placed.file;
     const std::vector<std::int32_t> elements = placed.elements_of(std::get_if<FileMesh>(&scene_.bodies[b].mesh)->part);

@@ -75,6 +75,14 @@ ElementFeatures features_of(const Material& material, const ElementSettings& set
   return f;
 }
 
+/// One kernel works all of them (tetrahedron_update.hpp).
+void become_tetrahedra(ElementFeatures& f) {
+  f.tetrahedra = true;
+  f.plastic = true;
+  f.yield = YieldLaw::general;
+  f.hourglass = HourglassKind::none;
+}
+
 /// Constants of a part, with the curves that they point to, which are put into `curves`.
 template <class E>
 ElementConstants<E> constants_with_laws(const Scene& scene, const ElementPart& part,
@@ -82,7 +90,7 @@ ElementConstants<E> constants_with_laws(const Scene& scene, const ElementPart& p
   const Material& material = scene.materials[part.material];
   ElementConstants<E> c = constants_of<E>(material, part.settings);
   require_held(scene, material, c);
-  if (part.rigid || !has_general_yield(material)) return c;
+  if (part.rigid || !(has_general_yield(material) || part.tetrahedra)) return c;
   curves.push_back(std::make_shared<const YieldCurves<E>>(yield_curves<E>(material)));
   c.hardening = hardening_constants(material, *curves.back());
   c.johnson_cook = johnson_cook_constants<E>(material);
@@ -112,12 +120,14 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
     }
     stored.material_numbers = std::max(stored.material_numbers, constants.places.numbers);
     const FailureConstants<S>& failure = constants.failure;
-    const ElementFeatures f = features_of(material, part.settings, failure.negative_volume || failure.inside_out);
+    ElementFeatures f = features_of(material, part.settings, failure.negative_volume || failure.inside_out);
+    if (part.tetrahedra) become_tetrahedra(f);
     model.parts.push_back({number, f, part.settings});
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;
     stored.bulk_viscosity |= f.bulk_viscosity;
     stored.hourglass_state |= keeps_hourglass_state(f.hourglass);
+    stored.volume_ratio |= f.tetrahedra;
   }
   return stored;
 }

@@ -102,10 +102,7 @@ std::vector<int> choose_levels(const std::vector<StepGroup>& groups, double ever
 }
 
 double element_stable_step(const ModelMesh& mesh, std::size_t element, const Material& material) {
-  const HexahedronModes<double> x = modes_of(mesh.corners(element));
-  const UniformGradient<double> b = uniform_gradient(x);
-  const double volume = hexahedron_volume(b, x);
-  const Symmetric<double> b_b = gradient_square(b);
+  const auto [volume, b_b, area] = element_size(mesh.corners(element), is_tetrahedron(mesh.hexahedra[element]));
   const double inverse_square = 1 / (volume * volume);
   const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus;
   const double rate = element_stable_rate(inverse_square * largest_principal_value(b_b), inverse_square * trace(b_b),

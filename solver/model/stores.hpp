@@ -59,6 +59,7 @@ struct ElementStoreFeatures {
   int material_numbers = 0;  ///< of an element in material_state
   bool mass_share = false;
   bool folding_onset = false;
+  bool volume_ratio = false;
 };
 
 /// Elements in tiles of one pack (ElementView). A "slot" is a place in the store: pack * width + lane; some are
@@ -78,6 +79,7 @@ struct ElementStore {
   RealArray material_state;
   RealArray mass_share;     ///< never changes; only where mass is added
   RealArray folding_onset;  ///< never changes; only where a corner is near turning over at the start
+  RealArray volume_ratio;   ///< only where there are tetrahedra
 
   ElementStore() = default;
   ElementStore(std::int64_t packs, const ElementStoreFeatures& features, bool in_single)
@@ -94,6 +96,7 @@ struct ElementStore {
     material_state = numbers(material_numbers);
     mass_share = numbers(features.mass_share ? 1 : 0);
     folding_onset = numbers(features.folding_onset ? 1 : 0);
+    volume_ratio = numbers(features.volume_ratio ? 2 : 0);
   }
 
   /// Lanes of a pack of this program.
@@ -112,16 +115,18 @@ struct ElementStore {
             material_state.data<E>(),
             mass_share.data<E>(),
             folding_onset.data<E>(),
-            material_numbers};
+            material_numbers,
+            volume_ratio.data<E>()};
   }
   /// What a step changes, in a fixed order.
-  std::array<RealArray*, 7> state() {
-    return {&mass, &stress, &plastic_strain, &hourglass_state, &viscous_stress, &internal_energy, &material_state};
+  std::array<RealArray*, 8> state() {
+    return {&mass,           &stress,          &plastic_strain, &hourglass_state,
+            &viscous_stress, &internal_energy, &material_state, &volume_ratio};
   }
   std::size_t bytes() const {
     return corner.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() + hourglass_state.bytes() +
            viscous_stress.bytes() + internal_energy.bytes() + material_state.bytes() + mass_share.bytes() +
-           folding_onset.bytes();
+           folding_onset.bytes() + volume_ratio.bytes();
   }
 
   /// Whether a slot holds an element that has not been eroded; padding does not.

@@ -18,7 +18,7 @@ template <class S>
 Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
     : SharedNodes(ranks),
       elements_of_tile_(elements_of_tiles(model)),
-      rank_of_tile_((require_ranks_can(model.scene), ranks_of_tiles(model, ranks))),
+      rank_of_tile_((require_ranks_can(model.scene, model.has_tetrahedra()), ranks_of_tiles(model, ranks))),
       tile_packs_(model.tile_packs),
       pack_width_(model.elements.width),
       holders_(model, rank_of_tile_),

@@ -11,6 +11,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/mesh/mesh_format.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 #include <solver/results/warnings.hpp>
 #include <solver/scene/units/units.hpp>
 #include <solver/step/report.hpp>
@@ -237,9 +238,20 @@ void print_start_warnings(const Solver<S>& solver) {
   for (const std::string& sentence : start_warnings(summary)) fmt::print("warning: {}\n", sentence);
 }
 
-/// Returns the scene with all that its bodies decide.
+/// " (12 of them tetrahedra)", where there are some.
+std::string of_them_tetrahedra(const ModelMesh& mesh) {
+  const auto count = std::ranges::count_if(mesh.hexahedra, is_tetrahedron);
+  return count == 0 ? "" : fmt::format(" ({} of them tetrahedra)", count);
+}
+
+/// A scene with all that its bodies decide.
+struct DecidedScene {
+  Scene scene;
+  bool tetrahedra;  ///< whether any of its meshes has some
+};
+
 template <class S>
-Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
+DecidedScene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   const Units units = parse_units(scene.units);
   if (threads > 0) DefaultExecutionSpace::set_concurrency(threads);  // others would wait, and be counted, from now on
   Solver<S> solver(scene);
@@ -248,8 +260,9 @@ Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
   fmt::print("  {}; {} precision", units_line(scene.units), name_of(scene.precision));
   if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
-  fmt::print("\n  {} elements, {} nodes, {} bod{}, end at {}\n", solver.element_count(), solver.mesh().nodes.size(),
-             scene.bodies.size(), scene.bodies.size() == 1 ? "y" : "ies", with_unit(scene.time.end, units.time));
+  fmt::print("\n  {} elements{}, {} nodes, {} bod{}, end at {}\n", solver.element_count(),
+             of_them_tetrahedra(solver.mesh()), solver.mesh().nodes.size(), scene.bodies.size(),
+             scene.bodies.size() == 1 ? "y" : "ies", with_unit(scene.time.end, units.time));
   print_bodies(solver.model(), units);
   print_mesh_files(solver.mesh());
   print_materials(scene, units);
@@ -257,7 +270,7 @@ Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   print_what_is_skipped(solver, units);
   print_start_warnings(solver);
   print_cost(solver, units, spent);
-  return solver.scene();
+  return {solver.scene(), solver.model().has_tetrahedra()};
 }
 
 /// Lists a mesh file, or a deck that is no more than a mesh, and so cannot be run. False: it is neither.
@@ -296,9 +309,9 @@ int info_command(const InfoOptions& options) {
   if (!read) return 0;
   const Scene& scene = *read;
   const bool single = scene.precision == Precision::float32;
-  const Scene decided =
+  const DecidedScene decided =
       single ? print_info<float>(scene, options.threads, spent) : print_info<double>(scene, options.threads, spent);
-  if (options.devices) print_missing_on_devices(decided);
+  if (options.devices) print_missing_on_devices(decided.scene, decided.tetrahedra);
   return 0;
 }
 

@@ -54,7 +54,7 @@ double longest_step_of_run(const Model<S>& model) {
   const double step = model.scene.time.end / least_steps;
   const ContactSettings& contact = model.scene.contact;
   if (contact.method == ContactMethod::none || contact.enforcement != Enforcement::penalty) return step;
-  ElementParts as_if_elastic = element_parts(model.scene);
+  ElementParts as_if_elastic = element_parts(model.scene, model.mesh);
   for (ElementPart& part : as_if_elastic.parts) part.rigid = false;
   return std::min(step, model.scene.time.cfl * smallest_stable_step(model.scene, model.mesh, as_if_elastic, {}));
 }

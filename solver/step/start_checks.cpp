@@ -22,10 +22,14 @@ constexpr double most_steps = 1e6;
 class StartElements {
  public:
   StartElements(const Scene& scene, const ModelMesh& mesh)
-      : scene_(scene), mesh_(mesh), parts_(element_parts(scene)), mass_factor_(mass_factors(scene, mesh, parts_)) {}
+      : scene_(scene),
+        mesh_(mesh),
+        parts_(element_parts(scene, mesh)),
+        mass_factor_(mass_factors(scene, mesh, parts_)) {}
 
   const ElementSettings& settings(std::int64_t e) const { return part(e).settings; }
   bool deforms(std::int64_t e) const { return !part(e).rigid; }
+  bool has_hourglass_modes(std::int64_t e) const { return deforms(e) && !part(e).tetrahedra; }
   bool any_deforms() const {
     for (std::int64_t e = 0; e < mesh_.element_count(); ++e) {
       if (deforms(e)) return true;
@@ -47,10 +51,7 @@ class StartElements {
   }
 
  private:
-  const ElementPart& part(std::int64_t e) const {
-    const std::size_t body = mesh_.body[e];
-    return parts_.parts[parts_.of_body[body]];
-  }
+  const ElementPart& part(std::int64_t e) const { return parts_.parts[parts_.part_of(mesh_, e)]; }
 
   const Scene& scene_;
   const ModelMesh& mesh_;
@@ -87,7 +88,7 @@ std::string viscous_sentence(const Scene& scene, const ModelMesh& mesh) {
   double most = 0, furthest = 1;
   std::int64_t worst = -1;
   for (std::int64_t e = 0; e < mesh.element_count(); ++e) {
-    if (!is_viscous(elements.settings(e)) || !elements.deforms(e)) continue;
+    if (!is_viscous(elements.settings(e)) || !elements.has_hourglass_modes(e)) continue;
     const ElementStart element = elements.start(e);
     const double factor = elements.mass_factor(e);
     const double step = scene.time.cfl * (scene.time.subcycling ? element.stable_step(factor) : least);

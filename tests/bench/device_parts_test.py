@@ -15,7 +15,7 @@ from device_parts import counted, measured, page
 
 NVCC = shutil.which("nvcc") or "/usr/local/cuda/bin/nvcc"
 ELEMENTS = ("void pinball::sum_pieces_of_range<pinball::ElementTotals<{0}>, pinball::UpdatesElements<{0}, "
-            "pinball::ElementFeatures{{true, true, true, (pinball::HourglassKind)1, (pinball::YieldLaw)0, {1}}}>>(long)")
+            "pinball::ElementFeatures{{true, true, true, (pinball::HourglassKind)1, (pinball::YieldLaw)0, {1}, false}}>>(long)")
 ASSEMBLER = """ptxas info    : Compiling entry function '{}' for 'sm_90'
 ptxas info    : Function properties for it
     32 bytes stack frame, 52 bytes spill stores, 32 bytes spill loads

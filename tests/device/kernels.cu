@@ -29,6 +29,16 @@ __global__ void update_mixed_elements(ElementView<float> elements, NodeView<doub
                                            AddedToNodes<double>{nodes.force});
 }
 
+/// Tetrahedra: one kernel.
+template <class S>
+__global__ void update_tetrahedra(ElementView<S> elements, NodeView<S> nodes, ElementConstants<S> constants,
+                                  ElementSums<S>* sums, S* corner_force) {
+  constexpr ElementFeatures features{true, true, true, HourglassKind::none, YieldLaw::general, true, true};
+  const std::int64_t element = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  update_tetrahedron_pack<S, features, 32>(elements, nodes, constants, ElementStep<S>{}, element, 0, sums[element],
+                                           KeptAtCorners<S>{corner_force});
+}
+
 template <class S>
 __global__ void sum_corner_forces(CornersOfNodes corners, const S* corner_force, S* force) {
   const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
@@ -235,6 +245,7 @@ void instantiate() {
   update_elements<S, true, HourglassKind::viscous, YieldLaw::general><<<1, 32>>>({}, {}, {}, S(0), nullptr, nullptr);
   update_elements<S, false, HourglassKind::viscous><<<1, 32>>>({}, {}, {}, S(0), nullptr, nullptr);
   update_elements<S, false, HourglassKind::none><<<1, 32>>>({}, {}, {}, S(0), nullptr, nullptr);
+  update_tetrahedra<S><<<1, 32>>>({}, {}, {}, nullptr, nullptr);
   prepare_moduli<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
   contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);

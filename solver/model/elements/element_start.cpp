@@ -8,6 +8,7 @@
 #include <kernels/material/fluid.hpp>
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 namespace pinball {
 
@@ -24,12 +25,10 @@ double ElementStart::mass_factor(double stable_step) const {
 
 ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Material& material,
                            const ElementSettings& settings) {
-  const HexahedronModes<double> x = modes_of(mesh.corners(element));
-  const UniformGradient<double> b = uniform_gradient(x);
-  const Symmetric<double> b_b = gradient_square(b);
+  const auto [volume, b_b, area] = element_size(mesh.corners(element), is_tetrahedron(mesh.hexahedra[element]));
   ElementStart start{};
-  start.volume = hexahedron_volume(b, x);
-  start.face_area = face_area(trace(b_b));
+  start.volume = volume;
+  start.face_area = area;
   const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus, mu = material.shear_modulus;
   start.sound_speed = std::sqrt((lambda + 2 * mu) / material.density);
   const double viscosity = settings.bulk_viscosity
@@ -50,7 +49,7 @@ double smallest_stable_step(const Scene& scene, const ModelMesh& mesh, const Ele
                             const std::vector<double>& mass_factor) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const ElementPart& part = parts.parts[parts.of_body[mesh.body[e]]];
+    const ElementPart& part = parts.parts[parts.part_of(mesh, e)];
     if (part.rigid) continue;
     const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
     smallest = std::min(smallest, start.stable_step(mass_factor.empty() ? 1.0 : mass_factor[e]));

@@ -17,7 +17,7 @@ std::vector<double> mass_factors(const Scene& scene, const ModelMesh& mesh, cons
   if (!(time.smallest_step > 0)) return {};
   std::vector<double> factors(mesh.hexahedra.size(), 1.0);
   for (std::size_t e = 0; e < factors.size(); ++e) {
-    const ElementPart& part = parts.parts[parts.of_body[mesh.body[e]]];
+    const ElementPart& part = parts.parts[parts.part_of(mesh, e)];
     if (part.rigid) continue;
     const ElementStart start = element_start(mesh, e, scene.materials[part.material], part.settings);
     const double factor = start.mass_factor(time.smallest_step / time.cfl);

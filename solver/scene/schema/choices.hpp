@@ -82,6 +82,9 @@ constexpr auto choices(Of<Section>) {
   return std::array{Choice{"full", Section::full}, Choice{"half", Section::half}, Choice{"quarter", Section::quarter},
                     Choice{"wedge", Section::wedge}};
 }
+constexpr auto choices(Of<ElementShape>) {
+  return std::array{Choice{"hexahedra", ElementShape::hexahedra}, Choice{"tetrahedra", ElementShape::tetrahedra}};
+}
 constexpr auto choices(Of<MeshFormat>) {
   return std::array{Choice{"gmsh", MeshFormat::gmsh},     Choice{"keyword", MeshFormat::keyword},
                     Choice{"exodus", MeshFormat::exodus}, Choice{"vtk", MeshFormat::vtk},

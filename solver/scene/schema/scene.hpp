@@ -22,6 +22,9 @@ constexpr void describe(Of<Body>, Visit&& visit) {
   visit(Key{"material", &T::material, "name of a `[[material]]`", {.need = Need::required}});
   visit(FileKey<MeshSettings>{"mesh", "table, see below", {.need = Need::required}});
   visit(Field{"mesh", &T::mesh, "by a generator, from a file or of arrays"});
+  visit(
+      Key{"elements", &T::elements,
+          "`\"tetrahedra\"`: each hexahedron of a generated mesh is cut into six, as those of meshes that have them"});
   visit(Key{"position", &T::position, "translation, after the rotation", {.unit = "L"}});
   visit(Key{"axis",
             &T::axis,
