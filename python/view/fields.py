@@ -47,6 +47,18 @@ def read_pvd(path):
     return [(float(entry.get("timestep")), os.path.join(folder, entry.get("file"))) for entry in root.iter("DataSet")]
 
 
+def hexahedra_of(connectivity, ends):
+    """(m, 8) node indices; cells of four nodes are tetrahedra, as hexahedra that are collapsed to them."""
+    begins = np.concatenate(([0], ends[:-1]))
+    hexahedra = np.empty((len(ends), 8), connectivity.dtype)
+    for count, corners in ((8, range(8)), (4, (0, 0, 1, 1, 2, 3, 3, 2))):
+        of_count = ends - begins == count
+        hexahedra[of_count] = connectivity[begins[of_count, None] + np.array(corners)]
+    if not np.isin(ends - begins, (4, 8)).all():
+        raise ValueError("cells of other than four or eight nodes")
+    return hexahedra
+
+
 def read_vtu(path):
     """The Mesh in one .vtu file. Raises BadInput where the file is missing, cut short or of another kind."""
     try:
@@ -89,7 +101,7 @@ def read_vtu(path):
                 mesh.names = read_names(tag)
         mesh.points = read_array(piece.find("Points/DataArray"))
         cells = {tag.get("Name"): tag for tag in piece.find("Cells")}
-        mesh.hexahedra = read_array(cells["connectivity"]).reshape(-1, 8)
+        mesh.hexahedra = hexahedra_of(*(read_array(cells[name]) for name in ("connectivity", "offsets")))
     except (AttributeError, KeyError, TypeError, ValueError, ElementTree.ParseError) as error:
         raise BadInput(f"{path}: not a file of Pinball's field output, or cut short ({error})")
     return mesh

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string_view>
 
 #include <solver/base/error.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 namespace pinball {
 namespace {
@@ -66,6 +68,7 @@ double corner_share(const FieldSnapshot& s, std::size_t element) {
   std::array<Point, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) corners[i] = s.position[s.hexahedra[element][i]];
   const double volume = hexahedron_volume(corners);
+  if (is_tetrahedron(s.hexahedra[element])) return volume == 0 ? 0.0 : std::copysign(1.0, volume);
   return volume == 0 ? 0.0 : std::copysign(1.0, volume) * least_corner_share(corners);
 }
 
@@ -151,17 +154,52 @@ void list_element_arrays(const FieldSnapshot& s, const FieldBase& base, const Wa
   if (!base.element_number.empty()) to.push_back(numbers_array("element_number", base.element_number));
 }
 
+constexpr int vtk_hexahedron = 12, vtk_tetrahedron = 10;
+
+struct Cells {
+  std::vector<std::int32_t> nodes;  ///< of all, one after the other
+  std::vector<std::int64_t> ends;   ///< of each
+};
+
+/// Tetrahedra are cells of four nodes.
+Cells cells_of(const FieldSnapshot& s) {
+  Cells cells;
+  for (const auto& corners : s.hexahedra) {
+    if (is_tetrahedron(corners)) {
+      for (int node = 0; node < 4; ++node) cells.nodes.push_back(corners[tetrahedron_corner(node)]);
+    } else {
+      cells.nodes.insert(cells.nodes.end(), corners.begin(), corners.end());
+    }
+    cells.ends.push_back(cells.nodes.size());
+  }
+  return cells;
+}
+
+/// Of hexahedra alone no second copy is held.
+void list_cells(const FieldSnapshot& s, FieldArrays& a) {
+  const std::size_t elements = s.hexahedra.size();
+  if (std::ranges::none_of(s.hexahedra, is_tetrahedron)) {
+    a.cells.push_back(make_array<std::int32_t>("Int32", "connectivity", 8 * elements, 1,
+                                               [&s](std::size_t i, std::size_t) { return s.hexahedra[i / 8][i % 8]; }));
+    a.cells.push_back(make_array<std::int64_t>("Int64", "offsets", elements, 1,
+                                               [](std::size_t i, std::size_t) { return 8 * (i + 1); }));
+    return;
+  }
+  const auto cells = std::make_shared<const Cells>(cells_of(s));
+  a.cells.push_back(make_array<std::int32_t>("Int32", "connectivity", cells->nodes.size(), 1,
+                                             [cells](std::size_t i, std::size_t) { return cells->nodes[i]; }));
+  a.cells.push_back(make_array<std::int64_t>("Int64", "offsets", elements, 1,
+                                             [cells](std::size_t i, std::size_t) { return cells->ends[i]; }));
+}
+
 void list_mesh_arrays(const FieldSnapshot& s, FieldArrays& a) {
   const std::size_t elements = s.hexahedra.size();
   a.points.push_back(make_array<double>("Float64", "Points", s.position.size(), 3,
                                         [&s](std::size_t i, std::size_t c) { return s.position[i][c]; }));
-  a.cells.push_back(make_array<std::int32_t>("Int32", "connectivity", 8 * elements, 1,
-                                             [&s](std::size_t i, std::size_t) { return s.hexahedra[i / 8][i % 8]; }));
-  a.cells.push_back(make_array<std::int64_t>("Int64", "offsets", elements, 1,
-                                             [](std::size_t i, std::size_t) { return 8 * (i + 1); }));
-  constexpr int vtk_hexahedron = 12;
-  a.cells.push_back(
-      make_array<std::uint8_t>("UInt8", "types", elements, 1, [](std::size_t, std::size_t) { return vtk_hexahedron; }));
+  list_cells(s, a);
+  a.cells.push_back(make_array<std::uint8_t>("UInt8", "types", elements, 1, [&s](std::size_t i, std::size_t) {
+    return is_tetrahedron(s.hexahedra[i]) ? vtk_tetrahedron : vtk_hexahedron;
+  }));
 }
 
 void check_size(const std::string& path, std::string_view field, std::size_t size, std::size_t expected) {

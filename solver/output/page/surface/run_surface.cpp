@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <solver/base/error.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 #include <solver/output/run_files.hpp>
 
 namespace pinball {
@@ -19,8 +20,17 @@ using Corners = std::array<std::int32_t, 8>;
 
 std::vector<Corners> elements_of(const FieldFrame& frame) {
   const std::vector<std::int32_t> corners = frame.read<std::int32_t>("connectivity");
-  std::vector<Corners> elements(corners.size() / 8);
-  for (std::size_t i = 0; i < elements.size(); ++i) std::copy_n(corners.begin() + 8 * i, 8, elements[i].begin());
+  std::vector<Corners> elements;
+  std::size_t begin = 0;
+  for (const std::int64_t end : frame.read<std::int64_t>("offsets")) {
+    const std::int32_t* const of = corners.data() + begin;
+    if (end - static_cast<std::int64_t>(begin) == 4) {
+      elements.push_back(tetrahedron(of[0], of[1], of[2], of[3]));
+    } else {
+      std::copy_n(of, 8, elements.emplace_back().begin());
+    }
+    begin = end;
+  }
   return elements;
 }
 
