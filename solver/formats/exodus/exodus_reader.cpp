@@ -9,6 +9,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/input_file.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 #include "netcdf_file.hpp"
 
@@ -17,11 +18,30 @@
 namespace pinball {
 namespace {
 
-/// Sides of a hexahedron and of a wedge in the numbering of Exodus, by corners that count from 0.
+/// Sides of a hexahedron, a wedge and a tetrahedron in the numbering of Exodus, by corners that count from 0.
 constexpr int hexahedron_sides[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
                                         {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 /// Corners of the collapsed hexahedron {0, 1, 2, 2, 3, 4, 5, 5}.
 constexpr int wedge_sides[5][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {0, 4, 6, 2}, {0, 2, 1, 1}, {4, 5, 6, 6}};
+/// Of tetrahedron().
+constexpr int tetrahedron_sides[4][4] = {{0, 2, 5, 5}, {2, 4, 5, 5}, {0, 5, 4, 4}, {0, 4, 2, 2}};
+
+/// What a block may have, by their nodes.
+enum class Shape : std::uint8_t { tetrahedron = 4, wedge = 6, hexahedron = 8 };
+
+int sides_of(Shape shape) { return shape == Shape::tetrahedron ? 4 : shape == Shape::wedge ? 5 : 6; }
+const int* corners_of_side(Shape shape, std::int64_t side) {
+  return shape == Shape::tetrahedron ? tetrahedron_sides[side - 1]
+         : shape == Shape::wedge     ? wedge_sides[side - 1]
+                                     : hexahedron_sides[side - 1];
+}
+
+std::optional<Shape> shape_of(const std::string& form, std::int64_t nodes) {
+  if (form.starts_with("HEX") && nodes == 8) return Shape::hexahedron;
+  if (form.starts_with("WEDGE") && nodes == 6) return Shape::wedge;
+  if (form.starts_with("TET") && nodes == 4) return Shape::tetrahedron;
+  return std::nullopt;
+}
 
 std::string upper(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -50,7 +70,7 @@ class ExodusReader {
     read_node_sets();
     read_side_sets();
     read_element_sets();
-    if (file_.mesh.hexahedra.empty()) fail("expected blocks of hexahedra or wedges, got none");
+    if (file_.mesh.hexahedra.empty()) fail("expected blocks of hexahedra, wedges or tetrahedra, got none");
     return std::move(file_);
   }
 
@@ -125,21 +145,20 @@ class ExodusReader {
     const std::vector<std::int64_t> shape = in_.shape(variable);
     if (shape.size() != 2 || shape[0] != count || shape[1] < 1)
       in_.fail(variable, fmt::format("expected the nodes of {} elements", count));
-    const std::string type = in_.attribute(variable, "elem_type"), form = upper(type);
-    const bool hexahedra = form.starts_with("HEX") && shape[1] == 8,
-               wedges = form.starts_with("WEDGE") && shape[1] == 6;
-    if (!hexahedra && !wedges) return reject(blocks, b, type, shape[1], count);
+    const std::string type = in_.attribute(variable, "elem_type");
+    const std::optional<Shape> form = shape_of(upper(type), shape[1]);
+    if (!form) return reject(blocks, b, type, shape[1], count);
     const std::int32_t first = file_.mesh.hexahedra.size();
     if (first + count > std::numeric_limits<std::int32_t>::max() / 8) fail("has more elements than a mesh can hold");
     for (std::int64_t e = 0; e < count; ++e) place_.push_back(first + e);
     file_.mesh.hexahedra.resize(first + count);
     std::int32_t* const corners = file_.mesh.hexahedra[first].data();
-    if (hexahedra) {
+    if (form == Shape::hexahedron) {
       in_.integers_into(variable, corners);
     } else {
-      read_wedges(variable, count, corners);
+      read_collapsed(variable, *form, count, corners);
     }
-    is_wedge_.resize(first + count, wedges);
+    shape_.resize(first + count, *form);
     const std::int32_t nodes = file_.mesh.nodes.size();
     for (std::int64_t i = 0; i < 8 * count; ++i) {
       if (corners[i] < 1 || corners[i] > nodes)
@@ -151,11 +170,14 @@ class ExodusReader {
     file_.parts.push_back({blocks.ids[b], blocks.names[b]});
   }
 
-  void read_wedges(const std::string& variable, std::int64_t count, std::int32_t* corners) const {
-    std::vector<std::int32_t> nodes(6 * count);
+  void read_collapsed(const std::string& variable, Shape shape, std::int64_t count, std::int32_t* corners) const {
+    const auto of_each = static_cast<std::int64_t>(shape);
+    std::vector<std::int32_t> nodes(of_each * count);
     in_.integers_into(variable, nodes.data());
-    constexpr int corner[8] = {0, 1, 2, 2, 3, 4, 5, 5};
-    for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = nodes[i / 8 * 6 + corner[i % 8]];
+    static constexpr std::array<std::int32_t, 8> of_wedge{0, 1, 2, 2, 3, 4, 5, 5},
+        of_tetrahedron = tetrahedron(0, 1, 2, 3);
+    const auto& corner = shape == Shape::wedge ? of_wedge : of_tetrahedron;
+    for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = nodes[i / 8 * of_each + corner[i % 8]];
   }
 
   void reject(const Names& blocks, std::size_t b, const std::string& type, std::int64_t nodes, std::int64_t count) {
@@ -163,7 +185,7 @@ class ExodusReader {
                                          blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", count,
                                          type.empty() ? "unknown" : type, nodes);
     if (wanted_.empty() ? !is_without_volume(type) : is_needed(blocks.ids[b], blocks.names[b]))
-      fail(what + ": expected HEX8 or WEDGE6");
+      fail(what + ": expected HEX8, WEDGE6 or TET4");
     file_.notes.push_back(fmt::format("{}: {}, which are left out", file_.path, what));
     place_.insert(place_.end(), count, -1);
   }
@@ -231,12 +253,11 @@ class ExodusReader {
       set.faces.push_back({-1, -1, -1, -1});
       return;
     }
-    const std::int64_t most = is_wedge_[place] ? 5 : 6;
+    const std::int64_t most = sides_of(shape_[place]);
     if (side < 1 || side > most) in_.fail(variable, fmt::format("expected sides from 1 to {}, got {}", most, side));
     const auto& corners = file_.mesh.hexahedra[place];
     std::array<std::int32_t, 4> face;
-    for (std::size_t i = 0; i < 4; ++i)
-      face[i] = corners[is_wedge_[place] ? wedge_sides[side - 1][i] : hexahedron_sides[side - 1][i]];
+    for (std::size_t i = 0; i < 4; ++i) face[i] = corners[corners_of_side(shape_[place], side)[i]];
     set.faces.push_back(face);
   }
 
@@ -258,7 +279,7 @@ class ExodusReader {
   const std::vector<std::string>& wanted_;
   MeshFile file_;
   std::vector<std::int32_t> place_;  ///< per element of the file; -1: left out
-  std::vector<bool> is_wedge_;       ///< per hexahedron
+  std::vector<Shape> shape_;         ///< per hexahedron
 };
 
 }  // namespace

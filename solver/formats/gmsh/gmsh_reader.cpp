@@ -10,6 +10,7 @@
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/mesh/file/mesh_scanner.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 #include "gmsh_collector.hpp"
 #include "gmsh_groups.hpp"
@@ -253,10 +254,12 @@ class GmshReader {
 
   void read_nodes_of_element(int dimension, std::int64_t type, std::span<const std::int64_t> groups, std::int64_t id) {
     const int line = scan_.binary() ? 0 : scan_.line();
-    if (dimension == 3 && collector_->wants(groups) && type != gmsh::hexahedron && type != gmsh::prism)
-      fail_element(id, line,
-                   fmt::format("expected 8-node hexahedra (type 5) or 6-node prisms (type 6), got {} (type {})",
-                               gmsh::name_of(type), type));
+    if (dimension == 3 && collector_->wants(groups) && !is_linear(type))
+      fail_element(
+          id, line,
+          fmt::format("expected 8-node hexahedra (type 5), 6-node prisms (type 6) or 4-node tetrahedra (type 4), "
+                      "got {} (type {})",
+                      gmsh::name_of(type), type));
     const bool wanted = dimension == 3 ? collector_->wants(groups) : !groups.empty();
     if (wanted && is_linear(type)) {
       add_element(dimension, type, groups, id, line);
@@ -268,7 +271,7 @@ class GmshReader {
 
   static bool is_linear(std::int64_t type) {
     return type == gmsh::line || type == gmsh::triangle || type == gmsh::quadrangle || type == gmsh::hexahedron ||
-           type == gmsh::prism || type == gmsh::point;
+           type == gmsh::prism || type == gmsh::tetrahedron || type == gmsh::point;
   }
 
   std::string place_of_element(std::int64_t id, int line) const {
@@ -307,6 +310,9 @@ class GmshReader {
       return collector_->add_boundary(dimension, {nodes, static_cast<std::size_t>(count)}, groups, "");
     }
     static constexpr int of_hexahedron[8] = {0, 1, 2, 3, 4, 5, 6, 7}, of_prism[8] = {0, 1, 2, 2, 3, 4, 5, 5};
+    if (type == gmsh::tetrahedron) {
+      return collector_->add_volume(tetrahedron(nodes[0], nodes[1], nodes[2], nodes[3]), groups, id, line);
+    }
     std::array<std::int32_t, 8> corners;
     for (int i = 0; i < 8; ++i) corners[i] = nodes[(type == gmsh::prism ? of_prism : of_hexahedron)[i]];
     collector_->add_volume(corners, groups, id, line);

@@ -8,7 +8,8 @@ namespace pinball {
 /// Types of elements, as Gmsh numbers them.
 namespace gmsh {
 
-inline constexpr std::int64_t line = 1, triangle = 2, quadrangle = 3, hexahedron = 5, prism = 6, point = 15;
+inline constexpr std::int64_t line = 1, triangle = 2, quadrangle = 3, tetrahedron = 4, hexahedron = 5, prism = 6,
+                              point = 15;
 
 /// Nodes of an element; 0: not a type that is known.
 int nodes_of(std::int64_t type);

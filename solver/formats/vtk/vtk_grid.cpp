@@ -11,6 +11,7 @@
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 /// Types and the order of points: "VTK File Formats", and vtkCellType.h.
 namespace pinball {
@@ -21,7 +22,8 @@ const std::vector<std::string> vtk_part_arrays{"part",        "part_id",   "part
 
 namespace {
 
-constexpr int vertex = 1, line = 3, triangle = 5, pixel = 8, quadrangle = 9, voxel = 11, hexahedron = 12, wedge = 13;
+constexpr int vertex = 1, line = 3, triangle = 5, pixel = 8, quadrangle = 9, tetra = 10, voxel = 11, hexahedron = 12,
+              wedge = 13;
 /// An array with more values than this numbers something else than sets.
 constexpr std::size_t most_sets = 1000;
 
@@ -56,12 +58,12 @@ bool is_of_lower_dimension(int type) {
 }
 
 std::size_t points_of(int type) {
-  return type == vertex                        ? 1
-         : type == line                        ? 2
-         : type == triangle                    ? 3
-         : type == wedge                       ? 6
-         : type == pixel || type == quadrangle ? 4
-                                               : 8;
+  return type == vertex                                         ? 1
+         : type == line                                         ? 2
+         : type == triangle                                     ? 3
+         : type == wedge                                        ? 6
+         : type == pixel || type == quadrangle || type == tetra ? 4
+                                                                : 8;
 }
 
 class Builder {
@@ -76,7 +78,7 @@ class Builder {
     file_.mesh.nodes = std::move(grid_.points);
     cell_place_.assign(grid_.types.size(), -1);
     for (std::size_t cell = 0; cell < grid_.types.size(); ++cell) add_cell(cell, part ? part->values[cell] : 0, part);
-    if (file_.mesh.hexahedra.empty()) fail("expected hexahedra or wedges, got none");
+    if (file_.mesh.hexahedra.empty()) fail("expected hexahedra, wedges or tetrahedra, got none");
     number_elements();
     number_nodes();
     name_parts(part);
@@ -125,7 +127,7 @@ class Builder {
       if (point < 0 || point >= std::ssize(file_.mesh.nodes))
         fail(fmt::format("cell {}: expected points from 0 to {}, got {}", cell, file_.mesh.nodes.size() - 1, point));
     }
-    const bool volume = type == voxel || type == hexahedron || type == wedge;
+    const bool volume = type == voxel || type == hexahedron || type == wedge || type == tetra;
     if (!volume && !is_of_lower_dimension(type)) return reject(cell, type, is_wanted(part, has_parts));
     const bool face = type == triangle || type == quadrangle || type == pixel,
                known = volume || face || type == vertex || type == line;
@@ -142,13 +144,15 @@ class Builder {
 
   void reject(std::size_t cell, int type, bool wanted) const {
     if (!wanted) return;
-    fail(fmt::format("cell {}: expected hexahedra (type 12), voxels (11) or wedges (13), got {} (type {})", cell,
-                     name_of(type), type));
+    fail(fmt::format(
+        "cell {}: expected hexahedra (type 12), voxels (11), wedges (13) or tetrahedra (10), got {} (type {})", cell,
+        name_of(type), type));
   }
 
   std::array<std::int32_t, 8> corners_of(int type, std::span<const std::int32_t> p) const {
     if (type == hexahedron) return {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]};
     if (type == voxel) return {p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6]};
+    if (type == tetra) return tetrahedron(p[0], p[1], p[2], p[3]);
     // The format has the first triangle seen from inside, many programs write it as other formats do.
     const std::array<std::int32_t, 8> collapsed{p[0], p[1], p[2], p[2], p[3], p[4], p[5], p[5]};
     std::array<Point, 8> corners;

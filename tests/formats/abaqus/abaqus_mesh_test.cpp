@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include <solver/base/error.hpp>
 #include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
@@ -78,6 +79,20 @@ TEST(AbaqusMesh, AWedgeIsACollapsedHexahedron) {
   auto side = wedge.face_sets[0].faces.at(1);
   std::sort(side.begin(), side.end());
   EXPECT_THAT(side, ElementsAre(0, 2, 4, 6)) << "between nodes 3, 6, 4 and 1 of the element";
+}
+
+/// Faces of C3D4: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1.
+TEST(AbaqusMesh, ATetrahedronHasFourFaces) {
+  const std::string text = nodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 4, 11\n";
+  const MeshFile file = read(text + "*SURFACE, NAME=s\n1, S1\n1, S2\n1, S3\n1, S4\n");
+  EXPECT_DOUBLE_EQ(measure_quality(file.mesh).volume, 1.0 / 6);
+  const std::set<std::int32_t> expected[4] = {{0, 1, 3}, {0, 1, 4}, {1, 3, 4}, {0, 3, 4}};
+  for (std::size_t s = 0; s < 4; ++s) {
+    const auto face = file.face_sets.at(0).faces.at(s);
+    EXPECT_EQ(std::set<std::int32_t>(face.begin(), face.end()), expected[s]);
+    EXPECT_EQ(face[2], face[3]);
+  }
+  EXPECT_THAT(read(text + "*SURFACE, NAME=s\n1, S5\n").face_sets.at(0).problem, HasSubstr("got \"S5\""));
 }
 
 TEST(AbaqusMesh, ReadsSets) {
@@ -177,7 +192,7 @@ TEST(AbaqusMesh, WhatIsWrongIsToldWithItsPlace) {
   EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D6\n1, 1, 2, 3, 4, 11, 12, 13, 14\n"),
             "a.inp:15: element 1: expected 6 nodes, got more");
   EXPECT_EQ(error_of(nodes + "*ELEMENT, TYPE=C3D10\n1, 1, 2, 3\n"),
-            "a.inp:14: *ELEMENT, TYPE=C3D10 is not read: expected C3D8R, C3D8, C3D6");
+            "a.inp:14: *ELEMENT, TYPE=C3D10 is not read: expected C3D8R, C3D8, C3D6, C3D4");
   EXPECT_EQ(error_of(nodes + "*NODE\n3, 0.\n"), "a.inp:15: node 3 is given twice, first in a.inp:4");
   EXPECT_EQ(error_of(nodes + cubes + "*ELEMENT, TYPE=C3D8\n7, 1, 2, 3, 4, 11, 12, 13, 14\n"),
             "a.inp:19: element 7 is given twice, first in a.inp:15");

@@ -9,6 +9,7 @@
 #include <solver/base/point.hpp>
 #include <solver/formats/exodus/exodus_reader.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 #include <tests/mesh/damaged_files.hpp>
 #include <tests/support/scene_text.hpp>
 
@@ -127,12 +128,28 @@ TEST(ExodusClassic, SidesHaveTheNodesOfTheFormatAndLookOut) {
   }
 }
 
+/// tetrahedra.g: the tetrahedron of the nodes 1 to 4, and one on its face 2, 3, 4. Side sets 1 to 4 have its sides.
+TEST(ExodusClassic, SidesOfTetrahedraHaveTheNodesOfTheFormatAndLookOut) {
+  const MeshFile file = read_exodus(folder + "tetrahedra.g", {});
+  ASSERT_EQ(file.mesh.hexahedra.size(), 2u);
+  EXPECT_EQ(file.mesh.hexahedra[0], tetrahedron(0, 1, 2, 3));
+  EXPECT_NEAR(measure_quality(file.mesh).volume, 1.0 / 6 + 1.0 / 3, 1e-15);
+  const std::set<std::int32_t> nodes[4] = {{0, 1, 3}, {1, 2, 3}, {0, 2, 3}, {0, 1, 2}};
+  const Point areas[4] = {{0, -0.5, 0}, {0.5, 0.5, 0.5}, {-0.5, 0, 0}, {0, 0, -0.5}};
+  for (std::size_t s = 0; s < 4; ++s) {
+    const std::array<std::int32_t, 4> face = file.face_sets.at(s).faces.at(0);
+    EXPECT_EQ(std::set<std::int32_t>(face.begin(), face.end()), nodes[s]);
+    const Point area = area_of(file.mesh, face);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(area[k], areas[s][k]) << s;
+  }
+}
+
 TEST(ExodusClassic, SaysWhatIsWrong) {
   EXPECT_EQ(error_of([] { read_exodus(folder + "none.g", {}); }),
             folder + "none.g: no such file, or it cannot be read");
   EXPECT_THAT(error_of([] { read_exodus(folder + "two_blocks.cdl", {}); }), HasSubstr("not a netCDF file"));
   EXPECT_THAT(error_of([] { read_exodus(folder + "two_blocks.g", {"skin"}); }),
-              HasSubstr("block 15 (skin) has 1 elements of type SHELL4 with 4 nodes: expected HEX8 or WEDGE6"));
+              HasSubstr("block 15 (skin) has 1 elements of type SHELL4 with 4 nodes: expected HEX8, WEDGE6 or TET4"));
 }
 
 }  // namespace

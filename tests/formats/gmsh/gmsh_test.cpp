@@ -174,9 +174,10 @@ TEST(GmshFormat22, NamesTheLineOfABadElement) {
   const std::string text = text_of("22");
   EXPECT_EQ(error_of(replaced(text, "5 6 2 2 2 90 ", "5 6 2 2 2 33 ")),
             "a.msh:35: expected nodes of the file, got 33, which is not there");
-  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 4 2 2 2")),
-            "a.msh:36: expected 8-node hexahedra (type 5) or 6-node prisms (type 6), got 4-node tetrahedra (type 4)");
-  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 4 2 2 2"), "left part"), "no error");  // not of this volume
+  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 11 2 2 2")),
+            "a.msh:36: expected 8-node hexahedra (type 5), 6-node prisms (type 6) or 4-node tetrahedra (type 4), got "
+            "10-node tetrahedra (type 11)");
+  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 11 2 2 2"), "left part"), "no error");  // not of this volume
   EXPECT_EQ(error_of(replaced(text, "\n2 1 0 0\n", "\n2 1 nan 0\n")),
             "a.msh:13: expected a coordinate of a node, got \"nan\"");
   EXPECT_EQ(error_of(replaced(text, "\n3 1 1 0\n", "\n2 1 1 0\n")),
@@ -207,7 +208,7 @@ TEST(GmshMesh, WithoutVolumesIsAnError) {
   EXPECT_EQ(error_of(head + "$Nodes\n0\n$EndNodes\n"),
             "a.msh:7: expected a section $Elements, got the end of the file");
   EXPECT_EQ(error_of(head + "$Nodes\n0\n$EndNodes\n$Elements\n0\n$EndElements"),
-            "a.msh: expected hexahedra or prisms, got none");
+            "a.msh: expected hexahedra, prisms or tetrahedra, got none");
 }
 
 class GmshScene : public SceneTest {

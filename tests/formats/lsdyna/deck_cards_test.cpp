@@ -44,14 +44,14 @@ TEST_F(DeckCards, APartThatNothingUsesRefusesNothing) {
               testing::AllOf(HasSubstr("equation of state (EOSID)"), HasSubstr("*EOS_IDEAL_GAS")));
 }
 
-TEST_F(DeckCards, TetrahedraAreRefusedWithAllElse) {
-  const std::string tetrahedra = "*ELEMENT_SOLID\n11,1,1,2,3,5,5,5,5,5\n12,1\n1,2,3,6\n";
-  EXPECT_EQ(
-      error(cube + elastic + ends + "*CONSTRAINED_NODE_SET\n" + tetrahedra),
-      "deck.k: cannot be run, for this version has not:\n"
-      "  *CONSTRAINED_NODE_SET (deck.k:22): nodes that parts have in common, or CONTACT_TIED_..., in its place\n"
-      "and besides: deck.k:24: *ELEMENT_SOLID: 2 tetrahedra are not read, the first is element 11: mesh these parts "
-      "with hexahedra, wedges or pyramids");
+TEST_F(DeckCards, TetrahedraHaveFormsOfTheirOwn) {
+  std::string tetrahedra = cube + elastic + ends;
+  const auto at = tetrahedra.find("*ELEMENT_SOLID");
+  tetrahedra = tetrahedra.substr(0, at) + "*ELEMENT_SOLID\n1,1,1,2,4,5,5,5,5,5\n" +
+               tetrahedra.substr(tetrahedra.find('*', at + 1));
+  EXPECT_EQ(error(tetrahedra), no_error);
+  EXPECT_THAT(translate(tetrahedra).understood,
+              Contains(HasSubstr("1 tetrahedron with volumes averaged over nodes, as ELFORM 13")));
 }
 
 TEST_F(DeckCards, FacesWhoseNormalPointsInwardsAreTold) {

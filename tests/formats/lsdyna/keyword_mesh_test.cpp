@@ -7,6 +7,7 @@
 #include <solver/base/error.hpp>
 #include <solver/formats/lsdyna/mesh/keyword_mesh.hpp>
 #include <solver/mesh/quality.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
@@ -56,22 +57,28 @@ TEST(KeywordMesh, AWedgeIsACollapsedHexahedron) {
   EXPECT_DOUBLE_EQ(std::abs(measure_quality(wedge.mesh).volume), 0.5);
 }
 
+TEST(KeywordMesh, ATetrahedronHasFourNodesHoweverTheyAreRepeated) {
+  for (const char* rest : {"14,15,15,15,15", "14,14,15,15,15", "15,15,15,15,15", "15,0,0,0,0"}) {
+    const std::string line = std::string("7,3,11,12,14,") + rest;
+    const MeshFile found = read(nodes + "*ELEMENT_SOLID\n" + line + "\n");
+    EXPECT_EQ(found.mesh.hexahedra.at(0), tetrahedron(0, 1, 3, 4)) << line;
+    EXPECT_DOUBLE_EQ(measure_quality(found.mesh).volume, 1.0 / 6);
+  }
+}
+
 TEST(KeywordMesh, WhatIsWrongIsNamedByItsNumberAndLine) {
   EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,15,16,17,99\n"),
             "a.k:11: *ELEMENT_SOLID: element 7 has node 99, which is not there");
-  EXPECT_EQ(
-      error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,14,14,14,14\n"),
-      "a.k:11: *ELEMENT_SOLID: 1 tetrahedron is not read, the first is element 7: mesh these parts with hexahedra, "
-      "wedges or pyramids");
+  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3,11,12,13,14,11,12,13,14\n"),
+            "a.k:11: *ELEMENT_SOLID: element 7 has four nodes or less, and fills no tetrahedron: expected n1 n2 n3 n4 "
+            "n4 n4 n4 n4");
   EXPECT_EQ(error_of(nodes + one_line + one_line), "a.k:13: element 7 is given twice, first in a.k:11");
   EXPECT_EQ(error_of(nodes + nodes), "a.k:11: node 11 is given twice, first in a.k:2");
   EXPECT_EQ(error_of(nodes + "*NODE\n$\n19,0,0,0\n\n12,0,0,0\n"), "a.k:14: node 12 is given twice, first in a.k:3");
   EXPECT_EQ(error_of(nodes + "*PART\na\n1\n\n\nb\n1\n"), "a.k:16: part 1 is given twice, first in a.k:12");
   EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID_ORTHO\n"), "a.k:10: *ELEMENT_SOLID_ORTHO is not read");
-  EXPECT_EQ(
-      error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,12\n"),
-      "a.k:12: *ELEMENT_SOLID: 1 tetrahedron is not read, the first is element 7: mesh these parts with hexahedra, "
-      "wedges or pyramids");
+  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,12\n"),
+            "a.k:12: *ELEMENT_SOLID: element 7 has ten nodes: expected eight, or four of a tetrahedron");
 }
 
 std::vector<std::int32_t> members(const MeshFile& file, const std::string& set) {

@@ -5,6 +5,8 @@
 
 #include <solver/formats/deck_reader.hpp>
 #include <solver/formats/mesh_reader.hpp>
+#include <solver/mesh/quality.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 #include "radioss_case.hpp"
 
@@ -81,9 +83,19 @@ TEST_F(RadiossTest, WrongValuesHaveTheirPlace) {
   EXPECT_THAT(error(cube_with("/RANDOM\n" + twenty({0.1}))), HasSubstr("/RANDOM with Xalea"));
 }
 
-TEST_F(RadiossTest, TetrahedraAreRefused) {
-  EXPECT_THAT(error(cube_with("/BRICK/1\n" + ten({"11", "1", "2", "3", "3", "5", "5", "5", "5"}))),
-              HasSubstr("/BRICK: 1 tetrahedron is not read"));
+TEST_F(RadiossTest, TetrahedraAreBricksOfFourNodesOrSolidsOfTheirOwn) {
+  std::ofstream(path_) << "#RADIOSS STARTER\n"
+                       << cube_with("/BRICK/1\n" + ten({"11", "1", "2", "4", "4", "5", "5", "5", "5"}) + "/TETRA4/1\n" +
+                                    ten({"12", "2", "3", "4", "7"}))
+                       << "/END\n";
+  const MeshFile file = read_mesh_file({.format = MeshFormat::radioss, .file = path_, .part = ""}, {});
+  ASSERT_EQ(file.mesh.hexahedra.size(), 3u);
+  EXPECT_EQ(file.mesh.hexahedra[1], tetrahedron(0, 1, 3, 4));
+  EXPECT_EQ(file.mesh.hexahedra[2], tetrahedron(1, 2, 3, 6));
+  EXPECT_DOUBLE_EQ(measure_quality(file.mesh).volume, 1 + 2.0 / 6);
+  EXPECT_THAT(error(cube_with("/BRICK/1\n" + ten({"11", "1", "2", "3", "4", "1", "2", "3", "4"}))),
+              HasSubstr("/BRICK: solid 11 has four nodes or less, and fills no tetrahedron"));
+  EXPECT_THAT(error(cube_with("/TETRA4/1\n" + ten({"10", "2", "3", "4", "7"}))), HasSubstr("solid 10 is given twice"));
 }
 
 TEST_F(RadiossTest, OtherUnitsAreRefused) {

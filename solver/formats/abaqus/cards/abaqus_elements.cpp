@@ -78,6 +78,8 @@ Controls controls_of(AbaqusData& data, const NamedControls& named, const AbaqusB
   }
   if (types.contains("C3D6") || types.contains("C3D6R"))
     data.report.understood(fmt::format("{}: wedges as collapsed hexahedra", body.part));
+  if (types.contains("C3D4") || types.contains("C3D4H"))
+    data.report.understood(fmt::format("{}: tetrahedra with volumes averaged over nodes", body.part));
   return controls;
 }
 

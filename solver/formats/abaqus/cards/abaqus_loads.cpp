@@ -60,7 +60,7 @@ void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataL
   for (const std::int32_t e : data.elements(DataFields(card).text(0), card.place)) {
     const auto& hexahedron = data.mesh.file.mesh.hexahedra[e];
     const int face = abaqus_face(hexahedron, number);
-    if (face < 0) fail_at(card.place, fmt::format("*DLOAD: a wedge has no face P{}", number));
+    if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
     faces.emplace_back();
     for (const std::int32_t node : corners_of_face(hexahedron, face))
       faces.back().push_back(data.mesh.file.node_ids[node]);

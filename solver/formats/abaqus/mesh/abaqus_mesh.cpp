@@ -8,14 +8,16 @@
 #include <set>
 
 #include <solver/mesh/number_index.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 #include "abaqus_sets.hpp"
 
 namespace pinball {
 
 int abaqus_corners(const std::string& type) {
-  static const std::map<std::string, int> types{{"C3D8", 8}, {"C3D8R", 8}, {"C3D8I", 8},  {"C3D8H", 8}, {"C3D8S", 8},
-                                                {"C3D6", 6}, {"C3D6R", 6}, {"C3D8RH", 8}, {"C3D8IH", 8}};
+  static const std::map<std::string, int> types{{"C3D8", 8},   {"C3D8R", 8}, {"C3D8I", 8}, {"C3D8H", 8},
+                                                {"C3D8S", 8},  {"C3D6", 6},  {"C3D6R", 6}, {"C3D8RH", 8},
+                                                {"C3D8IH", 8}, {"C3D4", 4},  {"C3D4H", 4}};
   const auto found = types.find(type);
   return found == types.end() ? 0 : found->second;
 }
@@ -141,7 +143,7 @@ class AbaqusMeshReader {
     const std::string type = squeezed(block.require("TYPE"));
     const int corners = abaqus_corners(type);
     if (corners == 0)
-      fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6", type));
+      fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6, C3D4", type));
     const std::size_t first = file_.element_ids.size();
     mesh_.types.push_back({first, type});
     DataLines lines(block);
@@ -172,9 +174,11 @@ class AbaqusMeshReader {
   void add_element(const std::array<std::int64_t, 9>& numbers, std::size_t corners, std::size_t first_node,
                    const DeckPlace& place) {
     static constexpr std::array<std::size_t, 8> of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_wedge{0, 1, 2, 2, 3, 4, 5, 5};
+    static constexpr std::array<std::int32_t, 8> of_tetrahedron = tetrahedron(0, 1, 2, 3);
     std::array<std::int32_t, 8> hexahedron{};
     for (std::size_t i = 0; i < 8; ++i) {
-      const std::int64_t number = numbers[1 + (corners == 8 ? of_hexahedron : of_wedge)[i]];
+      const std::size_t corner = corners == 8 ? of_hexahedron[i] : corners == 6 ? of_wedge[i] : of_tetrahedron[i];
+      const std::int64_t number = numbers[1 + corner];
       const std::int32_t node = nodes_.back().find(number);
       if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
       hexahedron[i] = node + first_node;

@@ -6,6 +6,15 @@
 
 namespace pinball {
 
+namespace {
+
+/// A part of nothing but tetrahedra, with a form of theirs.
+bool is_of_tetrahedra(const DeckPart& part, std::int64_t form) {
+  return part.tetrahedra == part.solids && (form == 10 || form == 13);
+}
+
+}  // namespace
+
 void translate_parts(DeckData& data, const std::string& mesh_file, std::optional<std::int64_t> chosen_case,
                      DeckScene& scene) {
   for (std::size_t p = 0; p < data.parts.size(); ++p) {
@@ -13,7 +22,12 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
     const auto form = data.section_form.find(part.section);
     if (form == data.section_form.end())
       fail_at(part.place, fmt::format("no *SECTION_SOLID has the number {}", part.section));
-    switch (part.is_rigid() ? 1 : form->second) {  // rigid ones have no points of integration
+    if (part.tetrahedra > 0 && !part.is_rigid()) {
+      data.report.understood(fmt::format("part {}: {} tetrahedr{} with volumes averaged over nodes, as ELFORM 13",
+                                         part.id, part.tetrahedra, part.tetrahedra == 1 ? "on" : "a"));
+    }
+    // Rigid ones have no points of integration.
+    switch (part.is_rigid() || is_of_tetrahedra(part, form->second) ? 1 : form->second) {
       case 0:
       case 1:
         break;

@@ -12,6 +12,7 @@
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 #include <solver/formats/lsdyna/mesh/part_inertia.hpp>
 #include <solver/formats/lsdyna/scan/keyword_scanner.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 #include "keyword_rules.hpp"
 
@@ -292,8 +293,11 @@ void DeckData::add_parts(const KeywordBlock& block, const Card& card, std::vecto
 }
 
 void DeckData::name_bodies() {
-  std::vector<std::int64_t> elements(mesh.parts.size(), 0);
-  for (const std::int32_t part : mesh.part) ++elements[part];
+  std::vector<std::int64_t> elements(mesh.parts.size(), 0), tetrahedra(elements);
+  for (std::size_t e = 0; e < mesh.part.size(); ++e) {
+    ++elements[mesh.part[e]];
+    if (is_tetrahedron(mesh.mesh.hexahedra[e])) ++tetrahedra[mesh.part[e]];
+  }
   used.assign(mesh.mesh.nodes.size(), false);
   for (const auto& hexahedron : mesh.mesh.hexahedra) {
     for (const std::int32_t node : hexahedron) used[node] = true;
@@ -307,6 +311,7 @@ void DeckData::name_bodies() {
                                    place_of_element(mesh, first), mesh.element_ids[first], mesh.parts[p].id));
     }
     found->second.solids = elements[p];
+    found->second.tetrahedra = tetrahedra[p];
     parts.push_back(found->second);
     materials_.insert(found->second.material);
   }

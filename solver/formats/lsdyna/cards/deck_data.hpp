@@ -30,7 +30,7 @@ struct DeckPart {
   std::int64_t state_equation;  ///< EOSID; 0: none
   std::string body;             ///< name of the body that it becomes
   DeckPlace place;
-  std::int64_t solids = 0;
+  std::int64_t solids = 0, tetrahedra = 0;  ///< how many; the latter are some of the former
   std::int64_t lead = 0;  ///< of a rigid one: the part that it is merged into, or itself; 0: it deforms
 
   bool is_rigid() const { return lead != 0; }

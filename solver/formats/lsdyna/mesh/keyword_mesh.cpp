@@ -10,6 +10,7 @@
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
 #include <solver/mesh/number_index.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 #include "keyword_segments.hpp"
 #include "keyword_sets.hpp"
@@ -37,7 +38,6 @@ class KeywordMeshReader {
     for (const KeywordBlock& block : deck_.blocks) {
       if (block.name == "ELEMENT_SOLID") read_solids(block);
     }
-    require_no_tetrahedra();
     check_element_numbers();
     if (!file_.held.empty()) file_.held.resize(file_.node_ids.size(), 0);
     KeywordSets(deck_, file_, nodes_).read();
@@ -142,32 +142,22 @@ class KeywordMeshReader {
   void add_solid(const Fields& fields, std::size_t first, std::int64_t to_node, bool mirrored) {
     std::array<std::int32_t, 8> corners{};
     for (std::size_t i = 0; i < 8; ++i) {
-      const std::int64_t id = fields.integer(first + i);
-      if (id == 0) return add_tetrahedron(fields);
+      std::int64_t id = fields.integer(first + i);
+      if (id == 0 && i >= 4) id = fields.integer(first + 3);  // of a tetrahedron the last node again
       corners[i] = nodes_.find(id + to_node);
       if (corners[i] < 0) fail_element(fields, fmt::format("has node {}, which is not there", id + to_node));
     }
     for (std::size_t i = 8; first == 0 && i < 10; ++i) {
-      if (fields.integer(i) != 0) return add_tetrahedron(fields);
+      if (fields.integer(i) != 0) fail_element(fields, "has ten nodes: expected eight, or four of a tetrahedron");
     }
-    if (different(corners) <= 4) return add_tetrahedron(fields);
     if (mirrored) std::swap_ranges(corners.begin(), corners.begin() + 4, corners.begin() + 4);
+    if (different(corners) <= 4) {
+      const auto found = as_tetrahedron(corners);
+      if (!found)
+        fail_element(fields, "has four nodes or less, and fills no tetrahedron: expected n1 n2 n3 n4 n4 n4 n4 n4");
+      corners = *found;
+    }
     file_.mesh.hexahedra.push_back(corners);
-  }
-
-  /// All of them are counted before they are refused.
-  void add_tetrahedron(const Fields& fields) {
-    if (tetrahedra_++ == 0) first_tetrahedron_ = {fields.place(), file_.element_ids.back()};
-    file_.mesh.hexahedra.push_back({});
-  }
-
-  void require_no_tetrahedra() const {
-    if (tetrahedra_ == 0) return;
-    const auto& [place, number] = first_tetrahedron_;
-    fail_at(place,
-            fmt::format("*ELEMENT_SOLID: {} tetrahedr{} not read, the first is element {}: mesh these parts with "
-                        "hexahedra, wedges or pyramids",
-                        tetrahedra_, tetrahedra_ == 1 ? "on is" : "a are", number));
   }
 
   static std::size_t different(std::array<std::int32_t, 8> corners) {
@@ -211,8 +201,6 @@ class KeywordMeshReader {
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
   GivenOnce given_;
-  std::size_t tetrahedra_ = 0;
-  std::pair<DeckPlace, std::int64_t> first_tetrahedron_;
   std::vector<Run> node_blocks_;
 };
 

@@ -5,9 +5,9 @@
 
 namespace pinball {
 
-/// The mesh of a keyword deck: NODE, ELEMENT_SOLID (both layouts; wedges and pyramids as collapsed hexahedra), PART,
-/// and the sets of nodes, solids and segments. Keywords that say nothing of a mesh are passed over. Throws InputError
-/// "FILE:LINE: ..." for a number that is given twice, a node that is not there, a tetrahedron.
+/// The mesh of a keyword deck: NODE, ELEMENT_SOLID (both layouts; wedges, pyramids and tetrahedra as collapsed
+/// hexahedra), PART, and the sets of nodes, solids and segments. Keywords that say nothing of a mesh are passed over.
+/// Throws InputError "FILE:LINE: ..." for a number that is given twice, a node that is not there, solids of ten nodes.
 MeshFile keyword_mesh(const KeywordDeck& deck);
 
 }  // namespace pinball

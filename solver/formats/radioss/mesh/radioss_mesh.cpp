@@ -9,6 +9,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/mesh/number_index.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 #include "radioss_groups.hpp"
 #include "radioss_members.hpp"
@@ -19,10 +20,14 @@ namespace {
 
 /// What would make another mesh, if it were passed over.
 bool makes_mesh(const std::string& name) {
-  static const std::set<std::string> names{"TETRA4",   "TETRA10",    "PENTA6",      "BRIC20",    "CNODE",
+  static const std::set<std::string> names{"TETRA10",  "PENTA6",     "BRIC20",      "CNODE",
                                            "SUBMODEL", "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
   return names.contains(name) || name.starts_with("TRANSFORM/") || name.starts_with("PARAMETER/");
 }
+
+bool is_of_solids(const RadiossBlock& block) { return block.name == "BRICK" || block.name == "TETRA4"; }
+
+bool is_of_nodes(const RadiossBlock& block) { return block.name == "NODE"; }
 
 class RadiossMeshReader {
  public:
@@ -37,13 +42,12 @@ class RadiossMeshReader {
       if (block.name == "NODE") read_nodes(block);
     }
     nodes_ = NumberIndex(file_.node_ids);
-    if (nodes_.repeated() >= 0) fail_twice("NODE", "node", file_.node_ids[nodes_.repeated()]);
+    if (nodes_.repeated() >= 0) fail_twice(is_of_nodes, radioss::node, "node", file_.node_ids[nodes_.repeated()]);
     for (const RadiossBlock& block : deck_.blocks) {
-      if (block.name == "BRICK") read_bricks(block);
+      if (is_of_solids(block)) read_solids(block);
     }
-    require_no_tetrahedra();
     if (const std::int32_t twice = NumberIndex(file_.element_ids).repeated(); twice >= 0)
-      fail_twice("BRICK", "solid", file_.element_ids[twice]);
+      fail_twice(is_of_solids, radioss::brick, "solid", file_.element_ids[twice]);
     RadiossGroups(deck_, parts_, file_, nodes_).read();
     return std::move(file_);
   }
@@ -65,7 +69,8 @@ class RadiossMeshReader {
     }
   }
 
-  void read_bricks(const RadiossBlock& block) {
+  void read_solids(const RadiossBlock& block) {
+    const bool bricks = block.name == "BRICK";
     const std::int32_t part = add_part(block.id(), "");
     RadiossLines lines(block);
     std::string path = *block.place.file;
@@ -75,48 +80,53 @@ class RadiossMeshReader {
         path = *line->place.file;
         file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), path});
       }
-      const RadiossFields f(*line, block, radioss::brick);
+      const RadiossFields f(*line, block, bricks ? radioss::brick : radioss::tetra4);
       file_.element_ids.push_back(f.integer(0));
       file_.part.push_back(part);
       file_.line.push_back(line->place.line);
-      add_brick(f);
+      if (bricks) {
+        add_brick(f);
+      } else {
+        file_.mesh.hexahedra.push_back(tetrahedron(node_of(f, 1), node_of(f, 2), node_of(f, 3), node_of(f, 4)));
+      }
     }
   }
 
-  /// Wedges and pyramids are collapsed hexahedra.
+  std::int32_t node_of(const RadiossFields& f, std::size_t field) const {
+    const std::int64_t id = f.integer(field);
+    const std::int32_t node = nodes_.find(id);
+    if (node < 0)
+      fail_at(f.place(), fmt::format("solid {} has node {}, which is not there", file_.element_ids.back(), id));
+    return node;
+  }
+
+  /// Wedges, pyramids and tetrahedra are collapsed hexahedra.
   void add_brick(const RadiossFields& f) {
     std::array<std::int32_t, 8> corners{};
-    for (std::size_t i = 0; i < 8; ++i) {
-      const std::int64_t id = f.integer(1 + i);
-      corners[i] = nodes_.find(id);
-      if (corners[i] < 0)
-        fail_at(f.place(),
-                fmt::format("/BRICK: solid {} has node {}, which is not there", file_.element_ids.back(), id));
-    }
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = node_of(f, 1 + i);
     std::array<std::int32_t, 8> sorted = corners;
     std::sort(sorted.begin(), sorted.end());
     if (std::unique(sorted.begin(), sorted.end()) - sorted.begin() <= 4) {
-      if (tetrahedra_++ == 0) first_tetrahedron_ = f.place();
+      const auto found = as_tetrahedron(corners);
+      if (!found)
+        fail_at(f.place(), fmt::format("/BRICK: solid {} has four nodes or less, and fills no tetrahedron: expected "
+                                       "n1 n2 n3 n3 n4 n4 n4 n4",
+                                       file_.element_ids.back()));
+      corners = *found;
     }
     file_.mesh.hexahedra.push_back(corners);
   }
 
-  void require_no_tetrahedra() const {
-    if (tetrahedra_ == 0) return;
-    fail_at(*first_tetrahedron_,
-            fmt::format("/BRICK: {} tetrahedr{} not read, this is the first: mesh these parts with hexahedra, wedges "
-                        "or pyramids",
-                        tetrahedra_, tetrahedra_ == 1 ? "on is" : "a are"));
-  }
-
   /// The line of the second one is looked for only now.
-  [[noreturn]] void fail_twice(const char* keyword, const char* what, std::int64_t number) const {
+  template <class Layout>
+  [[noreturn]] void fail_twice(bool (*is_of)(const RadiossBlock&), const Layout& layout, const char* what,
+                               std::int64_t number) const {
     std::optional<DeckPlace> first;
     for (const RadiossBlock& block : deck_.blocks) {
-      if (block.name != keyword) continue;
+      if (!is_of(block)) continue;
       RadiossLines lines(block);
       while (const auto line = lines.next_filled()) {
-        if (RadiossFields(*line, block, radioss::brick).integer(0) != number) continue;
+        if (RadiossFields(*line, block, layout).integer(0) != number) continue;
         if (first) fail_at(line->place, fmt::format("{} {} is given twice, first in {}", what, number, first->text()));
         first = line->place;
       }
@@ -129,8 +139,6 @@ class RadiossMeshReader {
   MeshFile file_;
   NumberIndex nodes_;
   std::map<std::int64_t, std::int32_t> part_places_;
-  std::size_t tetrahedra_ = 0;
-  std::optional<DeckPlace> first_tetrahedron_;
 };
 
 }  // namespace

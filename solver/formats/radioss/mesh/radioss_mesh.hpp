@@ -6,7 +6,7 @@
 namespace pinball {
 
 /// The mesh of Radioss input: /NODE, /BRICK, /PART, groups and surfaces. Parts are found by their numbers. Throws
-/// InputError "FILE:LINE: ..." for what is wrong, for tetrahedra, and for other solids.
+/// InputError "FILE:LINE: ..." for what is wrong, for other solids.
 MeshFile radioss_mesh(const RadiossDeck& deck);
 
 }  // namespace pinball
