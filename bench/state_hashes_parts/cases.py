@@ -11,7 +11,8 @@ SCENES = "data/scenes"  # below ROOT
 # rod_oblique, the spheres touch by step 300.
 STEPS = {"block": 8, "cantilever": 1000, "refined_layer": 256, "rod_oblique": 240, "rod_plate": 240, "sliding_block": 400,
          "sphere_floor": 480, "sphere_sphere": 320, "sphere_wall": 1000, "sphere_wall_full": 120, "spinning_block": 2000,
-         "taylor_bar": 240, "taylor_johnson_cook": 240, "taylor_plate": 240}
+         "taylor_bar": 240, "taylor_johnson_cook": 240, "taylor_plate": 240,
+         "taylor_tetrahedra": 240}
 CONTACT_SCENES = ("contact_patch", "newtons_cradle", "rod_oblique", "rod_plate", "sliding_block", "sphere_floor", "sphere_sphere",
                   "taylor_plate", "two_bars", "two_blocks")
 ERODING = ("rod_oblique", "rod_plate")

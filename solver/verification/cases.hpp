@@ -28,6 +28,7 @@ std::vector<VerificationRow> verify_sphere_wall_full(const Scene& scene);
 std::vector<VerificationRow> verify_spinning_block(const Scene& scene);
 std::vector<VerificationRow> verify_taylor_bar(const Scene& scene);
 std::vector<VerificationRow> verify_taylor_johnson_cook(const Scene& scene);
+std::vector<VerificationRow> verify_taylor_tetrahedra(const Scene& scene);
 std::vector<VerificationRow> verify_taylor_plate(const Scene& scene);
 std::vector<VerificationRow> verify_two_bars(const Scene& scene);
 std::vector<VerificationRow> verify_two_blocks(const Scene& scene);

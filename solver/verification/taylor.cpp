@@ -156,4 +156,26 @@ std::vector<VerificationRow> verify_taylor_johnson_cook(const Scene& scene) {
   return rows;
 }
 
+std::vector<VerificationRow> verify_taylor_tetrahedra(const Scene& scene) {
+  const CylinderMesh& mesh = std::get<CylinderMesh>(scene.bodies[0].mesh);
+  std::vector<VerificationRow> rows;
+  Solver<double> solver(scene);
+  const BarHistory bar = run_bar(solver, mesh.radius, mesh.length);
+  Scene of_hexahedra = scene;
+  of_hexahedra.bodies[0].elements = ElementShape::hexahedra;
+  Solver<double> hexahedra(of_hexahedra);
+  const BarHistory other = run_bar(hexahedra, mesh.radius, mesh.length);
+  RunSummary summary;
+  fill_summary(solver, summary);
+  const std::string converged = "converged results of several programs (7.22 +- 0.02, 21.42 +- 0.02)";
+  const std::string same_nodes = "hexahedra of the same nodes";
+  rows.push_back(compare("radius of the foot after 80 us [mm]", bar.radius.back(), 7.22, 2e-2, converged));
+  rows.push_back(compare("length after 80 us [mm]", bar.length.back(), 21.42, 5e-3, converged));
+  rows.push_back(compare("radius of the foot, again", bar.radius.back(), other.radius.back(), 1e-2, same_nodes));
+  rows.push_back(compare("length, again", bar.length.back(), other.length.back(), 3e-3, same_nodes));
+  rows.push_back(
+      compare_with_zero("largest error of the energy balance", summary.balance_error_max, 1e-3, "conservation"));
+  return rows;
+}
+
 }  // namespace pinball

@@ -36,6 +36,7 @@ const std::vector<VerificationCase>& verification_cases() {
       {"two_blocks", verify_two_blocks},
       {"taylor_bar", verify_taylor_bar},
       {"taylor_johnson_cook", verify_taylor_johnson_cook},
+      {"taylor_tetrahedra", verify_taylor_tetrahedra},
       {"taylor_plate", verify_taylor_plate},
       {"two_bars", verify_two_bars},
       {"sphere_wall", verify_sphere_wall},
