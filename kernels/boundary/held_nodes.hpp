@@ -14,13 +14,14 @@ struct NodeConstraint {
   std::int32_t table;  ///< number of the [[constraint]] that takes it first: those of planes, then the fixed ones
 };
 
-/// One direction of one node, along which its velocity is given.
+/// One direction of one node, along which its velocity is given, or how much that changes.
 template <class S>
 struct NodePrescription {
   std::int32_t node;
   S normal[3];
-  S speed;             ///< along the normal, where the factor is 1 [length/time]
-  std::int32_t table;  ///< number of the [[prescribed_velocity]], whose times and factors it follows
+  S speed;                   ///< along the normal, where the factor is 1 [length/time]
+  std::int32_t table;        ///< number of the [[prescribed_velocity]], whose times and factors it follows
+  bool accelerates = false;  ///< from the velocity that the node has: speed is that of an acceleration
 };
 
 /// The nodes that take part in a step.
@@ -98,7 +99,8 @@ struct EnergyAlong {
 ///
 ///     R = (wanted - v.n) / ((dt_(n-1/2) + dt_(n+1/2))/2 / m) - f.n ,    f <- f + R n .
 ///
-/// velocity_step: (dt_(n-1/2) + dt_(n+1/2))/2 [time]. Returns R, zero where nothing can move the node [force].
+/// wanted: of one that accelerates its node the change wanted - v.n. velocity_step: (dt_(n-1/2) + dt_(n+1/2))/2 [time].
+/// Returns R, zero where nothing can move the node [force].
 template <class S>
 PINBALL_FUNCTION S move_node(const NodeArrays<S>& nodes, const NodePrescription<S>& p, S wanted, S velocity_step) {
   const S* v = nodes.velocity + 4 * std::int64_t(p.node);
@@ -110,7 +112,7 @@ PINBALL_FUNCTION S move_node(const NodeArrays<S>& nodes, const NodePrescription<
   }
   const S mobility = velocity_step * nodes.inverse_mass[p.node];
   if (!(mobility > S(0))) return S(0);
-  const S reaction = (wanted - velocity) / mobility - force;
+  const S reaction = (p.accelerates ? wanted : wanted - velocity) / mobility - force;
   for (int k = 0; k < 3; ++k) f[k] += reaction * p.normal[k];
   return reaction;
 }
@@ -122,7 +124,7 @@ struct MoveNodes {
   NodeArrays<S> nodes;
   const NodePrescription<S>* prescribed;
   const std::int32_t* first;  ///< per moved node and one more: its prescriptions
-  const double* factor;       ///< per table: means over the coming step [-]
+  const double* factor;       ///< per table: means over the coming step, or how much these change [-]
   S velocity_step;            ///< [time]
   S* reaction;                ///< per prescription [force]
 

@@ -38,6 +38,8 @@ double starting_factor(const PrescribedVelocity& given) {
   return given.quantity == MotionQuantity::displacement ? 0.0 : mean_factor(given, 0, {});
 }
 
+bool accelerates(const PrescribedVelocity& given) { return given.quantity == MotionQuantity::acceleration; }
+
 }  // namespace
 
 double mean_factor(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step) {
@@ -48,19 +50,26 @@ double mean_factor(const TimeTable& table, MotionQuantity quantity, double time,
   return step.before > 0 ? (table.value(time) - table.value(time - step.before)) / step.before : 0.0;
 }
 
+double factor_change(const TimeTable& table, double time, const StepLengths& step) {
+  const double now = mean_factor(table, MotionQuantity::acceleration, time, step);
+  if (!(step.before > 0)) return now - table.integral(time);
+  return now - mean_factor(table, MotionQuantity::acceleration, time - step.before, {0, step.before});
+}
+
 template <class S>
 PrescribedMotions::PrescribedMotions(const Model<S>& model) : given_(model.scene.prescribed_velocities) {
   const auto take = [this](double change) { jump_at_start_ = std::max(jump_at_start_, std::abs(change)); };
   for (const NodeConstraint<S>& held : model.constraints) take(along(model, held.node, held.normal));
   for (const NodePrescription<S>& moved : model.prescribed) {
     const PrescribedVelocity& given = given_[moved.table];
-    take(moved.speed * starting_factor(given) - along(model, moved.node, moved.normal));
+    if (!accelerates(given)) take(moved.speed * starting_factor(given) - along(model, moved.node, moved.normal));
   }
 }
 
 std::vector<double> PrescribedMotions::factors(double time, const StepLengths& step) const {
   std::vector<double> found;
-  for (const PrescribedVelocity& given : given_) found.push_back(mean_factor(given, time, step));
+  for (const PrescribedVelocity& given : given_)
+    found.push_back(accelerates(given) ? factor_change(given.table, time, step) : mean_factor(given, time, step));
   return found;
 }
 
@@ -69,7 +78,8 @@ double PrescribedMotions::jump(double from, double to) const {
   for (const PrescribedVelocity& given : given_) {
     if (!given.when.contains(to)) continue;
     const StepLengths step{to - from, to - from};
-    const double before = given.when.contains(from) ? mean_factor(given, from, step) : 0.0;
+    const bool goes_on = accelerates(given) || given.when.contains(from);
+    const double before = goes_on ? mean_factor(given, from, step) : 0.0;
     largest = std::max(largest, norm(given.velocity) * std::abs(mean_factor(given, to, step) - before));
   }
   return largest;

@@ -12,13 +12,17 @@ namespace pinball {
 /// then [-].
 double mean_factor(const TimeTable& table, MotionQuantity quantity, double time, const StepLengths& step);
 
+/// Of an acceleration that is given over time: how much mean_factor changes from the step before to the coming one. It
+/// is added to the velocity that is there, whatever that is and whenever the motion begins [-].
+double factor_change(const TimeTable& table, double time, const StepLengths& step);
+
 /// The velocities that [[prescribed_velocity]] gives to nodes over time, and how far they leap.
 class PrescribedMotions {
  public:
   template <class S>
   explicit PrescribedMotions(const Model<S>& model);
 
-  /// Of each the factor of its velocity (mean_factor).
+  /// Of each the factor of its velocity (mean_factor), of an acceleration that of the change of it (factor_change).
   std::vector<double> factors(double time, const StepLengths& step) const;
   /// Largest change that nodes which are moved, or held, undergo as the run begins [length/time].
   double jump_at_start() const { return jump_at_start_; }

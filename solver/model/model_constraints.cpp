@@ -41,7 +41,9 @@ void set_constraints(Model<S>& model, double time) {
     if (given.held) {
       model.constraints.push_back({given.node, {x, y, z}, given.table});
     } else {
-      model.prescribed.push_back({given.node, {x, y, z}, static_cast<S>(of_node.all().back().speed), given.table});
+      const bool accelerates = model.scene.prescribed_velocities[given.table].quantity == MotionQuantity::acceleration;
+      model.prescribed.push_back(
+          {given.node, {x, y, z}, static_cast<S>(of_node.all().back().speed), given.table, accelerates});
     }
   }
 }

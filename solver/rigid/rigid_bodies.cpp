@@ -74,12 +74,14 @@ void RigidBodies<S>::set_speeds(Body& body, double time, const StepLengths& step
   std::size_t along = body.held.along.size(), about = body.held.about.size();
   for (const std::size_t m : body.given_by) {
     const RigidMotion& motion = motions_[m];
-    const double factor = mean_factor(motion.table, motion.quantity, time, step);
-    if (motion.axis) {
-      body.given.angular_speeds[about++] = factor * motion.angular_speed;
-    } else {
-      body.given.speeds[along++] = factor * motion.speed;
-    }
+    const bool accelerates = motion.quantity == MotionQuantity::acceleration;
+    const double factor =
+        accelerates ? factor_change(motion.table, time, step) : mean_factor(motion.table, motion.quantity, time, step);
+    double& speed = motion.axis ? body.given.angular_speeds[about++] : body.given.speeds[along++];
+    speed = factor * (motion.axis ? motion.angular_speed : motion.speed);
+    if (accelerates)
+      speed += motion.axis ? dot(body.motion.angular_velocity(), *motion.axis)
+                           : dot(body.motion.state().velocity, *motion.direction);
   }
 }
 

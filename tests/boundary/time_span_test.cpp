@@ -82,6 +82,29 @@ TEST(PrescribedDisplacement, HasItsVelocityFromTheFirstStepOn) {
   EXPECT_NEAR(solver.energies().external, 0.5 * mass * 49, 1e-9 * mass * 49);
 }
 
+/// It is added to the velocity that is there: that of the start, whenever the acceleration begins and ends.
+TEST(PrescribedAcceleration, ChangesTheVelocityThatNodesHave) {
+  for (const TimeSpan when : {TimeSpan{}, TimeSpan{1e-4, 2e-4}}) {
+    Scene scene = flying_block();
+    scene.bodies[0].velocity = {3, 0, 5};
+    PrescribedVelocity push;
+    push.nodes.body = "a";
+    push.direction = Point{1, 0, 0};
+    push.velocity = {2e4, 0, 0};
+    push.quantity = MotionQuantity::acceleration;
+    push.when = when;
+    scene.prescribed_velocities = {push};
+    Solver<double> solver(scene);
+    run(solver);
+    const double span = when.always() ? 3e-4 : 1e-4, wanted = 3 + 2e4 * span;
+    const double within = when.always() ? 1e-12 : 0.7;  // of two steps: none ends when it begins or ends
+    for (std::size_t n = 0; n < solver.mesh().nodes.size(); ++n) {
+      EXPECT_NEAR(velocity_of(solver, n)[0], wanted, within) << n;
+      EXPECT_EQ(velocity_of(solver, n)[2], 5) << n;
+    }
+  }
+}
+
 TEST(InitialVelocity, SpinsAboutAnAxisAndSetsSomeComponents) {
   Scene scene = flying_block();
   InitialVelocity spin, part;

@@ -73,6 +73,28 @@ TEST(RigidBodies, WithAGivenCentreMoveAsThoseWhoseMassIsThere) {
   EXPECT_LT(other.ledger().balance_error_in_motion_max(), 1e-11);
 }
 
+/// Accelerations are added to what the body has at the start.
+TEST(RigidMotion, OfAnAccelerationChangesTheVelocityThatIsThere) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 0.1, {0, 0, 0})}, 0.1, false);
+  RigidBody body = rigid("a");
+  body.velocity = Point{3, 0, 2};
+  body.angular_velocity = Point{0, 0, 4};
+  scene.rigid_bodies = {body};
+  RigidMotion along, about;
+  along.rigid_body = about.rigid_body = "a";
+  along.direction = Point{1, 0, 0};
+  along.speed = 10;
+  about.axis = Point{0, 0, 1};
+  about.angular_speed = 6;
+  along.quantity = about.quantity = MotionQuantity::acceleration;
+  scene.rigid_motions = {along, about};
+  Solver<double> solver(scene);
+  run(solver);
+  const RigidBodyResult moved = solver.rigid().results()[0];
+  expect_near(moved.velocity, {3 + 10 * 0.1, 0, 2}, 1e-10, "velocity");  // thousands of steps round
+  expect_near(moved.angular_velocity, {0, 0, 4 + 6 * 0.1}, 1e-10, "angular velocity");
+}
+
 /// Struck beside its centre by another one: both lose and gain the same momenta.
 TEST(RigidBodies, WithAGivenCentreAreStruckAsThoseWhoseMassIsThere) {
   Scene masses = uneven(0.05);

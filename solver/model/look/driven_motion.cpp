@@ -11,7 +11,8 @@ namespace pinball {
 
 namespace {
 
-/// Of a prescribed motion, as a multiple of what stands beside its table.
+/// Of a prescribed motion, as a multiple of what stands beside its table; of an acceleration beside the motion that is
+/// there when it begins.
 template <class Motion>
 double displacement(const Motion& given, double time) {
   const double from = std::max(0.0, given.when.start), to = std::min(time, given.when.end);
@@ -24,7 +25,9 @@ double displacement(const Motion& given, double time) {
     case MotionQuantity::acceleration:
       break;
   }
-  return given.table.second_integral(to) - given.table.second_integral(from);
+  const double speed_before = given.table.integral(from);
+  return given.table.second_integral(to) - given.table.second_integral(from) - (to - from) * speed_before +
+         (time - to) * (given.table.integral(to) - speed_before);
 }
 
 Point times(double factor, const Point& vector) { return {factor * vector[0], factor * vector[1], factor * vector[2]}; }
@@ -112,11 +115,12 @@ class DrivenMotions {
       if (count[g] == 0) continue;
       DrivenMotion& own = all_[g];
       own.in_part = own.in_part || count[g] < nodes_[g];
-      own.wholly = own.wholly || (count[g] == nodes_[g] && !given.direction);
+      const bool adds = given.quantity == MotionQuantity::acceleration;
+      own.wholly = own.wholly || (count[g] == nodes_[g] && !given.direction && !adds);
       double before = 0;
       for (std::size_t j = 0; j < times_.size(); ++j) {
         const double now = displacement(given, times_[j]);
-        own.moved[j].take(times(now, given.velocity));
+        take(own, j, times(now, given.velocity), adds);
         if (j > 0) own.speed = std::max(own.speed, speed(now - before, j, given.velocity));
         before = now;
       }
@@ -134,10 +138,18 @@ class DrivenMotions {
         own.turned = std::max(own.turned, std::abs(now * given.angular_speed));
       } else {
         const Point way = times(given.speed, *given.direction);
-        own.moved[j].take(times(now, way));
+        take(own, j, times(now, way), given.quantity == MotionQuantity::acceleration);
         if (j > 0) own.speed = std::max(own.speed, speed(now - before, j, way));
       }
       before = now;
+    }
+  }
+  /// adds: to the motion that is there.
+  static void take(DrivenMotion& own, std::size_t j, const Point& way, bool adds) {
+    if (adds) {
+      own.pushed[j] = own.pushed[j] + Extent{way, way};
+    } else {
+      own.moved[j].take(way);
     }
   }
   double speed(double change, std::size_t j, const Point& vector) const {
