@@ -115,5 +115,33 @@ TEST_F(AbaqusSteps, MayNotChangeWhatHasNoBeginning) {
               HasSubstr("deck.inp:23: expected *STEP with *DYNAMIC, EXPLICIT"));
 }
 
+/// What acts in a step is refused elsewhere: it would act in all of them, or hide what a step says.
+TEST_F(AbaqusSteps, HaveTheirKeywordsInThem) {
+  for (const std::string keywords : {"*CLOAD\ntop, 1, 1.\n", "*DLOAD\n, GRAV, 9., 0., 0., -1.\n",
+                                     "*FIXED MASS SCALING, FACTOR=4.\n", "*BULK VISCOSITY\n0.1, 1.\n"}) {
+    const std::string name = keywords.substr(0, keywords.find_first_of(",\n"));
+    EXPECT_EQ(error(abaqus_cube + abaqus_steel + abaqus_step(keywords)), no_error) << keywords;
+    for (const std::string& deck : {keywords + abaqus_step(), abaqus_step() + keywords}) {
+      EXPECT_THAT(error(abaqus_cube + abaqus_steel + deck), HasSubstr(name + " outside of a step (deck.inp:"));
+    }
+  }
+  const std::string held = "*BOUNDARY\nbase, 1, 3\n";
+  EXPECT_EQ(error(abaqus_cube + abaqus_steel + held + abaqus_step()), no_error);
+  EXPECT_THAT(error(abaqus_cube + abaqus_steel + abaqus_step() + held), HasSubstr("*BOUNDARY behind *END STEP ("));
+}
+
+/// Of a node the last line counts, also where a set stands in several of them; nothing is left to report.
+TEST_F(AbaqusSteps, BeginWithTheLastVelocityThatIsGiven) {
+  const std::string head = abaqus_cube + abaqus_steel + "*NSET, NSET=all\n1, 2, 3, 4, 5, 6, 7, 8\n",
+                    lines = "*INITIAL CONDITIONS, TYPE=VELOCITY\nall, 1, 5.\ntop, 1, 7.\nall, 1, 9.\ntop, 2, 3.\n";
+  const Model<double> model = build_model<double>(scene(head + lines + abaqus_step()));
+  for (std::size_t n = 0; n < 8; ++n) {
+    EXPECT_EQ(model.nodes.velocity[4 * n], 9) << n;
+    EXPECT_EQ(model.nodes.velocity[4 * n + 1], n < 4 ? 0 : 3) << n;
+  }
+  for (const std::string& line : translate(head + lines + abaqus_step()).understood)
+    EXPECT_EQ(line.find("not used: *INITIAL"), std::string::npos) << line;
+}
+
 }  // namespace
 }  // namespace pinball::test::abaqus_steps_test

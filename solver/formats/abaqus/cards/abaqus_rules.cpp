@@ -176,8 +176,16 @@ bool may_come_later(const std::string& name) {
   return names.contains(name);
 }
 
+/// What acts in a step, and cannot stand before the first one or behind *END STEP.
+bool is_of_step(const std::string& name) {
+  static const std::set<std::string> names{
+      "CLOAD", "DLOAD", "DSLOAD", "FIXEDMASSSCALING", "DYNAMIC", "BULKVISCOSITY", "VARIABLEMASSSCALING"};
+  return names.contains(name);
+}
+
 /// What a keyword is refused for besides its parameters.
 std::string rejected_option(const AbaqusBlock& block) {
+  if (block.step == 0 && is_of_step(block.name)) return block.star_name() + " outside of a step";
   if (block.name == "DYNAMIC" && !block.has("EXPLICIT")) return "*DYNAMIC without EXPLICIT";
   if (block.name == "RESTART" && block.has("READ")) return "*RESTART, READ";
   return "";

@@ -52,8 +52,12 @@ std::string rejected_data(const AbaqusBlock& block) {
 
 /// What each keyword is: the deck is refused as a whole, before its mesh is read.
 void sort_keywords(const AbaqusDeck& deck, bool lenient, DeckReport& report) {
+  bool has_steps = false;
   for (const AbaqusBlock& block : deck.blocks) {
+    has_steps |= block.step > 0;
     sort_abaqus_keyword(block, lenient, report);
+    if (has_steps && block.step == 0 && block.name == "BOUNDARY")
+      report.reject(block.place, "*BOUNDARY behind *END STEP", "move it into a step, or before the first one");
     if (const std::string what = rejected_data(block); !what.empty()) report.reject(block.place, what);
   }
 }

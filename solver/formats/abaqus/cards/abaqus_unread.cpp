@@ -13,7 +13,8 @@ namespace {
 /// Names alone, what is read with the files, and what is the only way that there is.
 bool means_nothing(const AbaqusBlock& block, const std::string& parameter) {
   static const std::set<std::string> silent{"NAME", "INTERNAL", "UNSORTED", "INPUT", "CPSET", "EXPLICIT", "NLGEOM"};
-  return silent.contains(parameter) || (block.name == "SURFACE" && parameter == "TYPE");
+  const bool has_one_type = block.name == "SURFACE" || block.name == "INITIALCONDITIONS";
+  return silent.contains(parameter) || (has_one_type && parameter == "TYPE");
 }
 
 void tell_parameters(const AbaqusBlock& block, const ReadingLog& log, DeckReport& report) {

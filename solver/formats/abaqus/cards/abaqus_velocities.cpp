@@ -29,7 +29,7 @@ bool overlap(const std::vector<Moving>& all, std::size_t nodes) {
   return false;
 }
 
-/// Each node by itself: later lines replace the components that they give.
+/// Each node by itself: later lines replace the components that they give. all: a line each, in their order.
 void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const AbaqusBlock& block, DeckScene& scene) {
   std::map<std::int32_t, Point> of_node;
   for (const Moving& one : all) {
@@ -92,7 +92,7 @@ bool has_element_nodes(const AbaqusData& data, const AbaqusNodes& nodes) {
 }  // namespace
 
 void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
-  std::vector<Moving> all;
+  std::vector<Moving> all, of_lines;
   std::map<std::string, std::size_t> known;
   const AbaqusBlock* last = nullptr;
   for (const AbaqusBlock& block : data.deck.blocks) {
@@ -111,12 +111,15 @@ void translate_abaqus_initial_velocities(AbaqusData& data, DeckScene& scene) {
       if (is_new) all.push_back({nodes, card->place, {}, {}});
       all[found->second].velocity[degree - 1] = value;
       all[found->second].given[degree - 1] = true;
+      Moving& line = of_lines.emplace_back(Moving{nodes, card->place, {}, {}});
+      line.velocity[degree - 1] = value;
+      line.given[degree - 1] = true;
     }
   }
   require_references(data, all);
   const bool singles = std::ranges::any_of(all, [](const Moving& one) { return one.nodes.set.empty(); });
   if (singles || overlap(all, data.used.size())) {
-    write_by_node(data, all, *last, scene);
+    write_by_node(data, of_lines, *last, scene);
     return;
   }
   for (const Moving& one : all) {
