@@ -130,5 +130,19 @@ TEST_F(RadiossTest, ARigidBodyOfNodesAloneHasTheirCentre) {
   EXPECT_EQ(build_model<double>(made).rigid.at(0).nodes.size(), 4U);
 }
 
+/// A second one of the same number would add to the first.
+TEST_F(RadiossTest, WhatActsHasItsNumberOnce) {
+  const std::string line = ten({"0", "Z", "0", "0", "0", "-"}), factors = twenty({0, -9.81});
+  const auto gravity = [&](const std::string& number) {
+    return "/GRAV/" + number + "\nweight\n" + line.substr(0, 60) + factors;
+  };
+  EXPECT_EQ(scene(cube_with(gravity("1") + gravity("2"))).gravities.size(), 2u);
+  EXPECT_THAT(error(cube_with(gravity("1") + gravity("1"))),
+              HasSubstr("/GRAV/1 is given twice, first in cube_0000.rad:"));
+  const std::string thrown = "/INIVEL/TRA/3\nflight\n" + twenty({1, 0, 0});
+  EXPECT_EQ(error(cube_with(thrown)), no_error);
+  EXPECT_THAT(error(cube_with(thrown + thrown)), HasSubstr("/INIVEL/3 is given twice"));
+}
+
 }  // namespace
 }  // namespace pinball::test::radioss_deck_test

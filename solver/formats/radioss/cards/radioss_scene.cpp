@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <utility>
 
 #include <solver/base/error.hpp>
@@ -33,11 +34,23 @@ void reject_of_parts(const RadiossData& data) {
   }
 }
 
+/// What acts has a number of its kind, once: of two the second would add to the first.
+void require_one_of_each(const RadiossDeck& deck) {
+  static const std::set<std::string> kinds{"BCS",  "IMPVEL", "IMPDISP", "IMPACC", "INIVEL",
+                                           "GRAV", "CLOAD",  "PLOAD",   "RWALL"};
+  GivenOnce given;
+  for (const RadiossBlock& block : deck.blocks) {
+    const std::string kind = block.name.substr(0, block.name.find('/'));
+    if (kinds.contains(kind) && !block.numbers.empty()) given.add(fmt::format("/{}/{}", kind, block.id()), block.place);
+  }
+}
+
 TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const DeckOptions& options,
                         DeckReport& report) {
   MeshFile mesh = radioss_mesh(deck);
   if (mesh.mesh.hexahedra.empty()) throw InputError(path + ": expected solids (/BRICK), there are none");
   RadiossData data(deck, mesh, report);
+  require_one_of_each(deck);
   reject_of_parts(data);
   find_radioss_rigid_bodies(data);
   DeckScene scene, bodies, boundary;
