@@ -6,6 +6,7 @@
 #include <solver/scene/material/known_solids.hpp>
 #include <solver/scene/units/units.hpp>
 
+#include "displacement_jumps.hpp"
 #include "meetings.hpp"
 #include "opposed_motions.hpp"
 #include "thin_bodies.hpp"
@@ -32,6 +33,7 @@ class LookAt {
     check_speeds();
     check_whether_anything_meets();
     for (std::string& sentence : opposed_motions(scene_, mesh_)) report(std::move(sentence));
+    for (std::string& sentence : displacement_jumps(scene_)) report(std::move(sentence));
     if (meetings_.possible || meets_wall()) report(find_thin_body(scene_, mesh_));
     return std::move(look_);
   }
