@@ -35,6 +35,7 @@ TEST_F(DeckGivenOnce, WhatHasANumber) {
   expect_once("*SET_SEGMENT\n7\n1,2,3,4\n", "set of segments 7");
   expect_once("*DEFINE_TRANSFORMATION\n7\nTRANSL,1,0,0\n", "transformation 7");
   expect_once("*PART\nother\n7,1,1\n", "part 7");
+  expect_once("*RIGIDWALL_PLANAR_ID\n7,floor\n0\n0.,0.,-1.,0.,0.,0.\n", "rigid wall 7");
   EXPECT_THAT(error(cube + elastic + ends + elastic),
               HasSubstr("deck.k:22: material 1 is given twice, first in deck.k:18"));
   EXPECT_THAT(error(cube + "*DEFINE_CURVE\n7\n0.,1.\n*DEFINE_TABLE\n7\n0.,1.\n" + elastic + ends),

@@ -43,6 +43,30 @@ void tell_order_of_velocities(DeckData& data) {
                                        fmt::join(names, ", ")));
 }
 
+namespace {
+
+/// Bodies that are not in the set NSIDEX with all of their nodes.
+std::vector<std::string> bodies_with_nodes_outside(const DeckData& data, const KeywordBlock& block, const Fields& f) {
+  const std::int64_t without = f.integer("NSIDEX");
+  const MeshSet* set =
+      without == 0 ? nullptr : find_set(data.mesh.node_sets, std::to_string(set_number(block, without)));
+  if (set == nullptr) return all_bodies(data);
+  std::vector<bool> outside(data.mesh.parts.size(), false), left_out(data.used.size(), false);
+  for (const std::int32_t node : set->members) left_out[node] = true;
+  for (std::size_t e = 0; e < data.mesh.part.size(); ++e) {
+    for (const std::int32_t node : data.mesh.mesh.hexahedra[e])
+      outside[data.mesh.part[e]] = outside[data.mesh.part[e]] || !left_out[node];
+  }
+  std::vector<std::string> bodies;
+  for (const DeckPart& part : data.parts) {
+    const auto place = std::ranges::find(data.mesh.parts, part.id, &MeshPart::id) - data.mesh.parts.begin();
+    if (outside[place]) bodies.push_back(part.body);
+  }
+  return bodies;
+}
+
+}  // namespace
+
 /// Set, and then velocity; with NSIDEX that of the nodes that are left out, too.
 void translate_initial_velocity(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   Cards cards(block);
@@ -55,7 +79,7 @@ void translate_initial_velocity(DeckData& data, const KeywordBlock& block, DeckS
   };
   const Point velocity = velocity_of(data.fields(card, layout::velocity));
   if (f.integer("NSID") == 0 && f.integer("BOXID") == 0) {
-    for (const std::string& body : all_bodies(data)) {
+    for (const std::string& body : bodies_with_nodes_outside(data, block, f)) {
       const VelocityKeys keys = begin_velocity(block, block.place, velocity, scene);
       keys.set("body", body);
       set_selection(data, block, f, keys);

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include <solver/formats/lsdyna/layouts/contact_cards.hpp>
+
 #include "boundary_keys.hpp"
 #include "deck_parts.hpp"
 
@@ -53,11 +55,27 @@ Point set_wall(DeckData& data, const KeywordBlock& block, const Card& head, cons
 
 }  // namespace
 
+namespace {
+
+/// Of the card of _ID.
+void give_number_once(DeckData& data, const KeywordBlock& block, Card number) {
+  number.log = nullptr;  // what follows it is a title
+  const std::int64_t id = data.fields(number, layout::contact_number).integer("CID");
+  if (id != 0)
+    data.give_once(block, fmt::format("rigid wall {}", id + offset_of(block, &DeckTransform::part)), number.place);
+}
+
+}  // namespace
+
 /// Two to four cards each, and with _ID one more before them. Blank ones at the end are no wall.
 void translate_rigid_walls(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
   Cards cards(block);
   for (bool is_first = true;; is_first = false) {
-    if (block.id && !cards.next()) return;
+    if (block.id) {
+      const std::optional<Card> number = cards.next();
+      if (!number) return;
+      give_number_once(data, block, *number);
+    }
     std::optional<Card> head = cards.next();
     if (!head && !is_first) return;
     if (!head) head = cards.require("the nodes of the wall");
