@@ -90,8 +90,8 @@ inline std::vector<CardDeck> decks_of_mesh() {
       {"SECTION_SOLID", "", {"1,1"}},
       {"INCLUDE_TRANSFORM",
        "",
-       {"part.k", "100,100,100,100,100,0,100", "100", "", "7"},
-       "*DEFINE_TRANSFORMATION\n7\nTRANSL,5.,5.,5.\n*INITIAL_VELOCITY\n0,0,101\n1.,2.,3.\n"
+       {"part.k", "100,100,100,100,100,100,100", "100", "", "7"},
+       "*DEFINE_TRANSFORMATION\n7\nTRANSL,5.,5.,5.\n*BOUNDARY_PRESCRIBED_MOTION_SET\n5,4,0,101,1.,101\n"
        "*PART\nlower\n1,101,1\nupper\n2,1,1\n"},
       {"HOURGLASS", "", {"4,4,0.05,0,1.2,0.04"}, controlled},
       {"HOURGLASS", "", {"4,1"}, controlled},

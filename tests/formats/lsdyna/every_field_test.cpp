@@ -56,7 +56,8 @@ class EveryField : public FolderTest {
                                       << cube_lines(1)
                                       << "*ELEMENT_SOLID\n1,1,1,2,3,4,5,6,7,8\n*PART\nincluded\n1,1,1\n"
                                          "*SECTION_SOLID\n1,2\n*MAT_ELASTIC\n1,7.85E-9,210000.,0.3\n"
-                                         "*SET_NODE_LIST\n1\n5,6\n*DEFINE_BOX\n1,-1.,2.,-1.,2.,-1.,1.2\n*END\n";
+                                         "*SET_NODE_LIST\n1\n5,6\n*DEFINE_VECTOR\n1,0.,0.,0.,1.,2.,3.\n"
+                                         "*DEFINE_CURVE\n1\n0.,1.\n1.,3.\n*END\n";
   }
 
   static std::string mesh_text(const fs::path& path) {

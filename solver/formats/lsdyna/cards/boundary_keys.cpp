@@ -1,6 +1,14 @@
 #include "boundary_keys.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 #include <map>
+
+#include <solver/formats/lsdyna/layouts/control_cards.hpp>
+
+#include "deck_parts.hpp"
 
 namespace pinball {
 
@@ -14,6 +22,10 @@ std::int64_t node_number(const KeywordBlock& block, std::int64_t id) {
 
 std::int64_t definition_number(const KeywordBlock& block, std::int64_t id) {
   return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define);
+}
+
+std::int64_t curve_number(const KeywordBlock& block, std::int64_t id) {
+  return id == 0 ? 0 : id + offset_of(block, &DeckTransform::curve);
 }
 
 DeckSpan span_of(const Fields& f) {
@@ -84,9 +96,34 @@ std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock
   return found == nullptr ? std::vector<std::int32_t>{} : found->members;
 }
 
+double end_of_run(const DeckData& data) {
+  const auto card = last_card(data, "CONTROL_TERMINATION");
+  return card ? data.fields(*card, layout::termination).number("ENDTIM") : std::numeric_limits<double>::infinity();
+}
+
+namespace {
+
+/// Of a curve that acts when it has no points: its first value holds before the first, the last one behind the last.
+void tell_ends(const DeckData& data, std::int64_t number, const DeckCurve& points, const DeckPlace& place,
+               const DeckSpan& used) {
+  const double end = end_of_run(data), until = used.death > 0 ? std::min(used.death, end) : end;
+  const auto tell = [&](const char* what, const char* which, double time, double value) {
+    data.report.understood(fmt::format("*DEFINE_CURVE {} ({}): {} its {} point, at {:.6g}, it keeps the value {:.6g}",
+                                       number, place.text(), what, which, time, value));
+  };
+  const double first = points.abscissa.front(), last = points.abscissa.back();
+  if (first > std::max(used.birth, 0.0) && points.ordinate.front() != 0)
+    tell("before", "first", first, points.ordinate.front());
+  if (last < until && points.ordinate.back() != 0) tell("behind", "last", last, points.ordinate.back());
+}
+
+}  // namespace
+
 void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
-               const DeckPlace& place, const DeckKeys<TimeTable>& keys) {
-  const DeckCurve& points = data.curve(definition_number(block, curve), place);
+               const DeckPlace& place, const DeckKeys<TimeTable>& keys, const DeckSpan& used) {
+  const std::int64_t number = curve_number(block, curve);
+  const DeckCurve& points = data.curve(number, place);
+  tell_ends(data, number, points, place, used);
   std::vector<double> factors = points.ordinate;
   for (double& factor : factors) factor *= scale == 0 ? 1.0 : scale;
   keys.set("times", points.abscissa, "lcid");

@@ -27,8 +27,10 @@ void set_span(const DeckSpan& span, const DeckKeys<TimeSpan>& keys);
 // Numbers of a deck, with what *INCLUDE_TRANSFORM adds to them.
 std::int64_t set_number(const KeywordBlock& block, std::int64_t id);
 std::int64_t node_number(const KeywordBlock& block, std::int64_t id);
-/// Of a curve, a vector or a system; 0 stays 0: none.
+/// Of a vector or a system; 0 stays 0: none.
 std::int64_t definition_number(const KeywordBlock& block, std::int64_t id);
+/// Of a curve or a table, the same.
+std::int64_t curve_number(const KeywordBlock& block, std::int64_t id);
 
 /// A keyword at the place of one of its cards.
 inline DeckCard card_of(const KeywordBlock& block, const DeckPlace& place) { return {block.star_name(), place}; }
@@ -50,9 +52,12 @@ void set_target(const KeywordBlock& block, bool set, std::int64_t id, const Deck
 std::vector<std::int32_t> nodes_of_card(const DeckData& data, const KeywordBlock& block, bool set, const Fields& f,
                                         std::size_t field = 0);
 
-/// Times and factors of the curve of this number, multiplied by SF; an SF of 0 is 1.
+/// ENDTIM; without it as late as can be [time]
+double end_of_run(const DeckData& data);
+/// Times and factors of the curve of this number, multiplied by SF; an SF of 0 is 1. used: when it acts; where it has
+/// no points for that, it is reported what holds there.
 void set_curve(const DeckData& data, const KeywordBlock& block, std::int64_t curve, double scale,
-               const DeckPlace& place, const DeckKeys<TimeTable>& keys);
+               const DeckPlace& place, const DeckKeys<TimeTable>& keys, const DeckSpan& used = {});
 
 /// A vector in components of a local system; 0: the global one.
 Point in_system(const DeckData& data, const KeywordBlock& block, std::int64_t system, const Point& vector,

@@ -99,7 +99,7 @@ void DeckData::read_parts(const KeywordBlock& block) {
                       f.integer("SECID") + other,
                       f.integer("MID") + offset_of(block, &DeckTransform::material),
                       hourglass_id == 0 ? 0 : hourglass_id + other,
-                      equation == 0 ? 0 : equation + other,
+                      equation == 0 ? 0 : equation + offset_of(block, &DeckTransform::material),
                       "",
                       card.place};
     titles_[id] = std::string(trimmed(title.text));
@@ -168,7 +168,7 @@ void DeckData::read_curve(const KeywordBlock& block) {
     curve.abscissa.push_back(sfa * (point.number("A1") + offa));
     curve.ordinate.push_back(sfo * (point.number("O1") + offo));
   }
-  const std::int64_t id = f.integer("LCID") + offset_of(block, &DeckTransform::define);
+  const std::int64_t id = f.integer("LCID") + offset_of(block, &DeckTransform::curve);
   give_once(block, fmt::format("curve or table {}", id), head.place);
   curves_[id] = std::move(curve);
 }
@@ -179,7 +179,7 @@ void DeckData::read_table(const KeywordBlock& block) {
   Cards cards(block);
   if (block.title) cards.next();
   const Card head = cards.require("the number of the table");
-  const std::int64_t add = offset_of(block, &DeckTransform::define);
+  const std::int64_t add = offset_of(block, &DeckTransform::curve);
   const Fields f = fields(head, layout::table);
   const double scale = factor_of(f, "SFA"), offset = f.number("OFFA");
   const std::int64_t number = f.integer("TBID") + add;

@@ -48,7 +48,7 @@ DeckKeys<Pressure> begin_pressure(const DeckData& data, const KeywordBlock& bloc
                                   const SegmentLoad& load, DeckScene& scene) {
   auto keys = scene.entry<Pressure>("pressure", card_of(block, place));
   keys.set("pressure", 1.0);
-  set_curve(data, block, load.curve, load.scale, place, keys);
+  set_curve(data, block, load.curve, load.scale, place, keys, {0, end_of_run(data) - load.arrival});
   if (load.arrival > 0) keys.set("start", load.arrival, "at");
   return keys;
 }

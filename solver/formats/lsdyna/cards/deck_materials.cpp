@@ -287,7 +287,7 @@ void set_piecewise_linear(DeckData& data, const KeywordBlock& block, const Field
                           const MaterialKeys& keys) {
   const Card card = cards.next_or_blank();
   const Fields second = data.fields(card, layout::piecewise_rate);
-  const auto to_curve = [&](std::int64_t id) { return id == 0 ? 0 : id + offset_of(block, &DeckTransform::define); };
+  const auto to_curve = [&](std::int64_t id) { return id == 0 ? 0 : id + offset_of(block, &DeckTransform::curve); };
   const std::int64_t lcss = to_curve(second.integer("LCSS")), lcsr = to_curve(second.integer("LCSR"));
   const std::vector<double> eps = card_of_numbers(data, cards, layout::piecewise_strains),
                             es = card_of_numbers(data, cards, layout::piecewise_stresses);

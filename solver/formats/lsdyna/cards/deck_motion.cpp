@@ -61,7 +61,7 @@ void translate_rigid_motion(DeckData& data, const KeywordBlock& block, const Fie
   const auto keys = begin(direction);
   keys.set(turns ? KeyOf<RigidMotion>("angular_speed") : KeyOf<RigidMotion>("speed"), 1.0);
   keys.set("quantity", quantities[quantity], "vad");
-  set_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), keys);
+  set_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), keys, span_of(f));
   if (degree > 0) return;
   const Point one = std::abs(direction[0]) < 0.5 ? Point{1, 0, 0} : Point{0, 1, 0};
   Point across = cross(direction, one);
@@ -103,7 +103,7 @@ void translate_motion(DeckData& data, const KeywordBlock& block, const Fields& f
     keys.set("speed", 1.0);
   }
   keys.set("quantity", quantities[quantity], "vad");
-  set_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), keys);
+  set_curve(data, block, f.integer("LCID"), f.number("SF"), f.place(), keys, span_of(f));
   set_span(span_of(f), keys);
   set_moved(data, block, f, keys);
 }

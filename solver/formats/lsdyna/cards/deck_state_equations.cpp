@@ -31,7 +31,7 @@ void DeckData::number_state_equation(const KeywordBlock& block) {
   Cards cards(block);
   const Card head = head_of_state_equation(block, cards);
   const std::int64_t id =
-      fields(head, layout_of_state_equation(block)).integer("EOSID") + offset_of(block, &DeckTransform::other);
+      fields(head, layout_of_state_equation(block)).integer("EOSID") + offset_of(block, &DeckTransform::material);
   give_once(block, fmt::format("equation of state {}", id), head.place);
   state_equation_blocks_[id] = &block;
 }

@@ -14,6 +14,7 @@
 #include "deck_parts.hpp"
 #include "keyword_rules.hpp"
 #include "sorted_keywords.hpp"
+#include "transformed_keywords.hpp"
 #include "unread.hpp"
 
 namespace pinball {
@@ -105,6 +106,7 @@ TranslatedDeck translate_deck_text(std::string text, const std::string& path, co
   follow_reading(deck, log);
   TranslatedDeck translated;
   try {
+    reject_transformed(deck, report);
     if (!unread.of_mesh) translated = scene_of(deck, path, options, unread.of_parts, report);
     tell_unread(deck, log, report);
   } catch (const InputError& error) {

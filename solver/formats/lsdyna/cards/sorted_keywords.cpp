@@ -57,9 +57,9 @@ std::optional<std::int64_t> number_of(const KeywordBlock& block, const DeckData&
 }
 
 bool has(const DeckPart& part, OfParts kind, std::int64_t number, const KeywordBlock& block) {
-  if (kind == OfParts::material) return part.material == number + offset_of(block, &DeckTransform::material);
-  const std::int64_t other = number + offset_of(block, &DeckTransform::other);
-  return kind == OfParts::section ? part.section == other : part.state_equation == other;
+  if (kind == OfParts::section) return part.section == number + offset_of(block, &DeckTransform::other);
+  const std::int64_t own = number + offset_of(block, &DeckTransform::material);
+  return kind == OfParts::material ? part.material == own : part.state_equation == own;
 }
 
 }  // namespace

@@ -91,11 +91,8 @@ inline constexpr CardLayout transformation{whole("TRANID").always()};
 inline constexpr CardLayout transformation_step{text("OPTION"), number("A1"), number("A2"), number("A3"),
                                                 number("A4"),   number("A5"), number("A6"), number("A7")};
 
-inline constexpr CardLayout include_offsets{
-    whole("IDNOFF"), whole("IDEOFF"),
-    whole("IDPOFF"), whole("IDMOFF"),
-    whole("IDSOFF"), whole("IDFOFF").reported("curves and tables have IDDOFF, and there are no functions"),
-    whole("IDDOFF")};
+inline constexpr CardLayout include_offsets{whole("IDNOFF"), whole("IDEOFF"), whole("IDPOFF"), whole("IDMOFF"),
+                                            whole("IDSOFF"), whole("IDFOFF"), whole("IDDOFF")};
 inline constexpr std::string_view by_number = "what has a title is found by its number, which stays";
 inline constexpr CardLayout include_other{whole("IDROFF"), text("PREFIX").reported(by_number),
                                           text("SUFFIX").reported(by_number)};

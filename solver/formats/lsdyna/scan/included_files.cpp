@@ -52,6 +52,7 @@ std::shared_ptr<const DeckTransform> transform_of(const std::array<Card, 4>& lin
   transform->part = ids.integer("IDPOFF");
   transform->material = ids.integer("IDMOFF");
   transform->set = ids.integer("IDSOFF");
+  transform->curve = ids.integer("IDFOFF");
   transform->define = ids.integer("IDDOFF");
   transform->other = Fields(more, parameters, layout::include_other).integer("IDROFF");
   transform->units = read_units(Fields(factors, parameters, layout::include_units));

@@ -23,7 +23,8 @@ struct Card : DataLine {
 /// *INCLUDE_TRANSFORM: what is added to the numbers of the included file, its units, and the transformation that its
 /// nodes undergo after that into the units of the deck.
 struct DeckTransform {
-  std::int64_t node = 0, element = 0, part = 0, material = 0, set = 0, define = 0, other = 0;  ///< idnoff ... idroff
+  std::int64_t node = 0, element = 0, part = 0, material = 0, set = 0, curve = 0, define = 0,
+               other = 0;  ///< idnoff ... idroff; material: also of equations of state, curve: also of tables
   DeckUnits units{};
   std::int64_t transformation = 0;  ///< number of the *DEFINE_TRANSFORMATION; 0: none
 };

@@ -1,0 +1,61 @@
+#include "transformed_keywords.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include <solver/formats/lsdyna/mesh/keyword_transformation.hpp>
+
+namespace pinball {
+
+namespace {
+
+bool begins_with_one_of(const std::string& name, std::initializer_list<std::string_view> heads) {
+  return std::ranges::any_of(heads, [&](std::string_view head) { return name.starts_with(head); });
+}
+
+/// Its cards give places.
+bool has_places(const KeywordBlock& block) {
+  return begins_with_one_of(block.name, {"DEFINE_BOX", "RIGIDWALL_", "INITIAL_VELOCITY_GENERATION"});
+}
+/// Its cards give vectors.
+bool has_vectors(const KeywordBlock& block) {
+  return begins_with_one_of(block.name,
+                            {"DEFINE_VECTOR", "DEFINE_COORDINATE_", "INITIAL_VELOCITY", "LOAD_BODY_VECTOR"});
+}
+/// Its cards name axes: x, y, z.
+bool names_axes(const KeywordBlock& block) {
+  return begins_with_one_of(block.name, {"BOUNDARY_SPC_", "BOUNDARY_PRESCRIBED_MOTION_", "LOAD_NODE_", "LOAD_BODY_X",
+                                         "LOAD_BODY_Y", "LOAD_BODY_Z"});
+}
+
+bool turns(const Transformation& t) { return t.rows != Transformation{}.rows; }
+bool moves(const Transformation& t) { return t.shift != Point{}; }
+
+}  // namespace
+
+void reject_transformed(const KeywordDeck& deck, DeckReport& report) {
+  const auto is_transformed = [](const KeywordBlock& block) {
+    return block.transform && block.transform->transformation != 0;
+  };
+  if (std::ranges::none_of(deck.blocks, is_transformed)) return;
+  const Transformations transformations(deck);
+  for (const KeywordBlock& block : deck.blocks) {
+    const Transformation* transformation = transformations.of(block);
+    if (transformation == nullptr || !(turns(*transformation) || moves(*transformation))) continue;
+    if (has_places(block) || (turns(*transformation) && has_vectors(block))) {
+      report.reject(
+          block.place, block.star_name() + " in a file that is transformed",
+          "nodes alone are: move it into a file that is not, with its places and directions as they come out");
+    } else if (turns(*transformation) && names_axes(block)) {
+      report.understood(
+          fmt::format("{} ({}): x, y and z are those of the deck, which the transformation of the file "
+                      "does not turn",
+                      block.star_name(), block.place.text()));
+    }
+  }
+}
+
+}  // namespace pinball
