@@ -1,6 +1,7 @@
 #include "gmsh_groups.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -40,6 +41,7 @@ std::vector<std::int64_t> GmshGroups::volumes(const std::vector<std::string>& wa
 }
 
 std::int64_t GmshGroups::volume(const std::string& wanted, bool is_4) const {
+  require_one(wanted);
   for (const auto& [group, name] : names_[3]) {
     if (name != wanted) continue;
     if (is_4 && !has_entities_) {
@@ -50,6 +52,16 @@ std::int64_t GmshGroups::volume(const std::string& wanted, bool is_4) const {
   // Which numbers there are without a name, the elements of format 2.2 show first.
   if (const auto number = as_number(wanted); number && (!is_4 || numbers_[3].contains(*number))) return *number;
   throw InputError(fmt::format("{}: no physical volume is named \"{}\": {}", path_, wanted, hint(wanted)));
+}
+
+void GmshGroups::require_one(const std::string& wanted) const {
+  std::set<std::int64_t> groups;
+  for (const auto& [group, name] : names_[3]) {
+    if (name == wanted) groups.insert(group);
+  }
+  if (groups.size() > 1)
+    throw InputError(fmt::format("{}: the physical volumes {} have the name \"{}\": ask for them by their numbers",
+                                 path_, fmt::join(groups, ", "), wanted));
 }
 
 std::string GmshGroups::hint(const std::string& wanted) const {

@@ -32,6 +32,8 @@ class GmshGroups {
 
  private:
   std::int64_t volume(const std::string& wanted, bool is_4) const;
+  /// Throws InputError for a name of several.
+  void require_one(const std::string& wanted) const;
   std::string hint(const std::string& wanted) const;
 
   std::string path_;

@@ -135,6 +135,14 @@ TEST_P(Gmsh, NamesAreNamedWhereTheyAreNotFound) {
             "a.msh: no physical volume is named \"left\": it has none with a name");
 }
 
+TEST_P(Gmsh, ANameOfSeveralVolumesIsOfNone) {
+  const std::string text = replaced(text_of(GetParam()), "\"right\"", "\"left part\"");
+  EXPECT_EQ(error_of(text, "left part"),
+            "a.msh: the physical volumes 1, 2 have the name \"left part\": ask for them by their numbers");
+  EXPECT_EQ(error_of(text, "2"), "no error");
+  EXPECT_EQ(error_of(text), "no error");
+}
+
 TEST_P(Gmsh, OtherVersionsAreRejected) {
   const std::string text = text_of(GetParam()), version = GetParam() == "22" ? "2.2" : "4.1";
   EXPECT_EQ(error_of(replaced(text, version + " 0", "4 0")),
