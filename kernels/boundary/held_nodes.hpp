@@ -19,9 +19,9 @@ template <class S>
 struct NodePrescription {
   std::int32_t node;
   S normal[3];
-  S speed;                   ///< along the normal, where the factor is 1 [length/time]
-  std::int32_t table;        ///< number of the [[prescribed_velocity]], whose times and factors it follows
-  bool accelerates = false;  ///< from the velocity that the node has: speed is that of an acceleration
+  S speed;             ///< along the normal, where the factor is 1 [length/time]
+  std::int32_t table;  ///< number of the [[prescribed_velocity]], whose times and factors it follows
+  bool accelerates;    ///< from the velocity that the node has: speed is that of an acceleration
 };
 
 /// The nodes that take part in a step.
