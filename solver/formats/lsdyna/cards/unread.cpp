@@ -1,10 +1,29 @@
 #include "unread.hpp"
 
+#include <fmt/format.h>
+
 #include <solver/formats/deck/unread_fields.hpp>
+#include <solver/formats/lsdyna/scan/fields.hpp>
 
 #include "keyword_rules.hpp"
 
 namespace pinball {
+
+namespace {
+
+/// What nobody has asked for is a number all the same, where one belongs: else the whole line is not what was meant.
+void require_numbers(const Card& card, const Parameters& parameters, const ReadingLog::Left& left) {
+  if (left.fields == 0 || left.layout == nullptr) return;
+  const Fields fields(card, parameters, *left.layout);
+  for (std::size_t i = 0; i < left.layout->size(); ++i) {
+    const CardField& field = (*left.layout)[i];
+    if ((left.fields >> i & 1U) == 0 || field.name.empty() || field.type == FieldType::text) continue;
+    if (const std::string given = fields.text(i); !deck_number(given))
+      fields.fail(field.name, fmt::format("expected a number, got \"{}\"", given));
+  }
+}
+
+}  // namespace
 
 void follow_reading(KeywordDeck& deck, ReadingLog& log) {
   for (KeywordBlock& block : deck.blocks) {
@@ -30,7 +49,9 @@ void tell_unread(const KeywordDeck& deck, const ReadingLog& log, DeckReport& rep
         if (!card->blank()) report.unused(card->place, block.star_name() + ": the rest of its lines");
         continue;
       }
-      tell_unread_fields(block.star_name(), card->place, log.left_of(card->text.data()), report);
+      const ReadingLog::Left left = log.left_of(card->text.data());
+      require_numbers(*card, deck.parameters, left);
+      tell_unread_fields(block.star_name(), card->place, left, report);
     }
   }
   for (const UnreadLine& line : deck.unread) tell_unread_fields(line.star_name, line.place, line.left, report);
