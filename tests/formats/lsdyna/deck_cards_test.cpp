@@ -144,7 +144,7 @@ TEST_F(DeckCards, TheWidthOfColumnsMayStandBehindABlank) {
 TEST_F(DeckCards, WhatIsNoNumberIsAnErrorAlsoWhereItIsNotUsed) {
   const std::string curve = "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n";
   EXPECT_THAT(error(cube + elastic + ends + curve + "*LOAD_NODE_SET\n1 1 1 0.125\n"),
-              HasSubstr("deck.k:25: *LOAD_NODE_SET: NSID: expected a number, got \"1 1 1 0.12\""));
+              HasSubstr("deck.k:27: *LOAD_NODE_SET: NSID: expected a number, got \"1 1 1 0.12\""));
   EXPECT_THAT(error(cube + elastic + ends + "*CONTROL_CONTACT\n0.1,x\n"),
               HasSubstr("*CONTROL_CONTACT: RWPNAL: expected a number, got \"x\""));
 }
