@@ -56,6 +56,14 @@ TEST_F(TransformedFile, AxesStayThoseOfTheDeckWhichIsReported) {
   EXPECT_THAT(told(moved), Not(Contains(HasSubstr("does not turn"))));
 }
 
+TEST_F(TransformedFile, TheOrderOfItsCardsIsReported) {
+  const auto told = [&](const std::string& transformation) {
+    return translate(deck("*SET_NODE_LIST\n9\n1\n", transformation)).understood;
+  };
+  EXPECT_THAT(told(turned + moved), Contains(HasSubstr("its 2 cards act one after the other, the first one first")));
+  EXPECT_THAT(told(turned), Not(Contains(HasSubstr("one after the other"))));
+}
+
 /// IDFOFF of curves and tables, IDDOFF of all else that is defined, IDMOFF also of equations of state.
 TEST_F(TransformedFile, CurvesHaveTheOffsetOfFunctions) {
   const auto with = [&](const std::string& cards, const std::string& offsets, const std::string& own) {
@@ -75,6 +83,14 @@ TEST_F(TransformedFile, CurvesHaveTheOffsetOfFunctions) {
   EXPECT_EQ(scene(with(vector, of_both, motion)).prescribed_velocities.at(0).direction, (Point{0, 1, 0}));
   const std::string state = "*EOS_GRUNEISEN\n3,4.E6\n";
   EXPECT_THAT(translate(with(state, "0,0,0,100", "")).understood, Contains(HasSubstr("equation of state 103")));
+}
+
+/// Contacts of a file have the numbers of all that has no offset of its own: IDROFF.
+TEST_F(TransformedFile, ContactsOfTwoFilesHaveNumbersOfTheirOwn) {
+  std::ofstream(folder_ / "more.k") << "*KEYWORD\n*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n3\n0\n\n\n*END\n";
+  const std::string head = cube + elastic + ends, file = "*INCLUDE_TRANSFORM\nmore.k\n\n";
+  EXPECT_EQ(error(head + file + "100\n\n\n" + file + "200\n\n\n"), no_error);
+  EXPECT_THAT(error(head + file + "100\n\n\n" + file + "100\n\n\n"), HasSubstr("contact 103 is given twice"));
 }
 
 class LoadedDeck : public DeckTest {};

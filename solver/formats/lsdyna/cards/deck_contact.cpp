@@ -107,7 +107,8 @@ DeckContact read_contact(DeckData& data, const KeywordBlock& block) {
   if (block.id || block.title) {
     Card number = cards.require("the number of the contact");
     number.log = nullptr;  // what follows it is a title
-    const std::int64_t id = data.fields(number, layout::contact_number).integer("CID");
+    const std::int64_t given = data.fields(number, layout::contact_number).integer("CID");
+    const std::int64_t id = given == 0 ? 0 : given + offset_of(block, &DeckTransform::other);
     if (id > 0) contact.name = fmt::format("contact_{}", id);
     if (id > 0) data.give_once(block, fmt::format("contact {}", id), block.place);
   }

@@ -34,6 +34,20 @@ bool names_axes(const KeywordBlock& block) {
 bool turns(const Transformation& t) { return t.rows != Transformation{}.rows; }
 bool moves(const Transformation& t) { return t.shift != Point{}; }
 
+/// Programs differ in the order of several.
+void tell_order(const KeywordBlock& block, DeckReport& report) {
+  KeywordBlock silent = block;
+  silent.log = nullptr;
+  Cards cards(silent);
+  if (block.title) cards.next();
+  cards.next();
+  int steps = 0;
+  while (cards.next_filled()) ++steps;
+  if (steps > 1)
+    report.understood(fmt::format("{} ({}): its {} cards act one after the other, the first one first",
+                                  block.star_name(), block.place.text(), steps));
+}
+
 }  // namespace
 
 void reject_transformed(const KeywordDeck& deck, DeckReport& report) {
@@ -43,6 +57,7 @@ void reject_transformed(const KeywordDeck& deck, DeckReport& report) {
   if (std::ranges::none_of(deck.blocks, is_transformed)) return;
   const Transformations transformations(deck);
   for (const KeywordBlock& block : deck.blocks) {
+    if (block.name == "DEFINE_TRANSFORMATION") tell_order(block, report);
     const Transformation* transformation = transformations.of(block);
     if (transformation == nullptr || !(turns(*transformation) || moves(*transformation))) continue;
     if (has_places(block) || (turns(*transformation) && has_vectors(block))) {
