@@ -111,6 +111,24 @@ TEST_F(LoadedDeck, CurvesThatDoNotReachTheEndAreReported) {
   EXPECT_THAT(told("0.,0.\n5.E-7,2.\n", motion + "6.E-7\n"), behind);
 }
 
+TEST_F(LoadedDeck, YieldStressesThatDoNotBeginAtStrainZeroAreReported) {
+  const auto told = [&](const std::string& first) {
+    return translate(cube + ends +
+                     "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.85E-9,210000.,0.3\n0,0,5\n*DEFINE_CURVE\n5\n" + first +
+                     ",400.\n0.2,500.\n")
+        .understood;
+  };
+  EXPECT_THAT(told("0.05"), Contains(HasSubstr("before its first plastic strain, 0.05, it keeps the stress 400")));
+  EXPECT_THAT(told("0."), Not(Contains(HasSubstr("before its first plastic strain"))));
+}
+
+TEST_F(LoadedDeck, PressuresThatArriveBeforeTheStartAreAnError) {
+  const std::string curve = "*DEFINE_CURVE\n5\n0.,1.\n1.,1.\n", face = ",5,6,7,8\n";
+  EXPECT_EQ(error(cube + elastic + ends + curve + "*LOAD_SEGMENT\n5,1.,0." + face), no_error);
+  EXPECT_THAT(error(cube + elastic + ends + curve + "*LOAD_SEGMENT\n5,1.,-0.5" + face),
+              HasSubstr("*LOAD_SEGMENT: AT: expected at least 0, got -0.5"));
+}
+
 /// Of all nodes but a set: bodies that are in it as a whole have only its velocity.
 TEST_F(LoadedDeck, VelocityOfAllNodesMayLeaveOutAWholeBody) {
   const std::string all = "*SET_NODE_LIST\n9\n1,2,3,4,5,6,7,8\n*INITIAL_VELOCITY\n0,9\n1.,0.,0.\n2.,0.,0.\n";

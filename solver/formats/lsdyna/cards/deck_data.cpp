@@ -345,6 +345,11 @@ const DeckCurve& DeckData::curve(std::int64_t id, const DeckPlace& place) const 
 DeckCurve DeckData::yield_curve(std::int64_t id, const DeckPlace& place) const {
   DeckCurve curve = find_curve(id, place);
   for (double& stress : curve.ordinate) stress *= curve.units.stress();
+  if (curve.abscissa.front() > 0)
+    report.understood(
+        fmt::format("*DEFINE_CURVE {} ({}): before its first plastic strain, {:.6g}, it keeps the stress "
+                    "{:.6g}",
+                    id, place.text(), curve.abscissa.front(), curve.ordinate.front()));
   return curve;
 }
 

@@ -73,14 +73,14 @@ constexpr CardLayout node_load(std::string_view target) {
 inline constexpr CardLayout load_node = node_load("NID"), load_node_set = node_load("NSID");
 inline constexpr CardLayout load_segment{whole("LCID").always(),
                                          number("SF", 1),
-                                         number("AT"),
+                                         number("AT").at_least(0),
                                          whole("N1"),
                                          whole("N2"),
                                          whole("N3"),
                                          whole("N4"),
                                          whole("N5").rejected("faces have four corners: leave N5 to N8 out")};
 inline constexpr CardLayout load_segment_set{whole("SSID").always(), whole("LCID").always(), number("SF", 1),
-                                             number("AT")};
+                                             number("AT").at_least(0)};
 inline constexpr std::string_view no_spin = "of loads by a spin, which are not there";
 inline constexpr CardLayout body_load{whole("LCID").always(),
                                       number("SF", 1),
