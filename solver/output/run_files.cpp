@@ -55,6 +55,17 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder,
   return found;
 }
 
+std::filesystem::path no_file_in(const std::filesystem::path& folder) {
+  std::filesystem::path first;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, error)) {
+    const bool file = entry.is_symlink(error) || entry.is_regular_file(error);
+    if (file || !is_run_file(entry.path().filename().string())) continue;
+    if (first.empty() || entry.path() < first) first = entry.path();
+  }
+  return first;
+}
+
 std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found = files_of(folder, is_run_file);
   const bool of_run = std::any_of(found.begin(), found.end(), [](const std::filesystem::path& path) {

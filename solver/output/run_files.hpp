@@ -32,6 +32,9 @@ bool is_made_of_run(const std::string& name);
 /// Files of a folder that one of these functions takes, links among them; no folders.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder, bool (*takes)(const std::string&));
 
+/// What has the name of a run's file and is neither file nor link: the first one by name; empty: there is none.
+std::filesystem::path no_file_in(const std::filesystem::path& folder);
+
 /// What runs and commands have left in a folder. What commands make has names that others use, too: they count where a
 /// run's summary or history is beside them.
 std::vector<std::filesystem::path> results_in(const std::filesystem::path& folder);

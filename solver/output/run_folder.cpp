@@ -70,6 +70,21 @@ void RunFolder::open() {
   made_ = fs::create_directories(folder_, error);
   if (error) throw InputError(fmt::format("--out {}: cannot make this folder: {}", folder_, error.message()));
   lock_.emplace(folder_);
+  require_own_names();
+}
+
+/// What a run would lose, or end with, when it comes to write these files.
+void RunFolder::require_own_names() const {
+  std::error_code error;
+  const auto refuse = [this](const fs::path& path, const char* expected, const char* got) {
+    throw NoFileError(fmt::format("--out {}: expected {} to be {} of a run, got {}: move it away", folder_,
+                                  path.string(), expected, got));
+  };
+  const fs::path taken = no_file_in(folder_), earlier = fs::path(folder_) / earlier_name;
+  if (!taken.empty()) refuse(taken, "a file", fs::is_directory(taken, error) ? "a folder" : "something else");
+  const fs::file_type kind = fs::symlink_status(earlier, error).type();
+  if (kind != fs::file_type::directory && kind != fs::file_type::not_found)
+    refuse(earlier, "a folder", "something else");
 }
 
 RunFolder::~RunFolder() {

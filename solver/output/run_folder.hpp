@@ -4,11 +4,19 @@
 #include <optional>
 #include <string>
 
+#include <solver/base/error.hpp>
+#include <solver/base/export.h>
 #include <solver/recorded_run.hpp>
 
 #include "folder_lock.hpp"
 
 namespace pinball {
+
+/// Something in the folder of a run has the name of one of its files and is none. A study of several runs goes on with
+/// the others.
+struct NoFileError : InputError {
+  using InputError::InputError;
+};
 
 /// The folder of a run, from before its scene is built to its end: no other run writes there, what an earlier one has
 /// left goes, and summary.json says what has become of this one. Does nothing where nothing is to be written.
@@ -18,7 +26,8 @@ namespace pinball {
 /// last good state, and what a study says of the run.
 class RunFolder {
  public:
-  /// Throws InputError that names the folder where it cannot be used, RunError where the summary cannot be written.
+  /// Throws InputError that names the folder where it cannot be used (NoFileError: for what is in it), RunError where
+  /// the summary cannot be written.
   RunFolder(const Scene& scene, const RecordOptions& options);
   /// Puts back what was there where the run has not begun.
   ~RunFolder();
@@ -42,6 +51,7 @@ class RunFolder {
 
  private:
   void open();
+  void require_own_names() const;
   void set_aside() const;
   void put_back() const;
   void remove_earlier() const;

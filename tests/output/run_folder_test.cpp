@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -116,6 +117,25 @@ TEST_F(RunFolders, BadInputThatTheMeshShowsLeavesTheFolderAsItWas) {
   EXPECT_FALSE(exists(".earlier"));
 }
 
+TEST_F(RunFolders, WhatIsInThePlaceOfAFileIsToldBeforeTheRun) {
+  leave("history.csv");
+  for (const char* name : {"summary.json", "index.html", "fields_0003.vtu", "checkpoint.pinball.part"}) {
+    std::filesystem::create_directories(folder_ / (std::string("out/") + name));
+    EXPECT_THAT(
+        error_of<InputError>([&] { run(source_of("two_blocks")); }),
+        MatchesRegex(fmt::format("--out .*out: expected .*out/{} to be a file of a run, got a folder: .*", name)));
+    EXPECT_EQ(content(folder_ / "out/history.csv"), "earlier");
+    EXPECT_FALSE(exists("pinball.lock"));
+    std::filesystem::remove(folder_ / (std::string("out/") + name));
+  }
+  ASSERT_EQ(::mkfifo((folder_ / "out/history.csv.part").c_str(), 0600), 0);
+  EXPECT_THAT(error_of<InputError>([&] { run(source_of("two_blocks")); }), HasSubstr("got something else"));
+  std::filesystem::remove(folder_ / "out/history.csv.part");
+  leave(".earlier", "of somebody");
+  EXPECT_THAT(error_of<InputError>([&] { run(source_of("two_blocks")); }), HasSubstr("to be a folder of a run"));
+  EXPECT_EQ(content(folder_ / "out/.earlier"), "of somebody");
+}
+
 TEST_F(RunFolders, ARunWithoutOneLeavesNothing) {
   const std::filesystem::path here = std::filesystem::current_path();
   std::filesystem::current_path(folder_.path);
@@ -179,8 +199,12 @@ TEST(OutOfMemoryText, HasWhatTheSystemSaysAndWhatIsKnown) {
 }
 
 TEST_F(RunFolders, WhatCannotBeSavedAfterAFailureComesAfterTheError) {
-  std::filesystem::create_directories(folder_ / "out/last_good.pinball.part");
-  const std::string error = error_of<RunError>([&] { run(unstable()); });
+  const std::string error = error_of<RunError>([&] {
+    run(unstable(), [&] {  // while it goes on: before, the run is refused
+      std::filesystem::create_directories(folder_ / "out/last_good.pinball.part");
+      return false;
+    });
+  });
   EXPECT_THAT(error, StartsWith("the energy balance"));
   EXPECT_THAT(error, HasSubstr("; the last good state is lost: cannot write " + (folder_ / "out/last_good.pinball")));
   EXPECT_EQ(summary()["status"], "failed");

@@ -14,6 +14,7 @@
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/output/message.hpp>
 #include <solver/output/run_files.hpp>
+#include <solver/output/run_folder.hpp>
 #include <solver/program/result_file.hpp>
 #include <solver/program/stop_signals.hpp>
 #include <solver/program/text_table.hpp>
@@ -118,6 +119,8 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
   try {
     run.stopped = run_recorded(run_scene, options).status == RunStatus::stopped;
   } catch (const RunError& error) {
+    run.failure = error.what();
+  } catch (const NoFileError& error) {  // in the way of this run alone
     run.failure = error.what();
   }
   if (run.stopped || !run.failure.empty()) return run;
