@@ -1,3 +1,5 @@
+#include <solver/base/counted.hpp>
+
 #include "bind_keys.hpp"
 #include "interpreter_lock.hpp"
 #include "numpy_arrays.hpp"
@@ -49,8 +51,8 @@ void bind_array_mesh(py::module_& module) {
            })
       .def("__repr__",
            [](const ArrayMesh& mesh) {
-             return "ArrayMesh(" + std::to_string(mesh.coordinates.count) + " nodes, " +
-                    std::to_string(mesh.hexahedra.count) + " elements)";
+             return "ArrayMesh(" + counted(mesh.coordinates.count, "node") + ", " +
+                    counted(mesh.hexahedra.count, "element") + ")";
            })
       .def(py::pickle(
           [](const ArrayMesh& mesh) {

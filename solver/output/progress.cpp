@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <solver/base/counted.hpp>
 #include <solver/scene/units/units.hpp>
 
 namespace pinball {
@@ -100,10 +101,10 @@ std::string Progress::speed(const ProgressState& state, double elapsed) const {
 std::string Progress::line(const ProgressState& state, double done) const {
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
   const std::string unit = time_unit_.empty() ? "" : " " + time_unit_;
-  std::string line = fmt::format("{:5.1f} %  time {:.4g}{}  dt {:.3g}{}  energy error {:.2g} %  {}  {} elements",
-                                 100.0 * done, state.time, unit, state.dt, unit, 100.0 * state.balance_error,
-                                 time_left(done, elapsed), state.active_elements);
-  if (state.pairs >= 0) line += fmt::format("  {} pairs", state.pairs);
+  std::string line = fmt::format("{:5.1f} %  time {:.4g}{}  dt {:.3g}{}  energy error {:.2g} %  {}  {}", 100.0 * done,
+                                 state.time, unit, state.dt, unit, 100.0 * state.balance_error,
+                                 time_left(done, elapsed), counted(state.active_elements, "element"));
+  if (state.pairs >= 0) line += "  " + counted(state.pairs, "pair");
   return line + speed(state, elapsed);
 }
 

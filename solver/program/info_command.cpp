@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <kernels/exec.hpp>
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
 #include <solver/formats/deck_reader.hpp>
@@ -60,9 +61,9 @@ void print_bodies(const Model<S>& model, const Units& units) {
       mass += model.element_mass[e];
       if (!model.added_mass.empty()) added += model.added_mass[e];
     }
-    fmt::print("  {}: {} elements, {} nodes, mass {}, of {}\n", body.name,
-               std::count(model.mesh.body.begin(), model.mesh.body.end(), number),
-               std::count(model.mesh.body_of_node.begin(), model.mesh.body_of_node.end(), number),
+    fmt::print("  {}: {}, {}, mass {}, of {}\n", body.name,
+               counted(std::count(model.mesh.body.begin(), model.mesh.body.end(), number), "element"),
+               counted(std::count(model.mesh.body_of_node.begin(), model.mesh.body_of_node.end(), number), "node"),
                with_unit(mass, units.mass), body.material);
     if (added != 0) {
       fmt::print("    of its mass {} is added (time.smallest_step), {:.3g} % of that of its material\n",
@@ -124,7 +125,7 @@ std::string output_text(const Scene& scene, const Units& units) {
   std::string text = o.every_step ? "summary, history of every step"
                                   : fmt::format("summary, history every {}", with_unit(interval, units.time));
   if (!scene.probes.empty()) {
-    text += fmt::format(" with {} probe{}", scene.probes.size(), scene.probes.size() == 1 ? "" : "s");
+    text += fmt::format(" with {}", counted(scene.probes.size(), "probe"));
   }
   std::string when;
   if (o.field_interval > 0) when = fmt::format("every {}", with_unit(o.field_interval, units.time));
@@ -154,9 +155,8 @@ void print_contact(const ContactAlgorithm<S>& contact, const ContactSettings& c,
     how += fmt::format(", friction {:.4g}", c.friction);
   }
   if (c.self) how += ", bodies may touch themselves";
-  fmt::print("  contact: {} on {} of {} elements, {} enforcement{}\n",
-             pinball ? "pinballs" : "slideline: nodes against faces", contact.surface_elements(), elements,
-             enforcement_name(c.enforcement), how);
+  fmt::print("  contact: {} on {}, {} enforcement{}\n", pinball ? "pinballs" : "slideline: nodes against faces",
+             counted_of(contact.surface_elements(), elements, "element"), enforcement_name(c.enforcement), how);
 }
 
 void print_search(const Scene& scene) {
@@ -181,7 +181,7 @@ void print_steps(const Subcycling<S>& subcycling) {
     all += elements[level];
     computed += std::ldexp(static_cast<double>(elements[level]), -static_cast<int>(level));
     if (elements[level] == 0) continue;
-    text += fmt::format("{}{} elements make {}", text.empty() ? "" : ", ", elements[level],
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counted(elements[level], "element makes", "elements make"),
                         level == 0 ? "the smallest step" : fmt::format("{} times it", 1 << level));
   }
   fmt::print("  steps: {}; {:.3g} % of the element steps are computed\n", text, 100 * computed / all);
@@ -260,9 +260,9 @@ DecidedScene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
   fmt::print("  {}; {} precision", units_line(scene.units), name_of(scene.precision));
   if (scene.refine > 1) fmt::print("; meshes refined {} times", scene.refine);
-  fmt::print("\n  {} elements{}, {} nodes, {} bod{}, end at {}\n", solver.element_count(),
-             of_them_tetrahedra(solver.mesh()), solver.mesh().nodes.size(), scene.bodies.size(),
-             scene.bodies.size() == 1 ? "y" : "ies", with_unit(scene.time.end, units.time));
+  fmt::print("\n  {}{}, {}, {}, end at {}\n", counted(solver.element_count(), "element"),
+             of_them_tetrahedra(solver.mesh()), counted(solver.mesh().nodes.size(), "node"),
+             counted(scene.bodies.size(), "body", "bodies"), with_unit(scene.time.end, units.time));
   print_bodies(solver.model(), units);
   print_mesh_files(solver.mesh());
   print_materials(scene, units);

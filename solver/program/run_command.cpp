@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/device/devices.hpp>
 #include <solver/output/message.hpp>
@@ -22,11 +23,10 @@ namespace {
 
 void print_result(const RunSummary& s, const std::string& out) {
   const Energies& e = s.energy;
-  fmt::print(
-      "{}: {} elements, {} steps to t = {:.6g} in {:.3g} s ({:.3g} million element steps per second, {} thread{})\n",
-      s.scene, s.elements, s.steps, s.end_time, s.wall_seconds,
-      static_cast<double>(s.elements) * static_cast<double>(s.steps) / s.wall_seconds * 1e-6, s.threads,
-      s.threads == 1 ? "" : "s");
+  fmt::print("{}: {}, {} to t = {:.6g} in {:.3g} s ({:.3g} million element steps per second, {})\n", s.scene,
+             counted(s.elements, "element"), counted(s.steps, "step"), s.end_time, s.wall_seconds,
+             static_cast<double>(s.elements) * static_cast<double>(s.steps) / s.wall_seconds * 1e-6,
+             counted(s.threads, "thread"));
   fmt::print(
       "  energy: kinetic {:.4g}, internal {:.4g}, hourglass {:.3g}, bulk viscosity {:.3g}, contact {:.3g}, "
       "eroded {:.3g}; largest balance error {:.3g} %\n",
@@ -37,10 +37,10 @@ void print_result(const RunSummary& s, const std::string& out) {
   }
   for (const BodyResult& b : s.bodies) {
     fmt::print(
-        "  {}: mass {:.4g} of {:.4g}, {} of {} elements eroded, velocity ({:.6g}, {:.6g}, {:.6g}), largest "
+        "  {}: mass {:.4g} of {:.4g}, {} eroded, velocity ({:.6g}, {:.6g}, {:.6g}), largest "
         "plastic strain {:.3g}\n",
-        b.name, b.mass_remaining, b.mass_initial, b.eroded_elements, b.elements, b.velocity[0], b.velocity[1],
-        b.velocity[2], b.max_plastic_strain);
+        b.name, b.mass_remaining, b.mass_initial, counted_of(b.eroded_elements, b.elements, "element"), b.velocity[0],
+        b.velocity[1], b.velocity[2], b.max_plastic_strain);
   }
   fmt::print("  state {:016x}; results in {}\n", s.state_hash, out);
 }

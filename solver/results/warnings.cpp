@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <solver/base/counted.hpp>
+
 #include "energy_checks.hpp"
 #include "percent.hpp"
 #include "sound_bounds.hpp"
@@ -17,22 +19,24 @@ void add_unconverged_contact(const IterationCounts& counts, std::vector<std::str
   const double share = static_cast<double>(counts.at_bound) / static_cast<double>(counts.solutions);
   if (!(share > sound::unconverged)) return;
   found.push_back(fmt::format(
-      "the impulses of contact did not converge in {} of {} steps with contact ({}), within {} iterations: up to "
+      "the impulses of contact did not converge in {} with contact ({}), within {}: up to "
       "{:.3g} of "
       "a velocity was left, {} of the largest that contact had to change in its step: try a smaller time.cfl, meshes "
       "that fit where bodies meet, or contact.enforcement = \"projection\"",
-      counts.at_bound, counts.solutions, percent(share), counts.largest, counts.residual, percent(counts.relative)));
+      counted_of(counts.at_bound, counts.solutions, "step"), percent(share), counted(counts.largest, "iteration"),
+      counts.residual, percent(counts.relative)));
 }
 
-/// "bodies pin and plate overlap at the start, by 32 of their nodes, most node 17 of body pin, 0.5 deep (5 % of ...)"
+/// "bodies pin and plate overlap at the start, by 32 of their nodes, deepest at node 17 of body pin, which lies 0.5
+/// deep (5 % of ...)"
 std::string overlap_text(const OverlapResult& overlap) {
   std::string text = fmt::format("bodies {} and {} overlap at the start", overlap.first, overlap.second);
   if (overlap.nodes == 0) {
-    return text +
-           fmt::format(", by {} points of their elements, although no node of one lies in the other", overlap.points);
+    return text + fmt::format(", by {} of their elements, although no node of one lies in the other",
+                              counted(overlap.points, "point"));
   }
-  return text + fmt::format(", by {} of their nodes, most {}, {:.4g} deep ({} of an element)", overlap.nodes,
-                            overlap.place, overlap.depth, percent(overlap.share));
+  return text + fmt::format(", by {} of their nodes, deepest at {}, which lies {:.4g} deep ({} of an element)",
+                            overlap.nodes, overlap.place, overlap.depth, percent(overlap.share));
 }
 
 /// The deepest overlaps first; many of them are reported by their number.
@@ -51,10 +55,9 @@ void add_overlaps(const RunSummary& summary, std::vector<std::string>& found) {
                            "nodes on the surface"));
   }
   if (overlaps.size() > most_reported) {
-    found.push_back(
-        fmt::format("{} more pairs of bodies overlap at the start, less deep: contact.overlaps of summary.json "
-                    "has them all",
-                    overlaps.size() - most_reported));
+    found.push_back(fmt::format(
+        "{} at the start, less deep: contact.overlaps of summary.json has them all",
+        counted(overlaps.size() - most_reported, "more pair of bodies overlaps", "more pairs of bodies overlap")));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
 
@@ -81,8 +82,9 @@ void Guards<S>::check_volumes(const InternalForceResult<S>& element) const {
     least = ratio;
     worst = slot;
   }
-  fail(fmt::format("{} of {} elements have no volume left {}, first of all {}", element.inverted_count,
-                   model_.element_count(), when(), element_name(model_, worst)),
+  fail(fmt::format("{} {} no volume left {}, first of all {}",
+                   counted_of(element.inverted_count, model_.element_count(), "element"),
+                   element.inverted_count == 1 ? "has" : "have", when(), element_name(model_, worst)),
        fmt::format("{}, element.negative_volume=\"erode\", or an erosion_strain for the material", try_smaller_steps));
 }
 
@@ -91,8 +93,9 @@ void Guards<S>::check_inside_out(std::int64_t count) const {
   if (count == 0) return;
   const FoldedElement worst = most_folded(model_, clock_.dt(), true);
   if (worst.slot < 0 || worst.share > 0) return;
-  fail(fmt::format("{} of {} elements are inside out at a corner {}, first of all {}", count, model_.element_count(),
-                   when(), element_name(model_, worst.slot)),
+  fail(fmt::format("{} {} inside out at a corner {}, first of all {}",
+                   counted_of(count, model_.element_count(), "element"), count == 1 ? "is" : "are", when(),
+                   element_name(model_, worst.slot)),
        fmt::format("{}, a finer mesh there, or element.inside_out=\"warn\"", try_smaller_steps));
 }
 

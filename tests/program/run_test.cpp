@@ -327,7 +327,7 @@ TEST_F(Program, InfoListsPartsAndSetsOfMeshFilesAndVolumes) {
   for (const char* text : {"volume 0.0025 m^3", "parts, with their elements: left (10): 2, right (20): 1",
                            "sets of nodes, with their nodes: ends (1): 8, roof (7): 4, bottom (1): 4, 2: 1",
                            "sets of faces, with their faces: ends (1): 2, roof (7): 1",
-                           "block 15 (skin) has 1 elements of type SHELL4 with 4 nodes, which are left out"}) {
+                           "block 15 (skin) has 1 element of type SHELL4 with 4 nodes: left out"}) {
     EXPECT_THAT(info.text, HasSubstr(text));
   }
 }

@@ -209,7 +209,7 @@ class Copies(unittest.TestCase):
         mesh = pinball.ArrayMesh(coordinates, np.arange(1, 9).reshape(1, 8), first_index=1)
         again = pickle.loads(pickle.dumps(mesh))
         self.assertEqual(again, mesh)
-        self.assertEqual(repr(again), "ArrayMesh(8 nodes, 1 elements)")
+        self.assertEqual(repr(again), "ArrayMesh(8 nodes, 1 element)")
         coordinates[0, 0] = 7
         self.assertNotEqual(again, mesh)
         self.assertEqual(mesh.coordinates[0, 0], 7)  # the caller's own

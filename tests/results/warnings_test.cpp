@@ -138,7 +138,7 @@ TEST(Warnings, Overlaps) {
   s.overlaps = {{"pin", "plate", 0, 32, "node 17 of body pin", 0.5, 0.05}};
   EXPECT_THAT(warnings(s),
               ElementsAre(AllOf(HasSubstr("bodies pin and plate overlap at the start, by 32 of their nodes"),
-                                HasSubstr("most node 17 of body pin, 0.5 deep (5 % of an element)"),
+                                HasSubstr("deepest at node 17 of body pin, which lies 0.5 deep (5 % of an element)"),
                                 HasSubstr("contact.overlap = \"adjust\""))));
   EXPECT_EQ(start_warnings(s), warnings(s));
   s.overlaps[0].share = 0.29;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/mesh/tetrahedra.hpp>
@@ -181,12 +182,13 @@ class ExodusReader {
   }
 
   void reject(const Names& blocks, std::size_t b, const std::string& type, std::int64_t nodes, std::int64_t count) {
-    const std::string what = fmt::format("block {}{} has {} elements of type {} with {} nodes", blocks.ids[b],
-                                         blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", count,
-                                         type.empty() ? "unknown" : type, nodes);
+    const std::string what =
+        fmt::format("block {}{} has {} of type {} with {}", blocks.ids[b],
+                    blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", counted(count, "element"),
+                    type.empty() ? "unknown" : type, counted(nodes, "node"));
     if (wanted_.empty() ? !is_without_volume(type) : is_needed(blocks.ids[b], blocks.names[b]))
       fail(what + ": expected HEX8, WEDGE6 or TET4");
-    file_.notes.push_back(fmt::format("{}: {}, which are left out", file_.path, what));
+    file_.notes.push_back(fmt::format("{}: {}: left out", file_.path, what));
     place_.insert(place_.end(), count, -1);
   }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include <solver/base/counted.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
 
@@ -16,14 +17,15 @@ std::string vector_text(const Point& p, const std::string& unit) {
 namespace {
 
 std::string table_text(const TimeTable& table) {
-  return table.times.empty() ? "constant" : fmt::format("{} points in time", table.times.size());
+  return table.times.empty() ? "constant" : counted(table.times.size(), "point") + " in time";
 }
 
 /// "25 nodes on the plane ..., 3 more lie near"
 std::string nodes_text(const ModelMesh& mesh, const NodeSelection& selection) {
   const SelectedNodes found = selected_nodes(mesh, selection);
-  return fmt::format("{} nodes {}{}", found.nodes.size(), describe(selection),
-                     found.near > 0 ? fmt::format(", {} more lie near", found.near) : "");
+  return fmt::format(
+      "{} {}{}", counted(found.nodes.size(), "node"), describe(selection),
+      found.near > 0 ? fmt::format(", {} more {} near", found.near, found.near == 1 ? "lies" : "lie") : "");
 }
 
 std::string span_text(const TimeSpan& when) {
@@ -48,10 +50,9 @@ template <class S>
 void print_boundary_conditions(const Model<S>& model, const Units& units) {
   const Scene& scene = model.scene;
   if (!model.constraints.empty()) {
-    fmt::print("  constraints: {} direction{} of nodes, from {} plane{} of symmetry and {} set{} of fixed nodes\n",
-               model.constraints.size(), model.constraints.size() == 1 ? "" : "s", scene.constraints.size(),
-               scene.constraints.size() == 1 ? "" : "s", scene.fixed_constraints.size(),
-               scene.fixed_constraints.size() == 1 ? "" : "s");
+    fmt::print("  constraints: {} of nodes, from {} of symmetry and {} of fixed nodes\n",
+               counted(model.constraints.size(), "direction"), counted(scene.constraints.size(), "plane"),
+               counted(scene.fixed_constraints.size(), "set"));
   }
   for (const PlaneConstraint& plane : scene.constraints)
     fmt::print("    symmetry: {}\n", nodes_text(model.mesh, nodes_of(plane)));
@@ -75,9 +76,9 @@ void print_boundary_conditions(const Model<S>& model, const Units& units) {
                nodes_text(model.mesh, load.nodes), table_text(load.table));
   }
   for (const Pressure& pressure : scene.pressures) {
-    fmt::print("  pressure {}: {:.6g}{}{} on {} faces {} ({})\n", pressure.name, pressure.pressure,
+    fmt::print("  pressure {}: {:.6g}{}{} on {} {} ({})\n", pressure.name, pressure.pressure,
                units.stress.empty() ? "" : " ", units.stress,
-               pressed_faces(model.mesh, scene.constraints, pressure).size(),
+               counted(pressed_faces(model.mesh, scene.constraints, pressure).size(), "face"),
                pressure.corners.empty() ? describe(pressure.faces) : "that are listed", table_text(pressure.table));
   }
   for (const Gravity& gravity : scene.gravities) {

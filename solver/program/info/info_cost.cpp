@@ -8,6 +8,7 @@
 #include <ctime>
 
 #include <kernels/exec.hpp>
+#include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
 #include <solver/program/text_table.hpp>
 #include <solver/results/forecast.hpp>
@@ -137,9 +138,9 @@ std::string time_text(double seconds) { return seconds < 0.1 ? "under 0.1 s" : "
 template <class S>
 void print_store(const Solver<S>& solver) {
   const Model<S>& model = solver.model();
-  fmt::print("  {} tiles of elements in {} colours, {} elements per pack (SIMD), {} thread{}\n", model.tile_count(),
-             model.tile_colours.colour_offsets.size() - 1, model.elements.width, DefaultExecutionSpace::concurrency(),
-             DefaultExecutionSpace::concurrency() == 1 ? "" : "s");
+  fmt::print("  {} of elements in {}, {} per pack (SIMD), {}\n", counted(model.tile_count(), "tile"),
+             counted(model.tile_colours.colour_offsets.size() - 1, "colour"), counted(model.elements.width, "element"),
+             counted(DefaultExecutionSpace::concurrency(), "thread"));
   const double bytes = bytes_of(solver);
   fmt::print("  memory of the stores: {}, {:.0f} bytes per element\n", readable_bytes(bytes),
              bytes / model.element_count());
@@ -185,8 +186,9 @@ void print_cost(Solver<S>& solver, const Units& units, const SpentSoFar& spent) 
   const ExpectedRun run = forecast.expected(resting / element_steps, after(begun, phases_of(solver)));
   const double seconds = spent.built + run.seconds + seconds_of_outputs(solver, run, spent.program);
   const double per_step = run.seconds / run.steps;
-  fmt::print("  {:.0f} steps to {}, {}run time {} ({:.3g} ms per step, {:.3g} million element steps per second)\n",
-             run.steps, with_unit(solver.at_end() ? solver.time() : scene.time.end, units.time),
+  fmt::print("  {} to {}, {}run time {} ({:.3g} ms per step, {:.3g} million element steps per second)\n",
+             run.steps == 1 ? "1 step" : fmt::format("{:.0f} steps", run.steps),
+             with_unit(solver.at_end() ? solver.time() : scene.time.end, units.time),
              solver.at_end() ? "all made just now, " : "", time_text(seconds), 1e3 * per_step,
              1e-6 * solver.element_count() / per_step);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <solver/base/counted.hpp>
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/model/look/extent.hpp>
 #include <solver/scene/schema/choices.hpp>
@@ -70,8 +71,8 @@ void print_mesh_file(const std::string& path, MeshFormat format) {
   settings.file = path;
   settings.format = format;
   const MeshFile file = read_mesh_file(settings, {});
-  fmt::print("{}: a mesh ({}) of {} hexahedra and {} nodes\n", path, schema::name_of(format),
-             file.mesh.hexahedra.size(), file.mesh.nodes.size());
+  fmt::print("{}: a mesh ({}) of {} and {}\n", path, schema::name_of(format),
+             counted(file.mesh.hexahedra.size(), "hexahedron", "hexahedra"), counted(file.mesh.nodes.size(), "node"));
   if (!file.mesh.hexahedra.empty()) print_shape(file.mesh);
   print_all_groups(groups_of(file));
   for (const std::string& note : file.notes) fmt::print("  note: {}\n", note);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <solver/base/counted.hpp>
 #include <solver/results/skipped_work.hpp>
 
 namespace pinball {
@@ -117,7 +118,7 @@ void print_contact_parts(const Solver<S>& solver, const Units& units) {
     return;
   }
   const std::int64_t inner = model.element_count() - solver.contact()->surface_elements();
-  if (inner > 0) skip(fmt::format("contact of {} elements", inner), "none of their faces is exposed");
+  if (inner > 0) skip("contact of " + counted(inner, "element"), "without an exposed face");
   if (model.scene.skip.contact_search) {
     skip("search of most steps", "its lists are used again until a node has strayed from its straight way");
   }
@@ -152,11 +153,11 @@ void print_what_is_skipped(const Solver<S>& solver, const Units& units) {
   print_element_features(model);
   if (const std::int64_t resting = RestingTiles<S>(model).elements();
       model.scene.skip.resting && resting > 0 && solver.subcycling() == nullptr) {
-    skip(fmt::format("stresses and forces of {} elements", resting),
+    skip("stresses and forces of " + counted(resting, "element"),
          "at rest or in free uniform flight, until something reaches their tile");
   }
   if (const std::int64_t rigid = model.rigid_element_count(); rigid > 0)
-    skip(fmt::format("stresses and forces of {} elements", rigid), "of rigid bodies, which do not deform");
+    skip("stresses and forces of " + counted(rigid, "element"), "of rigid bodies, which do not deform");
   print_contact_parts(solver, units);
   print_boundary_parts(solver);
   if (output.field_interval <= 0 && output.field_times.empty()) {

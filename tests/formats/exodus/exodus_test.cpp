@@ -45,7 +45,7 @@ TEST_P(Exodus, HasTheBlocksAndSets) {
   EXPECT_THAT(file.face_sets[0].faces, ElementsAre(ElementsAre(0, 4, 7, 3), ElementsAre(8, 9, 11, 10)));
   EXPECT_THAT(file.face_sets[1].faces, ElementsAre(ElementsAre(11, 13, 12, 10)));
   EXPECT_THAT(file.notes,
-              ElementsAre(HasSubstr("block 15 (skin) has 1 elements of type SHELL4 with 4 nodes, which are left out")));
+              ElementsAre(HasSubstr("block 15 (skin) has 1 element of type SHELL4 with 4 nodes: left out")));
 }
 
 TEST_P(Exodus, FilesThatAreCutShortAreErrors) {
@@ -149,7 +149,7 @@ TEST(ExodusClassic, SaysWhatIsWrong) {
             folder + "none.g: no such file, or it cannot be read");
   EXPECT_THAT(error_of([] { read_exodus(folder + "two_blocks.cdl", {}); }), HasSubstr("not a netCDF file"));
   EXPECT_THAT(error_of([] { read_exodus(folder + "two_blocks.g", {"skin"}); }),
-              HasSubstr("block 15 (skin) has 1 elements of type SHELL4 with 4 nodes: expected HEX8, WEDGE6 or TET4"));
+              HasSubstr("block 15 (skin) has 1 element of type SHELL4 with 4 nodes: expected HEX8, WEDGE6 or TET4"));
 }
 
 }  // namespace
