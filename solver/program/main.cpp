@@ -106,7 +106,7 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
       command.add_option("--set", options.overrides.set, "KEY=VALUE: overrides a key of the scene, or variant=NAME"));
   command
       .add_option("--threads", options.threads,
-                  "number of threads (default: OMP_NUM_THREADS, else what the size earns)")
+                  "number of threads (default, and 0: OMP_NUM_THREADS, else what the size earns)")
       ->check(CLI::Range(0, pinball::most_threads));
   command.add_option("--refine", options.overrides.refine, "multiplies the element counts of generated meshes")
       ->check(CLI::Range(1, 1000));
