@@ -48,6 +48,13 @@ InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<Con
   return found;
 }
 
+InitialOverlap find_overlap_at(double time, const Scene& scene, const ModelMesh& mesh, double depth) {
+  std::vector<ContactPair> pairs = scene.contact_pairs;
+  std::erase_if(pairs, [time](const ContactPair& pair) { return pair.end < time; });
+  if (pairs.empty() && !scene.contact_pairs.empty()) return {};
+  return find_initial_overlap(mesh, pairs, depth);
+}
+
 std::vector<InitialOverlap> find_initial_overlaps(const Scene& scene, const ModelMesh& mesh) {
   const OverlappingBodies bodies(mesh, scene.contact_pairs);
   NodeDepths depths(scene, mesh, bodies);

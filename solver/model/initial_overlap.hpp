@@ -25,6 +25,10 @@ struct InitialOverlap {
 InitialOverlap find_initial_overlap(const ModelMesh& mesh, const std::vector<ContactPair>& pairs = {},
                                     double depth = 0.1);
 
+/// The same of bodies that may touch at a time: those whose contact pairs have ended before share space as the scene
+/// asks.
+InitialOverlap find_overlap_at(double time, const Scene& scene, const ModelMesh& mesh, double depth);
+
 /// All bodies that overlap, two by two in the order of the scene: with points more than a tenth of an element inside,
 /// or with nodes more than a hundredth of a face. A node inside is known from the facets that a curved surface is made
 /// of: how far these stand out of the surface follows from the angles between them.

@@ -121,7 +121,7 @@ void Solver<S>::finish() {
     places.push_back({x[0], x[1], x[2]});
   }
   std::swap(model_.mesh.nodes, places);
-  overlap_at_end_ = find_initial_overlap(model_.mesh, model_.scene.contact_pairs, sound::depth_at_end);
+  overlap_at_end_ = find_overlap_at(clock_.time(), model_.scene, model_.mesh, sound::depth_at_end);
   std::swap(model_.mesh.nodes, places);
 }
 

@@ -141,6 +141,11 @@ TEST(Soundness, BodiesThatAreInEachOtherAtTheEndAreSeenByTheirPlaces) {
       testing::Contains(MatchesRegex("bodies are in each other at the end, at time 0.0006, more than 20 % of an "
                                      "element deep: lower and upper, by .* of their nodes.*")));
   EXPECT_EQ(result_of(impact()).overlap_at_end, "");
+  scene.contact_pairs = {{.name = "p", .first = {.bodies = {"lower"}}, .second = {.bodies = {"upper"}}}};
+  EXPECT_NE(result_of(scene).overlap_at_end, "");
+  scene.contact_pairs[0].end = 1e-4;
+  EXPECT_EQ(result_of(scene).overlap_at_end, "") << "contact is over";
+  scene.contact_pairs.clear();
   scene.contact.method = ContactMethod::none;
   EXPECT_EQ(result_of(scene).overlap_at_end, "") << "they are meant to";
 }
