@@ -44,6 +44,10 @@ ConvergenceStudy study_convergence(const Scene& scene, const StudySettings& sett
   // What cannot be is reported before a run.
   for (const MeshFactor& factor : settings.factors) refined_by(scene, factor);
   vary_bodies(scene, settings.bodies);
+  if (!settings.of.empty() && !settings.factors.empty()) {
+    const Scene first = refined_by(scene, settings.factors.front());
+    require_quantities(settings.of, study_results_to_come(first, settings.folder));
+  }
   StudyMaker maker(scene, settings);
   for (const MeshFactor& factor : settings.factors) {
     maker.run_mesh(factor);

@@ -13,6 +13,8 @@
 #include <solver/base/error.hpp>
 #include <solver/output/history.hpp>
 #include <solver/output/run_files.hpp>
+#include <solver/scene_rules.hpp>
+#include <solver/summary.hpp>
 
 namespace pinball {
 
@@ -45,6 +47,13 @@ void add_numbers(const Json& json, const std::string& path, std::map<std::string
     const std::string key = vector ? std::string(1, "xyz"[i]) : fmt::format("{}", i);
     add_numbers(json[i], below(named ? json[i]["name"].get<std::string>() : key), numbers);
   }
+}
+
+/// What a run has no number for yet it may have one for later.
+void replace_nulls(Json& json) {
+  if (json.is_null()) json = 0;
+  if (!json.is_structured()) return;
+  for (Json& part : json) replace_nulls(part);
 }
 
 void read_summary_file(const std::string& path, RunResults& results) {
@@ -104,6 +113,16 @@ RunResults read_run_results(const std::string& folder) {
   RunResults results;
   read_summary_file(in_folder(folder, summary_name), results);
   read_history_file(in_folder(folder, history_name), results);
+  return results;
+}
+
+RunResults results_to_come(const Simulation& simulation) {
+  RunResults results;
+  results.columns = history_column_names(names_of(simulation.scene().bodies), simulation.history_columns());
+  for (const std::string& column : results.columns) results.rows[column] = {0};
+  Json json = Json::parse(summary_json(simulation.summary()));
+  replace_nulls(json);
+  add_numbers(json, "", results.numbers);
   return results;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <solver/scene/units/units.hpp>
+#include <solver/simulation.hpp>
 
 #include "time_curve.hpp"
 
@@ -39,6 +40,9 @@ struct RunResults {
   /// Columns and numbers.
   std::vector<std::string> known() const;
 };
+
+/// What a run will leave, by its names: all numbers are those before its first step, or 0.
+RunResults results_to_come(const Simulation& simulation);
 
 /// Whether a quantity is a curve: COLUMN:curve.
 bool is_curve(const std::string& quantity);

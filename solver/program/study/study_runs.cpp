@@ -93,6 +93,12 @@ std::string study_settings_text(const Scene& scene) {
   return text;
 }
 
+RunResults study_results_to_come(const Scene& scene, const StudyFolder& folder) {
+  Scene run_scene = scene;
+  carry_numbers(run_scene);
+  return results_to_come(Simulation(run_scene, {folder.threads}));
+}
+
 StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
                         std::optional<double> expected) {
   Scene run_scene = scene;

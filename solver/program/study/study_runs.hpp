@@ -41,4 +41,7 @@ std::string study_settings_text(const Scene& scene);
 StudyRun make_study_run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
                         std::optional<double> expected = {});
 
+/// What such a run will leave, by its names. Throws InputError as well.
+RunResults study_results_to_come(const Scene& scene, const StudyFolder& folder);
+
 }  // namespace pinball
