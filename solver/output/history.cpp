@@ -8,6 +8,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
+#include <string_view>
 
 #include <solver/base/error.hpp>
 
@@ -74,6 +76,14 @@ std::vector<std::string> history_column_names(const std::vector<std::string>& bo
     }
   }
   names.insert(names.end(), more.begin(), more.end());
+  std::set<std::string_view> known;
+  for (const std::string& name : names) {
+    if (known.insert(name).second) continue;
+    throw InputError(
+        fmt::format("two columns of history.csv would have the name {}: expected names of bodies, rigid bodies, walls, "
+                    "probes, pairs and forces that keep theirs apart",
+                    name));
+  }
   return names;
 }
 

@@ -12,7 +12,7 @@
 
 namespace pinball {
 
-/// Names of the columns, as HistoryWriter describes them.
+/// Names of the columns, as HistoryWriter describes them. Throws InputError where two have one name.
 std::vector<std::string> history_column_names(const std::vector<std::string>& bodies,
                                               const std::vector<std::string>& more);
 /// Whether a column is one of Energies of the whole model, or their total.

@@ -13,8 +13,10 @@
 #include <solver/mesh/mesh_format.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/mesh/tetrahedra.hpp>
+#include <solver/output/history.hpp>
 #include <solver/results/warnings.hpp>
 #include <solver/scene/units/units.hpp>
+#include <solver/scene_rules.hpp>
 #include <solver/step/report.hpp>
 #include <solver/step/solver.hpp>
 
@@ -256,6 +258,7 @@ DecidedScene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   if (threads > 0) DefaultExecutionSpace::set_concurrency(threads);  // others would wait, and be counted, from now on
   Solver<S> solver(scene);
   spent.built = processor_seconds();
+  history_column_names(names_of(scene.bodies), more_columns(solver));  // refused here, too
   DefaultExecutionSpace::set_concurrency(threads > 0 ? threads : earned_threads(solver.element_count()));
   fmt::print("{}: {}\n", scene.name, scene.title.empty() ? "(no title)" : scene.title);
   fmt::print("  {}; {} precision", units_line(scene.units), name_of(scene.precision));

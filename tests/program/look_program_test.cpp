@@ -72,6 +72,15 @@ TEST_F(LookProgram, InfoSaysWhyContactIsLeftOut) {
               HasSubstr("  contact: off in the scene (contact.method = none)\n"));
 }
 
+/// One probe and its body have columns of one name.
+TEST_F(LookProgram, ColumnsOfOneNameAreRefused) {
+  const std::string path =
+      scene(cube_scene + "[[probe]]\nname = \"cube_max\"\nkind = \"element\"\npoint = [0, 0, 0]\n");
+  for (const char* command : {"info ", "run "})
+    expect_bad_input(command + path + out(), "would have the name cube_max_plastic_strain");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
 TEST_F(LookProgram, UnitsThatNameNothingAreRefused) {
   const Finished f = run("info " + scene(replaced(cube_scene, "kg-m-s", "foo-bar-baz")));
   EXPECT_EQ(f.status, 2);
