@@ -46,7 +46,12 @@ class RecordedRun {
       throw OutOfMemory(fmt::format("in step {} at time {:.6g}", simulation_.steps(), simulation_.time()), bytes());
     }
     const RunSummary summary = result(simulation_.complete() ? RunStatus::done : RunStatus::stopped);
-    write_page(summary);
+    try {
+      write_page(summary);
+    } catch (const RunError& error) {  // a full disk, which a summary may still fit on: what was computed is kept
+      folder_.end(result(RunStatus::failed, error.what()));
+      throw;
+    }
     folder_.end(summary);
     return summary;
   }

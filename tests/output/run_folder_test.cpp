@@ -166,6 +166,19 @@ TEST_F(RunFolders, AFailedRunSaysWhy) {
   EXPECT_GT(json["steps"], 0);
 }
 
+TEST_F(RunFolders, WhatWasComputedIsKeptWhereThePageCannotBeWritten) {
+  const std::string error = error_of<RunError>([&] {
+    run(source_of("two_blocks"), [&] {
+      std::filesystem::create_directories(folder_ / "out/index.html");
+      return false;
+    });
+  });
+  EXPECT_THAT(error, HasSubstr("index.html"));
+  EXPECT_EQ(summary()["status"], "failed");
+  EXPECT_EQ(summary()["steps"], 74);
+  EXPECT_TRUE(summary().contains("state_hash"));
+}
+
 TEST_F(RunFolders, AnErrorInTheMiddleThatIsNoneOfTheRunIsToldToo) {
   const std::string error =
       error_of<std::bad_alloc>([&] { run(source_of("two_blocks"), []() -> bool { throw std::bad_alloc(); }); });
