@@ -24,10 +24,18 @@ void make_folder(const std::string& folder) {
   if (error) throw RunError(fmt::format("cannot create the output folder {}: {}", folder, error.message()));
 }
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)), part_(path_ + ".part") {
+bool is_device(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::file_type kind = std::filesystem::status(path, error).type();
+  using enum std::filesystem::file_type;
+  return kind == character || kind == block || kind == fifo || kind == socket;
+}
+
+OutputFile::OutputFile(std::string path)
+    : path_(std::move(path)), device_(is_device(path_)), part_(device_ ? path_ : path_ + ".part") {
   // What a killed run has left, or a link to a file of somebody else, which would be written in its place.
   std::error_code error;
-  if (!std::filesystem::exists(part_, error) || std::filesystem::is_regular_file(part_, error))
+  if (!device_ && (!std::filesystem::exists(part_, error) || std::filesystem::is_regular_file(part_, error)))
     std::filesystem::remove(part_, error);
   file_ = std::fopen(part_.c_str(), "wb");
   if (file_ == nullptr) throw_write_error(path_, errno);
@@ -36,7 +44,11 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), part_(path_ +
 OutputFile::~OutputFile() {
   if (file_ == nullptr) return;
   std::fclose(file_);
-  std::remove(part_.c_str());
+  remove_part();
+}
+
+void OutputFile::remove_part() const {
+  if (!device_) std::remove(part_.c_str());
 }
 
 void OutputFile::write(const void* data, std::size_t bytes) {
@@ -54,7 +66,7 @@ void OutputFile::commit() {
 
 void OutputFile::commit_durably() {
   errno = 0;
-  if (std::fflush(file_) != 0 || ::fsync(fileno(file_)) != 0) throw_write_error(path_, errno);
+  if (std::fflush(file_) != 0 || (!device_ && ::fsync(fileno(file_)) != 0)) throw_write_error(path_, errno);
   close_and_rename();
   const std::string folder = std::filesystem::path(path_).parent_path().string();
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
@@ -66,9 +78,9 @@ void OutputFile::commit_durably() {
 void OutputFile::close_and_rename() {
   std::FILE* const file = file_;
   file_ = nullptr;
-  if (std::fclose(file) != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) {
+  if (std::fclose(file) != 0 || (!device_ && std::rename(part_.c_str(), path_.c_str()) != 0)) {
     const int error = errno;
-    std::remove(part_.c_str());
+    remove_part();
     throw_write_error(path_, error);
   }
 }

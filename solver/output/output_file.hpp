@@ -11,7 +11,8 @@ namespace pinball {
 void make_folder(const std::string& folder);
 
 /// A file that appears complete or not at all: it is written as `path.part` beside `path` and renamed by commit(), so
-/// that a reader of a running job never meets half a file. Without commit() nothing is left behind.
+/// that a reader of a running job never meets half a file. Without commit() nothing is left behind. What is no file,
+/// such as /dev/stdout, is written as it is: a file in its place would be the end of it.
 /// Every member throws RunError "cannot write PATH: reason" when the disk is full, the folder not writable, ...
 class OutputFile {
  public:
@@ -28,10 +29,16 @@ class OutputFile {
 
  private:
   void close_and_rename();
+  void remove_part() const;
 
-  std::string path_, part_;
+  std::string path_;
+  bool device_ = false;  ///< is_device(path_)
+  std::string part_;
   std::FILE* file_ = nullptr;
 };
+
+/// Whether the path leads to a device, a pipe or a socket.
+bool is_device(const std::string& path);
 
 /// Throws RunError "cannot write PATH: reason", the reason taken from `error` (an errno; 0: unknown).
 [[noreturn]] void throw_write_error(const std::string& path, int error);

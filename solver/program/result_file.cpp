@@ -1,5 +1,7 @@
 #include "result_file.hpp"
 
+#include <unistd.h>
+
 #include <filesystem>
 
 #include <solver/base/error.hpp>
@@ -12,6 +14,10 @@ void check_result_path(const std::string& option, const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
     throw InputError(option + ' ' + path + ": expected a file, got a folder");
+  }
+  if (is_device(path)) {  // whose reader would take the look for the end
+    if (::access(path.c_str(), W_OK) != 0) throw InputError(option + ' ' + path + ": cannot write there");
+    return;
   }
   try {
     const OutputFile file(path);
