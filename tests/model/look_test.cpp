@@ -257,6 +257,94 @@ Scene struck_plate(int layers, bool plastic = true) {
   return scene;
 }
 
+TEST(LookAtContact, OfOneBodyInPiecesSaysThatThesePass) {
+  Scene scene = two_cubes({0, 0, 10});
+  scene.tied_contacts.clear();
+  complete_scene(scene);
+  ModelMesh mesh = build_mesh(scene);
+  std::ranges::fill(mesh.body, 0);
+  std::ranges::fill(mesh.body_of_node, 0);
+  scene.bodies.pop_back();
+  mesh.body_names.pop_back();
+  const Look found = look_at(scene, mesh);
+  EXPECT_EQ(scene.contact.method, ContactMethod::none);
+  EXPECT_THAT(found.contact_because, HasSubstr("all 2 pieces of the mesh are one body"));
+}
+
+TEST(LookAtMotions, TellsDisplacementsThatBeginElsewhere) {
+  Scene scene = two_cubes({0, 0, 0.1});
+  PrescribedVelocity given;
+  given.nodes.body = "a";
+  given.velocity = {0, 0, 2};
+  given.quantity = MotionQuantity::displacement;
+  scene.prescribed_velocities = {given};
+  EXPECT_THAT(look(scene).unlikely,
+              ElementsAre(HasSubstr("its displacement is 2 where it begins, at time 0: nothing leaps")));
+  scene.prescribed_velocities[0].table = {{0, 1}, {0, 1}};
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());
+  scene.prescribed_velocities[0].when.start = 0.5;
+  EXPECT_THAT(look(scene).unlikely, ElementsAre(HasSubstr("is 1 where it begins, at time 0.5")));
+  given.when.end = 0.5;
+  given.table = {{0, 1}, {0, 1}};
+  scene.prescribed_velocities.push_back(given);
+  EXPECT_THAT(look(scene).unlikely, IsEmpty()) << "it goes on";
+  scene.prescribed_velocities = {};
+}
+
+TEST(LookAtProbes, TellsAPointFarAway) {
+  Scene scene = two_cubes({0, 0, 0.1});
+  Probe probe;
+  probe.name = "p";
+  probe.point = {3, 3, 9};  // the last corner is at 7
+  scene.probes = {probe};
+  EXPECT_THAT(look(scene).unlikely, ElementsAre(HasSubstr("probe p: its point lies 2 m away from all bodies")));
+  scene.probes[0].body = "a";
+  EXPECT_THAT(look(scene).unlikely, ElementsAre(HasSubstr("6 m away from body a")));
+  scene.probes[0].point = {3.01, 1.5, 1.5};
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());
+}
+
+std::vector<std::string> of_gravity(const std::string& units, double acceleration, double factor = 1) {
+  Scene scene = two_cubes({0, 0, 0.1});
+  scene.units = units;
+  Gravity gravity{{0, -acceleration, 0}};
+  if (factor != 1) gravity.table = {{0, 1}, {0, factor}};
+  scene.gravities = {gravity};
+  Look found = look(scene);
+  std::erase_if(found.unlikely, [](const std::string& sentence) { return !sentence.starts_with("gravity"); });
+  return found.unlikely;
+}
+
+TEST(LookAtGravity, TellsThatOfOtherUnits) {
+  EXPECT_THAT(of_gravity("SI", 9810), ElementsAre("gravity 0: 9810 m/s^2 is 1000 times the acceleration on earth, "
+                                                  "which has this number in mm/s^2"));
+  EXPECT_THAT(of_gravity("tonne-mm-s", 9.81), ElementsAre(HasSubstr("0.001 times the acceleration on earth")));
+  EXPECT_THAT(of_gravity("kg-mm-ms", 9.81), ElementsAre(HasSubstr("9.81 mm/ms^2 is 1000 times")));
+  EXPECT_THAT(of_gravity("g-mm-ms", 9806.65), ElementsAre(HasSubstr("this number in mm/s^2")));
+  EXPECT_THAT(of_gravity("in-lbf-s", 9.81), ElementsAre(HasSubstr("this number in m/s^2")));
+  EXPECT_THAT(of_gravity("SI", 386.4), ElementsAre(HasSubstr("this number in in/s^2")));
+  EXPECT_THAT(of_gravity("SI", 32.2), ElementsAre(HasSubstr("this number in ft/s^2")));
+  EXPECT_THAT(of_gravity("SI", 1, 9810), ElementsAre(HasSubstr("this number in mm/s^2")));
+}
+
+TEST(LookAtGravity, LeavesOutTheEarthsLoadsOfManyTimesThatAndUnknownUnits) {
+  for (const auto& [units, value] : {std::pair{"SI", 9.81},
+                                     {"SI", 9.8},
+                                     {"tonne-mm-s", 9810.0},
+                                     {"g-mm-ms", 9.81e-3},
+                                     {"in-lbf-s", 386.1},
+                                     {"SI", 981.0},
+                                     {"SI", 98.1},
+                                     {"SI", 1.62},
+                                     {"SI", 10000.0},
+                                     {"SI", 0.0},
+                                     {"", 9810.0},
+                                     {"CGS", 981.0},
+                                     {"SI", 2942.0}})
+    EXPECT_THAT(of_gravity(units, value), IsEmpty()) << units << ' ' << value;
+  EXPECT_THAT(of_gravity("SI", 9810, 1e-3), IsEmpty());
+}
+
 TEST(LookAtLayers, TellsAPlateOfOne) {
   EXPECT_THAT(look(struck_plate(1)).unlikely, ElementsAre(HasSubstr("body b has one layer of elements")));
   EXPECT_THAT(look(struck_plate(2)).unlikely, IsEmpty());

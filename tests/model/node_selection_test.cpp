@@ -92,6 +92,20 @@ TEST(NodeSelection, ThatIsNearlyMissedIsToldAtTheStart) {
   EXPECT_THAT(find_near_nodes(block_scene(), build_mesh(block_scene())), IsEmpty());
 }
 
+TEST(NodeSelection, ThatIsFarFromAllNodesIsToldAtTheStart) {
+  Scene scene = block_scene();
+  scene.constraints[0].point = {70, 0, 0};
+  scene.constraints[0].where = "scene.toml:7:1: constraint.0";
+  EXPECT_THAT(find_near_nodes(scene, build_mesh(scene)),
+              ElementsAre("scene.toml:7:1: constraint.0: there is no node on the plane through (70, 0, 0) with normal "
+                          "(1, 0, 0)"));
+  scene = block_scene();
+  NodalLoad load;
+  load.nodes.nearest = Point{70, 0, 0};
+  scene.loads = {load};
+  EXPECT_THAT(find_near_nodes(scene, build_mesh(scene)), ElementsAre(HasSubstr("(70, 0, 0) lies ")));
+}
+
 /// Faces on a rounded plane of symmetry are none that contact could touch.
 TEST(NodeSelection, OfASymmetryPlaneHidesTheFacesInIt) {
   Scene scene = block_scene();

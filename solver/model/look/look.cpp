@@ -2,8 +2,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
 #include <solver/model/model.hpp>
 #include <solver/scene/material/known_solids.hpp>
+#include <solver/scene/units/earth_gravity.hpp>
 #include <solver/scene/units/units.hpp>
 
 #include "displacement_jumps.hpp"
@@ -15,8 +21,26 @@ namespace pinball {
 
 namespace {
 
+constexpr double far_away = 0.1;  ///< of a probe's point from the box of what it watches, over the size of that [-]
+
 std::string number(double value, const std::string& unit) {
   return unit.empty() ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
+}
+
+/// Of elements that hang together by nodes.
+std::size_t pieces_of(const ModelMesh& mesh) {
+  std::vector<std::int32_t> root(mesh.nodes.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&root](std::int32_t n) {
+    while (root[n] != n) n = root[n] = root[root[n]];
+    return n;
+  };
+  for (const auto& corners : mesh.hexahedra) {
+    for (const std::int32_t n : corners) root[find(n)] = find(corners[0]);
+  }
+  std::set<std::int32_t> roots;
+  for (const auto& corners : mesh.hexahedra) roots.insert(find(corners[0]));
+  return roots.size();
 }
 
 /// One look at one scene.
@@ -26,6 +50,7 @@ class LookAt {
 
   Look look() {
     check_materials();
+    check_gravity();
     const bool lone = scene_.bodies.size() == 1 && scene_.rigid_walls.empty();
     if (!lone) movers_ = find_movers(scene_, mesh_);
     if (movers_.all.size() > 1) meetings_ = find_meetings(movers_);
@@ -35,6 +60,7 @@ class LookAt {
     for (std::string& sentence : opposed_motions(scene_, mesh_)) report(std::move(sentence));
     for (std::string& sentence : displacement_jumps(scene_)) report(std::move(sentence));
     if (meetings_.possible || meets_wall()) report(find_thin_body(scene_, mesh_));
+    check_probes();
     return std::move(look_);
   }
 
@@ -50,6 +76,36 @@ class LookAt {
 
   void check_materials() {
     for (const Material& material : scene_.materials) report_cause(unlikely_material(material, units_));
+  }
+
+  /// A probe watches what is nearest to its point, however far that is.
+  void check_probes() {
+    for (const Probe& probe : scene_.probes) {
+      if (probe.number) continue;
+      Extent box;
+      for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+        if (probe.body.empty() || probe.body == mesh_.body_names[mesh_.body_of_node[n]]) box.take(mesh_.nodes[n]);
+      }
+      Point out{};
+      for (std::size_t k = 0; k < 3; ++k)
+        out[k] = std::max({0.0, box.low[k] - probe.point[k], probe.point[k] - box.high[k]});
+      const double size = norm(minus(box.high, box.low));
+      if (!(norm(out) > far_away * size)) continue;
+      report(fmt::format("probe {}: its point lies {} away from {}, whose diagonal is {}: what is nearest is watched",
+                         probe.name, number(norm(out), units_.length),
+                         probe.body.empty() ? "all bodies" : "body " + probe.body, number(size, units_.length)));
+    }
+  }
+
+  void check_gravity() {
+    for (std::size_t g = 0; g < scene_.gravities.size(); ++g) {
+      const Gravity& gravity = scene_.gravities[g];
+      double most = gravity.table.factors.empty() ? 1.0 : 0.0;
+      for (const double factor : gravity.table.factors) most = std::max(most, std::abs(factor));
+      const std::string wrong = unlikely_gravity(most * norm(gravity.acceleration), units_);
+      if (wrong.empty()) continue;
+      report_cause(fmt::format("gravity {}: {}", gravity.name.empty() ? fmt::format("{}", g) : gravity.name, wrong));
+    }
   }
 
   std::string names(const Meeting& met) const {
@@ -74,6 +130,11 @@ class LookAt {
                                           names(*meetings_.possible), when(*meetings_.possible));
     } else if (movers_.all.size() > 1) {
       look_.contact_because = "contact is off (contact.method is left out): no two bodies can meet";
+    } else if (const std::size_t pieces = pieces_of(mesh_); pieces > 1) {
+      look_.contact_because = fmt::format(
+          "contact is off (contact.method is left out): all {} pieces of the mesh are one body: contact.method = "
+          "\"pinball\" lets them touch, or make them bodies of their own",
+          pieces);
     }
   }
 
