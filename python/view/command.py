@@ -28,6 +28,17 @@ def entries_of(folder):
     return entries
 
 
+def check_picture(path):
+    """Before minutes of drawing; the folder of the file is looked at when it is written."""
+    from PIL import Image
+
+    from view.fields import BadInput
+
+    kinds = [kind for kind, name in Image.registered_extensions().items() if name in Image.SAVE]
+    if os.path.splitext(path)[1].lower() not in kinds:
+        raise BadInput(f"--out: expected a file that ends in .png, or another kind of picture, got {path}")
+
+
 class Wanted:
     """Which files an invocation makes: all in OUT, or those that it names."""
 
@@ -95,6 +106,8 @@ def draw(options):
     has_history = os.path.exists(os.path.join(options.folder, "history.csv"))
     if options.beside and not (options.out or options.page):
         raise BadInput("--beside: expected --out FILE.png or --page FILE.html as well, where the picture goes")
+    if options.out:
+        check_picture(options.out)
     if wanted.sheet or wanted.film or wanted.into:
         yield from draw_fields(options, wanted)
     if options.history or (wanted.history and has_history):

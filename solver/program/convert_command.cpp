@@ -10,6 +10,7 @@
 #include <solver/scene/given/toml_file.hpp>
 
 #include "commands.hpp"
+#include "result_file.hpp"
 #include "scene_input.hpp"
 
 namespace pinball {
@@ -21,6 +22,7 @@ int convert_command(const ConvertOptions& options) {
   if (!options.force && fs::exists(options.scene)) {
     throw InputError(options.scene + ": is there already; --force replaces it");
   }
+  check_result_path("convert", options.scene);
   const fs::path folder = fs::absolute(options.scene).parent_path();
   const std::string deck = fs::absolute(options.deck).lexically_proximate(folder).string();
   const TranslatedDeck translated = translate_any_deck(options.deck, {options.chosen_case, options.lenient, deck});

@@ -67,6 +67,7 @@ TEST(View, EndsWithStatus2OnBadInput) {
   says(out + " --mirror yy", "expected y for a body cut at y = 0");
   says(out + " --colours jetsam", "no colour map jetsam");
   says(out + " --range 2,1", "LOW < HIGH");
+  says(out + " --out picture.xyz", "expected a file that ends in .png");
   says(out + " --animation film.avi", "expected a file that ends in .gif");
   says(out + " --cut z=1e6", "no element is left to draw");
   std::filesystem::remove(folder / "fields_0001.vtu");

@@ -37,5 +37,10 @@ TEST_F(Wording, OneOfAnythingIsInTheSingular) {
   EXPECT_FALSE(std::regex_search(all, found, wrong)) << found.str() << " in\n" << all;
 }
 
+TEST_F(Wording, ConvertNamesTheFileThatItCannotWriteNotTheDeck) {
+  expect_bad_input("convert " PINBALL_SOURCE_DIR "/data/decks/abaqus/tied.inp " + (folder_ / "nowhere/x.toml").string(),
+                   "convert: cannot write " + (folder_ / "nowhere/x.toml").string());
+}
+
 }  // namespace
 }  // namespace pinball::test::wording_test
