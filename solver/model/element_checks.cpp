@@ -53,10 +53,16 @@ std::string volume_problem(const std::array<Point, 8>& corners, Precision precis
   const double size = diameter(corners), cube = size * size * size;
   const double volume = volume_by_quadrature(corners);
   // A flat element has a volume of round-off, of either sign.
-  const bool flat = !(volume > 1e-12 * cube), held = square_is_held(cube, precision);
+  constexpr double least_share = 1e-12;
+  const bool flat = !(volume > least_share * cube), held = square_is_held(cube, precision);
   if (flat && size > 0 && std::numeric_limits<double>::epsilon() * farthest(corners) > 1e-6 * size) return "";
-  if (flat && (held || size == 0))
-    return fmt::format("is inverted or flat: its volume is {:.6g}, expected > 0", volume);
+  if (flat && (held || size == 0)) {
+    const std::string expected = volume > 0 ? fmt::format("more than {:.3g}, {:.0e} of the cube of its size {:.3g}",
+                                                          least_share * cube, least_share, size)
+                                            : "> 0";
+    return fmt::format("is inverted or flat: its volume is {:.6g}, expected {}", std::isnan(volume) ? NAN : volume,
+                       expected);
+  }
   if (held && square_is_held(volume, precision)) return "";
   return fmt::format(
       "has the size {:.3g}, with volumes that {} precision cannot hold: expected another unit of length{}", size,

@@ -116,7 +116,8 @@ TEST(MeshRounding, MaterialsHaveToBeHeldByThePrecision) {
 TEST(MeshRounding, AFlatElementIsCalledFlat) {
   Scene scene = block_at({1e3, 0, 0}, Precision::float64);
   scene.bodies[0].mesh = BlockMesh{{1, 1, 1e-13}, {1, 1, 1}};
-  EXPECT_THAT(refusal(scene), HasSubstr("inverted or flat"));
+  EXPECT_THAT(refusal(scene), HasSubstr("inverted or flat: its volume is 1e-13, expected more than 2.83e-12, 1e-12 of "
+                                        "the cube of its size 1.41"));
 }
 
 }  // namespace
