@@ -257,6 +257,17 @@ Scene struck_plate(int layers, bool plastic = true) {
   return scene;
 }
 
+TEST(LookAtContact, TellsBodiesThatMeetAndThatNoPairNames) {
+  Scene scene = two_cubes({0, 0, 10});
+  scene.contact.method = ContactMethod::pinball;
+  scene.contact_pairs = {{.name = "p", .first = {.bodies = {"a"}}}};
+  EXPECT_THAT(
+      look(scene).unlikely,
+      ElementsAre(HasSubstr("bodies a and b meet from time 0.09375 s on, and no contact.pair lets them touch")));
+  scene.contact_pairs[0].second.bodies = {"b"};
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());
+}
+
 TEST(LookAtContact, OfOneBodyInPiecesSaysThatThesePass) {
   Scene scene = two_cubes({0, 0, 10});
   scene.tied_contacts.clear();
@@ -289,6 +300,18 @@ TEST(LookAtMotions, TellsDisplacementsThatBeginElsewhere) {
   scene.prescribed_velocities.push_back(given);
   EXPECT_THAT(look(scene).unlikely, IsEmpty()) << "it goes on";
   scene.prescribed_velocities = {};
+}
+
+TEST(LookAtMotions, TellsWhatNeverBegins) {
+  Scene scene = two_cubes({0, 0, 0.1});
+  FixedConstraint fixed;
+  fixed.nodes.body = "a";
+  fixed.directions = {{1, 0, 0}};
+  fixed.when.start = 1;
+  scene.fixed_constraints = {fixed};
+  EXPECT_THAT(look(scene).unlikely, ElementsAre("constraint.0: it begins at 1, and the run ends at time.end = 1"));
+  scene.fixed_constraints[0].when.start = 0.99;
+  EXPECT_THAT(look(scene).unlikely, IsEmpty());
 }
 
 TEST(LookAtProbes, TellsAPointFarAway) {

@@ -15,7 +15,8 @@ constexpr double off_by_rounding = -1e-9;
 /// facets.
 constexpr double forgiven = 1.5;
 
-/// Whether some pair lets two bodies touch; of sets any body may be a part.
+}  // namespace
+
 bool may_touch(const std::vector<ContactPair>& pairs, const std::string& a, const std::string& b) {
   const auto holds = [](const ContactSide& side, const std::string& body) {
     return !side.elements.empty() || !side.faces.empty() || !side.nodes.empty() ||
@@ -26,8 +27,6 @@ bool may_touch(const std::vector<ContactPair>& pairs, const std::string& a, cons
            return (holds(pair.first, a) && holds(second, b)) || (holds(pair.first, b) && holds(second, a));
          });
 }
-
-}  // namespace
 
 OverlappingBodies::OverlappingBodies(const ModelMesh& mesh, const std::vector<ContactPair>& pairs)
     : mesh_(mesh), pairs_(pairs), bodies_(mesh.body_names.size()) {

@@ -13,6 +13,9 @@
 
 namespace pinball {
 
+/// Whether some pair lets two bodies touch at some time; of sets any body may be a part. No pairs: all bodies may.
+bool may_touch(const std::vector<ContactPair>& pairs, const std::string& a, const std::string& b);
+
 struct BodyParts {
   Bounds box;
   std::vector<std::size_t> nodes, elements;

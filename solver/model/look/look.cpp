@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include <solver/model/interfaces/overlapping_bodies.hpp>
 #include <solver/model/model.hpp>
 #include <solver/scene/material/known_solids.hpp>
 #include <solver/scene/units/earth_gravity.hpp>
@@ -14,6 +15,7 @@
 
 #include "displacement_jumps.hpp"
 #include "meetings.hpp"
+#include "never_begun.hpp"
 #include "opposed_motions.hpp"
 #include "thin_bodies.hpp"
 
@@ -53,12 +55,16 @@ class LookAt {
     check_gravity();
     const bool lone = scene_.bodies.size() == 1 && scene_.rigid_walls.empty();
     if (!lone) movers_ = find_movers(scene_, mesh_);
-    if (movers_.all.size() > 1) meetings_ = find_meetings(movers_);
+    if (movers_.all.size() > 1)
+      meetings_ = find_meetings(movers_, [this](std::int32_t a, std::int32_t b) {
+        return may_touch(scene_.contact_pairs, mesh_.body_names[a], mesh_.body_names[b]);
+      });
     decide_contact();
     check_speeds();
     check_whether_anything_meets();
     for (std::string& sentence : opposed_motions(scene_, mesh_)) report(std::move(sentence));
     for (std::string& sentence : displacement_jumps(scene_)) report(std::move(sentence));
+    for (std::string& sentence : never_begun(scene_)) report(std::move(sentence));
     if (meetings_.possible || meets_wall()) report(find_thin_body(scene_, mesh_));
     check_probes();
     return std::move(look_);
@@ -122,6 +128,10 @@ class LookAt {
           fmt::format("bodies {} meet {}, and no card of the deck has them touch: they go through each other; "
                       "--set contact.method=pinball makes all bodies touch",
                       names(*meetings_.expected), when(*meetings_.expected)));
+    }
+    if (!scene_.of_deck && method != ContactMethod::none && meetings_.passing) {
+      report(fmt::format("bodies {} meet {}, and no contact.pair lets them touch: they go through each other",
+                         names(*meetings_.passing), when(*meetings_.passing)));
     }
     if (method != ContactMethod::not_set) return;
     method = meetings_.possible ? ContactMethod::pinball : ContactMethod::none;

@@ -72,7 +72,7 @@ void keep_first(std::optional<Meeting>& first, const Meeting& met) {
 
 }  // namespace
 
-Meetings find_meetings(const Movers& movers) {
+Meetings find_meetings(const Movers& movers, const std::function<bool(std::int32_t, std::int32_t)>& may_touch) {
   Meetings meetings;
   if (movers.all.size() > most_movers) {
     meetings.possible = Meeting{movers.all[0].bodies.front(), movers.all[1].bodies.front(), 0, 0};
@@ -80,6 +80,7 @@ Meetings find_meetings(const Movers& movers) {
   }
   for_each_meeting(movers, &Mover::moved, [&](const Meeting& met) {
     keep_first(meetings.expected, met);
+    if (!may_touch(met.first, met.second)) keep_first(meetings.passing, met);
     if (!meetings.fastest || met.speed > meetings.fastest->speed) meetings.fastest = met;
   });
   if (meetings.expected) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "movers.hpp"
@@ -17,10 +18,12 @@ struct Meetings {
   std::optional<Meeting> expected;  ///< the first of those that meet if all goes on as it begins
   std::optional<Meeting> possible;  ///< the first of those that a deformation or a rebound may bring together
   std::optional<Meeting> fastest;   ///< of the expected ones
+  std::optional<Meeting> passing;   ///< the first of the expected ones that may not touch
 };
 
 /// Which of the movers meet, by the boxes of their cells; those that do not move beside each other do not. At most so
 /// many that a tenth of a second is enough: of more than 2,000 movers any two may possibly meet.
-Meetings find_meetings(const Movers& movers);
+/// may_touch: of two bodies.
+Meetings find_meetings(const Movers& movers, const std::function<bool(std::int32_t, std::int32_t)>& may_touch);
 
 }  // namespace pinball
