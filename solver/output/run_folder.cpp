@@ -52,8 +52,8 @@ RunFolder::RunFolder(const Scene& scene, const RecordOptions& options)
   }
   open();
   if (continues()) return;  // the summary of the run so far holds until this one goes on
+  set_aside();
   try {
-    set_aside();
     write_head(head_);
   } catch (...) {
     put_back();
@@ -99,14 +99,27 @@ void RunFolder::set_aside() const {
   remove_earlier();  // of a run that was killed while its scene was built
   const auto found = results_in(folder_);
   const fs::path earlier = fs::path(folder_) / earlier_name;
-  if (!found.empty()) fs::create_directory(earlier);
-  for (const fs::path& path : found) fs::rename(path, earlier / path.filename());
+  std::error_code error;
+  if (!found.empty()) fs::create_directory(earlier, error);
+  for (const fs::path& path : found) {
+    if (!error) fs::rename(path, earlier / path.filename(), error);
+    if (error) {  // of another user, in a folder in which each may only move what is his
+      restore_earlier();
+      throw InputError(
+          fmt::format("--out {}: cannot move {} of an earlier run: {}", folder_, path.string(), error.message()));
+    }
+  }
 }
 
 void RunFolder::put_back() const {
   if (continues()) return;
   std::error_code error;
   for (const fs::path& path : files_of(folder_, is_run_file)) fs::remove(path, error);
+  restore_earlier();
+}
+
+void RunFolder::restore_earlier() const {
+  std::error_code error;
   const fs::path earlier = fs::path(folder_) / earlier_name;
   for (const auto takes : {is_run_file, is_made_of_run}) {
     for (const fs::path& path : files_of(earlier, takes)) fs::rename(path, fs::path(folder_) / path.filename(), error);

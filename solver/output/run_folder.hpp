@@ -54,6 +54,7 @@ class RunFolder {
   void require_own_names() const;
   void set_aside() const;
   void put_back() const;
+  void restore_earlier() const;
   void remove_earlier() const;
   void write_head(const RunSummary& summary) const;
 

@@ -136,6 +136,18 @@ TEST_F(RunFolders, WhatIsInThePlaceOfAFileIsToldBeforeTheRun) {
   EXPECT_EQ(content(folder_ / "out/.earlier"), "of somebody");
 }
 
+/// As files of another user in a folder like /tmp.
+TEST_F(RunFolders, WhatAnEarlierRunHasLeftAndCannotBeMovedStaysAndIsTold) {
+  leave("summary.json");
+  leave("history.csv");
+  leave("fields_0000.vtu");
+  std::filesystem::create_directories(folder_ / "out/.earlier/history.csv/in the way");
+  EXPECT_THAT(error_of<InputError>([&] { run(source_of("two_blocks")); }),
+              HasSubstr("history.csv of an earlier run: "));
+  for (const char* name : {"summary.json", "history.csv", "fields_0000.vtu"})
+    EXPECT_EQ(content(folder_ / (std::string("out/") + name)), "earlier") << name;
+}
+
 TEST_F(RunFolders, ARunWithoutOneLeavesNothing) {
   const std::filesystem::path here = std::filesystem::current_path();
   std::filesystem::current_path(folder_.path);
