@@ -59,6 +59,15 @@ TEST(NoAlarm, OfDecksThatComeAlong) {
   EXPECT_GE(check_decks(PINBALL_SOURCE_DIR "/data/decks/abaqus"), 8U);
 }
 
+/// Cards are turned off so, and others are left out of contact.
+TEST(NoAlarm, OfCardsWithALateBirth) {
+  const std::string path = PINBALL_SOURCE_DIR "/data/decks/abaqus/exclusions.inp";
+  Scene scene = read_scene(translate_any_deck(path, {}).source(path));
+  ASSERT_FALSE(scene.contact_pairs.empty());
+  scene.contact_pairs.back().start = 2 * scene.time.end;
+  expect_no_alarm(scene, "exclusions.inp with a late pair");
+}
+
 TEST(NoAlarm, OfPublicDecks) {
   const fs::path folder = PINBALL_SOURCE_DIR "/../shared/decks";
   if (!fs::is_directory(folder)) GTEST_SKIP() << "no public decks here";

@@ -6,7 +6,6 @@ namespace pinball {
 
 std::vector<std::string> never_begun(const Scene& scene) {
   std::vector<std::string> found;
-  if (scene.of_deck) return found;  // where a late birth turns a card off
   const auto take = [&](double start, const std::string& where, const char* kind, std::size_t number) {
     if (!(start >= scene.time.end)) return;
     found.push_back(fmt::format("{}: it begins at {:.6g}, and the run ends at time.end = {:.6g}",
