@@ -44,8 +44,6 @@ std::optional<Problem> problem_of(const EquationOfStateSettings& eos);
 std::optional<Problem> problem_of(const ErosionSettings& erosion);
 /// Whether its elements may be eroded for a reason of the material's.
 bool erodes(const Material& material);
-/// Whether a body is made of tetrahedra. What meshes of files have only the model knows.
-bool makes_tetrahedra(const Scene& scene);
 /// The slope of the pressure over the compression there [stress]; 0 of settings that are none.
 double bulk_modulus_at_rest(const EquationOfStateSettings& eos, double density);
 std::optional<Problem> problem_of(const TimeTable& table);

@@ -1,8 +1,10 @@
 #include "device_layout.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <solver/base/packs.hpp>
+#include <solver/elements/volume_groups.hpp>
 #include <solver/model/corner_order.hpp>
 
 namespace pinball {
@@ -98,6 +100,9 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   std::copy_n(model.nodes.inverse_mass.data(), mesh.nodes, mesh.inverse_mass.data());
   std::copy_n(model.node_mass.data(), mesh.nodes, mesh.node_mass.data());
   add_corners_of_nodes(model, mesh);
+  mesh.volumes = std::move(VolumeGroups<S>(model).lists);
+  for (std::int64_t t = 0; t < mesh.volumes.tetrahedra(); ++t)
+    mesh.volumes.place[t] = place_of_slot(mesh.volumes.place[t]);
   return mesh;
 }
 
@@ -137,6 +142,7 @@ DeviceState<S> DeviceLayout<S>::state(const Model<S>& model) const {
   state.viscous_stress = rows_of(e.viscous_stress.template in<S>(), 1);
   state.internal_energy = rows_of(e.internal_energy.template in<S>(), 1);
   state.material_state = rows_of(e.material_state.template in<S>(), e.material_numbers);
+  state.volume_ratio = rows_of(e.volume_ratio.template in<S>(), 2);
   return state;
 }
 
@@ -152,6 +158,7 @@ void DeviceLayout<S>::to_model(const DeviceState<S>& state, Model<S>& model) con
   rows_to(state.viscous_stress, 1, e.viscous_stress.template in<S>());
   rows_to(state.internal_energy, 1, e.internal_energy.template in<S>());
   rows_to(state.material_state, e.material_numbers, e.material_state.template in<S>());
+  rows_to(state.volume_ratio, 2, e.volume_ratio.template in<S>());
 }
 
 template class DeviceLayout<double>;

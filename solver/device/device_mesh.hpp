@@ -5,6 +5,7 @@
 
 #include <kernels/element_data.hpp>
 #include <kernels/exec.hpp>
+#include <solver/elements/nodal_volume_lists.hpp>
 
 /// A model as it lies on a device: plain arrays that say nothing of the width of the host's packs, so that sources of a
 /// device's compiler may include them (the host's stores have another layout there).
@@ -38,13 +39,15 @@ struct DeviceMesh {
   Array<double> node_mass;               ///< [nodes] [mass]
   Array<std::uint32_t> first_of_node;    ///< [nodes + 1] (CornersOfNodes)
   Array<std::uint32_t> corners_of_node;  ///< [8 x elements], in the order in which the host adds their forces
+  NodalVolumeLists<S> volumes;           ///< of tetrahedra, by their places
 };
 
 /// What a step changes. Element arrays are in rows, empty where no part needs them; units as of ElementView.
 template <class S, class Memory = HostSpace>
 struct DeviceState {
   Array<S, Memory> position, velocity;  ///< [nodes x 4]
-  Array<S, Memory> mass, stress, plastic_strain, hourglass_state, viscous_stress, internal_energy, material_state;
+  Array<S, Memory> mass, stress, plastic_strain, hourglass_state, viscous_stress, internal_energy, material_state,
+      volume_ratio;
 
   /// Calls visit(array of this, array of other) for each of the element arrays.
   template <class Other, class Visit>
@@ -56,6 +59,7 @@ struct DeviceState {
     visit(viscous_stress, other.viscous_stress);
     visit(internal_energy, other.internal_energy);
     visit(material_state, other.material_state);
+    visit(volume_ratio, other.volume_ratio);
   }
   /// Of all arrays.
   template <class Other, class Visit>
@@ -67,7 +71,8 @@ struct DeviceState {
 
   std::size_t bytes() const {
     return position.bytes() + velocity.bytes() + mass.bytes() + stress.bytes() + plastic_strain.bytes() +
-           hourglass_state.bytes() + viscous_stress.bytes() + internal_energy.bytes() + material_state.bytes();
+           hourglass_state.bytes() + viscous_stress.bytes() + internal_energy.bytes() + material_state.bytes() +
+           volume_ratio.bytes();
   }
 };
 

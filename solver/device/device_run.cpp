@@ -15,7 +15,7 @@
 
 namespace pinball {
 
-std::string missing_on_device(const Scene& scene, bool tetrahedra) {
+std::string missing_on_device(const Scene& scene) {
   std::vector<std::string> missing;
   const auto add = [&missing](bool is_there, const char* what) {
     if (is_there) missing.emplace_back(what);
@@ -24,7 +24,6 @@ std::string missing_on_device(const Scene& scene, bool tetrahedra) {
   add(method == ContactMethod::pinball || method == ContactMethod::slideline, "contact");
   add(!scene.tied_contacts.empty(), "tied contact");
   add(!scene.rigid_bodies.empty(), "rigid bodies");
-  add(tetrahedra || makes_tetrahedra(scene), "tetrahedra");
   add(scene.time.subcycling, "subcycling");
   add(scene.precision == Precision::mixed, "precision = \"mixed\"");
   add(scene.output.body_energies, "output.body_energies");
@@ -34,8 +33,8 @@ std::string missing_on_device(const Scene& scene, bool tetrahedra) {
 namespace {
 
 /// The device of a scene. Throws MissingOnDevice, and InputError where there is no such device.
-Device device_for(const Scene& scene, bool tetrahedra) {
-  const std::string missing = missing_on_device(scene, tetrahedra);
+Device device_for(const Scene& scene) {
+  const std::string missing = missing_on_device(scene);
   if (!missing.empty()) {
     throw MissingOnDevice(fmt::format("{}no device can do this scene yet: it has {}; expected --device none",
                                       message_head(scene), missing),
@@ -60,8 +59,7 @@ std::unique_ptr<DeviceStep<S>> make_step([[maybe_unused]] Device device, [[maybe
 }  // namespace
 
 template <class S>
-DeviceRun<S>::DeviceRun(const Model<S>& model)
-    : device_(device_for(model.scene, model.has_tetrahedra())), layout_(model) {
+DeviceRun<S>::DeviceRun(const Model<S>& model) : device_(device_for(model.scene)), layout_(model) {
   step_ = make_step(device_, layout_.mesh(model));
   state_ = layout_.state(model);
 }

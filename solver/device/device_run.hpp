@@ -16,8 +16,8 @@
 namespace pinball {
 
 /// What of a scene no device can do yet, as the end of a sentence ("contact, subcycling"); empty: all of it can be
-/// done. tetrahedra: whether a mesh of a file has some.
-std::string missing_on_device(const Scene& scene, bool tetrahedra = false);
+/// done.
+std::string missing_on_device(const Scene& scene);
 
 /// A scene with something that no device can do yet.
 struct MissingOnDevice : InputError {

@@ -67,6 +67,7 @@ class FetchedElements {
     if (elements_.material_state != nullptr) view.material_state += begin * elements_.material_numbers;
     if (elements_.mass_share != nullptr) view.mass_share += begin;
     if (elements_.folding_onset != nullptr) view.folding_onset += begin;
+    if (elements_.volume_ratio != nullptr) view.volume_ratio += begin * 2;
     return view;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kernels/tetrahedron_update.hpp>
 #include <solver/elements/element_features.hpp>
 
 #include "device_mesh.hpp"
@@ -44,9 +45,7 @@ struct UpdatesElements {
   PINBALL_FUNCTION void operator()(std::int64_t pack, ElementTotals<S>& totals) const {
     if (!takes(pack)) return;
     ElementSums<T> sums;
-    const bool done =
-        update_element_pack<T, features, device_row>(launch.elements, launch.nodes, launch.constants, launch.step, pack,
-                                                     0, sums, KeptAtCorners<S>{launch.corner_force});
+    const bool done = update(launch.elements, pack, sums, KeptAtCorners<S>{launch.corner_force}, NothingAhead{});
     if (note(pack, done, totals)) count(pack, sums, totals);
   }
 
@@ -65,7 +64,7 @@ struct UpdatesElements {
       const std::int64_t next = element + sum_lanes;
       const bool takes_next = wanted(next);
       fetched.fetch_first(next, takes_next);
-      if (takes_this) update(fetched, element, totals);
+      if (takes_this) update_fetched(fetched, element, totals);
       wait_for_all_groups_but_one();
       fetched.fetch_state(next, takes_next);
       takes_this = takes_next;
@@ -73,14 +72,13 @@ struct UpdatesElements {
   }
 
  private:
-  __device__ void update(const FetchedElements<S, features>& fetched, std::int64_t element,
-                         ElementTotals<S>& totals) const {
+  __device__ void update_fetched(const FetchedElements<S, features>& fetched, std::int64_t element,
+                                 ElementTotals<S>& totals) const {
     const ElementView<S> view = fetched.view(element);
     const std::int64_t lane = threadIdx.x;
     ElementSums<T> sums;
-    const bool done = update_element_pack<T, features, device_row>(
-        view, launch.nodes, launch.constants, launch.step, lane, 0, sums,
-        KeptAtCorners<S>{launch.corner_force + (element - lane) * 24}, WaitsForState{});
+    const KeptAtCorners<S> forces{launch.corner_force + (element - lane) * 24};
+    const bool done = update(view, lane, sums, forces, WaitsForState{});
     wait_for_all_groups_but_one();  // a pack that is not there, or is left, asks for nothing
     if (!note(element, done, totals)) return;
     fetched.write(element, sums.eroded_count > 0);
@@ -89,6 +87,20 @@ struct UpdatesElements {
 #endif
 
  private:
+  /// Returns whether it is done, as update_element_pack does. ahead: of that.
+  template <class Ahead>
+  PINBALL_FUNCTION bool update(const ElementView<S>& view, std::int64_t pack, ElementSums<T>& sums,
+                               const KeptAtCorners<S>& forces, const Ahead& ahead) const {
+    if constexpr (features.tetrahedra) {
+      ahead(2);  // what an element keeps is loaded now
+      update_tetrahedron_pack<T, features, device_row>(view, launch.nodes, launch.constants, launch.step, pack, 0, sums,
+                                                       forces);
+      return true;
+    } else {
+      return update_element_pack<T, features, device_row>(view, launch.nodes, launch.constants, launch.step, pack, 0,
+                                                          sums, forces, ahead);
+    }
+  }
   /// Whether the kernel has to look at a pack.
   PINBALL_FUNCTION bool takes(std::int64_t pack) const {
     return launch.only_left ? launch.left[pack] != 0 : launch.resting.updated || !rests(pack);
@@ -142,11 +154,13 @@ ElementTotals<S> update_elements(ElementLaunch<S> launch) {
   return sweep_elements<S, Space, features>(launch);
 }
 
-/// Each is compiled for itself, by the two sources that define these; the choice is made once.
+/// Each is compiled for itself, by the sources that define these; the choice is made once.
 template <class S, class Space>
 ElementKernel<S> choose_linear_kernel(const ElementFeatures& features);
 template <class S, class Space>
 ElementKernel<S> choose_general_kernel(const ElementFeatures& features);
+template <class S, class Space>
+ElementKernel<S> tetrahedron_kernel();
 
 template <class S, class Space>
 struct UpdatesElementsIn {

@@ -78,6 +78,7 @@ class SpaceStep final : public DeviceStep<S> {
         force_(4 * static_cast<std::size_t>(mesh.nodes)),
         corner_force_(24 * static_cast<std::size_t>(mesh.places)),
         left_(static_cast<std::size_t>(mesh.places)) {
+    volumes_.copy(mesh.volumes);
     for (const DevicePart<S>& part : mesh.parts) add_part(part);
   }
 
@@ -132,7 +133,7 @@ class SpaceStep final : public DeviceStep<S> {
   std::size_t bytes() const override {
     return corner_.bytes() + mass_share_.bytes() + folding_onset_.bytes() + inverse_mass_.bytes() + node_mass_.bytes() +
            first_of_node_.bytes() + corners_of_node_.bytes() + force_.bytes() + corner_force_.bytes() + state_.bytes() +
-           left_.bytes() + tile_.bytes() + resting_.bytes();
+           left_.bytes() + tile_.bytes() + resting_.bytes() + volumes_.bytes();
   }
 
  private:
@@ -144,6 +145,7 @@ class SpaceStep final : public DeviceStep<S> {
 
   ElementTotals<S> update_parts(const ElementStep<S>& step, S* rates) {
     ElementTotals<S> totals;
+    if (volumes_.tetrahedra() > 0) average_volumes();
     for (const Part& part : parts_) {
       totals.join(part.kernel({elements(),
                                {state_.position.data(), state_.velocity.data(), nullptr},
@@ -159,6 +161,15 @@ class SpaceStep final : public DeviceStep<S> {
     }
     summed_ = false;
     return totals;
+  }
+
+  /// Before the elements are worked: what the step before has left eroded does not count.
+  void average_volumes() {
+    const NodalVolumeView<S> view = volumes_.view();
+    find_volumes<Space, device_row, S>(view, volumes_.tetrahedra(), corner_.data(), state_.mass.data(),
+                                       state_.position.data());
+    pinball::average_volumes<Space, device_row>(view, volumes_.tetrahedra(), volumes_.groups(), state_.mass.data(),
+                                                state_.volume_ratio.data());
   }
 
   template <class T>
@@ -181,14 +192,13 @@ class SpaceStep final : public DeviceStep<S> {
             state_.material_state.data(),
             mass_share_.empty() ? nullptr : mass_share_.data(),
             folding_onset_.empty() ? nullptr : folding_onset_.data(),
-            material_numbers_};
+            material_numbers_,
+            state_.volume_ratio.data()};
   }
 
   void add_part(const DevicePart<S>& part) {
     const bool general = is_general(part.features);
-    parts_.push_back(
-        {general ? choose_general_kernel<S, Space>(part.features) : choose_linear_kernel<S, Space>(part.features),
-         part.constants, part.first, part.last});
+    parts_.push_back({choose_kernel(part.features), part.constants, part.first, part.last});
     if (!general) return;
     HardeningConstants<S>& h = parts_.back().constants.hardening;
     const auto points = static_cast<std::size_t>(h.points), curves = static_cast<std::size_t>(h.curves);
@@ -196,6 +206,10 @@ class SpaceStep final : public DeviceStep<S> {
     h.stress = keep(h.stress, points * curves);
     h.slope = keep(h.slope, points * curves);
     h.rate = keep(h.rate, curves);
+  }
+  static ElementKernel<S> choose_kernel(const ElementFeatures& f) {
+    if (f.tetrahedra) return tetrahedron_kernel<S, Space>();
+    return is_general(f) ? choose_general_kernel<S, Space>(f) : choose_linear_kernel<S, Space>(f);
   }
   /// A copy of a table of the host.
   const S* keep(const S* numbers, std::size_t count) {
@@ -217,6 +231,7 @@ class SpaceStep final : public DeviceStep<S> {
   Array<S, Memory> corner_force_;     ///< of KeptAtCorners [force]
   Array<std::uint8_t, Memory> left_;  ///< per pack; zero between steps
   SpaceResting<S, Space> resting_;
+  NodalVolumeLists<S, Memory> volumes_;
   std::vector<Part> parts_;
   std::vector<Array<S, Memory>> tables_;
   bool summed_ = false;  ///< force_ has what the corners do

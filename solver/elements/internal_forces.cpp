@@ -10,7 +10,7 @@ namespace pinball {
 
 template <class S>
 InternalForces<S>::InternalForces(const Model<S>& model, Subdomain<S>* domain)
-    : domain_(domain), results_(model.tile_count()), volumes_(model) {
+    : domain_(domain), results_(model.tile_count()), volumes_(model, domain) {
   const bool mixed = is_mixed<S>(model.scene);
   for (const Part& part : model.parts) {
     kernel_of_part_.push_back(part.rigid || mixed ? nullptr : choose_tile_kernel<S, S>(part.features));

@@ -1,38 +1,39 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <solver/model/model.hpp>
+#include <solver/parallel/subdomain.hpp>
+
+#include "volume_groups.hpp"
 
 namespace pinball {
 
 /// Volumes of tetrahedra averaged over their nodes (kernels/element/tetrahedron_step.hpp), before the elements of a
 /// step are worked. Around each node those of one part are averaged: materials do not share theirs. Eroded elements do
-/// not count. Sums have one order, that of the elements: the same bits for any number of threads.
+/// not count. Sums have one order, that of the elements: the same bits for any number of threads and of ranks, which
+/// tell each other the volumes of tetrahedra around nodes that they share.
 template <class S>
 class NodalVolumes {
  public:
-  /// Undeformed is what the model is now.
-  explicit NodalVolumes(const Model<S>& model);
+  /// Undeformed is what the model is now. domain: of several ranks; null: one process has all.
+  explicit NodalVolumes(const Model<S>& model, Subdomain<S>* domain = nullptr);
 
-  bool any() const { return !slots_.empty(); }
-  /// Gives the elements their ratios of the positions that nodes have, and keeps those of the step before.
+  bool any() const { return groups_.lists.tetrahedra() > 0; }
+  /// Gives the elements their ratios of the positions that nodes have, and keeps those of the step before. All ranks
+  /// call it together.
   void average(Model<S>& model);
   std::size_t bytes() const;
 
  private:
+  void exchange();
   template <class E>
-  void average_in(Model<S>& model, E* ratios);
+  void average_in(Model<S>& model);
 
-  std::vector<std::int64_t> slots_;                  ///< of the tetrahedra, ascending
-  std::vector<std::array<std::int32_t, 4>> nodes_;   ///< of each
-  std::vector<std::array<std::int32_t, 4>> groups_;  ///< of each: places of its nodes, with its part, in `first_`
-  std::vector<S> undeformed_, volume_;               ///< of each [length^3]
-  std::vector<std::int32_t> first_, around_;         ///< per node with a part: its tetrahedra, by their places
-  std::vector<S> ratio_;                             ///< per node with a part [-]
+  Subdomain<S>* domain_;
+  VolumeGroups<S> groups_;
+  std::vector<std::vector<S>> sent_;  ///< to each neighbour
 };
 
 }  // namespace pinball

@@ -11,19 +11,18 @@
 
 namespace pinball {
 
-std::string missing_on_ranks(const Scene& scene, bool tetrahedra) {
+std::string missing_on_ranks(const Scene& scene) {
   std::vector<std::string> missing;
   const auto add = [&missing](bool is_there, const char* what) {
     if (is_there) missing.emplace_back(what);
   };
-  add(tetrahedra || makes_tetrahedra(scene), "tetrahedra");
   add(scene.time.subcycling, "subcycling");
   add(scene.device != Device::none, "--device");
   return fmt::format("{}", fmt::join(missing, ", "));
 }
 
-void require_ranks_can(const Scene& scene, bool tetrahedra) {
-  const std::string missing = missing_on_ranks(scene, tetrahedra);
+void require_ranks_can(const Scene& scene) {
+  const std::string missing = missing_on_ranks(scene);
   if (missing.empty()) return;
   throw InputError(
       fmt::format("{}several ranks cannot do this scene yet: it has {}; expected one process, without "

@@ -7,10 +7,10 @@
 namespace pinball {
 
 /// What of a completed scene several ranks cannot do yet, as the end of a sentence ("contact, subcycling"); empty: all
-/// of it can be done. tetrahedra: whether a mesh of a file has some.
-std::string missing_on_ranks(const Scene& scene, bool tetrahedra = false);
+/// of it can be done.
+std::string missing_on_ranks(const Scene& scene);
 
 /// Throws InputError for a scene with any of it.
-void require_ranks_can(const Scene& scene, bool tetrahedra);
+void require_ranks_can(const Scene& scene);
 
 }  // namespace pinball

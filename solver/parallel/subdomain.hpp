@@ -60,6 +60,8 @@ class Subdomain final : public SharedNodes {
   // SharedNodes; where blocks() are asked for later than connect(), connect_sums() is to follow.
   std::shared_ptr<const SharedBlocks> blocks(std::int64_t count, SharedBlocks::Visit visit) override;
   std::int32_t rank_of_slot(std::int64_t slot) const override;
+  std::int32_t rank() const { return ranks_.number(); }  ///< of this process
+  std::int32_t rank_of_tile(std::int64_t tile) const { return rank_of_tile_[tile]; }
   std::int32_t rank_of_node(std::int32_t node) const override { return spans_->owner(node / nodes_per_span); }
   void keep_with_state(std::function<void()> bring) override { kept_.push_back(std::move(bring)); }
   /// Nodes that all ranks are to move (CommonNodes).
@@ -79,6 +81,11 @@ class Subdomain final : public SharedNodes {
   void collect(NodeStore<S>& nodes) {
     corners_->collect(nodes);
     common_.share_forces(nodes);
+  }
+  /// With each other rank at most one message; bytes: of all that ranks send to each other in this.
+  void exchange(std::span<const RankMessage> messages, std::int64_t bytes) {
+    ranks_.exchange(messages);
+    ranks_.bytes_given += bytes;
   }
   /// of_tile: what each tile has to tell; before, of the tiles of this rank, after, of all.
   template <class Value>
@@ -129,6 +136,7 @@ class Subdomain final : public SharedNodes {
   CommonNodes<S> common_;
   std::vector<std::uint8_t> is_alive_;  ///< per slot: the element of it, as all ranks know
   bool has_eroded_ = false;             ///< any, since share_strains()
+  bool has_tetrahedra_;                 ///< whose volumes are averaged over what has not eroded
   std::vector<std::shared_ptr<SharedBlocks>> blocks_;
   std::shared_ptr<const SharedBlocks> spans_;
   std::optional<CornerExchange<S>> corners_;  ///< from connect() on

@@ -246,14 +246,9 @@ std::string of_them_tetrahedra(const ModelMesh& mesh) {
   return count == 0 ? "" : fmt::format(" ({} of them tetrahedra)", count);
 }
 
-/// A scene with all that its bodies decide.
-struct DecidedScene {
-  Scene scene;
-  bool tetrahedra;  ///< whether any of its meshes has some
-};
-
+/// Returns the scene with all that its bodies decide.
 template <class S>
-DecidedScene print_info(const Scene& scene, int threads, SpentSoFar spent) {
+Scene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   const Units units = parse_units(scene.units);
   if (threads > 0) DefaultExecutionSpace::set_concurrency(threads);  // others would wait, and be counted, from now on
   Solver<S> solver(scene);
@@ -273,7 +268,7 @@ DecidedScene print_info(const Scene& scene, int threads, SpentSoFar spent) {
   print_what_is_skipped(solver, units);
   print_start_warnings(solver);
   print_cost(solver, units, spent);
-  return {solver.scene(), solver.model().has_tetrahedra()};
+  return solver.scene();
 }
 
 /// Lists a mesh file, or a deck that is no more than a mesh, and so cannot be run. False: it is neither.
@@ -312,9 +307,9 @@ int info_command(const InfoOptions& options) {
   if (!read) return 0;
   const Scene& scene = *read;
   const bool single = scene.precision == Precision::float32;
-  const DecidedScene decided =
+  const Scene decided =
       single ? print_info<float>(scene, options.threads, spent) : print_info<double>(scene, options.threads, spent);
-  if (options.devices) print_missing_on_devices(decided.scene, decided.tetrahedra);
+  if (options.devices) print_missing_on_devices(decided);
   return 0;
 }
 

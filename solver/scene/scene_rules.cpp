@@ -158,8 +158,4 @@ std::optional<Problem> direction_problem(std::string_view key, const Point& vect
                                                vector[0], vector[1], vector[2])};
 }
 
-bool makes_tetrahedra(const Scene& scene) {
-  return std::ranges::any_of(scene.bodies, [](const Body& body) { return body.elements == ElementShape::tetrahedra; });
-}
-
 }  // namespace pinball

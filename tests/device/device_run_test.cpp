@@ -9,6 +9,7 @@
 #include <solver/step/report.hpp>
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
+#include <tests/support/tetrahedra_case.hpp>
 #include <tests/support/torn_block.hpp>
 
 /// Steps on a device beside those of the host: on the mock one, threads of the host on memory that nothing else may
@@ -95,6 +96,20 @@ TEST_P(DeviceRun, HasEachFormOfHourglassControl) {
   }
 }
 
+/// Of those that erode volumes are no longer averaged.
+TEST_P(DeviceRun, TearsTetrahedraAsTheHostDoes) {
+  Solver<double> host(torn_tetrahedra());
+  run(host);
+  EXPECT_GT(host.counts().eroded_elements(), 10);
+  expect_same_run<double>(torn_tetrahedra(), GetParam());
+  expect_same_run<float>(torn_tetrahedra(Precision::float32), GetParam());
+}
+
+TEST_P(DeviceRun, HasTetrahedraBesideHexahedra) {
+  expect_same_run<double>(striking_bar_of_both(), GetParam());
+  expect_same_run<float>(striking_bar_of_both(Precision::float32), GetParam());
+}
+
 TEST_P(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
   Scene scene = torn_block();
   scene.time.end = 10e-6;
@@ -108,6 +123,9 @@ TEST_P(DeviceRun, HasElasticMaterialsAndThoseWithCurves) {
     Body more = block(name, {3, 4, 5}, 0.01, {0.5, name[0] == 'e' ? 0.0 : 0.5, 0}, {}, name);
     more.velocity_gradient = scene.bodies[0].velocity_gradient;
     scene.bodies.push_back(more);
+    more.name += "_of_tetrahedra";
+    more.position[2] = 0.5;
+    scene.bodies.push_back(cut(more));
   }
   expect_same_run<double>(scene, GetParam());
 }
@@ -130,6 +148,9 @@ TEST_P(DeviceRun, HasPowersFluidsAndRubber) {
     Body more = block(material.name, {3, 4, 5}, 0.01, {0.5 * scene.bodies.size(), 0, 0}, {}, material.name);
     more.velocity_gradient = scene.bodies[0].velocity_gradient;
     scene.bodies.push_back(more);
+    more.name += "_of_tetrahedra";
+    more.position[2] = 0.5;
+    scene.bodies.push_back(cut(more));
   }
   expect_same_run<double>(scene, GetParam());
 }
@@ -238,7 +259,7 @@ std::uint64_t hash_of_parts(Scene scene, Device first, Device second) {
 }
 
 TEST_P(DeviceRun, GoesOnFromWhatAnotherDeviceHasSaved) {
-  for (const Scene& scene : {torn_block(), flying_bar()}) {
+  for (const Scene& scene : {torn_block(), flying_bar(), torn_tetrahedra()}) {
     const std::uint64_t on_host = hash_on<double>(scene, Device::none), on_device = hash_on<double>(scene, GetParam());
     EXPECT_EQ(hash_of_parts(scene, GetParam(), GetParam()), on_device);
     if (!same_bits) continue;

@@ -39,6 +39,15 @@ __global__ void update_tetrahedra(ElementView<S> elements, NodeView<S> nodes, El
                                            KeptAtCorners<S>{corner_force});
 }
 
+/// And what comes before it.
+template <class S>
+__global__ void average_volumes(NodalVolumeView<S> volumes, ElementView<S> elements, NodeView<S> nodes) {
+  const std::int64_t i = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
+  FindsVolumes<S, S, 32>{volumes, elements.corner, elements.mass, nodes.position}(i);
+  AveragesVolumes<S, S>{volumes, elements.mass}(i);
+  TakesAveragedVolumes<S, S, 32>{volumes, elements.volume_ratio}(i);
+}
+
 template <class S>
 __global__ void sum_corner_forces(CornersOfNodes corners, const S* corner_force, S* force) {
   const std::int64_t node = blockIdx.x * std::int64_t(blockDim.x) + threadIdx.x;
@@ -246,6 +255,7 @@ void instantiate() {
   update_elements<S, false, HourglassKind::viscous><<<1, 32>>>({}, {}, {}, S(0), nullptr, nullptr);
   update_elements<S, false, HourglassKind::none><<<1, 32>>>({}, {}, {}, S(0), nullptr, nullptr);
   update_tetrahedra<S><<<1, 32>>>({}, {}, {}, nullptr, nullptr);
+  average_volumes<S><<<1, 32>>>({}, {}, {});
   prepare_moduli<S><<<1, 32>>>(nullptr, nullptr, nullptr);
   update_pinballs<S><<<1, 32>>>({}, nullptr, nullptr);
   contact_forces<S><<<1, 32>>>({}, {}, nullptr, nullptr, nullptr, S(0), nullptr);

@@ -5,21 +5,14 @@
 #include <utility>
 
 #include <solver/base/state_hash.hpp>
-#include <solver/device/device_run.hpp>
 #include <solver/elements/nodal_volumes.hpp>
-#include <solver/parallel/missing_on_ranks.hpp>
 #include <tests/support/output_case.hpp>
 #include <tests/support/saved_state.hpp>
-#include <tests/support/solver_case.hpp>
+#include <tests/support/tetrahedra_case.hpp>
 
 /// Tetrahedra in whole runs: against hexahedra of the same nodes, and against what is exact.
 namespace pinball::test::tetrahedra_test {
 namespace {
-
-Body cut(Body body) {
-  body.elements = ElementShape::tetrahedra;
-  return body;
-}
 
 Material rubber() {
   Material m;
@@ -218,8 +211,6 @@ TEST(Tetrahedra, ErodeWithWhatTheyCarry) {
 
 TEST(Tetrahedra, AreRefusedWhereTheyCannotBeWorked) {
   Scene scene = striking(elastic_material(), true);
-  EXPECT_EQ(missing_on_device(scene, true), "tetrahedra");
-  EXPECT_EQ(missing_on_ranks(scene, true), "tetrahedra");
   scene.time.subcycling = true;
   EXPECT_NE(input_error_of(scene).find("time.subcycling: expected false, tetrahedra"), std::string::npos);
 }

@@ -5,6 +5,7 @@ wrong.
     mpirun_test.py PROGRAM ALONE FOLDER DATA    every scene and deck of this folder
 """
 
+import itertools
 import json
 import os
 import pathlib
@@ -29,8 +30,9 @@ SCENES = {
     "rod_plate": ["rod_plate", "--set", "time.steps=160"],
     "sliding_block": ["sliding_block", "--set", "time.steps=60"],
     "two_bars": ["two_bars"],
+    "taylor_tetrahedra": ["taylor_tetrahedra", "--set", "body.bar.mesh.layers=20", "--set", "time.steps=60"],
 }
-IN_FULL = ("block", "taylor_bar", "rod_plate")  # on one to four ranks
+IN_FULL = ("block", "taylor_bar", "rod_plate", "taylor_tetrahedra")  # on one to four ranks
 
 
 def start(ranks, *words, program=PROGRAM, **more):
@@ -77,6 +79,41 @@ def same_results():
             expect_same(folder, FOLDER / name / "alone")
             shared = summary(folder)["parallel"]
             assert shared is None if ranks == 1 else shared["ranks"] == ranks and shared["bytes_per_step"] > 0, shared
+
+
+def deck_of_tetrahedra(path):
+    """A bar of 4 x 4 x 12 cubes of 1 mm along z, each six C3D4, of which the lower end is held and all else flies down."""
+    counts = (4, 4, 12)
+    number = lambda i, j, k: 1 + i + (counts[0] + 1) * (j + (counts[1] + 1) * k)
+    places = itertools.product(*(range(count + 1) for count in counts))
+    nodes = [f"{number(*place)}, {', '.join(map(str, place))}" for place in places]
+    elements = []
+    for cube in itertools.product(*map(range, counts)):
+        for axes in itertools.permutations(range(3)):
+            corners = [list(cube)]
+            for axis in axes:
+                corners.append(corners[-1][:])
+                corners[-1][axis] += 1
+            if (axes[1] - axes[0]) % 3 == 2:
+                corners[1], corners[2] = corners[2], corners[1]
+            elements.append(f"{len(elements) + 1}, {', '.join(str(number(*corner)) for corner in corners)}")
+    last = number(*counts)
+    path.write_text("\n".join([
+        "*NODE", *nodes, "*ELEMENT, TYPE=C3D4, ELSET=bar", *elements, "*NSET, NSET=low, GENERATE",
+        f"1, {number(counts[0], counts[1], 0)}, 1", "*NSET, NSET=high, GENERATE", f"{number(0, 0, 1)}, {last}, 1",
+        "*SOLID SECTION, ELSET=bar, MATERIAL=steel", ",", "*MATERIAL, NAME=steel", "*DENSITY", "7.85E-9", "*ELASTIC",
+        "210000., 0.3", "*PLASTIC", "300., 0.", "400., 1.", "*BOUNDARY", "low, 1, 3",
+        "*INITIAL CONDITIONS, TYPE=VELOCITY", "high, 3, -1.E5", "*STEP", "*DYNAMIC, EXPLICIT", ", 1.E-5", "*END STEP", ""]))
+    return path
+
+
+def tetrahedra_of_a_deck():
+    deck = deck_of_tetrahedra(FOLDER / "bar.inp")
+    run_alone(FOLDER / "bar" / "alone", deck)
+    assert summary(FOLDER / "bar" / "alone")["bodies"][0]["max_plastic_strain"] > 0.05
+    for ranks in (1, 2, 3, 4, 7):
+        run_on(ranks, FOLDER / "bar" / str(ranks), deck, "--partition", f"random:{ranks}")
+        expect_same(FOLDER / "bar" / str(ranks), FOLDER / "bar" / "alone")
 
 
 def partition_by_metis():
@@ -191,7 +228,7 @@ def main():
     if len(sys.argv) > 4:
         every_input(pathlib.Path(sys.argv[4]))
         return 0
-    for check in (same_results, partition_by_metis, checkpoint_of_three_on_others, errors, unlike_programs, killed_rank):
+    for check in (same_results, tetrahedra_of_a_deck, partition_by_metis, checkpoint_of_three_on_others, errors, unlike_programs, killed_rank):
         check()
         print(check.__name__, "as expected", flush=True)
     return 0

@@ -8,6 +8,7 @@
 #include <solver/parallel/partition.hpp>
 #include <solver/parallel/subdomain.hpp>
 #include <tests/support/pressed_block.hpp>
+#include <tests/support/tetrahedra_case.hpp>
 #include <tests/support/thread_ranks.hpp>
 
 /// How ranks share a scene, what they send, and what they do where something is wrong.
@@ -156,6 +157,8 @@ TEST(Ranks, SendAsManyBytesOfContactInAStepAsTheyReport) {
   scene.materials = {plastic_material("steel", 4e8, 0.02)};
   expect_reported_bytes(scene, 25);
 }
+
+TEST(Ranks, SendAsManyBytesOfTetrahedraInAStepAsTheyReport) { expect_reported_bytes(torn_tetrahedra(), 40); }
 
 TEST(Ranks, WithoutTilesTakePart) {
   const Scene scene = scene_of({block("cube", {2, 2, 2}, 0.01, {}, {1, 2, 3})}, 1e-5, false);

@@ -15,8 +15,8 @@ std::string readable_bytes(double bytes) {
   return fmt::format("{:.3g} GB", bytes / 1e9);
 }
 
-void print_missing_on_devices(const Scene& scene, bool tetrahedra) {
-  const std::string missing = missing_on_device(scene, tetrahedra);
+void print_missing_on_devices(const Scene& scene) {
+  const std::string missing = missing_on_device(scene);
   fmt::print("\n  on a device: {}\n", missing.empty() ? "all of it runs there" : "not yet, for its " + missing);
 }
 

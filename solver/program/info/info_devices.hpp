@@ -9,8 +9,8 @@ namespace pinball {
 /// "63.5 MB"
 std::string readable_bytes(double bytes);
 
-/// What of a scene, and of its meshes, no device can do yet.
-void print_missing_on_devices(const Scene& scene, bool tetrahedra);
+/// What of a scene no device can do yet.
+void print_missing_on_devices(const Scene& scene);
 
 /// One line for each device: what it is, or why there is none.
 void print_devices();

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <kernels/exec.hpp>
+#include <kernels/nodal_volumes.hpp>
+
+namespace pinball {
+
+/// What the loops of kernels/nodal_volumes.hpp work on, in some memory. No type of the model: sources of nvcc see it.
+template <class S, class Memory = HostSpace>
+struct NodalVolumeLists {
+  Array<std::int64_t, Memory> place;
+  Array<std::int32_t, Memory> group, first, around;
+  Array<S, Memory> undeformed, volume, ratio;
+
+  std::int64_t tetrahedra() const { return place.size(); }
+  std::int64_t groups() const { return ratio.size(); }
+  /// The same lists in this memory.
+  template <class Other>
+  void copy(const NodalVolumeLists<S, Other>& other) {
+    const auto copy_one = [](auto& mine, const auto& theirs) {
+      mine.reset(theirs.size());
+      deep_copy(mine, theirs);
+    };
+    copy_one(place, other.place);
+    copy_one(group, other.group);
+    copy_one(first, other.first);
+    copy_one(around, other.around);
+    copy_one(undeformed, other.undeformed);
+    copy_one(volume, other.volume);
+    copy_one(ratio, other.ratio);
+  }
+  NodalVolumeView<S> view() {
+    return {place.data(), group.data(), undeformed.data(), volume.data(), first.data(), around.data(), ratio.data()};
+  }
+  std::size_t bytes() const {
+    return place.bytes() + group.bytes() + first.bytes() + around.bytes() + undeformed.bytes() + volume.bytes() +
+           ratio.bytes();
+  }
+};
+
+/// Of the first `count` tetrahedra. L: elements in a row of the arrays; corner, mass: of ElementView; position: of
+/// NodeView.
+template <class Space, int L, class E, class S>
+void find_volumes(const NodalVolumeView<S>& of, std::int64_t count, const std::int32_t* corner, const E* mass,
+                  const S* position) {
+  parallel_for("volumes of tetrahedra", RangePolicy<Space>{0, count},
+               FindsVolumes<E, S, L>{of, corner, mass, position});
+}
+
+/// Gives the first `count` tetrahedra the averages of all; groups: all; mass, volume_ratio: of ElementView.
+template <class Space, int L, class E, class S>
+void average_volumes(const NodalVolumeView<S>& of, std::int64_t count, std::int64_t groups, const E* mass,
+                     E* volume_ratio) {
+  parallel_for("volumes of nodes", RangePolicy<Space>{0, groups}, AveragesVolumes<E, S>{of, mass});
+  parallel_for("averaged volumes", RangePolicy<Space>{0, count}, TakesAveragedVolumes<E, S, L>{of, volume_ratio});
+}
+
+}  // namespace pinball

@@ -1,0 +1,176 @@
+#include "volume_groups.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace pinball {
+
+namespace {
+
+struct Tetrahedron {
+  std::int64_t slot;
+  std::int32_t tile;
+  std::array<std::int32_t, 4> groups;
+};
+
+/// All of the model, ascending by their slots, with a number for each node of each part.
+struct Tetrahedra {
+  template <class S>
+  explicit Tetrahedra(const Model<S>& model) {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> numbers;  // of part and node
+    for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
+      const std::int32_t part = model.tile_part[tile];
+      if (!model.parts[part].features.tetrahedra) continue;
+      for (const std::int64_t slot : model.slots_of(tile)) {
+        if (model.is_padding(slot)) continue;
+        const std::array<std::int32_t, 8> corners = model.elements.corners(slot);
+        Tetrahedron& one = all.emplace_back(slot, tile);
+        for (int i = 0; i < 4; ++i) {
+          const std::pair key(part, corners[tetrahedron_corner(i)]);
+          one.groups[i] = numbers.try_emplace(key, static_cast<std::int32_t>(numbers.size())).first->second;
+        }
+      }
+    }
+    groups = static_cast<std::int32_t>(numbers.size());
+  }
+
+  std::vector<Tetrahedron> all;
+  std::int32_t groups = 0;
+};
+
+/// The ranks that average around each node of each part: those of the tetrahedra there.
+class RanksOfGroups {
+ public:
+  explicit RanksOfGroups(std::int32_t groups) : one_(groups, -1) {}
+  void add(std::int32_t group, std::int32_t rank) {
+    if (one_[group] < 0) one_[group] = rank;
+    if (one_[group] == rank) return;
+    std::vector<std::int32_t>& others = others_[group];
+    if (std::ranges::find(others, rank) == others.end()) others.push_back(rank);
+  }
+  /// Adds the ranks to those in `ranks`, each once.
+  void add_to(std::vector<std::int32_t>& ranks, std::int32_t group) const {
+    const auto add_one = [&ranks](std::int32_t rank) {
+      if (std::ranges::find(ranks, rank) == ranks.end()) ranks.push_back(rank);
+    };
+    add_one(one_[group]);
+    const auto others = others_.find(group);
+    if (others == others_.end()) return;
+    for (const std::int32_t rank : others->second) add_one(rank);
+  }
+
+ private:
+  std::vector<std::int32_t> one_;                             ///< per group
+  std::map<std::int32_t, std::vector<std::int32_t>> others_;  ///< of groups of several ranks
+};
+
+VolumeNeighbour& neighbour(std::vector<VolumeNeighbour>& all, std::int32_t rank) {
+  const auto found = std::ranges::find(all, rank, &VolumeNeighbour::rank);
+  if (found != all.end()) return *found;
+  all.emplace_back().rank = rank;
+  return all.back();
+}
+
+/// Fills `listed`: per tetrahedron of the model its place in the lists of this rank, or -1. Both sides of a message go
+/// through the tetrahedra in the same order.
+template <class S>
+void share(const Tetrahedra& tetrahedra, const Subdomain<S>& domain, VolumeGroups<S>& found,
+           std::vector<std::int32_t>& listed) {
+  RanksOfGroups ranks_of(tetrahedra.groups);
+  for (const Tetrahedron& one : tetrahedra.all) {
+    for (const std::int32_t group : one.groups) ranks_of.add(group, domain.rank_of_tile(one.tile));
+  }
+  std::map<std::int32_t, std::vector<std::size_t>> received;  // by ranks
+  std::vector<std::int32_t> ranks;
+  for (std::size_t t = 0; t < tetrahedra.all.size(); ++t) {
+    const Tetrahedron& one = tetrahedra.all[t];
+    const std::int32_t from = domain.rank_of_tile(one.tile);
+    ranks = {from};
+    for (const std::int32_t group : one.groups) ranks_of.add_to(ranks, group);
+    found.sent_by_all += std::ssize(ranks) - 1;
+    if (from == domain.rank()) {
+      listed[t] = static_cast<std::int32_t>(found.own++);
+      for (std::size_t r = 1; r < ranks.size(); ++r) neighbour(found.neighbours, ranks[r]).sent.push_back(listed[t]);
+    } else if (std::ranges::find(ranks, domain.rank()) != ranks.end()) {
+      neighbour(found.neighbours, from).count++;
+      received[from].push_back(t);
+    }
+  }
+  std::int64_t next = found.own;
+  for (VolumeNeighbour& of : found.neighbours) {
+    of.first = next;
+    for (const std::size_t t : received[of.rank]) listed[t] = static_cast<std::int32_t>(next++);
+  }
+}
+
+}  // namespace
+
+template <class S>
+void find_volumes_of(const Model<S>& model, NodalVolumeLists<S>& lists, std::int64_t count) {
+  using Space = DefaultExecutionSpace;
+  const ElementStore& elements = model.elements;
+  const std::int32_t* const corner = elements.corner.data();
+  const S* const position = model.nodes.position.data();
+  if (elements.single) {
+    find_volumes<Space, native_width<float>>(lists.view(), count, corner, elements.mass.template in<float>().data(),
+                                             position);
+  } else {
+    find_volumes<Space, native_width<S>>(lists.view(), count, corner, elements.mass.template in<S>().data(), position);
+  }
+}
+
+template <class S>
+VolumeGroups<S>::VolumeGroups(const Model<S>& model, const Subdomain<S>* domain) {
+  const Tetrahedra tetrahedra(model);
+  std::vector<std::int32_t> listed(tetrahedra.all.size(), -1);
+  if (domain == nullptr) {
+    own = std::ssize(tetrahedra.all);
+    for (std::int32_t t = 0; t < own; ++t) listed[t] = t;
+  } else {
+    share(tetrahedra, *domain, *this, listed);
+  }
+  std::int64_t count = own;
+  for (const VolumeNeighbour& of : neighbours) count += of.count;
+  lists.place.reset(count);
+  lists.group.reset(4 * count);
+  std::vector<std::int32_t> number(tetrahedra.groups, -1);  // of groups with a tetrahedron of this rank
+  std::int32_t groups = 0;
+  for (std::size_t t = 0; t < listed.size(); ++t) {
+    if (listed[t] < 0) continue;
+    lists.place[listed[t]] = tetrahedra.all[t].slot;
+    for (const std::int32_t group : tetrahedra.all[t].groups) {
+      if (listed[t] < own && number[group] < 0) number[group] = groups++;
+    }
+  }
+  const auto for_each = [&](const auto& visit) {  // in the order in which one process adds
+    for (std::size_t t = 0; t < listed.size(); ++t) {
+      if (listed[t] < 0) continue;
+      for (int i = 0; i < 4; ++i) visit(listed[t], i, number[tetrahedra.all[t].groups[i]]);
+    }
+  };
+  lists.first.reset(groups + 1);
+  for_each([&](std::int32_t place, int i, std::int32_t group) {
+    lists.group[4 * static_cast<std::size_t>(place) + i] = group;
+    if (group >= 0) ++lists.first[group + 1];
+  });
+  for (std::int32_t g = 0; g < groups; ++g) lists.first[g + 1] += lists.first[g];
+  lists.around.reset(lists.first[groups]);
+  std::vector<std::int32_t> next(lists.first.data(), lists.first.data() + groups);
+  for_each([&](std::int32_t place, int, std::int32_t group) {
+    if (group >= 0) lists.around[next[group]++] = place;
+  });
+  lists.ratio.reset(groups);
+  lists.volume.reset(count);
+  lists.undeformed.reset(count);
+  find_volumes_of(model, lists, lists.tetrahedra());
+  deep_copy(lists.undeformed, lists.volume);
+}
+
+template void find_volumes_of(const Model<double>&, NodalVolumeLists<double>&, std::int64_t);
+template void find_volumes_of(const Model<float>&, NodalVolumeLists<float>&, std::int64_t);
+template struct VolumeGroups<double>;
+template struct VolumeGroups<float>;
+
+}  // namespace pinball

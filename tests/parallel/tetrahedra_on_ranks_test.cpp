@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include <tests/support/saved_state.hpp>
+#include <tests/support/tetrahedra_case.hpp>
+
+#include "outcome.hpp"
+
+/// Tetrahedra, of which ranks tell each other volumes: on any ranks the bits of one process.
+namespace pinball::tetrahedra_on_ranks_test {
+namespace {
+
+using namespace test;
+
+const std::vector<Shared> some_ranks{{1, {}},
+                                     {2, {}},
+                                     {2, {Partition::By::random, 5}},
+                                     {3, {Partition::By::random, 1}},
+                                     {4, {Partition::By::graph, 0}},
+                                     {7, {Partition::By::random, 2}}};
+
+/// What erodes on one rank no longer counts on the others.
+TEST(TetrahedraOnRanks, HaveTheBitsOfOneProcessWhereSomeErode) {
+  const Outcome found = expect_same_on<double>(some_ranks, torn_tetrahedra());
+  EXPECT_GT(found.eroded, 10);
+  EXPECT_LT(found.eroded, 7 * 5 * 6 * 6);
+}
+
+TEST(TetrahedraOnRanks, HaveThemInSinglePrecision) {
+  expect_same_on<float>(some_ranks, torn_tetrahedra(Precision::float32));
+}
+
+TEST(TetrahedraOnRanks, HaveThemInMixedPrecision) {
+  expect_same_on<double>(some_ranks, torn_tetrahedra(Precision::mixed));
+}
+
+TEST(TetrahedraOnRanks, HaveThemBesideHexahedraOfTheSameBody) {
+  expect_same_on<double>(some_ranks, striking_bar_of_both());
+}
+
+/// A block through a plate, both of tetrahedra that erode; a third body is of hexahedra of another material.
+Scene in_contact() {
+  Scene scene = scene_of({cut(block("plate", {7, 7, 2}, 0.01, {0, 0, 0})),
+                          cut(block("block", {2, 2, 3}, 0.011, {0.029, 0.031, 0.0201}, {50, 0, -600}, "other")),
+                          block("below", {5, 5, 2}, 0.013, {0, 0, -0.0262}, {}, "other")},
+                         4e-5);
+  scene.materials = {plastic_material("steel", 4e8, 0.3), plastic_material("other", 6e8, 0.5)};
+  scene.element.bulk_viscosity = true;
+  scene.contact.enforcement = Enforcement::lagrange;
+  scene.contact.gap = ContactGap::face;
+  return scene;
+}
+
+TEST(TetrahedraOnRanks, HaveThemInContact) {
+  const Outcome found = expect_same_on<double>(some_ranks, in_contact());
+  EXPECT_GT(found.pairs, 0);
+  EXPECT_GT(found.eroded, 0);
+}
+
+TEST(TetrahedraOnRanks, GoOnAtAnotherNumberOfRanks) {
+  for (const Scene& scene : {torn_tetrahedra(), in_contact(), striking_bar_of_both()}) {
+    Solver<double> alone(scene);
+    for (int step = 0; step < 30; ++step) alone.step();
+    const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {
+      for (int step = 0; step < 30; ++step) solver.step();
+      return saved(solver);
+    });
+    run(alone);
+    const auto hash = [](Solver<double>& solver) {
+      run(solver);
+      return state_hash(solver.model());
+    };
+    for (const int ranks : {1, 2, 4})
+      EXPECT_EQ(solved_on<double>(ranks, {}, scene, hash, bytes), state_hash(alone.model())) << ranks;
+    Solver<double> other(scene);
+    load(other, bytes);
+    EXPECT_EQ(hash(other), state_hash(alone.model()));
+  }
+}
+
+}  // namespace
+}  // namespace pinball::tetrahedra_on_ranks_test
