@@ -14,6 +14,7 @@
 #include <solver/formats/radioss/mesh/radioss_mesh.hpp>
 #include <solver/formats/vtk/vtk_reader.hpp>
 #include <solver/mesh/file/split_hexahedra.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/held_mesh.hpp>
 #include <solver/mesh/number_index.hpp>
 
@@ -39,6 +40,11 @@ MeshFile read_format(const FileMesh& settings, const std::vector<std::string>& p
   return {};
 }
 
+/// Those of decks have looked at their numbers, and have split their elements, which have them together now.
+bool is_of_deck(MeshFormat format) {
+  return format == MeshFormat::keyword || format == MeshFormat::abaqus || format == MeshFormat::radioss;
+}
+
 /// Numbers may stand twice where what they number is the same.
 void check_numbers(const MeshFile& file) {
   const auto fail = [&](const char* what, std::int64_t id) {
@@ -62,7 +68,8 @@ MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>
   if (std::ranges::count(wanted, "") > 0) wanted.clear();
   std::optional<MeshFile> held = settings.held ? settings.held->take(settings) : std::nullopt;
   MeshFile file = held ? std::move(*held) : read_format(settings, wanted);
-  check_numbers(file);
+  if (!is_of_deck(settings.format)) check_numbers(file);
+  split_ten_nodes(file);
   for (Point& node : file.mesh.nodes) {
     for (double& coordinate : node) coordinate *= settings.scale;
   }

@@ -140,6 +140,9 @@ void keep_used_nodes(MeshFile& file) {
   for (const auto& hexahedron : file.mesh.hexahedra) {
     for (const std::int32_t node : hexahedron) place[node] = 0;
   }
+  for (const EdgeNodes& of : file.edge_nodes) {
+    for (const std::int32_t node : of.nodes) place[node] = 0;
+  }
   if (std::ranges::count(place, -1) == 0) return;
   for (MeshSet& set : file.node_sets) {
     for (const std::int32_t node : set.members) {
@@ -157,6 +160,9 @@ void keep_used_nodes(MeshFile& file) {
   if (!file.node_ids.empty()) file.node_ids.resize(kept);
   for (auto& hexahedron : file.mesh.hexahedra) {
     for (std::int32_t& node : hexahedron) node = place[node];
+  }
+  for (EdgeNodes& of : file.edge_nodes) {
+    for (std::int32_t& node : of.nodes) node = place[node];
   }
   for (MeshSet& set : file.node_sets) {
     for (std::int32_t& node : set.members) node = place[node];

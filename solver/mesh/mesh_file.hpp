@@ -42,6 +42,13 @@ struct FaceSet {
 struct MeshPart {
   std::int64_t id = 0;
   std::string name;
+  std::size_t ten_nodes = 0;  ///< of its elements in the file: tetrahedra of ten nodes (split_ten_nodes)
+};
+
+/// Of a tetrahedron of ten nodes, those on its edges AB, BC, CA, AD, BD, CD; its corners are those of `element`.
+struct EdgeNodes {
+  std::int32_t element = 0;  ///< place in the mesh
+  std::array<std::int32_t, 6> nodes{};
 };
 
 /// From which hexahedron on the lines are those of an included file.
@@ -62,6 +69,7 @@ struct MeshFile {
   std::vector<MeshLines> lines_of;        ///< in the order of the hexahedra; empty: all are lines of the file itself
   std::vector<std::uint8_t> held;         ///< per node: bits of x, y, z that the file itself holds; empty: none
   std::size_t held_rotations = 0;         ///< nodes whose rotations the file holds, which those of solids do not have
+  std::vector<EdgeNodes> edge_nodes;      ///< ascending by elements, until split_ten_nodes has made eight of each
   std::vector<MeshPart> parts;
   std::vector<MeshSet> node_sets, element_sets;
   std::vector<FaceSet> face_sets;

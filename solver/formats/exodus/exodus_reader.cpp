@@ -28,19 +28,22 @@ constexpr int wedge_sides[5][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {0, 4, 6, 2}, {0,
 constexpr int tetrahedron_sides[4][4] = {{0, 2, 5, 5}, {2, 4, 5, 5}, {0, 5, 4, 4}, {0, 4, 2, 2}};
 
 /// What a block may have, by their nodes.
-enum class Shape : std::uint8_t { tetrahedron = 4, wedge = 6, hexahedron = 8 };
+enum class Shape : std::uint8_t { tetrahedron = 4, wedge = 6, hexahedron = 8, ten_nodes = 10 };
 
-int sides_of(Shape shape) { return shape == Shape::tetrahedron ? 4 : shape == Shape::wedge ? 5 : 6; }
+bool is_tetrahedron(Shape shape) { return shape == Shape::tetrahedron || shape == Shape::ten_nodes; }
+
+int sides_of(Shape shape) { return is_tetrahedron(shape) ? 4 : shape == Shape::wedge ? 5 : 6; }
 const int* corners_of_side(Shape shape, std::int64_t side) {
-  return shape == Shape::tetrahedron ? tetrahedron_sides[side - 1]
-         : shape == Shape::wedge     ? wedge_sides[side - 1]
-                                     : hexahedron_sides[side - 1];
+  return is_tetrahedron(shape)   ? tetrahedron_sides[side - 1]
+         : shape == Shape::wedge ? wedge_sides[side - 1]
+                                 : hexahedron_sides[side - 1];
 }
 
 std::optional<Shape> shape_of(const std::string& form, std::int64_t nodes) {
   if (form.starts_with("HEX") && nodes == 8) return Shape::hexahedron;
   if (form.starts_with("WEDGE") && nodes == 6) return Shape::wedge;
   if (form.starts_with("TET") && nodes == 4) return Shape::tetrahedron;
+  if (form.starts_with("TET") && nodes == 10) return Shape::ten_nodes;
   return std::nullopt;
 }
 
@@ -157,21 +160,16 @@ class ExodusReader {
     if (form == Shape::hexahedron) {
       in_.integers_into(variable, corners);
     } else {
-      read_collapsed(variable, *form, count, corners);
+      read_collapsed(variable, *form, first, count);
     }
     shape_.resize(first + count, *form);
-    const std::int32_t nodes = file_.mesh.nodes.size();
-    for (std::int64_t i = 0; i < 8 * count; ++i) {
-      if (corners[i] < 1 || corners[i] > nodes)
-        in_.fail(variable,
-                 fmt::format("element {}: expected nodes from 1 to {}, got {}", i / 8 + 1, nodes, corners[i]));
-      --corners[i];
-    }
+    for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = checked_node(variable, i / 8, corners[i]);
     file_.part.resize(first + count, file_.parts.size());
     file_.parts.push_back({blocks.ids[b], blocks.names[b]});
   }
 
-  void read_collapsed(const std::string& variable, Shape shape, std::int64_t count, std::int32_t* corners) const {
+  void read_collapsed(const std::string& variable, Shape shape, std::int32_t first, std::int64_t count) {
+    std::int32_t* const corners = file_.mesh.hexahedra[first].data();
     const auto of_each = static_cast<std::int64_t>(shape);
     std::vector<std::int32_t> nodes(of_each * count);
     in_.integers_into(variable, nodes.data());
@@ -179,6 +177,19 @@ class ExodusReader {
         of_tetrahedron = tetrahedron(0, 1, 2, 3);
     const auto& corner = shape == Shape::wedge ? of_wedge : of_tetrahedron;
     for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = nodes[i / 8 * of_each + corner[i % 8]];
+    for (std::int64_t e = 0; shape == Shape::ten_nodes && e < count; ++e) {
+      EdgeNodes& of = file_.edge_nodes.emplace_back();
+      of.element = static_cast<std::int32_t>(first + e);
+      for (std::int64_t i = 0; i < 6; ++i) of.nodes[i] = checked_node(variable, e, nodes[10 * e + 4 + i]);
+    }
+  }
+
+  /// Its place.
+  std::int32_t checked_node(const std::string& variable, std::int64_t element, std::int32_t node) const {
+    if (node < 1 || node > std::ssize(file_.mesh.nodes))
+      in_.fail(variable, fmt::format("element {}: expected nodes from 1 to {}, got {}", element + 1,
+                                     file_.mesh.nodes.size(), node));
+    return node - 1;
   }
 
   void reject(const Names& blocks, std::size_t b, const std::string& type, std::int64_t nodes, std::int64_t count) {
@@ -187,7 +198,7 @@ class ExodusReader {
                     blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", counted(count, "element"),
                     type.empty() ? "unknown" : type, counted(nodes, "node"));
     if (wanted_.empty() ? !is_without_volume(type) : is_needed(blocks.ids[b], blocks.names[b]))
-      fail(what + ": expected HEX8, WEDGE6 or TET4");
+      fail(what + ": expected HEX8, WEDGE6, TET4 or TET10");
     file_.notes.push_back(fmt::format("{}: {}: left out", file_.path, what));
     place_.insert(place_.end(), count, -1);
   }

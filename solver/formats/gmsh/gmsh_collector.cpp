@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <solver/base/error.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 namespace pinball {
 
@@ -51,6 +52,14 @@ void GmshCollector::add_volume(const std::array<std::int32_t, 8>& corners, std::
   for (const std::int64_t group : groups) add_to_group(group, place);
 }
 
+void GmshCollector::add_ten_nodes(const std::array<std::int32_t, 10>& n, std::span<const std::int64_t> groups,
+                                  std::int64_t id, int line) {
+  const auto next = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+  add_volume(tetrahedron(n[0], n[1], n[2], n[3]), groups, id, line);
+  if (std::ssize(file_.mesh.hexahedra) == next) return;  // it is there already
+  file_.edge_nodes.push_back({next, {n[4], n[5], n[6], n[7], n[9], n[8]}});
+}
+
 void GmshCollector::add_to_group(std::int64_t group, std::int32_t place) {
   if (group == 0 || (!wanted_.empty() && std::ranges::count(wanted_, group) == 0)) return;
   std::vector<std::int32_t>& members = members_[group];
@@ -64,7 +73,8 @@ void GmshCollector::add_boundary(int dimension, std::span<const std::int32_t> no
     Boundary& boundary = boundaries_[{dimension, group}];
     if (boundary.problem.empty()) boundary.problem = problem;
     boundary.nodes.insert(boundary.nodes.end(), nodes.begin(), nodes.end());
-    if (dimension == 2 && nodes.size() >= 3) boundary.faces.push_back({nodes[0], nodes[1], nodes[2], nodes.back()});
+    if (dimension == 2 && nodes.size() >= 3)
+      boundary.faces.push_back({nodes[0], nodes[1], nodes[2], nodes[nodes.size() == 4 ? 3 : 2]});
   }
 }
 

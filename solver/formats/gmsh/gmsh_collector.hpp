@@ -28,7 +28,11 @@ class GmshCollector {
   /// line: 0 where there are none.
   void add_volume(const std::array<std::int32_t, 8>& corners, std::span<const std::int64_t> groups, std::int64_t id,
                   int line);
-  /// A point, line, triangle or quadrangle. problem: what is wrong with it, for who uses its groups.
+  /// A tetrahedron with nodes on its edges, in the order of Gmsh.
+  void add_ten_nodes(const std::array<std::int32_t, 10>& nodes, std::span<const std::int64_t> groups, std::int64_t id,
+                     int line);
+  /// A point, line, triangle or quadrangle, with or without nodes on its edges. problem: what is wrong with it, for who
+  /// uses its groups.
   void add_boundary(int dimension, std::span<const std::int32_t> nodes, std::span<const std::int64_t> groups,
                     const std::string& problem);
 

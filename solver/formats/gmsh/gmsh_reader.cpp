@@ -254,14 +254,13 @@ class GmshReader {
 
   void read_nodes_of_element(int dimension, std::int64_t type, std::span<const std::int64_t> groups, std::int64_t id) {
     const int line = scan_.binary() ? 0 : scan_.line();
-    if (dimension == 3 && collector_->wants(groups) && !is_linear(type))
-      fail_element(
-          id, line,
-          fmt::format("expected 8-node hexahedra (type 5), 6-node prisms (type 6) or 4-node tetrahedra (type 4), "
-                      "got {} (type {})",
-                      gmsh::name_of(type), type));
+    if (dimension == 3 && collector_->wants(groups) && !is_read(type))
+      fail_element(id, line,
+                   fmt::format("expected 8-node hexahedra (type 5), 6-node prisms (type 6) or tetrahedra of 4 or 10 "
+                               "nodes (types 4 and 11), got {} (type {})",
+                               gmsh::name_of(type), type));
     const bool wanted = dimension == 3 ? collector_->wants(groups) : !groups.empty();
-    if (wanted && is_linear(type)) {
+    if (wanted && is_read(type)) {
       add_element(dimension, type, groups, id, line);
     } else {
       skip_nodes(type);
@@ -269,17 +268,20 @@ class GmshReader {
     }
   }
 
-  static bool is_linear(std::int64_t type) {
+  static bool is_read(std::int64_t type) {
     return type == gmsh::line || type == gmsh::triangle || type == gmsh::quadrangle || type == gmsh::hexahedron ||
-           type == gmsh::prism || type == gmsh::tetrahedron || type == gmsh::point;
+           type == gmsh::prism || type == gmsh::tetrahedron || type == gmsh::point || type == gmsh::line_3 ||
+           type == gmsh::triangle_6 || type == gmsh::tetrahedron_10;
   }
 
   std::string place_of_element(std::int64_t id, int line) const {
     return line > 0 ? fmt::format("{}:{}", scan_.name(), line) : fmt::format("{}: element {}", scan_.name(), id);
   }
   std::string not_read(std::int64_t type, std::int64_t id, int line) const {
-    return fmt::format("{}: expected points, 2-node lines, 3-node triangles or 4-node quadrangles, got {} (type {})",
-                       place_of_element(id, line), gmsh::name_of(type), type);
+    return fmt::format(
+        "{}: expected points, 2-node lines, 3-node triangles or 4-node quadrangles, or "
+        "those of tetrahedra of 10 nodes, got {} (type {})",
+        place_of_element(id, line), gmsh::name_of(type), type);
   }
   [[noreturn]] void fail_element(std::int64_t id, int line, const std::string& problem) const {
     throw InputError(fmt::format("{}: {}", place_of_element(id, line), problem));
@@ -298,7 +300,7 @@ class GmshReader {
   }
 
   void add_element(int dimension, std::int64_t type, std::span<const std::int64_t> groups, std::int64_t id, int line) {
-    std::int32_t nodes[8];
+    std::array<std::int32_t, 10> nodes;
     const int count = gmsh::nodes_of(type);
     for (int i = 0; i < count; ++i) {
       const std::int64_t node = read_node_of_element();
@@ -307,12 +309,13 @@ class GmshReader {
         fail_element(id, line, fmt::format("expected nodes of the file, got {}, which is not there", node));
     }
     if (dimension < 3) {
-      return collector_->add_boundary(dimension, {nodes, static_cast<std::size_t>(count)}, groups, "");
+      return collector_->add_boundary(dimension, {nodes.data(), static_cast<std::size_t>(count)}, groups, "");
     }
     static constexpr int of_hexahedron[8] = {0, 1, 2, 3, 4, 5, 6, 7}, of_prism[8] = {0, 1, 2, 2, 3, 4, 5, 5};
     if (type == gmsh::tetrahedron) {
       return collector_->add_volume(tetrahedron(nodes[0], nodes[1], nodes[2], nodes[3]), groups, id, line);
     }
+    if (type == gmsh::tetrahedron_10) return collector_->add_ten_nodes(nodes, groups, id, line);
     std::array<std::int32_t, 8> corners;
     for (int i = 0; i < 8; ++i) corners[i] = nodes[(type == gmsh::prism ? of_prism : of_hexahedron)[i]];
     collector_->add_volume(corners, groups, id, line);

@@ -23,7 +23,7 @@ const std::vector<std::string> vtk_part_arrays{"part",        "part_id",   "part
 namespace {
 
 constexpr int vertex = 1, line = 3, triangle = 5, pixel = 8, quadrangle = 9, tetra = 10, voxel = 11, hexahedron = 12,
-              wedge = 13;
+              wedge = 13, line_3 = 21, triangle_6 = 22, tetra_10 = 24;
 /// An array with more values than this numbers something else than sets.
 constexpr std::size_t most_sets = 1000;
 
@@ -34,19 +34,12 @@ std::string lower(std::string text) {
 
 std::string name_of(int type) {
   static const std::map<int, std::string> names{
-      {10, "tetrahedra"},
-      {14, "pyramids"},
-      {15, "pentagonal prisms"},
-      {16, "hexagonal prisms"},
-      {24, "quadratic tetrahedra"},
-      {25, "quadratic hexahedra"},
-      {26, "quadratic wedges"},
-      {27, "quadratic pyramids"},
-      {29, "triquadratic hexahedra"},
-      {42, "polyhedra"},
-      {71, "Lagrange tetrahedra"},
-      {72, "Lagrange hexahedra"},
-      {79, "Bezier hexahedra"},
+      {10, "tetrahedra"},          {14, "pyramids"},
+      {15, "pentagonal prisms"},   {16, "hexagonal prisms"},
+      {25, "quadratic hexahedra"}, {26, "quadratic wedges"},
+      {27, "quadratic pyramids"},  {29, "triquadratic hexahedra"},
+      {42, "polyhedra"},           {71, "Lagrange tetrahedra"},
+      {72, "Lagrange hexahedra"},  {79, "Bezier hexahedra"},
   };
   const auto found = names.find(type);
   return found == names.end() ? "cells" : found->second;
@@ -60,8 +53,9 @@ bool is_of_lower_dimension(int type) {
 std::size_t points_of(int type) {
   return type == vertex                                         ? 1
          : type == line                                         ? 2
-         : type == triangle                                     ? 3
-         : type == wedge                                        ? 6
+         : type == triangle || type == line_3                   ? 3
+         : type == wedge || type == triangle_6                  ? 6
+         : type == tetra_10                                     ? 10
          : type == pixel || type == quadrangle || type == tetra ? 4
                                                                 : 8;
 }
@@ -127,15 +121,18 @@ class Builder {
       if (point < 0 || point >= std::ssize(file_.mesh.nodes))
         fail(fmt::format("cell {}: expected points from 0 to {}, got {}", cell, file_.mesh.nodes.size() - 1, point));
     }
-    const bool volume = type == voxel || type == hexahedron || type == wedge || type == tetra;
+    const bool volume = type == voxel || type == hexahedron || type == wedge || type == tetra || type == tetra_10;
     if (!volume && !is_of_lower_dimension(type)) return reject(cell, type, is_wanted(part, has_parts));
-    const bool face = type == triangle || type == quadrangle || type == pixel,
-               known = volume || face || type == vertex || type == line;
+    const bool face = type == triangle || type == quadrangle || type == pixel || type == triangle_6,
+               known = volume || face || type == vertex || type == line || type == line_3;
     if (known && points.size() != points_of(type))
       fail(fmt::format("cell {}: expected {} points of a cell of type {}, got {}", cell, points_of(type), type,
                        points.size()));
     if (volume) {
       cell_place_[cell] = file_.mesh.hexahedra.size();
+      if (type == tetra_10)
+        file_.edge_nodes.push_back(
+            {cell_place_[cell], {points[4], points[5], points[6], points[7], points[8], points[9]}});
       file_.mesh.hexahedra.push_back(corners_of(type, points));
     } else if (known && has_parts) {
       add_boundary(type, points, part);
@@ -145,14 +142,14 @@ class Builder {
   void reject(std::size_t cell, int type, bool wanted) const {
     if (!wanted) return;
     fail(fmt::format(
-        "cell {}: expected hexahedra (type 12), voxels (11), wedges (13) or tetrahedra (10), got {} (type {})", cell,
-        name_of(type), type));
+        "cell {}: expected hexahedra (type 12), voxels (11), wedges (13) or tetrahedra (10, 24), got {} (type {})",
+        cell, name_of(type), type));
   }
 
   std::array<std::int32_t, 8> corners_of(int type, std::span<const std::int32_t> p) const {
     if (type == hexahedron) return {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]};
     if (type == voxel) return {p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6]};
-    if (type == tetra) return tetrahedron(p[0], p[1], p[2], p[3]);
+    if (type == tetra || type == tetra_10) return tetrahedron(p[0], p[1], p[2], p[3]);
     // The format has the first triangle seen from inside, many programs write it as other formats do.
     const std::array<std::int32_t, 8> collapsed{p[0], p[1], p[2], p[2], p[3], p[4], p[5], p[5]};
     std::array<Point, 8> corners;
@@ -164,7 +161,7 @@ class Builder {
   void add_boundary(int type, std::span<const std::int32_t> p, std::int64_t part) {
     std::vector<std::int32_t>& nodes = nodes_of_boundary_[part];
     nodes.insert(nodes.end(), p.begin(), p.end());
-    if (type == triangle) faces_[part].push_back({p[0], p[1], p[2], p[2]});
+    if (type == triangle || type == triangle_6) faces_[part].push_back({p[0], p[1], p[2], p[2]});
     if (type == quadrangle) faces_[part].push_back({p[0], p[1], p[2], p[3]});
     if (type == pixel) faces_[part].push_back({p[0], p[1], p[3], p[2]});
   }

@@ -182,10 +182,10 @@ TEST(GmshFormat22, NamesTheLineOfABadElement) {
   const std::string text = text_of("22");
   EXPECT_EQ(error_of(replaced(text, "5 6 2 2 2 90 ", "5 6 2 2 2 33 ")),
             "a.msh:35: expected nodes of the file, got 33, which is not there");
-  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 11 2 2 2")),
-            "a.msh:36: expected 8-node hexahedra (type 5), 6-node prisms (type 6) or 4-node tetrahedra (type 4), got "
-            "10-node tetrahedra (type 11)");
-  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 11 2 2 2"), "left part"), "no error");  // not of this volume
+  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 12 2 2 2")),
+            "a.msh:36: expected 8-node hexahedra (type 5), 6-node prisms (type 6) or tetrahedra of 4 or 10 nodes "
+            "(types 4 and 11), got 27-node hexahedra (type 12)");
+  EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 12 2 2 2"), "left part"), "no error");  // not of this volume
   EXPECT_EQ(error_of(replaced(text, "\n2 1 0 0\n", "\n2 1 nan 0\n")),
             "a.msh:13: expected a coordinate of a node, got \"nan\"");
   EXPECT_EQ(error_of(replaced(text, "\n3 1 1 0\n", "\n2 1 1 0\n")),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <tests/formats/ten_nodes_case.hpp>
+
 #include "deck_case.hpp"
 
 /// What cards say beyond their fields: how often they stand, in which order, and with which lines.
@@ -52,6 +54,26 @@ TEST_F(DeckCards, TetrahedraHaveFormsOfTheirOwn) {
   EXPECT_EQ(error(tetrahedra), no_error);
   EXPECT_THAT(translate(tetrahedra).understood,
               Contains(HasSubstr("1 tetrahedron with volumes averaged over nodes, as ELFORM 13")));
+}
+
+TEST_F(DeckCards, TetrahedraOfTenNodesHaveFormsOfTheirOwn) {
+  const auto deck = [](const std::string& form, const std::string& more = "") {
+    return "*NODE\n" + ten_nodes_lines(",") + "*ELEMENT_SOLID\n1,1\n" + joined(ten_nodes_elements[0], ",") + "\n2,1\n" +
+           joined(ten_nodes_elements[1], ",") + "\n*PART\ntwo\n1,1,1\n*SECTION_SOLID\n1," + form + "\n" + more +
+           elastic + ends;
+  };
+  for (const char* form : {"16", "17", "1"}) {
+    EXPECT_EQ(error(deck(form)), no_error);
+    EXPECT_EQ(error_in_cards(deck(form)), no_error);
+    EXPECT_THAT(translate(deck(form)).understood,
+                testing::IsSupersetOf({HasSubstr("2 tetrahedra of ten nodes, each as eight of four nodes"),
+                                       HasSubstr("16 tetrahedra with volumes averaged over nodes, as ELFORM 13")}));
+  }
+  EXPECT_THAT(error(deck("13")), HasSubstr("*SECTION_SOLID with ELFORM 13 (16 elements, first in deck.k:24): give 16"));
+  std::string of_cube = cube + elastic + ends;
+  of_cube.replace(of_cube.find("*SECTION_SOLID\n1,1"), 18, "*SECTION_SOLID\n1,16");
+  EXPECT_THAT(error(of_cube), HasSubstr("*SECTION_SOLID with ELFORM 16 (deck.k:"));
+  EXPECT_EQ(scene(deck("16", "*DATABASE_HISTORY_SOLID\n2\n")).probes.size(), 1u);
 }
 
 TEST_F(DeckCards, FacesWhoseNormalPointsInwardsAreTold) {

@@ -8,6 +8,7 @@
 #include <solver/formats/lsdyna/mesh/keyword_mesh.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/mesh/tetrahedra.hpp>
+#include <tests/formats/ten_nodes_case.hpp>
 #include <tests/support/error_of.hpp>
 #include <tests/support/folder_case.hpp>
 
@@ -77,8 +78,11 @@ TEST(KeywordMesh, WhatIsWrongIsNamedByItsNumberAndLine) {
   EXPECT_EQ(error_of(nodes + "*NODE\n$\n19,0,0,0\n\n12,0,0,0\n"), "a.k:14: node 12 is given twice, first in a.k:3");
   EXPECT_EQ(error_of(nodes + "*PART\na\n1\n\n\nb\n1\n"), "a.k:16: part 1 is given twice, first in a.k:12");
   EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID_ORTHO\n"), "a.k:10: *ELEMENT_SOLID_ORTHO is not read");
-  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,12\n"),
-            "a.k:12: *ELEMENT_SOLID: element 7 has ten nodes: expected eight, or four of a tetrahedron");
+  EXPECT_EQ(error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,0\n"),
+            "a.k:12: *ELEMENT_SOLID: element 7 has nine nodes or less: expected eight, or ten of a tetrahedron");
+  EXPECT_THAT(
+      error_of(nodes + "*ELEMENT_SOLID\n7,3\n11,12,13,14,15,16,17,18,11,12\n"),
+      HasSubstr("a.k:11: element 7 (line 11 of a.k): node 15 is not near the middle of its edge, from node 11"));
 }
 
 std::vector<std::int32_t> members(const MeshFile& file, const std::string& set) {
@@ -190,6 +194,20 @@ TEST_F(IncludedMesh, AMirroredFileHasItsElementsTurned) {
   const MeshFile file = keyword_mesh(read_keyword_deck((folder_ / "mirrored.k").string()));
   EXPECT_NEAR(measure_quality(file.mesh).volume, 1, 1e-15);
   EXPECT_EQ(file.mesh.nodes[1][0], -1);
+}
+
+TEST_F(IncludedMesh, AMirroredFileHasItsTenNodesTurned) {
+  std::ofstream(folder_ / "part.k") << "*KEYWORD\n*NODE\n"
+                                    << ten_nodes_lines(",") << "*ELEMENT_SOLID\n1,1\n"
+                                    << joined(ten_nodes_elements[0], ",") << "\n2,1\n"
+                                    << joined(ten_nodes_elements[1], ",") << "\n";
+  std::ofstream(folder_ / "mirrored.k")
+      << "*KEYWORD\n*DEFINE_TRANSFORMATION\n4\nMIRROR,0,0,0,1,0,0\n*INCLUDE_TRANSFORM\npart.k\n0,0\n\n\n4\n";
+  const MeshFile file = keyword_mesh(read_keyword_deck((folder_ / "mirrored.k").string()));
+  const MeshQuality quality = measure_quality(file.mesh);
+  EXPECT_EQ(file.mesh.hexahedra.size(), 16u);
+  EXPECT_NEAR(quality.volume, 0.5, 1e-15);
+  EXPECT_EQ(quality.inverted, 0);
 }
 
 }  // namespace

@@ -57,6 +57,16 @@ inline const std::string held = "/BCS/1\nb\n   111 000         0         5\n",
                                         twenty({400, 500, 0.5}) + "\n" + twenty({0.02, 1}) + "\n";
 inline const std::vector<std::string> scales{",,", ",,,", "1,0.2", "", ""};
 
+/// The nodes of both cubes, and those in the middles between 1, 2, 4 and 5.
+inline std::string nodes_with_middles() {
+  const double middles[6][3] = {{0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
+  std::string lines =
+      "/NODE\n" + square_nodes(1, 0) + square_nodes(5, 1) + square_nodes(9, 1.5) + square_nodes(13, 2.5) + ten({"99"});
+  for (int i = 0; i < 6; ++i)
+    lines += fmt::format("{:>10}{:>20}{:>20}{:>20}\n", 20 + i, middles[i][0], middles[i][1], middles[i][2]);
+  return lines;
+}
+
 /// A group by its members, in the place of the one of this header that is there, used or not.
 inline RadiossCardDeck group(const std::string& keyword, const std::string& members, int number = 15) {
   return {keyword, "/" + keyword + "/" + std::to_string(number), {members}};
@@ -75,6 +85,7 @@ inline std::vector<RadiossCardDeck> radioss_card_decks() {
         "10,1,0,1.5", "11,1,1,1.5", "12,0,1,1.5", "13,0,0,2.5", "14,1,0,2.5", "15,1,1,2.5", "16,0,1,2.5", "99,0,0,0"}},
       {"BRICK", "/BRICK/1", {"1,1,2,3,4,5,6,7,8"}},
       {"TETRA4", "/TETRA4/1", {"3,1,2,4,5"}},
+      {"TETRA10", "/TETRA10/1", {"3", "1,2,4,5,20,21,22,23,24,25"}, nodes_with_middles()},
       {"PART", "/PART/2", {"1,1,3"}, "/GRNOD/SUBSET/7\ns\n" + ten({"3"})},
       {"SUBSET",
        "/SUBSET/3",

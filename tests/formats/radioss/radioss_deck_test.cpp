@@ -7,6 +7,7 @@
 #include <solver/formats/mesh_reader.hpp>
 #include <solver/mesh/quality.hpp>
 #include <solver/mesh/tetrahedra.hpp>
+#include <tests/formats/ten_nodes_case.hpp>
 
 #include "radioss_case.hpp"
 
@@ -96,6 +97,30 @@ TEST_F(RadiossTest, TetrahedraAreBricksOfFourNodesOrSolidsOfTheirOwn) {
   EXPECT_THAT(error(cube_with("/BRICK/1\n" + ten({"11", "1", "2", "3", "4", "1", "2", "3", "4"}))),
               HasSubstr("/BRICK: solid 11 has four nodes or less, and fills no tetrahedron"));
   EXPECT_THAT(error(cube_with("/TETRA4/1\n" + ten({"10", "2", "3", "4", "7"}))), HasSubstr("solid 10 is given twice"));
+}
+
+TEST_F(RadiossTest, TetrahedraOfTenNodesAreEightOfFour) {
+  std::string nodes = "/NODE\n";
+  for (const auto& [number, x] : ten_nodes_nodes)
+    nodes += fmt::format("{:>10}{:>20}{:>20}{:>20}\n", 100 + number, x[0], x[1], 3 + x[2]);
+  const auto of = [](std::array<int, 10> numbers, int edges) {
+    std::string line;
+    for (std::size_t i = 0; i < 10; ++i)
+      line += fmt::format("{:>10}", static_cast<int>(i) < 4 + edges ? 100 + numbers[i] : 0);
+    return line + "\n";
+  };
+  const std::string part = "/PART/2\ntwo\n" + ten({"1", "1", "0"}) + nodes + "/TETRA10/2\n" + ten({"11"});
+  const std::string text = part + of(ten_nodes_elements[0], 6) + ten({"12"}) + of(ten_nodes_elements[1], 6);
+  EXPECT_THAT(translate(cube_with(text)).understood,
+              testing::Contains(HasSubstr("2 tetrahedra of ten nodes, each as eight of four nodes")));
+  const MeshFile file = read_mesh_file({.format = MeshFormat::radioss, .file = path_, .part = "2"}, {"2"});
+  EXPECT_EQ(elements_of_part(file, "2").size(), 16u);
+  // Without nodes on edges it is one of four nodes.
+  EXPECT_EQ(error(cube_with(part + of(ten_nodes_elements[0], 0))), no_error);
+  EXPECT_THAT(error(cube_with(part + of(ten_nodes_elements[0], 2))),
+              HasSubstr("/TETRA10: solid 11 has nodes on 2 of its six edges: expected all, or none"));
+  EXPECT_THAT(error(cube_with(text + ten({"11"}) + of(ten_nodes_elements[0], 6))),
+              HasSubstr("solid 11 is given twice, first in cube_0000.rad:"));
 }
 
 TEST_F(RadiossTest, OtherUnitsAreRefused) {

@@ -78,7 +78,8 @@ Controls controls_of(AbaqusData& data, const NamedControls& named, const AbaqusB
   }
   if (types.contains("C3D6") || types.contains("C3D6R"))
     data.report.understood(fmt::format("{}: wedges as collapsed hexahedra", body.part));
-  if (types.contains("C3D4") || types.contains("C3D4H"))
+  if (std::ranges::any_of(
+          types, [](const std::string& type) { return type.starts_with("C3D4") || type.starts_with("C3D10"); }))
     data.report.understood(fmt::format("{}: tetrahedra with volumes averaged over nodes", body.part));
   return controls;
 }

@@ -1,5 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+
+#include <kernels/tetrahedron.hpp>
+
 #include "abaqus_parts.hpp"
 
 namespace pinball {
@@ -53,17 +60,49 @@ DeckKeys<Pressure> begin_pressure(AbaqusData& data, const AbaqusBlock& block, co
   return keys;
 }
 
+/// Of eight elements that have been made of one of ten nodes the place of the first, where e is that; -1: where it is
+/// another of them; none: where it is another element.
+std::optional<std::int32_t> first_of_eight(const AbaqusMesh& mesh, std::int32_t e) {
+  const auto place = static_cast<std::size_t>(e);
+  const auto run = std::prev(std::ranges::upper_bound(mesh.types, place, {}, &AbaqusElements::first));
+  if (abaqus_nodes(run->type) != 10) return std::nullopt;
+  return (place - run->first) % 8 == 0 ? e : -1;
+}
+
+/// The four triangles of a face of a tetrahedron of ten nodes, as split_ten_nodes has made them. first: of its eight.
+std::vector<std::array<std::int32_t, 4>> faces_of_eight(const Mesh& mesh, std::int32_t first, int number) {
+  std::vector<std::array<std::int32_t, 4>> faces;
+  for (int corner = 0; corner < 4; ++corner) {
+    const auto& element = mesh.hexahedra[first + 4 + corner];
+    std::array<std::int32_t, 4> face = corners_of_face(element, abaqus_face(element, number));
+    const auto own = std::ranges::find(face, element[tetrahedron_corner(corner)]);
+    if (own == face.end()) continue;  // it looks inside
+    std::rotate(face.begin(), own, face.begin() + 3);
+    faces.push_back({face[0], face[1], face[2], face[2]});
+  }
+  const bool in_order = faces[0][1] == faces[1][2];  // the corners, around the face
+  faces.push_back({faces[0][1], faces[in_order ? 1 : 2][1], faces[in_order ? 2 : 1][1], faces[in_order ? 2 : 1][1]});
+  return faces;
+}
+
 /// P1 to P6: on the faces of elements that have these numbers.
 void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, int number,
                          DeckScene& scene) {
   std::vector<std::vector<std::int64_t>> faces;
-  for (const std::int32_t e : data.elements(DataFields(card).text(0), card.place)) {
-    const auto& hexahedron = data.mesh.file.mesh.hexahedra[e];
-    const int face = abaqus_face(hexahedron, number);
-    if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
+  const Mesh& mesh = data.mesh.file.mesh;
+  const auto add = [&](const std::array<std::int32_t, 4>& face) {
     faces.emplace_back();
-    for (const std::int32_t node : corners_of_face(hexahedron, face))
-      faces.back().push_back(data.mesh.file.node_ids[node]);
+    for (const std::int32_t node : face) faces.back().push_back(data.mesh.file.node_ids[node]);
+  };
+  for (const std::int32_t e : data.elements(DataFields(card).text(0), card.place)) {
+    const int face = abaqus_face(mesh.hexahedra[e], number);
+    if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
+    const std::optional<std::int32_t> first = first_of_eight(data.mesh, e);
+    if (!first) {
+      add(corners_of_face(mesh.hexahedra[e], face));
+    } else if (*first >= 0) {
+      std::ranges::for_each(faces_of_eight(mesh, *first, number), add);
+    }
   }
   begin_pressure(data, block, card, scene).set("faces", faces);
 }

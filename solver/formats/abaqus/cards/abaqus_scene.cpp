@@ -36,7 +36,7 @@ std::string rejected_load(const AbaqusBlock& block) {
 /// What of the data lines of a keyword is not done; empty: nothing.
 std::string rejected_data(const AbaqusBlock& block) {
   const std::string& name = block.name;
-  if (name == "ELEMENT" && abaqus_corners(block.option("TYPE")) == 0) return "*ELEMENT, TYPE=" + block.option("TYPE");
+  if (name == "ELEMENT" && abaqus_nodes(block.option("TYPE")) == 0) return "*ELEMENT, TYPE=" + block.option("TYPE");
   const bool is_isotropic = name == "ELASTIC" && (!block.has("TYPE") || block.option("TYPE").starts_with("ISO")),
              is_johnson_cook = name == "PLASTIC" && block.option("HARDENING") == "JOHNSONCOOK";
   const bool depends =
@@ -93,6 +93,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   translate_abaqus_rigid_bodies(data, bodies);
   translate_abaqus_probes(data, boundary);
   for (const std::string& note : deck.notes) report.understood(note);
+  for (const std::string& note : std::exchange(mesh.file.notes, {})) report.understood(note);
   tell_unread(deck, log, report);
   report.require_all_done(path);
   scene.append(std::move(bodies));

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
 #include <solver/mesh/tetrahedra.hpp>
 
@@ -14,10 +15,11 @@
 
 namespace pinball {
 
-int abaqus_corners(const std::string& type) {
-  static const std::map<std::string, int> types{{"C3D8", 8},   {"C3D8R", 8}, {"C3D8I", 8}, {"C3D8H", 8},
-                                                {"C3D8S", 8},  {"C3D6", 6},  {"C3D6R", 6}, {"C3D8RH", 8},
-                                                {"C3D8IH", 8}, {"C3D4", 4},  {"C3D4H", 4}};
+int abaqus_nodes(const std::string& type) {
+  static const std::map<std::string, int> types{{"C3D8", 8},    {"C3D8R", 8},   {"C3D8I", 8},   {"C3D8H", 8},
+                                                {"C3D8S", 8},   {"C3D6", 6},    {"C3D6R", 6},   {"C3D8RH", 8},
+                                                {"C3D8IH", 8},  {"C3D4", 4},    {"C3D4H", 4},   {"C3D10", 10},
+                                                {"C3D10M", 10}, {"C3D10H", 10}, {"C3D10MH", 10}};
   const auto found = types.find(type);
   return found == types.end() ? 0 : found->second;
 }
@@ -55,6 +57,7 @@ class AbaqusMeshReader {
     assign_parts(sets);
     mesh_.keys = sets.name_all();
     shift_numbers();
+    split();
     mesh_.file = std::move(file_);
     return std::move(mesh_);
   }
@@ -141,47 +144,54 @@ class AbaqusMeshReader {
 
   void read_elements(const AbaqusBlock& block, std::size_t c, std::size_t first_node) {
     const std::string type = squeezed(block.require("TYPE"));
-    const int corners = abaqus_corners(type);
-    if (corners == 0)
-      fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6, C3D4", type));
+    const int nodes = abaqus_nodes(type);
+    if (nodes == 0)
+      fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6, C3D4, C3D10", type));
     const std::size_t first = file_.element_ids.size();
     mesh_.types.push_back({first, type});
     DataLines lines(block);
-    while (const auto card = lines.next()) read_element(*card, lines, corners, first_node);
+    while (const auto card = lines.next()) read_element(*card, lines, nodes, first_node);
     if (const auto name = block.value("ELSET")) named_.push_back({c, false, *name, first, file_.element_ids.size()});
   }
 
   /// Number and nodes, which may take several lines; those but the last end in a comma.
-  void read_element(DataLine card, DataLines& lines, std::size_t corners, std::size_t first_node) {
+  void read_element(DataLine card, DataLines& lines, std::size_t nodes, std::size_t first_node) {
     const DeckPlace place = card.place;
-    std::array<std::int64_t, 9> numbers{};
+    std::array<std::int64_t, 11> numbers{};
     std::size_t count = 0;
     while (true) {
       const DataFields f(card);
       for (std::size_t i = 0; i < 20 && !f.blank(i); ++i) {
-        if (count == corners + 1)
-          fail_at(card.place, fmt::format("element {}: expected {} nodes, got more", numbers[0], corners));
+        if (count == nodes + 1)
+          fail_at(card.place, fmt::format("element {}: expected {} nodes, got more", numbers[0], nodes));
         numbers[count++] = f.integer(i, "number");
       }
-      if (count == corners + 1 || !goes_on(card.text)) break;
+      if (count == nodes + 1 || !goes_on(card.text)) break;
       card = lines.require("the rest of an element");
     }
-    if (count != corners + 1)
-      fail_at(place, fmt::format("element {}: expected {} nodes, got {}", numbers[0], corners, count - 1));
-    add_element(numbers, corners, first_node, place);
+    if (count != nodes + 1)
+      fail_at(place, fmt::format("element {}: expected {} nodes, got {}", numbers[0], nodes, count - 1));
+    add_element(numbers, nodes, first_node, place);
   }
 
-  void add_element(const std::array<std::int64_t, 9>& numbers, std::size_t corners, std::size_t first_node,
+  void add_element(const std::array<std::int64_t, 11>& numbers, std::size_t nodes, std::size_t first_node,
                    const DeckPlace& place) {
+    const auto place_of = [&](std::size_t i) {
+      const std::int64_t number = numbers[1 + i];
+      const std::int32_t node = nodes_.back().find(number);
+      if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
+      return static_cast<std::int32_t>(node + first_node);
+    };
     static constexpr std::array<std::size_t, 8> of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_wedge{0, 1, 2, 2, 3, 4, 5, 5};
     static constexpr std::array<std::int32_t, 8> of_tetrahedron = tetrahedron(0, 1, 2, 3);
     std::array<std::int32_t, 8> hexahedron{};
     for (std::size_t i = 0; i < 8; ++i) {
-      const std::size_t corner = corners == 8 ? of_hexahedron[i] : corners == 6 ? of_wedge[i] : of_tetrahedron[i];
-      const std::int64_t number = numbers[1 + corner];
-      const std::int32_t node = nodes_.back().find(number);
-      if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
-      hexahedron[i] = node + first_node;
+      hexahedron[i] = place_of(nodes == 8 ? of_hexahedron[i] : nodes == 6 ? of_wedge[i] : of_tetrahedron[i]);
+    }
+    if (nodes == 10) {
+      EdgeNodes& of = file_.edge_nodes.emplace_back();
+      of.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+      for (std::size_t i = 0; i < 6; ++i) of.nodes[i] = place_of(4 + i);
     }
     file_.element_ids.push_back(numbers[0]);
     file_.line.push_back(place.line);
@@ -215,6 +225,18 @@ class AbaqusMeshReader {
         file_.part[e] = rest;
       }
     }
+  }
+
+  /// When all sets and sections are known.
+  void split() {
+    const std::vector<std::int32_t> first = split_ten_nodes(file_);
+    if (first.empty()) return;
+    for (AbaqusRange& range : mesh_.ranges) {
+      const std::size_t end = first[range.first_element + range.elements];
+      range.first_element = first[range.first_element];
+      range.elements = end - range.first_element;
+    }
+    for (AbaqusElements& run : mesh_.types) run.first = first[run.first];
   }
 
   void shift_numbers() {

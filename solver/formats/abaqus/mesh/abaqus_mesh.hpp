@@ -38,15 +38,15 @@ struct AbaqusMesh {
   AbaqusKeys keys;
 };
 
-/// NODE, ELEMENT (C3D8 and its kin; C3D6 and C3D4 as collapsed hexahedra), NSET, ELSET, SURFACE, in parts, instances
-/// and the assembly. Parts of the mesh are sections of instances; elements of no section are a part named for the
-/// instance. Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing else is named so; labels
-/// that are written alike but for quotes by their keys. With more than one component numbers of the second begin behind
-/// a power of ten, and so on. Throws InputError "FILE:LINE: ...".
+/// NODE, ELEMENT (C3D8 and its kin; C3D6 and C3D4 as collapsed hexahedra, C3D10 as eight of these), NSET, ELSET,
+/// SURFACE, in parts, instances and the assembly. Parts of the mesh are sections of instances; elements of no section
+/// are a part named for the instance. Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing
+/// else is named so; labels that are written alike but for quotes by their keys. With more than one component numbers
+/// of the second begin behind a power of ten, and so on. Throws InputError "FILE:LINE: ...".
 AbaqusMesh abaqus_mesh(const AbaqusDeck& deck);
 
-/// Corners of a C3D8, C3D6 or C3D4 element; 0: not such a type. type: without case and blanks.
-int abaqus_corners(const std::string& type);
+/// Nodes of a C3D8, C3D6, C3D4 or C3D10 element; 0: not such a type. type: without case and blanks.
+int abaqus_nodes(const std::string& type);
 
 /// Face of a hexahedron, as face_nodes of kernels/hexahedron.hpp numbers them, that Abaqus calls S1 to S6 (of a wedge
 /// S1 to S5); -1: none.

@@ -10,6 +10,7 @@ namespace {
 
 /// A part of nothing but tetrahedra, with a form of theirs.
 bool is_of_tetrahedra(const DeckPart& part, std::int64_t form) {
+  if (part.ten_nodes) return form == 16 || form == 17;
   return part.tetrahedra == part.solids && (form == 10 || form == 13);
 }
 
@@ -38,9 +39,11 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
             "part {}: ELFORM {}, full integration: elements of assumed strain in its place", part.id, form->second));
         break;
       default:
-        data.report.reject(
-            part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second),
-            is_of_users(form->second) ? "an element that users have written: give 1 or 2" : "give 1 or 2", part.solids);
+        data.report.reject(part.place, fmt::format("*SECTION_SOLID with ELFORM {}", form->second),
+                           is_of_users(form->second) ? "an element that users have written: give 1 or 2"
+                           : part.ten_nodes          ? "give 16"
+                                                     : "give 1 or 2",
+                           part.solids);
     }
     const auto keys = scene.entry<Body>("body", {"*PART", part.place});
     keys.comment("");

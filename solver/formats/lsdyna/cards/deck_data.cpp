@@ -312,6 +312,7 @@ void DeckData::name_bodies() {
     }
     found->second.solids = elements[p];
     found->second.tetrahedra = tetrahedra[p];
+    found->second.ten_nodes = elements[p] == static_cast<std::int64_t>(8 * mesh.parts[p].ten_nodes);
     parts.push_back(found->second);
     materials_.insert(found->second.material);
   }

@@ -31,6 +31,7 @@ struct DeckPart {
   std::string body;             ///< name of the body that it becomes
   DeckPlace place;
   std::int64_t solids = 0, tetrahedra = 0;  ///< how many; the latter are some of the former
+  bool ten_nodes = false;                   ///< they are tetrahedra of ten nodes, eight of four in the place of each
   std::int64_t lead = 0;  ///< of a rigid one: the part that it is merged into, or itself; 0: it deforms
 
   bool is_rigid() const { return lead != 0; }

@@ -82,6 +82,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   translate_probes(data, boundary);
   describe_mesh(data, report);
   for (const std::string& note : deck.parameters.notes()) report.understood(note);
+  for (const std::string& note : std::exchange(mesh.notes, {})) report.understood(note);
   if (deck.left_out_of_case > 0)
     report.understood(fmt::format("{} keywords belong to other cases: --case takes one of {}", deck.left_out_of_case,
                                   fmt::join(deck.cases, ", ")));

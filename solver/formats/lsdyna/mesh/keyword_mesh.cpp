@@ -9,6 +9,7 @@
 #include <solver/formats/deck/given_once.hpp>
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
 #include <solver/mesh/tetrahedra.hpp>
 
@@ -42,6 +43,7 @@ class KeywordMeshReader {
     if (!file_.held.empty()) file_.held.resize(file_.node_ids.size(), 0);
     KeywordSets(deck_, file_, nodes_).read();
     read_keyword_segments(deck_, nodes_, file_);
+    split_ten_nodes(file_);
     return std::move(file_);
   }
 
@@ -139,16 +141,20 @@ class KeywordMeshReader {
     }
   }
 
+  std::int32_t node_of(const Fields& fields, std::int64_t id) const {
+    const std::int32_t node = nodes_.find(id);
+    if (node < 0) fail_element(fields, fmt::format("has node {}, which is not there", id));
+    return node;
+  }
+
   void add_solid(const Fields& fields, std::size_t first, std::int64_t to_node, bool mirrored) {
+    if (first == 0 && (fields.integer(8) != 0 || fields.integer(9) != 0))
+      return add_ten_nodes(fields, to_node, mirrored);
     std::array<std::int32_t, 8> corners{};
     for (std::size_t i = 0; i < 8; ++i) {
       std::int64_t id = fields.integer(first + i);
       if (id == 0 && i >= 4) id = fields.integer(first + 3);  // of a tetrahedron the last node again
-      corners[i] = nodes_.find(id + to_node);
-      if (corners[i] < 0) fail_element(fields, fmt::format("has node {}, which is not there", id + to_node));
-    }
-    for (std::size_t i = 8; first == 0 && i < 10; ++i) {
-      if (fields.integer(i) != 0) fail_element(fields, "has ten nodes: expected eight, or four of a tetrahedron");
+      corners[i] = node_of(fields, id + to_node);
     }
     if (mirrored) std::swap_ranges(corners.begin(), corners.begin() + 4, corners.begin() + 4);
     if (different(corners) <= 4) {
@@ -158,6 +164,23 @@ class KeywordMeshReader {
       corners = *found;
     }
     file_.mesh.hexahedra.push_back(corners);
+  }
+
+  void add_ten_nodes(const Fields& fields, std::int64_t to_node, bool mirrored) {
+    std::array<std::int32_t, 10> n{};
+    for (std::size_t i = 0; i < 10; ++i) {
+      const std::int64_t id = fields.integer(i);
+      if (id == 0) fail_element(fields, "has nine nodes or less: expected eight, or ten of a tetrahedron");
+      n[i] = node_of(fields, id + to_node);
+    }
+    if (mirrored) {  // the first two corners change their places, and edges with them
+      std::swap(n[0], n[1]);
+      std::swap(n[5], n[6]);
+      std::swap(n[7], n[8]);
+    }
+    const auto place = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+    file_.edge_nodes.push_back({place, {n[4], n[5], n[6], n[7], n[8], n[9]}});
+    file_.mesh.hexahedra.push_back(tetrahedron(n[0], n[1], n[2], n[3]));
   }
 
   static std::size_t different(std::array<std::int32_t, 8> corners) {

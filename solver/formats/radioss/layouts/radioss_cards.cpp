@@ -26,6 +26,7 @@ void add_mesh(Table& table) {
   add(table, "NODE", {&r::node});
   add(table, "BRICK", {&r::brick});
   add(table, "TETRA4", {&r::tetra4});
+  add(table, "TETRA10", {&r::tetra10, &r::tetra10_nodes});
   add(table, "PART", {&r::part});
   for (const char* keyword :
        {"SUBSET",        "GRNOD/NODE",      "GRNOD/GRNOD",  "GRNOD/GRBRIC",  "GRNOD/PART",      "GRNOD/SUBSET",

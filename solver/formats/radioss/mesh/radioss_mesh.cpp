@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <set>
 
 #include <solver/base/error.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
 #include <solver/mesh/tetrahedra.hpp>
 
@@ -20,12 +22,14 @@ namespace {
 
 /// What would make another mesh, if it were passed over.
 bool makes_mesh(const std::string& name) {
-  static const std::set<std::string> names{"TETRA10",  "PENTA6",     "BRIC20",      "CNODE",
-                                           "SUBMODEL", "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
+  static const std::set<std::string> names{"PENTA6",     "BRIC20",      "CNODE",     "SUBMODEL",
+                                           "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
   return names.contains(name) || name.starts_with("TRANSFORM/") || name.starts_with("PARAMETER/");
 }
 
-bool is_of_solids(const RadiossBlock& block) { return block.name == "BRICK" || block.name == "TETRA4"; }
+bool is_of_solids(const RadiossBlock& block) {
+  return block.name == "BRICK" || block.name == "TETRA4" || block.name == "TETRA10";
+}
 
 bool is_of_nodes(const RadiossBlock& block) { return block.name == "NODE"; }
 
@@ -49,6 +53,7 @@ class RadiossMeshReader {
     if (const std::int32_t twice = NumberIndex(file_.element_ids).repeated(); twice >= 0)
       fail_twice(is_of_solids, radioss::brick, "solid", file_.element_ids[twice]);
     RadiossGroups(deck_, parts_, file_, nodes_).read();
+    split_ten_nodes(file_);
     return std::move(file_);
   }
 
@@ -70,7 +75,8 @@ class RadiossMeshReader {
   }
 
   void read_solids(const RadiossBlock& block) {
-    const bool bricks = block.name == "BRICK";
+    const bool bricks = block.name == "BRICK", ten_nodes = block.name == "TETRA10";
+    const CardLayout& layout = bricks ? radioss::brick : ten_nodes ? radioss::tetra10 : radioss::tetra4;
     const std::int32_t part = add_part(block.id(), "");
     RadiossLines lines(block);
     std::string path = *block.place.file;
@@ -80,12 +86,15 @@ class RadiossMeshReader {
         path = *line->place.file;
         file_.lines_of.push_back({static_cast<std::int32_t>(file_.element_ids.size()), path});
       }
-      const RadiossFields f(*line, block, bricks ? radioss::brick : radioss::tetra4);
+      const RadiossFields f(*line, block, layout);
       file_.element_ids.push_back(f.integer(0));
       file_.part.push_back(part);
       file_.line.push_back(line->place.line);
       if (bricks) {
         add_brick(f);
+      } else if (ten_nodes) {
+        const DataLine nodes = lines.require("the nodes of a solid");
+        add_ten_nodes(RadiossFields(nodes, block, radioss::tetra10_nodes));
       } else {
         file_.mesh.hexahedra.push_back(tetrahedron(node_of(f, 1), node_of(f, 2), node_of(f, 3), node_of(f, 4)));
       }
@@ -98,6 +107,20 @@ class RadiossMeshReader {
     if (node < 0)
       fail_at(f.place(), fmt::format("solid {} has node {}, which is not there", file_.element_ids.back(), id));
     return node;
+  }
+
+  void add_ten_nodes(const RadiossFields& f) {
+    const auto edges = [&](std::int64_t i) { return f.integer(4 + i) != 0; };
+    const auto given = std::ranges::count_if(std::views::iota(0, 6), edges);
+    if (given != 0 && given != 6)
+      fail_at(f.place(), fmt::format("/TETRA10: solid {} has nodes on {} of its six edges: expected all, or none",
+                                     file_.element_ids.back(), given));
+    if (given == 6) {
+      EdgeNodes& of = file_.edge_nodes.emplace_back();
+      of.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
+      for (std::size_t i = 0; i < 6; ++i) of.nodes[i] = node_of(f, 4 + i);
+    }
+    file_.mesh.hexahedra.push_back(tetrahedron(node_of(f, 0), node_of(f, 1), node_of(f, 2), node_of(f, 3)));
   }
 
   /// Wedges, pyramids and tetrahedra are collapsed hexahedra.
@@ -126,7 +149,9 @@ class RadiossMeshReader {
       if (!is_of(block)) continue;
       RadiossLines lines(block);
       while (const auto line = lines.next_filled()) {
-        if (RadiossFields(*line, block, layout).integer(0) != number) continue;
+        const bool is_other = RadiossFields(*line, block, layout).integer(0) != number;
+        if (block.name == "TETRA10") lines.next();  // its nodes
+        if (is_other) continue;
         if (first) fail_at(line->place, fmt::format("{} {} is given twice, first in {}", what, number, first->text()));
         first = line->place;
       }

@@ -1,0 +1,170 @@
+#include "split_ten_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <kernels/tetrahedron.hpp>
+#include <solver/base/counted.hpp>
+#include <solver/base/error.hpp>
+#include <solver/mesh/tetrahedra.hpp>
+
+namespace pinball {
+
+namespace {
+
+/// Corners that the edges join, as EdgeNodes has them.
+constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+/// Opposite edges, and the four others in their order around the line between these: seen from the second,
+/// counterclockwise.
+struct Axis {
+  int from, to;
+  std::array<int, 4> around;
+};
+constexpr std::array<Axis, 3> axes{{{0, 5, {3, 4, 1, 2}}, {1, 3, {4, 5, 2, 0}}, {2, 4, {5, 3, 0, 1}}}};
+
+using Corners4 = std::array<std::int32_t, 4>;
+
+Corners4 corners_of(const MeshFile& file, const EdgeNodes& of) {
+  Corners4 corners;
+  for (int i = 0; i < 4; ++i) corners[i] = file.mesh.hexahedra[of.element][tetrahedron_corner(i)];
+  return corners;
+}
+
+double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+/// Formats number nodes in different orders: where one was taken for another, this finds it.
+void require_middles(const MeshFile& file, const EdgeNodes& of) {
+  constexpr double farthest = 0.35;  // from the middle, over the length of the edge; 0.21 where it bends by 90 degrees
+  const Corners4 corners = corners_of(file, of);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Point &a = file.mesh.nodes[corners[edges[i][0]]], &b = file.mesh.nodes[corners[edges[i][1]]];
+    const Point middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
+    if (distance(file.mesh.nodes[of.nodes[i]], middle) <= farthest * distance(a, b)) continue;
+    throw InputError(fmt::format(
+        "{}: {}: node {} is not near the middle of its edge, from node {} to {}: expected "
+        "four corners, then the nodes of the edges",
+        place_of_element(file, of.element), element_name(file, of.element), number_of(file.node_ids, of.nodes[i]),
+        number_of(file.node_ids, corners[edges[i][0]]), number_of(file.node_ids, corners[edges[i][1]])));
+  }
+}
+
+void add_eight(const MeshFile& file, const EdgeNodes& of, std::vector<Corners8>& elements) {
+  const Corners4 corner = corners_of(file, of);
+  const auto& m = of.nodes;
+  const auto length = [&](const Axis& axis) {
+    return distance(file.mesh.nodes[m[axis.from]], file.mesh.nodes[m[axis.to]]);
+  };
+  const Axis& axis = *std::ranges::min_element(axes, {}, length);
+  for (std::size_t i = 0; i < 4; ++i)
+    elements.push_back(tetrahedron(m[axis.from], m[axis.to], m[axis.around[i]], m[axis.around[(i + 1) % 4]]));
+  elements.push_back(tetrahedron(corner[0], m[0], m[2], m[3]));
+  elements.push_back(tetrahedron(m[0], corner[1], m[1], m[4]));
+  elements.push_back(tetrahedron(m[2], m[1], corner[2], m[5]));
+  elements.push_back(tetrahedron(m[3], m[4], m[5], corner[3]));
+}
+
+/// Nodes in the middle of edges, by the ends of these.
+class Middles {
+ public:
+  void add(const MeshFile& file, const EdgeNodes& of) {
+    const Corners4 corners = corners_of(file, of);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      middle_.try_emplace(std::minmax(corners[edges[i][0]], corners[edges[i][1]]), of.nodes[i]);
+  }
+  /// -1: the edge has none.
+  std::int32_t of(std::int32_t a, std::int32_t b) const {
+    const auto found = middle_.find(std::minmax(a, b));
+    return found == middle_.end() ? -1 : found->second;
+  }
+
+ private:
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middle_;
+};
+
+/// A face that has no nodes on its edges stays as it is.
+void split_faces(FaceSet& set, const Middles& middles) {
+  std::vector<Corners4> faces;
+  for (const Corners4& face : set.faces) {
+    std::vector<std::int32_t> c;  // different ones, in their order
+    for (const std::int32_t node : face) {
+      if (std::ranges::find(c, node) == c.end()) c.push_back(node);
+    }
+    std::array<std::int32_t, 3> m{-1, -1, -1};
+    for (std::size_t i = 0; i < 3 && c.size() == 3; ++i) m[i] = middles.of(c[i], c[(i + 1) % 3]);
+    if (std::ranges::min(m) < 0) {
+      faces.push_back(face);
+      continue;
+    }
+    faces.push_back({c[0], m[0], m[2], m[2]});
+    faces.push_back({m[0], c[1], m[1], m[1]});
+    faces.push_back({m[2], m[1], c[2], c[2]});
+    faces.push_back({m[0], m[1], m[2], m[2]});
+  }
+  set.faces = std::move(faces);
+}
+
+/// first: as split_ten_nodes returns it.
+template <class Value>
+void repeat(std::vector<Value>& of_elements, const std::vector<std::int32_t>& first) {
+  if (of_elements.empty()) return;
+  std::vector<Value> repeated;
+  repeated.reserve(first.back());
+  for (std::size_t e = 0; e < of_elements.size(); ++e)
+    repeated.insert(repeated.end(), first[e + 1] - first[e], of_elements[e]);
+  of_elements = std::move(repeated);
+}
+
+void split_members(MeshSet& set, const std::vector<std::int32_t>& first) {
+  std::vector<std::int32_t> members;
+  for (const std::int32_t element : set.members) {
+    for (std::int32_t e = first[element]; e < first[element + 1]; ++e) members.push_back(e);
+  }
+  set.members = std::move(members);
+}
+
+}  // namespace
+
+std::vector<std::int32_t> split_ten_nodes(MeshFile& file) {
+  if (file.edge_nodes.empty()) return {};
+  const std::size_t count = file.mesh.hexahedra.size(), split = file.edge_nodes.size();
+  if (count + 7 * split > std::numeric_limits<std::int32_t>::max() / 8)
+    throw InputError(fmt::format("{}: {} are too many to be split in eight", file.path,
+                                 counted(split, "tetrahedron of ten nodes", "tetrahedra of ten nodes")));
+  Middles middles;
+  std::vector<Corners8> elements;
+  std::vector<std::int32_t> first;
+  elements.reserve(count + 7 * split);
+  first.reserve(count + 1);
+  auto next = file.edge_nodes.begin();
+  for (std::size_t e = 0; e < count; ++e) {
+    first.push_back(static_cast<std::int32_t>(elements.size()));
+    if (next == file.edge_nodes.end() || next->element != static_cast<std::int32_t>(e)) {
+      elements.push_back(file.mesh.hexahedra[e]);
+      continue;
+    }
+    require_middles(file, *next);
+    middles.add(file, *next);
+    add_eight(file, *next, elements);
+    if (!file.part.empty() && file.part[e] >= 0) ++file.parts[file.part[e]].ten_nodes;
+    ++next;
+  }
+  first.push_back(static_cast<std::int32_t>(elements.size()));
+  file.mesh.hexahedra = std::move(elements);
+  repeat(file.element_ids, first);
+  repeat(file.part, first);
+  repeat(file.line, first);
+  for (MeshLines& lines : file.lines_of) lines.first = first[lines.first];
+  for (FaceSet& set : file.face_sets) split_faces(set, middles);
+  for (MeshSet& set : file.element_sets) split_members(set, first);
+  file.notes.push_back(fmt::format("{}: {}, each as eight of four nodes", file.path,
+                                   counted(split, "tetrahedron of ten nodes", "tetrahedra of ten nodes")));
+  file.edge_nodes.clear();
+  return first;
+}
+
+}  // namespace pinball
