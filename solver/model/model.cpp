@@ -311,10 +311,6 @@ Model<S> build_model(const Scene& given) {
   set_failure_limits(model, parts, mass_factor);
   const std::vector<double> onset = folding_onsets(model.mesh);
   features.folding_onset = !onset.empty();
-  if (model.scene.time.subcycling && model.has_tetrahedra()) {
-    throw InputError(message_head(model.scene) +
-                     "time.subcycling: expected false, tetrahedra share the volumes of a step with all around them");
-  }
   const Hexahedra ordered = add_tiles(model, parts, mass_factor);
   const std::int32_t node_count = model.mesh.nodes.size();
   model.node_of_scene_node = inverse_permutation(first_touch_node_order(ordered, node_count));

@@ -7,6 +7,7 @@
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/faces.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
 
@@ -25,15 +26,29 @@ int level_for(const StepGroup& group, double step) {
   return ratio < 2 ? 0 : std::min(group.highest, static_cast<int>(std::log2(ratio)));
 }
 
-/// Elements of about equal stable steps as one group: 32 to a factor of two.
-std::vector<StepGroup> histogram(const std::vector<double>& stable_steps, double least) {
+/// Tetrahedra have volumes that are averaged over nodes, of the time that all around a node have come to.
+int highest_level_of(const Corners8& corners) { return is_tetrahedron(corners) ? 0 : highest_step_level; }
+
+/// Elements of about equal stable steps as one group: 32 to a factor of two. Tetrahedra are one behind these.
+std::vector<StepGroup> groups_of(const std::vector<double>& stable_steps, const ModelMesh& mesh) {
+  const double least = *std::min_element(stable_steps.begin(), stable_steps.end());
   std::vector<StepGroup> bins;
-  for (const double step : stable_steps) {
+  StepGroup tetrahedra{infinite, 0, 0};
+  const auto add = [](StepGroup& group, double step) {
+    group.stable_step = std::min(group.stable_step, step);
+    group.elements += 1;
+  };
+  for (std::size_t e = 0; e < stable_steps.size(); ++e) {
+    const double step = stable_steps[e];
+    if (is_tetrahedron(mesh.hexahedra[e])) {
+      add(tetrahedra, step);
+      continue;
+    }
     const auto bin = static_cast<std::size_t>(std::min(32 * std::log2(step / least), 32.0 * 40));
     if (bin >= bins.size()) bins.resize(bin + 1, {infinite, 0, highest_step_level});
-    bins[bin].stable_step = std::min(bins[bin].stable_step, step);
-    bins[bin].elements += 1;
+    add(bins[bin], step);
   }
+  bins.push_back(tetrahedra);
   return bins;
 }
 
@@ -119,15 +134,14 @@ ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh, con
     stable_steps[e] = element_stable_step(mesh, e, *of_body[mesh.body[e]]);
     if (!mass_factor.empty()) stable_steps[e] *= std::sqrt(mass_factor[e]);
   }
-  const double least = *std::min_element(stable_steps.begin(), stable_steps.end());
-  const std::vector<StepGroup> groups = histogram(stable_steps, least);
+  const std::vector<StepGroup> groups = groups_of(stable_steps, mesh);
   const double step = smallest_step(groups, choose_levels(groups, 0));
 
   ElementLevels levels;
   std::vector<std::uint8_t> of_node(mesh.nodes.size(), highest_step_level);
   for_each_node_acted_on(scene, mesh, [&](std::int32_t n) { of_node[n] = 0; });
   for (std::size_t e = 0; e < count; ++e) {
-    levels.own.push_back(level_for({stable_steps[e], 1, highest_step_level}, step));
+    levels.own.push_back(level_for({stable_steps[e], 1, highest_level_of(mesh.hexahedra[e])}, step));
     for (const std::int32_t n : mesh.hexahedra[e]) {
       std::uint8_t& node = of_node[n];
       node = std::min(node, levels.own.back());

@@ -209,11 +209,5 @@ TEST(Tetrahedra, ErodeWithWhatTheyCarry) {
   EXPECT_LT(solver.counts().eroded_elements(), 900);
 }
 
-TEST(Tetrahedra, AreRefusedWhereTheyCannotBeWorked) {
-  Scene scene = striking(elastic_material(), true);
-  scene.time.subcycling = true;
-  EXPECT_NE(input_error_of(scene).find("time.subcycling: expected false, tetrahedra"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace pinball::test::tetrahedra_test

@@ -29,14 +29,15 @@ struct HostMesh {
 };
 
 /// A bar of 5 x 5 x 12 cubes of size h along z, of which the upper half are hexahedra and the lower ones six
-/// tetrahedra each (Kuhn), so that both have nodes in common.
-inline HostMesh half_of_tetrahedra(double h) {
+/// tetrahedra each (Kuhn), so that both have nodes in common. flatness: height of the lower ones, over h.
+inline HostMesh half_of_tetrahedra(double h, double flatness = 1) {
   const std::array<int, 3> cubes{5, 5, 12};
   HostMesh mesh;
   const auto number = [&](int i, int j, int k) { return i + (cubes[0] + 1) * (j + (cubes[1] + 1) * k); };
   for (int k = 0; k <= cubes[2]; ++k) {
+    const double z = h * (std::min(k, cubes[2] / 2) * flatness + std::max(0, k - cubes[2] / 2));
     for (int j = 0; j <= cubes[1]; ++j) {
-      for (int i = 0; i <= cubes[0]; ++i) mesh.nodes.push_back({i * h, j * h, k * h});
+      for (int i = 0; i <= cubes[0]; ++i) mesh.nodes.push_back({i * h, j * h, z});
     }
   }
   const auto add = [&](std::array<int, 3> c) {
@@ -67,9 +68,8 @@ inline HostMesh half_of_tetrahedra(double h) {
   return mesh;
 }
 
-/// That bar strikes a wall with its tetrahedra.
-inline Scene striking_bar_of_both(Precision precision = Precision::float64) {
-  static const HostMesh mesh = half_of_tetrahedra(0.01);
+/// Such a bar strikes a wall with its tetrahedra. mesh: has to stay until models are built.
+inline Scene striking_bar_of(const HostMesh& mesh, Precision precision) {
   Body bar;
   bar.name = "bar";
   bar.material = "steel";
@@ -84,6 +84,11 @@ inline Scene striking_bar_of_both(Precision precision = Precision::float64) {
   scene.precision = precision;
   scene.rigid_walls = {{"floor", {{0, 0, -1e-4}, {0, 0, 1}}, "", "here"}};
   return scene;
+}
+
+inline Scene striking_bar_of_both(Precision precision = Precision::float64) {
+  static const HostMesh mesh = half_of_tetrahedra(0.01);
+  return striking_bar_of(mesh, precision);
 }
 
 }  // namespace pinball::test
