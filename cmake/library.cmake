@@ -48,6 +48,9 @@ function(pinball_objects target)
     POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden CUDA_VISIBILITY_PRESET hidden HIP_VISIBILITY_PRESET hidden
     VISIBILITY_INLINES_HIDDEN ON
     UNITY_BUILD ${PINBALL_UNITY} UNITY_BUILD_MODE GROUP)  # pinball_unite_rooms says which
+  if(PINBALL_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # it takes what the sources of a unit have for themselves for shared
+    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+  endif()
   # To read these takes longer than to compile most of the sources: once for all libraries of a level and an optimisation.
   # What they define keeps theirs (GCC 12): with those of -O3 a source of text takes 3.1 s at -O1, with those of -O1 2.0 s.
   # That each source includes what it needs is not seen to by it: CMAKE_DISABLE_PRECOMPILE_HEADERS=ON does.
@@ -67,14 +70,14 @@ function(pinball_objects target)
 endfunction()
 
 # Two translation units for each room of these sources, one of its folder and one of all folders in that, and one for each
-# folder of a format: for rooms whose sources take longer to read what they include than to compile. Not for those that
-# multiply and add in the steps: with PINBALL_CONTRACT what the compiler fuses depends on what it sees together. A source
-# with flags of its own is compiled by itself.
+# folder of contact and of a format: most sources take longer to read what they include than to compile. With
+# PINBALL_CONTRACT what the compiler fuses depends on what it sees together, so that a build with PINBALL_UNITY=OFF may have
+# other last digits. A source with flags of its own is compiled by itself.
 function(pinball_unite_rooms)
   foreach(source IN LISTS ARGN)
     file(RELATIVE_PATH source_in_room ${CMAKE_CURRENT_SOURCE_DIR} ${source})
-    if(source_in_room MATCHES "^formats/(.+)/")
-      string(REPLACE "/" "_" unit formats_${CMAKE_MATCH_1})
+    if(source_in_room MATCHES "^(contact|formats)/(.+)/")
+      string(REPLACE "/" "_" unit ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
     else()
       string(REGEX REPLACE "^([^/]+)/.*" "\\1" unit ${source_in_room})
       if(source_in_room MATCHES "/.*/")

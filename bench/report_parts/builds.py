@@ -91,7 +91,7 @@ def flags(preset):
     kept = {}
     for target, (_, source, arguments) in compile_commands(preset).items():
         name = os.path.basename(source)
-        if name in ("pinball_contact.cpp", "tile_kernels_double.cpp"):
+        if name in ("unity_contact_pinball_cxx.cxx", "pinball_algorithm.cpp", "tile_kernels_double.cpp"):
             kept[name] = " ".join(a for a in arguments[1:] if re.match(r"-(O|m|f(?!PIC)|std|DNDEBUG|DPINBALL_SIMD)", a))
     return kept
 

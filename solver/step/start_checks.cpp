@@ -16,7 +16,7 @@ namespace pinball {
 namespace {
 
 /// Beyond this, somebody may have meant another time or other units.
-constexpr double most_steps = 1e6;
+constexpr double steps_to_warn_of = 1e6;
 
 /// The elements of a mesh, each with its settings and the mass that is added to it.
 class StartElements {
@@ -155,7 +155,7 @@ SmallestStep check_against_steps(const Scene& scene, const ModelMesh& mesh, doub
 std::string find_many_steps(const Scene& scene, const ModelMesh& mesh, const SmallestStep& smallest) {
   const double step = scene.time.cfl * smallest.step, all = scene.time.end / step;
   const double steps = scene.time.steps >= 0 ? std::min(all, static_cast<double>(scene.time.steps)) : all;
-  if (!(steps >= most_steps)) return "";
+  if (!(steps >= steps_to_warn_of)) return "";
   const Point extent = element_extent(mesh, smallest.element);
   return fmt::format(
       "time.end = {:.6g} takes {:.3g} steps of {:.3g} or more, set by {}, which is {:.3g} x {:.3g} x {:.3g}: look at "

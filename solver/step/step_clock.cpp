@@ -9,7 +9,7 @@ namespace pinball {
 namespace {
 
 /// Beyond so many steps a step is lost in the sum of them.
-constexpr double most_steps = 0x1p53;
+constexpr double countable_steps = 0x1p53;
 
 }  // namespace
 
@@ -81,7 +81,7 @@ void StepClock::choose(const Due& due, const StepBound& bound, double closing) {
   // changes the energy of the fast modes that central differences keep, by the square of (dt x frequency).
   const double remaining = (end_ - time_) / bound.cycle_steps;
   const double step = keeps ? dt_ : chosen, steps = std::ceil(remaining / step - 1e-9);
-  dt_ = steps < most_steps ? remaining / std::max(1.0, steps) : step;  // beyond, time.steps ends the run
+  dt_ = steps < countable_steps ? remaining / std::max(1.0, steps) : step;  // beyond, time.steps ends the run
   const double beside = steps_at_end_ < 0 ? end_ : time_;
   lost_ = end_ - time_ > 1e-12 * end_ && !(beside + dt_ > beside);
   dt_max_ = std::max(dt_max_, dt_);

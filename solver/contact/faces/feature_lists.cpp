@@ -23,7 +23,7 @@ bool meet(const MovingBox<S>& a, const MovingBox<S>& b) {
 
 /// Whether features of two segments may touch: the mesh keeps elements with a common corner apart.
 template <class S>
-bool may_touch(const SegmentSurface<S>& surface, std::int32_t a, std::int32_t b) {
+bool segments_may_touch(const SegmentSurface<S>& surface, std::int32_t a, std::int32_t b) {
   return surface.active_segment(a) && surface.active_segment(b) && !surface.beside(std::span(&a, 1), std::span(&b, 1));
 }
 
@@ -117,7 +117,7 @@ void FeatureLists<S>::find_features(const SegmentSurface<S>& surface, const Edge
     for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
       const std::int32_t a = firsts[pair], b = seconds[pair];
       if (b < segments) {
-        if (may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::own, piece);
+        if (segments_may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::own, piece);
       } else if (a < segments) {
         found_sphere_segments_[piece].push_back({b - segments, a});
       } else {
@@ -187,7 +187,7 @@ void FeatureLists<S>::find_more(const SegmentSurface<S>& surface, const EdgeTabl
     for (std::size_t pair = 0; pair < firsts.size(); ++pair) {
       const std::int32_t a = firsts[pair], b = seconds[pair];
       if (b >= segments || (near_change_[a] | near_change_[b]) == 0) continue;
-      if (may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::changed, piece);
+      if (segments_may_touch(surface, a, b)) find_in_pair(surface, edges, a, b, Take::changed, piece);
     }
   });
 }

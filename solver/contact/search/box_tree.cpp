@@ -11,7 +11,7 @@ namespace {
 
 /// Whether a box of a group has other bounds at the end than at the beginning.
 template <class S>
-bool group_moves(const S* boxes) {
+bool any_box_moves(const S* boxes) {
   constexpr int G = ball_group<S>;
   bool moves = false;
   for (int i = 0; i < 6 * G; ++i) moves = moves || boxes[i] != boxes[6 * G + i];
@@ -27,7 +27,7 @@ void BoxTree<S>::build(const MovingBoxes<S>& boxes) {
   parallel_reduce(
       "moving boxes", RangePolicy<>{0, boxes.groups()}, view_.moves,
       [&boxes](std::int64_t begin, std::int64_t end, bool& moves) {
-        for (std::int64_t g = begin; g < end && !moves; ++g) moves = group_moves(boxes.data() + g * 12 * G);
+        for (std::int64_t g = begin; g < end && !moves; ++g) moves = any_box_moves(boxes.data() + g * 12 * G);
       },
       [](bool& whole, bool partial) { whole = whole || partial; });
   levels_.build(boxes.data(), boxes.groups(), view_);

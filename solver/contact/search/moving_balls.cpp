@@ -42,7 +42,7 @@ namespace {
 
 /// Whether a ball of a group makes a way.
 template <class S>
-bool group_moves(const S* ball) {
+bool any_ball_moves(const S* ball) {
   constexpr int G = ball_group<S>;
   bool moves = false;
   for (int i = 3 * G; i < 6 * G; ++i) moves = moves || ball[i] != S(0);
@@ -65,7 +65,7 @@ void BallTree<S>::build(const MovingBalls<S>& balls) {
         for (std::int64_t b = begin * G; b < end * G; ++b) {
           const S* ball = view_.ball + b * 7 * G;
           put_box(b < view_.groups ? finite_box_of_balls(ball) : empty_box<S>(), lowest_.data(), b);
-          moves = moves || (b < view_.groups && group_moves(ball));
+          moves = moves || (b < view_.groups && any_ball_moves(ball));
         }
       },
       [](bool& whole, bool partial) { whole = whole || partial; });

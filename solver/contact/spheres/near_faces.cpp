@@ -10,7 +10,7 @@ namespace pinball {
 namespace {
 
 /// What two distances of one point differ by at most that were found from two faces, over the distance [-].
-constexpr double round_off = 1e-9;
+constexpr double same_distance = 1e-9;
 
 }  // namespace
 
@@ -49,7 +49,7 @@ bool NearFaces<S>::is_least(const SegmentSurface<S>& surface, const Candidate& c
     const auto has = [&node](std::int32_t n) { return std::find(node, node + 4, n) != node + 4; };
     if (!has(rim[0]) || !has(rim[1])) continue;
     const bool inside = other.at.rim[0] < 0;
-    if (inside ? other.at.distance <= (1 + round_off) * candidate.at.distance
+    if (inside ? other.at.distance <= (1 + same_distance) * candidate.at.distance
                : other.at.distance < candidate.at.distance ||
                      (other.at.distance == candidate.at.distance && other.segment < candidate.segment)) {
       return false;
@@ -88,7 +88,7 @@ const std::vector<FaceTouch>& NearFaces<S>::find(const SurfaceSource<S>& source,
       continue;
     }
     if (!(touch.depth > 0)) continue;
-    const bool on_the_surface = !(candidate.at.distance > round_off * radius);
+    const bool on_the_surface = !(candidate.at.distance > same_distance * radius);
     touch.direction = on_the_surface ? outward.normal : ((behind ? -1 : 1) / candidate.at.distance) * candidate.at.away;
     touches_.push_back(touch);
   }

@@ -9,7 +9,7 @@ namespace pinball {
 namespace {
 
 /// What the depth of a sphere that has rolled on may differ by from what approach explains, over the depth [-].
-constexpr double round_off = 1e-6;
+constexpr double least_difference = 1e-6;
 
 /// Spheres are no faces: with these all faces that are exposed are segments.
 template <class S>
@@ -153,7 +153,7 @@ void SphereSprings<S>::give_depth(Touch& touch, const Touch* before, double rate
   if (from == nullptr) return;
   // No more energy than it had, on whatever spring it has come to.
   const double same_energy = from->elastic * std::sqrt(from->stiffness / touch.stiffness);
-  const double taken = std::min(touch.depth, same_energy + round_off * touch.depth);
+  const double taken = std::min(touch.depth, same_energy + least_difference * touch.depth);
   if (!(taken > touch.elastic)) return;
   const double own = before != nullptr ? touch.elastic : 0.0;
   work.lost -= 0.5 * touch.stiffness * (taken * taken - own * own);
