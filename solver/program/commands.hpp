@@ -37,10 +37,12 @@ struct InfoOptions : SceneOptions {
 };
 
 struct CompareOptions : SceneOptions {
-  std::vector<std::string> vary;  ///< "KEY=V1,V2,..."; empty: contact.method=pinball,slideline
-  int repeats = 3;
-  std::string json;  ///< file for the table of results; empty: none
-  std::string page;  ///< file for the page of results; empty: none
+  std::vector<std::string>
+      vary;  ///< "KEY=V1,V2,..."; empty: contact.method=pinball,slideline, or as the scene is beside `with`
+  std::vector<std::string> with{};  ///< files: histories of other programs
+  std::optional<int> repeats{};     ///< 3; beside `with` 1
+  std::string json;                 ///< file for the table of results; empty: none
+  std::string page;                 ///< file for the page of results; empty: none
 };
 
 struct ConvergeOptions : SceneOptions {

@@ -11,11 +11,15 @@
 #include "commands.hpp"
 #include "comparison.hpp"
 #include "comparison_report.hpp"
+#include "others/beside_report.hpp"
 #include "result_file.hpp"
 
 namespace pinball {
 
 namespace {
+
+/// Of a run beside another program's: between them its curve is taken for straight.
+constexpr int rows_beside_others = 2000;
 
 /// What each variant's run would have been warned of, by the variant's name; what a failed one reports stands in the
 /// table.
@@ -33,18 +37,23 @@ int compare_command(const CompareOptions& options) {
   require_device(options.device);
   check_result_path("--json", options.json);
   check_result_path("--page", options.page);
-  const std::vector<std::string> vary =
-      options.vary.empty() ? std::vector<std::string>{"contact.method=pinball,slideline"} : options.vary;
+  std::vector<OtherHistory> others;
+  for (const std::string& path : options.with) others.push_back(read_other_history(path));
+  std::vector<std::string> vary = options.vary;
+  if (vary.empty() && others.empty()) vary = {"contact.method=pinball,slideline"};
   std::vector<Variant> variants = make_variants(find_scene(options.scene), options.overrides, vary);
   for (Variant& variant : variants) variant.scene.device = options.device;
-  const std::vector<VariantRuns> runs =
-      run_comparison(variants, {options.repeats, options.quiet, !options.page.empty(), options.threads});
-  if (!options.json.empty()) write_result_file(options.json, comparison_json(runs));
-  if (!options.page.empty()) write_result_file(options.page, comparison_page(runs));
+  ComparisonSettings settings{options.repeats.value_or(others.empty() ? 3 : 1), options.quiet};
+  settings.curves = !options.page.empty() || !others.empty();
+  if (!others.empty()) settings.rows = rows_beside_others;
+  settings.threads = options.threads;
+  const std::vector<VariantRuns> runs = run_comparison(variants, settings);
+  if (!options.json.empty()) write_result_file(options.json, comparison_json(runs, others));
+  if (!options.page.empty()) write_result_file(options.page, comparison_page(runs, others));
 
   const RunSummary& first = runs.front().repeats.front();
   fmt::print("{}: {} thread{}, {}\n", first.scene, first.threads, first.threads == 1 ? "" : "s", processor_name());
-  fmt::print("{}", comparison_table(runs));
+  fmt::print("{}{}", comparison_table(runs), beside_table(runs, others));
   std::fflush(stdout);  // before the warnings, in a log that both go to
   print_warnings(runs);
   return std::all_of(runs.begin(), runs.end(), [](const VariantRuns& v) { return v.failure.empty(); }) ? 0 : 1;

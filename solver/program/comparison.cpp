@@ -26,7 +26,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double shortest_turn = 1.0 / 50;  ///< of a run
-constexpr double between_rows = 1.0 / 200;  ///< of curves, of a run
 constexpr double between_frames = 1.0 / 8;  ///< of what the page shows of the bodies, of a run
 /// Of all variants: states that are kept take 300 bytes an element each.
 constexpr std::int64_t most_elements_shown = 100'000;
@@ -77,11 +76,12 @@ std::unique_ptr<AnySolver> make_solver(const Scene& scene) {
 /// One variant on its way to its end.
 class RunningVariant {
  public:
-  RunningVariant(const Scene& scene, bool curves)
+  RunningVariant(const Scene& scene, int rows)
       : solver_(make_solver(scene)),
         limits_{scene.time.end, scene.time.steps, scene.units, false},
         bodies_(names_of(scene.bodies)),
-        record_(curves) {
+        record_(rows > 0),
+        between_rows_(1.0 / std::max(rows, 1)) {
     if (record_) curves_.columns = solver_->columns();
   }
 
@@ -157,7 +157,7 @@ class RunningVariant {
   void record() {
     curves_.rows.push_back(solver_->numbers());
     curves_.all_rows = curves_.rows.size();
-    next_row_ = (std::floor(done() / between_rows) + 1) * between_rows;
+    next_row_ = (std::floor(done() / between_rows_) + 1) * between_rows_;
     if (!frames_due_ || (active_ && done() < next_frame_)) return;
     frames_.push_back(solver_->snapshot());
     next_frame_ = (std::floor(done() / between_frames) + 1) * between_frames;
@@ -167,6 +167,7 @@ class RunningVariant {
   ProgressSettings limits_;
   std::vector<std::string> bodies_;
   bool record_;
+  double between_rows_;  ///< part of a run
   Curves curves_;
   std::vector<FieldSnapshot> frames_;
   bool frames_due_ = false;
@@ -180,11 +181,13 @@ class RunningVariant {
 /// Runs all variants to their ends, side by side.
 class Race {
  public:
-  Race(const std::vector<Variant>& variants, bool curves) {
+  /// rows: of the curves of each; 0: none are kept.
+  Race(const std::vector<Variant>& variants, int rows) {
     for (const Variant& variant : variants) {
       try {
-        runs_.emplace_back(variant.scene, curves);
+        runs_.emplace_back(variant.scene, rows);
       } catch (const InputError& error) {  // what only the mesh shows to be wrong
+        if (variant.settings.empty()) throw;
         throw InputError(fmt::format("{} (with {})", error.what(), name_of(variant.settings)));
       }
     }
@@ -237,7 +240,9 @@ class Race {
 
 }  // namespace
 
-std::string name_of(const std::vector<std::string>& settings) { return fmt::format("{}", fmt::join(settings, ", ")); }
+std::string name_of(const std::vector<std::string>& settings) {
+  return settings.empty() ? "as it is" : fmt::format("{}", fmt::join(settings, ", "));
+}
 
 void check_repeat(const std::string& variant, const RunSummary& first, const RunSummary& again) {
   const auto without_times = [](RunSummary s) {
@@ -257,7 +262,7 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
   std::vector<VariantRuns> results;
   for (const Variant& variant : variants) results.push_back({variant.settings, {}, {}, ""});
   for (int repeat = 0; repeat < settings.repeats; ++repeat) {
-    Race race(variants, settings.curves && repeat == 0);
+    Race race(variants, settings.curves && repeat == 0 ? settings.rows : 0);
     const ThreadCount threads(settings.threads > 0 ? settings.threads : earned_threads(race.most_elements()));
     // All are at the same part of their runs: the first one speaks for all.
     const Scene& first = variants.front().scene;

@@ -30,14 +30,15 @@ struct VariantRuns {
   std::vector<RunSummary> repeats;       ///< alike in all but their times
   std::optional<double> momentum_error;  ///< see momentum_error.hpp
   std::string failure;                   ///< what stopped the run, and when; empty: it came to its end
-  Curves curves{};        ///< of the first repeat, a row at each of 200 equal parts; empty: not asked for
-  std::string surface{};  ///< the same, as of surface_json_of_frames at nine equal parts
+  Curves curves{};                       ///< of the first repeat, a row at each of equal parts; empty: not asked for
+  std::string surface{};                 ///< the same, as of surface_json_of_frames at nine equal parts
 };
 
 struct ComparisonSettings {
   int repeats = 1;      ///< the whole is done so often
   bool quiet = false;   ///< no progress
   bool curves = false;  ///< keep what the variants are over time
+  int rows = 200;       ///< of these curves
   int threads = 0;      ///< of all variants; 0: what the largest earns
 };
 
@@ -50,7 +51,7 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
 /// Throws RunError that names the variant and both state hashes if two of its runs differ in anything but times.
 void check_repeat(const std::string& variant, const RunSummary& first, const RunSummary& again);
 
-/// "KEY=VALUE, KEY=VALUE".
+/// "KEY=VALUE, KEY=VALUE"; "as it is" without any.
 std::string name_of(const std::vector<std::string>& settings);
 
 }  // namespace pinball

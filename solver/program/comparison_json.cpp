@@ -9,6 +9,7 @@
 
 #include "comparison_report.hpp"
 #include "comparison_times.hpp"
+#include "others/beside_report.hpp"
 
 namespace pinball {
 
@@ -52,11 +53,11 @@ Json variant_json(const VariantRuns& variant, const TimeRatios& ratios) {
 
 }  // namespace
 
-std::string comparison_json(const std::vector<VariantRuns>& runs) {
+std::string comparison_json(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others) {
   Json variants = Json::array();
   for (const VariantRuns& variant : runs) variants.push_back(variant_json(variant, first_over(runs.front(), variant)));
   const RunSummary& first = runs.front().repeats.front();
-  const Json json = {
+  Json json = {
       {"scene", first.scene},
       {"version", first.version},
       {"machine",
@@ -66,6 +67,7 @@ std::string comparison_json(const std::vector<VariantRuns>& runs) {
       {"repeats", runs.front().repeats.size()},
       {"variants", variants},
   };
+  if (!others.empty()) json["beside"] = beside_json(runs, others);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -1,16 +1,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include <solver/output/page/page.hpp>
 #include <solver/output/page/resources.hpp>
 #include <solver/output/page/units_json.hpp>
 
 #include "comparison_report.hpp"
+#include "others/beside_report.hpp"
 
 namespace pinball {
 
-std::string comparison_page(const std::vector<VariantRuns>& runs) {
+std::string comparison_page(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others) {
   const RunSummary& first = runs.front().repeats.front();
   std::string curves, surfaces, keys;
   for (const VariantRuns& variant : runs) {
@@ -19,6 +21,9 @@ std::string comparison_page(const std::vector<VariantRuns>& runs) {
   }
   for (const std::string& setting : runs.front().settings) {
     keys += (keys.empty() ? "" : ", ") + setting.substr(0, setting.find('='));
+  }
+  for (const OtherHistory& other : others) {
+    keys += (keys.empty() ? "beside " : ", ") + std::filesystem::path(other.path).filename().string();
   }
   const bool failed = std::any_of(runs.begin(), runs.end(), [](const VariantRuns& v) { return !v.failure.empty(); });
   const std::string heading = fmt::format("{}: {}", first.title.empty() ? first.scene : first.title, keys);
@@ -29,7 +34,8 @@ std::string comparison_page(const std::vector<VariantRuns>& runs) {
       {{"scene", html_text(first.scene)}, {"heading", html_text(heading)}, {"status", failed ? "failed" : "done"}});
   content.scripts = scripts_with_viewer({"comparison.js"});
   content.blocks = {{"units", units_json(parse_units(first.units)).dump()},
-                    {"comparison", comparison_json(runs)},
+                    {"comparison", comparison_json(runs, others)},
+                    {"other_histories", beside_curves_json(runs, others)},
                     {"curves", curves + ']'},
                     {"surfaces", surfaces + ']'}};
   return make_page(content);

@@ -104,7 +104,7 @@ std::string comparison_table(const std::vector<VariantRuns>& runs) {
   const std::size_t repeats = runs.front().repeats.size();
   std::string words = text_table(lines, align);
   if (repeats > 1) words += fmt::format("times: median (smallest..largest) of {} repeats\n", repeats);
-  words += "first / this: above 1 this variant is faster than the first one\n";
+  if (runs.size() > 1) words += "first / this: above 1 this variant is faster than the first one\n";
   for (const VariantRuns& variant : runs) {
     if (!variant.failure.empty()) words += fmt::format("{} failed: {}\n", name_of(variant.settings), variant.failure);
   }

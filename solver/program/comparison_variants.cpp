@@ -85,7 +85,7 @@ std::vector<Variant> make_variants(const std::string& path, const SceneOverrides
       variants.push_back({settings, read_scene(path, all)});
     } catch (const InputError& error) {
       const std::string problem = error.what();
-      if (settings.size() == 1 && problem.starts_with("--vary ")) throw;  // names it already
+      if (settings.empty() || (settings.size() == 1 && problem.starts_with("--vary "))) throw;  // names it already
       throw InputError(fmt::format("{} (with {})", problem, name_of(settings)));
     }
   }

@@ -157,7 +157,14 @@ void add_compare_options(CLI::App& command, pinball::CompareOptions& options) {
       "--vary", options.vary,
       "KEY=V1,V2,...: runs the scene with each value; several --vary: with all combinations, the first one "
       "being what the others are compared with (default: contact.method=pinball,slideline)"));
-  command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3)")
+  repeated(
+      command.add_option("--with", options.with,
+                         "a history that another program has written of the same model: LS-DYNA's glstat or nodout, "
+                         "a table of OpenRadioss' th_to_csv, of Abaqus, of anything with a line of names; without "
+                         "--vary the scene runs once, as it is"))
+      ->type_name("FILE")
+      ->check(check_not_empty);
+  command.add_option("--repeat", options.repeats, "runs all so often; times are medians (default: 3, with --with 1)")
       ->check(CLI::Range(1, 1000));
   command.add_option("--json", options.json, "write the table, and the times of each repeat, to this file")
       ->check(check_not_empty);
@@ -291,7 +298,8 @@ int run_program(int argc, char** argv, std::unique_ptr<pinball::Ranks>& ranks) {
   add_footer(*info, "    pinball info rod_plate\n    pinball info impact.toml --refine 2\n    pinball info part.msh\n");
   add_footer(*compare,
              "    pinball compare two_blocks --vary time.cfl=0.9,0.45\n"
-             "    pinball compare impact.toml --vary contact.friction=0,0.2 --repeat 1 --json table.json\n");
+             "    pinball compare impact.toml --vary contact.friction=0,0.2 --repeat 1 --json table.json\n"
+             "    pinball compare deck.k --with glstat --page beside.html\n");
   add_footer(*converge,
              "    pinball converge taylor_bar --of tail_displacement_z --of bodies.bar.max_plastic_strain\n"
              "    pinball converge impact.toml --meshes 1/2,1,3/2 --json table.json\n"

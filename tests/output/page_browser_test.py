@@ -332,6 +332,17 @@ class OtherPages(Pages):
         self.assertLess(shown(), before)
         self.assertGreater(shown(), 0)
 
+    def test_a_run_beside_another_program_has_its_curves_and_differences(self):
+        place("other.csv").write_text("time,KINETIC ENERGY,SPRING ENERGY\n0,1e5,0\n1e-5,2e5,0\n2e-5,1e5,0\n")
+        run("compare", "two_blocks", "--with", str(place("other.csv")), "--quiet", "--set", "time.end=2e-5", "--page", "beside.html")
+        self.open("beside.html")
+        panel = self.panel("KINETIC ENERGY")
+        self.assertEqual(set(self.values(panel)), {"here", "other.csv"})
+        rows = self.texts("#beside_0 tbody tr")
+        self.assertEqual(len(rows), 1)
+        self.assertIn("kinetic + kinetic_below_zero", rows[0])
+        self.assertIn("Not compared: SPRING ENERGY.", self.one("#beside").text)
+
     def test_a_verification_has_its_rows(self):
         run("verify", "two_blocks", "uniaxial_strain", "--page", "verify.html", "--json", "verify.json")
         rows = json.loads(place("verify.json").read_text())["rows"]

@@ -5,8 +5,8 @@ const units = unitsOf('units'), comparison = block('comparison'), curves = block
 const place = (id) => document.getElementById(id);
 const fill = (id, ...children) => place(id).append(...children);
 const variants = comparison.variants;
-// With one key, which the heading names, its values; else all pairs of key and value.
-const names = variants.map(({settings}) => Object.keys(settings).length === 1 ? Object.values(settings)[0]
+// As it is, without a key. With one key, which the heading names, its values; else all pairs of key and value.
+const names = variants.map(({settings}) => Object.keys(settings).length === 0 ? 'here' : Object.keys(settings).length === 1 ? Object.values(settings)[0]
     : Object.entries(settings).map(([key, value]) => `${key}=${value}`).join(', '));
 
 function keyFigures() {
@@ -107,6 +107,27 @@ function overlays() {
       : /_(position|displacement)_[xyz]$/.test(name) ? units.length : /stress/.test(name) ? units.stress : '')));
 }
 
-for (const part of [keyFigures, failures, times, results, surfaces, overlays]) part();
+/// The run and the histories of other programs: how far they are apart, and their curves over each other.
+function beside() {
+  if (!comparison.beside) return place('beside').remove();
+  const share = (s) => s === null ? '–' : percent(s, 3);
+  comparison.beside.forEach((other, k) => {
+    const rows = other.quantities.flatMap((q) => q.variants.map((v, i) => v && [q.name, q.columns, names[i], figure(v.time),
+      figure(v.here, 5), figure(v.there, 5), share(v.difference), share(v.largest_difference), figure(v.largest_time), share(v.root_mean_square)])
+      .filter((row) => row));
+    const {file, times, curves: drawnThere} = block('other_histories')[k];
+    fill('beside', rows.length === 0 ? make('p', {class: 'note', text: `${file} has no quantity that this run has at the same times.`})
+      : table({caption: `${file}: ${other.kind}, ${whole(other.times)} times; differences over the largest size there`, id: `beside_${k}`,
+          numbers: [3, 4, 5, 6, 7, 8, 9], rows,
+          head: ['quantity', 'here', 'variant', named('time', units.time), 'here', 'there', 'difference', 'largest', 'at', 'root mean square']}));
+    if (other.not_compared.length) fill('beside', make('p', {class: 'note', text: `Not compared: ${other.not_compared.join(', ')}.`}));
+    const series = ({values, variants: here}) => [...here.map((v, i) => ({name: names[i], times: columnOf(curves[i], 'time'), values: v})),
+      {name: file, times, values}];
+    const shown = drawnThere.filter((c) => series(c).some((s) => largestOf(s.values) > 0));
+    if (shown.length) fill('beside', panels(...shown.map((c) => chart({title: c.name, unit: '', times: [], timeUnit: units.time, series: series(c), zero: false}))));
+  });
+}
+
+for (const part of [keyFigures, failures, times, results, surfaces, beside, overlays]) part();
 contents();
 drawCharts();

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include <solver/program/comparison.hpp>
+
+#include "other_history.hpp"
+
+/// What a comparison shows of histories of other programs.
+namespace pinball {
+
+/// For each history a table with a line per quantity that both have (and variant, where there are several): both values
+/// at the last common time and how far they are apart; and the names of what is not compared.
+std::string beside_table(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others);
+
+/// [{file, kind, times, first_time, last_time, quantities [{name, columns, variants [{time, here, there, difference,
+/// largest_difference, largest_time, root_mean_square}]}], not_compared [names]}]; differences are shares of the
+/// largest size there, null where that is zero.
+nlohmann::ordered_json beside_json(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others);
+
+/// What the page draws: [{file, curves [{name, columns, times, values, variants [values of each variant's rows]}]}].
+std::string beside_curves_json(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others);
+
+}  // namespace pinball

@@ -1,0 +1,259 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include <solver/base/error.hpp>
+
+#include "other_history.hpp"
+
+namespace pinball {
+
+namespace {
+
+constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* node_heading = "n o d a l   p r i n t   o u t";
+
+std::string trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t\r\"");
+  if (begin == std::string_view::npos) return "";
+  return std::string(text.substr(begin, text.find_last_not_of(" \t\r\"") - begin + 1));
+}
+
+/// A number as programs print it: 1.5, -2.E-03, 1.5D+00. None where the text is no number; NaN of one that did not fit
+/// into its field, which Fortran prints as asterisks.
+std::optional<double> number_of(std::string_view text) {
+  std::string plain = trimmed(text);
+  if (!plain.empty() && plain.find_first_not_of('*') == std::string::npos) return not_there;
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
+  if (plain.starts_with('+')) plain.erase(0, 1);
+  double value = 0;
+  const auto read = std::from_chars(plain.data(), plain.data() + plain.size(), value);
+  if (read.ec == std::errc::invalid_argument || read.ptr != plain.data() + plain.size()) return std::nullopt;
+  return read.ec == std::errc() ? value : not_there;
+}
+
+/// Numbers in scientific notation, which may stand without a blank between them: -1.2E+00-3.4E+00.
+std::vector<double> numbers_of_fields(const std::string& line, std::size_t begin) {
+  std::vector<double> numbers;
+  std::string number;
+  const auto end_number = [&] {
+    if (!number.empty()) numbers.push_back(number_of(number).value_or(not_there));
+    number.clear();
+  };
+  for (std::size_t i = begin; i < line.size(); ++i) {
+    const char c = line[i];
+    const bool sign = c == '-' || c == '+';
+    const bool in_exponent = !number.empty() && (number.back() == 'E' || number.back() == 'e');
+    if (std::isspace(static_cast<unsigned char>(c)) != 0 || (sign && !in_exponent)) end_number();
+    if (std::isspace(static_cast<unsigned char>(c)) == 0) number += c;
+  }
+  end_number();
+  return numbers;
+}
+
+/// Rows by time, of curves that come and go.
+class Rows {
+ public:
+  explicit Rows(OtherHistory& history) : history_(history) {}
+
+  void begin(double time) {
+    while (!history_.times.empty() && history_.times.back() >= time) {  // taken up again
+      history_.times.pop_back();
+      for (OtherCurve& curve : history_.curves) curve.values.resize(history_.times.size());
+    }
+    history_.times.push_back(time);
+    for (OtherCurve& curve : history_.curves) curve.values.push_back(not_there);
+  }
+  bool empty() const { return history_.times.empty(); }
+  template <class MeaningOf>
+  void set(const std::string& name, double value, const MeaningOf& meaning) {
+    const auto [place, is_new] = place_.try_emplace(name, history_.curves.size());
+    if (is_new) history_.curves.push_back({name, meaning(name), std::vector<double>(history_.times.size(), not_there)});
+    history_.curves[place->second].values.back() = value;
+  }
+
+ private:
+  OtherHistory& history_;
+  std::map<std::string, std::size_t> place_;
+};
+
+/// " kinetic energy.........................  1.254E+04": name and value; an empty name where it is no such line.
+std::pair<std::string, std::string> split_dots(const std::string& line) {
+  const auto dots = line.find("..");
+  if (dots == std::string::npos) return {};
+  const auto value = line.find_first_not_of('.', dots);
+  if (value == std::string::npos) return {};
+  return {trimmed(std::string_view(line).substr(0, dots)), trimmed(std::string_view(line).substr(value))};
+}
+
+bool is_glstat(const std::vector<std::string>& lines) {
+  return std::any_of(lines.begin(), lines.begin() + std::min<std::ptrdiff_t>(lines.size(), 200),
+                     [](const std::string& line) { return split_dots(line).first == "time"; });
+}
+
+bool is_nodout(const std::vector<std::string>& lines) {
+  return std::any_of(lines.begin(), lines.begin() + std::min<std::ptrdiff_t>(lines.size(), 200),
+                     [](const std::string& line) { return line.find(node_heading) != std::string::npos; });
+}
+
+void read_glstat(const std::vector<std::string>& lines, OtherHistory& history) {
+  history.kind = "glstat of LS-DYNA";
+  Rows rows(history);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto [name, text] = split_dots(lines[i]);
+    if (name.empty()) continue;
+    const std::optional<double> value = number_of(text);
+    if (name == "time") {
+      if (!value || !std::isfinite(*value)) {
+        throw InputError(fmt::format("{}:{}: expected a time, got {}", history.path, i + 1, text));
+      }
+      rows.begin(*value);
+    } else if (value && !rows.empty()) {
+      rows.set(name, *value, meaning_in_glstat);
+    }
+  }
+}
+
+/// Blocks of a time each: a line of heading with the time, one with names, and a line for each node with displacements,
+/// velocities, accelerations and coordinates. Those of turning nodes have another line of names, and are left out.
+void read_nodout(const std::vector<std::string>& lines, OtherHistory& history) {
+  history.kind = "nodout of LS-DYNA";
+  constexpr std::string_view at_time = "at time";
+  Rows rows(history);
+  bool of_motion = false;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string& line = lines[i];
+    if (line.find(node_heading) != std::string::npos) {
+      const auto at = line.find(at_time);
+      const std::string text = at == std::string::npos ? "" : line.substr(at + at_time.size());
+      const std::optional<double> time = number_of(text.substr(0, text.find(')')));
+      if (!time) {
+        throw InputError(
+            fmt::format("{}:{}: expected 'at time' and a number, got '{}'", history.path, i + 1, trimmed(line)));
+      }
+      if (rows.empty() || *time != history.times.back()) rows.begin(*time);
+      of_motion = false;
+      continue;
+    }
+    if (line.find("nodal point") != std::string::npos) {
+      of_motion = line.find("x-disp") != std::string::npos;
+      continue;
+    }
+    const auto number = line.find_first_not_of(' ');
+    if (!of_motion || rows.empty() || number == std::string::npos) continue;
+    const auto end = std::min(line.find_first_not_of("0123456789", number), line.size());
+    const std::vector<double> values = numbers_of_fields(line, end);
+    if (end == number || values.size() < 6) continue;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const std::string column = fmt::format("node_{}_{}_{}", line.substr(number, end - number),
+                                             k < 3 ? "displacement" : "velocity", "xyz"[k % 3]);
+      rows.set(column, values[k], meaning_of_column);
+    }
+  }
+}
+
+/// Cells of a line of a table; separator ' ': any number of blanks and tabs. What is in quotes stays together.
+std::vector<std::string> split_cells(const std::string& line, char separator) {
+  std::vector<std::string> cells{""};
+  bool quoted = false;
+  for (const char c : line) {
+    const bool ends = !quoted && (separator == ' ' ? c == ' ' || c == '\t' || c == '\r' : c == separator);
+    if (c == '"') quoted = !quoted;
+    if (!ends) {
+      cells.back() += c;
+    } else if (separator != ' ' || !cells.back().empty()) {
+      cells.emplace_back();
+    }
+  }
+  if (trimmed(cells.back()).empty()) cells.pop_back();  // th_to_csv ends lines with a comma
+  for (std::string& cell : cells) cell = trimmed(cell);
+  return cells;
+}
+
+char separator_of(const std::string& heading) {
+  for (const char c : {',', ';', '\t'}) {
+    if (heading.find(c) != std::string::npos) return c;
+  }
+  return ' ';
+}
+
+bool is_time(const std::string& name) {
+  std::string plain;
+  for (const char c : name.substr(0, name.find_first_of("[("))) {
+    if (c != ' ') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return plain == "time" || plain == "t" || plain == "x";  // X: of Abaqus' XY reports
+}
+
+void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
+  history.kind = "table";
+  const auto is_told = [](const std::string& line) {
+    const std::string text = trimmed(line);
+    return !text.empty() && text.front() != '#';
+  };
+  const auto heading = std::find_if(lines.begin(), lines.end(), is_told);
+  if (heading == lines.end()) throw InputError(fmt::format("{}: expected a history, got an empty file", history.path));
+  const char separator = separator_of(*heading);
+  const std::vector<std::string> names = split_cells(*heading, separator);
+  const auto time = std::find_if(names.begin(), names.end(), is_time);
+  if (time == names.end()) {
+    throw InputError(
+        fmt::format("{}:{}: expected the names of columns, one of them time, or LS-DYNA's glstat or nodout, got '{}'",
+                    history.path, heading - lines.begin() + 1, trimmed(heading->substr(0, 60))));
+  }
+  Rows rows(history);
+  for (auto line = heading + 1; line != lines.end(); ++line) {
+    if (!is_told(*line)) continue;
+    const std::vector<std::string> cells = split_cells(*line, separator);
+    std::vector<std::optional<double>> values;
+    for (const std::string& cell : cells) values.push_back(number_of(cell));
+    const std::size_t of_time = time - names.begin();
+    if (cells.size() < names.size() && line + 1 == lines.end()) break;  // still being written
+    if (cells.size() != names.size() || !values[of_time] || !std::isfinite(*values[of_time])) {
+      throw InputError(fmt::format("{}:{}: expected {} numbers, a time among them, got '{}'", history.path,
+                                   line - lines.begin() + 1, names.size(), trimmed(line->substr(0, 60))));
+    }
+    rows.begin(*values[of_time]);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (k != of_time) rows.set(names[k], values[k].value_or(not_there), meaning_of_column);
+    }
+  }
+}
+
+}  // namespace
+
+OtherHistory read_other_history(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(fmt::format("{}: cannot be read", path));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line); lines.push_back(std::move(line))) {
+    if (line.find('\0') == std::string::npos) continue;
+    throw InputError(fmt::format(
+        "{}: expected text, got a binary file. LS-DYNA's l2a makes glstat and nodout of a binout, OpenRadioss' "
+        "th_to_csv a table of a T01 file",
+        path));
+  }
+  OtherHistory history{path, "", {}, {}};
+  if (is_glstat(lines)) {
+    read_glstat(lines, history);
+  } else if (is_nodout(lines)) {
+    read_nodout(lines, history);
+  } else {
+    read_table(lines, history);
+  }
+  if (history.times.size() < 2) {
+    throw InputError(fmt::format("{}: expected two times at least, got {}", path, history.times.size()));
+  }
+  return history;
+}
+
+}  // namespace pinball
