@@ -123,5 +123,11 @@ TEST_F(DeckElements, OfOtherMassScalingAreRefused) {
   EXPECT_EQ(refusal("0,0.9\n0,0,1\n"), "no error");
 }
 
+TEST_F(DeckElements, TellOfHourglassControlThatNoPartHas) {
+  const auto lines = translate(two_parts + "*HOURGLASS\n7,5,0.03\n8,5,0.03\n").understood;
+  EXPECT_THAT(lines, Contains(AllOf(HasSubstr("not used: *HOURGLASS 8"), HasSubstr("no part with solids has it"))));
+  EXPECT_THAT(lines, Not(Contains(HasSubstr("*HOURGLASS 7"))));
+}
+
 }  // namespace
 }  // namespace pinball::test::deck_elements_test

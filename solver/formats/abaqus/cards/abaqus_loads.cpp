@@ -4,6 +4,8 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <set>
+#include <string>
 
 #include <kernels/tetrahedron.hpp>
 
@@ -13,7 +15,33 @@ namespace pinball {
 
 namespace {
 
-void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
+/// What a deck loads more than once in a step: all of it acts, as in CalculiX (forcadd.f, loadadd.f). OP says what
+/// becomes of loads of the steps before, and not of those of the same one.
+class RepeatedLoads {
+ public:
+  explicit RepeatedLoads(DeckReport& report) : report_(report) {}
+
+  /// One load of a card: what it is and what it acts on, in words that no other has.
+  void add(const std::string& load) {
+    if (!seen_.insert(load).second && repeated_++ == 0) first_ = load;
+  }
+  void end_of_card(const DeckPlace& place, const std::string& star_name) {
+    if (repeated_ > 0)
+      report_.understood(fmt::format("{} ({}): {} that {} already, the first is {}; both act, and add up", star_name,
+                                     place.text(), repeated_ == 1 ? "1 load" : fmt::format("{} loads", repeated_),
+                                     repeated_ == 1 ? "is there" : "are there", first_));
+    repeated_ = 0;
+  }
+
+ private:
+  DeckReport& report_;
+  std::set<std::string> seen_;
+  std::string first_;
+  int repeated_ = 0;  ///< of this card
+};
+
+void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
+                 DeckScene& scene) {
   const DataFields f(card);
   const std::int64_t degree = f.integer(1, "degree of freedom");
   const AbaqusNodes nodes = data.nodes(f.text(0), card.place);
@@ -30,10 +58,13 @@ void write_force(AbaqusData& data, const AbaqusBlock& block, const DataLine& car
   keys.set("each", true);
   set_curve(curve, magnitude, keys);
   set_nodes(nodes, keys);
+  for (const std::int32_t node : nodes.members)
+    loads.add(fmt::format("that of node {} along {}", data.mesh.file.node_ids[node], "xyz"[degree - 1]));
 }
 
 /// Magnitude and direction of an acceleration.
-void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
+void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
+                   DeckScene& scene) {
   const DataFields f(card);
   const std::vector<std::string> bodies = data.whole_bodies(f.text(0), card.place);
   if (bodies.empty()) {
@@ -47,6 +78,8 @@ void write_gravity(AbaqusData& data, const AbaqusBlock& block, const DataLine& c
   for (double& component : direction) component *= (curve.times.empty() ? magnitude : 1.0) / length;
   const auto keys = scene.entry<Gravity>("gravity", card_of(block, card.place));
   keys.set("acceleration", direction);
+  for (const std::string& body : bodies)
+    loads.add(fmt::format("GRAV of {} along {} {} {}", body, f.text(3), f.text(4), f.text(5)));
   if (bodies.size() != data.bodies.size()) keys.set("bodies", bodies);
   set_curve(curve, magnitude, keys);
 }
@@ -87,7 +120,7 @@ std::vector<std::array<std::int32_t, 4>> faces_of_eight(const Mesh& mesh, std::i
 
 /// P1 to P6: on the faces of elements that have these numbers.
 void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, int number,
-                         DeckScene& scene) {
+                         RepeatedLoads& loads, DeckScene& scene) {
   std::vector<std::vector<std::int64_t>> faces;
   const Mesh& mesh = data.mesh.file.mesh;
   const auto add = [&](const std::array<std::int32_t, 4>& face) {
@@ -98,6 +131,7 @@ void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataL
     const int face = abaqus_face(mesh.hexahedra[e], number);
     if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
     const std::optional<std::int32_t> first = first_of_eight(data.mesh, e);
+    if (!first || *first >= 0) loads.add(fmt::format("P{} of element {}", number, data.mesh.file.element_ids[e]));
     if (!first) {
       add(corners_of_face(mesh.hexahedra[e], face));
     } else if (*first >= 0) {
@@ -107,30 +141,36 @@ void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataL
   begin_pressure(data, block, card, scene).set("faces", faces);
 }
 
-void write_surface_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
+void write_surface_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
+                            DeckScene& scene) {
   const auto keys = begin_pressure(data, block, card, scene);
-  keys.set("set", data.faces(DataFields(card).text(0), card.place));
+  const std::string surface = data.faces(DataFields(card).text(0), card.place);
+  keys.set("set", surface);
+  loads.add("P of surface " + surface);
 }
 
-void write_distributed(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, DeckScene& scene) {
+void write_distributed(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, RepeatedLoads& loads,
+                       DeckScene& scene) {
   const std::string kind = squeezed(DataFields(card).text(1));
   if (kind == "GRAV") {
-    write_gravity(data, block, card, scene);
+    write_gravity(data, block, card, loads, scene);
   } else if (kind.size() == 2) {
-    write_face_pressure(data, block, card, kind[1] - '0', scene);
+    write_face_pressure(data, block, card, kind[1] - '0', loads, scene);
   } else {
-    write_surface_pressure(data, block, card, scene);
+    write_surface_pressure(data, block, card, loads, scene);
   }
 }
 
 }  // namespace
 
 void translate_abaqus_loads(AbaqusData& data, DeckScene& scene) {
+  RepeatedLoads loads(data.report);
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name != "CLOAD" && block.name != "DLOAD" && block.name != "DSLOAD") continue;
     DataLines lines(block);
     while (const auto card = lines.next()) {
-      (block.name == "CLOAD" ? write_force : write_distributed)(data, block, *card, scene);
+      (block.name == "CLOAD" ? write_force : write_distributed)(data, block, *card, loads, scene);
+      loads.end_of_card(card->place, block.star_name());
     }
   }
 }

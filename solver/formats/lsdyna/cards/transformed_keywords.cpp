@@ -34,7 +34,8 @@ bool names_axes(const KeywordBlock& block) {
 bool turns(const Transformation& t) { return t.rows != Transformation{}.rows; }
 bool moves(const Transformation& t) { return t.shift != Point{}; }
 
-/// Programs differ in the order of several.
+/// The order of several is that of the cards, as in OpenRadioss' reader (one /TRANSFORM each, which act in their order)
+/// and in decks of PRIMER, which puts what it adds behind the others. PyDyna multiplies their matrices the other way.
 void tell_order(const KeywordBlock& block, DeckReport& report) {
   KeywordBlock silent = block;
   silent.log = nullptr;
