@@ -52,6 +52,22 @@ Scene two_blocks(const Point& corner) {
 
 std::vector<InitialOverlap> overlaps(const Scene& scene) { return find_initial_overlaps(scene, build_mesh(scene)); }
 
+/// A pin that is too thick for its hole, and nothing moves: contact that a scene leaves open is on, and the bodies are
+/// told of.
+TEST(InitialOverlaps, OfBodiesAtRestTurnContactOn) {
+  const auto model_of = [](const Point& corner) {
+    Scene scene = two_blocks(corner);
+    scene.contact.method = ContactMethod::not_set;
+    scene.contact.enforcement = Enforcement::lagrange;
+    return build_model<double>(scene);
+  };
+  const auto resting = model_of({0.3, 0.4, 1.6});
+  EXPECT_EQ(resting.scene.contact.method, ContactMethod::pinball);
+  EXPECT_EQ(resting.look.contact_because,
+            "contact is on (contact.method is left out): bodies a and b overlap at the start");
+  EXPECT_EQ(model_of({0, 0, 2}).scene.contact.method, ContactMethod::none) << "they touch";
+}
+
 TEST(InitialOverlaps, NameTheDeepestNodeAndItsDepth) {
   EXPECT_TRUE(overlaps(two_blocks({0, 0, 2.5})).empty());
   EXPECT_TRUE(overlaps(two_blocks({0, 0, 2})).empty());

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
 
+#include <solver/model/initial_overlap.hpp>
 #include <solver/model/interfaces/overlapping_bodies.hpp>
 #include <solver/model/model.hpp>
 #include <solver/scene/material/known_solids.hpp>
@@ -146,8 +148,12 @@ class LookAt {
                          names(*meetings_.passing), when(*meetings_.passing)));
     }
     if (method != ContactMethod::not_set) return;
-    method = meetings_.possible ? ContactMethod::pinball : ContactMethod::none;
-    if (meetings_.possible) {
+    const std::string overlapping = meetings_.possible ? "" : overlapping_movers();
+    method = meetings_.possible || !overlapping.empty() ? ContactMethod::pinball : ContactMethod::none;
+    if (!overlapping.empty()) {
+      look_.contact_because =
+          fmt::format("contact is on (contact.method is left out): bodies {} overlap at the start", overlapping);
+    } else if (meetings_.possible) {
       look_.contact_because = fmt::format("contact is on (contact.method is left out): bodies {} can meet {}",
                                           names(*meetings_.possible), when(*meetings_.possible));
     } else if (movers_.all.size() > 1) {
@@ -158,6 +164,20 @@ class LookAt {
           "\"pinball\" lets them touch, or make them bodies of their own",
           pieces);
     }
+  }
+
+  /// Bodies that rest in each other, as a pin in a hole that is too narrow, meet nowhere: they have met. "a and b", the
+  /// first two that do not go together anyway; empty: there are none.
+  std::string overlapping_movers() const {
+    if (movers_.all.size() < 2) return "";
+    std::map<std::string, std::size_t> mover_of;
+    for (std::size_t m = 0; m < movers_.all.size(); ++m) {
+      for (const std::int32_t body : movers_.all[m].bodies) mover_of[mesh_.body_names[body]] = m;
+    }
+    for (const InitialOverlap& pair : find_initial_overlaps(scene_, mesh_)) {
+      if (mover_of[pair.first] != mover_of[pair.second]) return fmt::format("{} and {}", pair.first, pair.second);
+    }
+    return "";
   }
 
   double wave_of_body(std::int32_t body) const {
