@@ -13,6 +13,7 @@
 #include "comparison_report.hpp"
 #include "others/beside_report.hpp"
 #include "result_file.hpp"
+#include "scene_input.hpp"
 
 namespace pinball {
 
@@ -41,7 +42,7 @@ int compare_command(const CompareOptions& options) {
   for (const std::string& path : options.with) others.push_back(read_other_history(path));
   std::vector<std::string> vary = options.vary;
   if (vary.empty() && others.empty()) vary = {"contact.method=pinball,slideline"};
-  std::vector<Variant> variants = make_variants(find_scene(options.scene), options.overrides, vary);
+  std::vector<Variant> variants = make_variants(scene_input(options).source, vary);
   for (Variant& variant : variants) variant.scene.device = options.device;
   ComparisonSettings settings{options.repeats.value_or(others.empty() ? 3 : 1), options.quiet};
   settings.curves = !options.page.empty() || !others.empty();

@@ -19,10 +19,9 @@ struct Variant {
   Scene scene;
 };
 
-/// All combinations of the values, those of the last key changing fastest. path: of the scene file; vary: "KEY=V1,V2".
-/// Throws InputError that names the --vary, and for a scene that a combination makes invalid.
-std::vector<Variant> make_variants(const std::string& path, const SceneOverrides& overrides,
-                                   const std::vector<std::string>& vary);
+/// All combinations of the values, those of the last key changing fastest. source: of a scene or deck; vary:
+/// "KEY=V1,V2". Throws InputError that names the --vary, and for a scene that a combination makes invalid.
+std::vector<Variant> make_variants(const SceneSource& source, const std::vector<std::string>& vary);
 
 /// What running one variant has given.
 struct VariantRuns {

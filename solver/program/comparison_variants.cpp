@@ -55,8 +55,7 @@ Variation parse_vary(const std::string& text) {
 
 }  // namespace
 
-std::vector<Variant> make_variants(const std::string& path, const SceneOverrides& overrides,
-                                   const std::vector<std::string>& vary) {
+std::vector<Variant> make_variants(const SceneSource& source, const std::vector<std::string>& vary) {
   std::vector<std::string> keys;
   std::vector<std::vector<std::string>> combinations{{}};
   for (const std::string& text : vary) {
@@ -64,7 +63,7 @@ std::vector<Variant> make_variants(const std::string& path, const SceneOverrides
     if (std::find(keys.begin(), keys.end(), variation.key) != keys.end()) {
       throw InputError(fmt::format("--vary {}: {} is varied a second time", text, variation.key));
     }
-    if (variation.key == "precision" && overrides.precision) {
+    if (variation.key == "precision" && source.overrides.precision) {
       throw InputError(fmt::format("--vary {}: expected no --precision beside it", text));
     }
     keys.push_back(variation.key);
@@ -79,10 +78,10 @@ std::vector<Variant> make_variants(const std::string& path, const SceneOverrides
   }
   std::vector<Variant> variants;
   for (const auto& settings : combinations) {
-    SceneOverrides all = overrides;
-    all.vary = settings;
+    SceneSource varied = source;
+    varied.overrides.vary = settings;
     try {
-      variants.push_back({settings, read_scene(path, all)});
+      variants.push_back({settings, read_scene(varied)});
     } catch (const InputError& error) {
       const std::string problem = error.what();
       if (settings.empty() || (settings.size() == 1 && problem.starts_with("--vary "))) throw;  // names it already

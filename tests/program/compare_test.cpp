@@ -28,7 +28,7 @@ using testing::Not;
 
 std::vector<Variant> variants_of(const std::string& scene, const std::vector<std::string>& vary,
                                  const SceneOverrides& overrides = {}) {
-  return make_variants(find_scene(scene), overrides, vary);
+  return make_variants(read_scene_source(find_scene(scene), overrides), vary);
 }
 
 void expect_states_of_single_runs(const std::vector<Variant>& variants) {
@@ -239,6 +239,23 @@ TEST_F(CompareProgram, EndsInTheStateOfARun) {
   EXPECT_EQ(summary["energy"], single["energy"]);
   EXPECT_EQ(summary["contact"], single["contact"]);
   EXPECT_NE(json()["variants"][1]["summary"]["state_hash"], single["state_hash"]);
+}
+
+TEST_F(CompareProgram, DecksAreComparedAsScenesAre) {
+  const std::string deck = std::string(PINBALL_SOURCE_DIR) + "/data/decks/taylor_bar.k";
+  ASSERT_EQ(run("run " + deck + " --quiet --threads 1 --set time.steps=20 --out " + (folder_ / "out")).status, 0);
+  const Json single = Json::parse(test::content(folder_ / "out/summary.json"));
+  const Finished f =
+      run("compare " + deck + " --vary time.cfl=" + "0.9,0.5 --repeat 1 --threads 1 --set time.steps=20 --json " +
+          json_file());
+  EXPECT_EQ(f.status, 0) << f.text;
+  EXPECT_THAT(f.text, HasSubstr("as this program understands it"));
+  EXPECT_EQ(json()["variants"].size(), 2);
+  EXPECT_NE(json()["variants"][0]["summary"]["state_hash"], json()["variants"][1]["summary"]["state_hash"]);
+  const Finished beside = run("compare " + deck + " --quiet --threads 1 --set time.steps=20 --with " +
+                              (folder_ / "out/history.csv") + " --json " + json_file());
+  EXPECT_EQ(beside.status, 0) << beside.text;
+  EXPECT_EQ(json()["variants"][0]["summary"]["state_hash"], single["state_hash"]);
 }
 
 TEST_F(CompareProgram, WritesNothingButTheTable) {

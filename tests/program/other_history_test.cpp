@@ -176,7 +176,7 @@ TEST(CurveDifferences, AVelocityIsAMomentumOverTheMass) {
 
 TEST_F(OtherHistories, ARunBesideItsOwnHistoryHasNoDifference) {
   const std::string scene = "two_blocks --quiet --threads 1 --set time.end=5e-5 ";
-  ASSERT_EQ(run("run " + scene + "--set output.history_every=1 --out " + (folder_ / "out")).status, 0);
+  ASSERT_EQ(run("run " + scene + "--out " + (folder_ / "out")).status, 0);
   const std::string json_file = folder_ / "table.json";
   const Finished f = run("compare " + scene + "--with " + (folder_ / "out/history.csv") + " --json " + json_file);
   EXPECT_EQ(f.status, 0) << f.text;
