@@ -70,6 +70,7 @@ struct MeshFile {
   std::vector<std::uint8_t> held;         ///< per node: bits of x, y, z that the file itself holds; empty: none
   std::size_t held_rotations = 0;         ///< nodes whose rotations the file holds, which those of solids do not have
   std::vector<EdgeNodes> edge_nodes;      ///< ascending by elements, until split_ten_nodes has made eight of each
+  std::vector<std::int32_t> eights;       ///< the first of each of these eight, ascending
   std::vector<MeshPart> parts;
   std::vector<MeshSet> node_sets, element_sets;
   std::vector<FaceSet> face_sets;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
 
 #include <kernels/tetrahedron.hpp>
 #include <solver/base/counted.hpp>
@@ -68,42 +66,11 @@ void add_eight(const MeshFile& file, const EdgeNodes& of, std::vector<Corners8>&
   elements.push_back(tetrahedron(m[3], m[4], m[5], corner[3]));
 }
 
-/// Nodes in the middle of edges, by the ends of these.
-class Middles {
- public:
-  void add(const MeshFile& file, const EdgeNodes& of) {
-    const Corners4 corners = corners_of(file, of);
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      middle_.try_emplace(std::minmax(corners[edges[i][0]], corners[edges[i][1]]), of.nodes[i]);
-  }
-  /// -1: the edge has none.
-  std::int32_t of(std::int32_t a, std::int32_t b) const {
-    const auto found = middle_.find(std::minmax(a, b));
-    return found == middle_.end() ? -1 : found->second;
-  }
-
- private:
-  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middle_;
-};
-
-/// A face that has no nodes on its edges stays as it is.
-void split_faces(FaceSet& set, const Middles& middles) {
+void split_faces(FaceSet& set, const EdgeMiddles& middles) {
   std::vector<Corners4> faces;
   for (const Corners4& face : set.faces) {
-    std::vector<std::int32_t> c;  // different ones, in their order
-    for (const std::int32_t node : face) {
-      if (std::ranges::find(c, node) == c.end()) c.push_back(node);
-    }
-    std::array<std::int32_t, 3> m{-1, -1, -1};
-    for (std::size_t i = 0; i < 3 && c.size() == 3; ++i) m[i] = middles.of(c[i], c[(i + 1) % 3]);
-    if (std::ranges::min(m) < 0) {
-      faces.push_back(face);
-      continue;
-    }
-    faces.push_back({c[0], m[0], m[2], m[2]});
-    faces.push_back({m[0], c[1], m[1], m[1]});
-    faces.push_back({m[2], m[1], c[2], c[2]});
-    faces.push_back({m[0], m[1], m[2], m[2]});
+    const std::vector<Corners4> triangles = middles.triangles_of(face);
+    faces.insert(faces.end(), triangles.begin(), triangles.end());
   }
   set.faces = std::move(faces);
 }
@@ -129,13 +96,46 @@ void split_members(MeshSet& set, const std::vector<std::int32_t>& first) {
 
 }  // namespace
 
+/// The corner elements come behind the four inside, and have the nodes of the edges in the places of the other ends.
+EdgeMiddles::EdgeMiddles(const MeshFile& file) {
+  for (const std::int32_t first : file.eights) {
+    const auto node = [&](int corner, int at) {
+      return file.mesh.hexahedra[first + 4 + corner][tetrahedron_corner(at)];
+    };
+    std::array<std::int32_t, 6> nodes{};
+    for (std::size_t i = 0; i < edges.size(); ++i) nodes[i] = node(edges[i][0], edges[i][1]);
+    add({node(0, 0), node(1, 1), node(2, 2), node(3, 3)}, nodes);
+  }
+}
+
+void EdgeMiddles::add(const std::array<std::int32_t, 4>& corners, const std::array<std::int32_t, 6>& nodes) {
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    middle_.try_emplace(std::minmax(corners[edges[i][0]], corners[edges[i][1]]), nodes[i]);
+}
+
+std::int32_t EdgeMiddles::of(std::int32_t a, std::int32_t b) const {
+  const auto found = middle_.find(std::minmax(a, b));
+  return found == middle_.end() ? -1 : found->second;
+}
+
+std::vector<std::array<std::int32_t, 4>> EdgeMiddles::triangles_of(const std::array<std::int32_t, 4>& face) const {
+  std::vector<std::int32_t> c;  // different ones, in their order
+  for (const std::int32_t node : face) {
+    if (std::ranges::find(c, node) == c.end()) c.push_back(node);
+  }
+  std::array<std::int32_t, 3> m{-1, -1, -1};
+  for (std::size_t i = 0; i < 3 && c.size() == 3; ++i) m[i] = of(c[i], c[(i + 1) % 3]);
+  if (std::ranges::min(m) < 0) return {face};
+  return {{c[0], m[0], m[2], m[2]}, {m[0], c[1], m[1], m[1]}, {m[2], m[1], c[2], c[2]}, {m[0], m[1], m[2], m[2]}};
+}
+
 std::vector<std::int32_t> split_ten_nodes(MeshFile& file) {
   if (file.edge_nodes.empty()) return {};
   const std::size_t count = file.mesh.hexahedra.size(), split = file.edge_nodes.size();
   if (count + 7 * split > std::numeric_limits<std::int32_t>::max() / 8)
     throw InputError(fmt::format("{}: {} are too many to be split in eight", file.path,
                                  counted(split, "tetrahedron of ten nodes", "tetrahedra of ten nodes")));
-  Middles middles;
+  EdgeMiddles middles;
   std::vector<Corners8> elements;
   std::vector<std::int32_t> first;
   elements.reserve(count + 7 * split);
@@ -148,7 +148,8 @@ std::vector<std::int32_t> split_ten_nodes(MeshFile& file) {
       continue;
     }
     require_middles(file, *next);
-    middles.add(file, *next);
+    middles.add(corners_of(file, *next), next->nodes);
+    file.eights.push_back(first.back());
     add_eight(file, *next, elements);
     if (!file.part.empty() && file.part[e] >= 0) ++file.parts[file.part[e]].ten_nodes;
     ++next;

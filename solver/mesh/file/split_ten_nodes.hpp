@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <solver/mesh/mesh_file.hpp>
@@ -16,5 +19,23 @@ namespace pinball {
 /// Throws InputError for a node that is nearer to another place than the middle of its edge, and for meshes that 32
 /// bits cannot number.
 std::vector<std::int32_t> split_ten_nodes(MeshFile& file);
+
+/// Nodes in the middle of the edges of tetrahedra of ten nodes.
+class EdgeMiddles {
+ public:
+  EdgeMiddles() = default;
+  /// Of those that have been split.
+  explicit EdgeMiddles(const MeshFile& file);
+  /// nodes: as of EdgeNodes.
+  void add(const std::array<std::int32_t, 4>& corners, const std::array<std::int32_t, 6>& nodes);
+  /// The triangles of a face between corners, whichever of its corners stands twice; the face itself where its edges
+  /// have no nodes in their middles.
+  std::vector<std::array<std::int32_t, 4>> triangles_of(const std::array<std::int32_t, 4>& face) const;
+
+ private:
+  std::int32_t of(std::int32_t a, std::int32_t b) const;  ///< -1: the edge has none
+
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middle_;  ///< by the ends, the lower first
+};
 
 }  // namespace pinball

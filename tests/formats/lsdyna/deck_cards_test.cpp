@@ -11,6 +11,7 @@ namespace pinball::test::deck_cards_test {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -74,6 +75,13 @@ TEST_F(DeckCards, TetrahedraOfTenNodesHaveFormsOfTheirOwn) {
   of_cube.replace(of_cube.find("*SECTION_SOLID\n1,1"), 18, "*SECTION_SOLID\n1,16");
   EXPECT_THAT(error(of_cube), HasSubstr("*SECTION_SOLID with ELFORM 16 (deck.k:"));
   EXPECT_EQ(scene(deck("16", "*DATABASE_HISTORY_SOLID\n2\n")).probes.size(), 1u);
+  // A face is pressed on its four triangles; what is one of them already stays so.
+  const std::string pressed = "*DEFINE_CURVE\n1\n0,1\n1,1\n*LOAD_SEGMENT\n1,1.,0,1,3,2,2\n1,1.,0,2,25,24,24\n";
+  const Scene s = scene(deck("16", pressed));
+  EXPECT_THAT(s.pressures.at(0).corners,
+              ElementsAre(ElementsAre(1, 13, 12, 12), ElementsAre(13, 3, 23, 23), ElementsAre(12, 23, 2, 2),
+                          ElementsAre(13, 23, 12, 12), ElementsAre(2, 25, 24, 24)));
+  EXPECT_EQ(error_in_cards(deck("16", pressed)), no_error);
 }
 
 TEST_F(DeckCards, FacesWhoseNormalPointsInwardsAreTold) {

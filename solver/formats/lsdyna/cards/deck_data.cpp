@@ -46,7 +46,7 @@ std::string name_of(const std::string& title) {
 }  // namespace
 
 DeckData::DeckData(const KeywordDeck& deck_, const MeshFile& mesh_, DeckReport& report_)
-    : deck(deck_), mesh(mesh_), report(report_), nodes(mesh_.node_ids), boxes(deck_) {
+    : deck(deck_), mesh(mesh_), report(report_), nodes(mesh_.node_ids), middles(mesh_), boxes(deck_) {
   for (const KeywordBlock& block : deck.blocks) {
     blocks_[block.name].push_back(&block);
     read(block);

@@ -17,6 +17,7 @@
 #include <solver/formats/lsdyna/mesh/keyword_boxes.hpp>
 #include <solver/formats/lsdyna/scan/fields.hpp>
 #include <solver/formats/lsdyna/scan/keyword_deck.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/mesh/number_index.hpp>
 #include <solver/scene_boundary.hpp>
@@ -88,7 +89,8 @@ class DeckData {
   const KeywordDeck& deck;
   const MeshFile& mesh;
   DeckReport& report;
-  const NumberIndex nodes;  ///< places of nodes in the mesh
+  const NumberIndex nodes;    ///< places of nodes in the mesh
+  const EdgeMiddles middles;  ///< of tetrahedra of ten nodes
   const KeywordBoxes boxes;
 
   std::vector<DeckPart> parts;  ///< those with solids, by their numbers

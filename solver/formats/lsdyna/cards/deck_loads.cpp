@@ -74,9 +74,16 @@ void translate_segment_load(DeckData& data, const KeywordBlock& block, DeckScene
     auto& [corners, first] = faces[segment_load(f)];
     if (corners.empty()) first = card.place;
     const FaceNumbers numbers = corners_of(block, f);
-    corners.push_back(numbers);
-    auto& places = pressed.faces.emplace_back();
+    std::array<std::int32_t, 4> places{};
     std::ranges::transform(numbers, places.begin(), [&](std::int64_t number) { return data.nodes.find(number); });
+    const auto triangles = data.middles.triangles_of(places);
+    pressed.faces.insert(pressed.faces.end(), triangles.begin(), triangles.end());
+    if (triangles.size() == 1) return corners.push_back(numbers);  // perhaps with nodes that are not there
+    for (const auto& triangle : triangles) {
+      auto& of_triangle = corners.emplace_back();
+      std::ranges::transform(triangle, of_triangle.begin(),
+                             [&](std::int32_t node) { return data.mesh.node_ids[node]; });
+    }
   });
   data.pressed.push_back(std::move(pressed));
   for (const auto& [load, listed] : faces) {
