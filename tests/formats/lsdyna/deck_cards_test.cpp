@@ -179,5 +179,21 @@ TEST_F(DeckCards, WhatIsNoNumberIsAnErrorAlsoWhereItIsNotUsed) {
               HasSubstr("*CONTROL_CONTACT: RWPNAL: expected a number, got \"x\""));
 }
 
+TEST_F(DeckCards, WhatNothingNamesIsReportedOnceForEachKeyword) {
+  const std::string unnamed =
+      "*DEFINE_CURVE\n7\n0.,1.\n1.,1.\n*DEFINE_CURVE\n8\n0.,1.\n1.,1.\n*DEFINE_VECTOR\n7,0,0,0,1,0,0\n"
+      "*DEFINE_COORDINATE_VECTOR\n7,1,0,0,0,1,0\n*SECTION_SOLID\n7,1\n*PART\nempty\n7,1,1\n";
+  const auto lines = translate(cube + elastic + ends + unnamed).understood;
+  const auto told = [&](const std::string& what) {
+    return testing::Matches(Contains(HasSubstr("not used: " + what)))(lines);
+  };
+  EXPECT_TRUE(told("*DEFINE_CURVE that nothing of what is read names (2 times, first in "));
+  for (const char* keyword : {"*DEFINE_VECTOR", "*DEFINE_COORDINATE_VECTOR", "*SECTION_SOLID"})
+    EXPECT_TRUE(told(std::string(keyword) + " that nothing of what is read names")) << keyword;
+  EXPECT_TRUE(told("*PART without solids"));
+  const std::string named = "*LOAD_NODE_SET\n3,1,7,1.\n*DEFINE_CURVE\n7\n0.,1.\n1.,1.\n";
+  EXPECT_THAT(translate(cube + elastic + ends + set_of_top + named).understood, Not(Contains(HasSubstr("not used"))));
+}
+
 }  // namespace
 }  // namespace pinball::test::deck_cards_test

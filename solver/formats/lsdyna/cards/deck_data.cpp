@@ -135,7 +135,7 @@ void DeckData::read_section(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card, Cards& cards) {
     const Fields f = fields(card, layout::section_solid);
     const std::int64_t id = f.integer("SECID") + offset_of(block, &DeckTransform::other);
-    give_once(block, fmt::format("section {}", id), card.place);
+    define(block, "section", id, card.place);
     section_form[id] = f.integer("ELFORM");
     if (is_of_users(section_form[id])) pass_users_element(*this, cards);
   });
@@ -169,7 +169,7 @@ void DeckData::read_curve(const KeywordBlock& block) {
     curve.ordinate.push_back(sfo * (point.number("O1") + offo));
   }
   const std::int64_t id = f.integer("LCID") + offset_of(block, &DeckTransform::curve);
-  give_once(block, fmt::format("curve or table {}", id), head.place);
+  define(block, "curve or table", id, head.place);
   curves_[id] = std::move(curve);
 }
 
@@ -183,7 +183,7 @@ void DeckData::read_table(const KeywordBlock& block) {
   const Fields f = fields(head, layout::table);
   const double scale = factor_of(f, "SFA"), offset = f.number("OFFA");
   const std::int64_t number = f.integer("TBID") + add;
-  give_once(block, fmt::format("curve or table {}", number), head.place);
+  define(block, "curve or table", number, head.place);
   DeckTable& table = tables_[number] = {};
   while (const auto card = cards.next_filled()) {
     const Fields point = fields(*card, layout::table_value);
@@ -211,7 +211,7 @@ void DeckData::read_vector(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
     const Fields f = fields(card, layout::vector);
     const std::int64_t id = f.integer("VID") + offset_of(block, &DeckTransform::define);
-    give_once(block, fmt::format("vector {}", id), card.place);
+    define(block, "vector", id, card.place);
     vectors_[id] = unit(minus(f.point("XH"), f.point("XT")), card.place);
   });
 }
@@ -239,7 +239,7 @@ void DeckData::read_system(const KeywordBlock& block) {
     in_plane = minus(fields(second, layout::system_plane).point("XP"), origin);
   }
   const std::int64_t id = f.integer("CID") + offset_of(block, &DeckTransform::define);
-  give_once(block, fmt::format("local system {}", id), first.place);
+  define(block, "local system", id, first.place);
   systems_[id] = axes_by(x, in_plane, first.place);
 }
 
@@ -326,7 +326,7 @@ void DeckData::name_bodies() {
 }
 
 const DeckCurve& DeckData::find_curve(std::int64_t id, const DeckPlace& place) const {
-  const auto found = curves_.find(id);
+  const auto found = curves_.find(definitions_.name("curve or table", id));
   if (found == curves_.end()) fail_at(place, fmt::format("no *DEFINE_CURVE has the number {}", id));
   if (found->second.abscissa.empty()) fail_at(place, fmt::format("*DEFINE_CURVE {} has no points", id));
   if (found->second.relaxes)
@@ -361,19 +361,19 @@ DeckCurve DeckData::rate_curve(std::int64_t id, const DeckPlace& place) const {
 }
 
 const DeckTable* DeckData::table(std::int64_t id) const {
-  const auto found = tables_.find(id);
+  const auto found = tables_.find(definitions_.name("curve or table", id));
   return found == tables_.end() ? nullptr : &found->second;
 }
 
 Point DeckData::vector(std::int64_t id, const DeckPlace& place) const {
-  const auto found = vectors_.find(id);
+  const auto found = vectors_.find(definitions_.name("vector", id));
   if (found == vectors_.end()) fail_at(place, fmt::format("no *DEFINE_VECTOR has the number {}", id));
   return found->second;
 }
 
 std::array<Point, 3> DeckData::axes(std::int64_t system, const DeckPlace& place) const {
   if (system == 0) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  const auto found = systems_.find(system);
+  const auto found = systems_.find(definitions_.name("local system", system));
   if (found == systems_.end())
     fail_at(place, fmt::format("no *DEFINE_COORDINATE_SYSTEM or _VECTOR has the number {}", system));
   return found->second;

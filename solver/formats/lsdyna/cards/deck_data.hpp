@@ -22,6 +22,7 @@
 #include <solver/mesh/number_index.hpp>
 #include <solver/scene_boundary.hpp>
 
+#include "deck_definitions.hpp"
 #include "reversed_faces.hpp"
 
 namespace pinball {
@@ -143,6 +144,9 @@ class DeckData {
     given_.add(what, place, block.of_case);
   }
 
+  /// Reports what is defined and nothing has named, and parts without solids: when all else is translated.
+  void tell_unused_definitions();
+
   /// The keywords of this name, in their order.
   const std::vector<const KeywordBlock*>& blocks_of(const std::string& name) const;
 
@@ -154,6 +158,7 @@ class DeckData {
   void read_parts(const KeywordBlock& block);
   void number_state_equation(const KeywordBlock& block);
   void tell_unused_state_equations();
+  void define(const KeywordBlock& block, const std::string& kind, std::int64_t id, const DeckPlace& place);
   DeckStateEquation read_state_equation(const KeywordBlock& block) const;
   void read_section(const KeywordBlock& block);
   void read_hourglass(const KeywordBlock& block);
@@ -182,6 +187,7 @@ class DeckData {
   std::map<std::int64_t, const KeywordBlock*> state_equation_blocks_;
   std::set<std::int64_t> materials_;  ///< of the parts with solids
   GivenOnce given_;
+  DeckDefinitions definitions_;
 };
 
 }  // namespace pinball

@@ -7,7 +7,7 @@
 #include "deck_data.hpp"
 #include "keyword_rules.hpp"
 
-/// *EOS_...: by their numbers, as parts name them.
+/// What parts and others name by number: equations of state, *EOS_..., and what of all that nothing names.
 namespace pinball {
 
 namespace {
@@ -43,6 +43,19 @@ void DeckData::tell_unused_state_equations() {
                   fmt::format("{}, equation of state {}, which no part with solids has", block->star_name(), id));
     if (block->log != nullptr) block->log->done(block);
   }
+}
+
+void DeckData::define(const KeywordBlock& block, const std::string& kind, std::int64_t id, const DeckPlace& place) {
+  give_once(block, fmt::format("{} {}", kind, id), place);
+  definitions_.add(kind, id, block.star_name(), place);
+}
+
+void DeckData::tell_unused_definitions() {
+  for (const auto& [id, part] : all_parts_) {
+    if (find_part(id) == nullptr) report.unused(part.place, "*PART without solids");
+  }
+  for (const DeckPart& part : parts) definitions_.name("section", part.section);
+  definitions_.tell_unused(report);
 }
 
 DeckStateEquation DeckData::read_state_equation(const KeywordBlock& block) const {

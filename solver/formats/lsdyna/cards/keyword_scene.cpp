@@ -80,6 +80,7 @@ TranslatedDeck scene_of(const KeywordDeck& deck, const std::string& path, const 
   tell_order_of_velocities(data);
   tell_reversed(data.mesh.mesh, data.pressed, report);
   translate_probes(data, boundary);
+  data.tell_unused_definitions();
   describe_mesh(data, report);
   for (const std::string& note : deck.parameters.notes()) report.understood(note);
   for (const std::string& note : std::exchange(mesh.notes, {})) report.understood(note);
