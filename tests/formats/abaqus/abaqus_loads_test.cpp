@@ -2,7 +2,7 @@
 
 #include "abaqus_case.hpp"
 
-/// *CLOAD, *DLOAD and *DSLOAD: what of them is given more than once.
+/// *CLOAD, *DLOAD, *DSLOAD and initial velocities: what of them is given more than once.
 namespace pinball::test::abaqus_loads_test {
 namespace {
 
@@ -37,6 +37,17 @@ TEST_F(AbaqusLoads, OfOtherNodesDirectionsAndFacesAreNot) {
   for (const char* loads : {"*CLOAD\n5, 1, 2.\n6, 1, 2.\n5, 2, 2.\n", "*DLOAD\nCube, P2, 2.\nCube, P1, 2.\n",
                             "*DLOAD\n, GRAV, 9., 0., 0., -1.\n, GRAV, 9., 1., 0., 0.\n"})
     EXPECT_THAT(notes(loads), Not(Contains(HasSubstr("already")))) << loads;
+}
+
+TEST_F(AbaqusLoads, InitialVelocitiesThatLaterLinesReplaceAreReported) {
+  const auto lines = [&](const std::string& velocities) {
+    return translate(abaqus_cube + abaqus_steel + "*INITIAL CONDITIONS, TYPE=VELOCITY\n" + velocities + abaqus_step())
+        .understood;
+  };
+  EXPECT_THAT(lines("5, 1, 1.\ntop, 1, 3.\n"),
+              Contains(AllOf(HasSubstr("*INITIAL CONDITIONS ("),
+                             HasSubstr("takes the place of what lines before give 1 of its nodes"))));
+  EXPECT_THAT(lines("5, 1, 1.\ntop, 2, 3.\n"), Not(Contains(HasSubstr("takes the place"))));
 }
 
 }  // namespace

@@ -195,5 +195,17 @@ TEST_F(DeckCards, WhatNothingNamesIsReportedOnceForEachKeyword) {
   EXPECT_THAT(translate(cube + elastic + ends + set_of_top + named).understood, Not(Contains(HasSubstr("not used"))));
 }
 
+TEST_F(DeckCards, OfSeveralVelocitiesOfANodeTheLastOneCounts) {
+  for (const std::string first : {"-7.", "-9."}) {
+    const std::string last = first == "-7." ? "-9." : "-7.";
+    const std::string cards = "*INITIAL_VELOCITY_NODE\n5,0.,0.," + first + "\n5,0.,0.," + last + "\n";
+    const Scene s = scene(cube + elastic + ends + cards);
+    ASSERT_EQ(s.initial_velocities.size(), 1U);
+    EXPECT_EQ(s.initial_velocities[0].velocity[2], std::stod(last));
+    EXPECT_THAT(translate(cube + elastic + ends + cards).understood,
+                Contains(HasSubstr("not used: *INITIAL_VELOCITY_NODE of a node that has another one behind it")));
+  }
+}
+
 }  // namespace
 }  // namespace pinball::test::deck_cards_test

@@ -31,19 +31,28 @@ bool overlap(const std::vector<Moving>& all, std::size_t nodes) {
 
 /// Each node by itself: later lines replace the components that they give. all: a line each, in their order.
 void write_by_node(const AbaqusData& data, const std::vector<Moving>& all, const AbaqusBlock& block, DeckScene& scene) {
-  std::map<std::int32_t, Point> of_node;
+  std::map<std::int32_t, Moving> of_node;
   for (const Moving& one : all) {
+    std::size_t replaced = 0;
     for (const std::int32_t node : one.nodes.members) {
-      Point& velocity = of_node[node];
+      Moving& of = of_node[node];
       for (std::size_t k = 0; k < 3; ++k) {
-        if (one.given[k]) velocity[k] = one.velocity[k];
+        if (!one.given[k]) continue;
+        replaced += of.given[k] && of.velocity[k] != one.velocity[k];
+        of.given[k] = true;
+        of.velocity[k] = one.velocity[k];
       }
     }
+    if (replaced > 0)
+      data.report.understood(
+          fmt::format("*INITIAL CONDITIONS ({}): takes the place of what lines before give {} of its "
+                      "nodes",
+                      one.place.text(), replaced));
   }
   std::map<Point, std::vector<std::int64_t>> nodes;
-  for (const auto& [node, velocity] : of_node) {
+  for (const auto& [node, of] : of_node) {
     if (data.used[node]) {
-      nodes[velocity].push_back(data.mesh.file.node_ids[node]);
+      nodes[of.velocity].push_back(data.mesh.file.node_ids[node]);
     } else {
       data.report.ignore_node(block.place, "*INITIAL CONDITIONS");
     }

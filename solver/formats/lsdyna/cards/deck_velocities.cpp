@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "boundary_keys.hpp"
 #include "deck_parts.hpp"
@@ -96,12 +97,22 @@ void translate_initial_velocity(DeckData& data, const KeywordBlock& block, DeckS
 }
 
 void translate_initial_velocity_of_nodes(DeckData& data, const KeywordBlock& block, DeckScene& scene) {
-  NodesByKind<Point> nodes(data);
+  struct Given {
+    Point velocity;
+    DeckPlace place;
+  };
+  std::map<std::int64_t, Given> last;  // of each node
   for_each_card(block, [&](const Card& card) {
     const Fields f = data.fields(card, layout::velocity_node);
-    const Point velocity = in_system(data, block, f.integer("ICID"), f.point("VX"), card.place);
-    nodes.add(block, card.place, node_number(block, f.integer("NID")), velocity);
+    const Given given{in_system(data, block, f.integer("ICID"), f.point("VX"), card.place), card.place};
+    const std::int64_t number = node_number(block, f.integer("NID"));
+    const auto [found, is_new] = last.try_emplace(number, given);
+    if (!is_new && found->second.velocity != given.velocity)
+      data.report.unused(found->second.place, block.star_name() + " of a node that has another one behind it");
+    found->second = given;
   });
+  NodesByKind<Point> nodes(data);
+  for (const auto& [number, given] : last) nodes.add(block, given.place, number, given.velocity);
   for (const auto& [velocity, of_velocity] : nodes.all())
     begin_velocity(block, block.place, velocity, scene).set("nodes", of_velocity.numbers, "node");
 }
