@@ -50,6 +50,10 @@ template <class S, class Space>
 ElementKernel<S> choose_general_kernel(const ElementFeatures&) {
   return nullptr;
 }
+template <class S, class Space>
+ElementKernel<S> tetrahedron_kernel() {
+  return nullptr;
+}
 
 }  // namespace pinball
 
