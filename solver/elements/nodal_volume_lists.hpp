@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 
 #include <kernels/exec.hpp>
 #include <kernels/nodal_volumes.hpp>
@@ -17,6 +18,9 @@ struct NodalVolumeLists {
 
   std::int64_t tetrahedra() const { return place.size(); }
   std::int64_t groups() const { return ratio.size(); }
+  /// All arrays.
+  auto arrays() { return std::tie(place, group, first, around, undeformed, volume, ratio); }
+  auto arrays() const { return std::tie(place, group, first, around, undeformed, volume, ratio); }
   /// The same lists in this memory.
   template <class Other>
   void copy(const NodalVolumeLists<S, Other>& other) {
@@ -24,20 +28,17 @@ struct NodalVolumeLists {
       mine.reset(theirs.size());
       deep_copy(mine, theirs);
     };
-    copy_one(place, other.place);
-    copy_one(group, other.group);
-    copy_one(first, other.first);
-    copy_one(around, other.around);
-    copy_one(undeformed, other.undeformed);
-    copy_one(volume, other.volume);
-    copy_one(ratio, other.ratio);
+    std::apply(
+        [&](auto&... mine) {
+          std::apply([&](const auto&... theirs) { (copy_one(mine, theirs), ...); }, other.arrays());
+        },
+        arrays());
   }
   NodalVolumeView<S> view() {
     return {place.data(), group.data(), undeformed.data(), volume.data(), first.data(), around.data(), ratio.data()};
   }
   std::size_t bytes() const {
-    return place.bytes() + group.bytes() + first.bytes() + around.bytes() + undeformed.bytes() + volume.bytes() +
-           ratio.bytes();
+    return std::apply([](const auto&... array) { return (array.bytes() + ...); }, arrays());
   }
 };
 

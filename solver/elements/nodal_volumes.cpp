@@ -13,6 +13,7 @@ NodalVolumes<S>::NodalVolumes(const Model<S>& model, Subdomain<S>* domain) : dom
 
 template <class S>
 void NodalVolumes<S>::average(Model<S>& model) {
+  if (!any()) return;
   find_volumes_of(model, groups_.lists, groups_.own);
   if (domain_ != nullptr) exchange();
   if (model.elements.single) {

@@ -20,7 +20,8 @@ class NodalVolumes {
   /// Undeformed is what the model is now. domain: of several ranks; null: one process has all.
   explicit NodalVolumes(const Model<S>& model, Subdomain<S>* domain = nullptr);
 
-  bool any() const { return groups_.lists.tetrahedra() > 0; }
+  /// Whether this rank averages, or counts what others send.
+  bool any() const { return groups_.lists.tetrahedra() > 0 || groups_.sent_by_all > 0; }
   /// Gives the elements their ratios of the positions that nodes have, and keeps those of the step before. All ranks
   /// call it together.
   void average(Model<S>& model);

@@ -49,6 +49,7 @@ NAMES = {
     "type_traits": "conditional_t enable_if_t false_type is_arithmetic_v is_const_v is_floating_point_v is_integral_v is_invocable_v"
                    " is_pointer_v is_same_v is_signed_v is_trivially_copyable_v is_unsigned_v remove_const_t true_type type_identity_t",
     "unordered_map": "unordered_map",
+    "tuple": "apply tie",
     "utility": "as_const exchange move",
     "utility algorithm": "swap",
     "utility map": "pair",
