@@ -9,7 +9,6 @@
 #include <kernels/tetrahedron.hpp>
 #include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
-#include <solver/mesh/tetrahedra.hpp>
 
 namespace pinball {
 
@@ -66,6 +65,11 @@ void add_eight(const MeshFile& file, const EdgeNodes& of, std::vector<Corners8>&
   elements.push_back(tetrahedron(m[3], m[4], m[5], corner[3]));
 }
 
+/// Of eight elements from `first` on a node of that at a corner.
+std::int32_t node_of_corner(const MeshFile& file, std::int32_t first, int corner, int at) {
+  return file.mesh.hexahedra[first + 4 + corner][tetrahedron_corner(at)];
+}
+
 void split_faces(FaceSet& set, const EdgeMiddles& middles) {
   std::vector<Corners4> faces;
   for (const Corners4& face : set.faces) {
@@ -99,13 +103,17 @@ void split_members(MeshSet& set, const std::vector<std::int32_t>& first) {
 /// The corner elements come behind the four inside, and have the nodes of the edges in the places of the other ends.
 EdgeMiddles::EdgeMiddles(const MeshFile& file) {
   for (const std::int32_t first : file.eights) {
-    const auto node = [&](int corner, int at) {
-      return file.mesh.hexahedra[first + 4 + corner][tetrahedron_corner(at)];
-    };
     std::array<std::int32_t, 6> nodes{};
-    for (std::size_t i = 0; i < edges.size(); ++i) nodes[i] = node(edges[i][0], edges[i][1]);
-    add({node(0, 0), node(1, 1), node(2, 2), node(3, 3)}, nodes);
+    for (std::size_t i = 0; i < edges.size(); ++i) nodes[i] = node_of_corner(file, first, edges[i][0], edges[i][1]);
+    Corners4 corners{};
+    for (int i = 0; i < 4; ++i) corners[i] = node_of_corner(file, first, i, i);
+    add(corners, nodes);
   }
+}
+
+Corners8 unsplit(const MeshFile& file, std::int32_t first) {
+  const auto corner = [&](int i) { return node_of_corner(file, first, i, i); };
+  return tetrahedron(corner(0), corner(1), corner(2), corner(3));
 }
 
 void EdgeMiddles::add(const std::array<std::int32_t, 4>& corners, const std::array<std::int32_t, 6>& nodes) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <solver/mesh/mesh_file.hpp>
+#include <solver/mesh/tetrahedra.hpp>
 
 namespace pinball {
 
@@ -19,6 +20,9 @@ namespace pinball {
 /// Throws InputError for a node that is nearer to another place than the middle of its edge, and for meshes that 32
 /// bits cannot number.
 std::vector<std::int32_t> split_ten_nodes(MeshFile& file);
+
+/// The tetrahedron of ten nodes, between its corners, of which the eight that begin at `first` have been made.
+Corners8 unsplit(const MeshFile& file, std::int32_t first);
 
 /// Nodes in the middle of the edges of tetrahedra of ten nodes.
 class EdgeMiddles {

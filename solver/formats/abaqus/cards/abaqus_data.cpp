@@ -22,7 +22,7 @@ std::string AbaqusData::plain_name(const std::string& label) {
 }
 
 AbaqusData::AbaqusData(const AbaqusDeck& deck_, const AbaqusMesh& mesh_, DeckReport& report_)
-    : deck(deck_), mesh(mesh_), report(report_), numbers_(mesh_.file.node_ids) {
+    : deck(deck_), mesh(mesh_), report(report_), middles(mesh_.file), numbers_(mesh_.file.node_ids) {
   used.assign(mesh.file.mesh.nodes.size(), false);
   for (const auto& hexahedron : mesh.file.mesh.hexahedra) {
     for (const std::int32_t node : hexahedron) used[node] = true;

@@ -11,6 +11,7 @@
 #include <solver/formats/deck/deck_scene.hpp>
 #include <solver/formats/deck/deck_side.hpp>
 #include <solver/formats/deck/given_once.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
 
 namespace pinball {
@@ -64,6 +65,7 @@ class AbaqusData {
   const AbaqusDeck& deck;
   const AbaqusMesh& mesh;
   DeckReport& report;
+  const EdgeMiddles middles;  ///< of tetrahedra of ten nodes
 
   std::vector<AbaqusBody> bodies;
   std::vector<DeckElement> body_elements;  ///< per body, when they are known

@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <iterator>
-#include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <utility>
 
-#include <kernels/tetrahedron.hpp>
+#include <solver/base/counted.hpp>
+#include <solver/mesh/file/split_ten_nodes.hpp>
 
 #include "abaqus_parts.hpp"
 
@@ -27,9 +28,9 @@ class RepeatedLoads {
   }
   void end_of_card(const DeckPlace& place, const std::string& star_name) {
     if (repeated_ > 0)
-      report_.understood(fmt::format("{} ({}): {} that {} already, the first is {}; both act, and add up", star_name,
-                                     place.text(), repeated_ == 1 ? "1 load" : fmt::format("{} loads", repeated_),
-                                     repeated_ == 1 ? "is there" : "are there", first_));
+      report_.understood(fmt::format("{} ({}): {} that {} there already, the first is {}; both act, and add up",
+                                     star_name, place.text(), counted(repeated_, "load"), repeated_ == 1 ? "is" : "are",
+                                     first_));
     repeated_ = 0;
   }
 
@@ -93,49 +94,32 @@ DeckKeys<Pressure> begin_pressure(AbaqusData& data, const AbaqusBlock& block, co
   return keys;
 }
 
-/// Of eight elements that have been made of one of ten nodes the place of the first, where e is that; -1: where it is
-/// another of them; none: where it is another element.
-std::optional<std::int32_t> first_of_eight(const AbaqusMesh& mesh, std::int32_t e) {
-  const auto place = static_cast<std::size_t>(e);
-  const auto run = std::prev(std::ranges::upper_bound(mesh.types, place, {}, &AbaqusElements::first));
-  if (abaqus_nodes(run->type) != 10) return std::nullopt;
-  return (place - run->first) % 8 == 0 ? e : -1;
-}
-
-/// The four triangles of a face of a tetrahedron of ten nodes, as split_ten_nodes has made them. first: of its eight.
-std::vector<std::array<std::int32_t, 4>> faces_of_eight(const Mesh& mesh, std::int32_t first, int number) {
-  std::vector<std::array<std::int32_t, 4>> faces;
-  for (int corner = 0; corner < 4; ++corner) {
-    const auto& element = mesh.hexahedra[first + 4 + corner];
-    std::array<std::int32_t, 4> face = corners_of_face(element, abaqus_face(element, number));
-    const auto own = std::ranges::find(face, element[tetrahedron_corner(corner)]);
-    if (own == face.end()) continue;  // it looks inside
-    std::rotate(face.begin(), own, face.begin() + 3);
-    faces.push_back({face[0], face[1], face[2], face[2]});
+/// Elements to press on by the numbers of their faces: of the eight of a tetrahedron of ten nodes one, that tetrahedron
+/// between its corners.
+std::vector<std::pair<std::int32_t, Corners8>> whole_elements(const MeshFile& file,
+                                                              std::span<const std::int32_t> elements) {
+  std::vector<std::pair<std::int32_t, Corners8>> whole;
+  for (const std::int32_t e : elements) {
+    const auto next = std::ranges::upper_bound(file.eights, e);
+    const std::int32_t first = next == file.eights.begin() ? -8 : *std::prev(next);
+    if (first == e || first + 8 <= e) whole.emplace_back(e, first == e ? unsplit(file, first) : file.mesh.hexahedra[e]);
   }
-  const bool in_order = faces[0][1] == faces[1][2];  // the corners, around the face
-  faces.push_back({faces[0][1], faces[in_order ? 1 : 2][1], faces[in_order ? 2 : 1][1], faces[in_order ? 2 : 1][1]});
-  return faces;
+  return whole;
 }
 
 /// P1 to P6: on the faces of elements that have these numbers.
 void write_face_pressure(AbaqusData& data, const AbaqusBlock& block, const DataLine& card, int number,
                          RepeatedLoads& loads, DeckScene& scene) {
+  const MeshFile& file = data.mesh.file;
   std::vector<std::vector<std::int64_t>> faces;
-  const Mesh& mesh = data.mesh.file.mesh;
-  const auto add = [&](const std::array<std::int32_t, 4>& face) {
-    faces.emplace_back();
-    for (const std::int32_t node : face) faces.back().push_back(data.mesh.file.node_ids[node]);
-  };
-  for (const std::int32_t e : data.elements(DataFields(card).text(0), card.place)) {
-    const int face = abaqus_face(mesh.hexahedra[e], number);
+  const std::vector<std::int32_t> elements = data.elements(DataFields(card).text(0), card.place);
+  for (const auto& [e, corners] : whole_elements(file, elements)) {
+    const int face = abaqus_face(corners, number);
     if (face < 0) fail_at(card.place, fmt::format("*DLOAD: this element has no face P{}", number));
-    const std::optional<std::int32_t> first = first_of_eight(data.mesh, e);
-    if (!first || *first >= 0) loads.add(fmt::format("P{} of element {}", number, data.mesh.file.element_ids[e]));
-    if (!first) {
-      add(corners_of_face(mesh.hexahedra[e], face));
-    } else if (*first >= 0) {
-      std::ranges::for_each(faces_of_eight(mesh, *first, number), add);
+    loads.add(fmt::format("P{} of element {}", number, file.element_ids[e]));
+    for (const auto& one : data.middles.triangles_of(corners_of_face(corners, face))) {
+      faces.emplace_back();
+      for (const std::int32_t node : one) faces.back().push_back(file.node_ids[node]);
     }
   }
   begin_pressure(data, block, card, scene).set("faces", faces);
