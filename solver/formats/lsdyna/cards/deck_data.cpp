@@ -144,9 +144,9 @@ void DeckData::read_section(const KeywordBlock& block) {
 void DeckData::read_hourglass(const KeywordBlock& block) {
   for_each_card(block, [&](const Card& card) {
     const Fields f = fields(card, layout::hourglass);
-    const DeckHourglass h{f.integer("IHQ"), f.number("QM"), f.number("Q1"), f.number("Q2"), card.place};
+    const DeckHourglass h{f.integer("IHQ"), f.number("QM"), f.number("Q1"), f.number("Q2")};
     const std::int64_t id = f.integer("HGID") + offset_of(block, &DeckTransform::other);
-    give_once(block, fmt::format("hourglass control {}", id), card.place);
+    define(block, "hourglass control", id, card.place);
     hourglass[id] = h;
   });
 }

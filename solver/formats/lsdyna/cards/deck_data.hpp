@@ -53,7 +53,6 @@ struct DeckHourglass {
   std::int64_t form = 0;             ///< IHQ; 0: the default
   double coefficient = 0;            ///< QH, QM; 0: the default
   double quadratic = 0, linear = 0;  ///< Q1, Q2; 0: the default
-  DeckPlace place{};
 };
 
 struct DeckCurve {

@@ -10,7 +10,8 @@
 
 namespace pinball {
 
-/// What a deck defines by number for others to name: curves, tables, vectors, systems, sections. Who has one number
+/// What a deck defines by number for others to name: curves, tables, vectors, systems, sections,
+/// hourglass control. Who has one number
 /// wrong in a card that may go without has defined in vain.
 class DeckDefinitions {
  public:

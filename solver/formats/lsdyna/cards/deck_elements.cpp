@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -14,7 +13,7 @@ namespace {
 
 /// What holds for parts without an *HOURGLASS, and where that leaves something blank.
 DeckHourglass defaults_of(DeckData& data) {
-  DeckHourglass defaults{1, 0.1, 1.5, 0.06, {}};
+  DeckHourglass defaults{1, 0.1, 1.5, 0.06};
   if (const auto card = last_card(data, "CONTROL_HOURGLASS")) {
     const Fields f = data.fields(*card, layout::control_hourglass);
     if (const auto form = f.integer("IHQ"); form != 0) defaults.form = form;
@@ -38,8 +37,7 @@ DeckHourglass hourglass_of(const DeckData& data, const DeckPart& part, const Dec
     fail_at(part.place, fmt::format("no *HOURGLASS has the number {}", part.hourglass));
   const DeckHourglass& own = found->second;
   return {own.form != 0 ? own.form : defaults.form, own.coefficient != 0 ? own.coefficient : defaults.coefficient,
-          own.quadratic != 0 ? own.quadratic : defaults.quadratic, own.linear != 0 ? own.linear : defaults.linear,
-          own.place};
+          own.quadratic != 0 ? own.quadratic : defaults.quadratic, own.linear != 0 ? own.linear : defaults.linear};
 }
 
 bool is_fully_integrated(const DeckData& data, const DeckPart& part) {
@@ -83,20 +81,11 @@ void tell_forms(DeckData& data, const DeckHourglass& defaults) {
   }
 }
 
-/// Those of no part that deforms.
-void tell_unused_hourglass(DeckData& data) {
-  for (const auto& [id, hourglass] : data.hourglass) {
-    if (std::ranges::none_of(data.parts, [id = id](const DeckPart& part) { return part.hourglass == id; }))
-      data.report.unused(hourglass.place, fmt::format("*HOURGLASS {}", id), "no part with solids has it");
-  }
-}
-
 }  // namespace
 
 std::vector<DeckElement> deck_elements(DeckData& data) {
   const DeckHourglass defaults = defaults_of(data);
   tell_forms(data, defaults);
-  tell_unused_hourglass(data);
   std::vector<DeckElement> elements;
   for (const DeckPart& part : data.parts) elements.push_back(element_of(data, part, defaults));
   return elements;

@@ -54,7 +54,10 @@ void DeckData::tell_unused_definitions() {
   for (const auto& [id, part] : all_parts_) {
     if (find_part(id) == nullptr) report.unused(part.place, "*PART without solids");
   }
-  for (const DeckPart& part : parts) definitions_.name("section", part.section);
+  for (const DeckPart& part : parts) {
+    definitions_.name("section", part.section);
+    definitions_.name("hourglass control", part.hourglass);
+  }
   definitions_.tell_unused(report);
 }
 
