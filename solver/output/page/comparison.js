@@ -115,16 +115,16 @@ function beside() {
     const rows = other.quantities.flatMap((q) => q.variants.map((v, i) => v && [q.name, q.columns, names[i], figure(v.time),
       figure(v.here, 5), figure(v.there, 5), share(v.difference), share(v.largest_difference), figure(v.largest_time), share(v.root_mean_square)])
       .filter((row) => row));
-    const {file, times, curves: drawnThere} = block('other_histories')[k];
+    const {file, there, here} = block('other_histories')[k];
     fill('beside', rows.length === 0 ? make('p', {class: 'note', text: `${file} has no quantity that this run has at the same times.`})
       : table({caption: `${file}: ${other.kind}, ${whole(other.times)} times; differences over the largest size there`, id: `beside_${k}`,
           numbers: [3, 4, 5, 6, 7, 8, 9], rows,
           head: ['quantity', 'here', 'variant', named('time', units.time), 'here', 'there', 'difference', 'largest', 'at', 'root mean square']}));
     if (other.not_compared.length) fill('beside', make('p', {class: 'note', text: `Not compared: ${other.not_compared.join(', ')}.`}));
-    const series = ({values, variants: here}) => [...here.map((v, i) => ({name: names[i], times: columnOf(curves[i], 'time'), values: v})),
-      {name: file, times, values}];
-    const shown = drawnThere.filter((c) => series(c).some((s) => largestOf(s.values) > 0));
-    if (shown.length) fill('beside', panels(...shown.map((c) => chart({title: c.name, unit: '', times: [], timeUnit: units.time, series: series(c), zero: false}))));
+    const series = (name) => [...here.map((curve, i) => ({name: names[i], times: columnOf(curves[i], 'time'), values: columnOf(curve, name)})),
+      {name: file, times: columnOf(there, 'time'), values: columnOf(there, name)}];
+    const shown = there.columns.slice(1).filter((name) => series(name).some((s) => largestOf(s.values) > 0));
+    if (shown.length) fill('beside', panels(...shown.map((name) => chart({title: name, unit: '', times: [], timeUnit: units.time, series: series(name), zero: false}))));
   });
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include <solver/program/text_table.hpp>
@@ -33,16 +33,6 @@ std::string share_cell(const std::optional<double>& share) {
 
 OrderedJson optional_json(const std::optional<double>& value) {
   return value ? OrderedJson(*value) : OrderedJson(nullptr);
-}
-
-/// Numbers with seven digits, null for what is none.
-std::string numbers_json(const std::vector<double>& values) {
-  std::string text = "[";
-  for (const double value : values) {
-    if (text.size() > 1) text += ',';
-    text += std::isfinite(value) ? fmt::format("{:.7g}", value) : "null";
-  }
-  return text + ']';
 }
 
 }  // namespace
@@ -75,28 +65,24 @@ std::string beside_table(const std::vector<VariantRuns>& runs, const std::vector
 OrderedJson beside_json(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others) {
   OrderedJson all = OrderedJson::array();
   for (const OtherHistory& other : others) {
+    std::map<std::string, OrderedJson> found;  // by the names of curves
+    for (std::size_t v = 0; v < runs.size(); ++v) {
+      for (const CurveDifference& d : differences(runs[v], other)) {
+        OrderedJson& quantity = found[d.name];
+        if (quantity.is_null())
+          quantity = {{"name", d.name}, {"columns", d.columns}, {"variants", OrderedJson(runs.size(), nullptr)}};
+        quantity["variants"][v] = {{"time", d.end_time},
+                                   {"here", d.here},
+                                   {"there", d.there},
+                                   {"difference", optional_json(d.at_end)},
+                                   {"largest_difference", optional_json(d.largest)},
+                                   {"largest_time", d.largest_time},
+                                   {"root_mean_square", optional_json(d.root_mean_square)}};
+      }
+    }
     OrderedJson quantities = OrderedJson::array();
     for (const OtherCurve& curve : other.curves) {
-      OrderedJson variants = OrderedJson::array();
-      std::string columns;
-      for (const VariantRuns& variant : runs) {
-        OrderedJson row = nullptr;
-        for (const CurveDifference& d : differences(variant, other)) {
-          if (d.name != curve.name) continue;
-          columns = d.columns;
-          row = {{"time", d.end_time},
-                 {"here", d.here},
-                 {"there", d.there},
-                 {"difference", optional_json(d.at_end)},
-                 {"largest_difference", optional_json(d.largest)},
-                 {"largest_time", d.largest_time},
-                 {"root_mean_square", optional_json(d.root_mean_square)}};
-        }
-        variants.push_back(row);
-      }
-      if (!columns.empty()) {
-        quantities.push_back({{"name", curve.name}, {"columns", columns}, {"variants", variants}});
-      }
+      if (found.contains(curve.name)) quantities.push_back(found[curve.name]);
     }
     all.push_back({{"file", other.path},
                    {"kind", other.kind},
@@ -112,22 +98,31 @@ OrderedJson beside_json(const std::vector<VariantRuns>& runs, const std::vector<
 std::string beside_curves_json(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others) {
   std::string all;
   for (const OtherHistory& other : others) {
-    std::string curves;
+    std::vector<const OtherCurve*> shown;
     for (const OtherCurve& curve : other.curves) {
-      std::string variants;
-      for (const VariantRuns& variant : runs) {
-        const std::vector<double> values = values_of(variant.curves, curve.meaning, mass_of(variant));
-        if (!values.empty()) variants += (variants.empty() ? "" : ",") + numbers_json(values);
+      if (has_columns(runs.front().curves, curve.meaning)) shown.push_back(&curve);
+    }
+    Curves there{{"time"}, {}, other.times.size()};
+    for (const OtherCurve* curve : shown) there.columns.push_back(curve->name);
+    for (std::size_t i = 0; i < other.times.size(); ++i) {
+      std::vector<double>& row = there.rows.emplace_back(1, other.times[i]);
+      for (const OtherCurve* curve : shown) row.push_back(curve->values[i]);
+    }
+    thin(there, most_rows_of_page);
+    std::string here;
+    for (const VariantRuns& variant : runs) {
+      Curves curves{{}, std::vector<std::vector<double>>(variant.curves.rows.size()), variant.curves.rows.size()};
+      for (const OtherCurve* curve : shown) {
+        curves.columns.push_back(curve->name);
+        const std::vector<double> values = values_of(variant.curves, curve->meaning, mass_of(variant));
+        for (std::size_t row = 0; row < values.size(); ++row) curves.rows[row].push_back(values[row]);
       }
-      if (variants.empty()) continue;
-      curves += fmt::format("{}{{\"name\":{},\"values\":{},\"variants\":[{}]}}", curves.empty() ? "" : ",",
-                            OrderedJson(curve.name).dump(-1, ' ', false, OrderedJson::error_handler_t::replace),
-                            numbers_json(curve.values), variants);
+      here += (here.empty() ? "" : ",") + curves_json(curves);
     }
     const std::string file = std::filesystem::path(other.path).filename().string();
-    all += fmt::format("{}{{\"file\":{},\"times\":{},\"curves\":[{}]}}", all.empty() ? "" : ",",
+    all += fmt::format("{}{{\"file\":{},\"there\":{},\"here\":[{}]}}", all.empty() ? "" : ",",
                        OrderedJson(file).dump(-1, ' ', false, OrderedJson::error_handler_t::replace),
-                       numbers_json(other.times), curves);
+                       curves_json(there), here);
   }
   return '[' + all + ']';
 }

@@ -20,7 +20,8 @@ std::string beside_table(const std::vector<VariantRuns>& runs, const std::vector
 /// largest size there, null where that is zero.
 nlohmann::ordered_json beside_json(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others);
 
-/// What the page draws: [{file, curves [{name, columns, times, values, variants [values of each variant's rows]}]}].
+/// What the page draws: [{file, there, here}], curves (curves_json) of the quantities that both have: of the other
+/// program, and of each variant at the times of its rows.
 std::string beside_curves_json(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others);
 
 }  // namespace pinball

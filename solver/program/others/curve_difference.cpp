@@ -22,16 +22,20 @@ double mean_square(double a, double b) { return (a * a + a * b + b * b) / 3; }
 
 }  // namespace
 
+bool has_columns(const Curves& curves, const Meaning& meaning) {
+  const auto is_there = [&](const std::string& name) { return std::ranges::count(curves.columns, name) > 0; };
+  return !meaning.columns.empty() && std::ranges::all_of(meaning.columns, is_there);
+}
+
 std::vector<double> values_of(const Curves& curves, const Meaning& meaning, double mass) {
+  if (!has_columns(curves, meaning)) return {};
   std::vector<double> values(curves.rows.size(), 0.0);
   for (const std::string& name : meaning.columns) {
-    const auto column = std::find(curves.columns.begin(), curves.columns.end(), name);
-    if (column == curves.columns.end()) return {};
+    const auto column = std::ranges::find(curves.columns, name);
     for (std::size_t row = 0; row < values.size(); ++row) {
       values[row] += curves.rows[row][column - curves.columns.begin()];
     }
   }
-  if (meaning.columns.empty() || (meaning.per_mass && !(mass > 0))) return {};
   if (meaning.per_mass) {
     for (double& value : values) value /= mass;
   }
@@ -85,7 +89,7 @@ std::vector<CurveDifference> curve_differences(const Curves& curves, const Other
 std::vector<std::string> without_meaning(const Curves& curves, const OtherHistory& other) {
   std::vector<std::string> names;
   for (const OtherCurve& curve : other.curves) {
-    if (values_of(curves, curve.meaning, 1).empty()) names.push_back(curve.name);
+    if (!has_columns(curves, curve.meaning)) names.push_back(curve.name);
   }
   return names;
 }

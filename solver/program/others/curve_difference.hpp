@@ -32,6 +32,9 @@ std::vector<CurveDifference> curve_differences(const Curves& curves, const Other
 /// Names of what the other program has and this one has not.
 std::vector<std::string> without_meaning(const Curves& curves, const OtherHistory& other);
 
+/// Whether the history has all that is meant.
+bool has_columns(const Curves& curves, const Meaning& meaning);
+
 /// What the meaning of a curve is in each row; empty where the history has not all of its columns.
 std::vector<double> values_of(const Curves& curves, const Meaning& meaning, double mass);
 

@@ -57,20 +57,6 @@ constexpr std::array<KnownName, 22> names_of_columns{{
     {"etotal", "total"},
 }};
 
-/// Lower case, without a unit in brackets; what separates words is a blank.
-std::string plain_name(const std::string& name) {
-  std::string plain;
-  for (const char c : name.substr(0, name.find_first_of("[("))) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    } else if (!plain.empty() && plain.back() != ' ') {
-      plain += ' ';
-    }
-  }
-  while (plain.ends_with(' ')) plain.pop_back();
-  return plain;
-}
-
 template <std::size_t n>
 Meaning find_meaning(const std::array<KnownName, n>& names, const std::string& name) {
   const auto* const known =
@@ -88,6 +74,19 @@ Meaning find_meaning(const std::array<KnownName, n>& names, const std::string& n
 }
 
 }  // namespace
+
+std::string plain_name(const std::string& name) {
+  std::string plain;
+  for (const char c : name.substr(0, name.find_first_of("[("))) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!plain.empty() && plain.back() != ' ') {
+      plain += ' ';
+    }
+  }
+  while (plain.ends_with(' ')) plain.pop_back();
+  return plain;
+}
 
 Meaning meaning_in_glstat(const std::string& name) { return find_meaning(names_in_glstat, plain_name(name)); }
 

@@ -31,6 +31,9 @@ struct OtherHistory {
 /// counts. Throws InputError that names file and line.
 OtherHistory read_other_history(const std::string& path);
 
+/// A name of a quantity in lower case, with a blank for whatever separates words, without a unit in brackets.
+std::string plain_name(const std::string& name);
+
 /// The meaning of a quantity of a table by its name, whatever its case and separators: "KINETIC ENERGY", "ALLKE",
 /// "X-MOMENTUM". A name that is none of another program's means the column of that name.
 Meaning meaning_of_column(const std::string& name);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -11,6 +9,7 @@
 #include <string_view>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/deck/number_text.hpp>
 
 #include "other_history.hpp"
 
@@ -21,32 +20,12 @@ namespace {
 constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* node_heading = "n o d a l   p r i n t   o u t";
 
-std::string trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r\"");
-  if (begin == std::string_view::npos) return "";
-  return std::string(text.substr(begin, text.find_last_not_of(" \t\r\"") - begin + 1));
-}
-
-/// A number as programs print it: 1.5, -2.E-03, 1.5D+00. None where the text is no number; NaN of one that did not fit
-/// into its field, which Fortran prints as asterisks.
-std::optional<double> number_of(std::string_view text) {
-  std::string plain = trimmed(text);
-  if (!plain.empty() && plain.find_first_not_of('*') == std::string::npos) return not_there;
-  std::replace_if(
-      plain.begin(), plain.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
-  if (plain.starts_with('+')) plain.erase(0, 1);
-  double value = 0;
-  const auto read = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-  if (read.ec == std::errc::invalid_argument || read.ptr != plain.data() + plain.size()) return std::nullopt;
-  return read.ec == std::errc() ? value : not_there;
-}
-
 /// Numbers in scientific notation, which may stand without a blank between them: -1.2E+00-3.4E+00.
 std::vector<double> numbers_of_fields(const std::string& line, std::size_t begin) {
   std::vector<double> numbers;
   std::string number;
   const auto end_number = [&] {
-    if (!number.empty()) numbers.push_back(number_of(number).value_or(not_there));
+    if (!number.empty()) numbers.push_back(deck_number(number).value_or(not_there));
     number.clear();
   };
   for (std::size_t i = begin; i < line.size(); ++i) {
@@ -92,7 +71,8 @@ std::pair<std::string, std::string> split_dots(const std::string& line) {
   if (dots == std::string::npos) return {};
   const auto value = line.find_first_not_of('.', dots);
   if (value == std::string::npos) return {};
-  return {trimmed(std::string_view(line).substr(0, dots)), trimmed(std::string_view(line).substr(value))};
+  const std::string_view text(line);
+  return {std::string(trimmed(text.substr(0, dots))), std::string(trimmed(text.substr(value)))};
 }
 
 bool is_glstat(const std::vector<std::string>& lines) {
@@ -111,9 +91,9 @@ void read_glstat(const std::vector<std::string>& lines, OtherHistory& history) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto [name, text] = split_dots(lines[i]);
     if (name.empty()) continue;
-    const std::optional<double> value = number_of(text);
+    const std::optional<double> value = deck_number(text);
     if (name == "time") {
-      if (!value || !std::isfinite(*value)) {
+      if (!value) {
         throw InputError(fmt::format("{}:{}: expected a time, got {}", history.path, i + 1, text));
       }
       rows.begin(*value);
@@ -135,7 +115,7 @@ void read_nodout(const std::vector<std::string>& lines, OtherHistory& history) {
     if (line.find(node_heading) != std::string::npos) {
       const auto at = line.find(at_time);
       const std::string text = at == std::string::npos ? "" : line.substr(at + at_time.size());
-      const std::optional<double> time = number_of(text.substr(0, text.find(')')));
+      const std::optional<double> time = deck_number(trimmed(std::string_view(text).substr(0, text.find(')'))));
       if (!time) {
         throw InputError(
             fmt::format("{}:{}: expected 'at time' and a number, got '{}'", history.path, i + 1, trimmed(line)));
@@ -167,15 +147,16 @@ std::vector<std::string> split_cells(const std::string& line, char separator) {
   bool quoted = false;
   for (const char c : line) {
     const bool ends = !quoted && (separator == ' ' ? c == ' ' || c == '\t' || c == '\r' : c == separator);
-    if (c == '"') quoted = !quoted;
-    if (!ends) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (!ends) {
       cells.back() += c;
     } else if (separator != ' ' || !cells.back().empty()) {
       cells.emplace_back();
     }
   }
   if (trimmed(cells.back()).empty()) cells.pop_back();  // th_to_csv ends lines with a comma
-  for (std::string& cell : cells) cell = trimmed(cell);
+  for (std::string& cell : cells) cell = std::string(trimmed(cell));
   return cells;
 }
 
@@ -187,17 +168,14 @@ char separator_of(const std::string& heading) {
 }
 
 bool is_time(const std::string& name) {
-  std::string plain;
-  for (const char c : name.substr(0, name.find_first_of("[("))) {
-    if (c != ' ') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  }
+  const std::string plain = plain_name(name);
   return plain == "time" || plain == "t" || plain == "x";  // X: of Abaqus' XY reports
 }
 
 void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
   history.kind = "table";
   const auto is_told = [](const std::string& line) {
-    const std::string text = trimmed(line);
+    const std::string_view text = trimmed(line);
     return !text.empty() && text.front() != '#';
   };
   const auto heading = std::find_if(lines.begin(), lines.end(), is_told);
@@ -208,19 +186,20 @@ void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
   if (time == names.end()) {
     throw InputError(
         fmt::format("{}:{}: expected the names of columns, one of them time, or LS-DYNA's glstat or nodout, got '{}'",
-                    history.path, heading - lines.begin() + 1, trimmed(heading->substr(0, 60))));
+                    history.path, heading - lines.begin() + 1, trimmed(std::string_view(*heading).substr(0, 60))));
   }
   Rows rows(history);
   for (auto line = heading + 1; line != lines.end(); ++line) {
     if (!is_told(*line)) continue;
     const std::vector<std::string> cells = split_cells(*line, separator);
     std::vector<std::optional<double>> values;
-    for (const std::string& cell : cells) values.push_back(number_of(cell));
+    for (const std::string& cell : cells) values.push_back(deck_number(cell));
     const std::size_t of_time = time - names.begin();
     if (cells.size() < names.size() && line + 1 == lines.end()) break;  // still being written
-    if (cells.size() != names.size() || !values[of_time] || !std::isfinite(*values[of_time])) {
+    if (cells.size() != names.size() || !values[of_time]) {
       throw InputError(fmt::format("{}:{}: expected {} numbers, a time among them, got '{}'", history.path,
-                                   line - lines.begin() + 1, names.size(), trimmed(line->substr(0, 60))));
+                                   line - lines.begin() + 1, names.size(),
+                                   trimmed(std::string_view(*line).substr(0, 60))));
     }
     rows.begin(*values[of_time]);
     for (std::size_t k = 0; k < names.size(); ++k) {
