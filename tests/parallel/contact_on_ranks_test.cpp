@@ -17,13 +17,6 @@ namespace {
 
 using namespace test;
 
-const std::vector<Shared> some_ranks{{1, {}},
-                                     {2, {}},
-                                     {2, {Partition::By::random, 5}},
-                                     {3, {Partition::By::random, 1}},
-                                     {4, {Partition::By::graph, 0}},
-                                     {7, {Partition::By::random, 2}}};
-
 /// A block that goes through a plate: both erode, and new surface comes up all the time.
 Scene eroding(ContactMethod method, Enforcement enforcement, ContactGap gap) {
   Scene scene = scene_of({block("plate", {9, 9, 3}, 0.01, {0, 0, 0}),

@@ -47,6 +47,14 @@ struct Shared {
   Partition partition;
 };
 
+/// Few and many, with each way to share.
+inline const std::vector<Shared> some_ranks{{1, {}},
+                                            {2, {}},
+                                            {2, {Partition::By::random, 5}},
+                                            {3, {Partition::By::random, 1}},
+                                            {4, {Partition::By::graph, 0}},
+                                            {7, {Partition::By::random, 2}}};
+
 /// What it is on the ranks is what it is on one process, which is returned.
 template <class S>
 Outcome expect_same_on(const std::vector<Shared>& all, const Scene& scene) {

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include <tests/support/saved_state.hpp>
 #include <tests/support/tetrahedra_case.hpp>
 
@@ -12,13 +10,6 @@ namespace pinball::tetrahedra_on_ranks_test {
 namespace {
 
 using namespace test;
-
-const std::vector<Shared> some_ranks{{1, {}},
-                                     {2, {}},
-                                     {2, {Partition::By::random, 5}},
-                                     {3, {Partition::By::random, 1}},
-                                     {4, {Partition::By::graph, 0}},
-                                     {7, {Partition::By::random, 2}}};
 
 /// What erodes on one rank no longer counts on the others.
 TEST(TetrahedraOnRanks, HaveTheBitsOfOneProcessWhereSomeErode) {
