@@ -14,7 +14,8 @@ set(emulated ${CMAKE_CURRENT_SOURCE_DIR}/device/emulated)
 set(emulated_sources ${gpu_sources} ${CMAKE_CURRENT_SOURCE_DIR}/device/exec.cu ${emulated}/planted_faults_test.cpp)
 set_source_files_properties(${emulated_sources} PROPERTIES
   LANGUAGE CXX SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON
-  COMPILE_DEFINITIONS "__CUDACC__;PINBALL_OUTLINED=PINBALL_FUNCTION"  # as of the mock's kernels (solver/CMakeLists.txt)
+  # Names of their own, as those of the mock's kernels have (solver/CMakeLists.txt).
+  COMPILE_DEFINITIONS "__CUDACC__;PINBALL_OUTLINED=[[gnu::noinline,gnu::abi_tag(\"emulated\")]] inline"
   COMPILE_OPTIONS "-include;cuda_runtime.h;-Wno-unknown-pragmas")
 add_library(emulated_gpu OBJECT ${gpu_sources} ${emulated}/emulated_device.cpp)
 target_include_directories(emulated_gpu PUBLIC ${emulated})

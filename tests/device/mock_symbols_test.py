@@ -1,5 +1,6 @@
-"""Whether the kernels of the mock device and those of the host share a function that is called. They are compiled in
-other ways, so that a host would have other last bits in a program with the mock than in one without it.
+"""Whether the kernels of the mock device and those of the host share a function that is called. What a compiler makes of
+it may be another thing in another file, so that a host would have other last bits in a program with the mock than in one
+without it.
 
     mock_symbols_test.py OBJECT...      of the solver, both kinds among them
 """
