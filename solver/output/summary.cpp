@@ -107,6 +107,7 @@ Json parallel_json(const ParallelRun& run) {
   if (run.ranks == 1) return nullptr;
   return {{"ranks", run.ranks},
           {"records", run.records},
+          {"messages", run.messages},
           {"common_nodes", run.common_nodes},
           {"bytes_per_step", run.bytes_per_step},
           {"imbalance", run.imbalance}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include <kernels/exec.hpp>
 #include <solver/model/corner_order.hpp>
@@ -39,6 +40,7 @@ void CornerExchange<S>::find_records(Model<S>& model, const std::vector<std::int
   };
   std::vector<Source> sources;
   const std::int32_t self = ranks_.number();
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;  // who sends to whom
   for_each_corner_in_order(model, [&](std::int32_t tile, std::int64_t slot, int i) {
     if (model.is_rigid(tile)) return;  // no kernel works it
     const std::int32_t node = model.elements.corner[model.elements.at(slot, i, 8)];
@@ -46,6 +48,9 @@ void CornerExchange<S>::find_records(Model<S>& model, const std::vector<std::int
     const std::span<const std::int32_t> all = holders.of(node);
     records_ += std::ssize(all) - 1;
     const std::int32_t from = rank_of_tile[tile], place = holders.shared_place(node);
+    for (const std::int32_t to : all) {
+      if (to != from && (pairs.empty() || pairs.back() != std::pair(from, to))) pairs.emplace_back(from, to);
+    }
     if (from == self) {
       const auto record = static_cast<std::int32_t>(model.nodes.count + std::ssize(node_of_record_));
       node_of_record_.push_back(node);
@@ -58,6 +63,8 @@ void CornerExchange<S>::find_records(Model<S>& model, const std::vector<std::int
       sources.push_back({place, from, neighbour(from).count++});
     }
   });
+  std::ranges::sort(pairs);
+  messages_ = std::ranges::unique(pairs).begin() - pairs.begin();
   std::int64_t count = 0;
   for (Neighbour& of : neighbours_) {
     of.first = count;

@@ -31,6 +31,8 @@ class CornerExchange {
 
   /// Forces of corners that all ranks together send in a step.
   std::int64_t records() const { return records_; }
+  /// In as many messages: of ranks to others.
+  std::int64_t messages() const { return messages_; }
   /// Of one of them.
   static constexpr std::int64_t bytes_per_record = 3 * sizeof(S);
   std::size_t bytes() const;
@@ -54,7 +56,7 @@ class CornerExchange {
   std::vector<std::int32_t> nodes_;   ///< of several ranks, held by this one
   std::vector<std::int64_t> first_;   ///< [nodes_ + 1]: their part of source_
   std::vector<std::int64_t> source_;  ///< a record; or -1 - number of a force in received_
-  std::int64_t records_ = 0;
+  std::int64_t records_ = 0, messages_ = 0;
 };
 
 }  // namespace pinball

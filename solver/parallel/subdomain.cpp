@@ -262,8 +262,14 @@ SharedWork Subdomain<S>::work() const {
   std::vector<std::int64_t> elements(ranks_.count(), 0);
   for (std::size_t t = 0; t < rank_of_tile_.size(); ++t) elements[rank_of_tile_[t]] += elements_of_tile_[t];
   const double all = std::accumulate(elements.begin(), elements.end(), 0.0);
-  return {ranks_.count(), corners_ ? corners_->records() : 0, common_.count(), bytes_of_step_,
-          *std::ranges::max_element(elements) * ranks_.count() / all};
+  const std::int64_t most = *std::ranges::max_element(elements);
+  return {.ranks = ranks_.count(),
+          .records = corners_ ? corners_->records() : 0,
+          .messages = corners_ ? corners_->messages() : 0,
+          .common_nodes = common_.count(),
+          .bytes_per_step = bytes_of_step_,
+          .most_elements = most,
+          .imbalance = static_cast<double>(most) * ranks_.count() / all};
 }
 
 template <class S>

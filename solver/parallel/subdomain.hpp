@@ -35,9 +35,11 @@ enum class RankOrder : std::int32_t {
 struct SharedWork {
   int ranks = 1;
   std::int64_t records = 0;         ///< forces of corners that all send in a step
+  std::int64_t messages = 0;        ///< in which they do, each of one rank to one other
   std::int64_t common_nodes = 0;    ///< that all ranks move
   std::int64_t bytes_per_step = 0;  ///< that all send in the last step
-  double imbalance = 1;             ///< elements of the rank that has most, over their mean
+  std::int64_t most_elements = 0;   ///< of one rank
+  double imbalance = 1;             ///< most_elements over the mean of all ranks
 };
 
 /// The part of a scene that one of several ranks works: whole tiles. Each rank has the model of the whole scene; of

@@ -32,8 +32,9 @@ struct RunOptions : SceneOptions {
 };
 
 struct InfoOptions : SceneOptions {
-  std::string out;       ///< folder in which a run would leave its results
-  bool devices = false;  ///< which there are, and what of the scene runs there
+  std::string out;           ///< folder in which a run would leave its results
+  bool devices = false;      ///< which there are, and what of the scene runs there
+  std::vector<int> ranks{};  ///< numbers of processes, of each of which is said what they share and send
 };
 
 struct CompareOptions : SceneOptions {

@@ -26,6 +26,7 @@
 #include "info/info_devices.hpp"
 #include "info/info_material.hpp"
 #include "info/info_mesh.hpp"
+#include "info/info_ranks.hpp"
 #include "info/info_rigid.hpp"
 #include "info/info_skipped.hpp"
 #include "scene_input.hpp"
@@ -310,6 +311,13 @@ int info_command(const InfoOptions& options) {
   const Scene decided =
       single ? print_info<float>(scene, options.threads, spent) : print_info<double>(scene, options.threads, spent);
   if (options.devices) print_missing_on_devices(decided);
+  if (options.ranks.empty()) return 0;
+  fmt::print("\n");
+  if (single) {
+    print_ranks<float>(scene, options.ranks);
+  } else {
+    print_ranks<double>(scene, options.ranks);
+  }
   return 0;
 }
 

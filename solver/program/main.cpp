@@ -128,6 +128,13 @@ CLI::Option* add_scene_options(CLI::App& command, pinball::SceneOptions& options
 void add_info_options(CLI::App& command, pinball::InfoOptions& options) {
   add_scene_options(command, options)->required(false);
   command.add_flag("--device", options.devices, "which devices there are, and what of SCENE, if any, runs there");
+  command
+      .add_option("--ranks", options.ranks,
+                  "what so many processes of mpirun would share and send each other: a number, or several with commas")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::Range(2, 1000000));
   command.add_option("--out", options.out, "folder for the results (default: out/<scene>)")->check(check_not_empty);
 }
 

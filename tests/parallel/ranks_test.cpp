@@ -6,6 +6,7 @@
 
 #include <solver/parallel/missing_on_ranks.hpp>
 #include <solver/parallel/partition.hpp>
+#include <solver/parallel/planned_ranks.hpp>
 #include <solver/parallel/subdomain.hpp>
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/tetrahedra_case.hpp>
@@ -74,6 +75,7 @@ TEST(Ranks, SendTheForceOfEachCornerAtASharedNode) {
   EXPECT_EQ(work.ranks, 2);
   EXPECT_GE(work.records, corners);
   EXPECT_LE(work.records, corners + 8 * 2 * nodes_per_span);
+  EXPECT_EQ(work.messages, 2);
   EXPECT_LE(work.imbalance, 1.1);
 }
 
@@ -159,6 +161,28 @@ TEST(Ranks, SendAsManyBytesOfContactInAStepAsTheyReport) {
 }
 
 TEST(Ranks, SendAsManyBytesOfTetrahedraInAStepAsTheyReport) { expect_reported_bytes(torn_tetrahedra(), 40); }
+
+/// What three processes share and send in their first step, counted by one of them alone.
+TEST(PlannedRanks, CountWhatRanksSend) {
+  for (const Scene& scene : {cube(), pressed_blocks(1e-3), torn_tetrahedra()}) {
+    const auto first_step = [](Solver<double>& solver) {
+      solver.step();
+      return solver.shared_work();
+    };
+    const SharedWork real = solved_on<double>(3, {}, scene, first_step);
+    PlannedRanks ranks(3, {});
+    Solver<double> solver(scene, &ranks);
+    const SharedWork planned = first_step(solver);
+    EXPECT_EQ(planned.records, real.records);
+    EXPECT_EQ(planned.messages, real.messages);
+    EXPECT_EQ(planned.common_nodes, real.common_nodes);
+    EXPECT_EQ(planned.bytes_per_step, real.bytes_per_step);
+    EXPECT_EQ(planned.most_elements, real.most_elements);
+    EXPECT_EQ(planned.imbalance, real.imbalance);
+    EXPECT_TRUE(real.messages >= 4 && real.messages <= 6) << real.messages;  // each has one or two neighbours
+    EXPECT_GT(real.bytes_per_step, 24 * real.records);
+  }
+}
 
 TEST(Ranks, WithoutTilesTakePart) {
   const Scene scene = scene_of({block("cube", {2, 2, 2}, 0.01, {}, {1, 2, 3})}, 1e-5, false);
