@@ -18,6 +18,7 @@
 #include <solver/summary.hpp>
 
 #include "momentum_error.hpp"
+#include "shown_states.hpp"
 
 namespace pinball {
 
@@ -25,10 +26,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double shortest_turn = 1.0 / 50;  ///< of a run
-constexpr double between_frames = 1.0 / 8;  ///< of what the page shows of the bodies, of a run
-/// Of all variants: states that are kept take 300 bytes an element each.
-constexpr std::int64_t most_elements_shown = 100'000;
+constexpr double shortest_turn = 1.0 / 50;                   ///< of a run
+constexpr double between_frames = 1.0 / (shown_states - 1);  ///< of a run
 constexpr double fewest_steps = 4;  ///< of a turn: at its begin the caches hold another variant's data
 
 /// A solver of either precision.

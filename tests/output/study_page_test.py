@@ -3,12 +3,14 @@
 import csv
 import json
 import pathlib
+import shutil
 
 import browser
-from browser import By, Pages, number, place, run
+from browser import By, Keys, number, place, run
+from viewer_pages import ViewerPages, surface_block
 
 
-class StudyPage(Pages):
+class StudyPage(ViewerPages):
     def test_a_study_shows_values_bands_and_what_an_error_costs(self):
         run("converge", "two_blocks", "--meshes", "1/2,1,2", "--only", "step", "--only", "chance", "--ensemble", "2", "--quiet",
             "--of", "energy.kinetic", "--of", "energy.internal", "--out", "study", "--page", "study.html", "--json", "study.json",
@@ -41,6 +43,55 @@ class StudyPage(Pages):
             self.assertGreater(self.browser.execute_script("return arguments[0].naturalWidth", picture[0]), 400)
         else:
             self.assertIn("No pictures: ", self.one("#pictures .note").text)
+
+    def test_the_coarsest_and_the_finest_run_are_seen_beside_each_other(self):
+        """With one camera, one time and one scale of colours, each with its own mesh: that of the runs themselves."""
+        shutil.rmtree(place("seen"), ignore_errors=True)
+        run("converge", "taylor_bar", "--meshes", "1/4,1/2,1", "--only", "mesh", "--quiet", "--of", "energy.kinetic", "--set", "time.end=0.02",
+            "--out", "seen", "--page", "seen.html", environment={"PINBALL_PYTHON": "/no/such/python"})
+        self.open_page("seen.html")
+        packed = json.loads(place("seen.html").read_text().split('id="surfaces">')[1].split("</script>")[0])
+        self.assertEqual([one["mesh"] for one in packed], ["1/4", "1"])
+        for one, folder in zip(packed, ["mesh_1_4", "mesh_1"], strict=True):
+            self.assertEqual(one["surface"], json.loads(surface_block(f"seen/{folder}")))
+            self.assertEqual(len(one["surface"]["times"]), 9)
+            summary = json.loads(place(f"seen/{folder}/summary.json").read_text())
+            self.assertEqual(one["surface"]["times"][-1], summary["end_time"])
+        self.assertEqual(len(self.all("#viewer canvas")), 2)
+        self.assertEqual(len(self.all("#viewer select[aria-label=field]")), 1)
+        self.assertIn("Shape and fields", self.texts("nav a"))
+        summaries = [json.loads(place(f"seen/{folder}/summary.json").read_text()) for folder in ("mesh_1_4", "mesh_1")]
+        for title, mesh, summary in zip(self.texts(".drawing .title"), ["1/4", "1"], summaries, strict=True):
+            self.assertTrue(title.startswith(f"mesh {mesh}, {summary['elements']:,} elements, t = "), title)
+        self.assertGreater(summaries[1]["elements"], 20 * summaries[0]["elements"])
+
+        state = """return viewer.all.map((v) => [v.camera.axes, v.camera.height, v.camera.centre, v.surface.fields[v.field].name,
+                                                 v.surface.fields[v.field].range])"""
+        times = "return viewer.all.map((v) => v.surface.times[v.frame])"
+        before = self.js(state)
+        self.assertEqual(before[0], before[1])
+        self.assertEqual(self.js(times), [summaries[0]["end_time"]] * 2)
+        canvas = self.all("#viewer canvas")[1]
+        canvas.send_keys(Keys.ARROW_LEFT, Keys.ARROW_UP, ",")
+        after = self.js(state)
+        self.assertEqual(after[0], after[1])
+        self.assertNotEqual(after[0][0], before[0][0], "turned")
+        coarse, fine = self.js(times)
+        self.assertEqual(coarse, packed[0]["surface"]["times"][-2], "a state back in time")
+        self.assertEqual(fine, packed[1]["surface"]["times"][-2])
+        self.assertLessEqual(abs(coarse - fine), summaries[0]["dt"]["max"], "each at the end of a step of its own")
+        name, shown = after[0][3:]
+        ranges = [field["range"] for one in packed for field in one["surface"]["fields"] if field["name"] == name]
+        self.assertEqual(shown, [min(r[0] for r in ranges), max(r[1] for r in ranges)])
+        drawn = self.js("viewer.all.forEach((v) => v.drawNow()); return viewer.all.map((v) => v.canvas.toDataURL())")
+        self.assertNotEqual(*drawn)
+
+    def test_a_study_whose_runs_all_fail_says_so(self):
+        run("converge", "two_blocks", "--meshes", "1/2,1,2", "--only", "mesh", "--quiet", "--of", "energy.kinetic", "--out", "none",
+            "--set", "guard.energy_error=1e-12", "--page", "failed.html", status=1)
+        self.open("failed.html")
+        self.assertEqual(self.one("#viewer .note").text, "No run has left fields of its bodies.")
+        self.assertEqual(self.all("#viewer canvas"), [])
 
     def test_a_run_shows_the_bands_that_were_kept(self):
         scene = place("kept.toml")

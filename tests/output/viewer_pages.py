@@ -30,7 +30,14 @@ def surface_block(folder):
 
 class ViewerPages(Pages):
     def open_viewer(self, folder):
-        self.open(f"{folder}/index.html")
+        self.open_page(f"{folder}/index.html")
+
+    def open_page(self, path):
+        """Of a page with a viewer, once its numbers are unpacked."""
+        self.open(path)
+        self.wait_for_viewer()
+
+    def wait_for_viewer(self):
         for _ in range(200):
             if self.js("return viewer !== null"):
                 return

@@ -73,11 +73,7 @@ class OtherRuns(ViewerPages):
         """With one camera, one time and one scale of colours, each with its own state."""
         run("compare", "rod_plate", "--vary", "contact.enforcement=penalty,lagrange", "--repeat", "1", "--quiet", "--set", "time.end=2e-5",
             "--page", "compare.html")
-        self.open("compare.html")
-        for _ in range(200):
-            if self.js("return viewer !== null"):
-                break
-            time.sleep(0.05)
+        self.open_page("compare.html")
         self.assertEqual(len(self.all("#viewer canvas")), 2)
         self.assertEqual(len(self.all("#viewer select[aria-label=field]")), 1)
         self.js("viewer.look('side'); viewer.camera.turn(30, 10); viewer.chooseField(0); viewer.step(4); viewer.cutAlong('z');")

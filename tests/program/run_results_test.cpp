@@ -45,6 +45,13 @@ TEST_F(RunResultsTest, NamesNumbersOfTheSummaryByTheirPaths) {
   EXPECT_FALSE(run.value("energy"));
 }
 
+TEST_F(RunResultsTest, TellsWhatTheRunTookButForItsFiles) {
+  const std::string history = "time,kinetic\n0,5\n";
+  EXPECT_EQ(read(R"({"wall_seconds": 3, "phase_seconds": {"output": 0.5, "integration": 2}})", history).seconds(), 2.5);
+  EXPECT_EQ(read(R"({"wall_seconds": 3})", history).seconds(), 3);
+  EXPECT_EQ(sample().seconds(), 0);
+}
+
 TEST_F(RunResultsTest, TakesLastExtremesAndIntegralOfColumns) {
   const RunResults run = sample();
   EXPECT_EQ(run.value("bar_velocity_z"), 0);

@@ -128,6 +128,4 @@ function beside() {
   });
 }
 
-for (const part of [keyFigures, failures, times, results, surfaces, beside, overlays]) part();
-contents();
-drawCharts();
+makePage([keyFigures, failures, times, results, surfaces, beside, overlays], surfaces);

@@ -1,7 +1,7 @@
 'use strict';
 // The page of `pinball converge`: what each quantity is on each mesh, what finer ones would say, and what an error costs.
 
-const study = block('study');
+const units = unitsOf('units'), study = block('study');
 const place = (id) => document.getElementById(id);
 const fill = (id, ...children) => place(id).append(...children);
 const sizeOf = (factor) => { const [n, d = '1'] = factor.split('/'); return Number(d) / Number(n); };
@@ -96,5 +96,12 @@ function sources() {
     make('ul', {class: 'note'}, ...study.sources.map(({name, what}) => make('li', {text: `${name}: ${what}`}))));
 }
 
-for (const part of [keyFigures, failures, quantities, values, costs, sources]) part();
-contents();
+/// The coarsest and the finest run beside each other.
+function surfaces() {
+  const shown = block('surfaces').filter(({surface}) => surface !== null);
+  if (shown.length === 0) return place('viewer').append(make('p', {class: 'note', text: 'No run has left fields of its bodies.'}));
+  const nameOfMesh = (factor) => `mesh ${factor}, ${whole(study.meshes.find((mesh) => mesh.factor === factor).elements)} elements`;
+  showSurfaces(place('viewer'), shown.map(({surface}) => surface), units, shown.map(({mesh}) => nameOfMesh(mesh)));
+}
+
+makePage([keyFigures, failures, quantities, values, surfaces, costs, sources], surfaces);

@@ -60,7 +60,7 @@ std::string fill_template(std::string_view text, const std::vector<std::pair<std
 std::vector<std::string> scripts_with_viewer(const std::vector<std::string>& own) {
   std::vector<std::string> scripts{"format.js",         "axes.js",          "curves.js",         "plot.js",
                                    "viewer_data.js",    "viewer_camera.js", "viewer_drawing.js", "viewer_surround.js",
-                                   "viewer_picking.js", "viewer.js",        "viewer_pointer.js"};
+                                   "viewer_picking.js", "viewer.js",        "viewer_pointer.js", "viewer_alone.js"};
   scripts.insert(scripts.end(), own.begin(), own.end());
   return scripts;
 }

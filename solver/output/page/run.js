@@ -224,6 +224,4 @@ function surfaceOfRun() {
   showSurfaces(place('viewer'), [packed], units);
 }
 
-for (const part of [status, surfaceOfRun, keyFigures, warnings, converged, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys]) part();
-contents();
-drawCharts();
+makePage([status, surfaceOfRun, keyFigures, warnings, converged, energies, bodies, momentum, forces, probes, steps, phaseTimes, skipped, sceneKeys], surfaceOfRun);

@@ -45,9 +45,7 @@ std::vector<ErrorSource> sources_of(const std::vector<std::string>& only) {
 void write_files(const ConvergenceStudy& study, const ConvergeOptions& options) {
   if (!options.json.empty()) write_result_file(options.json, convergence_json(study));
   if (!options.csv.empty()) write_result_file(options.csv, convergence_csv(study));
-  if (options.page.empty()) return;
-  write_result_file(options.page, convergence_page(study, "One run is no picture of what meshes do."));
-  draw_into_page(study, options.page);
+  if (!options.page.empty()) write_convergence_page(study, options.page);
 }
 
 /// Takes "2" to the options of all commands and leaves the bodies.

@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include <solver/output/page/page.hpp>
 #include <solver/output/page/resources.hpp>
+#include <solver/output/page/surface/surface_block.hpp>
+#include <solver/output/page/units_json.hpp>
 #include <solver/program/process/viewer.hpp>
 #include <solver/program/result_file.hpp>
 
@@ -12,20 +16,29 @@ namespace pinball {
 
 namespace {
 
-/// The coarsest and the finest mesh whose runs came to their ends.
-std::pair<const StudyMesh*, const StudyMesh*> ends_of(const ConvergenceStudy& study) {
-  const StudyMesh *coarse = nullptr, *fine = nullptr;
+/// Of the meshes whose runs came to their ends the coarsest and the finest; one, where no other did.
+std::vector<const StudyMesh*> ends_of(const ConvergenceStudy& study) {
+  std::vector<const StudyMesh*> ends;
   for (const StudyMesh& mesh : study.meshes) {
     if (!mesh.run.results) continue;
-    if (coarse == nullptr) coarse = &mesh;
-    fine = &mesh;
+    if (ends.size() == 2) ends.pop_back();
+    ends.push_back(&mesh);
   }
-  return {coarse, fine};
+  return ends;
 }
 
-}  // namespace
+/// [{mesh, surface}], as convergence.js has it.
+std::string surfaces_json(const std::vector<const StudyMesh*>& meshes, const std::vector<std::string>& bodies) {
+  std::string list;
+  for (const StudyMesh* const mesh : meshes) {
+    list += fmt::format("{}{{\"mesh\":\"{}\",\"surface\":{}}}", list.empty() ? "" : ",", mesh->factor.text(),
+                        surface_json_of_run(mesh->run.folder, bodies, nullptr, nullptr));
+  }
+  return '[' + list + ']';
+}
 
-std::string convergence_page(const ConvergenceStudy& study, const std::string& pictures) {
+/// pictures: what stands in their place as long as there are none.
+std::string page_of(const ConvergenceStudy& study, const std::string& surfaces, const std::string& pictures) {
   const std::string title = study.title.empty() ? study.scene : study.title, found = search_sentence(study);
   const std::string sentence = convergence_sentence(study);
   PageContent content;
@@ -36,16 +49,23 @@ std::string convergence_page(const ConvergenceStudy& study, const std::string& p
                                 {"sentence", html_text(found.empty() ? sentence : found + ". " + sentence)},
                                 {"pictures", html_text(pictures)},
                                 {"status", study.failed() ? "failed" : "done"}});
-  content.scripts = {"format.js", "axes.js", "plot.js", "convergence.js"};
-  content.blocks = {{"study", convergence_json(study)}};
+  content.scripts = scripts_with_viewer({"convergence.js"});
+  content.blocks = {{"units", units_json(parse_units(study.units)).dump()},
+                    {"study", convergence_json(study)},
+                    {"surfaces", surfaces}};
   return make_page(content);
 }
 
-void draw_into_page(const ConvergenceStudy& study, const std::string& path) {
-  const auto [coarse, fine] = ends_of(study);
-  if (fine == coarse) return;
-  const std::string problem = draw_with_viewer({coarse->run.folder, "--beside", fine->run.folder, "--page", path});
-  if (!problem.empty()) write_result_file(path, convergence_page(study, "No pictures: " + problem));
+}  // namespace
+
+void write_convergence_page(const ConvergenceStudy& study, const std::string& path) {
+  const std::vector<const StudyMesh*> ends = ends_of(study);
+  const std::string surfaces = surfaces_json(ends, study.bodies);
+  write_result_file(path, page_of(study, surfaces, "One run is no picture of what meshes do."));
+  if (ends.size() < 2) return;
+  const std::string problem =
+      draw_with_viewer({ends.front()->run.folder, "--beside", ends.back()->run.folder, "--page", path});
+  if (!problem.empty()) write_result_file(path, page_of(study, surfaces, "No pictures: " + problem));
 }
 
 }  // namespace pinball

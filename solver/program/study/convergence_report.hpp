@@ -29,12 +29,10 @@ std::string convergence_json(const ConvergenceStudy& study);
 /// quantity,unit,run,mesh,elements,seconds,bytes,value,error,extrapolated,low,high,verdict. What is not known is empty.
 std::string convergence_csv(const ConvergenceStudy& study);
 
-/// A page to be opened in a browser. pictures: what stands in their place as long as there are none.
-std::string convergence_page(const ConvergenceStudy& study, const std::string& pictures);
-
-/// Draws the coarsest and the finest run side by side, with one scale of colours, into a page of the study; where that
-/// cannot be, it has the reason in their place.
-void draw_into_page(const ConvergenceStudy& study, const std::string& path);
+/// Writes a page to be opened in a browser, with the bodies of the coarsest and the finest run side by side, and draws
+/// the ends of both into it, with one scale of colours; where that cannot be, it has the reason in their place. Throws
+/// RunError where the file cannot be written.
+void write_convergence_page(const ConvergenceStudy& study, const std::string& path);
 
 /// "converges", "oscillates"; empty: too few meshes say anything.
 std::string verdict_word(const StudyQuantity& quantity);

@@ -65,6 +65,8 @@ struct ConvergenceStudy {
   std::size_t sources_mesh = 0;      ///< on which they were looked at: the scene's own, else the coarsest
   std::vector<StudyTrial> trials{};
   StudyLimits limits{};
+  std::string units{};  ///< of the scene
+  std::vector<std::string> bodies{};
 
   /// The mesh of the scene itself, if it is among them.
   std::optional<std::size_t> own_mesh() const;

@@ -181,6 +181,10 @@ double RunResults::scale(const std::string& quantity) const {
   return largest;
 }
 
+double RunResults::seconds() const {
+  return std::max(0.0, value("wall_seconds").value_or(0) - value("phase_seconds.output").value_or(0));
+}
+
 std::vector<std::string> RunResults::known() const {
   std::vector<std::string> names = columns;
   for (const auto& [path, number] : numbers) names.push_back(path);

@@ -37,6 +37,8 @@ struct RunResults {
   /// What the quantity is measured by where it is small: the largest size over time of the vector that it is a
   /// component of, of all energies where it is one, of its column; at least its own.
   double scale(const std::string& quantity) const;
+  /// That the run took, but for its files, of which runs of a study write different ones [s].
+  double seconds() const;
   /// Columns and numbers.
   std::vector<std::string> known() const;
 };

@@ -7,6 +7,8 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/thread_count.hpp>
+#include <solver/program/shown_states.hpp>
+#include <solver/scene_rules.hpp>
 
 #include "costs/run_times.hpp"
 #include "quantities.hpp"
@@ -29,9 +31,7 @@ bool came_to_its_end(const StudyMesh& mesh) { return mesh.run.results.has_value(
 double number_of(const StudyRun& run, const char* key) { return run.results->value(key).value_or(0); }
 
 /// Of one thread: as if all of several were busy all the time.
-double work_of(const StudyRun& run) {
-  return number_of(run, "wall_seconds") * std::max(1.0, number_of(run, "threads"));
-}
+double work_of(const StudyRun& run) { return run.results->seconds() * std::max(1.0, number_of(run, "threads")); }
 
 RunTimes times_of(const ConvergenceStudy& study) {
   std::vector<MadeRun> made;
@@ -50,6 +50,8 @@ StudyMaker::StudyMaker(const Scene& scene, const StudySettings& settings)
   if (settings.limits.seconds) folder_.budget = &budget_;
   study_.scene = scene.name;
   study_.title = scene.title;
+  study_.units = scene.units;
+  study_.bodies = names_of(scene.bodies);
   study_.limits = settings.limits;
 }
 
@@ -78,12 +80,18 @@ void StudyMaker::run_mesh(const MeshFactor& factor) {
   if (!study_.sources.empty() && is_before_sources) ++study_.sources_mesh;
   const std::string what = fmt::format("{}, elements {} times: {}", which, factor.text(), counts);
   const auto expected = expected_seconds(factor);
-  StudyFolder with_fields = folder_;  // for pictures of the coarsest and the finest
-  with_fields.fields = true;
-  const StudyRun made = is_asked ? make_study_run(refined, folder_of(factor), what, with_fields, expected)
-                                 : run(refined, folder_of(factor), what, with_fields, expected);
+  StudyFolder shown = folder_;  // the coarsest and the finest are
+  shown.states = states_to_show(refined, factor);
+  const StudyRun made = is_asked ? make_study_run(refined, folder_of(factor), what, shown, expected)
+                                 : run(refined, folder_of(factor), what, shown, expected);
   study_.meshes.insert(place, {factor, counts, made});
   if (made.results) require_quantities(settings_.of, *made.results);
+}
+
+int StudyMaker::states_to_show(const Scene& refined, const MeshFactor& factor) const {
+  auto elements = times_of(study_).elements(factor.value());
+  if (!elements) elements = study_results_to_come(refined, folder_).value("elements");
+  return elements.value_or(0) > static_cast<double>(most_elements_shown) ? 1 : shown_states;
 }
 
 void StudyMaker::run_sources() {

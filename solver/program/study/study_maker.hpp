@@ -36,6 +36,8 @@ class StudyMaker {
   StudyRun run(const Scene& scene, const std::string& name, const std::string& what, const StudyFolder& folder,
                std::optional<double> expected);
   void run_source(const SourceVariation& variation);
+  /// Of a mesh: how many have their fields written, for the page.
+  int states_to_show(const Scene& refined, const MeshFactor& factor) const;
   /// How many times the work of the same mesh a source takes, as long as no run has shown it.
   double work_of_source(const StudySource& source) const;
 

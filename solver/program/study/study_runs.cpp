@@ -73,6 +73,13 @@ std::string too_long(const StudyBudget* budget, std::optional<double> expected) 
                      expected ? duration_cell(*expected) : "a while", duration_cell(left));
 }
 
+std::vector<double> times_of_states(int states, double end) {
+  std::vector<double> times;
+  for (int k = 1; k < states; ++k) times.push_back(end * (k - 1) / (states - 1));
+  if (states > 0) times.push_back(end);
+  return times;
+}
+
 }  // namespace
 
 std::string study_settings_text(const Scene& scene) {
@@ -115,7 +122,7 @@ StudyRun make_study_run(const Scene& scene, const std::string& name, const std::
   if (run.was_there || !run.left_out.empty()) return run;
 
   carry_numbers(run_scene);
-  if (folder.fields) run_scene.output.field_times = {run_scene.time.end};
+  run_scene.output.field_times = times_of_states(folder.states, run_scene.time.end);
   RecordOptions options;
   options.out = run.folder;
   options.quiet = folder.quiet;

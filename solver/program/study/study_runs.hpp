@@ -15,7 +15,7 @@ struct StudyFolder {
   std::string out;  ///< of the study
   int threads = 0;  ///< 0: what the size earns
   bool quiet = false;
-  bool fields = false;                  ///< those of the end are written
+  int states = 0;                       ///< of which fields are written, evenly spaced over the run; of one, the end
   const StudyBudget* budget = nullptr;  ///< none: runs may take any time
 };
 
@@ -32,7 +32,7 @@ struct StudyRun {
 /// version and device.
 std::string study_settings_text(const Scene& scene);
 
-/// Runs the scene in OUT/NAME, without field output but for the end where that is asked for, and leaves
+/// Runs the scene in OUT/NAME, without field output but for the states that are asked for, and leaves
 /// study_settings.txt beside its results: all keys of the scene, what its mesh files hold, the version and the device.
 /// Where that is there already, and the run was done, it reads the results instead. A run that fails, or that a signal
 /// ends, is reported and made again the next time. Throws InputError for a scene that cannot be run. what: for the line

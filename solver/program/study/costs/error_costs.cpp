@@ -26,7 +26,7 @@ CostPoint point_of(const ConvergenceStudy& study, const StudyRun& run, const Mes
   CostPoint point;
   point.factor = factor;
   point.settings = "mesh " + factor.text();
-  point.seconds = run.results->value("wall_seconds").value_or(0);
+  point.seconds = run.results->seconds();
   point.elements = run.results->value("elements").value_or(0);
   point.bytes = run.results->value("bytes_per_element").value_or(0) * point.elements;
   for (const StudyQuantity& quantity : study.quantities) {

@@ -18,7 +18,7 @@ struct CostPoint {
   MeshFactor factor;
   bool of_chance = false;        ///< another run of an ensemble, which nobody would choose
   bool other_precision = false;  ///< of the run alone
-  double seconds = 0;            ///< of the run [s]
+  double seconds = 0;            ///< of the run, but for its files [s]
   double bytes = 0;              ///< of the arrays of its state
   double elements = 0;
   std::vector<std::optional<double>> values;  ///< of each quantity of the study
