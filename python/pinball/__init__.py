@@ -6,3 +6,4 @@ help(pinball.Simulation) and help(pinball.Scene) list what there is; units are t
 from ._core import *
 from ._core import version as __version__
 from .convergence import Convergence, converge
+from .viewer import RunView, view
