@@ -5,6 +5,8 @@ help(pinball.Simulation) and help(pinball.Scene) list what there is; units are t
 
 from ._core import *
 from ._core import version as __version__
+from .comparison import Comparison, compare
 from .convergence import Convergence, converge
 from .results import Fields, History, read_fields, read_history
+from .runs import run
 from .viewer import RunView, view

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import os
-import pathlib
-import shutil
-import subprocess
-import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Mapping, Sequence
 
 import numpy as np
 
-from ._core import InputError, RunError
+from .program import options_of, table_of
 
 NO_NUMBER = float("nan")
 
@@ -85,26 +80,6 @@ def from_table(table: Mapping[str, Any]) -> Convergence:
         failures=[run["failure"] for run in runs if run["failure"]], table=table)
 
 
-def find_program(program: str | os.PathLike[str] | None) -> str:
-    """What is given, else PINBALL_PROGRAM, that of the build tree, or the one on the path. Raises InputError."""
-    beside = pathlib.Path(__file__).resolve().parents[2] / "pinball"
-    for choice in (program, os.environ.get("PINBALL_PROGRAM"), beside if beside.is_file() else None, shutil.which("pinball")):
-        if choice:
-            return os.fspath(choice)
-    raise InputError("converge: the program pinball is not on the path; program=... or PINBALL_PROGRAM names it")
-
-
-def arguments(scene: str, json_file: str, **options: Any) -> list[str]:
-    """Of the program: each keyword is its option, a sequence one for each of its members."""
-    words = ["converge", scene, "--quiet", "--json", json_file]
-    for name, value in options.items():
-        if value is None:
-            continue
-        for one in [value] if isinstance(value, (str, int, float, os.PathLike)) else value:
-            words += ["--" + name, os.fspath(one) if isinstance(one, os.PathLike) else str(one)]
-    return words
-
-
 def converge(scene: str | os.PathLike[str], of: Sequence[str] = (), *, meshes: str | None = None,
              error: str | float | None = None, budget: str | float | None = None, only: Sequence[str] = (),
              ensemble: int | None = None, refine: int | Sequence[str] | None = None, set: Sequence[str] = (),
@@ -117,21 +92,6 @@ def converge(scene: str | os.PathLike[str], of: Sequence[str] = (), *, meshes: s
     does the work: the program has to be installed, or named. Runs that are in `out` already are not made again; Ctrl-C
     leaves those that are done. Raises InputError for bad input, RunError where nothing could be written.
     """
-    command = find_program(program)
-    with tempfile.TemporaryDirectory() as folder:
-        file = os.path.join(folder, "table.json")
-        words = arguments(os.fspath(scene), file, of=of, meshes=meshes, error=error, budget=budget, only=only, ensemble=ensemble,
-                          refine=refine, set=set, precision=precision, threads=threads, out=out, page=page, csv=csv)
-        process = subprocess.Popen([command, *words], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        try:
-            said = process.communicate()[1]
-        except KeyboardInterrupt:  # the program got it, too, and ends after its step
-            process.wait()
-            raise
-        problem = said.strip().removeprefix("pinball: error: ")
-        if process.returncode == 2:
-            raise InputError(problem)
-        if not os.path.exists(file):
-            raise RunError(problem or f"{command} ended with status {process.returncode}")
-        with open(file, encoding="utf-8") as table:
-            return from_table(json.load(table))
+    return from_table(table_of("converge", program, [os.fspath(scene), *options_of(
+        of=of, meshes=meshes, error=error, budget=budget, only=only, ensemble=ensemble, refine=refine, set=set, precision=precision,
+        threads=threads, out=out, page=page, csv=csv)]))
