@@ -55,7 +55,7 @@ struct ElementView {
   const S* mass_share = nullptr;
   const S* folding_onset = nullptr;  ///< N = 1: of its corners (folding.hpp); missing: folding_onset [-]
   int material_numbers = 0;          ///< of one element in material_state
-  S* volume_ratio = nullptr;         ///< N = 2, tetrahedra only: J of tetrahedron_step.hpp now and a step ago [-]
+  S* volume_ratio = nullptr;         ///< N = 2, averaged_volumes only: J of averaged_step.hpp now, a step ago [-]
 };
 
 /// Node records of four scalars (gather.hpp).
@@ -84,6 +84,7 @@ struct ElementConstants {
   S folding_energy = S(0);    ///< M/(8 density) of corners that are about to turn over [energy/mass]
   bool never_yields = false;  ///< elastic, also where the kernel is one of plasticity (with erosion)
   // General yield only:
+  bool averaged_volumes = false;  ///< of tetrahedra and collapsed hexahedra: over nodes (element/averaged_step.hpp)
   HardeningConstants<S> hardening{};
   JohnsonCookConstants<S> johnson_cook{};  ///< in the place of `hardening`, where used
   MooneyRivlinConstants<S> rubber{};       ///< of what never yields, in the place of Hooke's law, where used

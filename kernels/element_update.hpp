@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "element/averaged_step.hpp"
 #include "element/corners.hpp"
 #include "element/element_pack.hpp"
 #include "element/failure.hpp"
@@ -55,17 +56,18 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
   if (!features.rare_cases && any_lane(distorted)) return false;
   const MiddleGeometry<T> middle(x, v, dt, end.volume, own.alive);
   ahead(2);
-
   const StepMotion<T, features> motion(velocity_gradient(middle.b, v, middle.inverse_volume), dt);
+  const LawStep<T, features> law(own, constants, end, middle, motion, dt);
   const T density = own.mass * middle.inverse_end_volume;
-  ViscousStep<T> viscosity(viscous, constants.viscosity, constants.material, density, end.length, motion.gradient);
+  ViscousStep<T> viscosity(viscous, constants.viscosity, constants.material, density, end.length, law.motion.gradient);
   const StabilityBound<T> bound = stability_bound(own, end, middle.inverse_end_volume, viscosity.coefficient());
   T stable_rate(0);
   if constexpr (features.plastic) stable_rate = bound.rate(T(constants.material.lambda), T(constants.material.mu));
+  const auto& limit = law.bound(bound, middle);
   ahead(3);
   const Symmetric<T> stress_old = load_stress(own);
   Symmetric<T> stress =
-      stress_without_yield<features>(constants, own, bound, middle, motion, dt, stress_old, stable_rate);
+      stress_without_yield<features>(constants, own, limit, law.middle, law.motion, dt, stress_old, stable_rate);
   ahead(4);
   HourglassStep<T, features> hourglass(constants, own, x, v, end, middle, motion, dt);
   T plastic_strain(0);
@@ -74,17 +76,17 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
   if constexpr (features.plastic) {
     plastic_strain = own.get(elements.plastic_strain);
     if (never_yields_generally<features>(constants)) [[unlikely]] {
-      follow_energy_generally(constants, own, numbers, bound, middle, motion, dt, stress_old, stress, stable_rate);
+      follow_energy_generally(constants, own, numbers, limit, law.middle, law.motion, dt, stress_old, stress,
+                              stable_rate);
     } else {
-      failed = yield<features>(constants, numbers, motion, dt, density, hourglass, stress, plastic_strain);
+      failed = yield<features>(constants, numbers, law.motion, dt, density, hourglass, stress, plastic_strain);
     }
     hourglass.count_yield(sums);
   }
-  follow_equation_of_state<features>(constants, own, numbers, bound, middle, motion, viscosity, hourglass, stress_old,
-                                     stress, stable_rate);
+  follow_equation_of_state<features>(constants, own, numbers, limit, law.middle, law.motion, viscosity, hourglass,
+                                     stress_old, stress, stable_rate);
   hourglass.store_state(own, sums);
   ahead(5);
-
   CornerResistance<T> corners;
   MaskOf<T> inside_out(false);
   const bool any_distorted = features.rare_cases && any_lane(distorted);
@@ -93,7 +95,7 @@ PINBALL_FUNCTION bool update_element_pack(const ElementView<ScalarOf<T>>& elemen
     inside_out = resist_at_corners(own, nodes, constants.folding_energy, bound, x, middle.whole, corners, any_resists,
                                    stable_rate);
   }
-  failed = failed || limits_exceeded<features>(constants, numbers, motion, stress, stable_rate, step.time);
+  failed = failed || limits_exceeded<features>(constants, numbers, law.motion, stress, stable_rate, step.time);
   const ElementFailure<T> failure =
       find_failure<features>(constants.failure, own.alive, end, middle, plastic_strain, failed, inside_out);
   if (features.erosion && failure.any) let_go(failure, own, stress, hourglass, viscosity, sums);

@@ -1,25 +1,29 @@
 #pragma once
 
 #include "element_data.hpp"
+#include "hexahedron.hpp"
 #include "tetrahedron.hpp"
 
-/// Volumes of tetrahedra averaged over nodes (element/tetrahedron_step.hpp), in three loops: over the tetrahedra, over
-/// the nodes, and over the tetrahedra once more. Around a node those of each part are averaged apart: materials do not
-/// share theirs. Functors of pointers alone, for the memory of any execution space; L: elements in a row of the arrays.
+/// Volumes of tetrahedra and collapsed hexahedra averaged over nodes (element/averaged_step.hpp), in three loops: over
+/// the elements, over the nodes, and over the elements once more. Around a node those of each material are averaged
+/// apart. Functors of pointers alone, for the memory of any execution space; L: elements in a row of the arrays.
 namespace pinball {
 
 template <class S>
 struct NodalVolumeView {
-  const std::int64_t* place;   ///< per tetrahedron: where it is among all elements
-  const std::int32_t* group;   ///< [4 t + i]: of its node i, with its part
-  const S* undeformed;         ///< per tetrahedron [length^3]
-  S* volume;                   ///< the same; eroded: 0
-  const std::int32_t* first;   ///< [groups + 1]: where the tetrahedra of each begin in `around`
-  const std::int32_t* around;  ///< tetrahedra, ascending by their places
-  S* ratio;                    ///< per group: J_a [-]
+  const std::int64_t* place;    ///< per element that takes part: where it is among all elements
+  const std::int32_t* corners;  ///< [elements + 1]: where those of each begin in `group`: 4 of a tetrahedron, else 8
+  const std::int32_t* group;    ///< of each of these corners: its node, with the material
+  const S* undeformed;          ///< per element [length^3]
+  S* volume;                    ///< per element: of four of its corners; eroded: 0 [length^3]
+  const std::int32_t* first;    ///< [groups + 1]: where the elements of each begin in `around`
+  const std::int32_t* around;   ///< elements, ascending by their places, as often as they have corners there
+  S* ratio;                     ///< per group: J_a [-]
+
+  PINBALL_FUNCTION bool is_tetrahedron(std::int64_t t) const { return corners[t + 1] - corners[t] == 4; }
 };
 
-/// Of tetrahedron t.
+/// Of element t.
 template <class E, class S, int L>
 struct FindsVolumes {
   NodalVolumeView<S> of;
@@ -30,14 +34,26 @@ struct FindsVolumes {
   PINBALL_FUNCTION void operator()(std::int64_t t) const {
     const std::int64_t place = of.place[t];
     const std::int32_t* const own = corner + place_in_rows<L>(place, 8);
-    const Vec3<S> a = node(own, 0);
-    const TetrahedronEdges<S> x{{node(own, 1) - a, node(own, 2) - a, node(own, 3) - a}};
-    of.volume[t] = mass[place] > E(0) ? tetrahedron_volume(uniform_gradient(x), x) : S(0);
+    if (!(mass[place] > E(0))) {
+      of.volume[t] = S(0);
+    } else if (of.is_tetrahedron(t)) {
+      const Vec3<S> a = node(own, tetrahedron_corner(0));
+      const TetrahedronEdges<S> x{{node(own, tetrahedron_corner(1)) - a, node(own, tetrahedron_corner(2)) - a,
+                                   node(own, tetrahedron_corner(3)) - a}};
+      of.volume[t] = tetrahedron_volume(uniform_gradient(x), x);
+    } else {
+      Vec3<S> x[8];
+      x[0] = {S(0), S(0), S(0)};
+      const Vec3<S> a = node(own, 0);
+      for (int i = 1; i < 8; ++i) x[i] = node(own, i) - a;
+      const HexahedronModes<S> modes = to_modes(x);
+      of.volume[t] = S(0.5) * hexahedron_volume(uniform_gradient(modes), modes);
+    }
   }
 
  private:
   PINBALL_FUNCTION Vec3<S> node(const std::int32_t* own, int i) const {
-    const S* const x = position + 4 * static_cast<std::int64_t>(own[tetrahedron_corner(i) * L]);
+    const S* const x = position + 4 * static_cast<std::int64_t>(own[i * L]);
     return {x[0], x[1], x[2]};
   }
 };
@@ -59,7 +75,7 @@ struct AveragesVolumes {
   }
 };
 
-/// J = 1/4 (J_A + J_B + J_C + J_D); that of the step before is kept.
+/// J, the mean of J_a over the corners; that of the step before is kept.
 template <class E, class S, int L>
 struct TakesAveragedVolumes {
   NodalVolumeView<S> of;
@@ -67,9 +83,16 @@ struct TakesAveragedVolumes {
 
   PINBALL_FUNCTION void operator()(std::int64_t t) const {
     E* const own = ratio + place_in_rows<L>(of.place[t], 2);
-    const std::int32_t* const g = of.group + 4 * t;
+    const std::int32_t* const g = of.group + of.corners[t];
     own[L] = own[0];
-    own[0] = static_cast<E>(S(0.25) * ((of.ratio[g[0]] + of.ratio[g[1]]) + (of.ratio[g[2]] + of.ratio[g[3]])));
+    S mean = of_four(g);
+    if (!of.is_tetrahedron(t)) mean = S(0.5) * (mean + of_four(g + 4));
+    own[0] = static_cast<E>(mean);
+  }
+
+ private:
+  PINBALL_FUNCTION S of_four(const std::int32_t* g) const {
+    return S(0.25) * ((of.ratio[g[0]] + of.ratio[g[1]]) + (of.ratio[g[2]] + of.ratio[g[3]]));
   }
 };
 

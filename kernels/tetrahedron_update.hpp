@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "element/averaged_step.hpp"
 #include "element/element_pack.hpp"
 #include "element/failure.hpp"
 #include "element/hourglass_control.hpp"
@@ -17,7 +18,7 @@
 
 /// One pack of tetrahedra through one step, as element_update.hpp does it with hexahedra: the same parts, but for the
 /// geometry, and without hourglass modes and corners that may fold, which tetrahedra have not. Before it the volumes
-/// of the step have been averaged over nodes (volume_ratio of ElementView).
+/// of the step have been averaged over nodes (averaged_step.hpp).
 namespace pinball {
 
 /// features: plastic, with YieldLaw::general and no hourglass control. Parameters as of update_element_pack.
@@ -35,35 +36,32 @@ PINBALL_FUNCTION void update_tetrahedron_pack(const ElementView<ScalarOf<T>>& el
   const TetrahedronEnd<T> end(x, own.mass, own.alive);
   const TetrahedronMiddle<T> middle(x, v, dt, end.volume, own.alive);
   const StepMotion<T, features> motion(velocity_gradient(middle.b, v, middle.inverse_volume), dt);
-  const AveragedStep<T, features> averaged(own, constants.specific_volume, end, middle, motion, dt);
+  const LawStep<T, features> law(own, constants, end, middle, motion, dt);
 
   const bool viscous = features.bulk_viscosity && has_bulk_viscosity(constants.viscosity);
   const T density = own.mass * middle.inverse_end_volume;
-  ViscousStep<T> viscosity(viscous, constants.viscosity, constants.material, density, end.length,
-                           averaged.motion.gradient);
+  ViscousStep<T> viscosity(viscous, constants.viscosity, constants.material, density, end.length, law.motion.gradient);
   StabilityBound<T> bound = stability_bound(own, end, middle.inverse_end_volume, viscosity.coefficient());
   T stable_rate = bound.rate(T(constants.material.lambda), T(constants.material.mu));
-  // The same bound where the volume is the averaged one.
-  const StabilityBound<T> of_law{averaged.end, middle.inverse_end_volume * averaged.middle.inverse_end_volume,
-                                 bound.inverse_inertia, bound.viscosity};
+  const StabilityBound<T> of_law = law.bound(bound, middle);
 
   const Symmetric<T> stress_old = load_stress(own);
-  Symmetric<T> stress = stress_without_yield<features>(constants, own, of_law, averaged.middle, averaged.motion, dt,
-                                                       stress_old, stable_rate);
+  Symmetric<T> stress =
+      stress_without_yield<features>(constants, own, of_law, law.middle, law.motion, dt, stress_old, stable_rate);
   HourglassStep<T, features> hourglass;
   const ElementNumbers<T, L> numbers = own.numbers(elements.material_state, elements.material_numbers);
   T plastic_strain = own.get(elements.plastic_strain);
   MaskOf<T> failed(false);
   if (never_yields_generally<features>(constants)) {
-    follow_energy_generally(constants, own, numbers, of_law, averaged.middle, averaged.motion, dt, stress_old, stress,
+    follow_energy_generally(constants, own, numbers, of_law, law.middle, law.motion, dt, stress_old, stress,
                             stable_rate);
   } else {
-    failed = yield<features>(constants, numbers, averaged.motion, dt, density, hourglass, stress, plastic_strain);
+    failed = yield<features>(constants, numbers, law.motion, dt, density, hourglass, stress, plastic_strain);
   }
-  follow_equation_of_state<features>(constants, own, numbers, of_law, averaged.middle, averaged.motion, viscosity,
-                                     hourglass, stress_old, stress, stable_rate);
+  follow_equation_of_state<features>(constants, own, numbers, of_law, law.middle, law.motion, viscosity, hourglass,
+                                     stress_old, stress, stable_rate);
 
-  failed = failed || limits_exceeded<features>(constants, numbers, averaged.motion, stress, stable_rate, step.time);
+  failed = failed || limits_exceeded<features>(constants, numbers, law.motion, stress, stable_rate, step.time);
   const ElementFailure<T> failure = find_failure<features>(constants.failure, own.alive, end, middle, plastic_strain,
                                                            failed, own.alive && !middle.has_volume);
   if (features.erosion && failure.any) let_go(failure, own, stress, hourglass, viscosity, sums);

@@ -101,7 +101,7 @@ DeviceMesh<S> DeviceLayout<S>::mesh(const Model<S>& model) const {
   std::copy_n(model.node_mass.data(), mesh.nodes, mesh.node_mass.data());
   add_corners_of_nodes(model, mesh);
   mesh.volumes = std::move(VolumeGroups<S>(model).lists);
-  for (std::int64_t t = 0; t < mesh.volumes.tetrahedra(); ++t)
+  for (std::int64_t t = 0; t < mesh.volumes.elements(); ++t)
     mesh.volumes.place[t] = place_of_slot(mesh.volumes.place[t]);
   return mesh;
 }

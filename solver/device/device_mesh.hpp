@@ -39,7 +39,7 @@ struct DeviceMesh {
   Array<double> node_mass;               ///< [nodes] [mass]
   Array<std::uint32_t> first_of_node;    ///< [nodes + 1] (CornersOfNodes)
   Array<std::uint32_t> corners_of_node;  ///< [8 x elements], in the order in which the host adds their forces
-  NodalVolumeLists<S> volumes;           ///< of tetrahedra, by their places
+  NodalVolumeLists<S> volumes;           ///< of elements with averaged ones, by their places
 };
 
 /// What a step changes. Element arrays are in rows, empty where no part needs them; units as of ElementView.

@@ -145,7 +145,7 @@ class SpaceStep final : public DeviceStep<S> {
 
   ElementTotals<S> update_parts(const ElementStep<S>& step, S* rates) {
     ElementTotals<S> totals;
-    if (volumes_.tetrahedra() > 0) average_volumes();
+    if (volumes_.elements() > 0) average_volumes();
     for (const Part& part : parts_) {
       totals.join(part.kernel({elements(),
                                {state_.position.data(), state_.velocity.data(), nullptr},
@@ -166,9 +166,9 @@ class SpaceStep final : public DeviceStep<S> {
   /// Before the elements are worked: what the step before has left eroded does not count.
   void average_volumes() {
     const NodalVolumeView<S> view = volumes_.view();
-    find_volumes<Space, device_row, S>(view, volumes_.tetrahedra(), corner_.data(), state_.mass.data(),
+    find_volumes<Space, device_row, S>(view, volumes_.elements(), corner_.data(), state_.mass.data(),
                                        state_.position.data());
-    pinball::average_volumes<Space, device_row>(view, volumes_.tetrahedra(), volumes_.groups(), state_.mass.data(),
+    pinball::average_volumes<Space, device_row>(view, volumes_.elements(), volumes_.groups(), state_.mass.data(),
                                                 state_.volume_ratio.data());
   }
 

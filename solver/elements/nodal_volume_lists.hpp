@@ -13,14 +13,14 @@ namespace pinball {
 template <class S, class Memory = HostSpace>
 struct NodalVolumeLists {
   Array<std::int64_t, Memory> place;
-  Array<std::int32_t, Memory> group, first, around;
+  Array<std::int32_t, Memory> corners, group, first, around;
   Array<S, Memory> undeformed, volume, ratio;
 
-  std::int64_t tetrahedra() const { return place.size(); }
+  std::int64_t elements() const { return place.size(); }
   std::int64_t groups() const { return ratio.size(); }
   /// All arrays.
-  auto arrays() { return std::tie(place, group, first, around, undeformed, volume, ratio); }
-  auto arrays() const { return std::tie(place, group, first, around, undeformed, volume, ratio); }
+  auto arrays() { return std::tie(place, corners, group, first, around, undeformed, volume, ratio); }
+  auto arrays() const { return std::tie(place, corners, group, first, around, undeformed, volume, ratio); }
   /// The same lists in this memory.
   template <class Other>
   void copy(const NodalVolumeLists<S, Other>& other) {
@@ -35,23 +35,23 @@ struct NodalVolumeLists {
         arrays());
   }
   NodalVolumeView<S> view() {
-    return {place.data(), group.data(), undeformed.data(), volume.data(), first.data(), around.data(), ratio.data()};
+    return {place.data(),  corners.data(), group.data(),  undeformed.data(),
+            volume.data(), first.data(),   around.data(), ratio.data()};
   }
   std::size_t bytes() const {
     return std::apply([](const auto&... array) { return (array.bytes() + ...); }, arrays());
   }
 };
 
-/// Of the first `count` tetrahedra. L: elements in a row of the arrays; corner, mass: of ElementView; position: of
+/// Of the first `count` elements. L: elements in a row of the arrays; corner, mass: of ElementView; position: of
 /// NodeView.
 template <class Space, int L, class E, class S>
 void find_volumes(const NodalVolumeView<S>& of, std::int64_t count, const std::int32_t* corner, const E* mass,
                   const S* position) {
-  parallel_for("volumes of tetrahedra", RangePolicy<Space>{0, count},
-               FindsVolumes<E, S, L>{of, corner, mass, position});
+  parallel_for("volumes of elements", RangePolicy<Space>{0, count}, FindsVolumes<E, S, L>{of, corner, mass, position});
 }
 
-/// Gives the first `count` tetrahedra the averages of all; groups: all; mass, volume_ratio: of ElementView.
+/// Gives the first `count` elements the averages of all; groups: all; mass, volume_ratio: of ElementView.
 template <class Space, int L, class E, class S>
 void average_volumes(const NodalVolumeView<S>& of, std::int64_t count, std::int64_t groups, const E* mass,
                      E* volume_ratio) {

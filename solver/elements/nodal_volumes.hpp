@@ -10,10 +10,10 @@
 
 namespace pinball {
 
-/// Volumes of tetrahedra averaged over their nodes (kernels/element/tetrahedron_step.hpp), before the elements of a
-/// step are worked. Around each node those of one part are averaged: materials do not share theirs. Eroded elements do
-/// not count. Sums have one order, that of the elements: the same bits for any number of threads and of ranks, which
-/// tell each other the volumes of tetrahedra around nodes that they share.
+/// Volumes of tetrahedra and collapsed hexahedra averaged over their nodes (kernels/element/averaged_step.hpp), before
+/// the elements of a step are worked. Around each node those of one material are averaged. Eroded elements do not
+/// count. Sums have one order, that of the elements: the same bits for any number of threads and of ranks, which tell
+/// each other the volumes of elements around nodes that they share.
 template <class S>
 class NodalVolumes {
  public:
@@ -21,7 +21,7 @@ class NodalVolumes {
   explicit NodalVolumes(const Model<S>& model, Subdomain<S>* domain = nullptr);
 
   /// Whether this rank averages, or counts what others send.
-  bool any() const { return groups_.lists.tetrahedra() > 0 || groups_.sent_by_all > 0; }
+  bool any() const { return groups_.lists.elements() > 0 || groups_.sent_by_all > 0; }
   /// Gives the elements their ratios of the positions that nodes have, and keeps those of the step before. All ranks
   /// call it together.
   void average(Model<S>& model);

@@ -18,7 +18,7 @@ struct NodeRange {
 /// equal numbers vanish exactly (hexahedron.hpp), and with them strain and hourglass rates; so do stresses, forces and
 /// work, to the bit, whatever the geometry. Working such a tile changes nothing.
 ///
-/// Tiles of a material that fails at a time do not rest: nothing would tell them. Nor do those of tetrahedra, whose
+/// Tiles of a material that fails at a time do not rest: nothing would tell them. Nor do those of elements whose
 /// stress comes of volumes around them, too.
 ///
 /// Whatever reaches a tile (a wave, contact, a load, a rigid wall) gives some of its nodes another velocity than the

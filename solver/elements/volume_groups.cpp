@@ -3,32 +3,37 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace pinball {
 
 namespace {
 
-struct Tetrahedron {
+struct AveragedElement {
   std::int64_t slot;
   std::int32_t tile;
-  std::array<std::int32_t, 4> groups;
+  std::int32_t corners;  ///< 4 of a tetrahedron, else 8
+  std::array<std::int32_t, 8> groups;
+
+  std::span<const std::int32_t> own_groups() const { return {groups.data(), static_cast<std::size_t>(corners)}; }
 };
 
-/// All of the model, ascending by their slots, with a number for each node of each part.
-struct Tetrahedra {
+/// All of the model, ascending by their slots, with a number for each node of each material.
+struct AveragedElements {
   template <class S>
-  explicit Tetrahedra(const Model<S>& model) {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> numbers;  // of part and node
+  explicit AveragedElements(const Model<S>& model) {
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> numbers;  // of material and node
     for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) {
       const std::int32_t part = model.tile_part[tile];
-      if (!model.parts[part].features.tetrahedra) continue;
+      if (!model.constants[part].averaged_volumes) continue;
+      const bool tetrahedra = model.parts[part].features.tetrahedra;
       for (const std::int64_t slot : model.slots_of(tile)) {
         if (model.is_padding(slot)) continue;
         const std::array<std::int32_t, 8> corners = model.elements.corners(slot);
-        Tetrahedron& one = all.emplace_back(slot, tile);
-        for (int i = 0; i < 4; ++i) {
-          const std::pair key(part, corners[tetrahedron_corner(i)]);
+        AveragedElement& one = all.emplace_back(slot, tile, tetrahedra ? 4 : 8);
+        for (int i = 0; i < one.corners; ++i) {
+          const std::pair key(model.parts[part].material, corners[tetrahedra ? tetrahedron_corner(i) : i]);
           one.groups[i] = numbers.try_emplace(key, static_cast<std::int32_t>(numbers.size())).first->second;
         }
       }
@@ -36,11 +41,11 @@ struct Tetrahedra {
     groups = static_cast<std::int32_t>(numbers.size());
   }
 
-  std::vector<Tetrahedron> all;
+  std::vector<AveragedElement> all;
   std::int32_t groups = 0;
 };
 
-/// The ranks that average around each node of each part: those of the tetrahedra there.
+/// The ranks that average around each node of each material: those of the elements there.
 class RanksOfGroups {
  public:
   explicit RanksOfGroups(std::int32_t groups) : one_(groups, -1) {}
@@ -73,22 +78,22 @@ VolumeNeighbour& neighbour(std::vector<VolumeNeighbour>& all, std::int32_t rank)
   return all.back();
 }
 
-/// Fills `listed`: per tetrahedron of the model its place in the lists of this rank, or -1. Both sides of a message go
-/// through the tetrahedra in the same order.
+/// Fills `listed`: per element of the model that is averaged its place in the lists of this rank, or -1. Both sides of
+/// a message go through the elements in the same order.
 template <class S>
-void share(const Tetrahedra& tetrahedra, const Subdomain<S>& domain, VolumeGroups<S>& found,
+void share(const AveragedElements& elements, const Subdomain<S>& domain, VolumeGroups<S>& found,
            std::vector<std::int32_t>& listed) {
-  RanksOfGroups ranks_of(tetrahedra.groups);
-  for (const Tetrahedron& one : tetrahedra.all) {
-    for (const std::int32_t group : one.groups) ranks_of.add(group, domain.rank_of_tile(one.tile));
+  RanksOfGroups ranks_of(elements.groups);
+  for (const AveragedElement& one : elements.all) {
+    for (const std::int32_t group : one.own_groups()) ranks_of.add(group, domain.rank_of_tile(one.tile));
   }
   std::map<std::int32_t, std::vector<std::size_t>> received;  // by ranks
   std::vector<std::int32_t> ranks;
-  for (std::size_t t = 0; t < tetrahedra.all.size(); ++t) {
-    const Tetrahedron& one = tetrahedra.all[t];
+  for (std::size_t t = 0; t < elements.all.size(); ++t) {
+    const AveragedElement& one = elements.all[t];
     const std::int32_t from = domain.rank_of_tile(one.tile);
     ranks = {from};
-    for (const std::int32_t group : one.groups) ranks_of.add_to(ranks, group);
+    for (const std::int32_t group : one.own_groups()) ranks_of.add_to(ranks, group);
     found.sent_by_all += std::ssize(ranks) - 1;
     if (from == domain.rank()) {
       listed[t] = static_cast<std::int32_t>(found.own++);
@@ -123,36 +128,39 @@ void find_volumes_of(const Model<S>& model, NodalVolumeLists<S>& lists, std::int
 
 template <class S>
 VolumeGroups<S>::VolumeGroups(const Model<S>& model, const Subdomain<S>* domain) {
-  const Tetrahedra tetrahedra(model);
-  std::vector<std::int32_t> listed(tetrahedra.all.size(), -1);
+  const AveragedElements elements(model);
+  std::vector<std::int32_t> listed(elements.all.size(), -1);
   if (domain == nullptr) {
-    own = std::ssize(tetrahedra.all);
+    own = std::ssize(elements.all);
     for (std::int32_t t = 0; t < own; ++t) listed[t] = t;
   } else {
-    share(tetrahedra, *domain, *this, listed);
+    share(elements, *domain, *this, listed);
   }
   std::int64_t count = own;
   for (const VolumeNeighbour& of : neighbours) count += of.count;
   lists.place.reset(count);
-  lists.group.reset(4 * count);
-  std::vector<std::int32_t> number(tetrahedra.groups, -1);  // of groups with a tetrahedron of this rank
+  lists.corners.reset(count + 1);
+  std::vector<std::int32_t> number(elements.groups, -1);  // of groups with an element of this rank
   std::int32_t groups = 0;
   for (std::size_t t = 0; t < listed.size(); ++t) {
     if (listed[t] < 0) continue;
-    lists.place[listed[t]] = tetrahedra.all[t].slot;
-    for (const std::int32_t group : tetrahedra.all[t].groups) {
+    lists.place[listed[t]] = elements.all[t].slot;
+    lists.corners[listed[t] + 1] = elements.all[t].corners;
+    for (const std::int32_t group : elements.all[t].own_groups()) {
       if (listed[t] < own && number[group] < 0) number[group] = groups++;
     }
   }
+  for (std::int64_t e = 0; e < count; ++e) lists.corners[e + 1] += lists.corners[e];
+  lists.group.reset(lists.corners[count]);
   const auto for_each = [&](const auto& visit) {  // in the order in which one process adds
     for (std::size_t t = 0; t < listed.size(); ++t) {
       if (listed[t] < 0) continue;
-      for (int i = 0; i < 4; ++i) visit(listed[t], i, number[tetrahedra.all[t].groups[i]]);
+      for (int i = 0; i < elements.all[t].corners; ++i) visit(listed[t], i, number[elements.all[t].groups[i]]);
     }
   };
   lists.first.reset(groups + 1);
   for_each([&](std::int32_t place, int i, std::int32_t group) {
-    lists.group[4 * static_cast<std::size_t>(place) + i] = group;
+    lists.group[lists.corners[place] + i] = group;
     if (group >= 0) ++lists.first[group + 1];
   });
   for (std::int32_t g = 0; g < groups; ++g) lists.first[g + 1] += lists.first[g];
@@ -164,7 +172,7 @@ VolumeGroups<S>::VolumeGroups(const Model<S>& model, const Subdomain<S>* domain)
   lists.ratio.reset(groups);
   lists.volume.reset(count);
   lists.undeformed.reset(count);
-  find_volumes_of(model, lists, lists.tetrahedra());
+  find_volumes_of(model, lists, lists.elements());
   deep_copy(lists.undeformed, lists.volume);
 }
 

@@ -10,17 +10,17 @@
 
 namespace pinball {
 
-/// Tetrahedra whose volumes another rank and this one tell each other.
+/// Elements whose volumes another rank and this one tell each other.
 struct VolumeNeighbour {
   std::int32_t rank = 0;
-  std::vector<std::int32_t> sent;     ///< tetrahedra of this rank
+  std::vector<std::int32_t> sent;     ///< elements of this rank
   std::int64_t first = 0, count = 0;  ///< those of the other in NodalVolumeLists, one after the other
 };
 
-/// The tetrahedra around each node, those of each part apart.
+/// The elements with averaged volumes around each node, those of each material apart.
 template <class S>
 struct VolumeGroups {
-  /// domain: of several ranks, each of which averages around the nodes of its own tetrahedra; null: one process has
+  /// domain: of several ranks, each of which averages around the nodes of its own elements; null: one process has
   /// all. Undeformed is what the model is now.
   explicit VolumeGroups(const Model<S>& model, const Subdomain<S>* domain = nullptr);
 
@@ -30,7 +30,7 @@ struct VolumeGroups {
   std::int64_t sent_by_all = 0;  ///< volumes, of all ranks together
 };
 
-/// The present volumes of the first `count` tetrahedra, by the host.
+/// The present volumes of the first `count` elements of the lists, by the host.
 template <class S>
 void find_volumes_of(const Model<S>& model, NodalVolumeLists<S>& lists, std::int64_t count);
 

@@ -38,6 +38,8 @@ bool is_tetrahedron(const Corners8& c) {
   return collapsed && c[0] != c[2] && c[0] != c[4] && c[0] != c[5] && c[2] != c[4] && c[2] != c[5] && c[4] != c[5];
 }
 
+bool is_wedge(const Corners8& corners) { return nodes_in_order(corners).size() == 6; }
+
 std::optional<Corners8> as_tetrahedron(const Corners8& corners) {
   const std::vector<std::int32_t> nodes = nodes_in_order(corners);
   if (nodes.size() != 4) return std::nullopt;

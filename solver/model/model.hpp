@@ -161,8 +161,9 @@ struct Model {
   }
   /// Whether the elements of a tile are of a rigid body.
   bool is_rigid(std::int64_t tile) const { return parts[tile_part[tile]].rigid; }
-  bool has_tetrahedra() const {
-    return std::ranges::any_of(parts, [](const Part& part) { return part.features.tetrahedra; });
+  /// Whether any elements have volumes that are averaged over nodes.
+  bool averages_volumes() const {
+    return std::ranges::any_of(constants, [](const ElementConstants<S>& of) { return of.averaged_volumes; });
   }
   /// Number of the part that the element of a slot is of.
   std::size_t part_of_slot(std::int64_t slot) const {

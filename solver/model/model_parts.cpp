@@ -75,13 +75,16 @@ ElementFeatures features_of(const Material& material, const ElementSettings& set
   return f;
 }
 
-/// One kernel works all of them (tetrahedron_update.hpp).
-void become_tetrahedra(ElementFeatures& f) {
-  f.tetrahedra = true;
+/// Kernels of the general law alone know averaged volumes; one works all tetrahedra (tetrahedron_update.hpp).
+void average_volumes(ElementFeatures& f, WorkedShape shape) {
   f.plastic = true;
   f.yield = YieldLaw::general;
+  if (shape != WorkedShape::tetrahedron) return;
+  f.tetrahedra = true;
   f.hourglass = HourglassKind::none;
 }
+
+bool averages_volumes(const ElementPart& part) { return part.shape != WorkedShape::hexahedron; }
 
 /// Constants of a part, with the curves that they point to, which are put into `curves`.
 template <class E>
@@ -90,7 +93,8 @@ ElementConstants<E> constants_with_laws(const Scene& scene, const ElementPart& p
   const Material& material = scene.materials[part.material];
   ElementConstants<E> c = constants_of<E>(material, part.settings);
   require_held(scene, material, c);
-  if (part.rigid || !(has_general_yield(material) || part.tetrahedra)) return c;
+  if (part.rigid || !(has_general_yield(material) || averages_volumes(part))) return c;
+  c.averaged_volumes = averages_volumes(part);
   curves.push_back(std::make_shared<const YieldCurves<E>>(yield_curves<E>(material)));
   c.hardening = hardening_constants(material, *curves.back());
   c.johnson_cook = johnson_cook_constants<E>(material);
@@ -121,13 +125,13 @@ ElementStoreFeatures add_parts(Model<S>& model, const ElementParts& parts) {
     stored.material_numbers = std::max(stored.material_numbers, constants.places.numbers);
     const FailureConstants<S>& failure = constants.failure;
     ElementFeatures f = features_of(material, part.settings, failure.negative_volume || failure.inside_out);
-    if (part.tetrahedra) become_tetrahedra(f);
+    if (averages_volumes(part)) average_volumes(f, part.shape);
     model.parts.push_back({number, f, part.settings});
     stored.plastic |= f.plastic;
     stored.erosion |= f.erosion;
     stored.bulk_viscosity |= f.bulk_viscosity;
     stored.hourglass_state |= keeps_hourglass_state(f.hourglass);
-    stored.volume_ratio |= f.tetrahedra;
+    stored.volume_ratio |= averages_volumes(part);
   }
   return stored;
 }

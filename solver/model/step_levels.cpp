@@ -11,6 +11,7 @@
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
 
+#include "elements/element_parts.hpp"
 #include "exposed_faces.hpp"
 
 namespace pinball {
@@ -26,29 +27,35 @@ int level_for(const StepGroup& group, double step) {
   return ratio < 2 ? 0 : std::min(group.highest, static_cast<int>(std::log2(ratio)));
 }
 
-/// Tetrahedra have volumes that are averaged over nodes, of the time that all around a node have come to.
-int highest_level_of(const Corners8& corners) { return is_tetrahedron(corners) ? 0 : highest_step_level; }
+/// Per element. Volumes that are averaged over nodes are of the time that all around a node have come to.
+std::vector<int> highest_levels(const Scene& scene, const ModelMesh& mesh) {
+  std::vector<int> highest(mesh.hexahedra.size());
+  for (std::size_t e = 0; e < highest.size(); ++e)
+    highest[e] = worked_shape(scene, mesh, e) == WorkedShape::hexahedron ? highest_step_level : 0;
+  return highest;
+}
 
-/// Elements of about equal stable steps as one group: 32 to a factor of two. Tetrahedra are one behind these.
-std::vector<StepGroup> groups_of(const std::vector<double>& stable_steps, const ModelMesh& mesh) {
+/// Elements of about equal stable steps as one group: 32 to a factor of two. Those of the lowest level are one behind
+/// these.
+std::vector<StepGroup> groups_of(const std::vector<double>& stable_steps, const std::vector<int>& highest) {
   const double least = *std::min_element(stable_steps.begin(), stable_steps.end());
   std::vector<StepGroup> bins;
-  StepGroup tetrahedra{infinite, 0, 0};
+  StepGroup of_nodes{infinite, 0, 0};
   const auto add = [](StepGroup& group, double step) {
     group.stable_step = std::min(group.stable_step, step);
     group.elements += 1;
   };
   for (std::size_t e = 0; e < stable_steps.size(); ++e) {
     const double step = stable_steps[e];
-    if (is_tetrahedron(mesh.hexahedra[e])) {
-      add(tetrahedra, step);
+    if (highest[e] == 0) {
+      add(of_nodes, step);
       continue;
     }
     const auto bin = static_cast<std::size_t>(std::min(32 * std::log2(step / least), 32.0 * 40));
     if (bin >= bins.size()) bins.resize(bin + 1, {infinite, 0, highest_step_level});
     add(bins[bin], step);
   }
-  bins.push_back(tetrahedra);
+  bins.push_back(of_nodes);
   return bins;
 }
 
@@ -134,14 +141,15 @@ ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh, con
     stable_steps[e] = element_stable_step(mesh, e, *of_body[mesh.body[e]]);
     if (!mass_factor.empty()) stable_steps[e] *= std::sqrt(mass_factor[e]);
   }
-  const std::vector<StepGroup> groups = groups_of(stable_steps, mesh);
+  const std::vector<int> highest = highest_levels(scene, mesh);
+  const std::vector<StepGroup> groups = groups_of(stable_steps, highest);
   const double step = smallest_step(groups, choose_levels(groups, 0));
 
   ElementLevels levels;
   std::vector<std::uint8_t> of_node(mesh.nodes.size(), highest_step_level);
   for_each_node_acted_on(scene, mesh, [&](std::int32_t n) { of_node[n] = 0; });
   for (std::size_t e = 0; e < count; ++e) {
-    levels.own.push_back(level_for({stable_steps[e], 1, highest_level_of(mesh.hexahedra[e])}, step));
+    levels.own.push_back(level_for({stable_steps[e], 1, highest[e]}, step));
     for (const std::int32_t n : mesh.hexahedra[e]) {
       std::uint8_t& node = of_node[n];
       node = std::min(node, levels.own.back());

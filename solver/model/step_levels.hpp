@@ -43,8 +43,8 @@ struct ElementLevels {
 ///
 /// A node on which something else than elements may act (contact, rigid walls, loads, prescribed velocities) belongs to
 /// the smallest step too. With larger ones around it, it would be pushed by the elements in one step out of several,
-/// and back by contact in the others. So do tetrahedra, of which the volumes are averaged over nodes: all around a node
-/// have to be of one time.
+/// and back by contact in the others. So do tetrahedra and wedges, of which the volumes are averaged over nodes: all
+/// around a node have to be of one time.
 ///
 /// mass_factor: of mass_factors (mass_scaling.hpp).
 ElementLevels element_step_levels(const Scene& scene, const ModelMesh& mesh,

@@ -79,7 +79,7 @@ struct ElementStore {
   RealArray material_state;
   RealArray mass_share;     ///< never changes; only where mass is added
   RealArray folding_onset;  ///< never changes; only where a corner is near turning over at the start
-  RealArray volume_ratio;   ///< only where there are tetrahedra
+  RealArray volume_ratio;   ///< only where volumes are averaged over nodes
 
   ElementStore() = default;
   ElementStore(std::int64_t packs, const ElementStoreFeatures& features, bool in_single)

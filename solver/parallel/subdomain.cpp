@@ -23,7 +23,7 @@ Subdomain<S>::Subdomain(const Model<S>& model, Ranks& ranks)
       pack_width_(model.elements.width),
       holders_(model, rank_of_tile_),
       common_(ranks, model.nodes.count),
-      has_tetrahedra_(model.has_tetrahedra()) {
+      averages_volumes_(model.averages_volumes()) {
   const std::int32_t nodes = model.nodes.count;
   spans_ = blocks(span_count(nodes), [nodes](std::int64_t span, const auto& take) {
     const std::int64_t first = span * nodes_per_span;
@@ -101,7 +101,7 @@ void Subdomain<S>::end_step() {
 
 template <class S>
 void Subdomain<S>::share_eroded(Model<S>& model, const std::vector<std::int64_t>& of_tile) {
-  if (!common_.any() && !has_tetrahedra_) return;
+  if (!common_.any() && !averages_volumes_) return;
   std::vector<std::size_t> bytes_of(ranks_.count(), 0);
   std::vector<std::int32_t> own, all;
   for (std::size_t tile = 0; tile < of_tile.size(); ++tile) {

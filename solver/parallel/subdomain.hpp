@@ -138,7 +138,7 @@ class Subdomain final : public SharedNodes {
   CommonNodes<S> common_;
   std::vector<std::uint8_t> is_alive_;  ///< per slot: the element of it, as all ranks know
   bool has_eroded_ = false;             ///< any, since share_strains()
-  bool has_tetrahedra_;                 ///< whose volumes are averaged over what has not eroded
+  bool averages_volumes_;               ///< of elements, over what has not eroded
   std::vector<std::shared_ptr<SharedBlocks>> blocks_;
   std::shared_ptr<const SharedBlocks> spans_;
   std::optional<CornerExchange<S>> corners_;  ///< from connect() on

@@ -29,7 +29,7 @@ class StartElements {
 
   const ElementSettings& settings(std::int64_t e) const { return part(e).settings; }
   bool deforms(std::int64_t e) const { return !part(e).rigid; }
-  bool has_hourglass_modes(std::int64_t e) const { return deforms(e) && !part(e).tetrahedra; }
+  bool has_hourglass_modes(std::int64_t e) const { return deforms(e) && part(e).shape != WorkedShape::tetrahedron; }
   bool any_deforms() const {
     for (std::int64_t e = 0; e < mesh_.element_count(); ++e) {
       if (deforms(e)) return true;

@@ -7,6 +7,7 @@
 #include <solver/device/device_run.hpp>
 #include <solver/device/devices.hpp>
 #include <solver/step/report.hpp>
+#include <tests/support/collapsed_case.hpp>
 #include <tests/support/pressed_block.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/tetrahedra_case.hpp>
@@ -103,6 +104,15 @@ TEST_P(DeviceRun, TearsTetrahedraAsTheHostDoes) {
   EXPECT_GT(host.counts().eroded_elements(), 10);
   expect_same_run<double>(torn_tetrahedra(), GetParam());
   expect_same_run<float>(torn_tetrahedra(Precision::float32), GetParam());
+}
+
+TEST_P(DeviceRun, TearsWedgesAndPyramidsAsTheHostDoes) {
+  for (const HourglassControl form : {HourglassControl::none, HourglassControl::assumed_strain}) {
+    Scene scene = torn_shapes();
+    scene.element.hourglass = form;
+    expect_same_run<double>(scene, GetParam());
+  }
+  expect_same_run<float>(torn_shapes(Precision::float32), GetParam());
 }
 
 TEST_P(DeviceRun, HasTetrahedraBesideHexahedra) {

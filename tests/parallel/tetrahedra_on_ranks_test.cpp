@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <tests/support/collapsed_case.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/tetrahedra_case.hpp>
 
 #include "outcome.hpp"
 
-/// Tetrahedra, of which ranks tell each other volumes: on any ranks the bits of one process.
+/// Tetrahedra and wedges, of which ranks tell each other volumes: on any ranks the bits of one process.
 namespace pinball::tetrahedra_on_ranks_test {
 namespace {
 
@@ -30,6 +31,11 @@ TEST(TetrahedraOnRanks, HaveThemBesideHexahedraOfTheSameBody) {
   expect_same_on<double>(some_ranks, striking_bar_of_both());
 }
 
+TEST(TetrahedraOnRanks, HaveThemWithWedgesAndPyramids) {
+  const Outcome found = expect_same_on<double>(some_ranks, torn_shapes());
+  EXPECT_GT(found.eroded, 10);
+}
+
 /// A block through a plate, both of tetrahedra that erode; a third body is of hexahedra of another material.
 Scene in_contact() {
   Scene scene = scene_of({cut(block("plate", {7, 7, 2}, 0.01, {0, 0, 0})),
@@ -50,7 +56,7 @@ TEST(TetrahedraOnRanks, HaveThemInContact) {
 }
 
 TEST(TetrahedraOnRanks, GoOnAtAnotherNumberOfRanks) {
-  for (const Scene& scene : {torn_tetrahedra(), in_contact(), striking_bar_of_both()}) {
+  for (const Scene& scene : {torn_tetrahedra(), torn_shapes(), in_contact(), striking_bar_of_both()}) {
     Solver<double> alone(scene);
     for (int step = 0; step < 30; ++step) alone.step();
     const StateBytes bytes = solved_on<double>(3, {Partition::By::random, 4}, scene, [&](Solver<double>& solver) {

@@ -1,5 +1,7 @@
 #include "element_parts.hpp"
 
+#include <variant>
+
 #include <solver/mesh/tetrahedra.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 
@@ -7,35 +9,48 @@ namespace pinball {
 
 namespace {
 
-/// Which shapes the deformable elements of each body have: hexahedra, tetrahedra. Rigid ones count as hexahedra.
-std::vector<std::array<bool, 2>> shapes_of_bodies(const Scene& scene, const ModelMesh& mesh,
-                                                  const std::vector<std::int32_t>& rigid_body) {
-  std::vector<std::array<bool, 2>> shapes(scene.bodies.size(), {false, false});
-  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
-    const std::int32_t body = mesh.body[e];
-    shapes[body][rigid_body[body] < 0 && is_tetrahedron(mesh.hexahedra[e]) ? 1 : 0] = true;
+bool is_generated(const Body& body) {
+  return !std::holds_alternative<FileMesh>(body.mesh) && !std::holds_alternative<ArrayMesh>(body.mesh);
+}
+
+std::size_t place_of(WorkedShape shape) { return static_cast<std::size_t>(shape); }
+
+/// Per element. Rigid ones count as hexahedra.
+std::vector<WorkedShape> shapes_of_elements(const Scene& scene, const ModelMesh& mesh,
+                                            const std::vector<std::int32_t>& rigid_body) {
+  std::vector<WorkedShape> shapes(mesh.hexahedra.size(), WorkedShape::hexahedron);
+  for (std::size_t e = 0; e < shapes.size(); ++e) {
+    if (rigid_body[mesh.body[e]] < 0) shapes[e] = worked_shape(scene, mesh, e);
   }
   return shapes;
 }
 
 }  // namespace
 
+WorkedShape worked_shape(const Scene& scene, const ModelMesh& mesh, std::size_t element) {
+  const Corners8& corners = mesh.hexahedra[element];
+  if (is_tetrahedron(corners)) return WorkedShape::tetrahedron;
+  const bool averages = is_wedge(corners) && !is_generated(scene.bodies[mesh.body[element]]);
+  return averages ? WorkedShape::wedge : WorkedShape::hexahedron;
+}
+
 std::size_t ElementParts::part_of(const ModelMesh& mesh, std::size_t element) const {
-  const std::array<std::size_t, 2>& of = of_body[mesh.body[element]];
-  return of[is_tetrahedron(mesh.hexahedra[element]) ? 1 : 0];
+  return of_body[mesh.body[element]][place_of(shape[element])];
 }
 
 ElementParts element_parts(const Scene& scene, const ModelMesh& mesh) {
   const std::vector<std::size_t> material_of_body = material_of_bodies(scene);
   const std::vector<std::int32_t> rigid_body = rigid_body_of_bodies(scene);
-  const std::vector<std::array<bool, 2>> shapes = shapes_of_bodies(scene, mesh, rigid_body);
   ElementParts all;
+  all.shape = shapes_of_elements(scene, mesh, rigid_body);
+  std::vector<std::array<bool, 3>> has(scene.bodies.size(), {false, false, false});
+  for (std::size_t e = 0; e < all.shape.size(); ++e) has[mesh.body[e]][place_of(all.shape[e])] = true;
   all.of_body.resize(scene.bodies.size());
   for (std::size_t material = 0; material < scene.materials.size(); ++material) {
     const std::size_t first = all.parts.size();
     const auto number_of = [&](const ElementPart& wanted) {
       const auto is_it = [&](const ElementPart& p) {
-        return p.settings == wanted.settings && p.rigid == wanted.rigid && p.tetrahedra == wanted.tetrahedra;
+        return p.settings == wanted.settings && p.rigid == wanted.rigid && p.shape == wanted.shape;
       };
       std::size_t part = first;
       while (part < all.parts.size() && !is_it(all.parts[part])) ++part;
@@ -45,12 +60,10 @@ ElementParts element_parts(const Scene& scene, const ModelMesh& mesh) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       if (material_of_body[b] != material) continue;
       const ElementSettings& settings = scene.bodies[b].element ? *scene.bodies[b].element : scene.element;
-      const bool rigid = rigid_body[b] >= 0;
-      for (const bool tetrahedra : {false, true}) {
-        if (shapes[b][tetrahedra ? 1 : 0])
-          all.of_body[b][tetrahedra ? 1 : 0] = number_of({material, settings, rigid, tetrahedra});
+      for (const auto shape : {WorkedShape::hexahedron, WorkedShape::wedge, WorkedShape::tetrahedron}) {
+        if (has[b][place_of(shape)])
+          all.of_body[b][place_of(shape)] = number_of({material, settings, rigid_body[b] >= 0, shape});
       }
-      if (rigid) all.of_body[b][1] = all.of_body[b][0];
     }
     if (all.parts.size() == first) all.parts.push_back({material, scene.element});
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <solver/model/model.hpp>
@@ -9,18 +10,30 @@
 
 namespace pinball {
 
+/// What decides how an element is worked.
+enum class WorkedShape : std::uint8_t {
+  hexahedron,  ///< also one that is a pyramid, with a volume of its own
+  wedge,       ///< a hexahedron with a volume averaged over nodes
+  tetrahedron  ///< with a volume averaged over nodes
+};
+
+/// Of an element that deforms. Those at the axis of generated sections are wedges, too, but keep volumes of their own:
+/// with one element around the angle there are as many nodes to move as elsewhere, and nothing locks.
+WorkedShape worked_shape(const Scene& scene, const ModelMesh& mesh, std::size_t element);
+
 /// Elements that one kernel with one set of constants works: of a material, with the settings of [element] or those
 /// that a body has in their place; rigid or not; of one shape.
 struct ElementPart {
   std::size_t material = 0;
   ElementSettings settings;
-  bool rigid = false;       ///< of rigid bodies: no kernel works them, no step has to be stable for them
-  bool tetrahedra = false;  ///< deformable ones; all else are hexahedra
+  bool rigid = false;                           ///< of rigid bodies: no kernel works them, no step has to be stable
+  WorkedShape shape = WorkedShape::hexahedron;  ///< of rigid ones always that
 };
 
 struct ElementParts {
   std::vector<ElementPart> parts;  ///< by material, those of one in the order of their bodies; at least one of each
-  std::vector<std::array<std::size_t, 2>> of_body;  ///< of the hexahedra and the tetrahedra of each body
+  std::vector<std::array<std::size_t, 3>> of_body;  ///< of the elements of each shape of each body
+  std::vector<WorkedShape> shape;                   ///< per element
 
   /// Number of the part that an element belongs to.
   std::size_t part_of(const ModelMesh& mesh, std::size_t element) const;
