@@ -19,29 +19,41 @@
 namespace pinball {
 namespace {
 
-/// Sides of a hexahedron, a wedge and a tetrahedron in the numbering of Exodus, by corners that count from 0.
+/// Sides of a hexahedron, a wedge, a pyramid and a tetrahedron in the numbering of Exodus, by corners that count from
+/// 0.
 constexpr int hexahedron_sides[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
                                         {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 /// Corners of the collapsed hexahedron {0, 1, 2, 2, 3, 4, 5, 5}.
 constexpr int wedge_sides[5][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {0, 4, 6, 2}, {0, 2, 1, 1}, {4, 5, 6, 6}};
+/// Of pyramid().
+constexpr int pyramid_sides[5][4] = {{0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {0, 4, 3, 3}, {0, 3, 2, 1}};
 /// Of tetrahedron().
 constexpr int tetrahedron_sides[4][4] = {{0, 2, 5, 5}, {2, 4, 5, 5}, {0, 5, 4, 4}, {0, 4, 2, 2}};
 
 /// What a block may have, by their nodes.
-enum class Shape : std::uint8_t { tetrahedron = 4, wedge = 6, hexahedron = 8, ten_nodes = 10 };
+enum class Shape : std::uint8_t { tetrahedron = 4, pyramid = 5, wedge = 6, hexahedron = 8, ten_nodes = 10 };
 
 bool is_tetrahedron(Shape shape) { return shape == Shape::tetrahedron || shape == Shape::ten_nodes; }
 
-int sides_of(Shape shape) { return is_tetrahedron(shape) ? 4 : shape == Shape::wedge ? 5 : 6; }
+int sides_of(Shape shape) { return is_tetrahedron(shape) ? 4 : shape == Shape::hexahedron ? 6 : 5; }
 const int* corners_of_side(Shape shape, std::int64_t side) {
-  return is_tetrahedron(shape)   ? tetrahedron_sides[side - 1]
-         : shape == Shape::wedge ? wedge_sides[side - 1]
-                                 : hexahedron_sides[side - 1];
+  return is_tetrahedron(shape)     ? tetrahedron_sides[side - 1]
+         : shape == Shape::pyramid ? pyramid_sides[side - 1]
+         : shape == Shape::wedge   ? wedge_sides[side - 1]
+                                   : hexahedron_sides[side - 1];
+}
+
+/// Places of the nodes at the corners.
+Corners8 corners_of(Shape shape) {
+  return shape == Shape::wedge     ? wedge(0, 1, 2, 3, 4, 5)
+         : shape == Shape::pyramid ? pyramid(0, 1, 2, 3, 4)
+                                   : tetrahedron(0, 1, 2, 3);
 }
 
 std::optional<Shape> shape_of(const std::string& form, std::int64_t nodes) {
   if (form.starts_with("HEX") && nodes == 8) return Shape::hexahedron;
   if (form.starts_with("WEDGE") && nodes == 6) return Shape::wedge;
+  if (form.starts_with("PYRAMID") && nodes == 5) return Shape::pyramid;
   if (form.starts_with("TET") && nodes == 4) return Shape::tetrahedron;
   if (form.starts_with("TET") && nodes == 10) return Shape::ten_nodes;
   return std::nullopt;
@@ -74,7 +86,7 @@ class ExodusReader {
     read_node_sets();
     read_side_sets();
     read_element_sets();
-    if (file_.mesh.hexahedra.empty()) fail("expected blocks of hexahedra, wedges or tetrahedra, got none");
+    if (file_.mesh.hexahedra.empty()) fail("expected blocks of hexahedra, wedges, pyramids or tetrahedra, got none");
     return std::move(file_);
   }
 
@@ -173,9 +185,7 @@ class ExodusReader {
     const auto of_each = static_cast<std::int64_t>(shape);
     std::vector<std::int32_t> nodes(of_each * count);
     in_.integers_into(variable, nodes.data());
-    static constexpr std::array<std::int32_t, 8> of_wedge{0, 1, 2, 2, 3, 4, 5, 5},
-        of_tetrahedron = tetrahedron(0, 1, 2, 3);
-    const auto& corner = shape == Shape::wedge ? of_wedge : of_tetrahedron;
+    const Corners8 corner = pinball::corners_of(shape);
     for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = nodes[i / 8 * of_each + corner[i % 8]];
     for (std::int64_t e = 0; shape == Shape::ten_nodes && e < count; ++e) {
       EdgeNodes& of = file_.edge_nodes.emplace_back();
@@ -198,7 +208,7 @@ class ExodusReader {
                     blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", counted(count, "element"),
                     type.empty() ? "unknown" : type, counted(nodes, "node"));
     if (wanted_.empty() ? !is_without_volume(type) : is_needed(blocks.ids[b], blocks.names[b]))
-      fail(what + ": expected HEX8, WEDGE6, TET4 or TET10");
+      fail(what + ": expected HEX8, WEDGE6, PYRAMID5, TET4 or TET10");
     file_.notes.push_back(fmt::format("{}: {}: left out", file_.path, what));
     place_.insert(place_.end(), count, -1);
   }

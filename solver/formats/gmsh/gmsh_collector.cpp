@@ -92,7 +92,8 @@ MeshFile GmshCollector::finish(const GmshGroups& groups, const std::vector<std::
 
 void GmshCollector::require_elements(const std::vector<std::string>& names) const {
   const auto none = [this](const std::string& where) {
-    throw InputError(fmt::format("{}: expected hexahedra, prisms or tetrahedra{}, got none", file_.path, where));
+    throw InputError(
+        fmt::format("{}: expected hexahedra, prisms, pyramids or tetrahedra{}, got none", file_.path, where));
   };
   if (file_.mesh.hexahedra.empty() && names.empty()) none("");
   for (std::size_t i = 0; i < names.size(); ++i) {

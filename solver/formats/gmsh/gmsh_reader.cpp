@@ -256,8 +256,8 @@ class GmshReader {
     const int line = scan_.binary() ? 0 : scan_.line();
     if (dimension == 3 && collector_->wants(groups) && !is_read(type))
       fail_element(id, line,
-                   fmt::format("expected 8-node hexahedra (type 5), 6-node prisms (type 6) or tetrahedra of 4 or 10 "
-                               "nodes (types 4 and 11), got {} (type {})",
+                   fmt::format("expected 8-node hexahedra (type 5), 6-node prisms (type 6), 5-node pyramids (type "
+                               "7) or tetrahedra of 4 or 10 nodes (types 4 and 11), got {} (type {})",
                                gmsh::name_of(type), type));
     const bool wanted = dimension == 3 ? collector_->wants(groups) : !groups.empty();
     if (wanted && is_read(type)) {
@@ -270,8 +270,8 @@ class GmshReader {
 
   static bool is_read(std::int64_t type) {
     return type == gmsh::line || type == gmsh::triangle || type == gmsh::quadrangle || type == gmsh::hexahedron ||
-           type == gmsh::prism || type == gmsh::tetrahedron || type == gmsh::point || type == gmsh::line_3 ||
-           type == gmsh::triangle_6 || type == gmsh::tetrahedron_10;
+           type == gmsh::prism || type == gmsh::pyramid || type == gmsh::tetrahedron || type == gmsh::point ||
+           type == gmsh::line_3 || type == gmsh::triangle_6 || type == gmsh::tetrahedron_10;
   }
 
   std::string place_of_element(std::int64_t id, int line) const {
@@ -311,13 +311,15 @@ class GmshReader {
     if (dimension < 3) {
       return collector_->add_boundary(dimension, {nodes.data(), static_cast<std::size_t>(count)}, groups, "");
     }
-    static constexpr int of_hexahedron[8] = {0, 1, 2, 3, 4, 5, 6, 7}, of_prism[8] = {0, 1, 2, 2, 3, 4, 5, 5};
+    static constexpr Corners8 of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_prism = wedge(0, 1, 2, 3, 4, 5),
+                                                                     of_pyramid = pyramid(0, 1, 2, 3, 4);
     if (type == gmsh::tetrahedron) {
       return collector_->add_volume(tetrahedron(nodes[0], nodes[1], nodes[2], nodes[3]), groups, id, line);
     }
     if (type == gmsh::tetrahedron_10) return collector_->add_ten_nodes(nodes, groups, id, line);
-    std::array<std::int32_t, 8> corners;
-    for (int i = 0; i < 8; ++i) corners[i] = nodes[(type == gmsh::prism ? of_prism : of_hexahedron)[i]];
+    const Corners8& places = type == gmsh::prism ? of_prism : type == gmsh::pyramid ? of_pyramid : of_hexahedron;
+    Corners8 corners;
+    for (int i = 0; i < 8; ++i) corners[i] = nodes[places[i]];
     collector_->add_volume(corners, groups, id, line);
   }
 

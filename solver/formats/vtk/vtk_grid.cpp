@@ -23,7 +23,7 @@ const std::vector<std::string> vtk_part_arrays{"part",        "part_id",   "part
 namespace {
 
 constexpr int vertex = 1, line = 3, triangle = 5, pixel = 8, quadrangle = 9, tetra = 10, voxel = 11, hexahedron = 12,
-              wedge = 13, line_3 = 21, triangle_6 = 22, tetra_10 = 24;
+              wedge = 13, pyramid_5 = 14, line_3 = 21, triangle_6 = 22, tetra_10 = 24;
 /// An array with more values than this numbers something else than sets.
 constexpr std::size_t most_sets = 1000;
 
@@ -34,12 +34,17 @@ std::string lower(std::string text) {
 
 std::string name_of(int type) {
   static const std::map<int, std::string> names{
-      {10, "tetrahedra"},          {14, "pyramids"},
-      {15, "pentagonal prisms"},   {16, "hexagonal prisms"},
-      {25, "quadratic hexahedra"}, {26, "quadratic wedges"},
-      {27, "quadratic pyramids"},  {29, "triquadratic hexahedra"},
-      {42, "polyhedra"},           {71, "Lagrange tetrahedra"},
-      {72, "Lagrange hexahedra"},  {79, "Bezier hexahedra"},
+      {10, "tetrahedra"},
+      {15, "pentagonal prisms"},
+      {16, "hexagonal prisms"},
+      {25, "quadratic hexahedra"},
+      {26, "quadratic wedges"},
+      {27, "quadratic pyramids"},
+      {29, "triquadratic hexahedra"},
+      {42, "polyhedra"},
+      {71, "Lagrange tetrahedra"},
+      {72, "Lagrange hexahedra"},
+      {79, "Bezier hexahedra"},
   };
   const auto found = names.find(type);
   return found == names.end() ? "cells" : found->second;
@@ -54,6 +59,7 @@ std::size_t points_of(int type) {
   return type == vertex                                         ? 1
          : type == line                                         ? 2
          : type == triangle || type == line_3                   ? 3
+         : type == pyramid_5                                    ? 5
          : type == wedge || type == triangle_6                  ? 6
          : type == tetra_10                                     ? 10
          : type == pixel || type == quadrangle || type == tetra ? 4
@@ -72,7 +78,7 @@ class Builder {
     file_.mesh.nodes = std::move(grid_.points);
     cell_place_.assign(grid_.types.size(), -1);
     for (std::size_t cell = 0; cell < grid_.types.size(); ++cell) add_cell(cell, part ? part->values[cell] : 0, part);
-    if (file_.mesh.hexahedra.empty()) fail("expected hexahedra, wedges or tetrahedra, got none");
+    if (file_.mesh.hexahedra.empty()) fail("expected hexahedra, wedges, pyramids or tetrahedra, got none");
     number_elements();
     number_nodes();
     name_parts(part);
@@ -121,7 +127,8 @@ class Builder {
       if (point < 0 || point >= std::ssize(file_.mesh.nodes))
         fail(fmt::format("cell {}: expected points from 0 to {}, got {}", cell, file_.mesh.nodes.size() - 1, point));
     }
-    const bool volume = type == voxel || type == hexahedron || type == wedge || type == tetra || type == tetra_10;
+    const bool volume =
+        type == voxel || type == hexahedron || type == wedge || type == pyramid_5 || type == tetra || type == tetra_10;
     if (!volume && !is_of_lower_dimension(type)) return reject(cell, type, is_wanted(part, has_parts));
     const bool face = type == triangle || type == quadrangle || type == pixel || type == triangle_6,
                known = volume || face || type == vertex || type == line || type == line_3;
@@ -141,21 +148,23 @@ class Builder {
 
   void reject(std::size_t cell, int type, bool wanted) const {
     if (!wanted) return;
-    fail(fmt::format(
-        "cell {}: expected hexahedra (type 12), voxels (11), wedges (13) or tetrahedra (10, 24), got {} (type {})",
-        cell, name_of(type), type));
+    fail(
+        fmt::format("cell {}: expected hexahedra (type 12), voxels (11), wedges (13), pyramids (14) or tetrahedra (10, "
+                    "24), got {} (type {})",
+                    cell, name_of(type), type));
   }
 
   std::array<std::int32_t, 8> corners_of(int type, std::span<const std::int32_t> p) const {
     if (type == hexahedron) return {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]};
     if (type == voxel) return {p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6]};
     if (type == tetra || type == tetra_10) return tetrahedron(p[0], p[1], p[2], p[3]);
-    // The format has the first triangle seen from inside, many programs write it as other formats do.
-    const std::array<std::int32_t, 8> collapsed{p[0], p[1], p[2], p[2], p[3], p[4], p[5], p[5]};
+    // The format has the first triangle of a wedge seen from inside, many programs write it as other formats do.
+    const Corners8 there =
+        type == wedge ? pinball::wedge(p[0], p[1], p[2], p[3], p[4], p[5]) : pyramid(p[0], p[1], p[2], p[3], p[4]);
     std::array<Point, 8> corners;
-    for (std::size_t i = 0; i < 8; ++i) corners[i] = file_.mesh.nodes[collapsed[i]];
-    if (volume_by_quadrature(corners) >= 0) return collapsed;
-    return {p[3], p[4], p[5], p[5], p[0], p[1], p[2], p[2]};
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = file_.mesh.nodes[there[i]];
+    if (volume_by_quadrature(corners) >= 0) return there;
+    return type == wedge ? pinball::wedge(p[3], p[4], p[5], p[0], p[1], p[2]) : pyramid(p[3], p[2], p[1], p[0], p[4]);
   }
 
   void add_boundary(int type, std::span<const std::int32_t> p, std::int64_t part) {

@@ -29,7 +29,7 @@ struct VtkGrid {
 /// that there is, in capitals or not.
 extern const std::vector<std::string> vtk_part_arrays;
 
-/// Hexahedra, voxels and wedges of a grid. array: of the cells, whose integers number the parts; "": one of
+/// Hexahedra, voxels, wedges and pyramids of a grid. array: of the cells, whose integers number the parts; "": one of
 /// vtk_part_arrays, or none. Other arrays of integers become sets: NAME where they are 0 or 1, else NAME:VALUE. Points,
 /// lines, triangles and quadrangles become sets of nodes and faces, numbered as parts are. parts: those that are
 /// needed; none: all. Throws InputError that names the cell for other volumes, points that are not there, a missing

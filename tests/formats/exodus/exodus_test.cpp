@@ -149,8 +149,8 @@ TEST(ExodusClassic, SaysWhatIsWrong) {
             folder + "none.g: no such file, or it cannot be read");
   EXPECT_THAT(error_of([] { read_exodus(folder + "two_blocks.cdl", {}); }), HasSubstr("not a netCDF file"));
   EXPECT_THAT(error_of([] { read_exodus(folder + "two_blocks.g", {"skin"}); }),
-              HasSubstr("block 15 (skin) has 1 element of type SHELL4 with 4 nodes: expected HEX8, WEDGE6, TET4 or "
-                        "TET10"));
+              HasSubstr("block 15 (skin) has 1 element of type SHELL4 with 4 nodes: expected HEX8, WEDGE6, PYRAMID5, "
+                        "TET4 or TET10"));
 }
 
 }  // namespace

@@ -57,6 +57,19 @@ TEST_F(DeckCards, TetrahedraHaveFormsOfTheirOwn) {
               Contains(HasSubstr("1 tetrahedron with volumes averaged over nodes, as ELFORM 13")));
 }
 
+TEST_F(DeckCards, WedgesHaveFormsOfTheirOwn) {
+  const auto deck = [](const std::string& form, const std::string& nodes) {
+    return "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,1,0,1\n6,0,1,1\n*ELEMENT_SOLID\n1,1\n" + nodes +
+           "\n*PART\none\n1,1,1\n*SECTION_SOLID\n1," + form + "\n" + elastic + ends;
+  };
+  for (const char* form : {"15", "115", "1"}) {
+    EXPECT_EQ(error(deck(form, "1,2,3,3,4,5,6,6")), no_error);
+    EXPECT_THAT(translate(deck(form, "1,2,3,3,4,5,6,6")).understood,
+                Contains(HasSubstr("1 wedge with volumes averaged over nodes")));
+  }
+  EXPECT_THAT(error(deck("15", "1,2,3,3,4,4,4,4")), HasSubstr("*SECTION_SOLID with ELFORM 15"));
+}
+
 TEST_F(DeckCards, TetrahedraOfTenNodesHaveFormsOfTheirOwn) {
   const auto deck = [](const std::string& form, const std::string& more = "") {
     return "*NODE\n" + ten_nodes_lines(",") + "*ELEMENT_SOLID\n1,1\n" + joined(ten_nodes_elements[0], ",") + "\n2,1\n" +

@@ -76,10 +76,14 @@ Controls controls_of(AbaqusData& data, const NamedControls& named, const AbaqusB
     data.report.understood(fmt::format("{}: {}, full integration: elements of assumed strain in its place", body.part,
                                        fmt::join(types, ", ")));
   }
-  if (types.contains("C3D6") || types.contains("C3D6R"))
-    data.report.understood(fmt::format("{}: wedges as collapsed hexahedra", body.part));
-  if (std::ranges::any_of(
-          types, [](const std::string& type) { return type.starts_with("C3D4") || type.starts_with("C3D10"); }))
+  const auto any = [&](const char* beginning) {
+    return std::ranges::any_of(types, [&](const std::string& type) { return type.starts_with(beginning); });
+  };
+  if (any("C3D6"))
+    data.report.understood(
+        fmt::format("{}: wedges as collapsed hexahedra, with volumes averaged over nodes", body.part));
+  if (any("C3D5")) data.report.understood(fmt::format("{}: pyramids as collapsed hexahedra", body.part));
+  if (any("C3D4") || any("C3D10"))
     data.report.understood(fmt::format("{}: tetrahedra with volumes averaged over nodes", body.part));
   return controls;
 }

@@ -16,10 +16,10 @@
 namespace pinball {
 
 int abaqus_nodes(const std::string& type) {
-  static const std::map<std::string, int> types{{"C3D8", 8},    {"C3D8R", 8},   {"C3D8I", 8},   {"C3D8H", 8},
-                                                {"C3D8S", 8},   {"C3D6", 6},    {"C3D6R", 6},   {"C3D8RH", 8},
-                                                {"C3D8IH", 8},  {"C3D4", 4},    {"C3D4H", 4},   {"C3D10", 10},
-                                                {"C3D10M", 10}, {"C3D10H", 10}, {"C3D10MH", 10}};
+  static const std::map<std::string, int> types{
+      {"C3D8", 8},  {"C3D8R", 8},  {"C3D8I", 8},   {"C3D8H", 8},   {"C3D8S", 8},   {"C3D5", 5},
+      {"C3D5H", 5}, {"C3D6", 6},   {"C3D6R", 6},   {"C3D8RH", 8},  {"C3D8IH", 8},  {"C3D4", 4},
+      {"C3D4H", 4}, {"C3D10", 10}, {"C3D10M", 10}, {"C3D10H", 10}, {"C3D10MH", 10}};
   const auto found = types.find(type);
   return found == types.end() ? 0 : found->second;
 }
@@ -146,7 +146,8 @@ class AbaqusMeshReader {
     const std::string type = squeezed(block.require("TYPE"));
     const int nodes = abaqus_nodes(type);
     if (nodes == 0)
-      fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6, C3D4, C3D10", type));
+      fail_at(block.place,
+              fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6, C3D5, C3D4, C3D10", type));
     const std::size_t first = file_.element_ids.size();
     mesh_.types.push_back({first, type});
     DataLines lines(block);
@@ -182,12 +183,15 @@ class AbaqusMeshReader {
       if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
       return static_cast<std::int32_t>(node + first_node);
     };
-    static constexpr std::array<std::size_t, 8> of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_wedge{0, 1, 2, 2, 3, 4, 5, 5};
-    static constexpr std::array<std::int32_t, 8> of_tetrahedron = tetrahedron(0, 1, 2, 3);
-    std::array<std::int32_t, 8> hexahedron{};
-    for (std::size_t i = 0; i < 8; ++i) {
-      hexahedron[i] = place_of(nodes == 8 ? of_hexahedron[i] : nodes == 6 ? of_wedge[i] : of_tetrahedron[i]);
-    }
+    static constexpr Corners8 of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_wedge = wedge(0, 1, 2, 3, 4, 5),
+                                                                     of_pyramid = pyramid(0, 1, 2, 3, 4),
+                                                                     of_tetrahedron = tetrahedron(0, 1, 2, 3);
+    const Corners8& places = nodes == 8   ? of_hexahedron
+                             : nodes == 6 ? of_wedge
+                             : nodes == 5 ? of_pyramid
+                                          : of_tetrahedron;
+    Corners8 hexahedron{};
+    for (std::size_t i = 0; i < 8; ++i) hexahedron[i] = place_of(places[i]);
     if (nodes == 10) {
       EdgeNodes& of = file_.edge_nodes.emplace_back();
       of.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size());

@@ -38,7 +38,7 @@ struct AbaqusMesh {
   AbaqusKeys keys;
 };
 
-/// NODE, ELEMENT (C3D8 and its kin; C3D6 and C3D4 as collapsed hexahedra, C3D10 as eight of these), NSET, ELSET,
+/// NODE, ELEMENT (C3D8 and its kin; C3D6, C3D5 and C3D4 as collapsed hexahedra, C3D10 as eight of these), NSET, ELSET,
 /// SURFACE, in parts, instances and the assembly. Parts of the mesh are sections of instances; elements of no section
 /// are a part named for the instance. Sets and surfaces of an instance are named INSTANCE.NAME, and NAME where nothing
 /// else is named so; labels that are written alike but for quotes by their keys. With more than one component numbers

@@ -12,10 +12,12 @@ namespace pinball {
 
 int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, int number) {
   static constexpr int of_hexahedron[6] = {4, 5, 2, 1, 3, 0}, of_wedge[5] = {4, 5, 2, 1, 0},
-                       of_tetrahedron[4] = {0, 1, 3, 2};
+                       of_pyramid[5] = {4, 2, 1, 3, 0}, of_tetrahedron[4] = {0, 1, 3, 2};
   if (is_tetrahedron(hexahedron)) return number < 1 || number > 4 ? -1 : of_tetrahedron[number - 1];
-  const bool wedge = hexahedron[2] == hexahedron[3] && hexahedron[6] == hexahedron[7];
-  if (number < 1 || number > (wedge ? 5 : 6)) return -1;
+  const bool pyramid = hexahedron[4] == hexahedron[6],
+             wedge = hexahedron[2] == hexahedron[3] && hexahedron[6] == hexahedron[7];
+  if (number < 1 || number > (wedge || pyramid ? 5 : 6)) return -1;
+  if (pyramid) return of_pyramid[number - 1];
   return wedge ? of_wedge[number - 1] : of_hexahedron[number - 1];
 }
 

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 
+#include <solver/base/counted.hpp>
+
 #include "deck_parts.hpp"
 
 namespace pinball {
 
 namespace {
 
-/// A part of nothing but tetrahedra, with a form of theirs.
-bool is_of_tetrahedra(const DeckPart& part, std::int64_t form) {
+/// A part of nothing but tetrahedra, or wedges, with a form of theirs.
+bool is_of_own_shape(const DeckPart& part, std::int64_t form) {
+  if (form == 15 || form == 115) return part.wedges == part.solids;
   if (part.ten_nodes) return form == 16 || form == 17;
   return part.tetrahedra == part.solids && (form == 10 || form == 13);
 }
@@ -27,8 +30,12 @@ void translate_parts(DeckData& data, const std::string& mesh_file, std::optional
       data.report.understood(fmt::format("part {}: {} tetrahedr{} with volumes averaged over nodes, as ELFORM 13",
                                          part.id, part.tetrahedra, part.tetrahedra == 1 ? "on" : "a"));
     }
+    if (part.wedges > 0 && !part.is_rigid()) {
+      data.report.understood(
+          fmt::format("part {}: {} with volumes averaged over nodes", part.id, counted(part.wedges, "wedge")));
+    }
     // Rigid ones have no points of integration.
-    switch (part.is_rigid() || is_of_tetrahedra(part, form->second) ? 1 : form->second) {
+    switch (part.is_rigid() || is_of_own_shape(part, form->second) ? 1 : form->second) {
       case 0:
       case 1:
         break;

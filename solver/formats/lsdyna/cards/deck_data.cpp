@@ -293,10 +293,14 @@ void DeckData::add_parts(const KeywordBlock& block, const Card& card, std::vecto
 }
 
 void DeckData::name_bodies() {
-  std::vector<std::int64_t> elements(mesh.parts.size(), 0), tetrahedra(elements);
+  std::vector<std::int64_t> elements(mesh.parts.size(), 0), tetrahedra(elements), wedges(elements);
   for (std::size_t e = 0; e < mesh.part.size(); ++e) {
     ++elements[mesh.part[e]];
-    if (is_tetrahedron(mesh.mesh.hexahedra[e])) ++tetrahedra[mesh.part[e]];
+    if (is_tetrahedron(mesh.mesh.hexahedra[e])) {
+      ++tetrahedra[mesh.part[e]];
+    } else if (is_wedge(mesh.mesh.hexahedra[e])) {
+      ++wedges[mesh.part[e]];
+    }
   }
   used.assign(mesh.mesh.nodes.size(), false);
   for (const auto& hexahedron : mesh.mesh.hexahedra) {
@@ -312,6 +316,7 @@ void DeckData::name_bodies() {
     }
     found->second.solids = elements[p];
     found->second.tetrahedra = tetrahedra[p];
+    found->second.wedges = wedges[p];
     found->second.ten_nodes = elements[p] == static_cast<std::int64_t>(8 * mesh.parts[p].ten_nodes);
     parts.push_back(found->second);
     materials_.insert(found->second.material);

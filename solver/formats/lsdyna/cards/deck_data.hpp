@@ -33,6 +33,7 @@ struct DeckPart {
   std::string body;             ///< name of the body that it becomes
   DeckPlace place;
   std::int64_t solids = 0, tetrahedra = 0;  ///< how many; the latter are some of the former
+  std::int64_t wedges = 0;                  ///< as these
   bool ten_nodes = false;                   ///< they are tetrahedra of ten nodes, eight of four in the place of each
   std::int64_t lead = 0;  ///< of a rigid one: the part that it is merged into, or itself; 0: it deforms
 

@@ -25,7 +25,8 @@ const std::vector<KeywordRule>& keyword_rules() {
       {"PART_CONTACT", done, "as PART; its friction is for contacts with FS -1, which are refused", in_other_units},
       {"PART_INERTIA", done, "as PART; mass, centre, inertia and velocities of a rigid part, also in a local system"},
       {"SECTION_SOLID", done,
-       "ELFORM 0 and 1; 2, -1, -2 as elements of assumed strain; 10 and 13 of tetrahedra, 16 and 17 of ten nodes",
+       "ELFORM 0 and 1; 2, -1, -2 as elements of assumed strain; 10 and 13 of tetrahedra, 15 and 115 of wedges, 16 and "
+       "17 of ten nodes",
        in_other_units},
       {"HOURGLASS", done,
        "of each part: IHQ 1 to 3 viscous with QM/4, 4 and 5 stiffness and 6 and 7 assumed strains with QM; Q1, Q2",

@@ -10,8 +10,8 @@ void follow_reading(RadiossDeck& deck, ReadingLog& log) {
   for (RadiossBlock& block : deck.blocks) {
     const RadiossRule* rule = radioss_rule_of(block.name);
     const bool is_done = rule != nullptr && (rule->treatment == Treatment::done || rule->treatment == Treatment::mesh);
-    const bool is_long =
-        block.name == "NODE" || block.name == "BRICK" || block.name == "TETRA4" || block.name == "TETRA10";
+    const bool is_long = block.name == "NODE" || block.name == "BRICK" || block.name == "PENTA6" ||
+                         block.name == "TETRA4" || block.name == "TETRA10";
     if (is_done && !is_long) block.log = &log;
   }
 }

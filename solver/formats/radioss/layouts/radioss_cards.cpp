@@ -25,6 +25,7 @@ void add_mesh(Table& table) {
   add(table, "UNIT", {&r::unit_line});
   add(table, "NODE", {&r::node});
   add(table, "BRICK", {&r::brick});
+  add(table, "PENTA6", {&r::penta6});
   add(table, "TETRA4", {&r::tetra4});
   add(table, "TETRA10", {&r::tetra10, &r::tetra10_nodes});
   add(table, "PART", {&r::part});

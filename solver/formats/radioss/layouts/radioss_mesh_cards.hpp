@@ -9,6 +9,8 @@ inline constexpr CardLayout node{whole("node_ID").always(), real("Xc"), real("Yc
 inline constexpr CardLayout brick{whole("brick_ID").always(), whole("node_ID1"), whole("node_ID2"),
                                   whole("node_ID3"),          whole("node_ID4"), whole("node_ID5"),
                                   whole("node_ID6"),          whole("node_ID7"), whole("node_ID8")};
+inline constexpr CardLayout penta6{whole("penta_ID").always(), whole("node_ID1"), whole("node_ID2"), whole("node_ID3"),
+                                   whole("node_ID4"),          whole("node_ID5"), whole("node_ID6")};
 inline constexpr CardLayout tetra4{whole("tetra_ID").always(), whole("node_ID1"), whole("node_ID2"), whole("node_ID3"),
                                    whole("node_ID4")};
 inline constexpr CardLayout tetra10{whole("tetra_ID").always()};

@@ -22,13 +22,12 @@ namespace {
 
 /// What would make another mesh, if it were passed over.
 bool makes_mesh(const std::string& name) {
-  static const std::set<std::string> names{"PENTA6",     "BRIC20",      "CNODE",     "SUBMODEL",
-                                           "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
+  static const std::set<std::string> names{"BRIC20", "CNODE", "SUBMODEL", "MERGE/NODE", "MERGE/RBODY", "NODE/SCALE"};
   return names.contains(name) || name.starts_with("TRANSFORM/") || name.starts_with("PARAMETER/");
 }
 
 bool is_of_solids(const RadiossBlock& block) {
-  return block.name == "BRICK" || block.name == "TETRA4" || block.name == "TETRA10";
+  return block.name == "BRICK" || block.name == "PENTA6" || block.name == "TETRA4" || block.name == "TETRA10";
 }
 
 bool is_of_nodes(const RadiossBlock& block) { return block.name == "NODE"; }
@@ -75,8 +74,11 @@ class RadiossMeshReader {
   }
 
   void read_solids(const RadiossBlock& block) {
-    const bool bricks = block.name == "BRICK", ten_nodes = block.name == "TETRA10";
-    const CardLayout& layout = bricks ? radioss::brick : ten_nodes ? radioss::tetra10 : radioss::tetra4;
+    const bool bricks = block.name == "BRICK", wedges = block.name == "PENTA6", ten_nodes = block.name == "TETRA10";
+    const CardLayout& layout = bricks      ? radioss::brick
+                               : wedges    ? radioss::penta6
+                               : ten_nodes ? radioss::tetra10
+                                           : radioss::tetra4;
     const std::int32_t part = add_part(block.id(), "");
     RadiossLines lines(block);
     std::string path = *block.place.file;
@@ -92,6 +94,9 @@ class RadiossMeshReader {
       file_.line.push_back(line->place.line);
       if (bricks) {
         add_brick(f);
+      } else if (wedges) {
+        file_.mesh.hexahedra.push_back(
+            wedge(node_of(f, 1), node_of(f, 2), node_of(f, 3), node_of(f, 4), node_of(f, 5), node_of(f, 6)));
       } else if (ten_nodes) {
         const DataLine nodes = lines.require("the nodes of a solid");
         add_ten_nodes(RadiossFields(nodes, block, radioss::tetra10_nodes));
