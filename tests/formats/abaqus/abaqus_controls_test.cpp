@@ -99,5 +99,37 @@ TEST_F(AbaqusControls, ControlOfDistortionIsThatOfCorners) {
                     Contains(HasSubstr("*SECTION CONTROLS, LENGTHRATIO=0.2"))));
 }
 
+TEST_F(AbaqusControls, AmplitudesThatNothingNamesAreReported) {
+  const std::string head = abaqus_cube + abaqus_steel,
+                    curves = "*AMPLITUDE, NAME=a\n0., 0., 1., 1.\n*AMPLITUDE, NAME=b\n0., 0., 1., 1.\n";
+  const auto lines = [&](const std::string& loads) { return translate(head + curves + abaqus_step(loads)).understood; };
+  EXPECT_THAT(lines(""), Contains(HasSubstr("not used: *AMPLITUDE that nothing of what is read names (2 times, ")));
+  EXPECT_THAT(lines("*CLOAD, AMPLITUDE=A\ntop, 1, 2.\n"),
+              Contains(HasSubstr("not used: *AMPLITUDE that nothing of what is read names (")));
+  EXPECT_THAT(lines("*CLOAD, AMPLITUDE=A\ntop, 1, 2.\n*CLOAD, AMPLITUDE=b\ntop, 2, 2.\n"),
+              Not(Contains(HasSubstr("*AMPLITUDE that nothing"))));
+}
+
+TEST_F(AbaqusControls, ALastNumberThatNoStepHitsIsReported) {
+  const auto lines = [&](const std::string& set) {
+    return translate(abaqus_cube + set + abaqus_steel + abaqus_step()).understood;
+  };
+  EXPECT_THAT(
+      lines("*NSET, NSET=n, GENERATE\n1, 8, 3\n"),
+      Contains(AllOf(HasSubstr("*NSET, GENERATE ("), HasSubstr("from 1 in steps of 3 it ends at 7, 8 is not hit"))));
+  EXPECT_THAT(lines("*ELSET, ELSET=e, GENERATE\n10, 15, 2\n"),
+              Contains(AllOf(HasSubstr("*ELSET, GENERATE ("), HasSubstr("15 is not hit"))));
+  for (const char* range : {"1, 7, 3", "1, 8", "1, 8, 1", "5, 5, 3"})
+    EXPECT_THAT(lines(fmt::format("*NSET, NSET=n, GENERATE\n{}\n", range)), Not(Contains(HasSubstr("is not hit"))))
+        << range;
+  const auto times = [&](const char* range) {
+    return translate(abaqus_cube + abaqus_steel + fmt::format("*TIME POINTS, NAME=tp, GENERATE\n{}\n", range) +
+                     abaqus_step("*OUTPUT, FIELD, TIME POINTS=tp\n"))
+        .understood;
+  };
+  EXPECT_THAT(times("0., 1e-6, 3e-7"), Contains(HasSubstr("not used: *TIME POINTS, GENERATE: the last time")));
+  EXPECT_THAT(times("0., 1e-6, 1e-7"), Not(Contains(HasSubstr("TIME POINTS"))));
+}
+
 }  // namespace
 }  // namespace pinball::test::abaqus_controls_test

@@ -220,5 +220,14 @@ TEST_F(DeckCards, OfSeveralVelocitiesOfANodeTheLastOneCounts) {
   }
 }
 
+TEST_F(DeckCards, ALastNumberThatNoStepHitsIsReported) {
+  const auto generated = [](const char* numbers) {
+    return fmt::format("*SET_NODE_LIST_GENERATE_INCREMENT\n9\n{}\n", numbers);
+  };
+  EXPECT_THAT(told(generated("1,8,3")), Contains(HasSubstr("): from 1 in steps of 3 it ends at 7, 8 is not hit")));
+  for (const char* numbers : {"1,7,3", "1,8,1", "5,5,3"})
+    EXPECT_THAT(told(generated(numbers)), Not(Contains(HasSubstr("is not hit")))) << numbers;
+}
+
 }  // namespace
 }  // namespace pinball::test::deck_cards_test

@@ -14,7 +14,10 @@
 namespace pinball::test::radioss_deck_test {
 namespace {
 
+using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST_F(RadiossTest, ACubeBecomesAScene) {
   const Scene made = scene(cube_with(""));
@@ -167,6 +170,36 @@ TEST_F(RadiossTest, WhatActsHasItsNumberOnce) {
   const std::string thrown = "/INIVEL/TRA/3\nflight\n" + twenty({1, 0, 0});
   EXPECT_EQ(error(cube_with(thrown)), no_error);
   EXPECT_THAT(error(cube_with(thrown + thrown)), HasSubstr("/INIVEL/3 is given twice"));
+}
+
+TEST_F(RadiossTest, WhatNothingNamesIsReportedOnceForEachKeyword) {
+  const std::string function = "/FUNCT/{}\nf\n" + twenty({0, 1}) + twenty({1, 1});
+  const auto functions = [&](const char* one, const char* other) {
+    return fmt::format(fmt::runtime(function), one) + fmt::format(fmt::runtime(function), other);
+  };
+  const std::string skew = "/SKEW/FIX/3\ns\n" + twenty({0, 0, 0}) + twenty({0, 1, 0}) + twenty({0, 0, 1});
+  const auto lines = [&](const std::string& more) { return translate(cube_with(more)).understood; };
+  EXPECT_THAT(lines(functions("7", "8")),
+              Contains(HasSubstr("not used: /FUNCT that nothing of what is read names (2 times, first in ")));
+  EXPECT_THAT(lines(skew), Contains(HasSubstr("not used: /SKEW/FIX that nothing of what is read names")));
+  const std::string load = "/GRNOD/NODE/1\ntop\n" + ten({"5", "6", "7", "8"}) + "/CLOAD/1\nl\n" +
+                           ten({"7", "X", "3", "0", "1"}) + twenty({1, 2});
+  EXPECT_THAT(lines(functions("7", "8") + skew + load),
+              AllOf(Contains(HasSubstr("/FUNCT that nothing of what is read names (")),
+                    Not(Contains(HasSubstr("2 times, first"))), Not(Contains(HasSubstr("/SKEW/FIX that nothing")))));
+}
+
+TEST_F(RadiossTest, ALastNumberThatNoStepHitsIsReportedOnce) {
+  const auto lines = [&](const char* last) {
+    return translate(cube_with("/GRNOD/GEN_INCR/3\nc\n" + ten({"1", last, "3"}) + "/GRNOD/GRNOD/4\nd\n" + ten({"3"})))
+        .understood;
+  };
+  EXPECT_EQ(std::ranges::count_if(lines("8"),
+                                  [](const std::string& line) {
+                                    return line.ends_with("): from 1 in steps of 3 it ends at 7, 8 is not hit");
+                                  }),
+            1);
+  EXPECT_THAT(lines("7"), Not(Contains(HasSubstr("is not hit"))));
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ void write_time(AbaqusData& data, DeckScene& scene) {
 }
 
 /// Of a step: a list, or with GENERATE the first, the last and the interval of each line.
-std::vector<double> times_of(const AbaqusBlock& block) {
+std::vector<double> times_of(AbaqusData& data, const AbaqusBlock& block) {
   std::vector<double> times;
   const bool generates = block.has("GENERATE");
   DataLines lines(block);
@@ -96,6 +96,8 @@ std::vector<double> times_of(const AbaqusBlock& block) {
       f.fail("interval", fmt::format("expected more than 0, and at most {} times, got {}", most_times, interval));
     for (int i = 0; first + i * interval <= last * (1 + 1e-9); ++i)
       times.push_back(std::min(first + i * interval, last));
+    if (!times.empty() && times.back() < last * (1 - 1e-9))
+      data.report.unused(card->place, "*TIME POINTS, GENERATE: the last time", "no interval ends there");
   }
   return times;
 }
@@ -107,7 +109,7 @@ std::vector<double> time_points(AbaqusData& data, const AbaqusBlock& request) {
   for (const AbaqusBlock& block : data.deck.blocks) {
     if (block.name != "TIMEPOINTS" || label_key(block.require("NAME")) != label_key(label)) continue;
     std::vector<double> times;
-    for (const double time : times_of(block)) {
+    for (const double time : times_of(data, block)) {
       if (time <= step.period) {
         times.push_back(step.start + time);
       } else {

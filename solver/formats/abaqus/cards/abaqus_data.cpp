@@ -185,7 +185,9 @@ void AbaqusData::read_amplitude(const AbaqusBlock& block) {
     curve = smooth(curve);
     report.understood(fmt::format("*AMPLITUDE ({}): smooth steps as 64 straight pieces each", block.place.text()));
   }
-  amplitudes_[label_key(block.require("NAME"))] = std::move(curve);
+  const std::string key = label_key(block.require("NAME"));
+  definitions_.add("amplitude", key, block.star_name(), block.place);
+  amplitudes_[key] = std::move(curve);
 }
 
 namespace {
@@ -217,7 +219,7 @@ AbaqusCurve AbaqusData::curve(const AbaqusBlock& block) const {
   const AbaqusStep& step = step_of(block);
   const auto name = block.value("AMPLITUDE");
   if (!name) return step.ramps ? AbaqusCurve{{0.0, step.period}, {0.0, 1.0}} : AbaqusCurve{};
-  const auto found = amplitudes_.find(label_key(*name));
+  const auto found = amplitudes_.find(definitions_.name("amplitude", label_key(*name)));
   if (found == amplitudes_.end())
     fail_at(block.place, fmt::format("{}: there is no *AMPLITUDE {}", block.star_name(), *name));
   AbaqusCurve curve = found->second;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <solver/formats/abaqus/mesh/abaqus_mesh.hpp>
+#include <solver/formats/deck/deck_definitions.hpp>
 #include <solver/formats/deck/deck_element.hpp>
 #include <solver/formats/deck/deck_report.hpp>
 #include <solver/formats/deck/deck_scene.hpp>
@@ -102,6 +103,8 @@ class AbaqusData {
   const AbaqusBlock* last(const std::string& name) const;
   /// Throws InputError where the deck gives this ("material STEEL") already.
   void give_once(const std::string& what, const DeckPlace& place) { given_.add(what, place); }
+  /// Reports what is defined and nothing has named: when all else is translated.
+  void tell_unused_definitions() { definitions_.tell_unused(report); }
   /// Name of a material, or the like, in the scene.
   std::string material_name(const std::string& key) const { return "mat_" + plain_name(key); }
   static std::string plain_name(const std::string& label);
@@ -120,6 +123,7 @@ class AbaqusData {
   GivenOnce given_;
   std::map<std::string, std::size_t> node_sets_, element_sets_, face_sets_, components_;
   std::map<std::string, AbaqusCurve> amplitudes_;
+  DeckDefinitions<std::string> definitions_;
 };
 
 /// All numbers of a data line, which may be more than it has fields by names. Throws InputError for what is none.

@@ -92,6 +92,7 @@ TranslatedDeck translate_abaqus_text(std::string text, const std::string& path, 
   translate_abaqus_loads(data, boundary);
   translate_abaqus_rigid_bodies(data, bodies);
   translate_abaqus_probes(data, boundary);
+  data.tell_unused_definitions();
   for (const std::string& note : deck.notes) report.understood(note);
   for (const std::string& note : std::exchange(mesh.file.notes, {})) report.understood(note);
   tell_unread(deck, log, report);

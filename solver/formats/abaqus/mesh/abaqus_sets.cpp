@@ -6,6 +6,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/formats/deck/given_once.hpp>
+#include <solver/formats/deck/missed_last.hpp>
 
 namespace pinball {
 
@@ -156,7 +157,7 @@ void AbaqusSets::add_block(std::size_t component, bool of_nodes, const AbaqusBlo
   DataLines lines(block);
   while (const auto card = lines.next()) {
     if (generates) {
-      generate(scope, of_nodes, *card, members);
+      generate(scope, of_nodes, block, *card, members);
     } else {
       for (const std::string_view entry : entries_of(card->text)) {
         if (!entry.empty()) add_entry(scope, of_nodes, std::string(entry), card->place, members);
@@ -166,8 +167,8 @@ void AbaqusSets::add_block(std::size_t component, bool of_nodes, const AbaqusBlo
 }
 
 /// First, last, step. Numbers in between that are not there are left out, as in a mesh with gaps.
-void AbaqusSets::generate(std::size_t component, bool of_nodes, const DataLine& card,
-                          std::vector<std::int32_t>& members) const {
+void AbaqusSets::generate(std::size_t component, bool of_nodes, const AbaqusBlock& block, const DataLine& card,
+                          std::vector<std::int32_t>& members) {
   const DataFields f(card);
   const std::int64_t first = f.integer(0, "first"), last = f.integer(1, "last", first);
   std::int64_t step = f.integer(2, "step", 1);
@@ -184,6 +185,7 @@ void AbaqusSets::generate(std::size_t component, bool of_nodes, const DataLine& 
   }
   if (members.size() == before)
     fail_at(card.place, fmt::format("GENERATE: there is no {} from {} to {}", kind(of_nodes), first, last));
+  note_missed_last(block.star_name() + ", GENERATE", card.place, first, last, step, file_.notes);
 }
 
 std::optional<std::int32_t> AbaqusSets::numbered(std::size_t component, bool of_nodes, std::int64_t number) const {

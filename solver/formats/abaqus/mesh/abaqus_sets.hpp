@@ -65,7 +65,8 @@ class AbaqusSets {
   std::vector<SetKey> sets_in(const SetKey& key, const Set& set) const;
   Set* find(const SetKey& key);
   void add_block(std::size_t component, bool of_nodes, const AbaqusBlock& block, std::vector<std::int32_t>& members);
-  void generate(std::size_t component, bool of_nodes, const DataLine& card, std::vector<std::int32_t>& members) const;
+  void generate(std::size_t component, bool of_nodes, const AbaqusBlock& block, const DataLine& card,
+                std::vector<std::int32_t>& members);
   std::optional<std::int32_t> numbered(std::size_t component, bool of_nodes, std::int64_t number) const;
   std::optional<std::size_t> component_of(const std::string& instance) const;
   void add_entry(std::size_t component, bool of_nodes, const std::string& label, const DeckPlace& place,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <solver/base/point.hpp>
+#include <solver/formats/deck/deck_definitions.hpp>
 #include <solver/formats/deck/deck_element.hpp>
 #include <solver/formats/deck/deck_report.hpp>
 #include <solver/formats/deck/deck_scene.hpp>
@@ -22,7 +23,6 @@
 #include <solver/mesh/number_index.hpp>
 #include <solver/scene_boundary.hpp>
 
-#include "deck_definitions.hpp"
 #include "reversed_faces.hpp"
 
 namespace pinball {
@@ -187,7 +187,7 @@ class DeckData {
   std::map<std::int64_t, const KeywordBlock*> state_equation_blocks_;
   std::set<std::int64_t> materials_;  ///< of the parts with solids
   GivenOnce given_;
-  DeckDefinitions definitions_;
+  DeckDefinitions<std::int64_t> definitions_;
 };
 
 }  // namespace pinball

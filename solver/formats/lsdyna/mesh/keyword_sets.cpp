@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include <solver/base/error.hpp>
+#include <solver/formats/deck/missed_last.hpp>
 #include <solver/formats/lsdyna/scan/keyword_scanner.hpp>
 
 namespace pinball {
@@ -118,6 +119,7 @@ void KeywordSets::add_generated(const KeywordBlock& block, const Fields& fields,
     add_numbers(block, first + offset(block), last + offset(block), step, members);
     if (members.size() == before)
       fail_at(fields.place(), fmt::format("{}: none from {} to {}", block.star_name(), first, last));
+    note_missed_last(block.star_name(), fields.place(), first, last, step, file_.notes);
   }
 }
 

@@ -78,6 +78,7 @@ const RadiossBlock* RadiossData::last(const std::string& name) const {
 
 void RadiossData::read_function(const RadiossBlock& block) {
   given_.add(fmt::format("function {}", block.id()), block.place);
+  definitions_.add("function", block.id(), "/FUNCT", block.place);
   auto& [x, y] = functions_[block.id()];
   RadiossLines lines(block);
   while (const auto line = lines.next_filled()) {
@@ -92,6 +93,7 @@ void RadiossData::read_function(const RadiossBlock& block) {
 void RadiossData::read_axes(const RadiossBlock& block) {
   constexpr std::int64_t skews_with_origin = 120;
   given_.add(fmt::format("{} {}", block.name, block.id()), block.place);
+  definitions_.add(block.name, block.id(), '/' + block.name, block.place);
   RadiossLines lines(block);
   const bool frame = block.name == "FRAME/FIX", has_origin = frame || deck.version >= skews_with_origin;
   const DataLine first = has_origin ? lines.require("the origin of the system") : DataLine{{}, block.place},
@@ -245,21 +247,21 @@ std::vector<std::string> RadiossData::all_bodies() const {
 
 std::array<Point, 3> RadiossData::axes(std::int64_t skew, const DeckPlace& place) const {
   if (skew == 0) return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  const auto found = skews_.find(skew);
+  const auto found = skews_.find(definitions_.name("SKEW/FIX", skew));
   if (found == skews_.end()) fail_at(place, fmt::format("no /SKEW/FIX has the number {}", skew));
   return found->second;
 }
 
 std::pair<Point, std::array<Point, 3>> RadiossData::frame(std::int64_t id, const DeckPlace& place) const {
   if (id == 0) return {{}, axes(0, place)};
-  const auto found = frames_.find(id);
+  const auto found = frames_.find(definitions_.name("FRAME/FIX", id));
   if (found == frames_.end()) fail_at(place, fmt::format("no /FRAME/FIX has the number {}", id));
   return found->second;
 }
 
 const std::pair<std::vector<double>, std::vector<double>>& RadiossData::function(std::int64_t id,
                                                                                  const DeckPlace& place) const {
-  const auto found = functions_.find(id);
+  const auto found = functions_.find(definitions_.name("function", id));
   if (found == functions_.end()) fail_at(place, fmt::format("no /FUNCT has the number {}", id));
   return found->second;
 }

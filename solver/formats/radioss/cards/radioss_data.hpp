@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <solver/formats/deck/deck_definitions.hpp>
 #include <solver/formats/deck/deck_element.hpp>
 #include <solver/formats/deck/deck_report.hpp>
 #include <solver/formats/deck/deck_scene.hpp>
@@ -99,6 +100,9 @@ class RadiossData {
   /// Points of a function.
   const std::pair<std::vector<double>, std::vector<double>>& function(std::int64_t id, const DeckPlace& place) const;
 
+  /// Reports what is defined and nothing has named: when all else is translated.
+  void tell_unused_definitions() { definitions_.tell_unused(report); }
+
   /// Whether a part with solids has this material, or property.
   bool has_material(std::int64_t id) const;
   bool has_property(std::int64_t id) const;
@@ -113,6 +117,7 @@ class RadiossData {
   std::map<std::int64_t, std::pair<std::vector<double>, std::vector<double>>> functions_;
   std::map<std::int64_t, std::array<Point, 3>> skews_;
   std::map<std::int64_t, std::pair<Point, std::array<Point, 3>>> frames_;
+  DeckDefinitions<std::int64_t> definitions_;
   GivenOnce given_;
 };
 

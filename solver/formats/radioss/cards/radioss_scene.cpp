@@ -65,6 +65,7 @@ TranslatedDeck scene_of(const RadiossDeck& deck, const std::string& path, const 
   translate_radioss_loads(data, boundary);
   translate_radioss_rigid_bodies(data, bodies);
   translate_radioss_probes(data, boundary);
+  data.tell_unused_definitions();
   for (const std::string& note : std::exchange(mesh.notes, {})) report.understood(note);
   scene.append(std::move(bodies));
   scene.append(std::move(boundary));

@@ -8,6 +8,7 @@
 #include <solver/base/error.hpp>
 #include <solver/base/face_corners.hpp>
 #include <solver/base/faces.hpp>
+#include <solver/formats/deck/missed_last.hpp>
 
 #include "radioss_members.hpp"
 
@@ -200,7 +201,7 @@ RadiossGroups::Places RadiossGroups::numbered(const RadiossBlock& block, bool of
 }
 
 /// What is not there in between is left out.
-RadiossGroups::Places RadiossGroups::in_ranges(const RadiossBlock& block, bool of_nodes, bool steps) const {
+RadiossGroups::Places RadiossGroups::in_ranges(const RadiossBlock& block, bool of_nodes, bool steps) {
   const std::vector<std::int64_t>& numbers = of_nodes ? file_.node_ids : file_.element_ids;
   Places all;
   RadiossLines lines(block);
@@ -213,6 +214,7 @@ RadiossGroups::Places RadiossGroups::in_ranges(const RadiossBlock& block, bool o
       if (numbers[i] >= first && numbers[i] <= last && (numbers[i] - first) % step == 0) all.push_back(i);
     }
     if (all.size() == before) fail_at(line->place, fmt::format("{}: none from {} to {}", block.title, first, last));
+    note_missed_last(block.title, line->place, first, last, step, file_.notes);
   }
   return all;
 }

@@ -36,7 +36,7 @@ class RadiossGroups {
                            const DeckPlace& place) const;
 
   Places numbered(const RadiossBlock& block, bool of_nodes) const;
-  Places in_ranges(const RadiossBlock& block, bool of_nodes, bool steps) const;
+  Places in_ranges(const RadiossBlock& block, bool of_nodes, bool steps);
   Places in_boxes(const RadiossBlock& block, bool of_nodes) const;
   Places bricks_of_parts(const RadiossBlock& block, std::string_view kind) const;
   Places nodes_of_bricks(const Places& bricks) const;
