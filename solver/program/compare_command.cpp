@@ -12,6 +12,7 @@
 #include "comparison.hpp"
 #include "comparison_report.hpp"
 #include "others/beside_report.hpp"
+#include "others/watched_numbers.hpp"
 #include "result_file.hpp"
 #include "scene_input.hpp"
 
@@ -43,7 +44,11 @@ int compare_command(const CompareOptions& options) {
   std::vector<std::string> vary = options.vary;
   if (vary.empty() && others.empty()) vary = {"contact.method=pinball,slideline"};
   std::vector<Variant> variants = make_variants(scene_input(options).source, vary);
-  for (Variant& variant : variants) variant.scene.device = options.device;
+  std::vector<std::string> not_watched;
+  for (Variant& variant : variants) {
+    variant.scene.device = options.device;
+    not_watched = watch_numbers(others, variant.scene);
+  }
   ComparisonSettings settings{options.repeats.value_or(others.empty() ? 3 : 1), options.quiet};
   settings.curves = !options.page.empty() || !others.empty();
   if (!others.empty()) settings.rows = rows_beside_others;
@@ -55,6 +60,7 @@ int compare_command(const CompareOptions& options) {
   const RunSummary& first = runs.front().repeats.front();
   fmt::print("{}: {} thread{}, {}\n", first.scene, first.threads, first.threads == 1 ? "" : "s", processor_name());
   fmt::print("{}{}", comparison_table(runs), beside_table(runs, others));
+  for (const std::string& sentence : not_watched) fmt::print("{}\n", sentence);
   std::fflush(stdout);  // before the warnings, in a log that both go to
   print_warnings(runs);
   return std::all_of(runs.begin(), runs.end(), [](const VariantRuns& v) { return v.failure.empty(); }) ? 0 : 1;

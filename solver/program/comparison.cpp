@@ -124,6 +124,7 @@ class RunningVariant {
     source.frame = [&](std::size_t i) { return FieldFrame::of_snapshot(frames_[i], base); };
     return surface_json_of_frames(source, bodies_);
   }
+  LastState last() const { return record_ ? last_state(solver_->snapshot(), solver_->base()) : LastState{}; }
   const std::string& failure() const { return failure_; }
   RunSummary summary() const {
     RunSummary summary;
@@ -275,6 +276,7 @@ std::vector<VariantRuns> run_comparison(const std::vector<Variant>& variants, co
       if (repeat == 0) {
         result.curves = race.runs()[i].curves();
         result.surface = race.runs()[i].surface();
+        if (result.failure.empty()) result.last = race.runs()[i].last();
       }
       check_repeat(name_of(result.settings), result.repeats.front(), result.repeats.back());
     }

@@ -8,6 +8,8 @@
 #include <solver/results.hpp>
 #include <solver/scene.hpp>
 
+#include "others/last_state.hpp"
+
 /// One scene with several values of some of its keys, run side by side. The speed of a machine may change by a factor
 /// of two within minutes: variants that take turns all meet the same minutes, and the ratio of their times is what
 /// counts.
@@ -30,13 +32,14 @@ struct VariantRuns {
   std::optional<double> momentum_error;  ///< see momentum_error.hpp
   std::string failure;                   ///< what stopped the run, and when; empty: it came to its end
   Curves curves{};                       ///< of the first repeat, a row at each of equal parts; empty: not asked for
+  LastState last{};                      ///< of its nodes by number; empty: not asked for
   std::string surface{};                 ///< the same, as of surface_json_of_frames at nine equal parts
 };
 
 struct ComparisonSettings {
   int repeats = 1;      ///< the whole is done so often
   bool quiet = false;   ///< no progress
-  bool curves = false;  ///< keep what the variants are over time
+  bool curves = false;  ///< keep what the variants are over time, and how they end
   int rows = 200;       ///< of these curves
   int threads = 0;      ///< of all variants; 0: what the largest earns
 };

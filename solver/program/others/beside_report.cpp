@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include <solver/program/text_table.hpp>
 
 #include "curve_difference.hpp"
+#include "last_state.hpp"
 
 namespace pinball {
 
@@ -35,6 +37,72 @@ OrderedJson optional_json(const std::optional<double>& value) {
   return value ? OrderedJson(*value) : OrderedJson(nullptr);
 }
 
+/// Nodes that are compared as they are at the end count as compared.
+std::vector<std::string> not_compared(const std::vector<VariantRuns>& runs, const OtherHistory& other) {
+  std::vector<std::string> names = without_meaning(runs.front().curves, other);
+  const std::vector<StateDifference> states = state_differences(runs.front().last, other);
+  std::erase_if(names, [&](const std::string& name) {
+    const auto of = numbered_quantity(name);
+    return of && !of->of_element &&
+           std::ranges::any_of(states, [&](const StateDifference& d) { return of->quantity.starts_with(d.quantity); });
+  });
+  return names;
+}
+
+/// As many as one reads; of what is more the number.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 20;
+  const std::span<const std::string> first(names.data(), std::min(most, names.size()));
+  const std::size_t more = names.size() - first.size();
+  return fmt::format("{}{}", fmt::join(first, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+bool has_nodes(const OtherHistory& other) {
+  return std::ranges::any_of(other.curves, [](const OtherCurve& curve) {
+    const auto of = numbered_quantity(curve.name);
+    return of && !of->of_element;
+  });
+}
+
+/// Of nodes by number at the end of the runs; empty: the other program has none.
+std::string state_table(const std::vector<VariantRuns>& runs, const OtherHistory& other) {
+  if (!has_nodes(other)) return "";
+  std::vector<std::vector<std::string>> lines{
+      {"last state", "at time", "nodes", "longest there", "largest difference", "at node", "root mean square"}};
+  if (runs.size() > 1) lines.front().insert(lines.front().begin() + 1, "variant");
+  for (const VariantRuns& variant : runs) {
+    for (const StateDifference& d : state_differences(variant.last, other)) {
+      lines.push_back({d.quantity, fmt::format("{:.6g}", variant.last.time), fmt::format("{}", d.nodes),
+                       fmt::format("{:.6g}", d.scale), share_cell(d.largest), fmt::format("{}", d.largest_node),
+                       share_cell(d.root_mean_square)});
+      if (runs.size() > 1) lines.back().insert(lines.back().begin() + 1, pinball::name_of(variant.settings));
+    }
+  }
+  if (lines.size() == 1) {
+    return fmt::format("no last state beside it: expected its nodes at time {:.6g}, at which this run ends\n",
+                       runs.front().last.time);
+  }
+  std::vector<Align> align(lines.front().size(), Align::right);
+  std::fill(align.begin(), align.begin() + (runs.size() > 1 ? 2 : 1), Align::left);
+  return text_table(lines, align);
+}
+
+OrderedJson states_json(const std::vector<VariantRuns>& runs, const OtherHistory& other) {
+  OrderedJson all = OrderedJson::array();
+  for (const VariantRuns& variant : runs) {
+    OrderedJson state = {{"time", variant.last.time}};
+    for (const StateDifference& d : state_differences(variant.last, other)) {
+      state[d.quantity] = {{"nodes", d.nodes},
+                           {"longest", d.scale},
+                           {"largest_difference", optional_json(d.largest)},
+                           {"largest_node", d.largest_node},
+                           {"root_mean_square", optional_json(d.root_mean_square)}};
+    }
+    all.push_back(state);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string beside_table(const std::vector<VariantRuns>& runs, const std::vector<OtherHistory>& others) {
@@ -56,8 +124,9 @@ std::string beside_table(const std::vector<VariantRuns>& runs, const std::vector
     words += fmt::format("\nbeside {} ({}, {} times from {:.6g} to {:.6g}); differences over the largest size there\n",
                          other.path, other.kind, other.times.size(), other.times.front(), other.times.back());
     words += lines.size() > 1 ? text_table(lines, align) : "no quantity that this run has at the same times\n";
-    const std::vector<std::string> left_out = without_meaning(runs.front().curves, other);
-    if (!left_out.empty()) words += fmt::format("not compared: {}\n", fmt::join(left_out, ", "));
+    const std::vector<std::string> left_out = not_compared(runs, other);
+    words += state_table(runs, other);
+    if (!left_out.empty()) words += fmt::format("not compared: {}\n", listed(left_out));
   }
   return words;
 }
@@ -90,7 +159,8 @@ OrderedJson beside_json(const std::vector<VariantRuns>& runs, const std::vector<
                    {"first_time", other.times.front()},
                    {"last_time", other.times.back()},
                    {"quantities", quantities},
-                   {"not_compared", without_meaning(runs.front().curves, other)}});
+                   {"last_state", states_json(runs, other)},
+                   {"not_compared", not_compared(runs, other)}});
   }
   return all;
 }

@@ -9,18 +9,17 @@ namespace pinball {
 
 namespace {
 
-/// At a time between the first and the last of `times`, which rise.
-double between(const std::vector<double>& times, const std::vector<double>& values, double time) {
+/// The integral of the square of a line from a to b, over its length.
+double mean_square(double a, double b) { return (a * a + a * b + b * b) / 3; }
+
+}  // namespace
+
+double value_between(const std::vector<double>& times, const std::vector<double>& values, double time) {
   const auto after = std::lower_bound(times.begin(), times.end(), time) - times.begin();
   if (after == 0 || times[after] == time) return values[after];
   const double part = (time - times[after - 1]) / (times[after] - times[after - 1]);
   return values[after - 1] + part * (values[after] - values[after - 1]);
 }
-
-/// The integral of the square of a line from a to b, over its length.
-double mean_square(double a, double b) { return (a * a + a * b + b * b) / 3; }
-
-}  // namespace
 
 bool has_columns(const Curves& curves, const Meaning& meaning) {
   const auto is_there = [&](const std::string& name) { return std::ranges::count(curves.columns, name) > 0; };
@@ -57,7 +56,7 @@ std::vector<CurveDifference> curve_differences(const Curves& curves, const Other
     for (std::size_t i = 0; i < other.times.size(); ++i) {
       const double time = other.times[i], there = curve.values[i];
       if (time < times.front() || time > times.back() || !std::isfinite(there)) continue;
-      const double here = between(times, values, time), difference = here - there;
+      const double here = value_between(times, values, time), difference = here - there;
       if (!std::isfinite(here)) continue;
       if (!first) {
         squares += (time - time_before) * mean_square(before, difference);

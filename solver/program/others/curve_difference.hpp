@@ -32,6 +32,9 @@ std::vector<CurveDifference> curve_differences(const Curves& curves, const Other
 /// Names of what the other program has and this one has not.
 std::vector<std::string> without_meaning(const Curves& curves, const OtherHistory& other);
 
+/// At a time between the first and the last of `times`, which rise: by a straight line.
+double value_between(const std::vector<double>& times, const std::vector<double>& values, double time);
+
 /// Whether the history has all that is meant.
 bool has_columns(const Curves& curves, const Meaning& meaning);
 

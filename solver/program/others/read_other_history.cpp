@@ -3,21 +3,20 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <limits>
-#include <map>
 #include <optional>
 #include <string_view>
 
 #include <solver/base/error.hpp>
 #include <solver/formats/deck/number_text.hpp>
 
+#include "history_rows.hpp"
 #include "other_history.hpp"
+#include "read_calculix.hpp"
 
 namespace pinball {
 
 namespace {
 
-constexpr double not_there = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* node_heading = "n o d a l   p r i n t   o u t";
 
 /// Numbers in scientific notation, which may stand without a blank between them: -1.2E+00-3.4E+00.
@@ -38,32 +37,6 @@ std::vector<double> numbers_of_fields(const std::string& line, std::size_t begin
   end_number();
   return numbers;
 }
-
-/// Rows by time, of curves that come and go.
-class Rows {
- public:
-  explicit Rows(OtherHistory& history) : history_(history) {}
-
-  void begin(double time) {
-    while (!history_.times.empty() && history_.times.back() >= time) {  // taken up again
-      history_.times.pop_back();
-      for (OtherCurve& curve : history_.curves) curve.values.resize(history_.times.size());
-    }
-    history_.times.push_back(time);
-    for (OtherCurve& curve : history_.curves) curve.values.push_back(not_there);
-  }
-  bool empty() const { return history_.times.empty(); }
-  template <class MeaningOf>
-  void set(const std::string& name, double value, const MeaningOf& meaning) {
-    const auto [place, is_new] = place_.try_emplace(name, history_.curves.size());
-    if (is_new) history_.curves.push_back({name, meaning(name), std::vector<double>(history_.times.size(), not_there)});
-    history_.curves[place->second].values.back() = value;
-  }
-
- private:
-  OtherHistory& history_;
-  std::map<std::string, std::size_t> place_;
-};
 
 /// " kinetic energy.........................  1.254E+04": name and value; an empty name where it is no such line.
 std::pair<std::string, std::string> split_dots(const std::string& line) {
@@ -185,7 +158,8 @@ void read_table(const std::vector<std::string>& lines, OtherHistory& history) {
   const auto time = std::find_if(names.begin(), names.end(), is_time);
   if (time == names.end()) {
     throw InputError(
-        fmt::format("{}:{}: expected the names of columns, one of them time, or LS-DYNA's glstat or nodout, got '{}'",
+        fmt::format("{}:{}: expected the names of columns, one of them time, or LS-DYNA's glstat or nodout, or "
+                    "CalculiX' .dat, got '{}'",
                     history.path, heading - lines.begin() + 1, trimmed(std::string_view(*heading).substr(0, 60))));
   }
   Rows rows(history);
@@ -226,10 +200,13 @@ OtherHistory read_other_history(const std::string& path) {
     read_glstat(lines, history);
   } else if (is_nodout(lines)) {
     read_nodout(lines, history);
+  } else if (is_calculix_dat(lines)) {
+    read_calculix_dat(lines, history);
   } else {
     read_table(lines, history);
   }
-  if (history.times.size() < 2) {
+  const std::size_t least = is_calculix_dat(lines) ? 1 : 2;  // one state is enough to be laid beside the last one
+  if (history.times.size() < least) {
     throw InputError(fmt::format("{}: expected two times at least, got {}", path, history.times.size()));
   }
   return history;
