@@ -16,10 +16,11 @@ SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>&
     std::vector<std::int32_t> nodes;
     double side = 0;  // of the plane on which the bodies lie
     const std::vector<std::int32_t> held = matching_nodes(model.mesh, nodes_of(plane));
+    const Point through = plane.set.empty() || held.empty() ? plane.point : model.mesh.nodes[held.front()];
     for (std::size_t n = 0; n < model.mesh.nodes.size(); ++n) {
       const auto body = static_cast<std::size_t>(model.mesh.body_of_node[n]);
       if (!plane.body.empty() && plane.body != model.mesh.body_names[body]) continue;
-      side += dot(minus(model.mesh.nodes[n], plane.point), plane.normal);
+      side += dot(minus(model.mesh.nodes[n], through), plane.normal);
       const bool in_plane = std::binary_search(held.begin(), held.end(), static_cast<std::int32_t>(n));
       if (!in_plane) nodes.push_back(model.node_of_scene_node[n]);
     }
@@ -30,7 +31,7 @@ SymmetryWalls<S>::SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>&
       for (double& c : inward) c = -c;
     }
     std::ranges::sort(nodes);  // all are looked at in each step after the first erosion: in the order in which they lie
-    walls_.push_back(kernels.reflection(nodes, plane.point, inward));
+    walls_.push_back(kernels.reflection(nodes, through, inward));
   }
 }
 

@@ -54,7 +54,7 @@ NAMES = {
     "utility algorithm": "swap",
     "utility map": "pair",
     "utility array tuple": "tuple_size",
-    "variant": "get_if variant visit",
+    "variant": "get_if holds_alternative variant visit",
     "vector": "vector",
     "vector string deque map set unordered_map": "erase_if",
     "vector string deque map set unordered_map array span iterator": "ssize",

@@ -16,6 +16,7 @@
 #include <solver/scene/units/units.hpp>
 
 #include "displacement_jumps.hpp"
+#include "idle_keys.hpp"
 #include "meetings.hpp"
 #include "never_begun.hpp"
 #include "opposed_motions.hpp"
@@ -57,6 +58,14 @@ bool is_translated(const Scene& scene) {
   });
 }
 
+/// Whether the scene is made of a deck, whose mesh was read with it.
+bool is_deck(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const Body& body) {
+    const auto* file = std::get_if<FileMesh>(&body.mesh);
+    return file != nullptr && file->held != nullptr;
+  });
+}
+
 /// One look at one scene.
 class LookAt {
  public:
@@ -76,6 +85,9 @@ class LookAt {
     check_whether_anything_meets();
     for (std::string& sentence : opposed_motions(scene_, mesh_)) report(std::move(sentence));
     for (std::string& sentence : displacement_jumps(scene_)) report(std::move(sentence));
+    if (!is_deck(scene_)) {  // whose cards set keys for others, and are reported themselves
+      for (std::string& sentence : idle_keys(scene_)) report(std::move(sentence));
+    }
     if (!is_translated(scene_)) {  // where a late birth turns a card off
       for (std::string& sentence : never_begun(scene_)) report(std::move(sentence));
     }

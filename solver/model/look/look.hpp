@@ -19,8 +19,8 @@ struct Look {
 };
 
 /// Looks at units and materials, at speeds beside those of waves, at what can meet what and whether anything does, at
-/// motions that constraints keep from acting, and at layers of elements; decides contact where the scene leaves it open
-/// (contact.method). mesh: of the scene, with ties found.
+/// motions that constraints keep from acting, at keys that say nothing, and at layers of elements; decides contact
+/// where the scene leaves it open (contact.method). mesh: of the scene, with ties found.
 Look look_at(Scene& scene, const ModelMesh& mesh);
 
 }  // namespace pinball

@@ -26,7 +26,9 @@ constexpr void describe(Of<PlaneConstraint>, Visit&& visit) {
   using T = PlaneConstraint;
   describe_type(visit, constraint_types[0]);
   visit(Key{"name", &T::name, "of its force, see above", name_of_force});
-  visit(Key{"point", &T::point, "a point of the plane", {.unit = "L"}});
+  const auto by_set = [](const T& plane, const Scene&) { return !plane.set.empty(); };
+  visit(Key{"point", &T::point, "a point of the plane, which with `set` goes through its nodes", {.unit = "L"}}
+            .idle_where(by_set, "beside set"));
   visit(Key{"normal",
             &T::normal,
             "nodes on the plane may not move along it",
@@ -39,7 +41,8 @@ constexpr void describe(Of<PlaneConstraint>, Visit&& visit) {
   visit(Key{"tolerance",
             &T::tolerance,
             "how far from the plane a node may lie; 0: by the mesh",
-            {.unit = "L", .bound = not_negative}});
+            {.unit = "L", .bound = not_negative}}
+            .idle_where(by_set, "beside set"));
   visit(Field{"where", &T::where, "for messages"});
 }
 
@@ -169,7 +172,8 @@ constexpr void describe(Of<InitialVelocity>, Visit&& visit) {
             "required, or the next one; the last table that selects a node counts",
             {.unit = "L/T"}});
   visit(Key{"angular_velocity", &T::angular_velocity, "adds a spin about an axis through `centre`", {.unit = "1/T"}});
-  visit(Key{"centre", &T::centre, "a point of that axis", {.unit = "L"}});
+  visit(Key{"centre", &T::centre, "a point of that axis", {.unit = "L"}}.idle_where(
+      [](const T& given, const Scene&) { return given.angular_velocity == Point{}; }, "without angular_velocity"));
   visit(FileKey<std::vector<std::string>>{"components",
                                           "only these are set, the others stay as they were",
                                           {.otherwise = "all", .texts = component_names}});

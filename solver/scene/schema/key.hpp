@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,6 +10,10 @@
 #include <type_traits>
 
 #include "bound.hpp"
+
+namespace pinball {
+struct Scene;
+}
 
 /// How a scene says what its tables hold: each key once, with all that is known of it. The files beside this one have a
 /// function for each kind of table,
@@ -86,12 +92,20 @@ struct FileKey : AnyKey {
   constexpr FileKey(const char* name_, const char* meaning_, About about_ = {}) : AnyKey(name_, meaning_, about_) {}
 };
 
+/// Where a key that an object has says nothing, and what that is owed to: "where ..." or "without ...".
+template <class T>
+struct Idle {
+  bool (*holds)(const T&, const Scene&) = nullptr;
+  const char* because = "";
+};
+
 /// A key that sets a member.
 template <class T, class Value>
 struct Key : FileKey<Value> {
   Value T::*member;
   bool (*applies)(const T&) = nullptr;  ///< which objects have it; none: all
   const char* rejected = nullptr;       ///< where another object is read that has it; none: it may have it
+  std::array<Idle<T>, 4> idle{};        ///< where it says nothing, which is told (model/look/idle_keys.hpp)
 
   constexpr Key(const char* name_, Value T::*member_, const char* meaning_, About about_ = {})
       : FileKey<Value>(name_, meaning_, about_), member(member_) {}
@@ -100,6 +114,14 @@ struct Key : FileKey<Value> {
     Key key = *this;
     key.applies = applies_;
     key.rejected = rejected_;
+    return key;
+  }
+  /// The same key, which says nothing where this holds. Of a completed scene that the object is a part of.
+  constexpr Key idle_where(bool (*holds)(const T&, const Scene&), const char* because) const {
+    Key key = *this;
+    std::size_t next = 0;
+    while (key.idle[next].holds != nullptr) ++next;
+    key.idle[next] = {holds, because};
     return key;
   }
   const char* field() const { return *this->about.field ? this->about.field : this->name; }

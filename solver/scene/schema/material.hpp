@@ -5,6 +5,7 @@
 
 #include "../../scene.hpp"
 #include "key.hpp"
+#include "rigid.hpp"
 
 /// The keys of materials.
 namespace pinball::schema {
@@ -61,19 +62,28 @@ template <class Visit>
 constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
   using T = JohnsonCookSettings;
   visit(Key{"hardening_coefficient", &T::hardening_coefficient, "B", {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"hardening_exponent", &T::hardening_exponent, "n", {.unit = "-", .bound = positive}});
+  visit(Key{"hardening_exponent", &T::hardening_exponent, "n", {.unit = "-", .bound = positive}}.idle_where(
+      [](const T& law, const Scene&) { return law.hardening_coefficient == 0; }, "without hardening_coefficient"));
   visit(Key{"rate_coefficient", &T::rate_coefficient, "C", {.unit = "-", .bound = not_negative}});
   visit(Key{"reference_rate",
             &T::reference_rate,
             "at which r = 1; > 0 beside `rate_coefficient` and D4",
-            {.unit = "1/T", .bound = not_negative}});
-  visit(Key{"softening_exponent", &T::softening_exponent, "m", {.unit = "-", .bound = positive}});
+            {.unit = "1/T", .bound = not_negative}}
+            .idle_where(
+                [](const T& law, const Scene&) {
+                  return law.rate_coefficient == 0 && (law.failure.size() < 4 || law.failure[3] == 0);
+                },
+                "without rate_coefficient or D4"));
+  visit(Key{"softening_exponent", &T::softening_exponent, "m", {.unit = "-", .bound = positive}}.idle_where(
+      [](const T& law, const Scene&) { return law.melting_temperature == 0; }, "without melting_temperature"));
   visit(Key{"melting_temperature",
             &T::melting_temperature,
             "> `room_temperature`; 0: heat does not soften",
             {.unit = "K", .bound = not_negative}});
-  visit(Key{
-      "room_temperature", &T::room_temperature, "of the undeformed material", {.unit = "K", .bound = not_negative}});
+  visit(
+      Key{"room_temperature", &T::room_temperature, "of the undeformed material", {.unit = "K", .bound = not_negative}}
+          .idle_where([](const T& law, const Scene&) { return law.melting_temperature == 0 && law.specific_heat == 0; },
+                      "without melting_temperature or specific_heat"));
   visit(Key{"specific_heat",
             &T::specific_heat,
             "per mass; > 0 beside `melting_temperature`",
@@ -81,7 +91,8 @@ constexpr void describe(Of<JohnsonCookSettings>, Visit&& visit) {
   visit(Key{"heat_share",
             &T::heat_share,
             "part of the plastic work that heats",
-            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}});
+            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}}
+            .idle_where([](const T& law, const Scene&) { return law.specific_heat == 0; }, "without specific_heat"));
   visit(Key{"failure",
             &T::failure,
             "`[D1, D2, D3, D4, D5]`: an element whose damage reaches 1 is eroded",
@@ -159,8 +170,9 @@ constexpr void describe(Of<ErosionSettings>, Visit&& visit) {
             &T::shear_strain,
             "of half the difference of the largest and the smallest principal strain",
             {.unit = "-", .bound = not_negative}});
-  visit(
-      Key{"time", &T::time, "after it all elements of the material are eroded", {.unit = "T", .bound = not_negative}});
+  visit(Key{"time", &T::time, "after it all elements of the material are eroded", {.unit = "T", .bound = not_negative}}
+            .idle_where([](const T& erosion, const Scene& scene) { return erosion.time > scene.time.end; },
+                        "where it lies after time.end"));
   visit(Key{"smallest_step",
             &T::smallest_step,
             "an element whose stable step is smaller is eroded",
@@ -171,9 +183,29 @@ constexpr void describe(Of<ErosionSettings>, Visit&& visit) {
             {.unit = "-", .bound = {.low = 0.0, .high = 1.0, .high_open = true}}});
 }
 
+/// Whether all bodies of a material are rigid.
+inline bool of_rigid_bodies(const Material& material, const Scene& scene) {
+  bool any = false;
+  for (const Body& body : scene.bodies) {
+    if (body.material != material.name) continue;
+    if (!is_rigid(body, scene)) return false;
+    any = true;
+  }
+  return any;
+}
+
+inline bool no_rates(const Material& material, const Scene&) {
+  const auto& law = material.johnson_cook;
+  const bool rates_of_law = law && (law->rate_coefficient > 0 || (law->failure.size() > 3 && law->failure[3] != 0));
+  return !(material.rate_constant > 0) && material.yield_curves.size() < 2 && !rates_of_law;
+}
+
 template <class Visit>
 constexpr void describe(Of<Material>, Visit&& visit) {
   using T = Material;
+  const auto where_it_deforms = [&visit](const auto& key) {
+    visit(key.idle_where(of_rigid_bodies, "of rigid bodies"));
+  };
   const auto plastic = [](const Material& material) { return material.plastic; };
   const auto solid = [](const Material& material) { return !material.fluid; };
   const auto yields = [](const Material& material) { return material.plastic && !material.fluid; };
@@ -223,24 +255,30 @@ constexpr void describe(Of<Material>, Visit&& visit) {
              .unset = Unset::zero,
              .otherwise = "required for `\"von_mises\"`"}}
             .only_where(yields));
-  visit(Key{"plastic_modulus",
-            &T::plastic_modulus,
-            "H, slope of the yield stress over the effective plastic strain",
-            {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"ultimate_stress",
-            &T::ultimate_stress,
-            "hardening ends at this yield stress, >= `yield_stress`",
-            {.unit = "M/(L T^2)", .bound = positive, .unset = Unset::zero_or_infinite, .otherwise = "infinite"}}
-            .only_where(plastic));
-  visit(Key{"erosion_strain",
-            &T::erosion_strain,
-            "effective plastic strain at which an element is eroded; 0: never",
-            {.unit = "-", .bound = not_negative}});
-  visit(Key{"isotropic_share",
-            &T::isotropic_share,
-            "beta: the yield surface grows by this part of H, and moves by the rest, as back stress: 1 isotropic, 0 "
-            "kinematic hardening",
-            {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}});
+  where_it_deforms(Key{"plastic_modulus",
+                       &T::plastic_modulus,
+                       "H, slope of the yield stress over the effective plastic strain",
+                       {.unit = "M/(L T^2)", .bound = not_negative}});
+  where_it_deforms(
+      Key{"ultimate_stress",
+          &T::ultimate_stress,
+          "hardening ends at this yield stress, >= `yield_stress`",
+          {.unit = "M/(L T^2)", .bound = positive, .unset = Unset::zero_or_infinite, .otherwise = "infinite"}}
+          .idle_where([](const T& material, const Scene&) { return material.plastic_modulus == 0; },
+                      "without plastic_modulus")
+          .only_where(plastic));
+  where_it_deforms(Key{"erosion_strain",
+                       &T::erosion_strain,
+                       "effective plastic strain at which an element is eroded; 0: never",
+                       {.unit = "-", .bound = not_negative}});
+  where_it_deforms(
+      Key{"isotropic_share",
+          &T::isotropic_share,
+          "beta: the yield surface grows by this part of H, and moves by the rest, as back stress: 1 isotropic, 0 "
+          "kinematic hardening",
+          {.unit = "-", .bound = {.low = 0.0, .high = 1.0}}}
+          .idle_where([](const T& material, const Scene&) { return material.plastic_modulus == 0; },
+                      "without plastic_modulus"));
   visit(FileKey<OneYieldCurve>{
       "yield_curve",
       "`{ plastic_strain = [0, ...], stress = [...] }`, in the place of the three stresses above: yield stress over "
@@ -249,31 +287,42 @@ constexpr void describe(Of<Material>, Visit&& visit) {
   visit(FileKey<std::vector<YieldCurve>>{
       "yield_curves", "some of these, each with its `rate` [1/T], ascending", {.otherwise = "none"}});
   visit(Field{"yield_curves", &T::yield_curves, "in the place of yield_stress, of ascending rates"});
-  visit(Key{"power_hardening",
-            &T::power_hardening,
-            "table (below), in the place of `plastic_modulus` and `ultimate_stress`: a power of the plastic strain",
-            {.otherwise = "none"}}
-            .only_where(plastic));
-  visit(Key{"rate_interpolation", &T::rate_interpolation, "between `yield_curves`: in the rate, or in its logarithm"}
-            .only_where(plastic));
-  visit(Key{"strain_rate", &T::strain_rate,
-            "of which the yield stress depends: `\"total\"`, sqrt(D:D) of the rate of deformation D; `\"deviatoric\"`, "
-            "sqrt(2/3 D':D') of its deviator; `\"plastic\"`, rate of the effective plastic strain"}
-            .only_where(plastic));
-  visit(Key{"rate_constant",
-            &T::rate_constant,
-            "C of Cowper and Symonds: the yield stress is (1 + (rate/C)^(1/p)) times as large; 0: no such law",
-            {.unit = "1/T", .bound = not_negative}});
-  visit(Key{"rate_exponent", &T::rate_exponent, "p, > 0 beside `rate_constant`", {.unit = "-", .bound = not_negative}});
-  visit(Key{"rate_stress",
-            &T::rate_stress,
-            "the law adds this stress times (rate/C)^(1/p) instead; 0: none",
-            {.unit = "M/(L T^2)", .bound = not_negative}});
-  visit(Key{"johnson_cook",
-            &T::johnson_cook,
-            "table (below), in the place of the laws of hardening and rate above; `yield_stress` is its A",
-            {.otherwise = "none"}}
-            .only_where(plastic));
+  where_it_deforms(Key{
+      "power_hardening",
+      &T::power_hardening,
+      "table (below), in the place of `plastic_modulus` and `ultimate_stress`: a power of the plastic strain",
+      {.otherwise =
+           "none"}}.only_where(plastic));
+  where_it_deforms(
+      Key{"rate_interpolation", &T::rate_interpolation, "between `yield_curves`: in the rate, or in its logarithm"}
+          .idle_where([](const T& material, const Scene&) { return material.yield_curves.size() < 2; },
+                      "without yield_curves of several rates")
+          .only_where(plastic));
+  where_it_deforms(
+      Key{"strain_rate", &T::strain_rate,
+          "of which the yield stress depends: `\"total\"`, sqrt(D:D) of the rate of deformation D; `\"deviatoric\"`, "
+          "sqrt(2/3 D':D') of its deviator; `\"plastic\"`, rate of the effective plastic strain"}
+          .idle_where(no_rates, "where the yield stress depends on no rate")
+          .only_where(plastic));
+  where_it_deforms(
+      Key{"rate_constant",
+          &T::rate_constant,
+          "C of Cowper and Symonds: the yield stress is (1 + (rate/C)^(1/p)) times as large; 0: no such law",
+          {.unit = "1/T", .bound = not_negative}});
+  where_it_deforms(
+      Key{"rate_exponent", &T::rate_exponent, "p, > 0 beside `rate_constant`", {.unit = "-", .bound = not_negative}}
+          .idle_where([](const T& material, const Scene&) { return material.rate_constant == 0; },
+                      "without rate_constant"));
+  where_it_deforms(Key{"rate_stress",
+                       &T::rate_stress,
+                       "the law adds this stress times (rate/C)^(1/p) instead; 0: none",
+                       {.unit = "M/(L T^2)", .bound = not_negative}});
+  where_it_deforms(Key{
+      "johnson_cook",
+      &T::johnson_cook,
+      "table (below), in the place of the laws of hardening and rate above; `yield_stress` is its A",
+      {.otherwise =
+           "none"}}.only_where(plastic));
   visit(Key{
       "mooney_rivlin", &T::mooney_rivlin, "table (below): rubber, in the place of the moduli", {.otherwise = "none"}}
             .only_where([](const Material& material) { return !material.plastic; }, "with model = \"von_mises\""));
@@ -288,10 +337,10 @@ constexpr void describe(Of<Material>, Visit&& visit) {
             "table (below), in the place of the bulk modulus, beside `shear_modulus` or `fluid`",
             {.otherwise = "none"}}
             .only_where(plastic));
-  visit(Key{"erosion",
-            &T::erosion,
-            "table (below) of limits: an element beyond one of them is eroded; of elastic materials, too",
-            {.otherwise = "none"}});
+  where_it_deforms(Key{"erosion",
+                       &T::erosion,
+                       "table (below) of limits: an element beyond one of them is eroded; of elastic materials, too",
+                       {.otherwise = "none"}});
 }
 
 }  // namespace pinball::schema

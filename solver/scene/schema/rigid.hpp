@@ -1,11 +1,24 @@
 #pragma once
 
+#include <string>
+
+#include "../../scene.hpp"
 #include "../../scene_rigid.hpp"
 #include "key.hpp"
 #include "selection.hpp"
 
 /// The keys of rigid bodies and of what moves them.
 namespace pinball::schema {
+
+/// Whether a body is of a rigid one.
+inline bool is_rigid(const Body& body, const Scene& scene) {
+  for (const RigidBody& rigid : scene.rigid_bodies) {
+    for (const std::string& name : rigid.bodies) {
+      if (name == body.name) return true;
+    }
+  }
+  return false;
+}
 
 template <class Visit>
 constexpr void describe(Of<RigidBody>, Visit&& visit) {

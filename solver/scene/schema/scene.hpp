@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "../../scene.hpp"
@@ -15,9 +17,30 @@
 /// The keys of bodies and of the scene itself, and all others with them.
 namespace pinball::schema {
 
+/// Whether another table gives all nodes of a body their initial velocities.
+inline bool has_other_velocity(const Body& body, const Scene& scene) {
+  for (const RigidBody& rigid : scene.rigid_bodies) {
+    if (!rigid.velocity && !rigid.angular_velocity) continue;
+    for (const std::string& name : rigid.bodies) {
+      if (name == body.name) return true;
+    }
+  }
+  for (const InitialVelocity& given : scene.initial_velocities) {
+    NodeSelection nodes = given.nodes;
+    if (nodes.body != body.name || !nodes.without.empty()) continue;
+    nodes.body.clear();
+    if (nodes.all() && given.components == std::array{true, true, true}) return true;
+  }
+  return false;
+}
+
 template <class Visit>
 constexpr void describe(Of<Body>, Visit&& visit) {
   using T = Body;
+  const auto where_it_counts = [&visit](const auto& key) {
+    visit(key.idle_where(has_other_velocity,
+                         "where an initial_velocity or its rigid_body gives all of its nodes theirs"));
+  };
   visit(Key{"name", &T::name, "unique", {.need = Need::required, .form = Form::name, .listed = Listed::never}});
   visit(Key{"material", &T::material, "name of a `[[material]]`", {.need = Need::required}});
   visit(FileKey<MeshSettings>{"mesh", "table, see below", {.need = Need::required}});
@@ -30,16 +53,17 @@ constexpr void describe(Of<Body>, Visit&& visit) {
             &T::axis,
             "the body's z axis is turned onto this direction by the shortest rotation",
             {.unit = "-", .form = Form::direction, .otherwise = "not turned"}});
-  visit(Key{"velocity", &T::velocity, "initial, uniform", {.unit = "L/T"}});
-  visit(Key{"angular_velocity", &T::angular_velocity, "initial rigid spin about the body's centroid", {.unit = "1/T"}});
-  visit(Key{"velocity_gradient",
-            &T::velocity_gradient,
-            "3 rows of 3: adds G (x - centroid) to the initial velocity",
-            {.unit = "1/T"}});
-  visit(Key{"velocity_noise",
-            &T::velocity_noise,
-            "adds a pseudo-random velocity of this amplitude, the same in every run",
-            {.unit = "L/T", .bound = not_negative}});
+  where_it_counts(Key{"velocity", &T::velocity, "initial, uniform", {.unit = "L/T"}});
+  where_it_counts(
+      Key{"angular_velocity", &T::angular_velocity, "initial rigid spin about the body's centroid", {.unit = "1/T"}});
+  where_it_counts(Key{"velocity_gradient",
+                      &T::velocity_gradient,
+                      "3 rows of 3: adds G (x - centroid) to the initial velocity",
+                      {.unit = "1/T"}});
+  where_it_counts(Key{"velocity_noise",
+                      &T::velocity_noise,
+                      "adds a pseudo-random velocity of this amplitude, the same in every run",
+                      {.unit = "L/T", .bound = not_negative}});
   visit(Key{"element",
             &T::element,
             "table with keys of `[element]` that this body has in their place: `element = { hourglass = \"viscous\", "

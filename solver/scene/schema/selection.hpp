@@ -35,6 +35,14 @@ struct IsInnerTable<Line> : std::true_type {};
 template <>
 struct IsInnerTable<Box> : std::true_type {};
 
+/// Whether neither a set nor a number says what of a mesh file is selected.
+inline bool nothing_of_a_file(const NodeSelection& nodes, const Scene& scene) {
+  for (const Pressure& pressure : scene.pressures) {
+    if (&pressure.faces == &nodes && !pressure.corners.empty()) return false;
+  }
+  return nodes.set.empty() && nodes.nodes.empty() && nodes.without.empty();
+}
+
 template <class Visit>
 constexpr void describe(Of<NodeSelection>, Visit&& visit) {
   using T = NodeSelection;
@@ -66,12 +74,15 @@ constexpr void describe(Of<NodeSelection>, Visit&& visit) {
   visit(Key{"file",
             &T::file,
             "the mesh file of sets and numbers, where bodies are from several",
-            {.listed = Listed::where_given}});
+            {.listed = Listed::where_given}}
+            .idle_where(nothing_of_a_file, "without set, nodes or without"));
   visit(Key{"without", &T::without, "a set whose nodes are left out", {.listed = Listed::where_given}});
   visit(Key{"tolerance",
             &T::tolerance,
             "how far from plane, line and box a node may lie; 0: by the mesh",
-            {.unit = "L", .bound = not_negative, .listed = Listed::where_given}});
+            {.unit = "L", .bound = not_negative, .listed = Listed::where_given}}
+            .idle_where([](const T& nodes, const Scene&) { return !nodes.plane && !nodes.line && !nodes.box; },
+                        "without plane, line or box"));
   visit(Field{"where", &T::where, "for messages"});
 }
 

@@ -1,7 +1,7 @@
 #include "listing.hpp"
 
 #include <solver/scene/schema/scene.hpp>
-#include <solver/scene_rules.hpp>
+#include <solver/scene/without_keys.hpp>
 
 #include "entries.hpp"
 #include "list_keys.hpp"
@@ -24,15 +24,8 @@ void list_table(const char* name, const T& object, std::vector<SceneEntry>& all)
 }
 
 void list_contact(const Scene& scene, std::vector<SceneEntry>& all) {
-  const ContactSettings& contact = scene.contact;
-  ContactSettings without;
-  without.enforcement = contact.enforcement;
-  without.friction = contact.friction;  // at rest it is the same, if not given
-  complete(without);
-  without.friction = 0;
-  without.enforcement = ContactSettings{}.enforcement;
   Entries table(all, "contact");
-  list_keys(table, contact, without);
+  list_keys(table, scene.contact, without_keys(scene.contact));
 }
 
 void list_output(const Scene& scene, std::vector<SceneEntry>& all) {
@@ -67,12 +60,8 @@ void list_materials(const Scene& scene, std::vector<SceneEntry>& all) {
 }  // namespace
 
 void list_element(const ElementSettings& element, const std::string& name, std::vector<SceneEntry>& all) {
-  ElementSettings without;
-  without.hourglass = element.hourglass;
-  complete(without);
-  without.hourglass = ElementSettings{}.hourglass;
   Entries table(all, name);
-  list_keys(table, element, without);
+  list_keys(table, element, without_keys(element));
 }
 
 std::string toml_text(const std::string& text) {
