@@ -17,6 +17,7 @@ std::vector<VerificationRow> verify_coarse_impact(const Scene& scene);
 std::vector<VerificationRow> verify_crushed_block(const Scene& scene);
 std::vector<VerificationRow> verify_hugoniot(const Scene& scene);
 std::vector<VerificationRow> verify_patch_test(const Scene& scene);
+std::vector<VerificationRow> verify_perforated_plate(const Scene& scene);
 std::vector<VerificationRow> verify_plastic_cantilever(const Scene& scene);
 std::vector<VerificationRow> verify_plate_impact(const Scene& scene);
 std::vector<VerificationRow> verify_refined_layer(const Scene& scene);

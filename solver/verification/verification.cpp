@@ -44,6 +44,7 @@ const std::vector<VerificationCase>& verification_cases() {
       {"sphere_sphere", verify_sphere_sphere},
       {"rod_plate", verify_rod_plate},
       {"rod_oblique", verify_rod_oblique},
+      {"perforated_plate", verify_perforated_plate},
       {"refined_layer", verify_refined_layer},
   };
   return cases;
