@@ -26,7 +26,9 @@ using testing::Not;
 class Stops : public testing::Test {
  protected:
   /// The tests may be run with signals ignored (nohup), as if they always were; what start() starts begins without.
-  Stops() { ::signal(SIGINT, SIG_IGN); }
+  Stops() {
+    for (const int signal : {SIGINT, SIGHUP, SIGUSR1, SIGXCPU}) ::signal(signal, SIG_IGN);
+  }
   ~Stops() override {
     if (process_ > 0) end_with(SIGKILL);
   }
@@ -37,8 +39,8 @@ class Stops : public testing::Test {
     argv.push_back(nullptr);
     process_ = ::fork();
     if (process_ != 0) return;
-    ::signal(SIGINT, SIG_DFL);
-    ::signal(SIGTERM, SIG_DFL);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGXCPU}) ::signal(signal, SIG_DFL);
+    if (without_terminal_) ::signal(SIGHUP, SIG_IGN);  // as nohup does
     const int log = ::open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ::dup2(log, 1);
     ::dup2(log, 2);
@@ -67,6 +69,7 @@ class Stops : public testing::Test {
   }
   Json summary() const { return Json::parse(content(out_ + "/summary.json")); }
 
+  bool without_terminal_ = false;  ///< of what start() starts
   test::TemporaryFolder folder_{testing::UnitTest::GetInstance()->current_test_info()->name()};
   std::string out_ = folder_ / "out", log_ = folder_ / "log";
   pid_t process_ = 0;
@@ -105,9 +108,8 @@ TEST_F(Stops, AFileThatMayNotGrowIsAnErrorThatNamesIt) {
 }
 
 TEST_F(Stops, ARunWithoutATerminalGoesOn) {
-  ::signal(SIGHUP, SIG_IGN);  // as nohup does
+  without_terminal_ = true;
   start_long_run();
-  ::signal(SIGHUP, SIG_DFL);
   ::kill(process_, SIGHUP);
   ::usleep(50000);
   EXPECT_EQ(end_with(SIGINT), 130);
