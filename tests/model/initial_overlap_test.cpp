@@ -151,6 +151,16 @@ double way_of_adjustment(Scene scene, bool& apart) {
   return way;
 }
 
+/// A face has no tangents where corners are one node, and no foot is found there.
+TEST(InitialOverlaps, OfWedgesThatTouchAtTheirAxisThereAreNone) {
+  Scene scene = read_scene(find_scene("perforated_plate"));
+  scene.bodies[0].position = {0, 0, 0};
+  EXPECT_TRUE(overlaps(scene).empty());
+  scene.bodies[0].position = {0, 0, -0.1};
+  ASSERT_EQ(overlaps(scene).size(), 1U);
+  EXPECT_NEAR(overlaps(scene)[0].depth, 0.1, 1e-9);
+}
+
 TEST(InitialOverlaps, AreAdjusted) {
   bool apart = false;
   EXPECT_EQ(way_of_adjustment(two_blocks({0, 0, 2}), apart), 0);

@@ -27,6 +27,20 @@ std::vector<Bounds> boxes_of(const ModelMesh& mesh, const std::vector<std::size_
 Point scaled(double factor, const Point& p) { return {factor * p[0], factor * p[1], factor * p[2]}; }
 Vec3<double> vector_of_point(const Point& p) { return {p[0], p[1], p[2]}; }
 
+/// From a point to the nearest of a face. At a collapsed corner, where a foot cannot be found, to the nearest corner.
+Vec3<double> way_to(const Vec3<double> (&corner)[4], const Vec3<double>& at) {
+  const FaceProjection<double> foot = project_onto_face(corner, at, 0.0, 0.0);
+  Vec3<double> best = corner[0] - at;
+  for (int k = 1; k < 4; ++k) {
+    const Vec3<double> to = corner[k] - at;
+    if (dot(to, to) < dot(best, best)) best = to;
+  }
+  if (!(foot.outside < INFINITY)) return best;
+  Vec3<double> to = (-1.0) * at;
+  for (int k = 0; k < 4; ++k) to = to + foot.weight[k] * corner[k];
+  return to;
+}
+
 }  // namespace
 
 double depth_in(const ModelMesh& mesh, std::size_t element, const Point& x) {
@@ -124,10 +138,7 @@ BodyDepth BodySurface::depth_of(const Point& x, const std::vector<Point>& facing
         if (!facing.empty() && std::none_of(facing.begin(), facing.end(), looks_at)) return;
         Vec3<double> corner[4];
         for (std::size_t k = 0; k < 4; ++k) corner[k] = vector_of_point(mesh_.nodes[face.node[k]]);
-        const FaceProjection<double> foot = project_onto_face(corner, at, 0.0, 0.0);
-        if (!(foot.outside < INFINITY)) return;
-        Vec3<double> to = (-1.0) * at;
-        for (int k = 0; k < 4; ++k) to = to + foot.weight[k] * corner[k];
+        const Vec3<double> to = way_to(corner, at);
         const double distance = std::sqrt(dot(to, to));
         if (!(distance < nearest)) return;
         nearest = distance;
