@@ -294,16 +294,12 @@ void DeckData::add_parts(const KeywordBlock& block, const Card& card, std::vecto
 
 void DeckData::name_bodies() {
   std::vector<std::int64_t> elements(mesh.parts.size(), 0), tetrahedra(elements), wedges(elements);
-  for (std::size_t e = 0; e < mesh.part.size(); ++e) {
-    ++elements[mesh.part[e]];
-    if (is_tetrahedron(mesh.mesh.hexahedra[e])) {
-      ++tetrahedra[mesh.part[e]];
-    } else if (is_wedge(mesh.mesh.hexahedra[e])) {
-      ++wedges[mesh.part[e]];
-    }
-  }
   used.assign(mesh.mesh.nodes.size(), false);
-  for (const auto& hexahedron : mesh.mesh.hexahedra) {
+  for (std::size_t e = 0; e < mesh.part.size(); ++e) {
+    const Corners8& hexahedron = mesh.mesh.hexahedra[e];
+    ++elements[mesh.part[e]];
+    if (is_tetrahedron(hexahedron)) ++tetrahedra[mesh.part[e]];
+    if (is_wedge(hexahedron)) ++wedges[mesh.part[e]];
     for (const std::int32_t node : hexahedron) used[node] = true;
   }
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
