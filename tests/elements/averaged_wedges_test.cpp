@@ -8,6 +8,7 @@
 #include <solver/mesh/generators.hpp>
 #include <solver/model/step_levels.hpp>
 #include <tests/support/collapsed_case.hpp>
+#include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
 
 /// Wedges in whole runs, collapsed hexahedra with volumes that are averaged over nodes, and pyramids beside them.
@@ -286,15 +287,6 @@ TEST(AveragedWedges, MakeTheSmallestStepOfSubcycling) {
   const ElementLevels levels = element_step_levels(scene, build_mesh(scene));
   for (std::size_t e = 0; e < 2 * 2 * 2 * 4; ++e) EXPECT_EQ(levels.own[e], 0) << e;
   EXPECT_GT(levels.level.back(), 0);
-}
-
-template <class S>
-std::uint64_t hash_of(const Scene& scene, int threads) {
-  DefaultExecutionSpace::set_concurrency(threads);
-  Solver<S> solver(scene);
-  run(solver);
-  DefaultExecutionSpace::set_concurrency(1);
-  return state_hash(std::as_const(solver).model());
 }
 
 TEST(AveragedWedges, HaveTheSameBitsForAnyNumberOfThreads) {

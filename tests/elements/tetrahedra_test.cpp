@@ -7,6 +7,7 @@
 #include <solver/base/state_hash.hpp>
 #include <solver/elements/nodal_volumes.hpp>
 #include <tests/support/output_case.hpp>
+#include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/tetrahedra_case.hpp>
 
@@ -130,15 +131,6 @@ TEST(Tetrahedra, DoNotLockWherePlasticFlowKeepsVolumes) {
   const double of_hexahedra = height_of(striking(soft, false)), of_tetrahedra = height_of(striking(soft, true));
   ASSERT_LT(of_hexahedra, 0.93);  // of 1
   EXPECT_NEAR(of_tetrahedra, of_hexahedra, 0.03 * (1 - of_hexahedra));
-}
-
-template <class S>
-std::uint64_t hash_of(const Scene& scene, int threads) {
-  DefaultExecutionSpace::set_concurrency(threads);
-  Solver<S> solver(scene);
-  run(solver);
-  DefaultExecutionSpace::set_concurrency(1);
-  return state_hash(std::as_const(solver).model());
 }
 
 TEST(Tetrahedra, HaveTheSameBitsForAnyNumberOfThreads) {

@@ -5,6 +5,7 @@
 
 #include <solver/base/state_archive.hpp>
 #include <solver/summary.hpp>
+#include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
@@ -60,26 +61,18 @@ Point momentum_of(const Solver<double>& solver, std::size_t body) {
   return momentum;
 }
 
-std::uint64_t hash_of(const Scene& scene, int threads = 1) {
-  DefaultExecutionSpace::set_concurrency(threads);
-  Solver<double> solver(scene);
-  run(solver);
-  DefaultExecutionSpace::set_concurrency(1);
-  return state_hash(solver.model());
-}
-
 class ContactPairs : public testing::TestWithParam<Kind> {};
 INSTANTIATE_TEST_SUITE_P(All, ContactPairs, testing::ValuesIn(kinds),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(ContactPairs, OfAllThatTouchesMakeTheBitsOfNoPairs) {
   Scene scene = with(two_blocks(), GetParam());
-  const std::uint64_t without = hash_of(scene);
+  const std::uint64_t without = hash_of<double>(scene);
   scene.contact_pairs = {pair_of("both", {"high"}, {"low"})};
-  EXPECT_EQ(hash_of(scene), without);
-  EXPECT_EQ(hash_of(scene, 3), without);
+  EXPECT_EQ(hash_of<double>(scene), without);
+  EXPECT_EQ(hash_of<double>(scene, 3), without);
   scene.contact_pairs = {pair_of("all", {"high", "low"})};
-  EXPECT_EQ(hash_of(scene), without);
+  EXPECT_EQ(hash_of<double>(scene), without);
 }
 
 TEST_P(ContactPairs, ImpulseIsTheChangeOfMomentum) {

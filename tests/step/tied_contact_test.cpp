@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
 #include <tests/support/solver_case.hpp>
 
@@ -32,14 +33,6 @@ Scene glued(int fine, int coarse, double end, double gap = 0) {
 }
 
 Point momentum_of_all(const Solver<double>& solver) { return momentum(solver.model()); }
-
-std::uint64_t hash_of(const Scene& scene, int threads) {
-  DefaultExecutionSpace::set_concurrency(threads);
-  Solver<double> solver(scene);
-  run(solver);
-  DefaultExecutionSpace::set_concurrency(1);
-  return state_hash(solver.model());
-}
 
 /// Numbers of the scene: nodes of the lower block first.
 double largest_distance_from_faces(const Solver<double>& solver) {
@@ -285,8 +278,8 @@ TEST_P(TiedInContact, OnlyOthersTouch) {
 TEST_P(TiedInContact, HasTheSameBitsWithAnyThreadsAndFromASavedState) {
   Scene made = scene();
   made.tied_contacts[0].end = 3e-4;
-  const std::uint64_t one = hash_of(made, 1);
-  EXPECT_EQ(hash_of(made, 3), one);
+  const std::uint64_t one = hash_of<double>(made, 1);
+  EXPECT_EQ(hash_of<double>(made, 3), one);
   Solver<double> whole(made);
   for (const double part : {0.3, 0.9}) {
     while (whole.time() < part * made.time.end) whole.step();
