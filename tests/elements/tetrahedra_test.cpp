@@ -6,6 +6,7 @@
 
 #include <solver/base/state_hash.hpp>
 #include <solver/elements/nodal_volumes.hpp>
+#include <tests/support/law_materials.hpp>
 #include <tests/support/output_case.hpp>
 #include <tests/support/run_hash.hpp>
 #include <tests/support/saved_state.hpp>
@@ -14,23 +15,6 @@
 /// Tetrahedra in whole runs: against hexahedra of the same nodes, and against what is exact.
 namespace pinball::test::tetrahedra_test {
 namespace {
-
-Material rubber() {
-  Material m;
-  m.name = "rubber";
-  m.density = 1100;
-  m.mooney_rivlin = MooneyRivlinSettings{3e5, 1e5, 0.49};
-  return m;
-}
-
-Material with_equation_of_state() {
-  Material m = plastic_material("metal", 3e8, 0);
-  m.equation_of_state.emplace();
-  m.equation_of_state->sound_speed = 4500;
-  m.equation_of_state->slopes = {1.5, 0, 0};
-  m.equation_of_state->gamma = 2;
-  return m;
-}
 
 std::vector<Material> laws() {
   Material plastic = plastic_material("plastic", 3e8, 0), curve = plastic_material("curve", 3e8, 0);
