@@ -1,6 +1,6 @@
 #include "rigid_body_motion.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "rigid_rotation.hpp"

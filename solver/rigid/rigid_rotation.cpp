@@ -1,6 +1,6 @@
 #include "rigid_rotation.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace pinball {
