@@ -79,6 +79,11 @@ void define(SchemaJson& all, const SchemaJson& rule = {}, const SchemaJson& anot
   all[kind(schema::Of<T>{}).name] = std::move(table);
 }
 
+template <class... T>
+void define_each(SchemaJson& all, schema::Types<T...> /*tables*/) {
+  (define<T>(all), ...);
+}
+
 /// What is required, but where a published material gives it.
 SchemaJson material_schema() {
   SchemaJson table = table_schema<Material>();
@@ -112,12 +117,7 @@ SchemaJson definitions() {
   all[kind(schema::Of<Material>{}).name] = material_schema();
   define<schema::OneYieldCurve>(all);
   define<YieldCurve>(all);
-  define<PowerHardeningSettings>(all);
-  define<JohnsonCookSettings>(all);
-  define<MooneyRivlinSettings>(all);
-  define<FluidSettings>(all);
-  define<EquationOfStateSettings>(all);
-  define<ErosionSettings>(all);
+  define_each(all, schema::TablesOfMaterial{});
   define<Body>(all);
   all["mesh"] = mesh_definitions(all);
   define<RigidBody>(all);

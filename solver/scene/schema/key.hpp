@@ -30,6 +30,14 @@ namespace pinball::schema {
 template <class T>
 struct Of {};
 
+/// A list of types.
+template <class... T>
+struct Types {};
+template <class One, class List>
+inline constexpr bool is_one_of = false;
+template <class One, class... T>
+inline constexpr bool is_one_of<One, Types<T...>> = (std::is_same_v<One, T> || ...);
+
 /// A table within others, whose keys are listed and checked with theirs.
 template <class Part>
 struct IsInnerTable : std::false_type {};

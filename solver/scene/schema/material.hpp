@@ -35,18 +35,13 @@ constexpr void describe(Of<OneYieldCurve>, Visit&& visit) {
   });
 }
 
-template <>
-struct IsInnerTable<PowerHardeningSettings> : std::true_type {};
-template <>
-struct IsInnerTable<JohnsonCookSettings> : std::true_type {};
-template <>
-struct IsInnerTable<MooneyRivlinSettings> : std::true_type {};
-template <>
-struct IsInnerTable<FluidSettings> : std::true_type {};
-template <>
-struct IsInnerTable<EquationOfStateSettings> : std::true_type {};
-template <>
-struct IsInnerTable<ErosionSettings> : std::true_type {};
+/// The tables that a material may have in it.
+using TablesOfMaterial = Types<PowerHardeningSettings, JohnsonCookSettings, MooneyRivlinSettings, FluidSettings,
+                               EquationOfStateSettings, ErosionSettings>;
+template <class Part>
+requires is_one_of<Part, TablesOfMaterial>
+struct IsInnerTable<Part> : std::true_type {
+};
 
 template <class Visit>
 constexpr void describe(Of<PowerHardeningSettings>, Visit&& visit) {

@@ -50,6 +50,10 @@ template <class... T>
 std::vector<TableKeys> keys_of() {
   return {keys<T>(kind(Of<T>{}))...};
 }
+template <class... T>
+std::vector<TableKeys> keys_of_all(Types<T...> /*tables*/) {
+  return keys_of<T...>();
+}
 
 /// A table that may be of several kinds, of which a key says which: all keys.
 TableKeys together(std::string_view name, const std::vector<TableKeys>& kinds) {
@@ -81,8 +85,9 @@ std::vector<TableKeys> all_kinds() {
   const auto add = [&all](const std::vector<TableKeys>& more) { all.insert(all.end(), more.begin(), more.end()); };
   add({keys<ElementSettings>(element_of_body)});
   add(keys_of<ContactSettings, ContactPair, TiedContact, SideOfSet, SkipSettings, GuardSettings, OutputSettings,
-              Material, OneYieldCurve, YieldCurve, PowerHardeningSettings, JohnsonCookSettings, MooneyRivlinSettings,
-              FluidSettings, EquationOfStateSettings, ErosionSettings, Body>());
+              Material, OneYieldCurve, YieldCurve>());
+  add(keys_of_all(TablesOfMaterial{}));
+  add(keys_of<Body>());
   add(mesh_keys());
   add(keys_of<RigidBody, AttachedNodes, RigidMotion>());
   add({together("constraint", keys_of<PlaneConstraint, FixedConstraint>())});
