@@ -10,6 +10,7 @@
 
 #include "array_view.hpp"
 #include "base/point.hpp"
+#include "mesh_formats.hpp"
 
 /// What a mesh is made from: settings of the generators, a file, or arrays of a host. Fields carry the TOML key that
 /// sets them; lengths are in the scene's unit.
@@ -70,9 +71,6 @@ struct SphereMesh {
   int ring = 1;                   ///< layers of elements between the core and the surface
   double grading = 1.0;           ///< elements at the pole z = -radius are smaller by this factor [-]
 };
-
-/// vtk: legacy files (.vtk) and those of XML (.vtu), which the first bytes tell apart.
-enum class MeshFormat { gmsh, keyword, exodus, vtk, abaqus, radioss };
 
 class HeldMesh;  // solver/mesh/held_mesh.hpp: not for hosts
 

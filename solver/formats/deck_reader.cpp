@@ -46,7 +46,7 @@ void require_no_abaqus_input(std::string_view text, const std::string& path) {
 
 bool is_any_deck(const std::string& path) {
   const std::optional<MeshFormat> format = format_by_ending(path);
-  return format == MeshFormat::keyword || format == MeshFormat::abaqus || format == MeshFormat::radioss;
+  return format && is_of_decks(*format);
 }
 
 bool is_mesh_alone(const std::string& path) {

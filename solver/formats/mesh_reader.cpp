@@ -40,11 +40,6 @@ MeshFile read_format(const FileMesh& settings, const std::vector<std::string>& p
   return {};
 }
 
-/// Those of decks have looked at their numbers, and have split their elements, which have them together now.
-bool is_of_deck(MeshFormat format) {
-  return format == MeshFormat::keyword || format == MeshFormat::abaqus || format == MeshFormat::radioss;
-}
-
 /// Numbers may stand twice where what they number is the same.
 void check_numbers(const MeshFile& file) {
   const auto fail = [&](const char* what, std::int64_t id) {
@@ -68,7 +63,8 @@ MeshFile read_mesh_file(const FileMesh& settings, const std::vector<std::string>
   if (std::ranges::count(wanted, "") > 0) wanted.clear();
   std::optional<MeshFile> held = settings.held ? settings.held->take(settings) : std::nullopt;
   MeshFile file = held ? std::move(*held) : read_format(settings, wanted);
-  if (!is_of_deck(settings.format)) check_numbers(file);
+  // Readers of decks have looked at their numbers, and have split their elements, which have them together now.
+  if (!is_of_decks(settings.format)) check_numbers(file);
   split_ten_nodes(file);
   for (Point& node : file.mesh.nodes) {
     for (double& coordinate : node) coordinate *= settings.scale;

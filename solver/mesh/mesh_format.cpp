@@ -2,35 +2,37 @@
 
 #include <cctype>
 #include <filesystem>
-#include <utility>
-#include <vector>
+#include <ranges>
 
 namespace pinball {
 
 namespace {
 
-const std::vector<std::pair<std::string, MeshFormat>> endings{
-    {".msh", MeshFormat::gmsh},    {".k", MeshFormat::keyword},  {".key", MeshFormat::keyword},
-    {".dyn", MeshFormat::keyword}, {".g", MeshFormat::exodus},   {".e", MeshFormat::exodus},
-    {".exo", MeshFormat::exodus},  {".ex2", MeshFormat::exodus}, {".gen", MeshFormat::exodus},
-    {".vtk", MeshFormat::vtk},     {".vtu", MeshFormat::vtk},    {".inp", MeshFormat::abaqus},
-    {".rad", MeshFormat::radioss},
-};
+/// visit(ending, format) for all that are known.
+template <class Visit>
+void for_endings(const Visit& visit) {
+  for (const KnownMeshFormat& known : known_mesh_formats) {
+    for (const auto& ending : std::views::split(known.endings, ' ')) {
+      visit(std::string(ending.begin(), ending.end()), known.format);
+    }
+  }
+}
 
 }  // namespace
 
 std::optional<MeshFormat> format_by_ending(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const auto& [known, format] : endings) {
-    if (known == ending) return format;
-  }
-  return {};
+  std::optional<MeshFormat> found;
+  for_endings([&](const std::string& known, MeshFormat format) {
+    if (known == ending) found = format;
+  });
+  return found;
 }
 
 std::string known_endings() {
   std::string all;
-  for (const auto& [known, format] : endings) all += (all.empty() ? "" : ", ") + known;
+  for_endings([&all](const std::string& known, MeshFormat) { all += (all.empty() ? "" : ", ") + known; });
   return all;
 }
 

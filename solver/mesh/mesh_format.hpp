@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include <solver/mesh_settings.hpp>
+#include <solver/mesh_formats.hpp>
 
 namespace pinball {
 

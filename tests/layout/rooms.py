@@ -33,7 +33,8 @@ ROOMS = {
     "contact/slideline": (["solver/contact/slideline/"], ["contact/search", "contact/algorithm", "contact/segments"]),
     "contact": (["solver/contact/make_contact.cpp"], ["contact/pinball", "contact/faces", "contact/slideline"]),
     "contact/host": (["solver/contact/host/"], ["contact/algorithm"]),
-    "mesh": (["solver/mesh/", "solver/mesh.hpp", "solver/mesh_settings.hpp", "solver/array_view.hpp"], ["base"]),
+    "mesh": (["solver/mesh/", "solver/mesh.hpp", "solver/mesh_formats.hpp", "solver/mesh_settings.hpp",
+              "solver/array_view.hpp"], ["base"]),
     "scene": (
         ["solver/scene/", "solver/scene.hpp", "solver/scene_boundary.hpp", "solver/scene_contact.hpp",
          "solver/scene_material.hpp", "solver/scene_rigid.hpp", "solver/scene_rules.hpp"],

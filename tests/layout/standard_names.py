@@ -50,7 +50,7 @@ NAMES = {
                    " is_pointer_v is_same_v is_signed_v is_trivially_copyable_v is_unsigned_v remove_const_t true_type type_identity_t",
     "unordered_map": "unordered_map",
     "tuple": "apply tie",
-    "utility": "as_const exchange move",
+    "utility": "as_const exchange index_sequence make_index_sequence move",
     "utility algorithm": "swap",
     "utility map": "pair",
     "utility array tuple": "tuple_size",

@@ -52,9 +52,7 @@ std::size_t pieces_of(const ModelMesh& mesh) {
 bool is_translated(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const Body& body) {
     const auto* file = std::get_if<FileMesh>(&body.mesh);
-    if (file == nullptr) return false;
-    return file->format == MeshFormat::keyword || file->format == MeshFormat::abaqus ||
-           file->format == MeshFormat::radioss;
+    return file != nullptr && is_of_decks(file->format);
   });
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string_view>
+#include <utility>
 
+#include "../../mesh_formats.hpp"
 #include "../../scene.hpp"
 #include "key.hpp"
 
@@ -86,9 +89,10 @@ constexpr auto choices(Of<ElementShape>) {
   return std::array{Choice{"hexahedra", ElementShape::hexahedra}, Choice{"tetrahedra", ElementShape::tetrahedra}};
 }
 constexpr auto choices(Of<MeshFormat>) {
-  return std::array{Choice{"gmsh", MeshFormat::gmsh},     Choice{"keyword", MeshFormat::keyword},
-                    Choice{"exodus", MeshFormat::exodus}, Choice{"vtk", MeshFormat::vtk},
-                    Choice{"abaqus", MeshFormat::abaqus}, Choice{"radioss", MeshFormat::radioss}};
+  return []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array{Choice{known_mesh_formats[i].name, known_mesh_formats[i].format}...};
+  }
+  (std::make_index_sequence<known_mesh_formats.size()>{});
 }
 constexpr auto choices(Of<Frame>) {
   return std::array{Choice{"global", Frame::global}, Choice{"cylindrical", Frame::cylindrical}};
