@@ -104,9 +104,15 @@ PINBALL_FUNCTION YieldPiece<T> piece_from(const HardeningConstants<ScalarOf<T>>&
   return {T(h.strain[point]), between_curves(h, h.stress, around, point), between_curves(h, h.slope, around, point)};
 }
 
-/// The tangent of the power at a plastic strain.
+/// Whether the yield stress is a formula, in the place of curves.
+template <class S>
+PINBALL_FUNCTION bool is_formula(const HardeningConstants<S>& h) {
+  return h.power_coefficient > 0;
+}
+
+/// The tangent of the formula at a plastic strain.
 template <class T>
-PINBALL_OUTLINED YieldPiece<T> tangent_of_power(const HardeningConstants<ScalarOf<T>>& h, const T& plastic_strain) {
+PINBALL_OUTLINED YieldPiece<T> tangent_of_formula(const HardeningConstants<ScalarOf<T>>& h, const T& plastic_strain) {
   const T strain = T(h.power_strain) + plastic_strain;
   const T stress = T(h.power_coefficient) * power(strain, h.power_exponent);
   return {plastic_strain, stress, T(h.power_exponent) * stress / strain};
@@ -116,7 +122,7 @@ PINBALL_OUTLINED YieldPiece<T> tangent_of_power(const HardeningConstants<ScalarO
 template <class T>
 PINBALL_FUNCTION YieldPiece<T> piece_at(const HardeningConstants<ScalarOf<T>>& h, const CurvesAround<T>& around,
                                         const T& plastic_strain) {
-  if (h.power_coefficient > 0) return tangent_of_power(h, plastic_strain);
+  if (is_formula(h)) return tangent_of_formula(h, plastic_strain);
   YieldPiece<T> piece = piece_from(h, around, 0);
   for (int k = 1; k < h.points; ++k) {
     const auto behind = plastic_strain >= T(h.strain[k]);
@@ -135,25 +141,25 @@ struct RateFactor {
 };
 
 /// Most tries of the equation for dl: of a power 4 or 5 are usual.
-inline constexpr int largest_power_iterations = 60;
+inline constexpr int largest_formula_iterations = 60;
 
-/// Increment dl of plastic strain that brings an effective trial stress q to the power,
+/// Increment dl of plastic strain that brings an effective trial stress q to the formula,
 ///
-///     modulus dl + scale K (e_0 + e + dl)^n + more = q ,
+///     modulus dl + scale Y(e + dl) + more = q ,
 ///
 /// by Newton's method. The left side grows and bends one way all along: from dl = 0 the tries are below the solution
-/// where n <= 1, or from the second on above it, and need no bounds. A lane that has its solution keeps it, whatever
-/// its neighbours need. Zero where q is inside the surface.
+/// where Y bends down, or from the second on above it, and need no bounds. A lane that has its solution keeps it,
+/// whatever its neighbours need. Zero where q is inside the surface.
 template <class T>
-PINBALL_OUTLINED T increment_to_power(const HardeningConstants<ScalarOf<T>>& h, const RateFactor<T>& factor,
-                                      ScalarOf<T> modulus, const T& q, const T& plastic_strain) {
+PINBALL_OUTLINED T increment_to_formula(const HardeningConstants<ScalarOf<T>>& h, const RateFactor<T>& factor,
+                                        ScalarOf<T> modulus, const T& q, const T& plastic_strain) {
   using S = ScalarOf<T>;
   // Once a try moves by less than the root of the last digit, the next would by less than that digit.
   constexpr S root_of_digit = sizeof(S) == 8 ? S(0x1p-26) : S(0x1p-12);
   T dl(0);
   MaskOf<T> open = q == q;
-  for (int i = 0; i < largest_power_iterations && any_lane(open); ++i) {
-    const YieldPiece<T> piece = tangent_of_power(h, T(plastic_strain + dl));
+  for (int i = 0; i < largest_formula_iterations && any_lane(open); ++i) {
+    const YieldPiece<T> piece = tangent_of_formula(h, T(plastic_strain + dl));
     const T over = q - factor.more - factor.scale * piece.stress - T(modulus) * dl;
     const T next = maximum(T(0), dl + over / (T(modulus) + factor.scale * piece.slope));
     const auto moved = absolute(next - dl) > T(root_of_digit) * next;
@@ -174,7 +180,7 @@ template <class T>
 PINBALL_FUNCTION T increment_to_curve(const HardeningConstants<ScalarOf<T>>& h, const CurvesAround<T>& around,
                                       const RateFactor<T>& factor, ScalarOf<T> modulus, const T& q,
                                       const T& plastic_strain) {
-  if (h.power_coefficient > 0) return increment_to_power(h, factor, modulus, q, plastic_strain);
+  if (is_formula(h)) return increment_to_formula(h, factor, modulus, q, plastic_strain);
   YieldPiece<T> piece = piece_from(h, around, 0);
   for (int k = 1; k < h.points; ++k) {
     const T left = q - factor.more - T(modulus) * (T(h.strain[k]) - plastic_strain);
