@@ -9,6 +9,8 @@
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
 
+#include "element_types.hpp"
+
 namespace pinball {
 
 namespace {
@@ -68,6 +70,15 @@ void add_groups(const std::vector<Set>& sets, MeshGroup::Kind kind, std::vector<
 }
 
 }  // namespace
+
+void append_element(MeshFile& file, const ElementType& type, std::span<const std::int32_t> nodes) {
+  if (type.has_edge_nodes) {
+    EdgeNodes& of = file.edge_nodes.emplace_back();
+    of.element = static_cast<std::int32_t>(file.mesh.hexahedra.size());
+    std::copy_n(nodes.begin() + 4, of.nodes.size(), of.nodes.begin());
+  }
+  file.mesh.hexahedra.push_back(stored_corners(type, nodes));
+}
 
 std::vector<std::int32_t> elements_of_part(const MeshFile& file, const std::string& part) {
   std::vector<std::int32_t> elements;

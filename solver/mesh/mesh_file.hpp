@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,12 @@ struct MeshFile {
   std::vector<std::string> notes{};   ///< what was left out, in sentences
   std::vector<MeshSource> sources{};  ///< the file itself, and those that it includes
 };
+
+struct ElementType;  // solver/mesh/element_types.hpp
+
+/// Puts one more element behind the others, with the nodes on its edges where they are read. nodes: places in the mesh,
+/// as many as the type has; of a tetrahedron of ten nodes those of EdgeNodes behind the corners.
+void append_element(MeshFile& file, const ElementType& type, std::span<const std::int32_t> nodes);
 
 /// Elements of a part: that of this name or number, or else the set of elements of it; all for "". Throws InputError
 /// where there is none, of which it names the nearest, or a name of several.

@@ -33,13 +33,6 @@ void add_fan(std::int32_t top, const std::array<std::int32_t, 4>& face, std::vec
 
 }  // namespace
 
-bool is_tetrahedron(const Corners8& c) {
-  const bool collapsed = c[0] == c[1] && c[2] == c[3] && c[4] == c[7] && c[5] == c[6];
-  return collapsed && c[0] != c[2] && c[0] != c[4] && c[0] != c[5] && c[2] != c[4] && c[2] != c[5] && c[4] != c[5];
-}
-
-bool is_wedge(const Corners8& corners) { return nodes_in_order(corners).size() == 6; }
-
 std::optional<Corners8> as_tetrahedron(const Corners8& corners) {
   const std::vector<std::int32_t> nodes = nodes_in_order(corners);
   if (nodes.size() != 4) return std::nullopt;

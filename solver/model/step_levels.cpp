@@ -7,7 +7,7 @@
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/faces.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
-#include <solver/mesh/tetrahedra.hpp>
+#include <solver/mesh/element_types.hpp>
 #include <solver/model/selection/node_selection.hpp>
 #include <solver/model/selection/pressed_faces.hpp>
 
@@ -124,7 +124,7 @@ std::vector<int> choose_levels(const std::vector<StepGroup>& groups, double ever
 }
 
 double element_stable_step(const ModelMesh& mesh, std::size_t element, const Material& material) {
-  const auto [volume, b_b, area] = element_size(mesh.corners(element), is_tetrahedron(mesh.hexahedra[element]));
+  const auto [volume, b_b, area] = element_size(mesh.hexahedra[element], mesh.corners(element));
   const double inverse_square = 1 / (volume * volume);
   const double lambda = material.bulk_modulus - 2.0 / 3.0 * material.shear_modulus;
   const double rate = element_stable_rate(inverse_square * largest_principal_value(b_b), inverse_square * trace(b_b),

@@ -10,7 +10,7 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
-#include <solver/mesh/tetrahedra.hpp>
+#include <solver/mesh/element_types.hpp>
 
 namespace pinball {
 namespace {
@@ -68,7 +68,7 @@ double corner_share(const FieldSnapshot& s, std::size_t element) {
   std::array<Point, 8> corners;
   for (std::size_t i = 0; i < 8; ++i) corners[i] = s.position[s.hexahedra[element][i]];
   const double volume = hexahedron_volume(corners);
-  if (is_tetrahedron(s.hexahedra[element])) return volume == 0 ? 0.0 : std::copysign(1.0, volume);
+  if (shape_of(s.hexahedra[element]) == SolidShape::tetrahedron) return volume == 0 ? 0.0 : std::copysign(1.0, volume);
   return volume == 0 ? 0.0 : std::copysign(1.0, volume) * least_corner_share(corners);
 }
 
@@ -154,22 +154,19 @@ void list_element_arrays(const FieldSnapshot& s, const FieldBase& base, const Wa
   if (!base.element_number.empty()) to.push_back(numbers_array("element_number", base.element_number));
 }
 
-constexpr int vtk_hexahedron = 12, vtk_tetrahedron = 10;
-
 struct Cells {
   std::vector<std::int32_t> nodes;  ///< of all, one after the other
   std::vector<std::int64_t> ends;   ///< of each
 };
 
-/// Tetrahedra are cells of four nodes.
+bool has_own_cell(const Corners8& corners) { return !known_shape(shape_of(corners)).cell.empty(); }
+
 Cells cells_of(const FieldSnapshot& s) {
   Cells cells;
   for (const auto& corners : s.hexahedra) {
-    if (is_tetrahedron(corners)) {
-      for (int node = 0; node < 4; ++node) cells.nodes.push_back(corners[tetrahedron_corner(node)]);
-    } else {
-      cells.nodes.insert(cells.nodes.end(), corners.begin(), corners.end());
-    }
+    const KnownShape& shape = known_shape(shape_of(corners));
+    for (const int corner : shape.cell) cells.nodes.push_back(corners[corner]);
+    if (shape.cell.empty()) cells.nodes.insert(cells.nodes.end(), corners.begin(), corners.end());
     cells.ends.push_back(cells.nodes.size());
   }
   return cells;
@@ -178,7 +175,7 @@ Cells cells_of(const FieldSnapshot& s) {
 /// Of hexahedra alone no second copy is held.
 void list_cells(const FieldSnapshot& s, FieldArrays& a) {
   const std::size_t elements = s.hexahedra.size();
-  if (std::ranges::none_of(s.hexahedra, is_tetrahedron)) {
+  if (std::ranges::none_of(s.hexahedra, has_own_cell)) {
     a.cells.push_back(make_array<std::int32_t>("Int32", "connectivity", 8 * elements, 1,
                                                [&s](std::size_t i, std::size_t) { return s.hexahedra[i / 8][i % 8]; }));
     a.cells.push_back(make_array<std::int64_t>("Int64", "offsets", elements, 1,
@@ -198,7 +195,7 @@ void list_mesh_arrays(const FieldSnapshot& s, FieldArrays& a) {
                                         [&s](std::size_t i, std::size_t c) { return s.position[i][c]; }));
   list_cells(s, a);
   a.cells.push_back(make_array<std::uint8_t>("UInt8", "types", elements, 1, [&s](std::size_t i, std::size_t) {
-    return is_tetrahedron(s.hexahedra[i]) ? vtk_tetrahedron : vtk_hexahedron;
+    return known_shape(shape_of(s.hexahedra[i])).vtk_written;
   }));
 }
 

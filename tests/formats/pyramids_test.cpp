@@ -105,7 +105,7 @@ TEST_P(Pyramids, AreCollapsedHexahedraThatFitToOthers) {
   for (std::size_t e = 0; e < 2; ++e) {
     const Corners8& corners = file.mesh.hexahedra[e];
     EXPECT_EQ(std::set<std::int32_t>(corners.begin(), corners.end()).size(), 5 + e);
-    EXPECT_EQ(is_wedge(corners), e == 1);
+    EXPECT_EQ(worked_as(corners) == WorkedShape::wedge, e == 1);
   }
   const MeshQuality quality = measure_quality(file.mesh);
   EXPECT_DOUBLE_EQ(quality.volume, 1.0 / 3 + 1.0 / 2);

@@ -1,6 +1,7 @@
 #include "exodus_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -9,8 +10,8 @@
 
 #include <solver/base/counted.hpp>
 #include <solver/base/error.hpp>
+#include <solver/mesh/element_types.hpp>
 #include <solver/mesh/file/input_file.hpp>
-#include <solver/mesh/tetrahedra.hpp>
 
 #include "netcdf_file.hpp"
 
@@ -19,44 +20,20 @@
 namespace pinball {
 namespace {
 
-/// Sides of a hexahedron, a wedge, a pyramid and a tetrahedron in the numbering of Exodus, by corners that count from
-/// 0.
-constexpr int hexahedron_sides[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
-                                        {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
-/// Corners of the collapsed hexahedron {0, 1, 2, 2, 3, 4, 5, 5}.
-constexpr int wedge_sides[5][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {0, 4, 6, 2}, {0, 2, 1, 1}, {4, 5, 6, 6}};
-/// Of pyramid().
-constexpr int pyramid_sides[5][4] = {{0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {0, 4, 3, 3}, {0, 3, 2, 1}};
-/// Of tetrahedron().
-constexpr int tetrahedron_sides[4][4] = {{0, 2, 5, 5}, {2, 4, 5, 5}, {0, 5, 4, 4}, {0, 4, 2, 2}};
-
-/// What a block may have, by their nodes.
-enum class Shape : std::uint8_t { tetrahedron = 4, pyramid = 5, wedge = 6, hexahedron = 8, ten_nodes = 10 };
-
-bool is_tetrahedron(Shape shape) { return shape == Shape::tetrahedron || shape == Shape::ten_nodes; }
-
-int sides_of(Shape shape) { return is_tetrahedron(shape) ? 4 : shape == Shape::hexahedron ? 6 : 5; }
-const int* corners_of_side(Shape shape, std::int64_t side) {
-  return is_tetrahedron(shape)     ? tetrahedron_sides[side - 1]
-         : shape == Shape::pyramid ? pyramid_sides[side - 1]
-         : shape == Shape::wedge   ? wedge_sides[side - 1]
-                                   : hexahedron_sides[side - 1];
+const ElementType* type_of(const std::string& form, std::int64_t nodes) {
+  for (const ElementType& type : element_types()) {
+    if (!type.exodus.empty() && form.starts_with(type.exodus) && type.nodes == nodes) return &type;
+  }
+  return nullptr;
 }
 
-/// Places of the nodes at the corners.
-Corners8 corners_of(Shape shape) {
-  return shape == Shape::wedge     ? wedge(0, 1, 2, 3, 4, 5)
-         : shape == Shape::pyramid ? pyramid(0, 1, 2, 3, 4)
-                                   : tetrahedron(0, 1, 2, 3);
-}
-
-std::optional<Shape> shape_of(const std::string& form, std::int64_t nodes) {
-  if (form.starts_with("HEX") && nodes == 8) return Shape::hexahedron;
-  if (form.starts_with("WEDGE") && nodes == 6) return Shape::wedge;
-  if (form.starts_with("PYRAMID") && nodes == 5) return Shape::pyramid;
-  if (form.starts_with("TET") && nodes == 4) return Shape::tetrahedron;
-  if (form.starts_with("TET") && nodes == 10) return Shape::ten_nodes;
-  return std::nullopt;
+/// "HEX8, WEDGE6, PYRAMID5, TET4 or TET10"
+std::string names_of_blocks() {
+  std::vector<std::string> names;
+  for (const ElementType& type : element_types()) {
+    if (!type.exodus.empty()) names.push_back(fmt::format("{}{}", type.exodus, type.nodes));
+  }
+  return fmt::format("{} or {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
 std::string upper(std::string text) {
@@ -86,7 +63,7 @@ class ExodusReader {
     read_node_sets();
     read_side_sets();
     read_element_sets();
-    if (file_.mesh.hexahedra.empty()) fail("expected blocks of hexahedra, wedges, pyramids or tetrahedra, got none");
+    if (file_.mesh.hexahedra.empty()) fail(fmt::format("expected blocks of {}, got none", names_of_shapes()));
     return std::move(file_);
   }
 
@@ -162,44 +139,35 @@ class ExodusReader {
     if (shape.size() != 2 || shape[0] != count || shape[1] < 1)
       in_.fail(variable, fmt::format("expected the nodes of {} elements", count));
     const std::string type = in_.attribute(variable, "elem_type");
-    const std::optional<Shape> form = shape_of(upper(type), shape[1]);
-    if (!form) return reject(blocks, b, type, shape[1], count);
+    const ElementType* const form = type_of(upper(type), shape[1]);
+    if (form == nullptr) return reject(blocks, b, type, shape[1], count);
     const std::int32_t first = file_.mesh.hexahedra.size();
     if (first + count > std::numeric_limits<std::int32_t>::max() / 8) fail("has more elements than a mesh can hold");
     for (std::int64_t e = 0; e < count; ++e) place_.push_back(first + e);
-    file_.mesh.hexahedra.resize(first + count);
-    std::int32_t* const corners = file_.mesh.hexahedra[first].data();
-    if (form == Shape::hexahedron) {
-      in_.integers_into(variable, corners);
+    file_.mesh.hexahedra.reserve(first + count);
+    if (form->shape == SolidShape::hexahedron && form->nodes == 8) {  // as they lie in the file, without a copy
+      file_.mesh.hexahedra.resize(first + count);
+      read_places(variable, 8, {file_.mesh.hexahedra[first].data(), static_cast<std::size_t>(8 * count)});
     } else {
-      read_collapsed(variable, *form, first, count);
+      std::vector<std::int32_t> nodes(form->nodes * count);
+      read_places(variable, form->nodes, nodes);
+      for (std::int64_t e = 0; e < count; ++e)
+        append_element(file_, *form, std::span(nodes).subspan(e * form->nodes, form->nodes));
     }
-    shape_.resize(first + count, *form);
-    for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = checked_node(variable, i / 8, corners[i]);
+    shape_.resize(first + count, form->shape);
     file_.part.resize(first + count, file_.parts.size());
     file_.parts.push_back({blocks.ids[b], blocks.names[b]});
   }
 
-  void read_collapsed(const std::string& variable, Shape shape, std::int32_t first, std::int64_t count) {
-    std::int32_t* const corners = file_.mesh.hexahedra[first].data();
-    const auto of_each = static_cast<std::int64_t>(shape);
-    std::vector<std::int32_t> nodes(of_each * count);
+  /// Of nodes, so many of each element.
+  void read_places(const std::string& variable, std::int64_t of_each, std::span<std::int32_t> nodes) const {
     in_.integers_into(variable, nodes.data());
-    const Corners8 corner = pinball::corners_of(shape);
-    for (std::int64_t i = 0; i < 8 * count; ++i) corners[i] = nodes[i / 8 * of_each + corner[i % 8]];
-    for (std::int64_t e = 0; shape == Shape::ten_nodes && e < count; ++e) {
-      EdgeNodes& of = file_.edge_nodes.emplace_back();
-      of.element = static_cast<std::int32_t>(first + e);
-      for (std::int64_t i = 0; i < 6; ++i) of.nodes[i] = checked_node(variable, e, nodes[10 * e + 4 + i]);
+    for (std::int64_t i = 0; i < std::ssize(nodes); ++i) {
+      if (nodes[i] < 1 || nodes[i] > std::ssize(file_.mesh.nodes))
+        in_.fail(variable, fmt::format("element {}: expected nodes from 1 to {}, got {}", i / of_each + 1,
+                                       file_.mesh.nodes.size(), nodes[i]));
+      --nodes[i];
     }
-  }
-
-  /// Its place.
-  std::int32_t checked_node(const std::string& variable, std::int64_t element, std::int32_t node) const {
-    if (node < 1 || node > std::ssize(file_.mesh.nodes))
-      in_.fail(variable, fmt::format("element {}: expected nodes from 1 to {}, got {}", element + 1,
-                                     file_.mesh.nodes.size(), node));
-    return node - 1;
   }
 
   void reject(const Names& blocks, std::size_t b, const std::string& type, std::int64_t nodes, std::int64_t count) {
@@ -208,7 +176,7 @@ class ExodusReader {
                     blocks.names[b].empty() ? "" : " (" + blocks.names[b] + ")", counted(count, "element"),
                     type.empty() ? "unknown" : type, counted(nodes, "node"));
     if (wanted_.empty() ? !is_without_volume(type) : is_needed(blocks.ids[b], blocks.names[b]))
-      fail(what + ": expected HEX8, WEDGE6, PYRAMID5, TET4 or TET10");
+      fail(what + ": expected " + names_of_blocks());
     file_.notes.push_back(fmt::format("{}: {}: left out", file_.path, what));
     place_.insert(place_.end(), count, -1);
   }
@@ -276,11 +244,12 @@ class ExodusReader {
       set.faces.push_back({-1, -1, -1, -1});
       return;
     }
-    const std::int64_t most = sides_of(shape_[place]);
+    const auto& sides = known_shape(shape_[place]).exodus_sides;
+    const std::int64_t most = std::ranges::count_if(sides, [](const auto& one) { return one[0] >= 0; });
     if (side < 1 || side > most) in_.fail(variable, fmt::format("expected sides from 1 to {}, got {}", most, side));
     const auto& corners = file_.mesh.hexahedra[place];
     std::array<std::int32_t, 4> face;
-    for (std::size_t i = 0; i < 4; ++i) face[i] = corners[corners_of_side(shape_[place], side)[i]];
+    for (std::size_t i = 0; i < 4; ++i) face[i] = corners[sides[side - 1][i]];
     set.faces.push_back(face);
   }
 
@@ -302,7 +271,7 @@ class ExodusReader {
   const std::vector<std::string>& wanted_;
   MeshFile file_;
   std::vector<std::int32_t> place_;  ///< per element of the file; -1: left out
-  std::vector<Shape> shape_;         ///< per hexahedron
+  std::vector<SolidShape> shape_;    ///< per hexahedron
 };
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <solver/base/error.hpp>
-#include <solver/mesh/tetrahedra.hpp>
 
 namespace pinball {
 
@@ -31,33 +30,26 @@ bool GmshCollector::wants(std::span<const std::int64_t> groups) const {
          std::ranges::any_of(groups, [&](std::int64_t group) { return std::ranges::count(wanted_, group) > 0; });
 }
 
-void GmshCollector::add_volume(const std::array<std::int32_t, 8>& corners, std::span<const std::int64_t> groups,
-                               std::int64_t id, int line) {
+void GmshCollector::add_volume(const ElementType& type, std::span<const std::int32_t> nodes,
+                               std::span<const std::int64_t> groups, std::int64_t id, int line) {
   const std::int32_t next = file_.mesh.hexahedra.size();
   std::int32_t place = next;
   const std::int64_t first = groups.empty() ? 0 : groups.front();
   if (repeats_) {
     // The same element of the same group is no repetition for another group: it is there twice.
+    const Corners8 corners = stored_corners(type, nodes);
     place = known_->find_or_add(key_of_nodes(corners), next, [&](std::int32_t other) {
       return file_.mesh.hexahedra[other] == corners && first_group_[other] != first;
     });
   }
   if (place == next) {
-    file_.mesh.hexahedra.push_back(corners);
+    append_element(file_, type, nodes);
     file_.element_ids.push_back(id);
     if (line > 0) file_.line.push_back(line);
     if (repeats_) first_group_.push_back(first);
   }
   overlapping_ |= place != next || groups.size() > 1;
   for (const std::int64_t group : groups) add_to_group(group, place);
-}
-
-void GmshCollector::add_ten_nodes(const std::array<std::int32_t, 10>& n, std::span<const std::int64_t> groups,
-                                  std::int64_t id, int line) {
-  const auto next = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
-  add_volume(tetrahedron(n[0], n[1], n[2], n[3]), groups, id, line);
-  if (std::ssize(file_.mesh.hexahedra) == next) return;  // it is there already
-  file_.edge_nodes.push_back({next, {n[4], n[5], n[6], n[7], n[9], n[8]}});
 }
 
 void GmshCollector::add_to_group(std::int64_t group, std::int32_t place) {
@@ -92,8 +84,7 @@ MeshFile GmshCollector::finish(const GmshGroups& groups, const std::vector<std::
 
 void GmshCollector::require_elements(const std::vector<std::string>& names) const {
   const auto none = [this](const std::string& where) {
-    throw InputError(
-        fmt::format("{}: expected hexahedra, prisms, pyramids or tetrahedra{}, got none", file_.path, where));
+    throw InputError(fmt::format("{}: expected {}{}, got none", file_.path, names_of_shapes(), where));
   };
   if (file_.mesh.hexahedra.empty() && names.empty()) none("");
   for (std::size_t i = 0; i < names.size(); ++i) {

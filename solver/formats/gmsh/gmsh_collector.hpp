@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <solver/mesh/element_table.hpp>
+#include <solver/mesh/element_types.hpp>
 #include <solver/mesh/mesh_file.hpp>
 #include <solver/mesh/number_index.hpp>
 
@@ -25,12 +26,9 @@ class GmshCollector {
   bool wants(std::span<const std::int64_t> groups) const;
   /// Place of a node; -1: there is none of that number.
   std::int32_t node(std::int64_t id) const { return index_.find(id); }
-  /// line: 0 where there are none.
-  void add_volume(const std::array<std::int32_t, 8>& corners, std::span<const std::int64_t> groups, std::int64_t id,
-                  int line);
-  /// A tetrahedron with nodes on its edges, in the order of Gmsh.
-  void add_ten_nodes(const std::array<std::int32_t, 10>& nodes, std::span<const std::int64_t> groups, std::int64_t id,
-                     int line);
+  /// nodes: as of append_element; line: 0 where there are none.
+  void add_volume(const ElementType& type, std::span<const std::int32_t> nodes, std::span<const std::int64_t> groups,
+                  std::int64_t id, int line);
   /// A point, line, triangle or quadrangle, with or without nodes on its edges. problem: what is wrong with it, for who
   /// uses its groups.
   void add_boundary(int dimension, std::span<const std::int32_t> nodes, std::span<const std::int64_t> groups,

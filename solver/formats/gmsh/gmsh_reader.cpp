@@ -8,9 +8,9 @@
 #include <optional>
 
 #include <solver/base/error.hpp>
+#include <solver/mesh/element_types.hpp>
 #include <solver/mesh/file/input_file.hpp>
 #include <solver/mesh/file/mesh_scanner.hpp>
-#include <solver/mesh/tetrahedra.hpp>
 
 #include "gmsh_collector.hpp"
 #include "gmsh_groups.hpp"
@@ -256,8 +256,7 @@ class GmshReader {
     const int line = scan_.binary() ? 0 : scan_.line();
     if (dimension == 3 && collector_->wants(groups) && !is_read(type))
       fail_element(id, line,
-                   fmt::format("expected 8-node hexahedra (type 5), 6-node prisms (type 6), 5-node pyramids (type "
-                               "7) or tetrahedra of 4 or 10 nodes (types 4 and 11), got {} (type {})",
+                   fmt::format("expected types of {}, got {} (type {})", names_of_types(&ElementType::gmsh),
                                gmsh::name_of(type), type));
     const bool wanted = dimension == 3 ? collector_->wants(groups) : !groups.empty();
     if (wanted && is_read(type)) {
@@ -269,9 +268,8 @@ class GmshReader {
   }
 
   static bool is_read(std::int64_t type) {
-    return type == gmsh::line || type == gmsh::triangle || type == gmsh::quadrangle || type == gmsh::hexahedron ||
-           type == gmsh::prism || type == gmsh::pyramid || type == gmsh::tetrahedron || type == gmsh::point ||
-           type == gmsh::line_3 || type == gmsh::triangle_6 || type == gmsh::tetrahedron_10;
+    return type == gmsh::line || type == gmsh::triangle || type == gmsh::quadrangle || type == gmsh::point ||
+           type == gmsh::line_3 || type == gmsh::triangle_6 || element_type(&ElementType::gmsh, type) != nullptr;
   }
 
   std::string place_of_element(std::int64_t id, int line) const {
@@ -300,7 +298,7 @@ class GmshReader {
   }
 
   void add_element(int dimension, std::int64_t type, std::span<const std::int64_t> groups, std::int64_t id, int line) {
-    std::array<std::int32_t, 10> nodes;
+    std::array<std::int32_t, most_nodes_of_element> nodes;
     const int count = gmsh::nodes_of(type);
     for (int i = 0; i < count; ++i) {
       const std::int64_t node = read_node_of_element();
@@ -311,16 +309,9 @@ class GmshReader {
     if (dimension < 3) {
       return collector_->add_boundary(dimension, {nodes.data(), static_cast<std::size_t>(count)}, groups, "");
     }
-    static constexpr Corners8 of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_prism = wedge(0, 1, 2, 3, 4, 5),
-                                                                     of_pyramid = pyramid(0, 1, 2, 3, 4);
-    if (type == gmsh::tetrahedron) {
-      return collector_->add_volume(tetrahedron(nodes[0], nodes[1], nodes[2], nodes[3]), groups, id, line);
-    }
-    if (type == gmsh::tetrahedron_10) return collector_->add_ten_nodes(nodes, groups, id, line);
-    const Corners8& places = type == gmsh::prism ? of_prism : type == gmsh::pyramid ? of_pyramid : of_hexahedron;
-    Corners8 corners;
-    for (int i = 0; i < 8; ++i) corners[i] = nodes[places[i]];
-    collector_->add_volume(corners, groups, id, line);
+    const ElementType& volume = *element_type(&ElementType::gmsh, type);
+    if (volume.has_edge_nodes) std::swap(nodes[8], nodes[9]);  // Gmsh has the edge CD before BD
+    collector_->add_volume(volume, nodes, groups, id, line);
   }
 
   /// Where a run of nodes begins that stand in lines of their own.

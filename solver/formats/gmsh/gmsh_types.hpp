@@ -8,8 +8,7 @@ namespace pinball {
 /// Types of elements, as Gmsh numbers them.
 namespace gmsh {
 
-inline constexpr std::int64_t line = 1, triangle = 2, quadrangle = 3, tetrahedron = 4, hexahedron = 5, prism = 6,
-                              pyramid = 7, line_3 = 8, triangle_6 = 9, tetrahedron_10 = 11, point = 15;
+inline constexpr std::int64_t line = 1, triangle = 2, quadrangle = 3, line_3 = 8, triangle_6 = 9, point = 15;
 
 /// Nodes of an element; 0: not a type that is known.
 int nodes_of(std::int64_t type);

@@ -10,8 +10,8 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/text_distance.hpp>
+#include <solver/mesh/element_types.hpp>
 #include <solver/mesh/quality.hpp>
-#include <solver/mesh/tetrahedra.hpp>
 
 /// Types and the order of points: "VTK File Formats", and vtkCellType.h.
 namespace pinball {
@@ -22,8 +22,7 @@ const std::vector<std::string> vtk_part_arrays{"part",        "part_id",   "part
 
 namespace {
 
-constexpr int vertex = 1, line = 3, triangle = 5, pixel = 8, quadrangle = 9, tetra = 10, voxel = 11, hexahedron = 12,
-              wedge = 13, pyramid_5 = 14, line_3 = 21, triangle_6 = 22, tetra_10 = 24;
+constexpr int vertex = 1, line = 3, triangle = 5, pixel = 8, quadrangle = 9, line_3 = 21, triangle_6 = 22;
 /// An array with more values than this numbers something else than sets.
 constexpr std::size_t most_sets = 1000;
 
@@ -34,16 +33,9 @@ std::string lower(std::string text) {
 
 std::string name_of(int type) {
   static const std::map<int, std::string> names{
-      {10, "tetrahedra"},
-      {15, "pentagonal prisms"},
-      {16, "hexagonal prisms"},
-      {25, "quadratic hexahedra"},
-      {26, "quadratic wedges"},
-      {27, "quadratic pyramids"},
-      {29, "triquadratic hexahedra"},
-      {42, "polyhedra"},
-      {71, "Lagrange tetrahedra"},
-      {72, "Lagrange hexahedra"},
+      {15, "pentagonal prisms"}, {16, "hexagonal prisms"},    {25, "quadratic hexahedra"},
+      {26, "quadratic wedges"},  {27, "quadratic pyramids"},  {29, "triquadratic hexahedra"},
+      {42, "polyhedra"},         {71, "Lagrange tetrahedra"}, {72, "Lagrange hexahedra"},
       {79, "Bezier hexahedra"},
   };
   const auto found = names.find(type);
@@ -55,15 +47,14 @@ bool is_of_lower_dimension(int type) {
          type == 69 || type == 70;
 }
 
-std::size_t points_of(int type) {
-  return type == vertex                                         ? 1
-         : type == line                                         ? 2
-         : type == triangle || type == line_3                   ? 3
-         : type == pyramid_5                                    ? 5
-         : type == wedge || type == triangle_6                  ? 6
-         : type == tetra_10                                     ? 10
-         : type == pixel || type == quadrangle || type == tetra ? 4
-                                                                : 8;
+/// Of a cell without a volume; 0: it is not known.
+std::size_t points_of_boundary(int type) {
+  return type == vertex                        ? 1
+         : type == line                        ? 2
+         : type == triangle || type == line_3  ? 3
+         : type == pixel || type == quadrangle ? 4
+         : type == triangle_6                  ? 6
+                                               : 0;
 }
 
 class Builder {
@@ -78,7 +69,7 @@ class Builder {
     file_.mesh.nodes = std::move(grid_.points);
     cell_place_.assign(grid_.types.size(), -1);
     for (std::size_t cell = 0; cell < grid_.types.size(); ++cell) add_cell(cell, part ? part->values[cell] : 0, part);
-    if (file_.mesh.hexahedra.empty()) fail("expected hexahedra, wedges, pyramids or tetrahedra, got none");
+    if (file_.mesh.hexahedra.empty()) fail(fmt::format("expected {}, got none", names_of_shapes()));
     number_elements();
     number_nodes();
     name_parts(part);
@@ -127,44 +118,38 @@ class Builder {
       if (point < 0 || point >= std::ssize(file_.mesh.nodes))
         fail(fmt::format("cell {}: expected points from 0 to {}, got {}", cell, file_.mesh.nodes.size() - 1, point));
     }
-    const bool volume =
-        type == voxel || type == hexahedron || type == wedge || type == pyramid_5 || type == tetra || type == tetra_10;
-    if (!volume && !is_of_lower_dimension(type)) return reject(cell, type, is_wanted(part, has_parts));
-    const bool face = type == triangle || type == quadrangle || type == pixel || type == triangle_6,
-               known = volume || face || type == vertex || type == line || type == line_3;
-    if (known && points.size() != points_of(type))
-      fail(fmt::format("cell {}: expected {} points of a cell of type {}, got {}", cell, points_of(type), type,
-                       points.size()));
-    if (volume) {
+    const ElementType* const volume = element_type(&ElementType::vtk, type);
+    if (volume == nullptr && !is_of_lower_dimension(type)) return reject(cell, type, is_wanted(part, has_parts));
+    const std::size_t expected = volume != nullptr ? volume->nodes : points_of_boundary(type);
+    if (expected > 0 && points.size() != expected)
+      fail(
+          fmt::format("cell {}: expected {} points of a cell of type {}, got {}", cell, expected, type, points.size()));
+    if (volume != nullptr) {
       cell_place_[cell] = file_.mesh.hexahedra.size();
-      if (type == tetra_10)
-        file_.edge_nodes.push_back(
-            {cell_place_[cell], {points[4], points[5], points[6], points[7], points[8], points[9]}});
-      file_.mesh.hexahedra.push_back(corners_of(type, points));
-    } else if (known && has_parts) {
+      std::array<std::int32_t, 8> turned{};
+      append_element(file_, *volume, in_order(*volume, points, turned));
+    } else if (expected > 0 && has_parts) {
       add_boundary(type, points, part);
     }
   }
 
   void reject(std::size_t cell, int type, bool wanted) const {
     if (!wanted) return;
-    fail(
-        fmt::format("cell {}: expected hexahedra (type 12), voxels (11), wedges (13), pyramids (14) or tetrahedra (10, "
-                    "24), got {} (type {})",
-                    cell, name_of(type), type));
+    fail(fmt::format("cell {}: expected types of {}, got {} (type {})", cell, names_of_types(&ElementType::vtk),
+                     name_of(type), type));
   }
 
-  std::array<std::int32_t, 8> corners_of(int type, std::span<const std::int32_t> p) const {
-    if (type == hexahedron) return {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]};
-    if (type == voxel) return {p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6]};
-    if (type == tetra || type == tetra_10) return tetrahedron(p[0], p[1], p[2], p[3]);
-    // The format has the first triangle of a wedge seen from inside, many programs write it as other formats do.
-    const Corners8 there =
-        type == wedge ? pinball::wedge(p[0], p[1], p[2], p[3], p[4], p[5]) : pyramid(p[0], p[1], p[2], p[3], p[4]);
+  /// The format has the first triangle of a wedge seen from inside, many programs write it as other formats do: the
+  /// points, or what is put into `turned`.
+  std::span<const std::int32_t> in_order(const ElementType& type, std::span<const std::int32_t> points,
+                                         std::array<std::int32_t, 8>& turned) const {
+    if (type.turned.empty()) return points;
+    const Corners8 there = stored_corners(type, points);
     std::array<Point, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) corners[i] = file_.mesh.nodes[there[i]];
-    if (volume_by_quadrature(corners) >= 0) return there;
-    return type == wedge ? pinball::wedge(p[3], p[4], p[5], p[0], p[1], p[2]) : pyramid(p[3], p[2], p[1], p[0], p[4]);
+    if (volume_by_quadrature(corners) >= 0) return points;
+    for (std::size_t i = 0; i < type.turned.size(); ++i) turned[i] = points[type.turned[i]];
+    return {turned.data(), type.turned.size()};
   }
 
   void add_boundary(int type, std::span<const std::int32_t> p, std::int64_t part) {

@@ -2,7 +2,6 @@
 
 #include <variant>
 
-#include <solver/mesh/tetrahedra.hpp>
 #include <solver/model/rigid/rigid_nodes.hpp>
 
 namespace pinball {
@@ -28,10 +27,9 @@ std::vector<WorkedShape> shapes_of_elements(const Scene& scene, const ModelMesh&
 }  // namespace
 
 WorkedShape worked_shape(const Scene& scene, const ModelMesh& mesh, std::size_t element) {
-  const Corners8& corners = mesh.hexahedra[element];
-  if (is_tetrahedron(corners)) return WorkedShape::tetrahedron;
-  const bool averages = is_wedge(corners) && !is_generated(scene.bodies[mesh.body[element]]);
-  return averages ? WorkedShape::wedge : WorkedShape::hexahedron;
+  const WorkedShape shape = worked_as(mesh.hexahedra[element]);
+  const bool keeps = shape == WorkedShape::wedge && is_generated(scene.bodies[mesh.body[element]]);
+  return keeps ? WorkedShape::hexahedron : shape;
 }
 
 std::size_t ElementParts::part_of(const ModelMesh& mesh, std::size_t element) const {

@@ -5,17 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include <solver/mesh/element_types.hpp>
 #include <solver/model/model.hpp>
 #include <solver/scene.hpp>
 
 namespace pinball {
-
-/// What decides how an element is worked.
-enum class WorkedShape : std::uint8_t {
-  hexahedron,  ///< also one that is a pyramid, with a volume of its own
-  wedge,       ///< a hexahedron with a volume averaged over nodes
-  tetrahedron  ///< with a volume averaged over nodes
-};
 
 /// Of an element that deforms. Those at the axis of generated sections are wedges, too, but keep volumes of their own:
 /// with one element around the angle there are as many nodes to move as elsewhere, and nothing locks.

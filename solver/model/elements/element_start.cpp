@@ -8,7 +8,7 @@
 #include <kernels/material/fluid.hpp>
 #include <kernels/stable_time_step.hpp>
 #include <solver/base/hexahedron_of_points.hpp>
-#include <solver/mesh/tetrahedra.hpp>
+#include <solver/mesh/element_types.hpp>
 
 namespace pinball {
 
@@ -25,7 +25,7 @@ double ElementStart::mass_factor(double stable_step) const {
 
 ElementStart element_start(const ModelMesh& mesh, std::size_t element, const Material& material,
                            const ElementSettings& settings) {
-  const auto [volume, b_b, area] = element_size(mesh.corners(element), is_tetrahedron(mesh.hexahedra[element]));
+  const auto [volume, b_b, area] = element_size(mesh.hexahedra[element], mesh.corners(element));
   ElementStart start{};
   start.volume = volume;
   start.face_area = area;

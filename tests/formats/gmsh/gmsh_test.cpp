@@ -183,8 +183,8 @@ TEST(GmshFormat22, NamesTheLineOfABadElement) {
   EXPECT_EQ(error_of(replaced(text, "5 6 2 2 2 90 ", "5 6 2 2 2 33 ")),
             "a.msh:35: expected nodes of the file, got 33, which is not there");
   EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 12 2 2 2")),
-            "a.msh:36: expected 8-node hexahedra (type 5), 6-node prisms (type 6), 5-node pyramids (type 7) or "
-            "tetrahedra of 4 or 10 nodes (types 4 and 11), got 27-node hexahedra (type 12)");
+            "a.msh:36: expected types of hexahedra (5), wedges (6), pyramids (7) or tetrahedra (4, 11), got 27-node "
+            "hexahedra (type 12)");
   EXPECT_EQ(error_of(replaced(text, "6 6 2 2 2", "6 12 2 2 2"), "left part"), "no error");  // not of this volume
   EXPECT_EQ(error_of(replaced(text, "\n2 1 0 0\n", "\n2 1 nan 0\n")),
             "a.msh:13: expected a coordinate of a node, got \"nan\"");
@@ -216,7 +216,7 @@ TEST(GmshMesh, WithoutVolumesIsAnError) {
   EXPECT_EQ(error_of(head + "$Nodes\n0\n$EndNodes\n"),
             "a.msh:7: expected a section $Elements, got the end of the file");
   EXPECT_EQ(error_of(head + "$Nodes\n0\n$EndNodes\n$Elements\n0\n$EndElements"),
-            "a.msh: expected hexahedra, prisms, pyramids or tetrahedra, got none");
+            "a.msh: expected hexahedra, wedges, pyramids or tetrahedra, got none");
 }
 
 class GmshScene : public SceneTest {

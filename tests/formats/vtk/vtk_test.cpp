@@ -113,8 +113,8 @@ TEST(VtkLegacy, NamesTheLineOfWhatIsWrong) {
             "a.vtk:7: expected a coordinate of a point, got \"nan\"");
   EXPECT_EQ(error("6 5 10 12", "6 5 10 14"), "a.vtk: cell 3: expected points from 0 to 13, got 14");
   EXPECT_EQ(error("\n12\n13\n", "\n12\n25\n"),
-            "a.vtk: cell 3: expected hexahedra (type 12), voxels (11), wedges (13), pyramids (14) or tetrahedra (10, "
-            "24), got quadratic hexahedra (type 25)");
+            "a.vtk: cell 3: expected types of hexahedra (12, 11), wedges (13), pyramids (14) or tetrahedra (10, 24), "
+            "got quadratic hexahedra (type 25)");
   EXPECT_EQ(error("\n12\n13\n", "\n12\n25\n", {"3"}), "no error") << "not of that part";
   EXPECT_EQ(error("CELL_DATA 4", "CELL_DATA 5"), "a.vtk:23: expected data of 4 cells, got \"5\"");
 }

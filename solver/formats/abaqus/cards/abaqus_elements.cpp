@@ -68,23 +68,24 @@ Controls controls_of(AbaqusData& data, const NamedControls& named, const AbaqusB
     if (found == named.end()) fail_at(section.place, fmt::format("there is no *SECTION CONTROLS {}", *name));
     controls = read_controls(data, *found->second);
   }
-  const bool full = std::ranges::any_of(
-      types, [](const std::string& type) { return type.starts_with("C3D8") && type.find('R') == std::string::npos; });
+  const auto is_of = [](const std::string& type, SolidShape shape) {
+    const ElementType* const known = element_type(&ElementType::abaqus, type);
+    return known != nullptr && known->shape == shape;
+  };
+  const bool full = std::ranges::any_of(types, [&](const std::string& type) {
+    return is_of(type, SolidShape::hexahedron) && type.find('R') == std::string::npos;
+  });
   if (full) {
     controls.hourglass = "assumed_strain";
     controls.coefficient = 1.0;
     data.report.understood(fmt::format("{}: {}, full integration: elements of assumed strain in its place", body.part,
                                        fmt::join(types, ", ")));
   }
-  const auto any = [&](const char* beginning) {
-    return std::ranges::any_of(types, [&](const std::string& type) { return type.starts_with(beginning); });
-  };
-  if (any("C3D6"))
-    data.report.understood(
-        fmt::format("{}: wedges as collapsed hexahedra, with volumes averaged over nodes", body.part));
-  if (any("C3D5")) data.report.understood(fmt::format("{}: pyramids as collapsed hexahedra", body.part));
-  if (any("C3D4") || any("C3D10"))
-    data.report.understood(fmt::format("{}: tetrahedra with volumes averaged over nodes", body.part));
+  for (const KnownShape& shape : known_shapes()) {
+    if (*shape.note == '\0') continue;
+    if (std::ranges::any_of(types, [&](const std::string& type) { return is_of(type, shape.shape); }))
+      data.report.understood(fmt::format("{}: {}", body.part, shape.note));
+  }
   return controls;
 }
 

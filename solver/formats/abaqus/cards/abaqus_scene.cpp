@@ -36,7 +36,8 @@ std::string rejected_load(const AbaqusBlock& block) {
 /// What of the data lines of a keyword is not done; empty: nothing.
 std::string rejected_data(const AbaqusBlock& block) {
   const std::string& name = block.name;
-  if (name == "ELEMENT" && abaqus_nodes(block.option("TYPE")) == 0) return "*ELEMENT, TYPE=" + block.option("TYPE");
+  if (name == "ELEMENT" && element_type(&ElementType::abaqus, block.option("TYPE")) == nullptr)
+    return "*ELEMENT, TYPE=" + block.option("TYPE");
   const bool is_isotropic = name == "ELASTIC" && (!block.has("TYPE") || block.option("TYPE").starts_with("ISO")),
              is_johnson_cook = name == "PLASTIC" && block.option("HARDENING") == "JOHNSONCOOK";
   const bool depends =

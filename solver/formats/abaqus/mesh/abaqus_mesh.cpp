@@ -7,24 +7,24 @@
 #include <optional>
 #include <set>
 
+#include <solver/mesh/element_types.hpp>
 #include <solver/mesh/file/split_ten_nodes.hpp>
 #include <solver/mesh/number_index.hpp>
-#include <solver/mesh/tetrahedra.hpp>
 
 #include "abaqus_sets.hpp"
 
 namespace pinball {
 
-int abaqus_nodes(const std::string& type) {
-  static const std::map<std::string, int> types{
-      {"C3D8", 8},  {"C3D8R", 8},  {"C3D8I", 8},   {"C3D8H", 8},   {"C3D8S", 8},   {"C3D5", 5},
-      {"C3D5H", 5}, {"C3D6", 6},   {"C3D6R", 6},   {"C3D8RH", 8},  {"C3D8IH", 8},  {"C3D4", 4},
-      {"C3D4H", 4}, {"C3D10", 10}, {"C3D10M", 10}, {"C3D10H", 10}, {"C3D10MH", 10}};
-  const auto found = types.find(type);
-  return found == types.end() ? 0 : found->second;
-}
-
 namespace {
+
+/// "C3D8, C3D6, ..."
+std::string names_of_elements() {
+  std::string all;
+  for (const ElementType& type : element_types()) {
+    if (!type.abaqus.empty()) (all += all.empty() ? "" : ", ") += type.abaqus.substr(0, type.abaqus.find(' '));
+  }
+  return all;
+}
 
 /// Keywords that make nodes or elements in a way that is not read.
 bool makes_mesh(const std::string& name) {
@@ -144,21 +144,21 @@ class AbaqusMeshReader {
 
   void read_elements(const AbaqusBlock& block, std::size_t c, std::size_t first_node) {
     const std::string type = squeezed(block.require("TYPE"));
-    const int nodes = abaqus_nodes(type);
-    if (nodes == 0)
-      fail_at(block.place,
-              fmt::format("*ELEMENT, TYPE={} is not read: expected C3D8R, C3D8, C3D6, C3D5, C3D4, C3D10", type));
+    const ElementType* const known = element_type(&ElementType::abaqus, type);
+    if (known == nullptr)
+      fail_at(block.place, fmt::format("*ELEMENT, TYPE={} is not read: expected {}", type, names_of_elements()));
     const std::size_t first = file_.element_ids.size();
     mesh_.types.push_back({first, type});
     DataLines lines(block);
-    while (const auto card = lines.next()) read_element(*card, lines, nodes, first_node);
+    while (const auto card = lines.next()) read_element(*card, lines, *known, first_node);
     if (const auto name = block.value("ELSET")) named_.push_back({c, false, *name, first, file_.element_ids.size()});
   }
 
   /// Number and nodes, which may take several lines; those but the last end in a comma.
-  void read_element(DataLine card, DataLines& lines, std::size_t nodes, std::size_t first_node) {
+  void read_element(DataLine card, DataLines& lines, const ElementType& type, std::size_t first_node) {
     const DeckPlace place = card.place;
-    std::array<std::int64_t, 11> numbers{};
+    const std::size_t nodes = type.nodes;
+    std::array<std::int64_t, 1 + most_nodes_of_element> numbers{};
     std::size_t count = 0;
     while (true) {
       const DataFields f(card);
@@ -172,34 +172,21 @@ class AbaqusMeshReader {
     }
     if (count != nodes + 1)
       fail_at(place, fmt::format("element {}: expected {} nodes, got {}", numbers[0], nodes, count - 1));
-    add_element(numbers, nodes, first_node, place);
+    add_element(numbers, type, first_node, place);
   }
 
-  void add_element(const std::array<std::int64_t, 11>& numbers, std::size_t nodes, std::size_t first_node,
+  void add_element(std::span<const std::int64_t> numbers, const ElementType& type, std::size_t first_node,
                    const DeckPlace& place) {
-    const auto place_of = [&](std::size_t i) {
+    std::array<std::int32_t, most_nodes_of_element> nodes{};
+    for (int i = 0; i < type.nodes; ++i) {
       const std::int64_t number = numbers[1 + i];
       const std::int32_t node = nodes_.back().find(number);
       if (node < 0) fail_at(place, fmt::format("element {} has node {}, which is not there", numbers[0], number));
-      return static_cast<std::int32_t>(node + first_node);
-    };
-    static constexpr Corners8 of_hexahedron{0, 1, 2, 3, 4, 5, 6, 7}, of_wedge = wedge(0, 1, 2, 3, 4, 5),
-                                                                     of_pyramid = pyramid(0, 1, 2, 3, 4),
-                                                                     of_tetrahedron = tetrahedron(0, 1, 2, 3);
-    const Corners8& places = nodes == 8   ? of_hexahedron
-                             : nodes == 6 ? of_wedge
-                             : nodes == 5 ? of_pyramid
-                                          : of_tetrahedron;
-    Corners8 hexahedron{};
-    for (std::size_t i = 0; i < 8; ++i) hexahedron[i] = place_of(places[i]);
-    if (nodes == 10) {
-      EdgeNodes& of = file_.edge_nodes.emplace_back();
-      of.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
-      for (std::size_t i = 0; i < 6; ++i) of.nodes[i] = place_of(4 + i);
+      nodes[i] = static_cast<std::int32_t>(node + first_node);
     }
     file_.element_ids.push_back(numbers[0]);
     file_.line.push_back(place.line);
-    file_.mesh.hexahedra.push_back(hexahedron);
+    append_element(file_, type, nodes);
   }
 
   /// Sections first; what is in none belongs to its instance as such.

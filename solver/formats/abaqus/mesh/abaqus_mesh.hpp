@@ -45,9 +45,6 @@ struct AbaqusMesh {
 /// of the second begin behind a power of ten, and so on. Throws InputError "FILE:LINE: ...".
 AbaqusMesh abaqus_mesh(const AbaqusDeck& deck);
 
-/// Nodes of a C3D8, C3D6, C3D4 or C3D10 element; 0: not such a type. type: without case and blanks.
-int abaqus_nodes(const std::string& type);
-
 /// Face of a hexahedron, as face_nodes of kernels/hexahedron.hpp numbers them, that Abaqus calls S1 to S6 (of a wedge
 /// S1 to S5); -1: none.
 int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, int number);

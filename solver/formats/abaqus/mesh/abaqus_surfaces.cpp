@@ -4,21 +4,14 @@
 
 #include <solver/base/error.hpp>
 #include <solver/base/faces.hpp>
-#include <solver/mesh/tetrahedra.hpp>
+#include <solver/mesh/element_types.hpp>
 
 #include "abaqus_sets.hpp"
 
 namespace pinball {
 
 int abaqus_face(const std::array<std::int32_t, 8>& hexahedron, int number) {
-  static constexpr int of_hexahedron[6] = {4, 5, 2, 1, 3, 0}, of_wedge[5] = {4, 5, 2, 1, 0},
-                       of_pyramid[5] = {4, 2, 1, 3, 0}, of_tetrahedron[4] = {0, 1, 3, 2};
-  if (is_tetrahedron(hexahedron)) return number < 1 || number > 4 ? -1 : of_tetrahedron[number - 1];
-  const bool pyramid = hexahedron[4] == hexahedron[6],
-             wedge = hexahedron[2] == hexahedron[3] && hexahedron[6] == hexahedron[7];
-  if (number < 1 || number > (wedge || pyramid ? 5 : 6)) return -1;
-  if (pyramid) return of_pyramid[number - 1];
-  return wedge ? of_wedge[number - 1] : of_hexahedron[number - 1];
+  return number < 1 || number > 6 ? -1 : known_shape(shape_of(hexahedron)).abaqus_faces[number - 1];
 }
 
 std::array<std::int32_t, 4> corners_of_face(const std::array<std::int32_t, 8>& hexahedron, int face) {

@@ -12,7 +12,7 @@
 #include <solver/formats/lsdyna/layouts/mesh_cards.hpp>
 #include <solver/formats/lsdyna/mesh/part_inertia.hpp>
 #include <solver/formats/lsdyna/scan/keyword_scanner.hpp>
-#include <solver/mesh/tetrahedra.hpp>
+#include <solver/mesh/element_types.hpp>
 
 #include "keyword_rules.hpp"
 
@@ -298,8 +298,9 @@ void DeckData::name_bodies() {
   for (std::size_t e = 0; e < mesh.part.size(); ++e) {
     const Corners8& hexahedron = mesh.mesh.hexahedra[e];
     ++elements[mesh.part[e]];
-    if (is_tetrahedron(hexahedron)) ++tetrahedra[mesh.part[e]];
-    if (is_wedge(hexahedron)) ++wedges[mesh.part[e]];
+    const WorkedShape shape = worked_as(hexahedron);
+    if (shape == WorkedShape::tetrahedron) ++tetrahedra[mesh.part[e]];
+    if (shape == WorkedShape::wedge) ++wedges[mesh.part[e]];
     for (const std::int32_t node : hexahedron) used[node] = true;
   }
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {

@@ -157,7 +157,7 @@ class KeywordMeshReader {
       corners[i] = node_of(fields, id + to_node);
     }
     if (mirrored) std::swap_ranges(corners.begin(), corners.begin() + 4, corners.begin() + 4);
-    if (different(corners) <= 4) {
+    if (different_nodes(corners) <= 4) {
       const auto found = as_tetrahedron(corners);
       if (!found)
         fail_element(fields, "has four nodes or less, and fills no tetrahedron: expected n1 n2 n3 n4 n4 n4 n4 n4");
@@ -181,11 +181,6 @@ class KeywordMeshReader {
     const auto place = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
     file_.edge_nodes.push_back({place, {n[4], n[5], n[6], n[7], n[8], n[9]}});
     file_.mesh.hexahedra.push_back(tetrahedron(n[0], n[1], n[2], n[3]));
-  }
-
-  static std::size_t different(std::array<std::int32_t, 8> corners) {
-    std::sort(corners.begin(), corners.end());
-    return std::unique(corners.begin(), corners.end()) - corners.begin();
   }
 
   [[noreturn]] void fail_element(const Fields& fields, const std::string& problem) const {

@@ -1,6 +1,7 @@
 #include "radioss_unread.hpp"
 
 #include <solver/formats/deck/unread_fields.hpp>
+#include <solver/mesh/element_types.hpp>
 
 #include "radioss_rules.hpp"
 
@@ -10,8 +11,7 @@ void follow_reading(RadiossDeck& deck, ReadingLog& log) {
   for (RadiossBlock& block : deck.blocks) {
     const RadiossRule* rule = radioss_rule_of(block.name);
     const bool is_done = rule != nullptr && (rule->treatment == Treatment::done || rule->treatment == Treatment::mesh);
-    const bool is_long = block.name == "NODE" || block.name == "BRICK" || block.name == "PENTA6" ||
-                         block.name == "TETRA4" || block.name == "TETRA10";
+    const bool is_long = block.name == "NODE" || element_type(&ElementType::radioss, block.name) != nullptr;
     if (is_done && !is_long) block.log = &log;
   }
 }

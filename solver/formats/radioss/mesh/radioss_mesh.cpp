@@ -26,8 +26,13 @@ bool makes_mesh(const std::string& name) {
   return names.contains(name) || name.starts_with("TRANSFORM/") || name.starts_with("PARAMETER/");
 }
 
-bool is_of_solids(const RadiossBlock& block) {
-  return block.name == "BRICK" || block.name == "PENTA6" || block.name == "TETRA4" || block.name == "TETRA10";
+bool is_of_solids(const RadiossBlock& block) { return element_type(&ElementType::radioss, block.name) != nullptr; }
+
+/// Of the line that begins a solid. /TETRA10 has its nodes on the next.
+const CardLayout& layout_of(const ElementType& type) {
+  if (type.nodes == 8) return radioss::brick;
+  if (type.nodes == 6) return radioss::penta6;
+  return type.has_edge_nodes ? radioss::tetra10 : radioss::tetra4;
 }
 
 bool is_of_nodes(const RadiossBlock& block) { return block.name == "NODE"; }
@@ -74,11 +79,8 @@ class RadiossMeshReader {
   }
 
   void read_solids(const RadiossBlock& block) {
-    const bool bricks = block.name == "BRICK", wedges = block.name == "PENTA6", ten_nodes = block.name == "TETRA10";
-    const CardLayout& layout = bricks      ? radioss::brick
-                               : wedges    ? radioss::penta6
-                               : ten_nodes ? radioss::tetra10
-                                           : radioss::tetra4;
+    const ElementType& type = *element_type(&ElementType::radioss, block.name);
+    const CardLayout& layout = layout_of(type);
     const std::int32_t part = add_part(block.id(), "");
     RadiossLines lines(block);
     std::string path = *block.place.file;
@@ -92,16 +94,13 @@ class RadiossMeshReader {
       file_.element_ids.push_back(f.integer(0));
       file_.part.push_back(part);
       file_.line.push_back(line->place.line);
-      if (bricks) {
+      if (type.shape == SolidShape::hexahedron) {
         add_brick(f);
-      } else if (wedges) {
-        file_.mesh.hexahedra.push_back(
-            wedge(node_of(f, 1), node_of(f, 2), node_of(f, 3), node_of(f, 4), node_of(f, 5), node_of(f, 6)));
-      } else if (ten_nodes) {
+      } else if (type.has_edge_nodes) {
         const DataLine nodes = lines.require("the nodes of a solid");
         add_ten_nodes(RadiossFields(nodes, block, radioss::tetra10_nodes));
       } else {
-        file_.mesh.hexahedra.push_back(tetrahedron(node_of(f, 1), node_of(f, 2), node_of(f, 3), node_of(f, 4)));
+        add_solid(type, f);
       }
     }
   }
@@ -114,27 +113,29 @@ class RadiossMeshReader {
     return node;
   }
 
+  void add_solid(const ElementType& type, const RadiossFields& f) {
+    std::array<std::int32_t, most_nodes_of_element> nodes{};
+    for (int i = 0; i < type.nodes; ++i) nodes[i] = node_of(f, 1 + i);
+    append_element(file_, type, nodes);
+  }
+
   void add_ten_nodes(const RadiossFields& f) {
     const auto edges = [&](std::int64_t i) { return f.integer(4 + i) != 0; };
     const auto given = std::ranges::count_if(std::views::iota(0, 6), edges);
     if (given != 0 && given != 6)
       fail_at(f.place(), fmt::format("/TETRA10: solid {} has nodes on {} of its six edges: expected all, or none",
                                      file_.element_ids.back(), given));
-    if (given == 6) {
-      EdgeNodes& of = file_.edge_nodes.emplace_back();
-      of.element = static_cast<std::int32_t>(file_.mesh.hexahedra.size());
-      for (std::size_t i = 0; i < 6; ++i) of.nodes[i] = node_of(f, 4 + i);
-    }
-    file_.mesh.hexahedra.push_back(tetrahedron(node_of(f, 0), node_of(f, 1), node_of(f, 2), node_of(f, 3)));
+    const ElementType& type = *element_type(&ElementType::radioss, given == 6 ? "TETRA10" : "TETRA4");
+    std::array<std::int32_t, 10> nodes{};
+    for (int i = 0; i < type.nodes; ++i) nodes[i] = node_of(f, i);
+    append_element(file_, type, nodes);
   }
 
   /// Wedges, pyramids and tetrahedra are collapsed hexahedra.
   void add_brick(const RadiossFields& f) {
     std::array<std::int32_t, 8> corners{};
     for (std::size_t i = 0; i < 8; ++i) corners[i] = node_of(f, 1 + i);
-    std::array<std::int32_t, 8> sorted = corners;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::unique(sorted.begin(), sorted.end()) - sorted.begin() <= 4) {
+    if (different_nodes(corners) <= 4) {
       const auto found = as_tetrahedron(corners);
       if (!found)
         fail_at(f.place(), fmt::format("/BRICK: solid {} has four nodes or less, and fills no tetrahedron: expected "

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include <solver/base/error.hpp>
-#include <solver/mesh/tetrahedra.hpp>
+#include <solver/mesh/element_types.hpp>
 #include <solver/output/run_files.hpp>
 
 namespace pinball {
@@ -23,12 +23,7 @@ std::vector<Corners> elements_of(const FieldFrame& frame) {
   std::vector<Corners> elements;
   std::size_t begin = 0;
   for (const std::int64_t end : frame.read<std::int64_t>("offsets")) {
-    const std::int32_t* const of = corners.data() + begin;
-    if (end - static_cast<std::int64_t>(begin) == 4) {
-      elements.push_back(tetrahedron(of[0], of[1], of[2], of[3]));
-    } else {
-      std::copy_n(of, 8, elements.emplace_back().begin());
-    }
+    elements.push_back(corners_of_cell(std::span(corners).subspan(begin, end - begin)));
     begin = end;
   }
   return elements;
