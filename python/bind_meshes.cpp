@@ -44,7 +44,7 @@ void bind_array_mesh(py::module_& module) {
            "coordinates, the first node being first_index.")
       .def_property_readonly("coordinates", &coordinates_of, "(nodes, 3) [length]")
       .def_property_readonly("hexahedra", &hexahedra_of, "(elements, 8)")
-      .def_readonly("first_index", &ArrayMesh::first_index)
+      .def_readonly("first_index", &ArrayMesh::first_index, "what hexahedra calls the first node")
       .def("__eq__",
            [](const ArrayMesh& one, const py::object& other) {
              return py::isinstance<ArrayMesh>(other) && same(one, other.cast<const ArrayMesh&>());
@@ -70,7 +70,7 @@ void bind_meshes(py::module_& module) {
   bind_choice<Section>(module, "Section");
   bind_data<BlockSection>(module, "BlockSection", "Layers of elements of one thickness across a block.")
       .def_readwrite("length", &BlockSection::length, "[length]")
-      .def_readwrite("elements", &BlockSection::elements);
+      .def_readwrite("elements", &BlockSection::elements, "layers");
   bind_table<BlockMesh>(module, "BlockMesh", "A regular block with a corner at the origin.");
   bind_table<RoundNosedRodMesh>(module, "RoundNosedRodMesh", "A rod along -z with a hemispherical nose at the origin.");
   bind_table<CylinderMesh>(module, "CylinderMesh", "A cylinder along z from 0 to length, or a part of it.");

@@ -19,13 +19,13 @@ SourcedScene read(const std::string& scene, const std::vector<std::string>& set,
 void bind_sources(py::module_& module) {
   bind_data<SceneOverrides>(module, "SceneOverrides", "What the command line adds to a scene file.")
       .def_readwrite("set", &SceneOverrides::set, "\"KEY=VALUE\", in order")
-      .def_readwrite("refine", &SceneOverrides::refine)
-      .def_readwrite("precision", &SceneOverrides::precision)
-      .def_readwrite("vary", &SceneOverrides::vary);
+      .def_readwrite("refine", &SceneOverrides::refine, "times as many elements along each direction")
+      .def_readwrite("precision", &SceneOverrides::precision, "in place of the scene's; None: that")
+      .def_readwrite("vary", &SceneOverrides::vary, "as set, and after it");
   bind_data<SceneSource>(module, "SceneSource", "What a scene was read from.")
-      .def_readwrite("path", &SceneSource::path)
-      .def_readwrite("text", &SceneSource::text)
-      .def_readwrite("overrides", &SceneSource::overrides)
+      .def_readwrite("path", &SceneSource::path, "of the file")
+      .def_readwrite("text", &SceneSource::text, "of the file when it was read")
+      .def_readwrite("overrides", &SceneSource::overrides, "what was added to it")
       .def(
           "__repr__", [](const SceneSource& source) { return "SceneSource(path='" + source.path + "')"; },
           py::prepend());
@@ -37,10 +37,10 @@ void bind_contact_parts(py::module_& module) {
       .def_readwrite("file", &MeshSetName::file, "the mesh file that has it; empty: the only one");
   bind_list<MeshSetName>(module, "MeshSetNames");
   bind_data<ContactSide>(module, "ContactSide", "Bodies and sets on one side of a contact.")
-      .def_readwrite("bodies", &ContactSide::bodies)
-      .def_readwrite("elements", &ContactSide::elements)
-      .def_readwrite("faces", &ContactSide::faces)
-      .def_readwrite("nodes", &ContactSide::nodes);
+      .def_readwrite("bodies", &ContactSide::bodies, "names")
+      .def_readwrite("elements", &ContactSide::elements, "sets of elements")
+      .def_readwrite("faces", &ContactSide::faces, "sets of faces")
+      .def_readwrite("nodes", &ContactSide::nodes, "sets of nodes");
   bind_table<ContactPair>(module, "ContactPair", "[[contact.pair]] of a scene");
   bind_table<TiedContact>(module, "TiedContact", "[[contact.tied]] of a scene");
   bind_list<ContactPair>(module, "ContactPairs");

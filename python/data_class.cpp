@@ -8,6 +8,12 @@ namespace pinball::python {
 
 namespace {
 
+/// Of which fields were bound; they outlive the module.
+std::vector<const DataType*>& types_with_fields() {
+  static std::vector<const DataType*> all;
+  return all;
+}
+
 py::object get(const DataType& type, const DataField& field, py::handle object) {
   return field.type->copy(field.member_of(type.data_of(object)));
 }
@@ -94,7 +100,16 @@ void bind_field(DataType& type, DataField field, const char* text, bool writable
   }
   const py::object property = py::module_::import("builtins").attr("property");
   py::setattr(type.type, field.name.c_str(), property(getter, setter, py::none(), text));
+  if (type.fields.empty()) types_with_fields().push_back(&type);
   type.fields.push_back(std::move(field));
+}
+
+void annotate_fields() {
+  for (const DataType* type : types_with_fields()) {
+    py::dict annotations;
+    for (const DataField& field : type->fields) annotations[field.name.c_str()] = field.type->name();
+    py::setattr(type->type, "__annotations__", annotations);
+  }
 }
 
 }  // namespace pinball::python

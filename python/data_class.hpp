@@ -58,6 +58,9 @@ py::dict copies_of_fields(const DataType& type, py::handle object);
 void set_fields(const DataType& type, py::handle object, const py::dict& values);
 /// A property of the class, which goes with it.
 void bind_field(DataType& type, DataField field, const char* text, bool writable);
+/// Types of all fields that were bound, as annotations of their classes: Body.__annotations__["mesh"]. For when all
+/// classes have names.
+void annotate_fields();
 
 template <class Member>
 const MemberType& member_type() {

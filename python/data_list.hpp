@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,7 +35,8 @@ void bind_list(py::module_& module, const char* name) {
   using List = std::vector<Data>;
   static_assert(std::is_nothrow_move_constructible_v<Data>, "what elements have elsewhere stays where it is");
   static ListType type;
-  py::class_<List> list(module, name);
+  const std::string text = "A list of " + text_of_type(py::type::of<Data>()) + ".";
+  py::class_<List> list(module, name, text.c_str());
   type = {list,
           &member_type<Data>(),
           [](py::handle self) { return self.cast<List&>().size(); },

@@ -19,5 +19,6 @@ PYBIND11_MODULE(_core, module) {
   python::bind_simulation(module);
   python::bind_contact(module);
   python::bind_runs(module);
+  python::annotate_fields();
   module.attr("__name__") = own_name;
 }

@@ -5,8 +5,8 @@ help(pinball.Simulation) and help(pinball.Scene) list what there is; units are t
 
 from ._core import *
 from ._core import version as __version__
-from .comparison import Comparison, compare
-from .convergence import Convergence, converge
-from .results import Fields, History, read_fields, read_history
-from .runs import run
-from .viewer import RunView, view
+from .comparison import Comparison as Comparison, compare as compare
+from .convergence import Convergence as Convergence, converge as converge
+from .results import Fields as Fields, History as History, read_fields as read_fields, read_history as read_history
+from .runs import run as run
+from .viewer import RunView as RunView, view as view

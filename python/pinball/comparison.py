@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Mapping, Sequence
 
 import numpy as np
+import numpy.typing as npt
 
 from .program import options_of, table_of
 
@@ -17,9 +18,9 @@ class Comparison:
 
     scene: str
     settings: list[dict[str, str]]  # of each variant: values by their keys
-    seconds: np.ndarray  # (v,) median of the repeats [s]
-    contact_seconds: np.ndarray  # (v,) of these [s]
-    all_seconds: np.ndarray  # (v, repeats) [s]
+    seconds: npt.NDArray[Any]  # (v,) median of the repeats [s]
+    contact_seconds: npt.NDArray[Any]  # (v,) of these [s]
+    all_seconds: npt.NDArray[Any]  # (v, repeats) [s]
     summaries: list[dict[str, Any]] = field(repr=False)  # of each variant what summary.json holds, without times
     failures: list[str]  # of each variant; empty: it came to its end
     table: Mapping[str, Any] = field(repr=False)  # all that --json writes

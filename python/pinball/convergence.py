@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Mapping, Sequence
 
 import numpy as np
+import numpy.typing as npt
 
 from .program import options_of, table_of
 
@@ -19,33 +20,34 @@ class Convergence:
 
     scene: str
     sentence: str
-    factors: np.ndarray  # (m,) of the numbers of elements in each direction, from coarse to fine
-    elements: np.ndarray  # (m,)
-    seconds: np.ndarray  # (m,) [s]
+    factors: npt.NDArray[Any]  # (m,) of the numbers of elements in each direction, from coarse to fine
+    elements: npt.NDArray[Any]  # (m,)
+    seconds: npt.NDArray[Any]  # (m,) [s]
     names: list[str]  # of the quantities
     units: list[str]  # of the quantities
-    values: np.ndarray  # (q, m)
-    scales: np.ndarray  # (q,) what a quantity is measured by where it is small
-    orders: np.ndarray  # (q,) observed
-    extrapolated: np.ndarray  # (q,) to elements of no size
-    bands: np.ndarray  # (q, 2) in which the answer of such elements is expected
+    values: npt.NDArray[Any]  # (q, m)
+    scales: npt.NDArray[Any]  # (q,) what a quantity is measured by where it is small
+    orders: npt.NDArray[Any]  # (q,) observed
+    extrapolated: npt.NDArray[Any]  # (q,) to elements of no size
+    bands: npt.NDArray[Any]  # (q, 2) in which the answer of such elements is expected
     verdicts: list[str]  # "converges", "oscillates", ...; empty: too few meshes
-    moved_by: dict[str, np.ndarray]  # (q,) by "mesh", "time step", "float", "chance", ...
+    moved_by: dict[str, npt.NDArray[Any]]  # (q,) by "mesh", "time step", "float", "chance", ...
     runs: list[str]  # "mesh 2", "mesh 1, float"
-    run_seconds: np.ndarray  # (r,) [s]
-    run_bytes: np.ndarray  # (r,)
-    errors: np.ndarray  # (q, r) against the extrapolated value, over it
+    run_seconds: npt.NDArray[Any]  # (r,) [s]
+    run_bytes: npt.NDArray[Any]  # (r,)
+    errors: npt.NDArray[Any]  # (q, r) against the extrapolated value, over it
     failures: list[str]  # of runs that did not come to their ends
     table: Mapping[str, Any] = field(repr=False)  # all that --json writes
 
-    def value(self, name: str) -> np.ndarray:
+    def value(self, name: str) -> npt.NDArray[Any]:
         """(m,) of one quantity. Raises KeyError."""
         if name not in self.names:
             raise KeyError(name)
-        return self.values[self.names.index(name)]
+        row: npt.NDArray[Any] = self.values[self.names.index(name)]
+        return row
 
 
-def numbers(values: Sequence[float | None]) -> np.ndarray:
+def numbers(values: Sequence[float | None]) -> npt.NDArray[Any]:
     return np.array([NO_NUMBER if value is None else value for value in values], dtype=float)
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from ._core import InputError
 from .field_files import BadInput, Mesh, read_pvd, read_vtu
@@ -21,13 +22,13 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class History(Mapping[str, np.ndarray]):
+class History(Mapping[str, npt.NDArray[Any]]):
     """The rows of history.csv: arrays (rows,) by the names of the columns, `time` among them."""
 
-    columns: dict[str, np.ndarray] = field(repr=False)
+    columns: dict[str, npt.NDArray[Any]] = field(repr=False)
     units: dict[str, str]  # of quantities ("time", "energy", ...), as far as the scene names them
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str) -> npt.NDArray[Any]:
         return self.columns[name]
 
     def __iter__(self) -> Iterator[str]:
@@ -49,11 +50,11 @@ class History(Mapping[str, np.ndarray]):
 class Fields:
     """Field output at t times of n nodes and m elements, in the order of the scene. What is not a number is nan."""
 
-    times: np.ndarray  # (t,) [time]
-    positions: np.ndarray = field(repr=False)  # (t, n, 3) [length]
-    hexahedra: np.ndarray = field(repr=False)  # (m, 8) node numbers; of a tetrahedron collapsed: 0 0 1 1 2 3 3 2
-    of_nodes: dict[str, np.ndarray] = field(repr=False)  # (t, n) or (t, n, components): velocity, ...
-    of_elements: dict[str, np.ndarray] = field(repr=False)  # (t, m) or (t, m, components): stress, plastic_strain, alive, ...
+    times: npt.NDArray[Any]  # (t,) [time]
+    positions: npt.NDArray[Any] = field(repr=False)  # (t, n, 3) [length]
+    hexahedra: npt.NDArray[Any] = field(repr=False)  # (m, 8) node numbers; of a tetrahedron collapsed: 0 0 1 1 2 3 3 2
+    of_nodes: dict[str, npt.NDArray[Any]] = field(repr=False)  # (t, n) or (t, n, components): velocity, ...
+    of_elements: dict[str, npt.NDArray[Any]] = field(repr=False)  # (t, m) or (t, m, components): stress, plastic_strain, alive, ...
     components: dict[str, list[str]] = field(repr=False)  # of the fields that have some: stress: xx, yy, ...
     bodies: list[str]  # names; the field `body` has their numbers
     units: dict[str, str]  # of quantities, as far as the scene names them
@@ -115,7 +116,7 @@ def read_fields(out: str | os.PathLike[str]) -> Fields:
         raise InputError(f"read_fields: {folder / 'fields.pvd'}: expected at least one time")
     last = meshes[-1]
 
-    def over_time(kind: str) -> dict[str, np.ndarray]:
+    def over_time(kind: str) -> dict[str, npt.NDArray[Any]]:
         return {name: np.stack([getattr(mesh, kind)[name] for mesh in meshes]) for name in getattr(last, kind)}
 
     return Fields(np.array([time for time, _ in entries]), np.stack([mesh.points for mesh in meshes]), last.hexahedra,

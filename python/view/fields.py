@@ -3,12 +3,16 @@
 Not a general VTU reader: it takes what solver/output/field_output.cpp writes, and needs NumPy alone.
 """
 
+from __future__ import annotations
+
 import os
 import re
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 
 class BadInput(Exception):
@@ -22,34 +26,45 @@ TYPES = {"Float32": "<f4", "Float64": "<f8", "UInt8": "u1", "Int32": "<i4", "Int
 class Mesh:
     """One output time. n nodes, m elements."""
 
-    points: np.ndarray  # (n, 3) [length]
-    hexahedra: np.ndarray  # (m, 8) node indices
-    point_data: dict = field(default_factory=dict)  # name: (n,) or (n, components)
-    cell_data: dict = field(default_factory=dict)  # name: (m,) or (m, components)
-    components: dict = field(default_factory=dict)  # name: names of its components, where the file gives them
-    names: list = field(default_factory=list)  # of the bodies, where the file gives them
-    units: dict = field(default_factory=dict)  # quantity ("length", "stress", ...): unit
+    points: npt.NDArray[Any]  # (n, 3) [length]
+    hexahedra: npt.NDArray[Any]  # (m, 8) node indices
+    point_data: dict[str, npt.NDArray[Any]] = field(default_factory=dict)  # name: (n,) or (n, components)
+    cell_data: dict[str, npt.NDArray[Any]] = field(default_factory=dict)  # name: (m,) or (m, components)
+    components: dict[str, list[str]] = field(default_factory=dict)  # name: names of its components, where the file gives them
+    names: list[str] = field(default_factory=list)  # of the bodies, where the file gives them
+    units: dict[str, str] = field(default_factory=dict)  # quantity ("length", "stress", ...): unit
 
 
-def read_units(text):
+def part(parent: ElementTree.Element, path: str) -> ElementTree.Element:
+    """The first element of a path. Raises ValueError."""
+    found = parent.find(path)
+    if found is None:
+        raise ValueError(f"no {path}")
+    return found
+
+
+def read_units(text: str) -> dict[str, str]:
     """{quantity: unit} from a line "units: in-lbf-s; time [s]; length [in]; ..." somewhere in text."""
     line = re.search(r"units: [^\n]*", text)
     return dict(re.findall(r"; (\w+) \[([^\]]*)\]", line.group())) if line else {}
 
 
-def read_pvd(path):
+def read_pvd(path: str) -> list[tuple[float, str]]:
     """[(time, path of the .vtu file), ...] in the order of the list. Raises BadInput."""
     try:
         root = ElementTree.parse(path).getroot()
     except (OSError, ElementTree.ParseError) as error:
         raise BadInput(f"{path}: cannot be read: {error}")
     folder = os.path.dirname(path)
-    return [(float(entry.get("timestep")), os.path.join(folder, entry.get("file"))) for entry in root.iter("DataSet")]
+    try:
+        return [(float(entry.attrib["timestep"]), os.path.join(folder, entry.attrib["file"])) for entry in root.iter("DataSet")]
+    except (KeyError, ValueError) as error:
+        raise BadInput(f"{path}: a DataSet without a time and a file ({error})")
 
 
-def hexahedra_of(connectivity, ends):
+def hexahedra_of(connectivity: npt.NDArray[Any], ends: npt.NDArray[Any]) -> npt.NDArray[Any]:
     """(m, 8) node indices; cells of four nodes are tetrahedra, as hexahedra that are collapsed to them."""
-    begins = np.concatenate(([0], ends[:-1]))
+    begins = np.concatenate((np.zeros(1, int), ends[:-1]))
     hexahedra = np.empty((len(ends), 8), connectivity.dtype)
     for count, corners in ((8, range(8)), (4, (0, 0, 1, 1, 2, 3, 3, 2))):
         of_count = ends - begins == count
@@ -59,7 +74,7 @@ def hexahedra_of(connectivity, ends):
     return hexahedra
 
 
-def read_vtu(path):
+def read_vtu(path: str) -> Mesh:
     """The Mesh in one .vtu file. Raises BadInput where the file is missing, cut short or of another kind."""
     try:
         with open(path, "rb") as file:
@@ -73,34 +88,34 @@ def read_vtu(path):
         raise BadInput(f"{path}: not a .vtu file with appended raw data")
     try:
         head = content[:at].decode()
-        grid = ElementTree.fromstring(head + "</VTKFile>").find("UnstructuredGrid")
-        piece = grid.find("Piece")
-        mesh = Mesh(None, None, units=read_units(head))
+        grid = part(ElementTree.fromstring(head + "</VTKFile>"), "UnstructuredGrid")
+        piece = part(grid, "Piece")
+        mesh = Mesh(np.empty((0, 3)), np.empty((0, 8), int), units=read_units(head))
 
-        def read_names(tag):
-            begin = start + int(tag.get("offset"))
+        def read_names(tag: ElementTree.Element) -> list[str]:
+            begin = start + int(tag.attrib["offset"])
             length = int(np.frombuffer(content, "<u8", 1, begin)[0])
             return content[begin + 8 : begin + 8 + length].decode().split("\0")[:-1]
 
-        def read_array(tag):
-            begin = start + int(tag.get("offset"))
+        def read_array(tag: ElementTree.Element) -> npt.NDArray[Any]:
+            begin = start + int(tag.attrib["offset"])
             length = int(np.frombuffer(content, "<u8", 1, begin)[0])
-            dtype = np.dtype(TYPES[tag.get("type")])
+            dtype = np.dtype(TYPES[tag.attrib["type"]])
             values = np.frombuffer(content, dtype, length // dtype.itemsize, begin + 8)
-            components = int(tag.get("NumberOfComponents", 1))
+            components = int(tag.get("NumberOfComponents", "1"))
             return values.reshape(-1, components) if components > 1 else values
 
         for kind, data in (("PointData", mesh.point_data), ("CellData", mesh.cell_data)):
-            for tag in piece.find(kind):
-                name = tag.get("Name")
+            for tag in part(piece, kind):
+                name = tag.attrib["Name"]
                 data[name] = read_array(tag)
-                count = int(tag.get("NumberOfComponents", 1))
+                count = int(tag.get("NumberOfComponents", "1"))
                 mesh.components[name] = [tag.get(f"ComponentName{c}", "xyz"[c : c + 1]) for c in range(count)]
         for tag in grid.iter("DataArray"):
             if tag.get("Name") == "body_names":
                 mesh.names = read_names(tag)
-        mesh.points = read_array(piece.find("Points/DataArray"))
-        cells = {tag.get("Name"): tag for tag in piece.find("Cells")}
+        mesh.points = read_array(part(piece, "Points/DataArray"))
+        cells = {tag.attrib["Name"]: tag for tag in part(piece, "Cells")}
         mesh.hexahedra = hexahedra_of(*(read_array(cells[name]) for name in ("connectivity", "offsets")))
     except (AttributeError, KeyError, TypeError, ValueError, ElementTree.ParseError) as error:
         raise BadInput(f"{path}: not a file of Pinball's field output, or cut short ({error})")
