@@ -12,9 +12,9 @@ from .rules import ARCHIVE, candidates
 
 SWITCH = "bench/faults_parts/switch.hpp"  # below the root, as all of the tree includes
 LEFT_OUT = ("build", "out", ".git", "__pycache__")
-# Rooms whose results a user gets; devices, and what only prints or measures, are not among them.
-ROOMS = ("kernels", "boundary", "contact", "elements", "formats", "mesh", "model", "output", "results", "scene", "simulation",
-         "step")
+# Rooms whose results a user gets; devices, and what only measures, are not among them.
+ROOMS = ("kernels", "boundary", "contact", "elements", "formats", "mesh", "model", "output", "parallel", "program", "results",
+         "rigid", "scene", "simulation", "step")
 MOST = 4000
 
 
@@ -68,7 +68,8 @@ def by_rule(options, taken):
 
 def choose(options):
     """{number: fault}, those that are named first. options: of the command."""
-    first = [fault for fault in all_named()[0] if fault.room in options.rooms and re.search(options.only, fault.file)]
+    first = [] if options.unnamed else [
+        fault for fault in all_named()[0] if fault.room in options.rooms and re.search(options.only, fault.file)]
     faults = first + by_rule(options, first)
     if len(faults) > MOST:
         raise Failed(f"{len(faults)} faults are more than {MOST}")

@@ -105,7 +105,7 @@ class Planting(unittest.TestCase):
 
     def test_choice_is_the_same_each_time_and_no_two_overlap(self):
         class Options:
-            count, seed, files, rooms, only = 60, 5, 4, ["formats", "contact", "mesh"], ""
+            count, seed, files, rooms, only, unnamed = 60, 5, 4, ["formats", "contact", "mesh"], "", False
         first, second = planting.choose(Options), planting.choose(Options)
         self.assertEqual(first, second)
         by_rule = [fault for fault in first.values() if fault.rule != "named"]
@@ -113,6 +113,13 @@ class Planting(unittest.TestCase):
         self.assertEqual({fault.room for fault in by_rule}, set(Options.rooms))
         for number, fault in first.items():
             self.assertFalse(planting.overlaps(fault, [f for n, f in first.items() if n != number]))
+
+    def test_choice_without_names_has_more_of_rooms_that_are_asked_for_twice(self):
+        class Options:
+            count, seed, files, rooms, only, unnamed = 30, 5, 4, ["rigid", "contact", "rigid"], "", True
+        faults = planting.choose(Options).values()
+        self.assertNotIn("named", {fault.rule for fault in faults})
+        self.assertEqual([sum(fault.room == room for fault in faults) for room in ("rigid", "contact")], [20, 10])
 
     def test_what_does_not_compile_is_blamed(self):
         text = "one\ntwo\nthree\n"
