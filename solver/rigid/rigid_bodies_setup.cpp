@@ -219,7 +219,9 @@ void RigidBodies<S>::take_velocities(Model<S>& model, std::size_t number, const 
   const Point spin = of_nodes.angular_velocity();
   for (std::size_t i = 0; i < nodes.size() && of_start; ++i) {
     const double off = norm(minus(v(i), velocity_at(velocity, spin, minus(x(i), own.centre))));
-    if (off <= (sizeof(S) == sizeof(double) ? 1e-6 : 1e-4) * fastest) continue;
+    // Nodes that are attached have the noise of their bodies, which does not move these.
+    const double noise = model.scene.bodies[model.mesh.body_of_node[scene_node[nodes[i]]]].velocity_noise;
+    if (off <= (sizeof(S) == sizeof(double) ? 1e-6 : 1e-4) * fastest + 4 * noise) continue;
     throw InputError(
         fmt::format("{}: the initial velocities of its nodes are no motion of the rigid body {}: expected "
                     "velocity and angular_velocity of all of it alike",

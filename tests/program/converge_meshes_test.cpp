@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <tuple>
 
 #include <tests/program/converge_case.hpp>
 
@@ -90,6 +91,35 @@ TEST_F(Converge, ListsOfNumbersGoWithMeshesThatAreSplit) {
 
   write_scene(mesh, held + "nodes = [7, 18]\n");
   test::expect_bad_input(command("--quiet --only mesh"), "no node 18");
+}
+
+/// What chance does is known of scenes in which bodies, or nodes of bodies that deform, are rigid.
+TEST_F(Converge, ChanceMovesWhatIsRigid) {
+  std::string text =
+      "units = \"g-mm-ms\"\n[time]\nend = 4e-3\n[contact]\nmethod = \"pinball\"\n"
+      "[[material]]\nname = \"m\"\nmodel = \"elastic\"\ndensity = 1e-3\nyoung_modulus = 1e3\npoisson_ratio = 0.25\n";
+  for (const auto& [name, height, speed] :
+       {std::tuple{"bar", 0.0, 0.0}, std::tuple{"ram", 1.3, -20.0}, std::tuple{"rest", -1.3, 0.0}}) {
+    text += fmt::format(
+        "[[body]]\nname = \"{}\"\nmaterial = \"m\"\nposition = [0, 0, {}]\nvelocity = [0, 0, {}]\n"
+        "mesh = {{ type = \"block\", size = [1, 1, 1], elements = [2, 2, 2] }}\n",
+        name, height, speed);
+  }
+  text +=
+      "[[rigid_body]]\nname = \"ram\"\nbodies = [\"ram\"]\n[[rigid_body]]\nname = \"foot\"\n"
+      "[[rigid_nodes]]\nrigid_body = \"foot\"\nbody = \"rest\"\n"
+      "plane = { point = [0, 0, -1.3], normal = [0, 0, 1] }\n";
+  std::ofstream(scene()) << text;
+  const Finished done =
+      converge("--quiet --ensemble 2 --only mesh --only chance --of ram_velocity_z --of rest_velocity_z");
+  ASSERT_EQ(done.status, 0) << done.text;
+  EXPECT_EQ(done.text.find("chance failed"), std::string::npos) << done.text;
+  const Json table = json();
+  for (const char* quantity : {"ram_velocity_z", "rest_velocity_z"}) {
+    const Json moved = of(table, quantity)["moved_by"]["chance"];
+    ASSERT_FALSE(moved.is_null()) << quantity;
+    EXPECT_GT(moved, 0) << quantity;
+  }
 }
 
 }  // namespace

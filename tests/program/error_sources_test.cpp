@@ -109,6 +109,24 @@ TEST(ErrorSources, ChanceIsThatOfThePrecisionAndOfSceneAtRest) {
   EXPECT_DOUBLE_EQ(moved.initial_velocities[0].velocity[2], 4 * (1 + 1e-5));
 }
 
+TEST(ErrorSources, ChanceLeavesRigidBodiesRigid) {
+  Scene scene = scene_at_speed(-5);
+  scene.bodies[0].name = "plate";
+  scene.bodies[1].name = "ball";
+  scene.bodies[1].angular_velocity = {0, 2, 0};
+  scene.rigid_bodies.resize(2);
+  scene.rigid_bodies[0].bodies = {"ball"};
+  scene.rigid_bodies[1].velocity = {0, 8, 0};
+  scene.rigid_bodies[1].angular_velocity = {1, 0, 0};
+  const Scene moved = vary_sources(scene, {ErrorSource::chance}, 2)[0].scenes[1];
+  EXPECT_DOUBLE_EQ(moved.bodies[0].velocity_noise, 2 * 1e-9 * 8);
+  EXPECT_EQ(moved.bodies[1].velocity_noise, 0);
+  EXPECT_DOUBLE_EQ(moved.bodies[1].velocity[2], -5 * (1 + 2e-9));
+  EXPECT_DOUBLE_EQ(moved.bodies[1].angular_velocity[1], 2 * (1 + 2e-9));
+  EXPECT_DOUBLE_EQ((*moved.rigid_bodies[1].velocity)[1], 8 * (1 + 2e-9));
+  EXPECT_DOUBLE_EQ((*moved.rigid_bodies[1].angular_velocity)[0], 1 + 2e-9);
+}
+
 /// Of one quantity, with a band of 9 to 12 around 10 on the mesh of the sources, moved by chance by so much.
 ConvergenceStudy study_with(double by_step, double by_chance) {
   ConvergenceStudy study;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <solver/base/error.hpp>
+#include <solver/model/rigid/rigid_nodes.hpp>
 #include <solver/scene/schema/choices.hpp>
 
 #include "mesh_factor.hpp"
@@ -22,6 +23,9 @@ double noise_speed(const Scene& scene) {
   double largest = 0;
   for (const Body& body : scene.bodies) largest = std::max(largest, speed_of(body.velocity));
   for (const InitialVelocity& given : scene.initial_velocities) largest = std::max(largest, speed_of(given.velocity));
+  for (const RigidBody& rigid : scene.rigid_bodies) {
+    if (rigid.velocity) largest = std::max(largest, speed_of(*rigid.velocity));
+  }
   for (const RigidWall& wall : scene.rigid_walls) largest = std::max(largest, std::abs(wall.speed));
   for (const PrescribedVelocity& given : scene.prescribed_velocities) {
     if (given.quantity == MotionQuantity::velocity) largest = std::max(largest, speed_of(given.velocity));
@@ -70,6 +74,32 @@ void add_hourglass(const Scene& scene, std::vector<SourceVariation>& variations)
   }
 }
 
+void scale(Point& vector, double factor) {
+  for (double& component : vector) component *= factor;
+}
+
+/// Bodies that are rigid know no noise: theirs are velocities of the same motion, a little faster.
+void move_bodies(Scene& scene, double part, double speed) {
+  const std::vector<std::int32_t> rigid = rigid_body_of_bodies(scene);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    Body& body = scene.bodies[b];
+    if (rigid[b] < 0) {
+      body.velocity_noise += part * speed;
+    } else {
+      scale(body.velocity, 1 + part);
+      scale(body.angular_velocity, 1 + part);
+    }
+  }
+  for (InitialVelocity& given : scene.initial_velocities) {
+    scale(given.velocity, 1 + part);
+    scale(given.angular_velocity, 1 + part);
+  }
+  for (RigidBody& given : scene.rigid_bodies) {
+    if (given.velocity) scale(*given.velocity, 1 + part);
+    if (given.angular_velocity) scale(*given.angular_velocity, 1 + part);
+  }
+}
+
 SourceVariation by_chance(const Scene& scene, int ensemble) {
   const double part = scene.precision == Precision::float32 ? 1e-5 : 1e-9, speed = noise_speed(scene);
   SourceVariation variation{ErrorSource::chance,
@@ -80,13 +110,7 @@ SourceVariation by_chance(const Scene& scene, int ensemble) {
                             {}};
   for (int k = 1; k <= ensemble; ++k) {
     Scene moved = scene;
-    for (Body& body : moved.bodies) body.velocity_noise += k * part * speed;
-    for (InitialVelocity& given : moved.initial_velocities) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        given.velocity[c] *= 1 + k * part;
-        given.angular_velocity[c] *= 1 + k * part;
-      }
-    }
+    move_bodies(moved, k * part, speed);
     variation.scenes.push_back(std::move(moved));
   }
   return variation;
