@@ -109,6 +109,31 @@ TEST(ErrorSources, ChanceIsThatOfThePrecisionAndOfSceneAtRest) {
   EXPECT_DOUBLE_EQ(moved.initial_velocities[0].velocity[2], 4 * (1 + 1e-5));
 }
 
+/// Decks say a speed of 1, and the rest by their curves.
+TEST(ErrorSources, ChanceIsThatOfTheLargestSpeedOfTables) {
+  Scene scene = scene_at_speed(-5);
+  const auto noise = [&] {
+    return vary_sources(scene, {ErrorSource::chance}, 1)[0].scenes[0].bodies[0].velocity_noise / 1e-9;
+  };
+  const TimeTable table{{0, 1, 2}, {0, -30, 10}};
+  PrescribedVelocity moved;
+  moved.velocity = {0, 1, 0};
+  moved.table = table;
+  scene.prescribed_velocities = {moved};
+  EXPECT_DOUBLE_EQ(noise(), 30);
+  scene.prescribed_velocities[0].quantity = MotionQuantity::displacement;
+  EXPECT_DOUBLE_EQ(noise(), 5);
+  RigidWall& wall = scene.rigid_walls.emplace_back();
+  wall.speed = -0.3;
+  wall.table = table;
+  EXPECT_DOUBLE_EQ(noise(), 9);
+  RigidMotion motion;
+  motion.speed = 0.5;
+  motion.table = table;
+  scene.rigid_motions = {motion};
+  EXPECT_DOUBLE_EQ(noise(), 15);
+}
+
 TEST(ErrorSources, ChanceLeavesRigidBodiesRigid) {
   Scene scene = scene_at_speed(-5);
   scene.bodies[0].name = "plate";

@@ -18,6 +18,12 @@ namespace {
 
 double speed_of(const Point& velocity) { return std::hypot(velocity[0], velocity[1], velocity[2]); }
 
+double largest_factor(const TimeTable& table) {
+  double largest = table.factors.empty() ? 1 : 0;
+  for (const double factor : table.factors) largest = std::max(largest, std::abs(factor));
+  return largest;
+}
+
 /// The largest that the scene gives to anything, else a thousandth of that of waves [length/time].
 double noise_speed(const Scene& scene) {
   double largest = 0;
@@ -26,9 +32,15 @@ double noise_speed(const Scene& scene) {
   for (const RigidBody& rigid : scene.rigid_bodies) {
     if (rigid.velocity) largest = std::max(largest, speed_of(*rigid.velocity));
   }
-  for (const RigidWall& wall : scene.rigid_walls) largest = std::max(largest, std::abs(wall.speed));
+  for (const RigidWall& wall : scene.rigid_walls)
+    largest = std::max(largest, largest_factor(wall.table) * std::abs(wall.speed));
   for (const PrescribedVelocity& given : scene.prescribed_velocities) {
-    if (given.quantity == MotionQuantity::velocity) largest = std::max(largest, speed_of(given.velocity));
+    if (given.quantity == MotionQuantity::velocity)
+      largest = std::max(largest, largest_factor(given.table) * speed_of(given.velocity));
+  }
+  for (const RigidMotion& given : scene.rigid_motions) {
+    if (given.quantity == MotionQuantity::velocity)
+      largest = std::max(largest, largest_factor(given.table) * std::abs(given.speed));
   }
   if (largest > 0) return largest;
   for (const Material& m : scene.materials) largest = std::max(largest, std::sqrt(m.bulk_modulus / m.density));
