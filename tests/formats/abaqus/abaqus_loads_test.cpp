@@ -2,7 +2,8 @@
 
 #include "abaqus_case.hpp"
 
-/// *CLOAD, *DLOAD, *DSLOAD and initial velocities: what of them is given more than once.
+/// *CLOAD, *DLOAD, *DSLOAD and initial velocities: what of them is given more than once, or of a kind that
+/// is not read.
 namespace pinball::test::abaqus_loads_test {
 namespace {
 
@@ -37,6 +38,13 @@ TEST_F(AbaqusLoads, OfOtherNodesDirectionsAndFacesAreNot) {
   for (const char* loads : {"*CLOAD\n5, 1, 2.\n6, 1, 2.\n5, 2, 2.\n", "*DLOAD\nCube, P2, 2.\nCube, P1, 2.\n",
                             "*DLOAD\n, GRAV, 9., 0., 0., -1.\n, GRAV, 9., 1., 0., 0.\n"})
     EXPECT_THAT(notes(loads), Not(Contains(HasSubstr("already")))) << loads;
+}
+
+TEST_F(AbaqusLoads, OfKindsThatAreNotReadAreRefused) {
+  for (const std::string kind : {"P0", "P7", "P9", "PX", "P12", "P", "BX", "CENTRIF"})
+    EXPECT_THAT(error(abaqus_cube + abaqus_steel + abaqus_step("*DLOAD\nCube, " + kind + ", 2.\n")),
+                AllOf(HasSubstr("for this version has not"), HasSubstr("*DLOAD, " + kind + " (")))
+        << kind;
 }
 
 TEST_F(AbaqusLoads, InitialVelocitiesThatLaterLinesReplaceAreReported) {

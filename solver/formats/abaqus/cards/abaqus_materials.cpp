@@ -171,7 +171,7 @@ InnerKeys<JohnsonCookSettings> johnson_cook_strength(AbaqusData& data, const Aba
                        "temperatures are not computed: leave its melting temperature out");
   if (m != 0 || melting != 0 || transition != 0)
     data.report.unused(card.place, "*PLASTIC, HARDENING=JOHNSON COOK: m and its temperatures",
-                       "without ADIABATIC nothing becomes warm");
+                       is_adiabatic(data) ? "its melting temperature is 0" : "without ADIABATIC nothing becomes warm");
   return law;
 }
 
