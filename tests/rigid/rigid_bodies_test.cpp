@@ -38,16 +38,24 @@ Point angular_momentum(const Solver<S>& solver) {
   return all;
 }
 
+/// From each node to the first one and to the last one, as the fields have them.
+std::vector<double> lengths(const Solver<double>& solver) {
+  const FieldSnapshot now = snapshot(solver);
+  std::vector<double> all;
+  for (const Point& p : now.position) {
+    all.push_back(norm(minus(p, now.position.front())));
+    all.push_back(norm(minus(p, now.position.back())));
+  }
+  return all;
+}
+
 TEST(RigidBodies, KeepMomentaEnergyAndShapeOverManyTurns) {
   Solver<double> solver(top(20));
   const Point momentum = angular_momentum(solver), start = solver.rigid().results()[0].centre;
-  const auto lengths = [&] {
-    const FieldSnapshot now = snapshot(solver);
-    std::vector<double> all;
-    for (const Point& p : now.position) all.push_back(norm(minus(p, now.position[0])));
-    return all;
-  };
-  const std::vector<double> before = lengths();
+  const std::vector<double> before = lengths(solver);
+  for (int step = 0; step < 10; ++step) solver.step();
+  const std::vector<double> meanwhile = lengths(solver);  // of a time that lies within a step
+  for (std::size_t n = 0; n < before.size(); ++n) EXPECT_NEAR(meanwhile[n], before[n], 1e-13);
   run(solver);
   EXPECT_GT(solver.steps(), 10000);
   const RigidBodyResult result = solver.rigid().results()[0];
@@ -57,8 +65,26 @@ TEST(RigidBodies, KeepMomentaEnergyAndShapeOverManyTurns) {
     EXPECT_NEAR(result.centre[k], start[k] + 20 * velocity[k], 1e-10);
   }
   EXPECT_LT(solver.ledger().balance_error_in_motion_max(), 1e-12);
-  const std::vector<double> after = lengths();
+  const std::vector<double> after = lengths(solver);
   for (std::size_t n = 0; n < before.size(); ++n) EXPECT_NEAR(after[n], before[n], 1e-13);
+}
+
+/// Far from where coordinates count from, sums of many lose digits of each axis.
+TEST(RigidBodies, HaveTheirCentreFarAway) {
+  Scene scene = scene_of({block("far", {20, 20, 20}, 0.1, {3e6, 5e6, -7e6})}, 1, false);
+  scene.rigid_bodies = {rigid("far")};
+  const Solver<double> solver(scene);
+  const Model<double>& model = solver.model();
+  const Point centre = solver.rigid().results()[0].centre;
+  for (std::size_t k = 0; k < 3; ++k) {
+    long double moment = 0, mass = 0;
+    for (std::size_t n = 0; n < model.node_mass.size(); ++n) {
+      const long double own = model.node_mass[n];
+      moment += own * (static_cast<long double>(model.nodes.position_of(n)[k]) - centre[k]);
+      mass += own;
+    }
+    EXPECT_LE(std::abs(static_cast<double>(moment / mass)), 1e-9) << k;
+  }
 }
 
 TEST(RigidBodies, HaveNoStressAndNoElementStep) {
@@ -239,6 +265,18 @@ TEST(RigidBodies, RefuseByNameWhatTheyAreNotThereFor) {
                 s.rigid_motions = {move};
               }),
               HasSubstr("at right angles"));
+}
+
+/// A flat body has one moment that is the sum of the others, and none has a larger one.
+TEST(RigidBodies, HaveNoInertiaThatNoBodyHas) {
+  const auto with = [](double x, double y, double z) {
+    Scene scene = top(1);
+    scene.rigid_bodies[0].inertia = {{{x, 0, 0}, {0, y, 0}, {0, 0, z}}};
+    return refused(scene);
+  };
+  for (const double third : {1.01, 2.0, 2.99, 3.0}) EXPECT_EQ(with(1, 2, third), no_error) << third;
+  for (const auto& [x, y, z] : {Point{1, 2, 3.01}, {3.01, 1, 2}, {2, 3.01, 1}, {1, 1, 0}, {1, 1, -0.1}})
+    EXPECT_THAT(with(x, y, z), HasSubstr("expected that of a body")) << x << ' ' << y << ' ' << z;
 }
 
 TEST(RigidBodies, OnAPlaneOfSymmetryMoveAlongIt) {
