@@ -219,6 +219,14 @@ TEST(GmshMesh, WithoutVolumesIsAnError) {
             "a.msh: expected hexahedra, wedges, pyramids or tetrahedra, got none");
 }
 
+TEST(GmshFormat22, SaysWhatAFileThatEndsLacks) {
+  const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+  EXPECT_EQ(error_of(head + "$ParametricNodes\n1\n1 0 0 0"),
+            "a.msh:6: expected the entity of a node, got the end of the file");
+  EXPECT_EQ(error_of(head + "$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 15 2 0 1"),
+            "a.msh:10: expected the nodes of an element, got the end of the file");
+}
+
 class GmshScene : public SceneTest {
  protected:
   void write(const std::string& text) { std::ofstream(folder_ / "part.msh") << text; }

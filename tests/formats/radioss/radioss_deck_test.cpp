@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include <solver/formats/deck_reader.hpp>
@@ -85,6 +86,50 @@ TEST_F(RadiossTest, WrongValuesHaveTheirPlace) {
   EXPECT_THAT(error(cube_with("/PART/1\nagain\n" + ten({"1", "1"}))), HasSubstr("part 1 is given twice, first in"));
   EXPECT_THAT(error(cube_with("/NODE\n" + square_nodes(8, 3))), HasSubstr("node 8 is given twice, first in"));
   EXPECT_THAT(error(cube_with("/RANDOM\n" + twenty({0.1}))), HasSubstr("/RANDOM with Xalea"));
+}
+
+/// Columns of the starter count what stands in them; between fields of the engine a tab is a blank.
+TEST_F(RadiossTest, TabsAreRefusedInColumnsAlone) {
+  const std::string held = "/BCS/1\nb\n   111 000         0         5\n";
+  for (const std::string keyword : {"/BRICK/1\n", "/NODE\n", "/GRNOD/NODE/5\ng\n"})
+    EXPECT_THAT(error(cube_with(held + keyword + "\t11\t1\t2\t3\t4\t5\t6\t7\t8\n")),
+                HasSubstr("there is a tab in a card of columns"))
+        << keyword;
+  engine_ = radioss_run + "/DT/NODA/CST\n0.5\t1E-9\n";
+  const TimeSettings time = scene(cube_with("")).time;
+  EXPECT_EQ(time.cfl, 0.5);
+  EXPECT_EQ(time.smallest_step, 1e-9);
+}
+
+/// Points of a + b e^n, so near to each other that lines between them are the law; from a strain of 4 on it goes on
+/// straight.
+TEST_F(RadiossTest, APowerOfTheStrainIsACurve) {
+  const Material made = scene(radioss_begin + "/MAT/PLAS_JOHNS/1\nsteel\n" + twenty({7.85e-9, 0}) +
+                              twenty({210000, 0.3}) + twenty({400, 500, 0.3}) + radioss_property + radioss_cube)
+                            .materials.at(0);
+  ASSERT_EQ(made.yield_curves.size(), 1U);
+  const auto& [rate, strain, stress] = made.yield_curves[0];
+  const auto law = [](double e) { return 400 + 500 * std::pow(e, 0.3); };
+  EXPECT_EQ(strain.back(), 4);
+  for (std::size_t i = 0; i < strain.size(); ++i) {
+    EXPECT_NEAR(stress[i], law(strain[i]), 1e-9);
+    if (i < 2) continue;
+    const double between = 0.5 * (strain[i - 1] + strain[i]);
+    EXPECT_NEAR(0.5 * (stress[i - 1] + stress[i]), law(between), 2e-3 * law(between)) << between;
+  }
+}
+
+/// Any node that is missing: of the first solid, of the last one.
+TEST_F(RadiossTest, GravityOfPartOfAPartIsRefused) {
+  const std::string gravity = "/GRAV/1\ng\n" + ten({"0", "Z", "0", "0", "5", "-"}).substr(0, 60) + twenty({1, -9810});
+  const auto group = [&](int missing) {
+    std::string line;
+    for (int n = 1; n <= 8; ++n) line += n == missing ? "" : fmt::format("{:>10}", n);
+    return error(cube_with("/GRNOD/NODE/5\ng\n" + line + "\n" + gravity));
+  };
+  EXPECT_EQ(group(0), no_error);
+  for (int missing = 1; missing <= 8; ++missing)
+    EXPECT_THAT(group(missing), HasSubstr("of nodes that are not all of some parts")) << missing;
 }
 
 TEST_F(RadiossTest, TetrahedraAreBricksOfFourNodesOrSolidsOfTheirOwn) {
