@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include <tests/support/solver_case.hpp>
@@ -159,6 +160,32 @@ TEST(TimeSpan, IsKnownToContact) {
   EXPECT_NEAR(released.second, free.second, 1e-3 * std::abs(free.second) + 1e-6);
   EXPECT_EQ(held.first, 0);
   EXPECT_GT(held.second, 2);
+}
+
+/// A wall that has not begun holds nothing of what touches something else beside it.
+TEST(TimeSpan, OfAWallIsKnownToContact) {
+  const auto velocities = [](double start) {
+    Scene scene = scene_of(
+        {block("a", {2, 2, 2}, 0.1, {0, 0, 0}, {-3, 0, 0}), block("b", {2, 2, 2}, 0.1, {0, 0, 0.2}, {-6, 0, -10})},
+        4e-4);
+    scene.contact.enforcement = Enforcement::lagrange;
+    scene.contact.gap = ContactGap::face;
+    scene.contact.friction = 0.5;
+    RigidWall& wall = scene.rigid_walls.emplace_back();
+    wall.plane = {{0, 0, 0}, {1, 0, 0}};
+    wall.when.start = start;
+    if (start < 0) scene.rigid_walls.clear();
+    Solver<double> solver(scene);
+    run(solver);
+    const auto& bodies = history_row(solver).bodies;
+    return std::array{bodies[0].velocity, bodies[1].velocity};
+  };
+  const auto without = velocities(-1), to_come = velocities(1), there = velocities(0);
+  for (std::size_t b = 0; b < 2; ++b) {
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(to_come[b][k], without[b][k], 1e-9) << b << ", " << k;
+    EXPECT_LT(without[b][0], -3);
+    EXPECT_GT(there[b][0], -1);
+  }
 }
 
 }  // namespace

@@ -218,31 +218,56 @@ TEST(ImpulsesOfTwoNodes, AreNotReadWithNodesThatAreNone) {
   EXPECT_EQ(found, 1);
 }
 
-/// A node closes a gap, is stopped, pressed on without moving, and let go. In the step after the last that pushes it
-/// gets half of that once more, but with no more energy than it was stopped with in both steps.
+/// Nodes close a gap to one that they have in common, are stopped, pressed on without moving, and let go. In the step
+/// after the last that pushes each gets half of that once more, but together with no more energy than they were stopped
+/// with in both steps.
 TEST(ImpulsesOfTwoNodes, GiveBackNoMoreThanTheyHaveTaken) {
-  const double reduced = 2.0 * 3.0 / 5.0, opening = 0.1;
+  constexpr double opening = 0.1;
+  struct Case {
+    std::int32_t count;
+    bool common_first;  // in the rows
+    double pressing, speed;
+  };
+  std::vector<Case> cases;
   for (const double pressing : {20.0, 1.5}) {
     for (const double speed : {1.0, 0.3}) {
-      Nodes nodes({2.0, 3.0});
-      nodes.set_velocity(0, {0, 0, -speed});
-      ImpulseSolver<double> solver(coupled(), 2, {2, {}});
-      const auto step = [&](double load, double depth) {  // returns the impulse
-        nodes.push(0, load);
-        solve_pair(solver, nodes, {0, 0, 1}, depth);
-        const double impulse = nodes.force_of(0).z - load;
-        for (const std::int32_t n : {0, 1}) nodes.take_force(n);
-        return impulse;
-      };
-      EXPECT_NEAR(step(0, -0.5 * speed), 0.5 * reduced * speed, 1e-12);
-      EXPECT_NEAR(step(0, 0), 0.5 * reduced * speed, 1e-12);
-      const double last = step(-pressing, 0);
-      EXPECT_NEAR(last, pressing * reduced / 2.0, 1e-12);
-      // p (0 + opening + p / reduced) / 2 <= reduced speed^2 / 2, for both were at rest in the step before
-      const double half = 0.5 * reduced * opening;
-      const double most = -half + std::sqrt(half * half + reduced * reduced * speed * speed);
-      EXPECT_NEAR(step(2.0 * opening, 0), std::min(0.5 * last, most), 1e-12) << pressing << ", " << speed;
+      for (const std::int32_t count : {1, 3}) {
+        for (const bool first : {false, true}) cases.push_back({count, first, pressing, speed});
+      }
     }
+  }
+  for (const auto& [count, common_first, pressing, speed] : cases) {
+    const double reduced = 1 / (1 / 2.0 + count / 3.0);  // of each, where all do the same
+    std::vector<double> masses(static_cast<std::size_t>(count), 2.0);
+    masses.push_back(3.0);
+    Nodes nodes(masses);
+    for (std::int32_t n = 0; n < count; ++n) nodes.set_velocity(n, {0, 0, -speed});
+    ImpulseSolver<double> solver(coupled(), count + 1, {count + 1, {}});
+    const auto step = [&](double load, double depth) {  // returns the impulse of each
+      solver.begin_rows();
+      for (std::int32_t n = 0; n < count; ++n) {
+        nodes.push(n, load);
+        solver.add_row(n, 10 + n, {0, 0, 1}, depth, 1.0);
+        if (common_first) solver.add_node(count, 1);
+        solver.add_node(n, -1);
+        if (!common_first) solver.add_node(count, 1);
+      }
+      solver.finish_rows(nodes, 1.0);
+      solver.solve(nodes, {1.0, 1.0});
+      const double impulse = nodes.force_of(0).z - load;
+      for (std::int32_t n = 0; n < count; ++n) EXPECT_NEAR(nodes.force_of(n).z - load, impulse, 1e-9);
+      for (std::int32_t n = 0; n <= count; ++n) nodes.take_force(n);
+      return impulse;
+    };
+    EXPECT_NEAR(step(0, -0.5 * speed), 0.5 * reduced * speed, 1e-9);
+    EXPECT_NEAR(step(0, 0), 0.5 * reduced * speed, 1e-9);
+    const double last = step(-pressing, 0);
+    EXPECT_NEAR(last, pressing * reduced / 2.0, 1e-9);
+    // p (0 + opening + p / reduced) / 2 <= reduced speed^2 / 2, for all were at rest in the step before
+    const double half = 0.5 * reduced * opening;
+    const double most = -half + std::sqrt(half * half + reduced * reduced * speed * speed);
+    EXPECT_NEAR(step(2.0 * opening, 0), std::min(0.5 * last, most), 1e-9)
+        << count << ", " << common_first << ", " << pressing << ", " << speed;
   }
 }
 
