@@ -147,7 +147,8 @@ TEST(LookAtContact, TakesWhatIsTiedForOne) {
   scene.bodies[1].velocity = {0, 0, 0};
   scene.tied_contacts = {{.name = "glue", .first = {.bodies = {"a"}}, .second = {.bodies = {"b"}}}};
   EXPECT_EQ(decided(scene), ContactMethod::none);
-  scene.tied_contacts.clear();
+  scene.bodies.push_back(block("c", {3, 3, 3}, 1, {20, 0, 0}));
+  scene.tied_contacts[0].second.bodies = {"c"};
   EXPECT_EQ(decided(scene), ContactMethod::pinball);
 }
 

@@ -221,6 +221,33 @@ TEST_F(SurfaceOfRun, HasEveryTimeAndFieldAndTheSameBytesEachTime) {
   EXPECT_EQ(surface.dump(), json().dump());
 }
 
+/// Positions are told in 65,000 parts of the largest extents that what is left of each body has at any time.
+TEST_F(SurfaceOfRun, HasPositionsAsFineAsTheBodiesAreLarge) {
+  std::vector<Point> extents(2, Point{});
+  for (int k = 0; k < 9; ++k) {
+    const FieldSnapshot s = test::two_blocks(1e-6 * k, 0.01 * k);
+    for (int body = 0; body < 2; ++body) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (std::size_t e = 0; e < s.hexahedra.size(); ++e) {
+          if (s.body[e] != body || s.alive[e] == 0) continue;
+          for (const std::int32_t n : s.hexahedra[e]) {
+            low = std::min(low, s.position[n][c]);
+            high = std::max(high, s.position[n][c]);
+          }
+        }
+        extents[body][c] = std::max(extents[body][c], high - low);
+      }
+    }
+  }
+  const nlohmann::json steps = json()["steps"];
+  ASSERT_EQ(steps.size(), 2U);
+  for (std::size_t b = 0; b < 2; ++b) {
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(steps[b][c].get<double>(), extents[b][c] / 65000, 1e-6 * extents[b][c] / 65000) << b << ", " << c;
+  }
+}
+
 TEST_F(SurfaceOfRun, HasFewerTimesWhereAPageHasNoRoomForAll) {
   const std::size_t whole = json().dump().size();
   const nlohmann::json fewer = json(whole - 100);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 
@@ -77,6 +78,11 @@ TEST(Ranks, SendTheForceOfEachCornerAtASharedNode) {
   EXPECT_LE(work.records, corners + 8 * 2 * nodes_per_span);
   EXPECT_EQ(work.messages, 2);
   EXPECT_LE(work.imbalance, 1.1);
+  std::int64_t elements[2] = {0, 0};
+  for (std::int32_t tile = 0; tile < model.tile_count(); ++tile) elements[rank[tile]] += elements_of_tiles(model)[tile];
+  EXPECT_EQ(elements[0] + elements[1], 12 * 12 * 12);
+  EXPECT_EQ(work.most_elements, std::max(elements[0], elements[1]));
+  EXPECT_EQ(work.imbalance, work.most_elements / (12 * 12 * 12 / 2.0));
 }
 
 /// All bytes of each step, as the messages have them, on three ranks.

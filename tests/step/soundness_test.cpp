@@ -52,6 +52,28 @@ TEST(Soundness, ABoostHidesNothing) {
   EXPECT_NEAR(flying.energy_in_motion, at_rest.energy_in_motion, 1e-6 * at_rest.energy_in_motion);
 }
 
+/// Two bodies that overlap at the start, and two bars that cross without a node inside.
+TEST(Soundness, OverlapsAtTheStartHaveBodiesDepthAndPlace) {
+  Scene scene = scene_of({block("a", {2, 2, 2}, 1, {0, 0, 0}), block("b", {2, 2, 2}, 1, {0.3, 0.4, 1.6})}, 1);
+  const RunSummary of_blocks = summary_of(Solver<double>(scene));
+  ASSERT_EQ(of_blocks.overlaps.size(), 1U);
+  const OverlapResult& blocks = of_blocks.overlaps[0];
+  EXPECT_EQ(blocks.first + ", " + blocks.second, "a, b");
+  EXPECT_EQ(of_blocks.overlapping_bodies, "a and b");
+  EXPECT_EQ(blocks.nodes, 8);
+  EXPECT_NEAR(blocks.depth, 0.4, 1e-12);
+  EXPECT_NEAR(blocks.share, 0.4, 1e-12);
+  EXPECT_THAT(blocks.place, MatchesRegex("node [0-9]+ of body [ab]"));
+  scene.bodies[0].mesh = BlockMesh{{4, 1, 1}, {1, 1, 1}};
+  scene.bodies[1].mesh = BlockMesh{{1, 4, 1}, {1, 1, 1}};
+  scene.bodies[1].position = {1.5, -1.5, 0.3};
+  const RunSummary of_bars = summary_of(Solver<double>(scene));
+  ASSERT_EQ(of_bars.overlaps.size(), 1U);
+  EXPECT_EQ(of_bars.overlaps[0].nodes, 0);
+  EXPECT_GT(of_bars.overlaps[0].points, 0);
+  EXPECT_EQ(of_bars.overlaps[0].place, "");
+}
+
 /// One element that vibrates at the step's own frequency: velocities before and after are opposite at the turning
 /// points.
 TEST(Soundness, KineticEnergyBelowZeroIsReportedApart) {
