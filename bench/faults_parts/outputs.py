@@ -1,5 +1,6 @@
 """Whether a fault changes what a run leaves: all that a user could see of it."""
 
+import glob
 import os
 import re
 import shutil
@@ -45,10 +46,9 @@ class Run:
 
 def all_runs():
     runs = [Run(case.name, case.arguments()) for case in all_cases(True)]
-    folder = os.path.join(ROOT, DECKS)
-    for name in sorted(os.listdir(folder)):
-        if name.endswith(".k"):
-            runs.append(Run(name, [f"{DECKS}/{name}", "--lenient", "--set", "time.steps=200"]))
+    for kind in ("*.k", "abaqus/*.inp", "radioss/*_0000.rad"):
+        for path in sorted(glob.glob(os.path.join(ROOT, DECKS, kind))):
+            runs.append(Run(os.path.basename(path), [os.path.relpath(path, ROOT), "--lenient", "--set", "time.steps=200"]))
     return runs
 
 

@@ -7,7 +7,7 @@ import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "bench"))
 
-from faults_parts import building, judging, planting, quick_tests  # noqa: E402
+from faults_parts import building, judging, outputs, planting, quick_tests  # noqa: E402
 from faults_parts.fault import STATEMENT, Fault  # noqa: E402
 from faults_parts.named import all_named, text_of  # noqa: E402
 from faults_parts.rules import candidates  # noqa: E402
@@ -162,6 +162,13 @@ class Tests(unittest.TestCase):
         near.seen = far.seen = short.seen = frozenset({7})
         near.seconds, far.seconds, short.seconds = 4, 1, 0.5
         self.assertEqual([some[0].name for _, some in quick_tests.batches(7, "mesh", [far, other, near, short])], ["short", "near", "far"])
+
+
+class Outputs(unittest.TestCase):
+    def test_are_those_of_decks_of_each_format(self):
+        names = [run.name for run in outputs.all_runs()]
+        for name in ("rigid.k", "impact.inp", "rigid.inp", "blocks_0000.rad", "taylor_bar_0000.rad"):
+            self.assertIn(name, names)
 
 
 class Judging(unittest.TestCase):
