@@ -264,8 +264,11 @@ TEST_F(SurfaceOfRun, SaysWhyThereIsNone) {
     return nlohmann::json::parse(surface_json_of_run(folder_.path.string(), {"a", "b"}, nullptr, nullptr));
   };
   EXPECT_FALSE(of().contains("error"));
-  std::filesystem::resize_file(folder_.path / "fields_0004.vtu", 5000);
-  EXPECT_THAT(of()["error"].get<std::string>(), testing::HasSubstr("fields_0004.vtu"));
+  const std::uintmax_t whole = std::filesystem::file_size(folder_.path / "fields_0004.vtu");
+  for (const std::uintmax_t left : {whole - 60, whole - 200, whole / 2, std::uintmax_t{5000}}) {
+    std::filesystem::resize_file(folder_.path / "fields_0004.vtu", left);
+    EXPECT_THAT(of()["error"].get<std::string>(), testing::HasSubstr("fields_0004.vtu")) << left << " of " << whole;
+  }
   std::filesystem::remove(folder_.path / "fields.pvd");
   EXPECT_TRUE(of().is_null());
 }
@@ -276,8 +279,12 @@ TEST(Surface, OfALastStateBeginsWithTheFirst) {
   FieldBase base;
   base.initial = first.position;
   const test::TemporaryFolder folder("no_fields");
-  const auto surface = nlohmann::json::parse(surface_json_of_run(folder.path.string(), {"a", "b"}, &last, &base));
-  EXPECT_THAT(surface["times"], testing::ElementsAre(0.0, 2.5e-5));
+  const auto times = [&](const FieldSnapshot& of, const FieldBase& beside) -> nlohmann::json {
+    return nlohmann::json::parse(surface_json_of_run(folder.path.string(), {"a", "b"}, &of, &beside))["times"];
+  };
+  EXPECT_THAT(times(last, base), testing::ElementsAre(0.0, 2.5e-5));
+  EXPECT_THAT(times(last, {}), testing::ElementsAre(2.5e-5)) << "nothing is known of the first";
+  EXPECT_THAT(times(first, base), testing::ElementsAre(0.0)) << "it is the first";
 }
 
 }  // namespace

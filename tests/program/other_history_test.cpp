@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <solver/base/error.hpp>
+#include <solver/program/others/beside_report.hpp>
 #include <solver/program/others/curve_difference.hpp>
 #include <solver/program/others/other_history.hpp>
 #include <tests/support/output_case.hpp>
@@ -172,6 +173,24 @@ TEST(CurveDifferences, OfWhatIsZeroThereAreNone) {
 TEST(CurveDifferences, AVelocityIsAMomentumOverTheMass) {
   EXPECT_THAT(values_of({{"time", "momentum_x"}, {{0, 6}, {1, 12}}, 2}, {{"momentum_x"}, true}, 3), ElementsAre(2, 4));
   EXPECT_THAT(values_of({{"time", "momentum_x"}, {{0, 6}}, 1}, {{"momentum_y"}, true}, 3), ElementsAre());
+}
+
+/// What the page draws: of each file what this run has, too, with all its rows and all of the run.
+TEST(CurvesBeside, HaveAllRowsOfBoth) {
+  VariantRuns variant;
+  variant.repeats.emplace_back();
+  variant.curves = {{"time", "kinetic"}, {{0, 5}, {1, 6}, {2, 8}}, 3};
+  const OtherHistory other{
+      "a/b.csv", "table", {0, 0.5, 2}, {{"KE", {{"kinetic"}}, {5, 5.5, 8}}, {"rest", {{"nothing"}}, {1, 2, 3}}}};
+  const Json all = Json::parse(beside_curves_json({variant, variant}, {other, other}));
+  ASSERT_EQ(all.size(), 2);
+  for (const Json& beside : all) {
+    EXPECT_EQ(beside["file"], "b.csv");
+    EXPECT_EQ(beside["there"]["columns"], (Json{"time", "KE"}));
+    EXPECT_EQ(beside["there"]["data"], (Json{{0, 0.5, 2}, {5, 5.5, 8}}));
+    ASSERT_EQ(beside["here"].size(), 2);
+    for (const Json& here : beside["here"]) EXPECT_EQ(here["data"], (Json{{5, 6, 8}}));
+  }
 }
 
 TEST_F(OtherHistories, ARunBesideItsOwnHistoryHasNoDifference) {

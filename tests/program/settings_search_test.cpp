@@ -64,6 +64,16 @@ TEST_F(SearchOfSettings, TriesThoseThatAreExpectedToReachTheErrorForLess) {
   EXPECT_THAT(trials(), ElementsAre("mesh 2, hourglass stiffness"));  // the other one would save less than a tenth
 }
 
+/// What settings err by themselves says on which mesh they are tried: stiffness, 7.1 % on mesh 1, on mesh 3/2 for 3.8
+/// %.
+TEST_F(SearchOfSettings, TriesEachOnTheMeshThatItsOwnErrorAsksFor) {
+  ASSERT_EQ(converge(search).status, 0);
+  set_seconds({{"mesh_1", 10}, {"mesh_2", 80}, {"mesh_3", 300}, {"mesh_1_hourglass_stiffness", 5}});
+  set_seconds({{"mesh_1_half_step", 40}, {"mesh_1_float", 40}, {"mesh_1_hourglass_viscous", 40}});
+  ASSERT_EQ(converge(std::string(search) + "--error 3.8%").status, 0);
+  EXPECT_THAT(trials(), Contains("mesh 3/2, hourglass stiffness"));
+}
+
 /// Mesh 3 errs by 1.3 % and is the first that reaches 1.8 %: a mesh between 2 and 3 should do. What finer meshes say is
 /// known to 0.33 %: for 0.2 % one more is needed, as much finer as the error falls.
 TEST_F(SearchOfSettings, LooksForMeshesWhereTheErrorIsExpected) {
@@ -72,9 +82,15 @@ TEST_F(SearchOfSettings, LooksForMeshesWhereTheErrorIsExpected) {
   ASSERT_EQ(converge(std::string(meshes) + "--error 1.8%").status, 0);
   EXPECT_THAT(factors(), Contains("5/2"));
 
-  std::filesystem::remove_all(out() + "/mesh_5_2");
-  std::filesystem::remove_all(out() + "/mesh_4");
-  ASSERT_EQ(converge(std::string(meshes) + "--error 0.2%").status, 0);
+  const auto search_anew = [&](const char* error) {
+    for (const char* made : {"/mesh_5_2", "/mesh_4", "/mesh_11_2"}) std::filesystem::remove_all(out() + made);
+    ASSERT_EQ(converge(std::string(meshes) + "--error " + error).status, 0);
+  };
+  search_anew("1%");  // a mesh at least 1.3 times finer
+  EXPECT_THAT(factors(), Contains("4"));
+  EXPECT_THAT(factors(), Not(Contains("9/2")));
+
+  search_anew("0.2%");
   EXPECT_THAT(factors(), Contains("9/2"));
   EXPECT_THAT(factors(), Not(Contains("6")));
 }

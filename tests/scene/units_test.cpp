@@ -71,6 +71,18 @@ TEST(Units, AreKnownInSI) {
   EXPECT_FALSE(parse_units("none").known());
 }
 
+TEST(Units, OfSystemsAreKnownHoweverTheirNamesAreWritten) {
+  for (const char* name : {"SI", "si", "S.I.", "MKS", "M.K.S.", "m k s"}) {
+    EXPECT_EQ(problem(name), "") << name;
+    EXPECT_EQ(parse_units(name).stress, "Pa") << name;
+    EXPECT_EQ(parse_units(name).metres, 1) << name;
+  }
+  for (const char* name : {"cgs", "CGS", "C.G.S.", "c g s"}) {
+    EXPECT_EQ(problem(name), "") << name;
+    EXPECT_DOUBLE_EQ(parse_units(name).density_si(), 1000) << name;
+  }
+}
+
 TEST(Units, ThatAreNotUnderstoodAreRefused) {
   EXPECT_THAT(problem("foo-bar-baz"), HasSubstr("\"foo\" is the name of none"));
   EXPECT_THAT(problem("mm-ms"), HasSubstr("a mass, a force or a stress is missing"));

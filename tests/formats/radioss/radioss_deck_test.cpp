@@ -119,6 +119,15 @@ TEST_F(RadiossTest, APowerOfTheStrainIsACurve) {
   }
 }
 
+/// A fourth node that is left out, or the third once more.
+TEST_F(RadiossTest, SegmentsOfThreeNodesAreTriangles) {
+  translate(cube_with("/SURF/SEG/4\ns\n" + ten({"1", "5", "6", "7"}) + ten({"2", "5", "6", "7", "7"}) +
+                      ten({"3", "5", "6", "7", "8"})));
+  const MeshFile file = read_mesh_file({.format = MeshFormat::radioss, .file = path_, .part = {}}, {});
+  using Face = std::array<std::int32_t, 4>;
+  EXPECT_THAT(file.face_sets.at(0).faces, testing::ElementsAre(Face{4, 5, 6, 6}, Face{4, 5, 6, 6}, Face{4, 5, 6, 7}));
+}
+
 /// Any node that is missing: of the first solid, of the last one.
 TEST_F(RadiossTest, GravityOfPartOfAPartIsRefused) {
   const std::string gravity = "/GRAV/1\ng\n" + ten({"0", "Z", "0", "0", "5", "-"}).substr(0, 60) + twenty({1, -9810});
