@@ -181,7 +181,7 @@ class Pictures(unittest.TestCase):
             self.assertEqual(int(count.strip().strip(",")), self.outputs)
 
     def test_a_film_without_ffmpeg_says_so(self):
-        done = subprocess.run([PROGRAM, "view", self.out, "--animation", "film.mp4"], env={"PATH": "/nowhere"},
+        done = subprocess.run([PROGRAM, "view", self.out, "--animation", "film.mp4"], env={**os.environ, "PATH": "/nowhere"},
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.assertEqual(done.returncode, 2)
         self.assertIn("ffmpeg", done.stdout)
