@@ -114,6 +114,20 @@ TEST_F(KnownMaterials, GiveWayToWhatTheSceneSays) {
   EXPECT_FALSE(elastic.plastic);
 }
 
+TEST_F(KnownMaterials, StandWhereTheirNameDoes) {
+  GivenTable given, scene;
+  given.set("name", GivenValue(std::string("m")));
+  given.set("use", GivenValue(std::string("copper OFHC, Johnson-Cook 1983"), GivenPlace("the line of use")));
+  scene.set("units", GivenValue(std::string("SI")));
+  scene.set("material", GivenValue(GivenArray{GivenValue(given)}));
+  take_known_materials(scene);
+  const GivenTable& filled = *scene.find("material")->as<GivenArray>()->at(0).as<GivenTable>();
+  ASSERT_GT(filled.entries().size(), 6U) << "so many that the entries have moved";
+  for (std::size_t k = 2; k < filled.entries().size(); ++k) {
+    EXPECT_EQ(filled.entries()[k].place.text(""), "the line of use") << filled.entries()[k].key;
+  }
+}
+
 TEST_F(KnownMaterials, OfAFolderOfOnesOwnComeFirst) {
   std::filesystem::create_directories(folder_ / "materials");
   std::ofstream(folder_ / "materials/own.toml")

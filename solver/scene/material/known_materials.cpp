@@ -148,7 +148,8 @@ void take_known_material(GivenTable& material, const GivenValue& use, const Unit
   if (found == known.end()) fail(place, key, names_of(known, *wanted));
   GivenTable filling = in_units(*found, units);
   leave_out_other_moduli(material, filling);
-  fill(material, filling, use.place);
+  const GivenPlace of_use = use.place;  // filled, the table moves its entries, and `use` with them
+  fill(material, filling, of_use);
 }
 
 }  // namespace
