@@ -162,7 +162,7 @@ TEST_F(MaterialLawsScene, RefusesPressuresThatAreNone) {
   EXPECT_THAT(problem_of_pressure("form = \"polynomial\", coefficients = [0, -1, 0, 0, 0, 0, 0]"),
               HasSubstr("expected c1 > 0, the bulk modulus at rest, got -1"));
   EXPECT_THAT(problem_of_pressure("sound_speed = 1, coefficients = [0, 1, 0, 0, 0, 0, 0]"),
-              HasSubstr("equation_of_state.coefficients: not used with another form"));
+              HasSubstr("equation_of_state.coefficients: not used but with form = \"polynomial\""));
 }
 
 TEST_F(MaterialLawsScene, ReadsLimitsOfErosionOfAnyModel) {

@@ -124,17 +124,18 @@ constexpr void describe(Of<EquationOfStateSettings>, Visit&& visit) {
             &T::sound_speed,
             "c, of the bulk: of a shock u_s = c + s1 u_p",
             {.unit = "L/T", .bound = positive, .need = Need::required}}
-            .only_where(shock, "with another form"));
-  visit(Key{"slopes", &T::slopes, "`[s1, s2, s3]`", {.unit = "-"}}.only_where(shock, "with another form"));
+            .only_where(shock, "but with form = \"mie_grueneisen\""));
+  visit(Key{"slopes", &T::slopes, "`[s1, s2, s3]`", {.unit = "-"}}.only_where(shock,
+                                                                              "but with form = \"mie_grueneisen\""));
   visit(Key{"gamma", &T::gamma, "Gamma_0 of Grueneisen", {.unit = "-", .bound = not_negative}}.only_where(
-      shock, "with another form"));
+      shock, "but with form = \"mie_grueneisen\""));
   visit(Key{"gamma_slope", &T::gamma_slope, "a, of its change with the density", {.unit = "-"}}.only_where(
-      shock, "with another form"));
+      shock, "but with form = \"mie_grueneisen\""));
   visit(Key{"coefficients",
             &T::coefficients,
             "`[c0, c1, c2, c3, c4, c5, c6]`, the last three without a unit",
             {.unit = "M/(L T^2)", .need = Need::required}}
-            .only_where(polynomial, "with another form"));
+            .only_where(polynomial, "but with form = \"polynomial\""));
   visit(Key{"tension_limit",
             &T::tension_limit,
             "the pressure is never below minus this; 0: no limit",
