@@ -152,11 +152,14 @@ std::size_t different_nodes(const Corners8& corners) {
 
 WorkedShape worked_as(const Corners8& corners) {
   if (is_tetrahedron(corners)) return WorkedShape::tetrahedron;
-  const std::size_t nodes = different_nodes(corners);
-  for (const KnownShape& shape : shapes) {
-    if (different_nodes(shape.stored) == nodes && nodes > 4) return shape.worked;
-  }
-  return WorkedShape::hexahedron;
+  static const auto worked_by_nodes = [] {
+    std::array<WorkedShape, 9> worked{};
+    for (const KnownShape& shape : shapes) {
+      if (shape.shape != SolidShape::tetrahedron) worked[different_nodes(shape.stored)] = shape.worked;
+    }
+    return worked;
+  }();
+  return worked_by_nodes[different_nodes(corners)];
 }
 
 SolidShape shape_of(const Corners8& c) {
