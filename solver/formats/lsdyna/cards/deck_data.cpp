@@ -296,12 +296,11 @@ void DeckData::name_bodies() {
   std::vector<std::int64_t> elements(mesh.parts.size(), 0), tetrahedra(elements), wedges(elements);
   used.assign(mesh.mesh.nodes.size(), false);
   for (std::size_t e = 0; e < mesh.part.size(); ++e) {
-    const Corners8& hexahedron = mesh.mesh.hexahedra[e];
     ++elements[mesh.part[e]];
-    const WorkedShape shape = worked_as(hexahedron);
+    const WorkedShape shape = worked_as(mesh.mesh.hexahedra[e]);
     if (shape == WorkedShape::tetrahedron) ++tetrahedra[mesh.part[e]];
     if (shape == WorkedShape::wedge) ++wedges[mesh.part[e]];
-    for (const std::int32_t node : hexahedron) used[node] = true;
+    for (const std::int32_t node : mesh.mesh.hexahedra[e]) used[node] = true;
   }
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
     if (elements[p] == 0) continue;
