@@ -237,6 +237,7 @@ TEST(ImpulsesOfTwoNodes, GiveBackNoMoreThanTheyHaveTaken) {
     }
   }
   for (const auto& [count, common_first, pressing, speed] : cases) {
+    const double bound = count == 1 ? 1e-12 : 1e-9;      // of several that hang together to what their solution is
     const double reduced = 1 / (1 / 2.0 + count / 3.0);  // of each, where all do the same
     std::vector<double> masses(static_cast<std::size_t>(count), 2.0);
     masses.push_back(3.0);
@@ -255,18 +256,18 @@ TEST(ImpulsesOfTwoNodes, GiveBackNoMoreThanTheyHaveTaken) {
       solver.finish_rows(nodes, 1.0);
       solver.solve(nodes, {1.0, 1.0});
       const double impulse = nodes.force_of(0).z - load;
-      for (std::int32_t n = 0; n < count; ++n) EXPECT_NEAR(nodes.force_of(n).z - load, impulse, 1e-9);
+      for (std::int32_t n = 0; n < count; ++n) EXPECT_NEAR(nodes.force_of(n).z - load, impulse, bound);
       for (std::int32_t n = 0; n <= count; ++n) nodes.take_force(n);
       return impulse;
     };
-    EXPECT_NEAR(step(0, -0.5 * speed), 0.5 * reduced * speed, 1e-9);
-    EXPECT_NEAR(step(0, 0), 0.5 * reduced * speed, 1e-9);
+    EXPECT_NEAR(step(0, -0.5 * speed), 0.5 * reduced * speed, bound);
+    EXPECT_NEAR(step(0, 0), 0.5 * reduced * speed, bound);
     const double last = step(-pressing, 0);
-    EXPECT_NEAR(last, pressing * reduced / 2.0, 1e-9);
+    EXPECT_NEAR(last, pressing * reduced / 2.0, bound);
     // p (0 + opening + p / reduced) / 2 <= reduced speed^2 / 2, for all were at rest in the step before
     const double half = 0.5 * reduced * opening;
     const double most = -half + std::sqrt(half * half + reduced * reduced * speed * speed);
-    EXPECT_NEAR(step(2.0 * opening, 0), std::min(0.5 * last, most), 1e-9)
+    EXPECT_NEAR(step(2.0 * opening, 0), std::min(0.5 * last, most), bound)
         << count << ", " << common_first << ", " << pressing << ", " << speed;
   }
 }
