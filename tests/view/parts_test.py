@@ -19,7 +19,7 @@ from PIL import Image
 from view.camera import Camera, Frame, VIEWS, corners_of, parse_view
 from view.colours import limits_of, make_colours
 from view.drawing import points_seen
-from view.fields import BadInput, Mesh
+from view.fields import BadInput, Mesh, read_pvd
 from view.history_plot import plot_history
 from view.labels import power_of_ten, readable_powers, round_length, tick_texts, time_scale
 from view.page import LARGEST_FRAME, Film, frame_data, pictures, put_into_page
@@ -119,6 +119,20 @@ class Selections(unittest.TestCase):
         seen = points_seen(mesh, both, parse_cut("x<0.5"), mirror_scales(""))
         self.assertEqual((seen[:, 0].min(), seen[:, 0].max()), (0.0, 0.5))
         self.assertEqual(len(points_seen(mesh, both, parse_cut("x>9"), mirror_scales(""))), 0)
+
+
+class Fields(unittest.TestCase):
+    def test_of_a_list_without_times_or_files_are_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "fields.pvd")
+            for entry in ('timestep="1" file="a.vtu"', 'file="a.vtu"', 'timestep="1"', 'timestep="soon" file="a.vtu"'):
+                with open(path, "w", encoding="utf-8") as file:
+                    file.write(f"<VTKFile><Collection><DataSet {entry}/></Collection></VTKFile>")
+                if entry.count("=") == 2 and "soon" not in entry:
+                    self.assertEqual(read_pvd(path), [(1.0, os.path.join(folder, "a.vtu"))])
+                else:
+                    with self.assertRaisesRegex(BadInput, "a DataSet without a time and a file"):
+                        read_pvd(path)
 
 
 class Quantities(unittest.TestCase):
