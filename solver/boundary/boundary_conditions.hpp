@@ -42,6 +42,8 @@ class BoundaryConditions {
   bool changes(double time) const { return past(time) != changed_; }
   /// Adds loads and damping to the forces of the nodes.
   void add_loads(const NodeArrays<S>& nodes, double time);
+  /// Whether hold() has anything to do at present.
+  bool holds() const { return constrains_ || prescribes_; }
   /// Constraints and prescribed velocities: changes forces and, in constrained directions, velocities; once more where
   /// contact has added forces since. due: what is integrated then.
   void hold(const NodeArrays<S>& nodes, double time, const StepLengths& step, const DueSpans& due = {});

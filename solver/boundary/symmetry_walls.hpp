@@ -19,6 +19,7 @@ class SymmetryWalls {
  public:
   SymmetryWalls(const Model<S>& model, const BoundaryKernels<S>& kernels);
 
+  bool any() const { return !walls_.empty(); }
   /// To be called after the integration; position_step: the step just made with the present velocities [time].
   void reflect(const NodeArrays<S>& nodes, S position_step) const {
     for (const auto& wall : walls_) wall->reflect(nodes, position_step);

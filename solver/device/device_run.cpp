@@ -59,44 +59,45 @@ std::unique_ptr<DeviceStep<S>> make_step([[maybe_unused]] Device device, [[maybe
 }  // namespace
 
 template <class S>
-DeviceRun<S>::DeviceRun(const Model<S>& model) : device_(device_for(model.scene)), layout_(model) {
+DeviceRun<S>::DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule)
+    : model_(model), forces_(forces), schedule_(schedule), device_(device_for(model.scene)), layout_(model) {
   step_ = make_step(device_, layout_.mesh(model));
   state_ = layout_.state(model);
 }
 
 template <class S>
-void DeviceRun<S>::bring_back(Model<S>& model) {
+void DeviceRun<S>::bring_back() {
   if (!device_is_newer_) return;
   step_->read(state_);
-  layout_.to_model(state_, model);
+  layout_.to_model(state_, model_);
   device_is_newer_ = false;
 }
 
 template <class S>
-void DeviceRun<S>::bring_back(const Model<S>& model, Schedule<S>& schedule) {
-  if (knows_resting_) schedule.set_resting(model, step_->read_resting());
+void DeviceRun<S>::bring_back_resting() {
+  if (knows_resting_) schedule_.set_resting(model_, step_->read_resting());
 }
 
 /// Sends what the host has changed. Returns whether tiles that rest were found anew.
 template <class S>
-bool DeviceRun<S>::take_changes(const Model<S>& model, Schedule<S>& schedule, const InternalForces<S>& forces) {
+bool DeviceRun<S>::take_changes() {
   if (!host_is_newer_) return false;
   host_is_newer_ = false;
-  state_ = layout_.state(model);
+  state_ = layout_.state(model_);
   step_->write(state_);
   step_->set_resting({});
   knows_resting_ = false;
-  if (schedule.resting() != nullptr) {  // of a checkpoint
-    tell_resting(model, schedule, forces);
+  if (schedule_.resting() != nullptr) {  // of a checkpoint
+    tell_resting();
     return false;
   }
-  if (built::resting) schedule.find_resting(model);
+  if (built::resting) schedule_.find_resting(model_);
   return built::resting;
 }
 
 template <class S>
-void DeviceRun<S>::tell_resting(const Model<S>& model, const Schedule<S>& schedule, const InternalForces<S>& forces) {
-  const DeviceResting<S> list = resting_list(model, *schedule.resting(), forces.tiles());
+void DeviceRun<S>::tell_resting() {
+  const DeviceResting<S> list = resting_list(model_, *schedule_.resting(), forces_.tiles());
   step_->set_resting(list);
   resting_ = list.tile;
   knows_resting_ = true;
@@ -105,23 +106,21 @@ void DeviceRun<S>::tell_resting(const Model<S>& model, const Schedule<S>& schedu
 /// Which tiles rest is found before they are updated, which changes nothing of it. They are updated once more, for the
 /// stable steps that they keep from then on.
 template <class S>
-InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Schedule<S>& schedule,
-                                                     InternalForces<S>& forces, const ElementStep<S>& step,
-                                                     bool with_sums) {
+InternalForceResult<S> DeviceRun<S>::update_elements(const Due& /*due*/, const ElementStep<S>& step, bool more_forces) {
   RestingTotals<S> resting;
   ElementTotals<S> totals;
-  const bool found = take_changes(model, schedule, forces);
+  const bool found = take_changes();
   device_is_newer_ = true;
   if (found) {
     Array<S> rates;
     totals = step_->update_elements(step, rates);
-    keep_time_steps(model, layout_, *schedule.resting(), rates, forces);
-    tell_resting(model, schedule, forces);
+    keep_time_steps(model_, layout_, *schedule_.resting(), rates, forces_);
+    tell_resting();
   } else {
     resting = step_->wake();
     totals = step_->update_elements(step);
   }
-  if (with_sums) step_->sum_corner_forces();
+  if (more_forces) step_->sum_corner_forces();
   InternalForceResult<S> result;
   result.internal = totals.internal;
   result.hourglass = totals.hourglass;
@@ -134,9 +133,9 @@ InternalForceResult<S> DeviceRun<S>::update_elements(const Model<S>& model, Sche
   if (resting.index >= 0 && resting.time_step < result.time_step) {
     result.time_step = resting.time_step;
     const std::int32_t tile = resting_[resting.index];
-    result.time_step_slot = forces.tiles()[tile].time_step_slot;
+    result.time_step_slot = forces_.tiles()[tile].time_step_slot;
   }
-  if (model.scene.skip.resting) result.resting_elements = resting.elements;
+  if (model_.scene.skip.resting) result.resting_elements = resting.elements;
   result.eroded_count = totals.eroded_count;
   result.inverted_count = totals.inverted_count;
   result.inside_out_count = totals.inside_out_count;
@@ -156,7 +155,12 @@ std::unique_ptr<BoundaryKernels<S>> DeviceRun<S>::boundary_kernels() const {
 }
 
 template <class S>
-MotionEnergy DeviceRun<S>::integrate(const StepLengths& step) {
+NodeArrays<S> DeviceRun<S>::nodes(NodeNumbers /*changes*/) {
+  return step_->nodes();
+}
+
+template <class S>
+MotionEnergy DeviceRun<S>::integrate(const Due& /*due*/, const StepLengths& step) {
   device_is_newer_ = true;
   return step_->integrate(step);
 }

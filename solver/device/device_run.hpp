@@ -7,11 +7,10 @@
 #include <vector>
 
 #include <solver/base/error.hpp>
-#include <solver/boundary/space/boundary_kernels.hpp>
-#include <solver/elements/internal_forces.hpp>
 
 #include "device_layout.hpp"
 #include "device_step.hpp"
+#include "step_space.hpp"
 
 namespace pinball {
 
@@ -26,37 +25,40 @@ struct MissingOnDevice : InputError {
   std::string missing;  ///< as of missing_on_device
 };
 
-/// A model whose state lies on a device. The host's stores are a mirror of it: who reads them asks for bring_back
+/// A model whose state lies on a device. The host's stores are a mirror of it: who reads them asks for bring_back()
 /// first, who changes them says so. This is the one place that knows which of both is newer.
 template <class S>
-class DeviceRun {
+class DeviceRun final : public StepSpace<S> {
  public:
-  /// Throws MissingOnDevice, and InputError where there is no such device.
-  explicit DeviceRun(const Model<S>& model);
+  /// All have to stay where they are; `forces` keeps the stable steps of tiles at rest. Throws MissingOnDevice, and
+  /// InputError where there is no such device.
+  DeviceRun(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule);
 
-  /// Copies the state into the stores, if the device has changed it since.
-  void bring_back(Model<S>& model);
-  /// Of the tiles that rest.
-  void bring_back(const Model<S>& model, Schedule<S>& schedule);
-  /// The stores have been changed: the next step begins with them.
-  void host_has_changed() { host_is_newer_ = true; }
+  std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const override;
+  NodeArrays<S> nodes(NodeNumbers changes) override;
+  InternalForceResult<S> update_elements(const Due& due, const ElementStep<S>& step, bool more_forces) override;
+  MotionEnergy integrate(const Due& due, const StepLengths& step) override;
 
-  /// The loops of boundary conditions, on nodes().
-  std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const;
-  NodeArrays<S> nodes() { return step_->nodes(); }
+  void add_common(std::span<const std::int32_t> /*nodes*/) override {}
+  void take_in(std::span<const std::int32_t> /*nodes*/) override {}
+  void show(NodeNumbers /*numbers*/) override {}
+  void take(NodeNumbers /*changed*/) override {}
+  void take_masses() override {}
+  std::vector<std::int64_t> eroded_slots() override { return {}; }
+  void show_strains(const Surface& /*surface*/) override {}
 
-  /// As InternalForces::compute, for schedules without subcycling; `forces` keeps the stable steps of tiles at rest.
-  /// with_sums: the forces of nodes have those of their corners, for who adds more before nodes are integrated.
-  InternalForceResult<S> update_elements(const Model<S>& model, Schedule<S>& schedule, InternalForces<S>& forces,
-                                         const ElementStep<S>& step, bool with_sums);
-  MotionEnergy integrate(const StepLengths& step);
-
-  std::size_t bytes() const;  ///< of both, less the stores of the model
+  void bring_back() override;
+  void bring_back_resting() override;
+  void host_has_changed() override { host_is_newer_ = true; }
+  std::size_t bytes() const override;
 
  private:
-  bool take_changes(const Model<S>& model, Schedule<S>& schedule, const InternalForces<S>& forces);
-  void tell_resting(const Model<S>& model, const Schedule<S>& schedule, const InternalForces<S>& forces);
+  bool take_changes();
+  void tell_resting();
 
+  Model<S>& model_;
+  InternalForces<S>& forces_;
+  Schedule<S>& schedule_;
   Device device_;
   DeviceLayout<S> layout_;
   std::unique_ptr<DeviceStep<S>> step_;

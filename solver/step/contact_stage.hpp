@@ -7,8 +7,8 @@
 
 #include <solver/base/built_features.hpp>
 #include <solver/contact/algorithm/contact_algorithm.hpp>
+#include <solver/device/step_space.hpp>
 #include <solver/model/model_surface.hpp>
-#include <solver/parallel/subdomain.hpp>
 #include <solver/results/timers.hpp>
 
 #include "pair_ledger.hpp"
@@ -20,9 +20,9 @@ namespace pinball {
 template <class S>
 class ContactStage {
  public:
-  /// domain: of several ranks, all of which work all contact; null: one process does.
-  explicit ContactStage(const Model<S>& model, Subdomain<S>* domain = nullptr)
-      : domain_(domain),
+  /// space: of the step; has to stay where it is.
+  ContactStage(const Model<S>& model, StepSpace<S>& space)
+      : space_(space),
         contact_(make_model_contact(model)),
         pairs_(contact_ ? model.scene.contact_pairs : std::vector<ContactPair>()) {}
 
@@ -38,10 +38,9 @@ class ContactStage {
   void set_ties(const TiedNodes<S>& ties, bool changed) {
     if (contact_) contact_->set_ties(ties, changed);
   }
-  /// Surface, search, and what acts before constraints do: penalty forces, added to the nodes. tiles: what the elements
-  /// did in this step; time: of the forces; dt: the step just made [time].
-  ContactWork before_constraints(Model<S>& model, const std::vector<TileResult<S>>& tiles, double time, double dt,
-                                 Timers& timers, RunCounts& counts);
+  /// Surface, search, and what acts before constraints do: penalty forces, added to the nodes. time: of the forces; dt:
+  /// the step just made [time].
+  ContactWork before_constraints(Model<S>& model, double time, double dt, Timers& timers, RunCounts& counts);
   /// What acts on velocities that constraints leave: impulses, as forces added to the nodes. bounds: of
   /// impulse_nodes(), by what stops them afterwards.
   ContactWork after_constraints(Model<S>& model, const StepLengths& step, std::span<const NodeBound> bounds,
@@ -66,10 +65,7 @@ class ContactStage {
   std::size_t bytes() const { return contact_ ? contact_->bytes() : 0; }
 
  private:
-  ContactWork before_constraints(const SurfaceSource<S>& source, const std::vector<std::int64_t>& eroded, double dt,
-                                 Timers& timers, RunCounts& counts);
-
-  Subdomain<S>* domain_;
+  StepSpace<S>& space_;
   std::unique_ptr<ContactAlgorithm<S>> contact_;
   PairLedger pairs_;
 };

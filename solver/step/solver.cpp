@@ -7,12 +7,12 @@
 
 #include <solver/base/built_features.hpp>
 #include <solver/base/error.hpp>
-#include <solver/boundary/space/make_boundary_kernels.hpp>
-#include <solver/boundary/space/model_arrays.hpp>
+#include <solver/device/device_run.hpp>
 #include <solver/model/selection/near_nodes.hpp>
 #include <solver/results/sound_bounds.hpp>
 
 #include "energy/drift_energy.hpp"
+#include "host_step.hpp"
 #include "impact_speed.hpp"
 #include "integration.hpp"
 #include "places.hpp"
@@ -48,17 +48,17 @@ double sound_swallowing_of(const Scene& scene) {
 template <class S>
 Solver<S>::Solver(const Scene& scene, Ranks* ranks)
     : model_(build_model<S>(scene)),
-      device_(scene.device == Device::none ? nullptr : std::make_unique<DeviceRun<S>>(model_)),
       domain_(ranks == nullptr ? nullptr : std::make_unique<Subdomain<S>>(model_, *ranks)),
       internal_forces_(model_, domain_.get()),
       schedule_(model_, domain_.get()),
-      symmetry_walls_(model_, *boundary_kernels()),
-      boundary_(model_, boundary_kernels()),
+      space_(make_space()),
+      symmetry_walls_(model_, *space_->boundary_kernels()),
+      boundary_(model_, space_->boundary_kernels()),
       probes_(model_),
       body_energies_(model_, domain_.get()),
       tied_(model_),
       rigid_(model_),
-      contact_(model_, domain_.get()),
+      contact_(model_, *space_),
       clock_(model_.scene.time, model_.scene.damping.mass),
       guards_(model_, clock_) {
   if (contact() != nullptr) {
@@ -76,27 +76,23 @@ Solver<S>::Solver(const Scene& scene, Ranks* ranks)
   guards_.set_cause(unstable_hourglass_.empty() ? model_.look.cause : unstable_hourglass_);
   initial_momentum_ = momentum(*this);
   if (rigid_.any()) contact_.set_rigid_sides(rigid_.sides());
-  if (!domain_) return;
   choose_common_nodes();
-  domain_->connect(model_, fingerprint(model_));
+  if (domain_) domain_->connect(model_, fingerprint(model_));
 }
 
 template <class S>
-std::unique_ptr<BoundaryKernels<S>> Solver<S>::boundary_kernels() const {
-  return device_ ? device_->boundary_kernels() : make_host_boundary_kernels<S>(domain_.get());
-}
-
-/// What boundary conditions work on, on the device or the host.
-template <class S>
-NodeArrays<S> Solver<S>::nodes() {
-  return device_ ? device_->nodes() : node_arrays(model_);
+std::unique_ptr<StepSpace<S>> Solver<S>::make_space() {
+  if (model_.scene.device != Device::none) {
+    return std::make_unique<DeviceRun<S>>(model_, internal_forces_, schedule_);
+  }
+  return std::make_unique<HostStep<S>>(model_, internal_forces_, schedule_, domain_.get());
 }
 
 template <class S>
 Model<S>& Solver<S>::change_model() {
   schedule_.forget_resting();
-  model();
-  if (device_) device_->host_has_changed();
+  space_->bring_back();
+  space_->host_has_changed();
   return model_;
 }
 
@@ -148,10 +144,8 @@ void Solver<S>::make_step(const Due& due) {
 template <class S>
 InternalForceResult<S> Solver<S>::internal_forces(const Due& due) {
   const ElementStep<S> step{static_cast<S>(clock_.dt()), S(1), static_cast<S>(clock_.time())};
-  return timers_.measure(Phase::internal_forces, [&] {
-    if (device_) return device_->update_elements(model_, schedule_, internal_forces_, step, boundary_.any());
-    return internal_forces_.compute(model_, schedule_, due, step);
-  });
+  const bool more_forces = boundary_.any() || contact() != nullptr || tied_.any() || rigid_.any();
+  return timers_.measure(Phase::internal_forces, [&] { return space_->update_elements(due, step, more_forces); });
 }
 
 /// After what erodes in this step is known, before contact looks at what may touch.
@@ -160,7 +154,12 @@ ContactWork Solver<S>::update_ties() {
   ContactWork work;
   if (!tied_.any()) return work;
   timers_.measure(Phase::boundary_conditions, [&] {
-    if (tied_.update(model_, clock_.time())) contact_.set_ties(tied_.nodes(), true);
+    space_->eroded_slots();  // elements of faces
+    space_->show(NodeNumbers::motion);
+    if (!tied_.update(model_, clock_.time())) return;
+    space_->take(NodeNumbers::motion);
+    space_->take_masses();
+    contact_.set_ties(tied_.nodes(), true);
   });
   work.dissipated = tied_.take_lost_energy();
   return work;
@@ -169,14 +168,18 @@ ContactWork Solver<S>::update_ties() {
 template <class S>
 ContactWork Solver<S>::contact_before_constraints() {
   rigid_.begin_step(clock_.time());
-  return contact_.before_constraints(model_, internal_forces_.tiles(), clock_.time(), clock_.dt(), timers_, counts_);
+  return contact_.before_constraints(model_, clock_.time(), clock_.dt(), timers_, counts_);
 }
 
 /// The last word on tied nodes: whatever constraints, walls and planes of symmetry do, they do to the corners.
 template <class S>
 void Solver<S>::follow_ties() {
   if (!tied_.any()) return;
-  timers_.measure(Phase::integration, [&] { tied_.follow(model_); });
+  timers_.measure(Phase::integration, [&] {
+    space_->show(NodeNumbers::motion);
+    tied_.follow(model_);
+    space_->take(NodeNumbers::motion);
+  });
 }
 
 /// The largest step that elements, contact and rigid bodies allow, for the whole cycle.
@@ -200,27 +203,39 @@ void Solver<S>::boundary_forces(const Due& due) {
   if (!acts && !tied_.any()) return;
   timers_.measure(Phase::boundary_conditions, [&] {
     if (acts) follow_constraints();
-    if (acts) boundary_.add_loads(nodes(), clock_.time());
-    if (tied_.any()) tied_.distribute(model_);
-    if (!acts) return;
-    boundary_.hold(nodes(), clock_.time(), clock_.lengths(), schedule_.due_spans(due));
+    if (acts) boundary_.add_loads(space_->nodes(NodeNumbers::force), clock_.time());
+    if (tied_.any()) {
+      space_->show(NodeNumbers::force);
+      tied_.distribute(model_);
+      space_->take(NodeNumbers::force);
+    }
+    if (acts) hold(due);
   });
+}
+
+template <class S>
+void Solver<S>::hold(const Due& due) {
+  if (!boundary_.holds()) return;
+  boundary_.hold(space_->nodes(NodeNumbers::all), clock_.time(), clock_.lengths(), schedule_.due_spans(due));
 }
 
 template <class S>
 void Solver<S>::share_rigid_forces() {
   if (!rigid_.any()) return;
-  timers_.measure(Phase::boundary_conditions, [&] { rigid_.share_forces(model_, clock_.time(), clock_.lengths()); });
+  timers_.measure(Phase::boundary_conditions, [&] {
+    space_->show(NodeNumbers::force);
+    rigid_.share_forces(model_, clock_.time(), clock_.lengths());
+    space_->take(NodeNumbers::force);
+  });
 }
 
 template <class S>
 ContactWork Solver<S>::contact_after_constraints(const Due& due) {
   const std::vector<NodeBound> bounds =
-      boundary_.bounds(nodes(), contact_.impulse_nodes(), clock_.time(), clock_.lengths());
+      boundary_.bounds(space_->nodes(NodeNumbers::none), contact_.impulse_nodes(), clock_.time(), clock_.lengths());
   const ContactWork work = contact_.after_constraints(model_, clock_.lengths(), bounds, timers_);
   if (contact_.acts_on_velocities()) {  // they may have loaded nodes that are held
-    timers_.measure(Phase::boundary_conditions,
-                    [&] { boundary_.hold(nodes(), clock_.time(), clock_.lengths(), schedule_.due_spans(due)); });
+    timers_.measure(Phase::boundary_conditions, [&] { hold(due); });
     share_rigid_forces();
   }
   return work;
@@ -229,8 +244,9 @@ ContactWork Solver<S>::contact_after_constraints(const Due& due) {
 template <class S>
 void Solver<S>::wall_reactions() {
   if (!built::boundary_conditions || !boundary_.any()) return;
-  timers_.measure(Phase::boundary_conditions,
-                  [&] { boundary_.add_wall_reactions(nodes(), clock_.time(), clock_.lengths()); });
+  timers_.measure(Phase::boundary_conditions, [&] {
+    boundary_.add_wall_reactions(space_->nodes(NodeNumbers::force), clock_.time(), clock_.lengths());
+  });
 }
 
 /// Returns the energies of the nodes that are integrated in this step of the cycle.
@@ -238,10 +254,8 @@ template <class S>
 MotionEnergy Solver<S>::integrate(const Due& due) {
   return timers_.measure(Phase::integration, [&] {
     if (due.all() && body_energies_.any()) body_energies_.take_kinetic(model_, clock_.lengths());
-    if (device_) return device_->integrate(clock_.lengths());
-    MotionEnergy motion = integrate_nodes(model_, schedule_.due_spans(due), clock_.lengths(), domain_.get());
+    MotionEnergy motion = space_->integrate(due, clock_.lengths());
     if (rigid_.any()) motion.kinetic += rigid_.kinetic_beside(clock_.lengths());
-    schedule_.end_step(model_.nodes);
     return motion;
   });
 }
@@ -250,13 +264,19 @@ MotionEnergy Solver<S>::integrate(const Due& due) {
 template <class S>
 void Solver<S>::move_rigid_bodies() {
   if (!rigid_.any()) return;
-  timers_.measure(Phase::integration, [&] { rigid_.move(model_, clock_.lengths()); });
+  timers_.measure(Phase::integration, [&] {
+    space_->show(NodeNumbers::motion);
+    rigid_.move(model_, clock_.lengths());
+    space_->take(NodeNumbers::motion);
+  });
 }
 
 template <class S>
 void Solver<S>::reflect_at_symmetry_planes() {
   if (counts_.eroded_elements() == 0) return;
-  timers_.measure(Phase::integration, [&] { symmetry_walls_.reflect(nodes(), static_cast<S>(clock_.dt())); });
+  if (!symmetry_walls_.any()) return;
+  timers_.measure(Phase::integration,
+                  [&] { symmetry_walls_.reflect(space_->nodes(NodeNumbers::motion), static_cast<S>(clock_.dt())); });
 }
 
 /// The total of the energies is checked where all elements are at one time.
@@ -341,19 +361,18 @@ Array<S>& Solver<S>::host_forces() {
 template <class S>
 std::size_t Solver<S>::bytes() const {
   return model_.bytes() + internal_forces_.bytes() + schedule_.bytes() + contact_.bytes() + symmetry_walls_.bytes() +
-         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() +
-         (device_ ? device_->bytes() : 0) + (domain_ ? domain_->bytes() : 0);
+         boundary_.bytes() + tied_.bytes() + rigid_.bytes() + body_energies_.bytes() + space_->bytes() +
+         (domain_ ? domain_->bytes() : 0);
 }
 
 template <class S>
 void Solver<S>::persist(StateArchive& archive) {
-  if (!archive.reads() && device_) {
-    device_->bring_back(model_);
-    device_->bring_back(model_, schedule_);
+  if (!archive.reads()) {
+    space_->bring_back();
+    space_->bring_back_resting();
   }
-  if (!archive.reads() && domain_) domain_->bring_back(model_);
   model_.persist(archive);
-  if (archive.reads() && device_) device_->host_has_changed();
+  if (archive.reads()) space_->host_has_changed();
   internal_forces_.persist(archive, model_);
   schedule_.persist(archive, model_);
   boundary_.persist(archive, model_, clock_.force_time());
@@ -370,9 +389,10 @@ void Solver<S>::persist(StateArchive& archive) {
   counts_.persist(archive);
   timers_.persist(archive);
   archive(initial_momentum_, kinetic_before_change_);
-  if (archive.reads()) check_places(archive);
-  if (!archive.reads() || !domain_) return;
+  if (!archive.reads()) return;
+  check_places(archive);
   choose_common_nodes();
+  if (!domain_) return;
   domain_->connect_sums(model_);
   domain_->state_was_read(model_);
 }

@@ -10,7 +10,7 @@
 #include <solver/base/state_archive.hpp>
 #include <solver/boundary/boundary_conditions.hpp>
 #include <solver/boundary/symmetry_walls.hpp>
-#include <solver/device/device_run.hpp>
+#include <solver/device/step_space.hpp>
 #include <solver/elements/internal_forces.hpp>
 #include <solver/elements/schedule.hpp>
 #include <solver/model/initial_overlap.hpp>
@@ -74,8 +74,7 @@ class Solver {
   /// Of a run on a device the mirror on the host, of one on several ranks the whole of it, brought up to date: the
   /// state is copied where the last steps have changed it.
   const Model<S>& model() const {
-    if (device_) device_->bring_back(model_);
-    if (domain_) domain_->bring_back(model_);
+    space_->bring_back();
     return model_;
   }
   /// To change it between steps: the next step works all elements, also those at rest.
@@ -139,14 +138,14 @@ class Solver {
   void make_cycle(bool last);
   void take_changed_velocities();
   void make_step(const Due& due);
-  std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const;
-  NodeArrays<S> nodes();
+  std::unique_ptr<StepSpace<S>> make_space();
 
   InternalForceResult<S> internal_forces(const Due& due);
   ContactWork update_ties();
   ContactWork contact_before_constraints();
   void choose_time_step(const Due& due, const InternalForceResult<S>& element, const ContactWork& springs);
   void boundary_forces(const Due& due);
+  void hold(const Due& due);
   void follow_constraints();
   void share_rigid_forces();
   ContactWork contact_after_constraints(const Due& due);
@@ -160,11 +159,11 @@ class Solver {
   void watch_corners(std::int64_t inside_out);
   void watch_energies();
 
-  mutable Model<S> model_;                ///< mutable: of a run on a device a mirror
-  std::unique_ptr<DeviceRun<S>> device_;  ///< null: the host makes the steps
+  Model<S> model_;                        ///< of a run on a device a mirror
   std::unique_ptr<Subdomain<S>> domain_;  ///< null: no other rank has any
   InternalForces<S> internal_forces_;
   Schedule<S> schedule_;
+  std::unique_ptr<StepSpace<S>> space_;
   SymmetryWalls<S> symmetry_walls_;
   BoundaryConditions<S> boundary_;
   Probes<S> probes_;

@@ -24,21 +24,21 @@ void Solver<S>::follow_rank_0() {
   }
 }
 
-/// What contact, ties and rigid bodies read and move, each on all ranks.
+/// What contact, ties and rigid bodies read and move, each on all ranks, or beside a device.
 template <class S>
 void Solver<S>::choose_common_nodes() {
-  if (contact() != nullptr) domain_->add_common(contact()->nodes());
+  if (contact() != nullptr) space_->add_common(contact()->nodes());
   std::vector<std::int32_t> nodes;
   for (const auto& [node, mass] : tied_.nodes().masses_without()) nodes.push_back(node);
   for (const RigidNodes& rigid : model_.rigid) nodes.insert(nodes.end(), rigid.nodes.begin(), rigid.nodes.end());
-  domain_->add_common(nodes);
+  space_->add_common(nodes);
 }
 
 /// Where some begin or end, ranks add up other sums, for which they need nodes that they had not.
 template <class S>
 void Solver<S>::follow_constraints() {
   if (domain_ && boundary_.changes(clock_.time())) domain_->bring_nodes(model_);
-  if (!boundary_.follow(model_, nodes(), clock_.time(), clock_.lengths())) return;
+  if (!boundary_.follow(model_, space_->nodes(NodeNumbers::none), clock_.time(), clock_.lengths())) return;
   contact_.take_held_directions(model_);
   if (domain_) domain_->connect_sums(model_);
 }

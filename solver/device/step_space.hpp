@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <kernels/boundary/node_arrays.hpp>
+#include <kernels/node_update.hpp>
+#include <solver/boundary/space/boundary_kernels.hpp>
+#include <solver/contact/surface/surface.hpp>
+#include <solver/elements/internal_forces.hpp>
+#include <solver/elements/schedule.hpp>
+
+namespace pinball {
+
+/// Numbers of nodes, as flags.
+enum class NodeNumbers : unsigned {
+  none = 0,
+  motion = 1,  ///< positions and velocities
+  force = 2,
+  all = motion | force
+};
+constexpr bool has(NodeNumbers numbers, NodeNumbers some) {
+  return (static_cast<unsigned>(numbers) & static_cast<unsigned>(some)) != 0;
+}
+
+/// Where the arrays of a run lie and its loops over all elements and nodes run: the host's threads, alone or as one of
+/// several ranks, or a device. A step asks for all of it in the same words.
+///
+/// Contact, ties and rigid bodies work on the model, in the memory of the host, and there on some nodes alone: the
+/// common ones. What they read of these has to be shown to them before, and what they have changed to be taken after;
+/// the host's own space has nothing to do for either.
+template <class S>
+class StepSpace {
+ public:
+  virtual ~StepSpace() = default;
+
+  // ---- Loops over all elements and nodes ----
+
+  virtual std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const = 0;
+  /// What these work on, with all that was taken. changes: what they are going to change.
+  virtual NodeArrays<S> nodes(NodeNumbers changes) = 0;
+  /// Adds the internal forces of what is due to the nodes and updates element states (InternalForces::compute).
+  /// step: the one just made; more_forces: others are added to those of nodes before these are integrated.
+  virtual InternalForceResult<S> update_elements(const Due& due, const ElementStep<S>& step, bool more_forces) = 0;
+  /// Velocities and positions of the nodes that are due, and zero forces.
+  virtual MotionEnergy integrate(const Due& due, const StepLengths& step) = 0;
+
+  // ---- Stages that work on the model ----
+
+  /// Nodes that they read and move; some perhaps several times, or common already. Before the first step.
+  virtual void add_common(std::span<const std::int32_t> nodes) = 0;
+  /// The same in the middle of a step, which shows all numbers of those that are new.
+  virtual void take_in(std::span<const std::int32_t> nodes) = 0;
+  /// Brings these numbers of the common nodes up to date in the model.
+  virtual void show(NodeNumbers numbers) = 0;
+  /// The model has newer ones of them.
+  virtual void take(NodeNumbers changed) = 0;
+  /// Masses of nodes have been changed in the model.
+  virtual void take_masses() = 0;
+  /// Slots of elements that have eroded in the last update, ascending, perhaps with padding and others that are no
+  /// longer alive; in the model they have no mass.
+  virtual std::vector<std::int64_t> eroded_slots() = 0;
+  /// Brings up to date the plastic strains of the surface, from which contact guesses what erodes next.
+  virtual void show_strains(const Surface& surface) = 0;
+
+  // ---- Between steps: the whole state ----
+
+  /// Brings the state in the model up to date, where steps have changed it.
+  virtual void bring_back() = 0;
+  /// The same for which tiles rest.
+  virtual void bring_back_resting() = 0;
+  /// The state in the model has been changed: the next step begins with it.
+  virtual void host_has_changed() = 0;
+  virtual std::size_t bytes() const = 0;  ///< beside the stores of the model
+};
+
+}  // namespace pinball

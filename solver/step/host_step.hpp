@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <solver/device/step_space.hpp>
+#include <solver/parallel/subdomain.hpp>
+
+namespace pinball {
+
+/// The space of the host's threads. Of several ranks: what this one shares with the others.
+template <class S>
+class HostStep final : public StepSpace<S> {
+ public:
+  /// All have to stay where they are. domain: of several ranks; null: this process is alone.
+  HostStep(Model<S>& model, InternalForces<S>& forces, Schedule<S>& schedule, Subdomain<S>* domain)
+      : model_(model), forces_(forces), schedule_(schedule), domain_(domain) {}
+
+  std::unique_ptr<BoundaryKernels<S>> boundary_kernels() const override;
+  NodeArrays<S> nodes(NodeNumbers /*changes*/) override;
+  InternalForceResult<S> update_elements(const Due& due, const ElementStep<S>& step, bool /*more_forces*/) override {
+    return forces_.compute(model_, schedule_, due, step);
+  }
+  MotionEnergy integrate(const Due& due, const StepLengths& step) override;
+
+  void add_common(std::span<const std::int32_t> nodes) override {
+    if (domain_ != nullptr) domain_->add_common(nodes);
+  }
+  void take_in(std::span<const std::int32_t> nodes) override {
+    if (domain_ != nullptr) domain_->take_in(model_, nodes);
+  }
+  void show(NodeNumbers /*numbers*/) override {}
+  void take(NodeNumbers /*changed*/) override {}
+  void take_masses() override {}
+  std::vector<std::int64_t> eroded_slots() override { return pinball::eroded_slots(model_, forces_.tiles()); }
+  void show_strains(const Surface& surface) override {
+    if (domain_ != nullptr) domain_->share_strains(model_, surface);
+  }
+
+  void bring_back() override {
+    if (domain_ != nullptr) domain_->bring_back(model_);
+  }
+  void bring_back_resting() override {}
+  void host_has_changed() override {}
+  std::size_t bytes() const override { return 0; }
+
+ private:
+  Model<S>& model_;
+  InternalForces<S>& forces_;
+  Schedule<S>& schedule_;
+  Subdomain<S>* domain_;
+};
+
+}  // namespace pinball
